@@ -36,6 +36,7 @@ test('every control can be reached and used', async ({ page }) => {
     'field-restitution',
     'field-gap_rate',
     'follow',
+    'slope-handle',
     'map',
     'shows',
     'zoom-in',

@@ -17,6 +17,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       'mu_k=7',
       'case=figure-3-bounces&at=6&shows=hops',
       'case=jam&map=0',
+      'case=ramp-jump&map=0',
       'mu_s=0.6&mu_k=0.3&restitution=0.6&map=0',
     ]) {
       await open(page, state);

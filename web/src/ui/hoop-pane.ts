@@ -1,13 +1,27 @@
-// The pane of the hoop.
+// The pane of the hoop, and the handle that tilts its plane.
 
-import { byId } from '../dom';
+import { brief, byId } from '../dom';
 import type { Palette } from '../generated/palette';
+import { QUANTITY_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
-import { Sheet } from '../views/canvas';
-import { drawHoop } from '../views/hoop';
+import { Sheet, type Size } from '../views/canvas';
+import { cameraOf, drawHoop, type HoopScene, seen } from '../views/hoop';
+
+/** Steepest slope of the handle; that of the field is any below π/2. */
+const STEEPEST = 1.5;
+
+/** Closer to level than this the handle stays level. */
+const SNAP = 0.03;
+
+/** What an arrow key changes the slope by; a tenth of it with Shift. */
+const KEY_STEP = 0.05;
+
+/** Pixels between the handle and the edge of the view. */
+const EDGE = 26;
 
 export class HoopPane {
   private readonly sheet: Sheet;
+  private readonly handle = byId('slope-handle', HTMLDivElement);
 
   constructor(
     private readonly lab: Lab,
@@ -17,6 +31,7 @@ export class HoopPane {
     this.sheet = new Sheet(byId('hoop', HTMLCanvasElement), draw);
     const follow = byId('follow', HTMLInputElement);
     follow.addEventListener('change', () => lab.setView({ follow: follow.checked }));
+    this.listen();
   }
 
   setPalette(palette: Palette): void {
@@ -27,24 +42,79 @@ export class HoopPane {
     byId('follow', HTMLInputElement).checked = this.lab.state.view.follow;
   }
 
+  private get scene(): HoopScene {
+    const { motion, time, plain, problem, state } = this.lab;
+    return {
+      motion,
+      sample: motion.at(time),
+      offset: plain.offset,
+      h: problem.h,
+      slope: plain.slope,
+      follow: state.view.follow,
+      palette: this.palette,
+    };
+  }
+
   paint(): void {
-    if (this.sheet.size.width === 0) return;
-    this.drawOn(this.sheet.clear(), this.sheet.size.width, this.sheet.size.height);
+    const { size } = this.sheet;
+    if (size.width === 0) return;
+    const { scene } = this;
+    drawHoop(this.sheet.clear(), size, scene);
+    this.placeHandle(size, scene);
   }
 
   drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
-    const { motion, time, plain, problem, state } = this.lab;
-    drawHoop(
-      c,
-      { width, height },
-      {
-        motion,
-        sample: motion.at(time),
-        offset: plain.offset,
-        h: problem.h,
-        follow: state.view.follow,
-        palette: this.palette,
-      },
-    );
+    drawHoop(c, { width, height }, this.scene);
+  }
+
+  /** On the plane, at the right. */
+  private placeHandle(size: Size, scene: HoopScene): void {
+    const camera = cameraOf(size, scene);
+    const [x, y] = camera.at(seen(camera, size, EDGE)[1], 0);
+    const { offsetLeft, offsetTop } = this.sheet.canvas;
+    this.handle.style.transform = `translate(${offsetLeft + x}px, ${offsetTop + y}px)`;
+    const { slope } = scene;
+    for (const [name, value] of [
+      ['valuemin', String(-STEEPEST)],
+      ['valuemax', String(STEEPEST)],
+      ['valuenow', String(slope)],
+      ['valuetext', `${QUANTITY_ROWS.slope.sign} = ${brief(slope)} rad, ${brief((slope * 180) / Math.PI, 3)}°`],
+    ] as const) {
+      this.handle.setAttribute(`aria-${name}`, value);
+    }
+  }
+
+  private listen(): void {
+    const { handle } = this;
+    /** The point about which the plane is turned: that under the hoop when the drag begins. */
+    let pivot: readonly [number, number] = [0, 0];
+    handle.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      handle.setPointerCapture(event.pointerId);
+      handle.focus({ preventScroll: true });
+      const { scene } = this;
+      const box = this.sheet.canvas.getBoundingClientRect();
+      const [x, y] = cameraOf(this.sheet.size, scene).at(scene.sample?.x ?? 0, 0);
+      pivot = [box.left + x, box.top + y];
+    });
+    handle.addEventListener('pointermove', (event) => {
+      if (!handle.hasPointerCapture(event.pointerId)) return;
+      const slope = Math.atan2(pivot[1] - event.clientY, Math.max(event.clientX - pivot[0], 0));
+      this.tilt(Math.abs(slope) < SNAP ? 0 : Number(slope.toFixed(3)));
+    });
+    handle.addEventListener('keydown', (event) => {
+      const before = this.lab.plain.slope;
+      const step = event.shiftKey ? KEY_STEP / 10 : KEY_STEP;
+      const by = { ArrowLeft: -step, ArrowDown: -step, ArrowRight: step, ArrowUp: step, PageDown: -4 * step, PageUp: 4 * step }[event.key];
+      const to = by === undefined ? { Home: -STEEPEST, End: STEEPEST }[event.key] : Number((before + by).toFixed(6));
+      if (to === undefined) return;
+      event.preventDefault();
+      this.tilt(before * to < 0 && by !== undefined ? 0 : to);
+    });
+  }
+
+  private tilt(slope: number): void {
+    this.lab.setPlain({ slope: Math.min(Math.max(slope, -STEEPEST), STEEPEST) });
   }
 }

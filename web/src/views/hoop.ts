@@ -1,4 +1,5 @@
-// The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and trails.
+// The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and trails. The view is level, and a
+// plane with a slope is tilted.
 
 import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
@@ -13,6 +14,7 @@ export interface HoopScene {
   /** ℓ̂ and h. */
   offset: number;
   h: number;
+  slope: number;
   follow: boolean;
   palette: Palette;
 }
@@ -24,6 +26,9 @@ const ABOVE = 14;
 /** Where the slip velocity is drawn, under the plane. */
 const SLIP = 40;
 
+/** Where no number stands at the right end of the plane, for its handle. */
+const END = 44;
+
 /** Radii that are seen to the side at least. */
 const WIDE = 3.5;
 
@@ -33,65 +38,94 @@ const SIGN = {
   slip: COLUMN_ROWS.slip.signs.dimensionless,
 };
 
-interface Camera {
+type Place = readonly [number, number];
+
+export interface Camera {
+  /** Pixels of a radius. */
   scale: number;
-  x(x: number): number;
-  y(y: number): number;
+  sin: number;
+  cos: number;
+  /** The pixel of a point of the plane's coordinates. */
+  at(x: number, y: number): Place;
+  /** A pixel so many further along the plane and into it. */
+  moved(from: Place, along: number, into: number): Place;
 }
 
 export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopScene): void {
   const { motion, sample, palette } = scene;
   c.font = `14px ${FONT}`;
   c.textBaseline = 'middle';
+  const camera = cameraOf(size, scene);
+  drawGround(c, size, camera, palette);
   if (!sample) {
-    drawStill(c, size, scene);
+    drawStill(c, camera, scene);
     return;
   }
-  const camera = cameraOf(size, scene, sample.x);
-  drawGround(c, size, camera, palette);
   drawTrails(c, motion.samples, sample.time, camera, palette);
   drawBody(c, camera, scene, sample);
   drawArrows(c, camera, scene, sample);
 }
 
-function cameraOf({ width, height }: Size, { motion, follow }: HoopScene, now: number): Camera {
+export function cameraOf({ width, height }: Size, { motion, sample, slope, follow }: HoopScene): Camera {
   const { samples } = motion;
-  let gap = 0;
-  let [least, most] = [now, now];
-  for (let i = 0; i < samples.length; i++) {
-    gap = Math.max(gap, samples.gap[i]!);
-    least = Math.min(least, samples.x[i]!);
-    most = Math.max(most, samples.x[i]!);
-  }
-  const wide = follow ? WIDE : most - least + WIDE - 0.8;
-  const scale = Math.min((height - BELOW - ABOVE) / (2 + gap), width / wide);
-  const centre = follow ? now : 0.5 * (least + most);
-  const ground = 0.5 * (height + (2 + gap) * scale + ABOVE - BELOW);
-  return { scale, x: (x) => 0.5 * width + (x - centre) * scale, y: (y) => ground - y * scale };
+  const [sin, cos] = [Math.sin(slope), Math.cos(slope)];
+  const level = (x: number, y: number): Place => [x * cos - y * sin, x * sin + y * cos];
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  const see = (x: number, gap: number): void => {
+    const [[centre, middle], [foot, bottom]] = [level(x, 1 + gap), level(x, 0)];
+    left = Math.min(left, centre, foot);
+    right = Math.max(right, centre, foot);
+    low = Math.min(low, middle - 1, bottom);
+    high = Math.max(high, middle + 1);
+  };
+  const now = sample?.x ?? 0;
+  see(now, sample?.gap ?? 0);
+  for (let i = 0; i < samples.length; i++) see(follow ? now : samples.x[i]!, samples.gap[i]!);
+  const wide = right - left + (follow ? WIDE : WIDE - 0.8);
+  const scale = Math.min((height - BELOW - ABOVE) / (high - low), width / wide);
+  const ground = 0.5 * (height + (high - low) * scale + ABOVE - BELOW);
+  return {
+    scale,
+    sin,
+    cos,
+    at: (along, up) => {
+      const [x, y] = level(along, up);
+      return [0.5 * width + (x - 0.5 * (left + right)) * scale, ground - (y - low) * scale];
+    },
+    moved: ([x, y], along, into) => [x + along * cos + into * sin, y - along * sin + into * cos],
+  };
 }
 
-function drawGround(c: CanvasRenderingContext2D, { width }: Size, camera: Camera, palette: Palette): void {
-  const y = camera.y(0);
+/** Between which x the plane is seen, so far from the edges. */
+export function seen({ at, scale, sin, cos }: Camera, { width, height }: Size, edge = 0): Place {
+  const [x, y] = at(0, 0);
+  const across = [(edge - x) / (scale * cos), (width - edge - x) / (scale * cos)] as const;
+  if (sin === 0) return across;
+  const [a, b] = [(y - edge) / (scale * sin), (y - height + edge) / (scale * sin)];
+  return [Math.max(across[0], Math.min(a, b)), Math.min(across[1], Math.max(a, b))];
+}
+
+function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, palette: Palette): void {
+  const [from, to] = seen(camera, size);
   c.setLineDash([]);
   c.strokeStyle = palette.ink.ink;
   c.lineWidth = 2;
   c.beginPath();
-  c.moveTo(0, y);
-  c.lineTo(width, y);
+  c.moveTo(...camera.at(from, 0));
+  c.lineTo(...camera.at(to, 0));
   c.stroke();
-  const left = -camera.x(0) / camera.scale;
   c.font = `12px ${FONT}`;
   c.fillStyle = palette.ink.soft;
   c.strokeStyle = palette.ink.soft;
   c.textAlign = 'center';
   c.lineWidth = 1;
-  for (const { value, label } of roundTicks(left, left + width / camera.scale, 9)) {
-    const at = camera.x(value);
+  for (const { value, label } of roundTicks(from, seen(camera, size, END)[1], 9)) {
+    const at = camera.at(value, 0);
     c.beginPath();
-    c.moveTo(at, y);
-    c.lineTo(at, y + 6);
+    c.moveTo(...at);
+    c.lineTo(...camera.moved(at, 0, 6));
     c.stroke();
-    c.fillText(label, at, y + 17);
+    c.fillText(label, ...camera.moved(at, 0, 17));
   }
   c.font = `14px ${FONT}`;
 }
@@ -108,7 +142,7 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
         setDash(c, past ? MODE_DASHES[mode] : []);
         c.globalAlpha = past ? 1 : 0.3;
         c.beginPath();
-        for (let i = from; i <= to && (!past || s.time[i]! <= now); i++) c.lineTo(camera.x(xs[i]!), camera.y(ys[i]!));
+        for (let i = from; i <= to && (!past || s.time[i]! <= now); i++) c.lineTo(...camera.at(xs[i]!, ys[i]!));
         c.stroke();
       }
       from = to + 1;
@@ -122,9 +156,9 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
 
 function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene, sample: Sample): void {
   const { palette, offset } = scene;
-  const [x, y] = [camera.x(sample.x), camera.y(sample.centre_y)];
-  const [px, py] = [camera.x(sample.particle_x), camera.y(sample.particle_y)];
-  const [mx, my] = [camera.x(sample.mass_centre_x), camera.y(sample.mass_centre_y)];
+  const [x, y] = camera.at(sample.x, sample.centre_y);
+  const [px, py] = camera.at(sample.particle_x, sample.particle_y);
+  const [mx, my] = camera.at(sample.mass_centre_x, sample.mass_centre_y);
   const mode = modeOf(sample.mode);
 
   c.strokeStyle = palette.mode[mode];
@@ -137,7 +171,7 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
   c.strokeStyle = palette.ink.line;
   c.lineWidth = 1.5;
   for (let k = 0; k < 12; k++) {
-    const angle = sample.theta + (k * Math.PI) / 6;
+    const angle = sample.theta + scene.slope + (k * Math.PI) / 6;
     const [ux, uy] = [-Math.sin(angle), -Math.cos(angle)];
     c.beginPath();
     c.moveTo(x + ux * (camera.scale - 6), y + uy * (camera.scale - 6));
@@ -198,12 +232,17 @@ function massCentre(c: CanvasRenderingContext2D, x: number, y: number, palette: 
 
 function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene, sample: Sample): void {
   const { palette, motion } = scene;
-  const [x, y] = [camera.x(sample.x), camera.y(0)];
+  const foot = camera.at(sample.x, 0);
+  /** An arrow along the plane and out of it. */
+  const draw = (from: Place, along: number, out: number, colour: string): void => {
+    const [x, y] = camera.moved(from, along, -out);
+    arrow(c, ...from, x - from[0], y - from[1], colour);
+  };
   c.font = `italic bold 15px ${FONT}`;
   if (sample.gap === 0) {
     c.fillStyle = palette.ink.ink;
     c.beginPath();
-    c.arc(x, y, 4.5, 0, 2 * Math.PI);
+    c.arc(...foot, 4.5, 0, 2 * Math.PI);
     c.fill();
   }
   let strongest = 1;
@@ -211,43 +250,41 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
   const unit = (1.25 * camera.scale) / strongest;
   const normal = sample.normal * unit;
   const friction = sample.friction * unit;
-  arrow(c, x, y, 0, -normal, palette.arrow.normal_force);
+  draw(foot, 0, normal, palette.arrow.normal_force);
   if (normal >= 12) {
     c.textAlign = 'left';
-    label(c, SIGN.normal, x + 8, y - normal + 4, palette.arrow.normal_force, palette.ink.paper);
+    const [x, y] = camera.moved(foot, 8, -normal);
+    label(c, SIGN.normal, x, y + 4, palette.arrow.normal_force, palette.ink.paper);
   }
-  arrow(c, x, y, friction, 0, palette.arrow.friction_force);
+  draw(foot, friction, 0, palette.arrow.friction_force);
   if (Math.abs(friction) >= 12) {
     c.textAlign = 'center';
-    label(c, SIGN.friction, x + friction + Math.sign(friction) * 10, y - 12, palette.arrow.friction_force, palette.ink.paper);
+    const at = camera.moved(foot, friction + Math.sign(friction) * 10, -12);
+    label(c, SIGN.friction, ...at, palette.arrow.friction_force, palette.ink.paper);
   }
   if (sample.slip !== 0 && Number.isFinite(sample.slip)) {
     let fastest = 1;
     for (const slip of motion.samples.slip) if (Number.isFinite(slip)) fastest = Math.max(fastest, Math.abs(slip));
-    const below = y + SLIP;
+    const below = camera.moved(foot, 0, SLIP);
     const length = (sample.slip / fastest) * 1.2 * camera.scale;
-    arrow(c, x, below, length, 0, palette.arrow.slip);
+    draw(below, length, 0, palette.arrow.slip);
     c.textAlign = 'center';
     if (Math.abs(length) >= 8) {
-      label(c, SIGN.slip, x + length + Math.sign(length) * 14, below, palette.arrow.slip, palette.ink.paper);
+      label(c, SIGN.slip, ...camera.moved(below, length + Math.sign(length) * 14, 0), palette.arrow.slip, palette.ink.paper);
     }
   }
 }
 
 /** Nothing moves: the start as it stands. */
-function drawStill(c: CanvasRenderingContext2D, size: Size, { motion, palette, offset }: HoopScene): void {
-  const scale = Math.min((size.height - BELOW - ABOVE) / 2, size.width / WIDE);
-  const ground = 0.5 * (size.height + 2 * scale + ABOVE - BELOW);
-  const camera: Camera = { scale, x: (x) => 0.5 * size.width + x * scale, y: (y) => ground - y * scale };
-  drawGround(c, size, camera, palette);
+function drawStill(c: CanvasRenderingContext2D, camera: Camera, { motion, palette, offset }: HoopScene): void {
   const { theta } = motion.events[0]!;
   c.strokeStyle = palette.ink.faint;
   c.lineWidth = 5;
   c.beginPath();
-  c.arc(camera.x(0), camera.y(1), scale - 2.5, 0, 2 * Math.PI);
+  c.arc(...camera.at(0, 1), camera.scale - 2.5, 0, 2 * Math.PI);
   c.stroke();
   c.fillStyle = palette.ink.ink;
   c.beginPath();
-  c.arc(camera.x(-offset * Math.sin(theta)), camera.y(1 + offset * Math.cos(theta)), 9, 0, 2 * Math.PI);
+  c.arc(...camera.at(-offset * Math.sin(theta), 1 + offset * Math.cos(theta)), 9, 0, 2 * Math.PI);
   c.fill();
 }
