@@ -94,13 +94,19 @@ def test_the_table_of_figure_3(figure_3: dict[str, Any]) -> None:
             assert abs(Fraction(event["state"][name][0]) - Fraction(digits)) < Fraction(1, 10**16)
 
 
-@pytest.mark.parametrize("name", ["figure_3", "slide_sticks", "turning_point_in_slide", "equal_friction", "band"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "figure_3", "slide_sticks", "turning_point_in_slide", "equal_friction", "band",
+        "ramp_jump", "steep", "uphill_slide", "falls_away_to_the_right",
+    ],
+)  # fmt: skip
 def test_certificates_contain_the_references_of_40_digits(name: str) -> None:
     data = json.loads((ROOT / "evidence" / "reference" / "motions.json").read_text())
     motion = next(one for one in data["motions"] if one["name"] == name)
     hoop = tuple(float(motion["hoop"][key]) for key in ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"))
     start = tuple(float(motion["start"][key]) for key in ("theta", "theta_rate", "slip"))
-    certificate = certify(Case(hoop, (*start, 0.0), float(motion["until"])))
+    certificate = certify(Case(hoop, (*start, 0.0), float(motion["until"]), slope=motion["hoop"].get("slope", 0.0)))
     assert certificate["certified"]
     events = certificate["events"]
     assert [one["cause"] for one in events] == [one["cause"] for one in motion["transitions"]]
@@ -301,6 +307,9 @@ def test_every_case_of_the_list_has_its_certificate() -> None:
         (dict(hoop=(0.0, 1.0, 0.5, 0.5, 0.4)), "hoop.inertia = 0.5 must be 0 if the mass of the hoop, 0.0, is"),
         (dict(hoop=(0.0, 0.5, 0.0, 0.5, 0.4)), "hoop.offset = 0.5 must be the radius, 1"),
         (dict(hoop=(0.0, 1.0, 0.0, 0.5, 0.4), start=(0.0, 0.0, 0.0, 1.0)), "start.gap_rate = 1.0 must be 0"),
+        (dict(slope=1.6), "hoop.slope = 1.6 must be at most 1.5707963267948966"),
+        (dict(slope=-1.6), "hoop.slope = -1.6 must be at least -1.5707963267948966"),
+        (dict(hoop=(0.0, 1.0, 0.0, 0.5, 0.4), slope=0.1), "hoop.slope = 0.1 must be 0: the hoop has no mass"),
         (dict(start=(math.nan, 1.0, 0.0, 0.0)), "start.theta = nan must be finite"),
         (dict(start=(0.0, 1.0, 0.0, -1.0)), "start.gap_rate = -1.0 must be at least 0"),
         (dict(until=0.0), "until = 0.0 must be above 0"),
@@ -318,6 +327,7 @@ def test_bad_cases_are_refused_by_maker_and_checker(
         Case(**whole)
     names = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k")
     hoop: dict[str, Any] = dict(zip(names, whole["hoop"], strict=True))
+    hoop |= {"slope": whole["slope"]} if "slope" in whole else {}
     if "restitution" in whole:
         hoop |= {"restitution": whole["restitution"], "restitution_law": whole.get("law", "energetic")}
     start = dict(zip(("theta", "theta_rate", "slip", "gap_rate"), whole["start"], strict=True))
@@ -368,6 +378,41 @@ def test_what_is_not_certified_says_what_and_where() -> None:
     assert "time is up while bounces accumulate; flight from time 0.99" in reason and "theta 0." in reason, reason
     with pytest.raises(Refused, match="nothing is certified: time is up"):
         check(certificate)
+
+
+def test_bounces_on_a_slope_are_not_certified_to_settle() -> None:
+    certificate = certify(Case(THIN, (2.5, 0.3, 0.1, 0.2), 8.0, 0.3, slope=0.1), most_bits=200)
+    assert certificate["reason"].startswith("bounces on a slope are not proved to settle"), certificate["reason"]
+    # Impacts before are.
+    certificate = certify(Case(THIN, (2.5, 0.3, 0.1, 0.6), 1.5, 0.8, slope=0.1))
+    assert [one["cause"] for one in certificate["events"]] == ["landing"]
+    assert check(certificate)["events"] == 1
+
+
+def test_mirrored_slopes_have_mirrored_certificates() -> None:
+    """α, θ, θ′ and η′ with the other sign: the same motion from behind, to the last digit."""
+    start = (1.26, -0.19, 0.18, 0.0)
+    one = certify(Case((1.0, 0.9, 0.5, 0.9, 0.81), start, 12.0, slope=-0.74))
+    other = certify(Case((1.0, 0.9, 0.5, 0.9, 0.81), (*(-value for value in start[:3]), 0.0), 12.0, slope=0.74))
+    assert [event["cause"] for event in one["events"]] == [event["cause"] for event in other["events"]] != []
+    for mine, its in zip(one["events"], other["events"], strict=True):
+        for name, (middle, radius) in mine["state"].items():
+            factor = 1 if name in ("time", "gap", "gap_rate", "energy") else -1
+            assert Fraction(its["state"][name][0]) == factor * Fraction(middle), name
+            assert its["state"][name][1] == radius
+
+
+def test_rolling_down_a_slope_has_its_closed_form() -> None:
+    """ℓ = 0: x″ = −m sin α/D with D = Î + m, so that at the end of time θ = θ0 + θ0′ t + m sin α t²/2D."""
+    certificate = certify(Case((1.0, 0.0, 0.5, 0.5, 0.4), (0.25, 0.5, 0.0, 0.0), 3.0, slope=0.3))
+    with precision(256):
+        sin, _ = sine_and_cosine(Range.of(Fraction(0.3)))
+        theta = Range.of(Fraction(0.25) + Fraction(0.5) * 3) + sin * 9 * 2 / 5
+        low, high = theta.ends()
+    middle, radius = map(Fraction, certificate["end"]["state"]["theta"])
+    assert middle - radius <= low and high <= middle + radius
+    assert not certificate["events"]
+    assert check(certificate)["events"] == 0
 
 
 def test_digits_that_are_not_decided_are_named_and_more_bits_decide_them() -> None:

@@ -31,6 +31,7 @@ def parser() -> argparse.ArgumentParser:
     found.add_argument("--out", metavar="FILE", type=Path, help="write to this file")
     found.add_argument("--most-bits", metavar="BITS", type=int, default=1000, help="precision at which to give up")
     found.add_argument("--until", metavar="TIME", type=float, help="stop at this time")
+    found.add_argument("--slope", metavar="RAD", type=float, default=0.0, help=QUANTITIES["slope"].help)
     found.add_argument("--restitution", metavar="E", type=float, help=QUANTITIES["restitution"].help)
     found.add_argument("--restitution-law", choices=LAWS, default=LAWS[0], help="law of restitution")
     for name in dict.fromkeys(HOOP + HOOP_SI):
@@ -53,6 +54,7 @@ def case_of(given: argparse.Namespace) -> Case:
     missing = ["--" + name.replace("_", "-") for name, value in hoop.items() if value is None]
     if missing:
         raise CaseError(f"a hoop needs {', '.join(missing)}")
+    hoop["slope"] = given.slope
     if given.restitution is not None:
         hoop |= {"restitution": given.restitution, "restitution_law": given.restitution_law}
     start = {name: getattr(given, name) for name in START}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 from .balls import Ball, Undecided, arb, ball, sign
@@ -40,7 +41,11 @@ class Body:
         self.inertia = ball(hoop.inertia + hoop.mass_ratio * hoop.offset**2 / (1 + hoop.mass_ratio))
         self.mu_s, self.mu_k = ball(hoop.mu_s), ball(hoop.mu_k)
         self.is_massless = hoop.inertia == 0 and hoop.mass_ratio == 0
-        self.is_balanced = hoop.offset == 0
+        self.is_level = case.slope == 0
+        # Gravity towards the plane and, where it rises to the right, back along it.
+        slope = ball(Fraction(case.slope))
+        self.down, self.back = slope.cos(), slope.sin()
+        self.is_balanced = hoop.offset == 0 and self.is_level
         self.same_friction = hoop.mu_s == hoop.mu_k
         self.constant = self.inertia + self.mass * (1 + self.h * self.h)
 
@@ -58,14 +63,14 @@ class Body:
 
     def contact(self, theta: Ball, rate: Ball) -> Ball:
         """Return w."""
-        return 1 - self.h * theta.cos() * rate * rate
+        return self.down - self.h * theta.cos() * rate * rate
 
     def orbit(self, theta: Ball, rate: Ball) -> Ball:
-        """Return K of rolling."""
+        """Return K of rolling on a level plane."""
         return self.denominator(theta.cos()) * (rate * rate + 1)
 
     def margin(self, sin: Value, cos: Value, orbit: Ball, side: int) -> Value:
-        """Return (μs N − side F) D² on an orbit of rolling."""
+        """Return (μs N − side F) D² on an orbit of rolling on a level plane."""
         d, ell, mu = self.denominator(cos), self.offset, self.mu_s
         level = cos * ell + (self.inertia + self.mass * self.h * self.h)
         a = (cos * ell + self.mass) * mu + sin * (ell * side)
@@ -75,9 +80,10 @@ class Body:
     def rolling_forces(self, theta: Ball, rate: Ball) -> tuple[Ball, Ball]:
         """Return N and F of rolling."""
         sin, cos, u = theta.sin(), theta.cos(), rate * rate
-        acceleration = self.offset * sin * (1 + u) / self.denominator(cos)
-        normal = self.mass - self.offset * (sin * acceleration + cos * u)
-        return normal, self.offset * sin * u - (self.mass + self.offset * cos) * acceleration
+        lever, heavy = self.mass + self.offset * cos, self.mass * self.back
+        acceleration = (self.offset * sin * (self.down + u) + lever * self.back) / self.denominator(cos)
+        normal = self.mass * self.down - self.offset * (sin * acceleration + cos * u)
+        return normal, self.offset * sin * u - lever * acceleration + heavy
 
     def sliding_forces(self, theta: Ball, rate: Ball, sigma: int) -> tuple[Ball, Ball]:
         """Return N and F of sliding."""
@@ -91,7 +97,8 @@ class Body:
         along = state.slip - (1 + self.h * cos) * rate
         up = state.gap_rate - self.h * sin * rate
         kinetic = (self.mass * (along * along + up * up) + self.inertia * rate * rate) / 2
-        return kinetic + self.mass * state.gap + self.offset * cos
+        up = self.mass * state.gap + self.offset * cos
+        return kinetic + self.down * up + self.back * (self.mass * state.x - self.offset * sin)
 
     def compliance(self, theta: Ball) -> tuple[Ball, Ball, Ball]:
         """Return A, B and C."""
@@ -119,9 +126,9 @@ def decide(body: Body, state: State, gives_way: int = 0) -> Next:
     sin, cos = state.theta.sin(), state.theta.cos()
     contact = body.contact(state.theta, state.rate)
     evidence = {"contact": contact}
-    w = sign(contact, "1 − h cos θ θ′²")
+    w = sign(contact, "cos α − h cos θ θ′²")
     if w == 0:
-        raise Undecided("1 − h cos θ θ′² vanishes where a motion begins")
+        raise Undecided("cos α − h cos θ θ′² vanishes where a motion begins")
     slips = sign(state.slip, "the slip velocity")
     if slips != 0:
         p = evidence["solvability"] = body.solvability(sin, cos, slips)

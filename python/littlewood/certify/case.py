@@ -53,6 +53,7 @@ class Case:
     name: str = "motion"
     family: str = ""
     units: str = SYSTEMS[0]
+    slope: float = 0.0
 
     def __post_init__(self) -> None:
         try:
@@ -81,6 +82,8 @@ class Case:
     def written(self) -> dict[str, Any]:
         """Return the case for a certificate."""
         hoop: dict[str, Any] = dict(zip(self.names(), self.hoop, strict=True))
+        if self.slope != 0:
+            hoop["slope"] = self.slope
         if self.restitution is not None:
             hoop |= {"restitution": self.restitution, "restitution_law": self.law}
         return {
@@ -118,4 +121,5 @@ class Case:
             whole["name"],
             whole["family"],
             units,
+            float(hoop.get("slope", 0.0)),
         )

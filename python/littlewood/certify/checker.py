@@ -469,7 +469,8 @@ def angle_and_rate(theta: Disc, rate: Disc) -> tuple[Disc, Disc, Disc]:
 # The hoop and the equations of its contact, written once for ranges, for series and for discs.
 #
 # m, Î and h are mass, inertia about the mass centre and its distance from the centre, ℓ = m h; s, c, ω are sin θ, cos θ
-# and θ′; σ is the direction of slip. (2.11) to (2.18) are the equations of the paper, docs/theory derives them.
+# and θ′; σ is the direction of slip. The plane rises to the right by α; of gravity cos α is normal to it (`down`), and
+# sin α points back along it (`back`). (2.11) to (2.18) are the equations of the paper, docs/theory derives them.
 
 
 Value: TypeAlias = Any
@@ -486,17 +487,23 @@ class Body:
     offset: Value
     mu_s: Value
     mu_k: Value
+    down: Value
+    back: Value
 
     def converted(self, to: Callable[[Range], Value]) -> Body:
         """Return the same with numbers of another kind."""
         return Body(*(to(getattr(self, field.name)) for field in fields(self)))
 
     def weight(self, c: Value, omega: Value) -> Value:
-        """Return w = 1 − h c ω²: without forces the rim has the acceleration −w."""
-        return 1 - self.h * c * omega * omega
+        """Return w = cos α − h c ω²: without forces the rim has the acceleration −w."""
+        return self.down - self.h * c * omega * omega
+
+    def drag(self, sigma: int) -> Value:
+        """Return σ μk cos α + sin α, by which η′ − (…) ω falls in a unit of time."""
+        return self.mu_k * sigma * self.down + self.back
 
     def arm(self, s: Value, c: Value, sigma: int) -> Value:
-        """Return 1 + h c + σ μk h s: of η′ − (…) ω + σ μk τ every slide has a constant."""
+        """Return 1 + h c + σ μk h s: η′ − (…) ω + (σ μk cos α + sin α) τ is constant in a slide."""
         return 1 + self.h * c + self.mu_k * self.h * s * sigma
 
     def solvability(self, s: Value, c: Value, sigma: int) -> Value:
@@ -507,9 +514,10 @@ class Body:
         return self.h * s - self.mu_k * sigma * (1 + self.h * c)
 
     def rolling(self, s: Value, c: Value, omega: Value) -> Value:
-        """Return θ″ of rolling, ℓ s (1 + ω²)/D with D = Î + m (1 + h²) + 2 ℓ c (2.11)."""
+        """Return θ″ of rolling, (ℓ s (cos α + ω²) + (m + ℓ c) sin α)/D with D = Î + m (1 + h²) + 2 ℓ c (2.11)."""
         constant = self.inertia + self.m * (1 + self.h * self.h)
-        return self.offset * s * (1 + omega * omega) / (2 * (self.offset * c) + constant)
+        turning = self.offset * s * (self.down + omega * omega) + (self.offset * c + self.m) * self.back
+        return turning / (2 * (self.offset * c) + constant)
 
     def sliding(self, s: Value, c: Value, omega: Value, sigma: int) -> Value:
         """Return θ″ of sliding, m q w/P (2.16)."""
@@ -520,10 +528,10 @@ class Body:
         return self.weight(c, omega) / (self.h * s)
 
     def forces(self, s: Value, c: Value, omega: Value, alpha: Value) -> tuple[Value, Value]:
-        """Return N and F of rolling with θ″ = α, as Newton has them: N − m = m ȳ″ and F = m x̄″ (2.12)."""
+        """Return N and F of rolling with θ″, as Newton has them: N − m cos α = m ȳ″ and F − m sin α = m x̄″ (2.12)."""
         u = omega * omega
-        normal = self.m - self.offset * (s * alpha + c * u)
-        return normal, self.offset * (s * u - c * alpha) - self.m * alpha
+        normal = self.m * self.down - self.offset * (s * alpha + c * u)
+        return normal, self.offset * (s * u - c * alpha) - self.m * alpha + self.m * self.back
 
     def compliances(self, s: Value, c: Value) -> tuple[Value, Value, Value]:
         """Return A, B and C: what impulses along and across the plane do to the velocities of the rim."""
@@ -676,10 +684,14 @@ def _ball(value: Any, where: str) -> None:
     _text("[0-9]+(e-?[0-9]+)?")(value[1], f"{where}[1]")
 
 
+STEEPEST = 1.5707963267948966
+"""The greatest double below π/2."""
+
+
 def _of_hoop(numbers: Mapping[str, Shape]) -> Shape:
-    friction = {"mu_s": _number(0), "mu_k": _number(0)}
+    friction, slope = {"mu_s": _number(0), "mu_k": _number(0)}, {"slope": _number(-STEEPEST, most=STEEPEST)}
     impacts = {"restitution": _number(0, most=1), "restitution_law": _one_of("energetic", "poisson", "newton")}
-    plain, bouncing = _object({**numbers, **friction}), _object({**numbers, **friction, **impacts})
+    plain, bouncing = _object({**numbers, **friction}, slope), _object({**numbers, **friction, **impacts}, slope)
 
     def shape(value: Any, where: str) -> None:
         (bouncing if isinstance(value, dict) and impacts.keys() & value.keys() else plain)(value, where)
@@ -783,6 +795,8 @@ def valid_case(case: Any, where: str = "") -> None:
     if mass == 0:
         _must(offset == radius, offset, f"{dot}hoop.{names[0]}", f"be the radius, {radius}: the hoop has no mass")
         _must(start["gap_rate"] == 0, start["gap_rate"], f"{dot}start.gap_rate", "be 0: the hoop has no mass")
+        slope = hoop.get("slope", 0)
+        _must(slope == 0, slope, f"{dot}hoop.slope", "be 0: the hoop has no mass")
 
 
 def read(text: bytes | str) -> Any:
@@ -831,9 +845,13 @@ class Given:
         h = offset / m
         # About the mass centre: the hoop at the distance h, the particle at the distance ℓ − h.
         inertia = own + ratio * h**2 + (offset - h) ** 2
-        self.body = Body(of(m), of(h), of(inertia), of(offset), of(Fraction(hoop["mu_s"])), of(Fraction(hoop["mu_k"])))
+        self.level = hoop.get("slope", 0) == 0
+        back, down = sine_and_cosine(of(Fraction(hoop.get("slope", 0))))
+        mu_s, mu_k = (of(Fraction(hoop[name])) for name in ("mu_s", "mu_k"))
+        self.body = Body(of(m), of(h), of(inertia), of(offset), mu_s, mu_k, down, back)
         self.massless = ratio == 0 and own == 0
-        self.balanced, self.equal = offset == 0, hoop["mu_s"] == hoop["mu_k"]
+        # What rolls without friction.
+        self.balanced, self.equal = offset == 0 and self.level, hoop["mu_s"] == hoop["mu_k"]
         self.restitution = None if hoop.get("restitution") is None else of(Fraction(hoop["restitution"]))
         self.law = hoop.get("restitution_law")
         self.clock = of(length / gravity).sqrt()
@@ -861,16 +879,16 @@ class Given:
 #
 # | phase | θ″ | guards: it lasts while they are positive |
 # |---|---|---|
-# | rolling | ℓ s (1 + ω²)/D | μs N − F, μs N + F |
+# | rolling | (ℓ s (cos α + ω²) + (m + ℓ c) sin α)/D | μs N − F, μs N + F |
 # | rolling, massless | the same | 1 − ω² (the sign of N), μs (1 + c) − s, μs (1 + c) + s |
 # | sliding | m q w/P | σ η′, w, P (N = m Î w/P) |
 # | gliding | w/(h s) | σ η′, until the particle falls to the plane (:func:`fall`) |
 # | flight | 0 | the gap |
 #
-# Slip and place are no further unknowns. Without friction the mass centre keeps its velocity along the plane, and a
-# slide has m x̄″ = −σ μk N, N = m (ȳ″ + 1); so with f = σ μk of a slide, else 0,
+# Slip and place are no further unknowns. A slide has m x̄″ = −σ μk N − m sin α, N = m (ȳ″ + cos α); so with f = σ μk of
+# a slide, else 0, and d = f cos α + sin α,
 #
-#     η′ = ω (1 + h c + f h s) − f τ + const,    x = h s − f (1 + h c + τ²/2) + const τ + const.
+#     η′ = ω (1 + h c + f h s) − d τ + const,    x = h s − f (1 + h c) − d τ²/2 + const τ + const.
 
 
 ROLLING, SLIDING, GLIDING, FLIGHT = "rolling", "sliding", "gliding", "flight"
@@ -886,6 +904,7 @@ class Phase:
         self.body, self.massless, self.start, self.mode = given.body, given.massless, start, mode
         self.sigma, self.order = sigma, order
         self.rubs = sigma if mode == SLIDING else 0
+        self.drag = given.body.drag(self.rubs)
         self.sin, self.cos = s, c = sine_and_cosine(start.theta)
         body, omega = self.body, start.rate
         f = body.mu_k * self.rubs
@@ -922,7 +941,7 @@ class Phase:
 
     def _slip(self, body: Body, angle: tuple[Value, Value, Value], tau: Value, constant: Value) -> Value:
         s, c, omega = angle
-        return omega * body.arm(s, c, self.rubs) - body.mu_k * self.rubs * tau + constant
+        return omega * body.arm(s, c, self.rubs) - body.drag(self.rubs) * tau + constant
 
     def state(self, tau: Range, theta: Range, omega: Range) -> State:
         """Return the state at a time from the start."""
@@ -934,16 +953,21 @@ class Phase:
         else:
             f = body.mu_k * self.rubs
             slip = self._slip(body, (s, c, omega), tau, self.slip_constant)
-            x = self.place + self.along * tau + body.h * s - f * (1 + body.h * c + tau * tau / 2)
+            x = self.place + self.along * tau + body.h * s - f * (1 + body.h * c) - self.drag * (tau * tau / 2)
         if self.mode == FLIGHT:
-            # The mass centre is thrown: y + h c = … − τ²/2. What sin and cos grow by, without the radius of the angle.
+            # The mass centre is thrown. What sin and cos grow by, without the radius of the angle.
             half, _ = sine_and_cosine(omega * tau / 2)
             s, c = sine_and_cosine(start.theta + omega * tau / 2)
             sin_grows, cos_grows = 2 * half * c, -(2 * half * s)
-            slip = start.slip + body.h * cos_grows * omega
-            gap = self.rise * tau - tau * tau / 2 - body.h * cos_grows
-            gap_rate = start.gap_rate - tau + body.h * sin_grows * omega
+            slip = start.slip + body.h * cos_grows * omega - body.back * tau
+            gap = self.thrown(tau) - body.h * cos_grows
+            gap_rate = start.gap_rate - body.down * tau + body.h * sin_grows * omega
         return State(start.time + tau, theta, omega, slip, x, gap, gap_rate)
+
+    def thrown(self, tau: Range) -> Range:
+        """Return how far the mass centre has risen from the plane in a flight."""
+        risen: Range = self.rise * tau - self.body.down * (tau * tau / 2)
+        return risen
 
     def forces(self, state: State) -> tuple[Range, Range]:
         """Return N and F at a state of the phase."""
@@ -962,7 +986,8 @@ def energy(body: Body, state: State) -> Range:
     along = state.slip - state.rate - body.h * c * state.rate
     up = state.gap_rate - body.h * s * state.rate
     kinetic: Any = body.m * (along * along + up * up) + body.inertia * state.rate * state.rate
-    found: Range = kinetic / 2 + body.m * state.gap + body.offset * c
+    up, ahead = body.m * state.gap + body.offset * c, body.m * state.x - body.offset * s
+    found: Range = kinetic / 2 + body.down * up + body.back * ahead
     return found
 
 
@@ -1250,9 +1275,9 @@ class Step:
 
 # A step of a flight.
 #
-# θ′ is constant, and the gap y = (y′ − h s ω) τ − τ²/2 − h (cos(θ + ω τ) − cos θ) has a series that is known. A fast
-# hoop turns many times in a flight; while (y′ − h s ω) τ − τ²/2 > h (1 − cos θ) it does not land, and one step leaps
-# over this.
+# θ′ is constant, and the gap y = (y′ − h s ω) τ − g τ²/2 − h (cos(θ + ω τ) − cos θ), g = cos α, has a series that is
+# known. A fast hoop turns many times in a flight; while (y′ − h s ω) τ − g τ²/2 > h (1 − cos θ) it does not land, and
+# one step leaps over this.
 
 
 class FlightStep:
@@ -1276,11 +1301,11 @@ class FlightStep:
     def _leap(self) -> bool:
         """Whether the mass centre is too high for a landing, and stays so for long: then make the step so long."""
         phase, tau = self.phase, float(self.tau)
-        rise, least = float(phase.rise), float(phase.body.h * (2 - phase.cos))
-        if rise * tau - tau * tau / 2 <= least:
+        rise, least, g = float(phase.rise), float(phase.body.h * (2 - phase.cos)), float(phase.body.down)
+        if rise * tau - g * tau * tau / 2 <= least:
             return False
         # Where the bound falls to least again: a little more than the h (1 − cos θ) that is needed.
-        length = rise + math.sqrt(max(0.0, rise * rise - 2 * least)) - tau
+        length = (rise + math.sqrt(max(0.0, rise * rise - 2 * g * least))) / g - tau
         if length < 4 * float(self.length):
             return False
         self.length = Range.of(Fraction(length))
@@ -1301,8 +1326,9 @@ class FlightStep:
         phase, rate, order = self.phase, self.phase.start.rate, self.order
         if self.leaps:
             tau, length = self.tau, self.length
-            first = phase.rise * tau - tau * tau / 2 - phase.body.h * (1 - phase.cos)
-            return {GAP: Guard([first, (phase.rise - tau) * length, -(length * length / 2)], Range(0), Range(0))}
+            first, down = phase.thrown(tau) - phase.body.h * (1 - phase.cos), phase.body.down
+            falls = [(phase.rise - down * tau) * length, -(down * (length * length / 2))]
+            return {GAP: Guard([first, *falls], Range(0), Range(0))}
         now = phase.state(*self.moment(Range(0)))
         sin, cos = sine_and_cosine(now.theta)
         derivative = (cos, -sin, -cos, sin)
@@ -1317,7 +1343,7 @@ class FlightStep:
             if k > order:
                 scale = scale * self.length
             term = (now.gap, now.gap_rate)[k] * scale if k < 2 else -(phase.body.h * derivative[k % 4] * power)
-            found += [term - half * scale if k == 2 else term] if k >= order else []
+            found += [term - half * scale * phase.body.down if k == 2 else term] if k >= order else []
             k += 1
         last = power.largest()
         return {GAP: Guard(found, last + Range(1), last * (2 * k) + Range(1))}
@@ -1390,7 +1416,7 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
     """Follow a phase to the zero of a guard, to the end of time, or until rolling repeats itself."""
     run, start = Followed(phase), phase.start
     limit = None if given.until is None else given.until - start.time
-    if phase.mode == ROLLING and start.rate.is_zero() and (given.balanced or start.theta.is_zero()):
+    if phase.mode == ROLLING and start.rate.is_zero() and given.level and (given.balanced or start.theta.is_zero()):
         # It rests: below or above the centre, where rolling needs no friction.
         if given.until is not None:
             run.guard, run.end = TIME, replace(start, time=given.until)
@@ -1451,7 +1477,7 @@ def _turn(given: Given, step: Step, ahead: tuple[Range, Range], first: Range, tu
         if len(turning) == 2:
             return Turn((turning[1] - turning[0]) * 2, Range(0))
     whole = 2 * pi()
-    if not turning and exceeds(abs(theta - first), whole):
+    if given.level and not turning and exceeds(abs(theta - first), whole):
         side = rate.sign()
         s = zero(step.angle_guard(first + whole * side), low, high, -side)
         return Turn(step.moment(s)[0], whole * side)
@@ -1925,6 +1951,8 @@ class Walk:
         """Follow bounces one by one, enclose those that remain, and write all of them together."""
         given = self.given
         assert given.restitution is not None
+        if not given.level:
+            raise Refused("bounces on a slope are not proved to settle")
         self.phases.append({"mode": FLIGHT, "direction": 0, "samples": []})
         state, normal, friction = first, Range(0), Range(0)
         while not exceeds(slowest(), state.gap_rate):

@@ -39,22 +39,27 @@ class Flight:
             elapsed, order = elapsed + step, 0
             high = self._high(elapsed)
             if high is not None and high > 8 * step:
-                bound = [self._below(elapsed), self.rise - elapsed, arb(-0.5)]
+                bound = [self._below(elapsed), self.rise - self.body.down * elapsed, -self.body.down / 2]
                 time = polynomial([elapsed, arb(1)], 2 * high)
                 yield Piece(arb(0), high, time, {GAP: polynomial(bound, 2 * high)}, self._at(elapsed))
                 elapsed = elapsed + high
             step = (step * 2).mid().min((radius / 4).mid()).mid()
 
+    def _thrown(self, elapsed: Ball) -> Ball:
+        """Return how far the mass centre has risen from the plane."""
+        return self.rise * elapsed - self.body.down * elapsed * elapsed / 2
+
     def _below(self, elapsed: Ball) -> Ball:
         """Return a lower bound of the gap, in which the height of the mass centre falls freely."""
-        return self.rise * elapsed - elapsed * elapsed / 2 - self.body.h * (1 - self.cos)
+        return self._thrown(elapsed) - self.body.h * (1 - self.cos)
 
     def _high(self, elapsed: Ball) -> Ball | None:
         """Return for how long the mass centre is too high for a landing: a fast hoop turns many times meanwhile."""
         least = self.body.h * (2 - self.cos)
         if not self._below(elapsed) > self.body.h:
             return None
-        return (self.rise + (self.rise * self.rise - 2 * least).sqrt() - elapsed).mid()
+        down = self.body.down
+        return ((self.rise + (self.rise * self.rise - 2 * down * least).sqrt()) / down - elapsed).mid()
 
     def _at(self, elapsed: Ball):  # type: ignore[no-untyped-def]
         return lambda at: self.state(elapsed + at)
@@ -64,7 +69,8 @@ class Flight:
         n = flint.ctx.cap
         angle = arb_series([start.theta + start.rate * elapsed, start.rate], n)
         turning = Model(angle.cos() * (-h), h * (abs(start.rate) * radius).cosh(), radius)
-        rest = [self.rise * elapsed - elapsed * elapsed / 2 + h * self.cos, self.rise - elapsed, arb(-0.5)]
+        down = self.body.down
+        rest = [self._thrown(elapsed) + h * self.cos, self.rise - down * elapsed, -down / 2]
         gap = turning + polynomial(rest, radius)
         if not elapsed.is_zero():
             return gap
@@ -78,15 +84,16 @@ class Flight:
         turned = start.rate * elapsed
         half, middle = (turned / 2).sin() * 2, start.theta + turned / 2
         sin_grows, cos_grows = half * middle.cos(), -half * middle.sin()
-        gap = self.rise * elapsed - elapsed * elapsed / 2 - h * cos_grows
+        down, back = self.body.down, self.body.back
+        gap = self._thrown(elapsed) - h * cos_grows
         return State(
             start.time + elapsed,
             start.theta + turned,
             start.rate,
-            start.slip + h * cos_grows * start.rate,
-            start.x + self.centre_rate * elapsed + h * sin_grows,
+            start.slip + h * cos_grows * start.rate - back * elapsed,
+            start.x + self.centre_rate * elapsed + h * sin_grows - back * elapsed * elapsed / 2,
             gap,
-            start.gap_rate - elapsed + h * sin_grows * start.rate,
+            start.gap_rate - down * elapsed + h * sin_grows * start.rate,
         )
 
     def short(self) -> State:

@@ -12,8 +12,9 @@ from .case import Case
 from .flight import Flight
 from .gliding import PLANE, Glide, decide_massless
 from .impact import Impact, impact
+from .incline import SAMPLED, Incline
 from .phase import TIME, Followed, Piece, follow
-from .rolling import Roll
+from .rolling import SIDES, Roll
 from .settling import Rest, rest_of_bounces
 from .sliding import CONTACT, SLIP, SOLVABLE, Slide
 
@@ -129,6 +130,8 @@ class Walk:
 
     def _roll(self, motion: Motion, state: State) -> tuple[State, Next]:
         body = self.body
+        if not body.is_level:
+            return self._roll_on_slope(motion, state)
         roll = Roll(body, state)
         slip = roll.slip()
         end = None if slip is None else roll.at_slip(slip)
@@ -153,6 +156,27 @@ class Walk:
             following = decide(body, end, slip.direction)
         cause = "slip" if slip.direction else "normal_force_zero"
         motion.events.append(Event(cause, end, end, following.mode, following.direction, following.evidence))
+        return end, following
+
+    def _roll_on_slope(self, motion: Motion, state: State) -> tuple[State, Next]:
+        body = self.body
+        roll = Incline(body, state, self.until is not None)
+        found = self._follow(state.time, roll.pieces())
+        end = found.end if found.guard else None
+        samples = []
+        for time in self._times(state.time, state.time + SAMPLED if end is None else end.time, 4):
+            one = found.at(state.time, time)
+            samples.append((one, *body.rolling_forces(one.theta, one.rate)))
+        motion.phases.append(Phase("rolling", 0, state, end, samples))
+        if end is None:
+            motion.ending = "rolls_forever"
+            motion.detail = {"recurrence": "libration", "period": roll.period()}
+            return state, motion.initial
+        if found.guard == TIME:
+            motion.ending, motion.end = TIME, end
+            return end, motion.initial
+        following = decide(body, end, -SIDES[found.guard])
+        motion.events.append(Event("slip", end, end, following.mode, following.direction, following.evidence))
         return end, following
 
     def _decide(self, state: State) -> Next:
@@ -216,6 +240,8 @@ class Walk:
         self, motion: Motion, state: State, now: Next, bouncing: _Bouncing | None
     ) -> tuple[State, Next, _Bouncing | None]:
         body = self.body
+        if bouncing is not None and not body.is_level:
+            raise Beyond("bounces on a slope are not proved to settle")
         if bouncing is not None and self.restitution is not None:
             rest = rest_of_bounces(body, state, self.restitution, self.case.law)
             if rest is not None:

@@ -31,7 +31,7 @@ class Followed:
 
     end: State
     guard: str
-    """What vanishes there."""
+    """What vanishes there; nothing where the pieces have come to an end without."""
     pieces: list[tuple[Piece, Ball]]
     """The pieces with their ends."""
 
@@ -50,7 +50,7 @@ def follow(start: Ball, pieces: Iterator[Piece], until: Ball | None, most: int) 
     passed: list[tuple[Piece, Ball]] = []
     for piece in pieces:
         if len(passed) >= most:
-            break
+            raise Beyond("the motion takes too many pieces")
         guards = dict(piece.guards)
         if until is not None:
             guards[TIME] = (until - start) - piece.elapsed
@@ -59,4 +59,4 @@ def follow(start: Ball, pieces: Iterator[Piece], until: Ball | None, most: int) 
         passed.append((piece, end))
         if crossing is not None:
             return Followed(piece.state(end), crossing.guard, passed)
-    raise Beyond("the motion takes too many pieces")
+    return Followed(passed[-1][0].state(passed[-1][1]), "", passed)

@@ -1,10 +1,10 @@
 """Sliding: the linear equation of u = θ′² in the angle, by Taylor series.
 
-du/dθ = 2 m q (1 − h c u)/P has coefficients that are analytic where P ≠ 0. On a disc |z − θ| ≤ r of the complex plane
-on which |2 m q/P| ≤ a and |2 m h q c/P| ≤ b, Gronwall's lemma gives |u| ≤ (|u0| + a r) exp(b r), which bounds every
-coefficient of the series. Time is the integral of dθ/√u where u ≠ 0. Near a turning point θt, where u has a simple
-zero, the parameter is ξ with θ = θt − d ξ²: there u = ξ² V with V ≠ 0, and dτ = 2 dξ/√V is regular. Slip and place
-follow from two first integrals.
+du/dθ = 2 m q (cos α − h c u)/P has coefficients that are analytic where P ≠ 0. On a disc |z − θ| ≤ r of the complex
+plane on which |2 m q/P| ≤ a and |2 m h q c/P| ≤ b, Gronwall's lemma gives |u| ≤ (|u0| + a r) exp(b r), which bounds
+every coefficient of the series. Time is the integral of dθ/√u where u ≠ 0. Near a turning point θt, where u has a
+simple zero, the parameter is ξ with θ = θt − d ξ²: there u = ξ² V with V ≠ 0, and dτ = 2 dξ/√V is regular. Slip and
+place follow from two first integrals.
 """
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ class Slide:
     def __init__(self, body: Body, start: State, sigma: int, order: int) -> None:
         self.body, self.start, self.sigma, self.order = body, start, sigma, order
         self.friction = body.mu_k * sigma
+        self.drag = self.friction * body.down + body.back
         sin, cos = start.theta.sin(), start.theta.cos()
         self.slip_constant = start.slip - start.rate * self._arm(sin, cos)
-        # x̄ + f (ȳ + τ²/2) = a + b τ
+        # x̄ + f ȳ + (f cos α + sin α) τ²/2 = a + b τ
         self.place = start.x - body.h * sin + self.friction * (1 + body.h * cos)
         self.place_rate = start.slip - (1 + body.h * cos) * start.rate - self.friction * body.h * sin * start.rate
 
@@ -38,13 +39,9 @@ class Slide:
         direction = sign(rate, "θ′")
         if direction == 0:
             # From rest it turns at once.
-            direction = -sign(
-                self.body.q(theta.sin(), theta.cos(), self.sigma)
-                * self.body.solvability(theta.sin(), theta.cos(), self.sigma),
-                "θ″ at rest",
-            )
+            direction = -sign(self._leaves(theta.sin(), theta.cos()), "θ″ at rest")
             if direction == 0:
-                raise Undecided("the slide begins in an equilibrium of θ")
+                raise Undecided("the motion begins in an equilibrium of θ")
             piece, theta, u, elapsed = self._turning(theta, direction, arb(0), elapsed, order)
             yield piece
             direction, order = -direction, 0
@@ -70,6 +67,10 @@ class Slide:
             yield piece
             order = 0
 
+    def _leaves(self, sin: Ball, cos: Ball) -> Ball:
+        """Return a number that has the sign of θ″ at rest."""
+        return self.body.q(sin, cos, self.sigma) * self.body.solvability(sin, cos, self.sigma)
+
     def _arm(self, sin: Ball, cos: Ball) -> Ball:
         return 1 + self.body.h * cos + self.friction * self.body.h * sin
 
@@ -82,7 +83,7 @@ class Slide:
         a = body.q(sin, cos, self.sigma) * (2 * body.mass * direction) / p
         b = a * cos * body.h
         factor = (-b.integral()).exp()
-        series = factor * (u + (a / factor).integral())
+        series = factor * (u + (a * body.down / factor).integral())
         radius = arb(1)
         for _ in range(60):
             around = acb(theta + arb(0, 1) * radius, arb(0, 1) * radius)
@@ -175,19 +176,19 @@ class Slide:
     def _guards(self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int) -> dict[str, Model]:
         body = self.body
         arm = cos * body.h + sin * (self.friction * body.h) + 1
-        slip = (rate * arm - time * self.friction + self.slip_constant) * self.sigma
+        slip = (rate * arm - time * self.drag + self.slip_constant) * self.sigma
         return {
             SLIP: slip.without_zero(order),
-            CONTACT: 1 - cos * u * body.h,
+            CONTACT: body.down - cos * u * body.h,
             SOLVABLE: body.solvability(sin, cos, self.sigma),
         }
 
     def _state(self, theta: Ball, rate: Ball, elapsed: Ball) -> State:
         sin, cos = theta.sin(), theta.cos()
-        slip = self.slip_constant + rate * self._arm(sin, cos) - self.friction * elapsed
+        slip = self.slip_constant + rate * self._arm(sin, cos) - self.drag * elapsed
         h = self.body.h
         x = self.place + self.place_rate * elapsed + h * sin
-        x -= self.friction * (1 + h * cos + elapsed * elapsed / 2)
+        x -= self.friction * (1 + h * cos) + self.drag * elapsed * elapsed / 2
         return State(self.start.time + elapsed, theta, rate, slip, x, arb(0), arb(0))
 
 
