@@ -20,12 +20,13 @@ __all__ = ["FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
 
 _Reals = npt.NDArray[np.float64]
 
-OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution")
+OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution", "slope")
 # Least inertia that is tried: without any, a hoop without mass is another body, with other equations.
 LEAST_INERTIA = 1e-6
 # Largest coefficient of friction and inertia that are tried: beyond them a motion no longer depends on them.
 _LARGEST_FRICTION = 1e3
 _LARGEST_INERTIA = 1e6
+_STEEPEST = 1.57
 _TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 # By which part the sum of squares still changes in the last step: on the way, and at the end.
 ROUGH, FINE = 1e-6, 1e-12
@@ -122,8 +123,10 @@ class Problem:
         """Return the least and the largest values of the unknowns."""
         low = {"mu_s": 0.0 if "mu_k" in self.names else self.hoop.mu_k, "mu_k": 0.0, "inertia": LEAST_INERTIA}
         low["restitution"] = low[_EXPOSURE] = 0.0
+        low["slope"] = -_STEEPEST
         high = {"mu_s": _LARGEST_FRICTION, "mu_k": _LARGEST_FRICTION, "inertia": _LARGEST_INERTIA, "restitution": 1.0}
         high[_EXPOSURE] = self._longest
+        high["slope"] = _STEEPEST
         if "mu_s" not in self.names:
             high["mu_k"] = self.hoop.mu_s
         return (
@@ -162,7 +165,7 @@ class Problem:
         key = tuple(value for name, value in values.items() if not name.startswith(_CAMERA) or name == _EXPOSURE)
         if self._last is None or self._last[0] != key:
             self._last = key, means(self.motion(unknowns), self.track.time, values[_EXPOSURE])
-        found = shown(self._last[1], camera)
+        found = shown(self.track.as_seen(self._last[1], values["slope"]), camera)
         return {name: measured - found[name] for name, measured in self.track.channels.items()}
 
     def scaled(self, unknowns: _Reals) -> _Reals:

@@ -182,10 +182,12 @@ class FitResult:
         )
         end = min(float(self.track.time[-1]), self.motion.end_time)
         samples = self.motion.sample(1001, end)
+        plane = {channel: samples[column] for channel, column in _COLUMNS.items()}
+        seen = self.track.as_seen(plane, self.hoop.slope)
         for k, (name, measured) in enumerate(channels.items()):
             above, below = axes[0, k], axes[1, k]
             above.plot(self.track.time, measured, "o", ms=2.6, mfc="none", mec=FAINT, label="measured")
-            fitted = samples[_COLUMNS[name]]
+            fitted = seen[name]
             for mode, part in canvas.phase_slices(samples):
                 above.plot(
                     samples.time[part], fitted[part], color=MODE_COLOURS[mode], ls=MODE_DASHES[mode], lw=1.8, label=mode

@@ -71,9 +71,10 @@ def fit(
     hoop : Hoop
         The hoop with what is known; its values of what is free are a first guess. Its law of restitution is taken as it
         is.
-    free : iterable of {"mu_s", "mu_k", "inertia", "restitution"}, optional
+    free : iterable of {"mu_s", "mu_k", "inertia", "restitution", "slope"}, optional
         Parameters to estimate; the first three by default. With "restitution", or with a hoop that has one, the
-        track may continue after a landing.
+        track may continue after a landing. The slope of the plane is that of `hoop`, or with "slope" its first guess,
+        which should be right to about 0.1 rad.
     slips_at_start : bool, optional
         Whether to estimate the slip velocity at the start; otherwise it is 0.
     start : mapping, optional
@@ -156,7 +157,7 @@ def fit(
     unknown = [name for name in (sigma or {}) if name not in track.channels]
     if unknown:
         raise ValueError(f"sigma has {', '.join(unknown)}, the track has {', '.join(track.channels)}")
-    first = _first_guess(track, dict(start or {}))
+    first = _first_guess(track, hoop.slope, dict(start or {}))
     names = [*(name for name in OF_HOOP if name in free), "start_theta", "start_theta_rate"]
     names += ["start_x"] if track.x is not None else []
     names += ["start_slip"] if slips_at_start else []
@@ -187,8 +188,8 @@ def fit(
     return _result(problem, best)
 
 
-def _first_guess(track: Track, given: dict[str, float]) -> dict[str, float]:
-    """Read the start off a parabola through the first frames."""
+def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[str, float]:
+    """Read the start off a parabola through the first frames, on a slope as if the hoop were in contact."""
     unknown = [name for name in given if name not in ("theta", "theta_rate", "slip", "x")]
     if unknown:
         raise ValueError(f"start has {', '.join(unknown)}; it can have theta, theta_rate, slip, x")
@@ -209,11 +210,12 @@ def _first_guess(track: Track, given: dict[str, float]) -> dict[str, float]:
         return float(value), float(rate)
 
     guess = {"theta": 0.0, "theta_rate": 0.0, "slip": 0.0, "x": 0.0}
+    turned = slope if track.level else 0.0
     if track.x is not None:
-        guess["x"], velocity = parabola(track.x)
+        guess["x"], velocity = parabola((track.x + math.sin(turned)) / math.cos(turned))
         guess["theta_rate"] = -velocity
     if track.theta is not None:
-        guess["theta"], guess["theta_rate"] = parabola(track.theta)
+        guess["theta"], guess["theta_rate"] = parabola(track.theta - turned)
         if track.x is not None:
             guess["slip"] = velocity + guess["theta_rate"]
     return guess | given

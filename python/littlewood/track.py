@@ -39,12 +39,14 @@ class Track:
     time : array_like
         Times τ, √(R/g), of shape (n,), growing.
     theta : array_like, optional
-        Angle θ of the particle from the upward vertical, counterclockwise, rad, shape (n,). It may jump by 2π.
+        Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). It may jump by 2π.
     x : array_like, optional
-        Horizontal position of the geometric centre, to the right, R, shape (n,).
+        Position of the geometric centre along the plane, to the right, R, shape (n,).
     y : array_like, optional
-        Height of the geometric centre over the plane, R, shape (n,): 1 in contact.
-
+        Distance of the geometric centre from the plane, R, shape (n,): 1 in contact.
+    level : bool, optional
+        Whether the axes are those of a level camera instead: `x` to the right and `y` upwards from a point of the
+        plane, and `theta` from the upward vertical. On a level plane the two are the same.
     errors : mapping, optional
         Standard errors of `theta`, `x`, `y`, frame by frame, if the tracker estimates them. A fit uses
         their ratios only, and finds their size from the residuals.
@@ -67,6 +69,7 @@ class Track:
     errors: Mapping[str, _Reals] | None = None
     exposure: float = 0.0
     calibration: tuple[str, ...] = ()
+    level: bool = False
 
     def __post_init__(self) -> None:
         time = np.array(self.time, dtype=np.float64)
@@ -103,6 +106,21 @@ class Track:
             found[name] = column
         return found
 
+    def as_seen(self, plane: Mapping[str, _Reals], slope: float) -> dict[str, _Reals]:
+        """Return θ, x and y of the coordinates of the plane in the axes of the track.
+
+        Parameters
+        ----------
+        plane : mapping
+            `theta`, `x` and `y`.
+        slope : float
+            Angle by which the plane rises to the right, rad.
+        """
+        if not self.level or slope == 0.0:
+            return dict(plane)
+        sin, cos, x, y = math.sin(slope), math.cos(slope), plane["x"], plane["y"]
+        return {"theta": plane["theta"] + slope, "x": x * cos - y * sin, "y": x * sin + y * cos}
+
     def relative_errors(self, name: str) -> _Reals:
         """Return the errors of a channel over their median; 1 without errors."""
         if self.errors is None or name not in self.errors:
@@ -119,6 +137,7 @@ class Track:
         theta_rad: npt.ArrayLike | None = None,
         x_m: npt.ArrayLike | None = None,
         y_m: npt.ArrayLike | None = None,
+        level: bool = False,
     ) -> Track:
         """Make a track from SI units.
 
@@ -128,6 +147,8 @@ class Track:
             Those of the hoop, `hoop.units`.
         time_s, theta_rad, x_m, y_m : array_like
             As those of :class:`Track`, in s, rad, m and m.
+        level : bool, optional
+            As that of :class:`Track`.
 
         Returns
         -------
@@ -142,10 +163,11 @@ class Track:
             None if theta_rad is None else np.asarray(theta_rad, dtype=np.float64),
             lengths(x_m),
             lengths(y_m),
+            level=level,
         )
 
     @classmethod
-    def from_csv(cls, path: str | Path, units: Units | None = None) -> Track:
+    def from_csv(cls, path: str | Path, units: Units | None = None, *, level: bool = False) -> Track:
         """Read a track from a CSV file with a line of names.
 
         Parameters
@@ -155,6 +177,8 @@ class Track:
             `x_m`, `y_m`; others are passed over, and an empty field is a frame in which something was not seen.
         units : Units, optional
             Those of the hoop; SI columns need them.
+        level : bool, optional
+            As that of :class:`Track`.
 
         Returns
         -------
@@ -181,13 +205,14 @@ class Track:
                 theta_rad=columns.get("theta_rad"),
                 x_m=columns.get("x_m"),
                 y_m=columns.get("y_m"),
+                level=level,
             )
         if "time" not in columns:
             raise ValueError(f"{path}: no column time or time_s among {', '.join(columns) or 'none'}")
         in_si = [name for name in ("theta_rad", "x_m", "y_m") if name in columns]
         if in_si:
             raise ValueError(f"{path}: time has no dimension, {', '.join(in_si)} is in SI units")
-        return cls(columns["time"], columns.get("theta"), columns.get("x"), columns.get("y"))
+        return cls(columns["time"], columns.get("theta"), columns.get("x"), columns.get("y"), level=level)
 
     @property
     def channels(self) -> dict[str, _Reals]:

@@ -170,6 +170,71 @@ def test_a_csv_in_si_units(tmp_path):
         lw.Track.from_csv(path)
 
 
+# On a ramp it slides, rolls, slips, and lifts off, too.
+SLOPE = 0.2
+
+
+def on_ramp(motion, seed, *, level):
+    """The same as a camera sees it on a ramp: with axes along the ramp, or level."""
+    track = tracked(motion, seed, channels=("theta", "x", "y"))
+    if not level:
+        return track
+    sin, cos = math.sin(SLOPE), math.cos(SLOPE)
+    # Noise of equal size in x and y is the same in turned axes.
+    x, y = track.x * cos - track.y * sin, track.x * sin + track.y * cos
+    return lw.Track(track.time, theta=track.theta + SLOPE, x=x, y=y, level=True)
+
+
+@pytest.mark.parametrize("level", [False, True])
+def test_a_track_on_a_ramp_of_a_known_slope(hoop, guess, level):
+    ramp = dataclasses.replace(hoop, slope=SLOPE)
+    motion = ramp.simulate(**THROW)
+    assert motion.sequence == "-R+F"
+    pulls = []
+    for seed in range(4):
+        track = on_ramp(motion, seed, level=level)
+        result = lw.fit(track, dataclasses.replace(guess, slope=SLOPE), slips_at_start=True)
+        assert (result.motion.sequence, result.hoop.slope) == ("-R+F", SLOPE)
+        assert result.reduced_chi_square == pytest.approx(1.0, abs=0.15)
+        for name in ("mu_s", "mu_k", "inertia"):
+            estimate = result.estimates[name]
+            pulls.append((estimate.value - getattr(hoop, name)) / estimate.std_error)
+    assert np.max(np.abs(pulls)) < 4.5
+    # The plane for a level one does not fit.
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
+        wrong = lw.fit(track, guess, slips_at_start=True, sigma=dict.fromkeys(track.channels, NOISE))
+    assert wrong.reduced_chi_square > 2.0
+
+
+@pytest.mark.parametrize("level", [False, True])
+def test_the_slope_of_a_ramp_is_found(hoop, guess, level):
+    motion = dataclasses.replace(hoop, slope=SLOPE).simulate(**THROW)
+    pulls, inside = [], 0
+    for seed in range(8):
+        track = on_ramp(motion, seed, level=level)
+        first = dataclasses.replace(guess, slope=0.12)
+        result = lw.fit(track, first, free=("mu_s", "mu_k", "inertia", "slope"), slips_at_start=True)
+        assert result.motion.sequence == "-R+F"
+        estimate = result.estimates["slope"]
+        assert estimate.identifiable and result.hoop.slope == estimate.value
+        pulls.append((estimate.value - SLOPE) / estimate.std_error)
+        low, high = estimate.interval(0.999)
+        inside += low <= SLOPE <= high
+        # Along the ramp only the dynamics tell of it; level axes show its direction.
+        assert estimate.std_error < (0.001 if level else 0.004)
+    assert inside == 8
+    # A mean square of 1, to about √(2/8).
+    assert 0.1 < np.mean(np.square(pulls)) < 1.0 + 4.0 * math.sqrt(2 / 8)
+
+
+def test_a_level_camera_on_a_level_plane_changes_nothing(hoop, guess):
+    track = tracked(hoop.simulate(**THROW), 2)
+    level = lw.Track(track.time, theta=track.theta, x=track.x, level=True)
+    found = [lw.fit(one, guess, slips_at_start=True).estimates for one in (track, level)]
+    assert found[0] == found[1]
+
+
 def test_bad_tracks_are_refused(tmp_path, hoop):
     with pytest.raises(ValueError, match=r"time\[2\] = 1.0 must be greater than time\[1\] = 1.0"):
         lw.Track([0.0, 1.0, 1.0], theta=[0, 0, 0])
