@@ -10,7 +10,7 @@ import numpy as np
 
 from .counts import checked_count
 from .extras import require
-from .plot.canvas import draw_hoop
+from .plot.canvas import draw_hoop, draw_plane, level, seen_heights
 from .style import INK, MODE_COLOURS
 
 if TYPE_CHECKING:
@@ -70,18 +70,21 @@ class Animation:
         agg = require("matplotlib.backends.backend_agg")
         animation = require("matplotlib.animation")
         samples, hoop = self._samples, self.motion.hoop
-        low, high = float(np.min(samples.x)) - 1.3, float(np.max(samples.x)) + 1.3
-        top = float(np.max(samples.centre_y)) + 1.25
+        across, _ = level(hoop.slope, samples.x, samples.centre_y)
+        particle = level(hoop.slope, samples.particle_x, samples.particle_y)
+        low, high = float(np.min(across)) - 1.3, float(np.max(across)) + 1.3
+        bottom, highest = seen_heights(samples, hoop.slope)
+        top = highest + 1.25
         width = 8.0
-        height = min(6.0, max(2.2, width * (top + 0.3) / (high - low) + 0.4))
+        height = min(6.0, max(2.2, width * (top - bottom + 0.3) / (high - low) + 0.4))
         figure = figure_module.Figure(figsize=(width, height))
         agg.FigureCanvasAgg(figure)
         axes = figure.add_axes((0.01, 0.01, 0.98, 0.98))
         axes.set_xlim(low, high)
-        axes.set_ylim(-0.3, top)
+        axes.set_ylim(bottom - 0.3, top)
         axes.set_aspect("equal")
         axes.axis("off")
-        axes.axhline(0.0, color=INK, linewidth=1.4, zorder=1)
+        draw_plane(axes, hoop.slope, 1.4)
         label = axes.text(0.01, 0.98, "", transform=axes.transAxes, va="top", color=INK, fontsize=11)
         names = samples.mode_names
         moving: list[Any] = []
@@ -97,8 +100,8 @@ class Animation:
             for end in range(1, i + 2):
                 if end == i + 1 or names[end] != names[begin]:
                     (line,) = axes.plot(
-                        samples.particle_x[begin : min(end, i) + 1],
-                        samples.particle_y[begin : min(end, i) + 1],
+                        particle[0][begin : min(end, i) + 1],
+                        particle[1][begin : min(end, i) + 1],
                         color=MODE_COLOURS[str(names[begin])],
                         linewidth=1.8,
                         zorder=2,

@@ -146,6 +146,35 @@ def test_every_axis_has_a_label_that_can_be_drawn(axis, motion):
     assert axes.get_xlabel() not in ("", axis)
 
 
+@pytest.mark.parametrize("slope", [0.3, -1.2])
+def test_on_a_ramp_the_hoop_is_drawn_on_the_ramp(slope):
+    hoop = lw.Hoop(mass_ratio=1, offset=0.5, inertia=1, mu_s=0.9, mu_k=0.9, slope=slope)
+    motion = hoop.simulate(theta=0.5, theta_rate=1.0, slip=0.3, until=2.0)
+    axes = plot.path(motion)
+    assert axes.get_aspect() == 1.0
+    sin, cos = math.sin(slope), math.cos(slope)
+    plane, *lines = axes.get_lines()
+    assert plane.get_slope() == pytest.approx(math.tan(slope))
+    centres = [line for line in lines if line.get_linewidth() == 1.1]
+    assert centres
+    samples = motion.sample(1001)
+    for line in centres:
+        x, y = (np.asarray(values) for values in line.get_data())
+        along, away = x * cos + y * sin, y * cos - x * sin
+        assert np.all((along > samples.x.min() - 1e-12) & (along < samples.x.max() + 1e-12))
+        assert np.all(away > 1.0 - 1e-12)
+    rims = [patch for patch in axes.patches if getattr(patch, "radius", 0.0) == 1.0]
+    particles = [patch for patch in axes.patches if getattr(patch, "radius", 0.0) == 0.085]
+    x, y = rims[0].center
+    # At the start the contact point is the origin; the particle is at θ from the normal.
+    assert (x, y) == pytest.approx((-sin, cos), abs=1e-12)
+    assert particles[0].center == pytest.approx((x - 0.5 * math.sin(0.5 + slope), y + 0.5 * math.cos(0.5 + slope)))
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    for x, y in (rim.center for rim in rims):
+        assert left < x - 1.0 and x + 1.0 < right and low < y - 1.0 and y + 1.0 < high
+    assert motion.animate(frames=3, seconds=0.3)._repr_html_().count("data:image/png;base64") == 3
+
+
 def test_axes_of_ones_own(motion):
     figure, axes = plt.subplots()
     assert plot.path(motion, axes) is axes
@@ -206,7 +235,10 @@ def test_a_picture_of_every_case_shows_its_phases(name):
         assert np.isfinite(x).all() and np.isfinite(y).all()
         assert to_hex(line.get_color()) == MODE_COLOURS[phase.mode]
         first = motion(phase.start_time)
-        assert (x[0], y[0]) == pytest.approx((first.mass_centre_x, first.mass_centre_y), abs=1e-12)
+        # Back in the coordinates of the plane, which is tilted.
+        sin, cos = math.sin(motion.hoop.slope), math.cos(motion.hoop.slope)
+        start = x[0] * cos + y[0] * sin, y[0] * cos - x[0] * sin
+        assert start == pytest.approx((first.mass_centre_x, first.mass_centre_y), abs=1e-12)
     labels = [text.get_text() for text in path.get_legend().get_texts()]
     assert sorted(labels, key=MODE_CODES.__getitem__) == modes
     # What marks the hoops along the path: the start, and causes in their words.

@@ -97,9 +97,33 @@ def phase_slices(samples: Samples) -> list[tuple[str, slice]]:
     return [(MODES[mode[a]], slice(a, b)) for a, b in itertools.pairwise(edges) if mode[a] != _core.OUTSIDE]
 
 
+def level(slope: float, x: Any, y: Any) -> tuple[Any, Any]:
+    """Return coordinates along a plane and from it as a level camera sees them: to the right, and upwards."""
+    sin, cos = math.sin(slope), math.cos(slope)
+    return x * cos - y * sin, x * sin + y * cos
+
+
+def draw_plane(axes: Axes, slope: float, width: float = 1.2) -> None:
+    """Draw the plane as a level camera sees it."""
+    if slope == 0.0:
+        axes.axhline(0.0, color=INK, linewidth=width, zorder=1)
+    else:
+        axes.axline((0.0, 0.0), slope=math.tan(slope), color=INK, linewidth=width, zorder=1)
+
+
+def seen_heights(samples: Samples, slope: float) -> tuple[float, float]:
+    """Return the lowest height of plane and hoops, 0 on a level plane, and the highest of the centre."""
+    _, heights = level(slope, samples.x, samples.centre_y)
+    _, feet = level(slope, samples.x, np.zeros_like(samples.x))
+    low = 0.0 if slope == 0.0 else float(min(np.min(feet), np.min(heights) - 1.0))
+    return low, float(np.max(heights))
+
+
 def draw_hoop(axes: Axes, hoop: Hoop, x: float, y: float, theta: float, *, alpha: float = 1.0) -> list[Any]:
-    """Draw a hoop with its particle and its mass centre; returns the artists."""
+    """Draw a hoop with its particle and its mass centre on its plane as a level camera sees it; returns the artists."""
     patches, lines = require("matplotlib.patches"), require("matplotlib.lines")
+    x, y = level(hoop.slope, x, y)
+    theta += hoop.slope
 
     def along(distance: float) -> tuple[float, float]:
         return x - distance * math.sin(theta), y + distance * math.cos(theta)

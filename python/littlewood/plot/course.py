@@ -11,7 +11,18 @@ from ..extras import require
 from ..samples import Samples
 from ..style import FAINT, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS
-from .canvas import axis_label, draw_hoop, new_axes, phase_slices, pi_ticks, plain, sign
+from .canvas import (
+    axis_label,
+    draw_hoop,
+    draw_plane,
+    level,
+    new_axes,
+    phase_slices,
+    pi_ticks,
+    plain,
+    seen_heights,
+    sign,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,6 +33,8 @@ if TYPE_CHECKING:
 
 def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> Axes:
     """Draw the paths of the mass centre (thick) and the geometric centre (thin), as in Figure 3(b).
+
+    A plane with a slope is tilted, and the axes are level.
 
     Parameters
     ----------
@@ -36,29 +49,35 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> 
     -------
     matplotlib.axes.Axes
     """
-    samples = motion.sample(count)
-    x_low = float(np.min(samples.x)) - 1.2
-    x_high = float(np.max(samples.x)) + 1.2
-    y_high = float(np.max(samples.centre_y)) + 1.15
+    samples, slope = motion.sample(count), motion.hoop.slope
+    centre = level(slope, samples.x, samples.centre_y)
+    mass_centre = level(slope, samples.mass_centre_x, samples.mass_centre_y)
+    x_low, x_high = float(np.min(centre[0])) - 1.2, float(np.max(centre[0])) + 1.2
+    y_low, highest = seen_heights(samples, slope)
+    y_high = highest + 1.15
     if axes is None:
         width = 9.0
-        axes = new_axes(width, min(6.0, max(2.4, 1.1 + width * (y_high / (x_high - x_low) + 0.045))))
-    axes.axhline(0.0, color=INK, linewidth=1.2, zorder=1)
+        axes = new_axes(width, min(6.0, max(2.4, 1.1 + width * ((y_high - y_low) / (x_high - x_low) + 0.045))))
+    draw_plane(axes, slope)
     shown: set[str] = set()
     for mode, part in phase_slices(samples):
         style: dict[str, Any] = {"color": MODE_COLOURS[mode], "linestyle": MODE_DASHES[mode], "zorder": 4}
         label = None if mode in shown else mode
-        axes.plot(samples.mass_centre_x[part], samples.mass_centre_y[part], linewidth=2.4, label=label, **style)
-        axes.plot(samples.x[part], samples.centre_y[part], linewidth=1.1, **style)
+        axes.plot(mass_centre[0][part], mass_centre[1][part], linewidth=2.4, label=label, **style)
+        axes.plot(centre[0][part], centre[1][part], linewidth=1.1, **style)
         shown.add(mode)
     _mark_hoops(motion, axes, samples, x_high - x_low)
     axes.set_xlim(x_low, x_high)
     # Room for two rows of labels.
-    axes.set_ylim(-0.045 * (x_high - x_low), y_high)
+    axes.set_ylim(y_low - 0.045 * (x_high - x_low), y_high)
     axes.set_aspect("equal")
-    axes.set_xlabel(axis_label("x"))
-    axes.set_ylabel(axis_label("centre_y"))
-    axes.set_yticks(range(math.ceil(y_high)))
+    if slope == 0.0:
+        axes.set_xlabel(axis_label("x"))
+        axes.set_ylabel(axis_label("centre_y"))
+        axes.set_yticks(range(math.ceil(y_high)))
+    else:
+        axes.set_xlabel(axis_label("x").replace(sign("x"), "horizontal"))
+        axes.set_ylabel(axis_label("x").replace(sign("x"), "height"))
     if shown:
         axes.legend(
             loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, frameon=False, handlelength=3.2, borderpad=0.2
@@ -78,6 +97,9 @@ def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -
         marks.append((last, ""))
     # Labels stand in two rows; a mark that finds no room in either is left out, unless it is the last.
     ends: list[list[tuple[float, float]]] = [[], []]
+    slope = motion.hoop.slope
+    # On a slope labels stand at the side where the plane rises.
+    side = "center" if slope == 0.0 else "left" if slope > 0.0 else "right"
     for time, label in marks:
         at = int(np.argmin(np.abs(samples.time - time)))
         x, y = float(samples.x[at]), float(samples.centre_y[at])
@@ -91,10 +113,10 @@ def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -
             ends[row].append((x - half, x + half))
             axes.annotate(
                 label,
-                (x, 0.0),
-                xytext=(0, -5 - 13 * row),
+                level(slope, x, 0.0),
+                xytext=({"center": 0, "left": 4, "right": -4}[side], -5 - 13 * row),
                 textcoords="offset points",
-                ha="center",
+                ha=side,
                 va="top",
                 fontsize=9,
                 color=INK,
@@ -200,9 +222,10 @@ def trajectory(motion: Trajectory) -> Figure:
     if not motion.phases:
         axes = figure.add_subplot()
         draw_hoop(axes, motion.hoop, motion.start.x, 1.0, motion.start.theta)
-        axes.axhline(0.0, color=INK, linewidth=1.2)
-        axes.set_xlim(motion.start.x - 2.0, motion.start.x + 2.0)
-        axes.set_ylim(-0.3, 2.3)
+        draw_plane(axes, motion.hoop.slope)
+        x, y = level(motion.hoop.slope, motion.start.x, 1.0)
+        axes.set_xlim(x - 2.0, x + 2.0)
+        axes.set_ylim(y - 1.3, y + 1.3)
         axes.set_aspect("equal")
         axes.set_title(f"no phase: {motion.outcome.label}")
         return figure
