@@ -280,6 +280,8 @@ class Classification:
         "I", "II" or "III" for Littlewood's hoop in R (section 3a).
     rolling_end : tuple of float, float, float and str, or None
         Time until rolling ends, θ and θ′ there, and the cause.
+    reverse_chatter : float or None
+        Ratio of successive bounces, if bounces can grow out of rolling: on a slope, with restitution.
     details : mapping
         As those of :class:`Outcome`, for a start that rolls for ever or is undecided.
     """
@@ -293,6 +295,7 @@ class Classification:
     contact: float
     rolling_type: str | None
     rolling_end: tuple[float, float, float, str] | None
+    reverse_chatter: float | None
     details: Mapping[str, Any]
 
 

@@ -127,6 +127,13 @@ class PhasePlane:
         """|θ′| on the separatrix through the unstable equilibrium, θ′² = 4ℓ̂ sin²(θ/2)/D(θ)."""
         return broadcast(self._core.separatrix_rate, theta)
 
+    def reverse_chatter(self, theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
+        """Ratio of successive bounces where bounces can grow out of rolling, NaN elsewhere.
+
+        Only on a slope, and with a coefficient of restitution.
+        """
+        return broadcast(self._core.reverse_chatter, theta, theta_rate)
+
     def level_rate(self, theta: npt.ArrayLike, energy: npt.ArrayLike) -> Any:
         """|θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ)."""
         return broadcast(self._core.level_rate, theta, energy)

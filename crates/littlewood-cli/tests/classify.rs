@@ -89,3 +89,23 @@ fn every_case_is_listed_and_begins_as_classify_says() {
     }
     assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
 }
+
+/// The hoop of the study of reverse chatter, at rest on the plane.
+#[test]
+fn a_rest_that_is_not_the_only_motion_says_so() {
+    let flags = "--mass-ratio 0.3 --offset 1 --inertia 0.3 --mu-s 1.5 --mu-k 1.5 --slope-deg 40 --theta -1.5 --theta-rate 0";
+    let bouncing = "--restitution 0.8 --restitution-law poisson";
+    let arguments: Vec<&str> = ["classify"].into_iter().chain(flags.split(' ')).collect();
+    assert_eq!(json(&arguments).get("reverse_chatter"), None, "without restitution");
+    let arguments = [arguments, bouncing.split(' ').collect()].concat();
+    let document = json(&arguments);
+    assert_eq!(document["region"], "rolling_region");
+    // e (1 + 2 |B| tan α/A), with B/A = m h s (1 + h c)/(Î + m (1 + h c)²), m = 1.3, h = 1/1.3, Î = 0.3 + 0.3/1.3.
+    let (sin, cos) = libm::sincos(1.5);
+    let lever = 1.0 + cos / 1.3;
+    let stick = sin * lever / (0.3 + 0.3 / 1.3 + 1.3 * lever * lever);
+    let ratio = 0.8 * (1.0 + 2.0 * stick * libm::tan(40.0_f64.to_radians()));
+    assert_close(number(&document["reverse_chatter"]), ratio, 1e-14);
+    let page = text(&arguments);
+    assert!(page.contains("is not the only motion: bounces can grow out of it"), "{page}");
+}

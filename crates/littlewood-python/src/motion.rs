@@ -304,6 +304,7 @@ fn classify(py: Python<'_>, given: GivenHoop, start_numbers: StartNumbers) -> Py
     dict.set_item("rolling_type", found.rolling_type.map(RollingType::name))?;
     let end = found.rolling_end.map(|end| (end.elapsed, end.theta, end.theta_rate, end.limit.cause().name()));
     dict.set_item("rolling_end", end)?;
+    dict.set_item("reverse_chatter", found.reverse_chatter)?;
     let details = PyDict::new(py);
     if let Some(recurrence) = &found.recurrence {
         add_details(&details, recurrence.details())?;

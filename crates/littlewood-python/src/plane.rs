@@ -55,6 +55,7 @@ methods! {
     negative_slip_rate(plane, theta) -> f64 = plane.slip_rate(theta, Direction::Negative).unwrap_or(f64::NAN);
     lift_off_rate(plane, theta) -> f64 = plane.lift_off_rate(theta).unwrap_or(f64::NAN);
     separatrix_rate(plane, theta) -> f64 = plane.separatrix_rate(theta);
+    reverse_chatter(plane, theta, theta_rate) -> f64 = plane.reverse_chatter(theta, theta_rate).unwrap_or(f64::NAN);
     level_rate(plane, theta, energy) -> f64 = plane.level_rate(theta, energy).unwrap_or(f64::NAN);
     {
     #[new]

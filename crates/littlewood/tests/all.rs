@@ -25,6 +25,7 @@ mod jam;
 mod origins;
 mod proofs;
 mod reference;
+mod reverse_chatter;
 mod rooms;
 mod serde;
 mod slopes;

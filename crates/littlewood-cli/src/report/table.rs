@@ -138,6 +138,12 @@ fn rolling(hoop: &Hoop, found: &Classification, scale: Scale<'_>) -> Vec<String>
             scale.show(Dimension::AngularRate, end.theta_rate),
         ));
     }
+    if let Some(ratio) = found.reverse_chatter {
+        lines.push(format!(
+            "is not the only motion: bounces can grow out of it, each {} times as fast as the one before (reverse chatter)",
+            brief(ratio)
+        ));
+    }
     if let Some(recurrence) = &found.recurrence {
         lines.push(format!("for ever: {}", returns(recurrence, scale)));
     }

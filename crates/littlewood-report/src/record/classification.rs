@@ -21,6 +21,9 @@ pub(crate) struct ClassificationRecord {
     rolling_type: Option<&'static str>,
     rolling_end: Option<Fields>,
     rolls_forever: Option<Fields>,
+    /// On a slope only: the ratio of successive bounces that grow out of rolling.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reverse_chatter: Option<f64>,
     #[serde(rename = "findings")]
     candidates: Option<CandidatesRecord>,
 }
@@ -49,6 +52,7 @@ impl From<&Classification> for ClassificationRecord {
             rolling_type: found.rolling_type.map(RollingType::name),
             rolling_end: found.rolling_end.map(rolling_end),
             rolls_forever: found.recurrence.map(|recurrence| Fields::of_details(recurrence.details())),
+            reverse_chatter: found.reverse_chatter,
             candidates: found.candidates.map(CandidatesRecord::from),
         }
     }

@@ -234,6 +234,14 @@ impl Contact {
     pub(crate) fn new(hoop: &Hoop, body: &Heavy, theta: f64) -> Self {
         Self::of(body, [hoop.mu_s(), hoop.mu_k()], libm::sincos(theta))
     }
+
+    /// The slopes of the gap rate in slip in this direction and in stick, and the rate at which the slip decreases, all with respect to
+    /// the normal impulse; `None` where the slip does not end in a stick.
+    pub(crate) fn sticking(&self, direction: Direction) -> Option<([f64; 2], f64)> {
+        let slipping = self.slope(direction);
+        let braking = -direction.sign() * slipping.slip;
+        (braking > 0.0 && !self.reverses).then_some(([slipping.gap_rate, self.at_rest.gap_rate], braking))
+    }
 }
 
 impl<T: Number> Contact<T> {

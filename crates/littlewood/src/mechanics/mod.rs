@@ -8,6 +8,7 @@ pub(crate) mod frictionless;
 pub(crate) mod impact;
 pub(crate) mod lift_off;
 pub(crate) mod region;
+pub(crate) mod reverse_chatter;
 pub(crate) mod settling;
 pub(crate) mod solvability;
 

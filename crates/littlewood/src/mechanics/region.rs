@@ -23,7 +23,7 @@ pub struct PhasePlane {
     /// In units in which gravity normal to the plane is 1; rates there are those of the plane over `pace`.
     pub(super) law: RollingLaw,
     pub(super) hoop: Hoop,
-    pace: f64,
+    pub(super) pace: f64,
 }
 
 /// Stability of an equilibrium in rolling.

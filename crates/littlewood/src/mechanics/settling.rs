@@ -1,15 +1,15 @@
 //! Settling: the sum of an infinite sequence of decaying bounces (chatter).
 //!
-//! Where W = 1 − h cos θ θ′² > 0 and each bounce is slower than the previous one, infinitely many bounces take a finite
-//! time. Once they are short, θ, W, the compliance and the slip acceleration a = −h sin θ θ′² in flight are nearly
+//! Where W = cos α − h cos θ θ′² > 0 and each bounce is slower than the previous one, infinitely many bounces take a finite
+//! time. Once they are short, θ, W, the compliance and the slip acceleration a = −h sin θ θ′² − sin α in flight are nearly
 //! constant. With these fixed, a flight with initial gap rate v takes 2v/W and adds 2 a v/W to the slip, and the impact
 //! is homogeneous in (u, v). Bounces of one kind (stick, reverse or slip) then have a geometric sum. The error is of
 //! the order of the square of the remaining time.
 //!
-//! The ratio of the gap rates of successive bounces decides, not e. In slip it is e. In stick, a drives the slip of each
-//! flight against sign B, so k1 = C + μk |B| in slip and k2 < k1 afterwards. The ratio is then below e by the energetic
-//! law and by Poisson's, also for e = 1, and equal to e by Newton's. All three laws give e without friction, and where B
-//! or a vanishes. For e < 1 bounces therefore never grow; for other bodies they can near k1 = 0 (reverse chatter).
+//! The ratio of the gap rates of successive bounces decides, not e. In slip it is e. In stick on a level plane, a drives
+//! the slip of each flight against sign B, so k1 = C + μk |B| in slip and k2 < k1 afterwards. The ratio is then below e by
+//! the energetic law and by Poisson's, also for e = 1, and equal to e by Newton's. All three laws give e without friction,
+//! and where B or a vanishes. So bounces with e < 1 never grow there; on a slope they can (reverse chatter).
 
 use thiserror::Error;
 
@@ -24,7 +24,7 @@ const MAX_SETTLING_TIME: f64 = 1e-7;
 const MAX_SUM_ERROR: f64 = 10.0 * MAX_SETTLING_TIME * MAX_SETTLING_TIME;
 
 /// Rounding error of a ratio, a quotient of sums of a dozen products of one sign.
-const RATIO_ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(super) const RATIO_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Relative tolerance for equal ratios of slip velocity to gap rate in successive bounces.
 const REPETITION_TOLERANCE: f64 = 1e-14;
@@ -68,8 +68,8 @@ pub enum NoSettling {
         /// 1 − h cos θ θ′².
         contact: f64,
     },
-    /// The bounces do not decay by more than rounding: e = 1 in slip, without friction, or by Newton's law. Growth for
-    /// e < 1 would be reverse chatter, which this body does not show.
+    /// The bounces do not decay by more than rounding: e = 1 in slip, without friction, or by Newton's law; or they grow, on
+    /// a slope ([reverse chatter](crate::theory::PhasePlane::reverse_chatter)).
     #[error("each bounce is {ratio} times as fast as the one before")]
     Grows {
         /// Ratio of the rates of successive bounces.

@@ -1,5 +1,6 @@
 //! The region of a start in the phase plane of the paper, and the motion that begins there.
 
+use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
 use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, named};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
@@ -50,6 +51,9 @@ pub struct Classification {
     pub recurrence: Option<Recurrence>,
     /// For Littlewood's hoop in 𝓡: Type I, II or III; none on the stable manifold.
     pub rolling_type: Option<RollingType>,
+    /// For a start in 𝓡 from which bounces can grow out of rolling, which is then not the only motion: the ratio of successive
+    /// bounces ([`PhasePlane::reverse_chatter`]).
+    pub reverse_chatter: Option<f64>,
     /// The candidates, if no motion or more than one is consistent.
     pub candidates: Option<Candidates>,
 }
@@ -92,6 +96,7 @@ impl Hoop {
             rolling_end: None,
             recurrence: None,
             rolling_type: None,
+            reverse_chatter: None,
             candidates: None,
         };
         if start.gap_rate > 0.0 {
@@ -106,6 +111,7 @@ impl Hoop {
                 let endless = end.is_none() && !orbit.descends();
                 found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));
                 found.rolling_end = end.map(|end| origin.rolling_end(end));
+                found.reverse_chatter = PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);
                 (StartRegion::Rolling, Some(Mode::Rolling), None)
             }
             Next::Slide { direction, .. } => {

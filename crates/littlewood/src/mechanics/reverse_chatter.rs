@@ -1,0 +1,107 @@
+//! Reverse chatter: bounces that grow out of rolling, infinitely many in a finite time.
+//!
+//! In a short flight the gap rate falls by w = cos α − h cos θ θ′² and the slip changes by a = −h sin θ θ′² − sin α per unit of
+//! time. A bounce that begins with the gap rate v and without slip lands with the slip 2 a v/w. If its impact sticks, all bounces are
+//! similar, and each is faster than the one before by the same ratio. With the compliances A, B, C, M = μk A − |B| and the slopes
+//!
+//! ```text
+//! k1 = C − μk |B|,    k2 = C − B²/A,    k2 − k1 = |B| M/A,    p = 2 |a|/(w M)
+//! ```
+//!
+//! of the gap rate in slip and in stick the ratio exceeds e only if a B > 0 and M > 0; it is then, by the energetic law,
+//!
+//! ```text
+//! ratio² = e² (1 + (k2 − k1) p (2 − k1 p))            k1 p ≤ 1: sticks in compression,
+//! ratio² = (e² k2 − (k2 − k1) (k1 p − 1)²)/k1         1 < k1 p < 1 + e: in restitution,
+//! ```
+//!
+//! by Poisson's e (1 + (k2 − k1) p) and (1 + e) k2/k1 − 1 − (k2 − k1) p, and by Newton's e. So p lies between two numbers of the angle
+//! where it exceeds 1, and θ′² between two linear forms. On a level plane a B = −h² sin² θ θ′² (1 + h cos θ)/Î is never positive.
+
+use crate::mechanics::region::PhasePlane;
+use crate::mechanics::settling::RATIO_ROUNDING;
+use crate::mechanics::{Contact, ContactVelocities, contact};
+use crate::model::{Body, Direction, Heavy, Restitution, RestitutionLaw};
+
+/// The values of p between which bounces grow, from k1 and k2 > k1.
+fn growing(restitution: Restitution, [k1, k2]: [f64; 2]) -> Option<[f64; 2]> {
+    let e = restitution.coefficient();
+    let gain = k2 - k1;
+    let (low, high) = match restitution.law() {
+        RestitutionLaw::Energetic => {
+            let root = ((e * e * k2 - k1) / gain).sqrt();
+            ((1.0 - e) * (1.0 + e) / (e * gain * (e + root)), (1.0 + root) / k1)
+        }
+        RestitutionLaw::Poisson => ((1.0 - e) / (e * gain), ((1.0 + e) * k2 / k1 - 2.0) / gain),
+        RestitutionLaw::Newton => return None,
+    };
+    let high = if k1 > 0.0 { high } else { f64::INFINITY };
+    (low < high).then_some([low, high])
+}
+
+impl PhasePlane {
+    /// The body and its restitution, and the slope of the plane.
+    fn bouncing(&self) -> Option<(Heavy, Restitution)> {
+        let Body::Heavy(body) = self.hoop.body() else { return None };
+        Some((body, self.hoop.restitution()?))
+    }
+
+    /// The ratio of successive bounces, where bounces grow out of rolling (reverse chatter): there rolling, or rest, is not the only
+    /// motion. `None` where they do not grow, without a coefficient of restitution, and on a level plane.
+    ///
+    /// ```
+    /// use littlewood::theory::PhasePlane;
+    /// use littlewood::{Hoop, HoopParameters, RestitutionLaw};
+    ///
+    /// // A loaded hoop at rest on a slope of 40°, with the particle uphill.
+    /// let parameters = HoopParameters::thin(0.3).with_friction(1.5, 1.5).with_slope(40_f64.to_radians());
+    /// let hoop = Hoop::new(parameters.with_restitution(0.8, RestitutionLaw::Energetic))?;
+    /// let ratio = PhasePlane::new(&hoop).reverse_chatter(-1.5, 0.0).expect("bounces grow");
+    /// assert!((1.0..1.5).contains(&ratio));
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn reverse_chatter(&self, theta: f64, theta_rate: f64) -> Option<f64> {
+        let (body, restitution) = self.bouncing()?;
+        let rate = theta_rate / self.pace;
+        let (sin, cos) = libm::sincos(theta);
+        let weight = contact(1.0, body.h, cos * (rate * rate));
+        let drift = -body.h * sin * (rate * rate) - body.pull();
+        if !(weight > 0.0 && drift * sin > 0.0) {
+            return None;
+        }
+        let before = ContactVelocities { theta_rate: 0.0, slip: 2.0 * drift / weight, gap_rate: -1.0 };
+        let ratio = Contact::new(&self.hoop, &body, theta).impact(before, restitution.parts()).after.gap_rate;
+        (ratio.is_finite() && ratio > 1.0 + RATIO_ROUNDING).then_some(ratio)
+    }
+
+    /// |θ′| between which bounces grow out of rolling at an angle.
+    #[must_use]
+    pub fn reverse_chatter_rates(&self, theta: f64) -> Option<[f64; 2]> {
+        let (body, restitution) = self.bouncing()?;
+        let (sin, cos) = libm::sincos(theta);
+        let pull = body.pull();
+        if pull * sin >= 0.0 {
+            return None;
+        }
+        let direction = Direction::of_sign(sin)?;
+        let (slopes, braking) = Contact::new(&self.hoop, &body, theta).sticking(direction)?;
+        let [low, high] = growing(restitution, slopes)?;
+        // |a| over w lies between ½ M p, and both are linear in u: constant + slope u > 0.
+        let beyond = |share: f64| [pull.abs() - share, -body.h * (sin.abs() - share * cos)];
+        let [least, most] = [low, high].map(|p| 0.5 * braking * p);
+        let until = if most.is_finite() { beyond(most).map(|term| -term) } else { [1.0, -body.h * cos] };
+        let mut range = [0.0, f64::INFINITY];
+        for [constant, slope] in [beyond(least), until] {
+            let root = -constant / slope;
+            if slope < 0.0 {
+                range[1] = f64::min(range[1], root);
+            } else if slope > 0.0 {
+                range[0] = f64::max(range[0], root);
+            } else if constant <= 0.0 {
+                return None;
+            }
+        }
+        (range[0] < range[1] && range[1].is_finite()).then(|| range.map(|u| self.pace * u.sqrt()))
+    }
+}
