@@ -10,6 +10,7 @@ with the rate 2^-20, and followed until a bounce is faster than 0.02.  Half of t
 
 Units: mass of the particle, radius and gravity are 1.
 """
+
 import json
 import os
 import random
@@ -52,7 +53,14 @@ def draw(rng):
     mu_s = round(rng.uniform(0.4, 2.0), 3)
     slope = round(rng.uniform(0.1, 1.3), 3) * rng.choice((-1, 1))
     offset = round(rng.uniform(0.5, 1.0), 3)
-    numbers = mass_ratio, offset, round(mass_ratio * rng.uniform(0.2, 1), 4), mu_s, round(mu_s * rng.uniform(0.6, 1), 3), slope
+    numbers = (
+        mass_ratio,
+        offset,
+        round(mass_ratio * rng.uniform(0.2, 1), 4),
+        mu_s,
+        round(mu_s * rng.uniform(0.6, 1), 3),
+        slope,
+    )
     place = round(rng.uniform(0.2, 3.0), 3) * (-1 if slope > 0 else 1), round(rng.uniform(-1, 1), 3)
     return numbers, place, (round(rng.uniform(0.4, 0.95), 3), rng.choice(("energetic", "poisson")))
 

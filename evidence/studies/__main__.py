@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import re
 import sys
 import time
 
@@ -22,11 +23,14 @@ def computed(study: Study) -> str:
 
 
 def draw(study: Study) -> None:
-    """Write the pictures."""
+    """Write the pictures, with their titles in the page, and what it says below them, as title and description."""
     mpl.rcParams["svg.hashsalt"] = "littlewood"
     study.folder.mkdir(exist_ok=True)
+    page = study.page.read_text(encoding="utf-8")
     for name, figure in study.pictures.items():
-        figure().savefig(study.folder / f"{name}.svg", metadata={"Date": None})
+        shown = re.search(rf"!\[(.+)\]\({study.name}/{name}\.svg\)\n\n(.+)", page)
+        said = dict(zip(("Title", "Description"), shown.groups() if shown else (), strict=False))
+        figure().savefig(study.folder / f"{name}.svg", metadata={"Date": None, **said})
 
 
 def main() -> int:
