@@ -18,6 +18,7 @@ NAMES = (
     "best-hop",
     "bouncing-for-ever",
     "jam",
+    "slip-before-jump",
     "bounces-out-of-nothing",
     "how-many-slips",
     "band",
