@@ -36,7 +36,8 @@ CLASS_COLOURS: Mapping[str, str] = _colours("class")
 """Colours of the classes of outcomes in maps, by their names."""
 
 CURVE_COLOURS: Mapping[str, str] = _colours("curve")
-"""Colours of the curves of the (θ, θ′) plane: slip_limit (f), normal_force_zero (n), separatrix, lift_off, level."""
+"""Colours of the curves of the (θ, θ′) plane: slip_limit (f), normal_force_zero (n), separatrix, lift_off,
+chatter, level."""
 
 CURVE_DASHES: Mapping[str, Dashes] = _dashes("curve")
 """Dashes of these curves."""

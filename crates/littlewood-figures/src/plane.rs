@@ -66,6 +66,11 @@ impl Portrait {
         Series::new("lift-off", &PLANE, rows(self.plane.lift_off_curve(&self.window)))
     }
 
+    /// The rates between which bounces grow out of rolling; none on a level plane.
+    pub(crate) fn reverse_chatter(&self) -> Series {
+        Series::new("reverse chatter", &PLANE, rows(self.plane.reverse_chatter_curve(&self.window)))
+    }
+
     /// The region N < 0, above and below n.
     pub(crate) fn unloaded(&self) -> Series {
         let pieces = [1.0, -1.0]

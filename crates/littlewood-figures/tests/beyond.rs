@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_4, PI};
 
 use crate::support::{Body, THIN, assert_near, columns, figure, series};
 use littlewood::theory::PhasePlane;
-use littlewood::{Hoop, HoopParameters, Limits, Mode, Start};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start};
 use littlewood_figures::{Figure, FigureInput, Panel, Series, find_figure};
 
 fn panel<'a>(figure: &'a Figure, name: &str) -> &'a Panel {
@@ -291,6 +291,28 @@ fn is_inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let crossed = edges
         .filter(|([ax, ay], [bx, by])| (*ay > y) != (*by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax));
     crossed.count() % 2 == 1
+}
+
+/// On a slope, and nowhere on the level plane.
+#[test]
+fn reverse_chatter_is_bounded_where_bounces_grow() {
+    for slope in [0.6, 0.0] {
+        let parameters = HoopParameters::thin(0.25).with_friction(1.0, 1.0).with_slope(slope);
+        let hoop = Hoop::new(parameters.with_restitution(0.8, RestitutionLaw::Energetic)).expect("a hoop");
+        let input = FigureInput::new(hoop, Start::at(1.0, 0.5), Limits::default());
+        let figure = find_figure("figure-2b").expect("a figure").figure(&input).expect("it can be drawn");
+        assert_eq!(figure.caption.contains("reverse chatter"), slope > 0.0);
+        if slope == 0.0 {
+            continue;
+        }
+        let plane = PhasePlane::new(&hoop);
+        let mut seen = 0;
+        for row in series(&figure, "reverse chatter").iter().flat_map(|edges| edges.rows()) {
+            let [below, above] = [-1e-4, 1e-4].map(|by| plane.reverse_chatter(row[0], row[1] + by).is_some());
+            seen += u32::from(below != above);
+        }
+        assert!(seen > 100, "{seen}");
+    }
 }
 
 #[test]

@@ -22,14 +22,22 @@ pub enum Curve {
     Separatrix,
     /// N = 0 in sliding, beyond which the body leaves the plane (2.18).
     LiftOff,
+    /// The rates between which bounces grow out of rolling, on a slope.
+    ReverseChatter,
     /// Constant energy in rolling.
     Level,
 }
 
 impl Curve {
     /// All, in order.
-    pub const ALL: [Self; 5] =
-        [Self::SlipLimit, Self::NormalForceZero, Self::Separatrix, Self::LiftOff, Self::Level];
+    pub const ALL: [Self; 6] = [
+        Self::SlipLimit,
+        Self::NormalForceZero,
+        Self::Separatrix,
+        Self::LiftOff,
+        Self::ReverseChatter,
+        Self::Level,
+    ];
 
     /// Lower-case name.
     #[must_use]
@@ -39,6 +47,7 @@ impl Curve {
             Self::NormalForceZero => "normal_force_zero",
             Self::Separatrix => "separatrix",
             Self::LiftOff => "lift_off",
+            Self::ReverseChatter => "chatter",
             Self::Level => "level",
         }
     }
@@ -49,7 +58,7 @@ impl Curve {
         match self {
             Self::SlipLimit => Some("f"),
             Self::NormalForceZero => Some("n"),
-            Self::Separatrix | Self::LiftOff | Self::Level => None,
+            Self::Separatrix | Self::LiftOff | Self::ReverseChatter | Self::Level => None,
         }
     }
 
@@ -62,6 +71,7 @@ impl Curve {
             Self::Separatrix => "separatrix",
             Self::LiftOff if slope == 0.0 => "lift-off: h cos θ θ′² = 1",
             Self::LiftOff => "lift-off: h cos θ θ′² = cos α",
+            Self::ReverseChatter => "bounces grow out of rolling",
             Self::Level => "constant energy",
         }
     }
@@ -81,6 +91,7 @@ impl Curve {
             Self::NormalForceZero => plane.normal_force_curve(window),
             Self::Separatrix => plane.separatrix_curve(window),
             Self::LiftOff => plane.lift_off_curve(window),
+            Self::ReverseChatter => plane.reverse_chatter_curve(window),
             Self::Level => Vec::new(),
         }
     }
@@ -93,7 +104,7 @@ impl Curve {
         let part = match self {
             Self::SlipLimit => 0.66,
             Self::NormalForceZero => 0.86,
-            Self::Separatrix | Self::LiftOff | Self::Level => return None,
+            Self::Separatrix | Self::LiftOff | Self::ReverseChatter | Self::Level => return None,
         };
         let pieces = self.pieces(plane, window);
         let lowest = pieces.iter().flatten().map(|[_, rate]| *rate).fold(0.0, f64::min);
@@ -118,6 +129,7 @@ impl Curve {
             Self::SlipLimit => Arrow::FrictionForce.colour(theme),
             Self::NormalForceZero | Self::LiftOff => Arrow::NormalForce.colour(theme),
             Self::Separatrix => Ink::Ink.colour(theme),
+            Self::ReverseChatter => Arrow::Impulse.colour(theme),
             Self::Level => Ink::Faint.colour(theme),
         }
     }
@@ -128,6 +140,7 @@ impl Curve {
         match self {
             Self::SlipLimit => Dash::Dashed,
             Self::LiftOff => Dash::Short,
+            Self::ReverseChatter => Dash::Dotted,
             Self::NormalForceZero | Self::Separatrix | Self::Level => Dash::Solid,
         }
     }
@@ -137,7 +150,7 @@ impl Curve {
     pub const fn width(self) -> f64 {
         match self {
             Self::SlipLimit | Self::NormalForceZero => BOLD,
-            Self::Separatrix | Self::LiftOff => CURVE,
+            Self::Separatrix | Self::LiftOff | Self::ReverseChatter => CURVE,
             Self::Level => FINE,
         }
     }

@@ -159,22 +159,21 @@ fn bounces_out_of_rolling_are_those_followed_with_150_digits() {
     assert_eq!(grown, 12);
 }
 
-/// The region as polygons is that of the ratio.
+/// The curves of the phase plane are where the ratio is 1.
 #[test]
-fn the_region_is_bounded_where_the_ratio_is_1() {
+fn the_curves_are_where_the_ratio_is_1() {
     let parameters = HoopParameters::thin(0.3).with_friction(1.5, 1.5).with_slope(0.7);
     let hoop = Hoop::new(parameters.with_restitution(0.8, RestitutionLaw::Energetic)).expect("a hoop");
     let plane = PhasePlane::new(&hoop);
-    let region = plane.reverse_chatter_region(&Window { x: [-3.2, 3.2], y: [-2.0, 2.0] });
     let mut seen = 0;
-    for [theta, rate] in region.concat() {
-        let Some([low, high]) = plane.reverse_chatter_rates(theta) else { continue };
-        seen += 1;
-        for (edge, inside, outside) in [(low, 1e-6, -1e-6), (high, -1e-6, 1e-6)] {
-            if edge > 1e-3 && (rate.abs() - edge).abs() < 1e-9 && high - low > 1e-3 {
-                assert!(plane.reverse_chatter(theta, edge + inside).is_some(), "{theta} {edge}");
-                assert!(plane.reverse_chatter(theta, edge + outside).is_none(), "{theta} {edge}");
-            }
+    for [theta, rate] in plane.reverse_chatter_curve(&Window { x: [-3.2, 3.2], y: [-2.0, 2.0] }).concat() {
+        let [low, high] = plane.reverse_chatter_rates(theta).expect("a point of a curve");
+        let edge = rate.abs();
+        assert!(edge == low || edge == high);
+        if high - low > 1e-3 && edge > 1e-3 {
+            let [below, above] = [-1e-6, 1e-6].map(|by| plane.reverse_chatter(theta, edge + by).is_some());
+            assert_eq!([below, above], [edge == high, edge == low], "{theta} {edge}");
+            seen += 1;
         }
     }
     assert!(seen > 50, "{seen}");

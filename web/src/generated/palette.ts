@@ -31,6 +31,7 @@ export const CURVES = [
   'normal_force_zero',
   'separatrix',
   'lift_off',
+  'chatter',
   'level',
 ] as const;
 export type Curve = (typeof CURVES)[number];
@@ -124,6 +125,7 @@ export const PALETTES = {
       normal_force_zero: '#006d4e',
       separatrix: '#222222',
       lift_off: '#006d4e',
+      chatter: '#d7263d',
       level: '#9a9a9a',
     },
     impulse: {
@@ -191,6 +193,7 @@ export const PALETTES = {
       normal_force_zero: '#4fd1a1',
       separatrix: '#eceef2',
       lift_off: '#4fd1a1',
+      chatter: '#ff4d4d',
       level: '#7d8594',
     },
     impulse: {
@@ -243,6 +246,7 @@ export const CURVE_ROWS = {
   normal_force_zero: { label: 'n: N = 0 in rolling', labelOnSlope: 'n: N = 0 in rolling', letter: 'n', dash: [], width: 2.4 },
   separatrix: { label: 'separatrix', labelOnSlope: 'separatrix', letter: null, dash: [], width: 1.6 },
   lift_off: { label: 'lift-off: h cos θ θ′² = 1', labelOnSlope: 'lift-off: h cos θ θ′² = cos α', letter: null, dash: [2.5, 1.8], width: 1.6 },
+  chatter: { label: 'bounces grow out of rolling', labelOnSlope: 'bounces grow out of rolling', letter: null, dash: [1.0, 1.8], width: 1.6 },
   level: { label: 'constant energy', labelOnSlope: 'constant energy', letter: null, dash: [], width: 0.8 },
 } as const satisfies Record<Curve, CurveRow>;
 

@@ -124,6 +124,8 @@ export class PlanePane {
     } = this.lab;
     this.curves = curvesOf(problem, rate);
     this.showCurves();
+    const chatter = byId('curves', HTMLUListElement).querySelector<HTMLElement>('[data-curve="chatter"]');
+    if (chatter) chatter.hidden = this.curves.lines.chatter.every((points) => points.length === 0);
     this.asked = null;
     this.askMap();
     this.stale = { base: true, top: true };

@@ -95,6 +95,7 @@ export function curvesOf(problem: Problem, rate: number): Curves {
       normal_force_zero: named('normal_force_zero'),
       separatrix: named('separatrix'),
       lift_off: named('lift_off'),
+      chatter: named('chatter'),
       level: levels.map((energy) => plane.level(energy)),
     },
     letters,
@@ -149,7 +150,7 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
 }
 
 /** The curves from the lowest to the topmost. */
-const UPWARDS: readonly Curve[] = ['level', 'separatrix', 'lift_off', 'normal_force_zero', 'slip_limit'];
+const UPWARDS: readonly Curve[] = ['level', 'separatrix', 'chatter', 'lift_off', 'normal_force_zero', 'slip_limit'];
 
 function setPen(c: CanvasRenderingContext2D, curve: Curve, palette: Palette): void {
   c.strokeStyle = palette.curve[curve];

@@ -56,6 +56,11 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(slip.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
     layers.push(lift_off.drawn(Mark::Line(Stroke::of_curve(Curve::LiftOff))));
     layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
+    let chatter = portrait.reverse_chatter();
+    let chatters = !chatter.pieces.is_empty();
+    if chatters {
+        layers.push(chatter.drawn(Mark::Line(Stroke::of_curve(Curve::ReverseChatter))));
+    }
     layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
@@ -68,10 +73,11 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
              with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
              gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
              where the hoop can roll. Hatched: *N* < 0. The paper lets the hoop lose contact there at once; but \
-             between *n* and the curve {} it slides.{} {}{}.",
+             between *n* and the curve {} it slides.{}{} {}{}.",
             if hoop.slope() == 0.0 { ", the particle on top" } else { "" },
             lift_off_condition(hoop.slope()),
             if is_beyond { BEYOND } else { "" },
+            if chatters { " Within the dotted curves bounces grow out of rolling (reverse chatter)." } else { "" },
             if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
             say.rolling(hoop)
         ),

@@ -29,7 +29,7 @@ impl Picture {
         Ok(())
     }
 
-    /// The curves f, n and that of lift-off within the map.
+    /// The curves f, n, that of lift-off and those of reverse chatter within the map.
     pub(super) fn curves(&self) -> Vec<(Curve, Vec<Place>)> {
         let Ok(hoop) = Hoop::new(self.grid.base().hoop) else { return Vec::new() };
         if !self.has_curves || self.counts.iter().any(|count| *count < 2) {
@@ -46,7 +46,7 @@ impl Picture {
             let point = turned(point);
             [0, 1].map(|k| along(&axes[k], point[k]))
         };
-        [Curve::SlipLimit, Curve::NormalForceZero, Curve::LiftOff]
+        [Curve::SlipLimit, Curve::NormalForceZero, Curve::LiftOff, Curve::ReverseChatter]
             .into_iter()
             .flat_map(|curve| curve.pieces(&plane, &window).into_iter().map(move |line| (curve, line)))
             .map(|(curve, line)| (curve, line.into_iter().map(place).collect()))
@@ -97,7 +97,7 @@ mod tests {
                         Curve::LiftOff => {
                             (libm::cos(hoop.slope()) - hoop.h() * libm::cos(theta) * rate * rate, 2)
                         }
-                        Curve::Separatrix | Curve::Level => (f64::NAN, 0),
+                        Curve::Separatrix | Curve::ReverseChatter | Curve::Level => (f64::NAN, 0),
                     };
                     // Far up the plane the forces are large, and so are their errors.
                     assert!(miss.abs() < 1e-9 * (1.0 + rate * rate), "{curve:?} at {theta} {rate}: {miss}");

@@ -214,6 +214,16 @@ impl PhasePlane {
         }
     }
 
+    /// The rates between which bounces grow out of rolling; empty on a level plane.
+    #[must_use]
+    pub fn reverse_chatter_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        let edge = |end: usize| {
+            let rate = move |theta: f64| self.reverse_chatter_rates(theta).map(|rates| rates[end]);
+            self.graph(window, &|theta| rate(theta).filter(|rate| *rate > 0.0))
+        };
+        [edge(0), edge(1)].concat()
+    }
+
     /// The separatrix through the unstable equilibrium; without inertia its stable and unstable manifold.
     #[must_use]
     pub fn separatrix_curve(&self, window: &Window) -> Vec<Vec<Point>> {
@@ -294,26 +304,13 @@ impl PhasePlane {
     /// The region 𝓡 of (2.14) as polygons, in a window that reaches as far down as up.
     #[must_use]
     pub fn rolling_region(&self, window: &Window) -> Vec<Vec<Point>> {
-        Self::polygons(window, &|theta| self.holding(theta, window.y[1]))
-    }
-
-    /// The region of reverse chatter as polygons, in a window that reaches as far down as up.
-    #[must_use]
-    pub fn reverse_chatter_region(&self, window: &Window) -> Vec<Vec<Point>> {
-        Self::polygons(window, &|theta| {
-            let [low, high] = self.reverse_chatter_rates(theta)?;
-            (low < window.y[1]).then_some([low, high.min(window.y[1])])
-        })
-    }
-
-    /// The region of the angles and rates of either sign between these rates, as polygons.
-    fn polygons(window: &Window, rates: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<Vec<Point>> {
-        let top = |theta: f64| rates(theta).map(|[_, high]| [theta, high]);
+        let most = window.y[1];
+        let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);
         let mut pieces = Vec::new();
         for upper in window.pieces(window.x, CELLS, &top) {
             // The lower edge bends where the upper one may be straight.
             let ends = [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
-            let bottom = |theta: f64| Some([theta, rates(theta)?[0]]);
+            let bottom = |theta: f64| Some([theta, self.holding(theta, most)?[0]]);
             let mut lower = window.pieces(ends, CELLS, &bottom).concat();
             lower.reverse();
             let mirrored = |points: &[Point]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
