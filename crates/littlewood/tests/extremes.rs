@@ -165,6 +165,28 @@ fn a_slide_towards_unbounded_forces_does_not_lift_off() {
     }
 }
 
+/// Next to P = 0 a slide ends after its last series.
+#[test]
+fn the_last_instants_of_a_slide_towards_unbounded_forces_are_on_the_way_to_its_end() {
+    let hoop = HoopParameters::thin(0.0)
+        .with_offset(0.590_566_639_439_473_9)
+        .with_inertia(8.416_271_943_867_209e-9)
+        .with_friction(0.008_184_622_966_435_321, 0.006_516_614_498_938_9);
+    let start = Start::at(-2.405_726_591_963_814_4, -2.687_662_308_034_211_5);
+    let start = start.with_slip(0.115_748_295_499_117_21);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let motion = hoop.simulate(start, Limits::until(0.2)).expect("a valid start");
+    let slide = &motion.phases()[1];
+    let end = slide.end().expect("it sticks");
+    let (mut elapsed, mut instants) = (slide.duration(), 0);
+    while elapsed > slide.duration() * (1.0 - 1e-13) {
+        let now = slide.sample(elapsed).state;
+        assert!((now.theta - end.theta).abs() < 1e-10, "{now:?} {end:?}");
+        (elapsed, instants) = (elapsed.next_down(), instants + 1);
+    }
+    assert!(instants > 100);
+}
+
 /// A slide of a thousand turns, then thirty of a turn or less, and a jump that grazes the plane: no step rounds the angle to the last digit of
 /// all its turns (60 digits, `evidence/reference/follower`).
 #[test]

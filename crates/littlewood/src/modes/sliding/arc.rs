@@ -290,8 +290,15 @@ impl Sliding {
         };
         let elapsed = here.elapsed + later;
         let end = SlidePoint { elapsed, place: PhasePoint { theta, rate }, slip, ..here };
-        let constant = |value: f64| core::array::from_fn(|n| if n == 0 { value } else { 0.0 });
-        self.steps.push(Step::new(&end, [theta, rate, slip].map(constant)));
+        // The steps before do not reach the end.
+        let between = |[from, to]: [f64; 2]| -> Series {
+            let slope = if later > 0.0 { (to - from) / later } else { 0.0 };
+            core::array::from_fn(|n| {
+                [if later > 0.0 { from } else { to }, slope].get(n).copied().unwrap_or(0.0)
+            })
+        };
+        let ends = [[here.place.theta, theta], [here.place.rate, rate], [here.slip, slip]];
+        self.steps.push(Step::new(&here, ends.map(between)));
         let state = self.state_from(end);
         match fate {
             Fate::Jams => SlidingEnd::Singular(state),
