@@ -1,10 +1,10 @@
 //! The plane at a slope.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::classification;
-use crate::common::{heavy_hoop, instants, massless_hoop, simulate, start};
+use crate::common::{heavy_hoop, instants, massless_hoop, simulate, slope, start, tilted};
 use crate::invariants::{check_minima, check_phase, check_transitions, size};
 use crate::symmetry::{check_mirror, mirrored};
 use littlewood::cases::CASES;
@@ -18,17 +18,6 @@ use littlewood::{
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;
-
-fn slope() -> impl Strategy<Value = f64> {
-    prop_oneof![4 => -1.5..1.5_f64, 1 => (-12.0..-1.0_f64, any::<bool>()).prop_map(|(power, up)| {
-        let slope = libm::exp10(power);
-        if up { slope } else { -slope }
-    })]
-}
-
-fn tilted(hoop: &Hoop, slope: f64) -> Hoop {
-    Hoop::new(hoop.parameters().with_slope(slope)).expect("a slope")
-}
 
 /// Whether the forces and accelerations of an instant satisfy Newton's and Euler's equations of the two bodies together.
 fn check_balances(hoop: &Hoop, now: &Sample) -> Result<(), TestCaseError> {
@@ -51,6 +40,35 @@ fn check_balances(hoop: &Hoop, now: &Sample) -> Result<(), TestCaseError> {
     let moment = inertia * spin - h * sin * now.normal - (1.0 + h * cos) * now.friction;
     prop_assert!(moment.abs() < rounding, "about the mass centre: {moment:e} {now:?}");
     Ok(())
+}
+
+/// The energy of an orbit is kept, and the time to an angle is that at which the orbit is there.
+fn check_time_to(hoop: &Hoop, start: Start, elapsed: f64) -> Result<(), TestCaseError> {
+    let orbit = RollingOrbit::new(hoop, start.theta, start.theta_rate);
+    let (theta, rate) = orbit.position(elapsed);
+    let law = RollingLaw::new(hoop);
+    let [energy, later] =
+        [(start.theta, start.theta_rate), (theta, rate)].map(|(theta, rate)| law.energy(theta, rate));
+    let kinetic = law.denominator(theta) * rate * rate;
+    let terms = 1.0 + energy.abs() + kinetic + hoop.mass() * (theta.abs() + start.theta.abs() + 1.0);
+    prop_assert!((later - energy).abs() < 1e-12 * terms, "{energy} {later}");
+    if let Some(first) = orbit.time_to(theta) {
+        // θ is given to its last digits.
+        let rounding = f64::EPSILON * theta.abs() / rate.abs();
+        prop_assert!(first <= elapsed + 1e-9 * (1.0 + elapsed) + rounding, "{first} {elapsed}");
+        let (back, _) = orbit.position(first);
+        prop_assert!((back - theta).abs() < 1e-12 * (1.0 + theta.abs()), "{back} {theta}");
+    }
+    Ok(())
+}
+
+/// A libration of 6e-10 about the lowest place, of which θ has six digits, to a quarter of its period.
+#[test]
+fn a_place_on_a_tiny_libration_has_its_time() {
+    let hoop =
+        HoopParameters::thin(3.050_133_919_615_408).with_offset(1.0).with_slope(-4.894_516_088_578_134_5e-11);
+    let hoop = Hoop::new(hoop).expect("a hoop");
+    check_time_to(&hoop, Start::at(PI, 0.0), 3.215_083_728_311_104).expect("the place");
 }
 
 fn check_motion(motion: &Trajectory) -> Result<(), TestCaseError> {
@@ -115,18 +133,7 @@ proptest! {
         hoop in heavy_hoop(), slope in slope(), start in start(), elapsed in 0.0..10.0_f64,
     ) {
         let hoop = tilted(&hoop, slope);
-        let orbit = RollingOrbit::new(&hoop, start.theta, start.theta_rate);
-        let (theta, rate) = orbit.position(elapsed);
-        let law = RollingLaw::new(&hoop);
-        let [energy, later] = [(start.theta, start.theta_rate), (theta, rate)].map(|(theta, rate)| law.energy(theta, rate));
-        let kinetic = law.denominator(theta) * rate * rate;
-        let terms = 1.0 + energy.abs() + kinetic + hoop.mass() * (theta.abs() + start.theta.abs() + 1.0);
-        prop_assert!((later - energy).abs() < 1e-12 * terms, "{energy} {later}");
-        if let Some(first) = orbit.time_to(theta) {
-            prop_assert!(first <= elapsed + 1e-9 * (1.0 + elapsed), "{first} {elapsed}");
-            let (back, _) = orbit.position(first);
-            prop_assert!((back - theta).abs() < 1e-12 * (1.0 + theta.abs()), "{back} {theta}");
-        }
+        check_time_to(&hoop, start, elapsed)?;
     }
 }
 

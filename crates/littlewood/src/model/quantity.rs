@@ -289,7 +289,7 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 const MAX_PARAMETER: f64 = 1e9;
 
 /// Largest time, angle and position of a start: doubles resolve 1e-7 there.
-const MAX_COORDINATE: f64 = 1e9;
+pub(crate) const MAX_COORDINATE: f64 = 1e9;
 
 /// Largest rate and slip velocity of a start: a flight at this rate turns 1e11 times.
 const MAX_RATE: f64 = 1e6;

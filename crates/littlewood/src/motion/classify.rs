@@ -108,7 +108,7 @@ impl Hoop {
                 let orbit = RollingOrbit::of(self, theta, theta_rate);
                 let end = orbit.end();
                 found.rolling_type = self.rolling_type(theta, theta_rate, end);
-                let endless = end.is_none() && !orbit.descends();
+                let endless = end.is_none() && !orbit.leaves_bounds();
                 found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));
                 found.rolling_end = end.map(|end| origin.rolling_end(end));
                 found.reverse_chatter = PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);

@@ -112,7 +112,7 @@ impl Solver for Exact<'_> {
                 arrival: Arrival::RollingLimit(end.limit),
             },
             Some(_) => self.stopped(rolling.state(allowed.unwrap_or(0.0))),
-            None if rolling.orbit().descends() => {
+            None if rolling.orbit().leaves_bounds() => {
                 let outcome = Outcome::Unresolved { state: *state };
                 self.endless(state, |allowed| rolling.state(allowed), outcome)
             }

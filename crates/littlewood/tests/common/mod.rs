@@ -134,6 +134,27 @@ pub(crate) fn whole_range() -> impl Strategy<Value = (Hoop, Start)> {
         .no_shrink()
 }
 
+/// A power of ten, of either sign.
+fn signed_power(powers: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+    (powers, any::<bool>()).prop_map(|(power, up)| if up { libm::exp10(power) } else { -libm::exp10(power) })
+}
+
+/// Slopes of both signs, down to 1e-12.
+pub(crate) fn slope() -> impl Strategy<Value = f64> {
+    prop_oneof![2 => -1.5..1.5_f64, 1 => signed_power(-12.0..-1.0)]
+}
+
+/// The same, and slopes that differ from the vertical by so little.
+pub(crate) fn any_slope() -> impl Strategy<Value = f64> {
+    let nearly_vertical = signed_power(-12.0..-1.0).prop_map(|left| left.signum() * (PI / 2.0 - left.abs()));
+    prop_oneof![6 => slope(), 1 => nearly_vertical]
+}
+
+/// The hoop on a slope.
+pub(crate) fn tilted(hoop: &Hoop, slope: f64) -> Hoop {
+    Hoop::new(hoop.parameters().with_slope(slope)).expect("a slope")
+}
+
 /// Few transitions and a short time are enough for a law that must hold at every instant.
 pub(crate) fn simulate(hoop: &Hoop, start: Start) -> Trajectory {
     let limits = Limits::default().with_until(Some(start.time + 20.0)).with_transitions(60);

@@ -3,14 +3,11 @@
 //! In the direction of motion, in which the angle ϑ increases, with T = ± tan α, D θ′² obeys
 //!
 //! ```text
-//! G = D ϑ′² = G0 + 2 [ℓ̂ (cos ϑ0 − cos ϑ) + T (m (ϑ − ϑ0) + ℓ̂ (sin ϑ − sin ϑ0))],
-//! N D² = D [m Î + (m + ℓ̂c)² − T ℓ̂ s (m + ℓ̂c)] − G ℓ̂ (ℓ̂ s² + c D),
-//! F D² = ℓ̂ s [G (Î + ℓ̂(h + c)) − (m + ℓ̂c) D] + T (m Î + ℓ̂² s²) D,
+//! G = D ϑ′² = G0 + 2 [ℓ̂ (cos ϑ0 − cos ϑ) + T (m (ϑ − ϑ0) + ℓ̂ (sin ϑ − sin ϑ0))]
 //! ```
 //!
 //! and dτ = √(D/G) dϑ. G changes by 4π m T in a turn. Its extrema, the equilibria, are at sin(ϑ + atan T) = −sin(atan T)/h, so each turning
-//! point is the only root between two of them. The margins μs N ± F are Taylor polynomials that converge to rounding on an eighth of a
-//! half turn, whose sign changes [`crate::math::bernstein`] isolates.
+//! point is the only root between two of them. The margins of [`super::limits`] are isolated on an eighth of a half turn at a time.
 //!
 //! *Many turns.* At each angle the margins are linear in G. A margin that falls with G is negative on a set of angles that grows from turn to
 //! turn downhill, one that rises with G on a set that grows uphill. So the turns in which rolling ends follow those in which it does not, and
@@ -21,16 +18,14 @@ use core::f64::consts::{FRAC_PI_8, PI, TAU};
 
 use crate::math::bracket::{Bracket, Step};
 use crate::math::panel::{NODES, Rule, largest};
-use crate::math::series::{DEGREE, Series, convolve, crossing};
-use crate::math::trig::{above_bottom, sincos, without_turns};
+use crate::math::series::{Series, crossing};
+use crate::math::trig::{sincos, without_turns};
 use crate::mechanics::RollingLaw;
-use crate::model::{Direction, Hoop};
+use crate::model::{Direction, Hoop, MAX_COORDINATE};
 
 use super::boundary::{Hold, RollingEnd, RollingLimit, in_body_frame};
+use super::limits::Limits;
 use super::recurrence::Recurrence;
-
-/// Largest angle of an end of rolling, as of a start: doubles resolve 1e-7 there.
-const MAX_ANGLE: f64 = 1e9;
 
 /// Largest relative tail of an integrand on a panel: the rule is exact to twice the degree.
 const TAIL_TOLERANCE: f64 = 1e-8;
@@ -38,8 +33,9 @@ const TAIL_TOLERANCE: f64 = 1e-8;
 /// Largest number of halvings of a panel: its width is then one unit in the last place.
 const MAX_HALVINGS: u32 = 52;
 
-/// Largest number of panels. Where rounding, and not the width, is what a panel does not resolve, more would not help.
-const MAX_PANELS: u32 = 1024;
+/// What rounding of an integrand leaves in the tail, at most, as a multiple of its terms: a few units in the last place, ten times in the sums
+/// over the nodes.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// How often a panel is halved before its series are computed, which cost some ten times as much as a look at the margins.
 const SCREENINGS: u32 = 3;
@@ -63,10 +59,7 @@ pub(super) struct Incline {
 /// A part of an orbit in one direction, in which its angle increases.
 #[derive(Clone, Copy, Debug)]
 struct Leg {
-    law: RollingLaw,
     limits: Limits,
-    /// tan α, positive downhill.
-    pull: f64,
     /// ϑ at the beginning, without whole turns, and these.
     angle: f64,
     turned: f64,
@@ -74,6 +67,8 @@ struct Leg {
     kinetic: f64,
     /// The turning point, if any.
     reach: Option<Distance>,
+    /// The distance of the turning point behind the beginning, if it is in the same turn.
+    behind: Option<f64>,
 }
 
 /// A distance in whole turns and a rest: each number is computed from the rest, which resolves it however many turns there are.
@@ -96,14 +91,6 @@ struct Place {
     left: f64,
 }
 
-/// What bounds rolling.
-#[derive(Clone, Copy, Debug)]
-struct Limits {
-    mu: f64,
-    /// Î; a hoop without has a contact force that points at the particle.
-    inertia: f64,
-}
-
 impl Incline {
     pub(super) fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
         let (sin, cos) = libm::sincos(theta);
@@ -112,12 +99,11 @@ impl Incline {
         let pulled = law.offset * sin + law.tilt * (law.mass + law.offset * cos);
         let moving = if kinetic == 0.0 { pulled } else { theta_rate };
         let travel = Direction::of_sign(moving).map_or(1.0, Direction::sign);
-        let limits = Limits { mu: hoop.mu_s(), inertia: hoop.body().inertia_about_mass_centre() };
-        let pull = travel * law.tilt;
-        let first = Leg::new((law, limits), pull, [0.0, travel * theta], kinetic);
+        let limits = Limits::new(hoop, travel);
+        let first = Leg::new(limits, [0.0, travel * theta], kinetic);
         let back = first.reach.map(|reach| {
             let turned = first.turned + TAU * reach.turns;
-            Leg::new((law, limits), -pull, [-turned, -(first.angle + reach.rest)], 0.0)
+            Leg::new(limits.reversed(), [-turned, -(first.angle + reach.rest)], 0.0)
         });
         // Both turning points round to the angle of the start.
         let width = back.and_then(|back| back.reach).map_or(f64::INFINITY, |reach| reach.total());
@@ -125,11 +111,9 @@ impl Incline {
         Self { travel, first, back, rests }
     }
 
-    /// Whether the hoop is unbalanced and rolls down without end: it ends beyond the bounds of θ if nowhere else.
-    pub(super) fn descends(&self) -> bool {
-        !self.rests
-            && self.first.law.offset > 0.0
-            && self.back.map_or(self.first.reach.is_none(), |back| back.reach.is_none())
+    /// Whether the hoop is unbalanced and leaves the bounds of θ: rolling ends beyond them if nowhere else.
+    pub(super) fn leaves_bounds(&self) -> bool {
+        !self.rests && (self.first.leaves_bounds() || self.back.is_some_and(|back| back.leaves_bounds()))
     }
 
     /// Time to the first turning point.
@@ -149,7 +133,7 @@ impl Incline {
 
     /// The sign of θ in the frame of a leg.
     fn frame(&self, leg: &Leg) -> f64 {
-        if leg.pull == self.first.pull { self.travel } else { -self.travel }
+        if leg.law().tilt == self.first.law().tilt { self.travel } else { -self.travel }
     }
 
     /// The leg and the place after a time, and the direction of motion in the frame of the leg.
@@ -192,7 +176,7 @@ impl Incline {
         let (leg, before, (place, limit)) = match self.first.end() {
             Some(end) => (self.first, 0.0, end),
             None => {
-                let back = self.back?;
+                let back = self.back.filter(|_| !self.first.leaves_bounds())?;
                 (back, self.outward(), back.end()?)
             }
         };
@@ -212,8 +196,9 @@ impl Incline {
         }
         let Some((back, reach)) = self.back.and_then(|back| Some((back, back.reach?))) else {
             // The centre moves by −θ.
-            let law = self.first.law;
-            return Recurrence::Downhill { acceleration: -law.mass * law.tilt / law.mean_denominator() };
+            let law = self.first.law();
+            let acceleration = -law.mass * (self.travel * law.tilt) / law.mean_denominator();
+            return Recurrence::Downhill { acceleration };
         };
         let frame = self.frame(&back);
         // From rest the motion comes back to its start.
@@ -226,7 +211,7 @@ impl Incline {
         let leg = &self.first;
         let d = leg.denominator(leg.place(0.0, 0.0));
         let mut hold = Hold::Holds;
-        for (margin, limit) in leg.margins(leg.place(0.0, 0.0)).into_iter().flatten() {
+        for (margin, limit) in leg.margins(leg.place(0.0, 0.0)) {
             let first = if self.rests { Some(&margin[0]) } else { margin.iter().find(|c| **c != 0.0) };
             if first.is_none_or(|first| *first >= 0.0) {
                 continue;
@@ -248,21 +233,42 @@ impl Incline {
 impl Leg {
     /// 2 [ℓ̂ (cos a − cos b) + T (m (b − a) + ℓ̂ (sin b − sin a))] for b = a + `by`.
     fn gain(&self, from: f64, by: f64) -> f64 {
+        let RollingLaw { offset, mass, tilt, .. } = *self.law();
         let (sin, cos) = sincos(from + 0.5 * by);
         let chord = 2.0 * libm::sin(0.5 * by);
-        2.0 * (self.law.offset * chord * (sin + self.pull * cos) + self.pull * self.law.mass * by)
+        2.0 * (offset * chord * (sin + tilt * cos) + tilt * mass * by)
     }
 
     /// The angle at the beginning is the sum of whole turns and a rest.
-    fn new((law, limits): (RollingLaw, Limits), pull: f64, [turned, rest]: [f64; 2], kinetic: f64) -> Self {
+    fn new(limits: Limits, [turned, rest]: [f64; 2], kinetic: f64) -> Self {
         let angle = without_turns(rest);
-        let leg = Self { law, limits, pull, angle, turned: turned + (rest - angle), kinetic, reach: None };
-        Self { reach: leg.turning_point(), ..leg }
+        let leg =
+            Self { limits, angle, turned: turned + (rest - angle), kinetic, reach: None, behind: Some(0.0) };
+        let behind = || {
+            let back = Self { limits: limits.reversed(), angle: -angle, ..leg };
+            back.turning_point().filter(|reach| reach.turns == 0.0).map(|reach| reach.rest)
+        };
+        let behind = if kinetic == 0.0 { Some(0.0) } else { behind() };
+        Self { reach: leg.turning_point(), behind, ..leg }
+    }
+
+    /// The law, with tan α positive downhill.
+    const fn law(&self) -> &RollingLaw {
+        &self.limits.law
     }
 
     /// ϑ at the beginning.
     fn start(&self) -> f64 {
         self.turned + self.angle
+    }
+
+    /// How far it goes at least within the bounds of θ.
+    fn room(&self) -> f64 {
+        MAX_COORDINATE - self.start().abs()
+    }
+
+    fn leaves_bounds(&self) -> bool {
+        self.law().offset > 0.0 && self.reach.is_none_or(|reach| reach.total() > self.room())
     }
 
     fn angle_at(&self, place: Place) -> f64 {
@@ -271,13 +277,14 @@ impl Leg {
 
     /// The gain of G in a turn.
     fn fall(&self) -> f64 {
-        4.0 * PI * self.law.mass * self.pull
+        4.0 * PI * self.law().mass * self.law().tilt
     }
 
     /// Half the slope of G.
     fn slope(&self, rest: f64) -> f64 {
+        let RollingLaw { offset, mass, tilt, .. } = *self.law();
         let (sin, cos) = sincos(self.angle + rest);
-        self.law.offset * sin + self.pull * (self.law.mass + self.law.offset * cos)
+        offset * sin + tilt * (mass + offset * cos)
     }
 
     fn place(&self, turns: f64, rest: f64) -> Place {
@@ -286,24 +293,45 @@ impl Leg {
     }
 
     fn denominator(&self, place: Place) -> f64 {
-        self.law.denominator_of(sincos(self.angle + place.passed.rest))
+        self.law().denominator_of(sincos(self.angle + place.passed.rest))
     }
 
     /// G, from the nearer end.
-    fn kinetic_at(&self, Place { passed: Distance { turns, rest }, left }: Place) -> f64 {
-        let kinetic = match self.reach {
+    fn kinetic_at(&self, place: Place) -> f64 {
+        self.kinetic_and_terms(place).0
+    }
+
+    /// G, and the sum of the sizes of its terms.
+    fn kinetic_and_terms(&self, Place { passed: Distance { turns, rest }, left }: Place) -> (f64, f64) {
+        let RollingLaw { offset, mass, tilt, .. } = *self.law();
+        let (begins, from, by, turns) = match self.reach {
             Some(reach) if left < TAU * turns + rest => {
                 let whole = (left / TAU).floor();
-                self.gain(self.angle + reach.rest, TAU * whole - left) - whole * self.fall()
+                (0.0, self.angle + reach.rest, TAU * whole - left, -whole)
             }
-            Some(_) | None => self.kinetic + self.gain(self.angle, rest) + turns * self.fall(),
+            Some(_) | None => (self.kinetic, self.angle, rest, turns),
         };
-        kinetic.max(0.0)
+        let fall = turns * self.fall();
+        let kinetic = begins + self.gain(from, by) + fall;
+        let swing = offset * (1.0 + tilt.abs()) * by.abs().min(2.0) + (tilt * mass * by).abs();
+        (kinetic.max(0.0), begins + 2.0 * swing + fall.abs())
+    }
+
+    /// √(D/G) at a place, and its rounding as a part of it.
+    fn slowness(&self, place: Place) -> (f64, f64) {
+        let (kinetic, terms) = self.kinetic_and_terms(place);
+        let angle = self.angle + place.passed.rest;
+        let (sin, cos) = sincos(angle);
+        let d = self.law().denominator_of((sin, cos));
+        // The angle itself is rounded, which tells next to the bottom of a light hoop.
+        let of_angle = angle.abs() * (self.law().offset * sin).abs() / d;
+        ((d / kinetic).sqrt(), ROUNDING * (terms / kinetic + of_angle))
     }
 
     /// The first zero of G ahead.
     fn turning_point(&self) -> Option<Distance> {
-        let Self { law, pull, angle, kinetic, .. } = *self;
+        let Self { limits: Limits { law, .. }, angle, kinetic, .. } = *self;
+        let pull = law.tilt;
         let value = |turns: f64, rest: f64| kinetic + self.gain(angle, rest) + turns * self.fall();
         let root = |turns: f64, low: f64, high: f64| {
             let rest = Bracket { low, high }
@@ -314,14 +342,16 @@ impl Leg {
                 Distance { turns, rest }
             }
         };
-        let Some([unstable, stable]) = (RollingLaw { tilt: pull, ..law }).equilibria() else {
+        let Some([unstable, stable]) = law.equilibria() else {
             // G is monotone, within the swing of its periodic part of a straight line.
             let swing = 4.0 * law.offset * (1.0 + pull * pull).sqrt();
             let per = -2.0 * law.mass * pull;
             return (pull < 0.0).then(|| {
                 let [low, high] = [((kinetic - swing) / per).max(0.0), (kinetic + swing) / per];
                 let turns = (low / TAU).floor();
-                root(turns, low - TAU * turns, high * (1.0 + 1e-15) - TAU * turns)
+                // Of 2⁵³ turns and more, doubles do not tell the place in the last.
+                let rest = (low - TAU * turns).clamp(0.0, TAU);
+                root(turns, rest, rest + (high - low) + (1e-15 * high).min(TAU))
             });
         };
         let ahead = |of: f64| (of - angle).rem_euclid(TAU);
@@ -360,11 +390,13 @@ impl Leg {
             return self.time_between(0.0, Place { passed, ..place });
         }
         // The first turn, whose kinetic energy may vanish, then turns that differ by the gain of a turn, then the rest.
-        let slowest = if self.pull < 0.0 { turns - 1.0 } else { 1.0 };
+        let slowest = if self.law().tilt < 0.0 { turns - 1.0 } else { 1.0 };
         let summed = integral([0.0, TAU], |rest| {
-            let kinetic = self.kinetic_at(self.place(slowest, rest));
-            self.denominator(self.place(slowest, rest)).sqrt()
-                * sum_of_roots(kinetic, self.fall().abs(), turns - 1.0)
+            let place = self.place(slowest, rest);
+            let (slowness, rounding) = self.slowness(place);
+            let kinetic = self.kinetic_at(place);
+            let sum = sum_of_roots(kinetic, self.fall().abs(), turns - 1.0);
+            (slowness * kinetic.sqrt() * sum, rounding)
         });
         self.time_between(0.0, self.place(0.0, TAU)) + summed + self.time_between(0.0, place)
     }
@@ -372,23 +404,27 @@ impl Leg {
     /// Time between a place in the same turn, at this rest, and a place.
     fn time_between(&self, from: f64, to: Place) -> f64 {
         let turns = to.passed.turns;
-        let slowness = |place: Place| (self.denominator(place) / self.kinetic_at(place)).sqrt();
-        let at = |rest: f64| slowness(self.place(turns, rest));
+        let at = |rest: f64| self.slowness(self.place(turns, rest));
+        // Next to a turning point, with the root of the distance as the variable.
+        let at_root = |s: f64, (slowness, rounding): (f64, f64)| (2.0 * s * slowness, rounding);
         // Next to a turning point the square root of the distance is the variable.
         let end = to.passed.rest + to.left;
         let middle = if end.is_finite() { 0.5 * (from + end) } else { f64::INFINITY };
         let first_end = to.passed.rest.min(middle);
-        let mut time = if self.kinetic == 0.0 && turns == 0.0 && from == 0.0 {
-            let near = first_end.min(PI);
-            integral([0.0, near.sqrt()], |s| 2.0 * s * at(s * s)) + integral([near, first_end], at)
-        } else {
-            integral([from, first_end], at)
+        let mut time = match self.behind {
+            Some(behind) if turns == 0.0 && from == 0.0 && behind <= first_end => {
+                let near = first_end.min(PI);
+                let roots = [behind, behind + near].map(f64::sqrt);
+                integral(roots, |s| at_root(s, at(s * s - behind))) + integral([near, first_end], at)
+            }
+            Some(_) | None => integral([from, first_end], at),
         };
         if to.passed.rest > middle {
             let near = (end - middle).min(PI).max(to.left);
-            let back = |left: f64| slowness(Place { passed: Distance { turns, rest: end - left }, left });
+            let back =
+                |left: f64| self.slowness(Place { passed: Distance { turns, rest: end - left }, left });
             time += integral([middle, end - near], at);
-            time += integral([to.left.sqrt(), near.sqrt()], |s| 2.0 * s * back(s * s));
+            time += integral([to.left.sqrt(), near.sqrt()], |s| at_root(s, back(s * s)));
         }
         time
     }
@@ -448,99 +484,16 @@ impl Leg {
     }
 
     /// The margins about a place, each with the limit that is reached when it becomes negative.
-    fn margins(&self, place: Place) -> [Option<(Series, RollingLimit)>; 3] {
-        let Self { law, pull, limits: Limits { mu, inertia }, .. } = *self;
-        let (l, m) = (law.offset, law.mass);
-        let (sin0, cos0) = sincos(self.angle + place.passed.rest);
-        let (mut sin, mut cos) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
-        (sin[0], cos[0]) = (sin0, cos0);
-        for n in 1..=DEGREE {
-            (sin[n], cos[n]) = (cos[n - 1] / n as f64, -sin[n - 1] / n as f64);
-        }
-        let over_bottom = above_bottom((sin0, cos0));
-        let scaled = |lead: f64, factor: f64, series: &Series| -> Series {
-            core::array::from_fn(|n| if n == 0 { lead } else { factor * series[n] })
-        };
-        let d = scaled(law.bottom + 2.0 * l * over_bottom, 2.0 * l, &cos);
-        let carried = scaled((m - l) + l * over_bottom, l, &cos);
-        let kinetic: Series = core::array::from_fn(|n| match n {
-            0 => self.kinetic_at(place),
-            1 => 2.0 * (l * sin0 + pull * (m + l * cos0)),
-            _ => 2.0 * l * (pull * sin[n] - cos[n]),
-        });
-        let negative = RollingLimit::Friction(Direction::Negative);
-        let positive = RollingLimit::Friction(Direction::Positive);
-        if inertia == 0.0 {
-            // N D²/(1 + ℓ̂c) = D (1 + ℓ̂c − T ℓ̂ s) − G ℓ̂ (ℓ̂ + c); the force points at the particle.
-            let held: Series = core::array::from_fn(|n| carried[n] - pull * l * sin[n]);
-            let arm = scaled((l - 1.0) + over_bottom, 1.0, &cos);
-            let normal = product(&d, &held);
-            let pulled = product(&kinetic, &arm);
-            let cone =
-                |sign: f64| -> Series { core::array::from_fn(|n| mu * carried[n] + sign * l * sin[n]) };
-            return [
-                Some((core::array::from_fn(|n| normal[n] - l * pulled[n]), RollingLimit::NormalForce)),
-                Some((cone(1.0), negative)),
-                Some((cone(-1.0), positive)),
-            ];
-        }
-        let square = product(&sin, &sin);
-        let carried_square = product(&carried, &carried);
-        let lever = product(&sin, &carried);
-        let own = m * inertia;
-        let weighed: Series = core::array::from_fn(|n| {
-            carried_square[n] - pull * l * lever[n] + if n == 0 { own } else { 0.0 }
-        });
-        let c_d = product(&cos, &d);
-        let centripetal: Series = core::array::from_fn(|n| l * square[n] + c_d[n]);
-        let [held, pulled] = [product(&d, &weighed), product(&kinetic, &centripetal)];
-        let beyond_mass = scaled(law.beyond_mass[1] + l * over_bottom, l, &cos);
-        let [driven, loaded] = [product(&kinetic, &beyond_mass), product(&d, &carried)];
-        let net: Series = core::array::from_fn(|n| driven[n] - loaded[n]);
-        let across = product(&sin, &net);
-        let along: Series = core::array::from_fn(|n| l * l * square[n] + if n == 0 { own } else { 0.0 });
-        let along = product(&d, &along);
-        let margin = |sign: f64| -> Series {
-            core::array::from_fn(|n| {
-                let normal = held[n] - l * pulled[n];
-                let friction = l * across[n] + pull * along[n];
-                mu * normal + sign * friction
-            })
-        };
-        [Some((margin(-1.0), negative)), Some((margin(1.0), positive)), None]
+    fn margins(&self, place: Place) -> impl Iterator<Item = (Series, RollingLimit)> {
+        let direction = sincos(self.angle + place.passed.rest);
+        self.limits.margins(direction, self.kinetic_at(place)).into_iter().flatten()
     }
 
-    /// Whether the margins of a heavy hoop are positive within a distance of a place, by their values there and bounds of their slopes, the sums
-    /// of the sizes of all terms. Where that does not tell, the two halves are tried, `depth` times.
+    /// Whether no limit is reached within a distance of a place, as far as [`Limits::holds_about`] tells of it, or of its halves, `depth`
+    /// times.
     fn holds_about(&self, turns: f64, rest: f64, reach: f64, depth: u32) -> bool {
-        let Self { law, limits: Limits { mu, inertia }, .. } = *self;
-        let (l, m, pull) = (law.offset, law.mass, self.pull);
-        if inertia == 0.0 {
-            return false;
-        }
-        let (sin, cos) = sincos(self.angle + rest);
-        let place = self.place(turns, rest);
-        let (g, d) = (self.kinetic_at(place), law.denominator_of((sin, cos)));
-        let carried = m + l * cos;
-        let arm = l * sin;
-        let normal =
-            d * (law.own + carried * carried - pull * arm * carried) - g * l * (l * sin * sin + cos * d);
-        let beyond = law.beyond_mass[1] + l * above_bottom((sin, cos));
-        let friction = arm * (g * beyond - carried * d) + pull * (law.own + arm * arm) * d;
-        let [top, most, tilt] = [law.top, m + l, pull.abs()];
-        let rise = 2.0 * (l + tilt * most);
-        let energy = g + rise * reach;
-        let spare = law.beyond_mass[0].abs().max(law.beyond_mass[1].abs());
-        let weighed = law.own + most * most + tilt * l * most;
-        let normal_slope = 2.0 * l * weighed
-            + top * l * (2.0 * most + tilt * (most + l))
-            + l * (rise * (l + top) + energy * (4.0 * l + top));
-        let friction_slope = l
-            * (energy * (spare + l) + rise * spare + most * top + l * top + 2.0 * l * most)
-            + 2.0 * tilt * l * (l * top + law.own + l * l);
-        // The bounds exceed the slopes by far more than rounding the values.
-        let least = mu * normal - friction.abs();
-        least > (mu * normal_slope + friction_slope) * reach
+        let kinetic = self.kinetic_at(self.place(turns, rest));
+        self.limits.holds_about(sincos(self.angle + rest), kinetic, reach)
             || (depth > 0
                 && [-0.5, 0.5]
                     .into_iter()
@@ -556,7 +509,7 @@ impl Leg {
             if self.holds_about(turns, begin + 0.5 * width, 0.5 * width, SCREENINGS) {
                 return None;
             }
-            let margins = self.margins(self.place(turns, begin)).into_iter().flatten();
+            let margins = self.margins(self.place(turns, begin));
             let crossings = margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
             Some((self.place(turns, (begin + at).min(to)), limit))
@@ -565,7 +518,7 @@ impl Leg {
 
     /// The first point at which rolling ends.
     fn end(&self) -> Option<(Place, RollingLimit)> {
-        if self.law.offset == 0.0 {
+        if self.law().offset == 0.0 {
             // The forces are constant.
             return None;
         }
@@ -574,7 +527,7 @@ impl Leg {
             return Some(end);
         }
         let turn = |turns: f64| self.crossing(turns, [0.0, TAU]);
-        let whole = (reach.min(MAX_ANGLE - self.start().abs()) / TAU).floor();
+        let whole = (reach.min(self.room()) / TAU).floor();
         // Rolling holds in turn `low` and before.
         let mut low = 1.0;
         while low < whole - 1.0 {
@@ -589,36 +542,31 @@ impl Leg {
             }
             return turn(high);
         }
-        let is_last = reach > 2.0 * TAU && reach <= MAX_ANGLE;
+        let is_last = reach > 2.0 * TAU && reach <= self.room();
         is_last.then(|| self.crossing(whole, [0.0, reach - TAU * whole])).flatten()
     }
 }
 
-fn product(a: &Series, b: &Series) -> Series {
-    core::array::from_fn(|n| convolve([(a, b)], n)[0])
-}
-
-/// The integral of a function over an interval, on panels that are halved until the rule resolves it.
-fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+/// The integral of a function over an interval, on panels that are halved until the rule resolves it, or its rounding, which the function
+/// gives as a part of its value.
+fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let rule = Rule::get();
     let pieces = (to - from).ceil().max(1.0);
     let width = (to - from) / pieces;
     if width.is_nan() || width <= 0.0 {
         return 0.0;
     }
-    let (mut sum, mut panels) = (0.0, 0);
+    let mut sum = 0.0;
     let mut pending: Vec<(f64, f64, u32)> = (0..pieces as u32)
         .rev()
         .map(|k| (from + width * f64::from(k), from + width * f64::from(k + 1), 0))
         .collect();
     while let Some((low, high, halvings)) = pending.pop() {
         let (centre, half) = (0.5 * (low + high), 0.5 * (high - low));
-        let values: [f64; NODES] = rule.nodes.map(|x| f(centre + half * x));
-        panels += 1;
-        if halvings < MAX_HALVINGS
-            && panels < MAX_PANELS
-            && rule.tail(&values) > TAIL_TOLERANCE * largest(&values)
-        {
+        let nodes = rule.nodes.map(|x| f(centre + half * x));
+        let values: [f64; NODES] = nodes.map(|node| node.0);
+        let rounding = nodes.iter().fold(0.0_f64, |most, node| most.max(node.1));
+        if halvings < MAX_HALVINGS && rule.tail(&values) > TAIL_TOLERANCE.max(rounding) * largest(&values) {
             pending.extend([(centre, high, halvings + 1), (low, centre, halvings + 1)]);
         } else {
             sum += half * rule.integral(&values);

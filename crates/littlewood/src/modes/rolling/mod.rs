@@ -12,6 +12,7 @@
 mod boundary;
 mod grazing;
 mod incline;
+mod limits;
 mod orbit;
 mod recurrence;
 mod rim;

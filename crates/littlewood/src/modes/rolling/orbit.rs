@@ -155,10 +155,10 @@ impl RollingOrbit {
         recurrence.at_pace(self.pace)
     }
 
-    /// Whether an unbalanced hoop rolls down a slope without a turning point: rolling then ends, if only beyond the bounds of θ.
-    pub(crate) fn descends(&self) -> bool {
+    /// Whether an unbalanced hoop leaves the bounds of θ on a slope: rolling then ends, if only beyond them.
+    pub(crate) fn leaves_bounds(&self) -> bool {
         match &self.kind {
-            Kind::Incline(orbit) => orbit.descends(),
+            Kind::Incline(orbit) => orbit.leaves_bounds(),
             Kind::Elliptic(_) | Kind::Rim(_) => false,
         }
     }

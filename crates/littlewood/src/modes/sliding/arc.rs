@@ -337,6 +337,10 @@ impl Sliding {
             let begin = here.elapsed + at;
             search.range = None;
             let swing = begin - search.turning.replace(begin)?;
+            // The third turning point proves that a slide without loss has no end.
+            if sign * drag <= 0.0 {
+                return None;
+            }
             // θ′ changes sign on the way back.
             if !is_ready || bounds(begin).longest(least.min(-most)) < 2.0 * MIN_LEAP_TURNS * swing {
                 return None;
