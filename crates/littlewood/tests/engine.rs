@@ -5,7 +5,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::common::{engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start, whole_range};
+use crate::common::{
+    any_slope, engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start, tilted, whole_range,
+};
 use littlewood::modes::SlideLimit;
 use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
 use littlewood::{
@@ -516,6 +518,33 @@ fn every_regime_has_the_outcomes_of_the_simulation() {
     }
 }
 
+/// The same on slopes, on which a hoop may roll down, swing, or slide down for ever.
+#[test]
+fn regimes_on_slopes_have_the_outcomes_of_the_simulation() {
+    let bounces = Restitution::new(0.5, RestitutionLaw::Energetic).expect("a coefficient");
+    let regimes = [
+        HoopParameters::thin(1.0).with_friction(0.5, 0.4),
+        HoopParameters::thin(1.0).with_friction(0.5, 0.5),
+        HoopParameters::thin(1.0).with_friction(0.5, 0.0),
+        HoopParameters::thin(1.0).with_friction(0.0, 0.0),
+        HoopParameters::thin(1.0).with_friction(0.05, 0.04),
+        HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4),
+        HoopParameters::thin(0.0).with_inertia(1e-2).with_friction(0.5, 0.4),
+        HoopParameters::thin(1.0).with_offset(0.05).with_friction(0.5, 0.4),
+    ];
+    for (number, parameters) in regimes.into_iter().enumerate() {
+        for (slope, e) in [(1e-9, false), (0.05, false), (-0.1, true), (0.5, true), (-1.2, false)] {
+            let hoop = Hoop::new(parameters.with_slope(slope)).expect("a valid hoop");
+            let hoop = if e { hoop.with_restitution(bounces).expect("heavy") } else { hoop };
+            let starts: Vec<Start> = random_starts(150).collect();
+            let limits = |_: &Start| Limits::until(if e { 5.0 } else { 30.0 }).with_transitions(300);
+            if let Err(difference) = agree_to(limits, &hoop, &starts) {
+                panic!("{number}, {slope}: {difference}");
+            }
+        }
+    }
+}
+
 /// A hoop that swings for hundreds of slips: light, with μk below μs or as large, or with μk a little below μs, or with P ≤ 0 at some angles.
 fn swinging_hoop() -> impl Strategy<Value = Hoop> {
     let part = prop_oneof![0.3_f64..0.95, Just(1.0)];
@@ -670,6 +699,30 @@ proptest! {
     fn any_motion_of_the_whole_range_is_that_of_the_simulation((hoop, start) in whole_range()) {
         prop_assume!(is_resolved(&start));
         agree(&hoop, &[start])?;
+    }
+
+    #[test]
+    fn any_moderate_hoop_on_a_slope_has_the_outcomes_of_the_simulation(
+        hoop in moderate_hoop(), slope in any_slope(), starts in prop::collection::vec(start(), 20),
+    ) {
+        agree(&tilted(&hoop, slope), &starts)?;
+    }
+
+    #[test]
+    fn any_heavy_hoop_on_a_slope_has_the_outcomes_of_the_simulation(
+        (hoop, first) in heavy_motion(), slope in any_slope(), starts in prop::collection::vec(start(), 3),
+    ) {
+        let hoop = tilted(&hoop, slope);
+        agree(&hoop, &starts)?;
+        agree(&hoop, &[first])?;
+    }
+
+    #[test]
+    fn any_motion_of_the_whole_range_on_a_slope_is_that_of_the_simulation(
+        (hoop, start) in whole_range(), slope in any_slope(),
+    ) {
+        prop_assume!(is_resolved(&start));
+        agree(&tilted(&hoop, slope), &[start])?;
     }
 
     /// Next to rest at the bottom, or where friction holds the particle in a slide: two turning points close to each other, between which u

@@ -35,6 +35,8 @@ pub(super) struct Drift {
     contact: f64,
     /// By how much of the closing rate an impact changes the rates of slip and rotation, at most.
     impact: f64,
+    /// |tan α|: by how much slip changes in flight, over time.
+    pull: f64,
     lost: Cell<Lost>,
     is_told: Cell<bool>,
 }
@@ -57,6 +59,7 @@ impl Drift {
             phase,
             contact: phase * (1.0 + mu_s),
             impact: 1.0 + amplification,
+            pull: body.tilt.abs(),
             lost: Cell::default(),
             is_told: Cell::new(false),
         }
@@ -133,18 +136,20 @@ impl Drift {
             (rate * scale, [risen * time, risen + h * end_cos * turns * time, time]),
             (gap_rate, [time, 1.0, 0.0]),
         ];
-        let (mut turned, mut closing) = (0.0, 0.0);
+        let (mut turned, mut closing, mut late) = (0.0, 0.0, 0.0);
         for (lost, [gap, rate, angle]) in changes {
             let later = -gap / closes;
             turned += lost * (angle + turns * later).abs();
             closing += lost * (rate + falls * later).abs();
+            late += lost * later.abs();
         }
         let rounding = self.phase + f64::EPSILON * flight.state(time).theta.abs();
         let lost = Lost {
             theta: turned + rounding,
             // Impulses are as large as the closing rate, or as the slip that they stop, and change with the angle by as much.
             rate: rate
-                + self.impact * (closing + (closes.abs() + start.slip.abs()) * turned) / scale
+                + (self.impact * (closing + (closes.abs() + start.slip.abs()) * turned) + self.pull * late)
+                    / scale
                 + rounding,
             gap_rate: coefficient * closing + closes.abs() * turned + rounding * scale,
         };

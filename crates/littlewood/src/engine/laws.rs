@@ -7,17 +7,18 @@ use crate::model::mode::Direction;
 use crate::modes::rolling::margin_forms;
 
 use super::doubt::{Doubt, Tally};
-use super::orbit::Orbit;
+use super::orbit::{Orbit, Reached};
 use super::place::Place;
 use super::roll::{self, Margins, Octants, RollEnd};
 use super::slide::{self, Cells, Frame, SlideEnd, Waypoint};
+use super::slope::{self, Ramp};
 
 /// The equations of a heavy hoop.
 #[derive(Clone, Debug)]
 pub(super) struct Laws {
     pub(super) body: Heavy,
-    /// For σ = −1 and σ = +1.
-    sliding: [SlidingLaw; 2],
+    /// For σ = −1 and σ = +1, as they are and mirrored.
+    sliding: [[SlidingLaw; 2]; 2],
     pub(super) rolling: RollingLaw,
     pub(super) margins: Margins,
     /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
@@ -25,6 +26,8 @@ pub(super) struct Laws {
     /// What has been computed of slides and of rolling, to be kept.
     cells: Cells,
     octants: Octants,
+    /// Rolling to positive and to negative angles on a slope.
+    ramps: Option<Box<[Ramp; 2]>>,
     /// Why phases were left to the simulation.
     pub(super) tally: Tally,
 }
@@ -35,12 +38,15 @@ impl Laws {
         let Body::Heavy(body) = hoop.body() else { return None };
         Some(Self {
             body,
-            sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
+            sliding: [body, body.mirrored()].map(|body| {
+                Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction))
+            }),
             rolling: RollingLaw::of(hoop),
             margins: margin_forms(hoop)?,
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             cells: Cells::default(),
             octants: Octants::default(),
+            ramps: (hoop.slope() != 0.0).then(|| Box::new([1.0, -1.0].map(|travel| Ramp::new(hoop, travel)))),
             tally: Tally::default(),
         })
     }
@@ -48,13 +54,13 @@ impl Laws {
     /// The equations of sliding in a direction.
     pub(super) const fn sliding(&self, direction: Direction) -> &SlidingLaw {
         match direction {
-            Direction::Negative => &self.sliding[0],
-            Direction::Positive => &self.sliding[1],
+            Direction::Negative => &self.sliding[0][0],
+            Direction::Positive => &self.sliding[0][1],
         }
     }
 
     /// The orbit of rolling through a place, in the direction of motion.
-    pub(super) fn orbit(&self, place: &Place) -> Result<Orbit<'_>, Doubt> {
+    fn orbit(&self, place: &Place) -> Result<Orbit<'_>, Doubt> {
         let (state, travel) = (place.state, place.travel());
         Orbit::enter(&self.rolling, travel * state.theta, travel * state.theta_rate).ok_or(Doubt::Separatrix)
     }
@@ -62,11 +68,27 @@ impl Laws {
     /// The end of the rolling that begins at a place, in the direction of motion, on the limit of static friction or not; by what
     /// is kept, if the motion is long.
     pub(super) fn roll(&self, place: &Place, on_limit: bool, is_long: bool) -> Result<RollEnd, Doubt> {
+        if let Some(ramps) = &self.ramps {
+            return slope::follow(ramps, place);
+        }
         if place.state.theta_rate == 0.0 {
             // Gravity decides where it goes.
             return Err(Doubt::Standstill);
         }
         roll::follow(&self.orbit(place)?, &self.margins, on_limit, is_long.then_some(&self.octants))
+    }
+
+    /// Where rolling from a place, to a slip, is after a time.
+    pub(super) fn rolled(&self, place: &Place, time: f64) -> Option<Reached> {
+        match &self.ramps {
+            Some(ramps) => slope::after(ramps, place, time),
+            None => self.orbit(place).ok()?.after(time),
+        }
+    }
+
+    /// Whether rolling is left to the simulation: on a slope what is kept is not worth making for few phases.
+    pub(super) const fn leaves_rolling(&self, is_long: bool) -> bool {
+        self.ramps.is_some() && !is_long
     }
 
     /// The end of the slide that begins at a place, or where it is cut after the time `allowed`; `from_limit` where η′ = η″ = 0 at the

@@ -19,6 +19,7 @@ mod probe;
 mod quadrature;
 mod roll;
 mod slide;
+mod slope;
 mod solver;
 
 use crate::ablation::{Part, is_on};
@@ -49,6 +50,10 @@ const MIN_IMBALANCE: f64 = 1e-3;
 
 /// So are those with less static friction, if there is any: where |F| = μs N they slip at angles that are known to ε/μs.
 const MIN_FRICTION: f64 = 1e-9;
+
+/// So are those on steeper planes, by |tan α|: the pull along the plane is so much more than the force normal to it, the unit here, that a
+/// rounded time tells in the slip.
+const MAX_TILT: f64 = 100.0;
 
 /// To motions of fewer transitions chains are not worth what is prepared for them.
 const MIN_CHAIN_TRANSITIONS: usize = 256;
@@ -86,7 +91,7 @@ impl Engine {
     pub fn new(hoop: &Hoop) -> Self {
         let engine = Self::for_few_starts(hoop);
         // Without kinetic friction slides come back to the limit of static friction exactly, which the walk alone knows.
-        let laws = engine.laws.as_ref().filter(|_| hoop.mu_k() > 0.0);
+        let laws = engine.laws.as_ref().filter(|_| hoop.mu_k() > 0.0 && hoop.slope() == 0.0);
         let chains = laws.map(|laws| Box::new(Chains::new(hoop, laws)));
         Self { is_prepared: engine.laws.is_some(), chains, ..engine }
     }
@@ -94,12 +99,12 @@ impl Engine {
     /// An engine for few starts. Nothing is prepared.
     fn for_few_starts(hoop: &Hoop) -> Self {
         let resolves_slips = hoop.mu_s() == 0.0 || hoop.mu_s() >= MIN_FRICTION;
-        let is_computed = |Heavy { mass, h, inertia, .. }: Heavy| {
-            resolves_slips && h >= MIN_IMBALANCE && inertia >= MIN_INERTIA * mass
+        let is_computed = |Heavy { mass, h, inertia, tilt, .. }: Heavy| {
+            resolves_slips && h >= MIN_IMBALANCE && inertia >= MIN_INERTIA * mass && tilt.abs() <= MAX_TILT
         };
         Self {
             hoop: *hoop,
-            laws: Laws::new(hoop).filter(|laws| is_computed(laws.body) && hoop.slope() == 0.0),
+            laws: Laws::new(hoop).filter(|laws| is_computed(laws.body)),
             chains: None,
             is_prepared: false,
             contact: ContactProof::default(),
@@ -201,6 +206,7 @@ mod tests {
         let figure_2 = Hoop::figure_2(0.5, 0.4).unwrap();
         let painleve = HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4);
         let painleve = Hoop::new(painleve).unwrap();
+        let sloping = Hoop::new(figure_2.parameters().with_slope(0.3)).unwrap();
         // The first phases of motions.
         let limits = Limits::default().with_transitions(1);
         for (engine, least) in [
@@ -208,6 +214,8 @@ mod tests {
             (Engine::for_few_starts(&figure_2), 100),
             (Engine::new(&painleve), 100),
             (Engine::for_few_starts(&painleve), 100),
+            (Engine::new(&sloping), 100),
+            (Engine::for_few_starts(&sloping), 100),
         ] {
             let (mut all, steps) = (0, 60);
             for (i, j) in (0..steps).flat_map(|i| (0..steps).map(move |j| (f64::from(i), f64::from(j)))) {

@@ -12,7 +12,7 @@ use crate::modes::rolling::time_from_bottom;
 use super::duration::{duration, slowness};
 
 /// Orbits whose energy over the top is a smaller part of their constant are left to the exact solver.
-const MIN_SEPARATRIX_DISTANCE: f64 = 1e-9;
+pub(super) const MIN_SEPARATRIX_DISTANCE: f64 = 1e-9;
 
 /// Newton's method for the phase at a time ends with a shorter step: its error is of the second order.
 const MAX_LAST_STEP: f64 = 1e-9;

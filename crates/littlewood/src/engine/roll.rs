@@ -27,10 +27,10 @@ pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
 }
 
 /// A margin within this part of its terms of zero is solved exactly.
-const MARGIN_TOLERANCE: f64 = 1e-12;
+pub(super) const MARGIN_TOLERANCE: f64 = 1e-12;
 
 /// Slower slips are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
-const MIN_RATE: f64 = 4e-3;
+pub(super) const MIN_RATE: f64 = 4e-3;
 
 /// End of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,9 +97,9 @@ const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
     table
 };
 
-/// The levels L for which all sums A + L B are positive, narrowed by what is in doubt, from A and B with the sizes of their terms.
-fn holds(sums: impl IntoIterator<Item = [(f64, f64); 2]>) -> (f64, f64) {
-    let mut bounds = (0.0, f64::INFINITY);
+/// The levels L ≥ `least` for which all sums A + L B are positive, narrowed by what is in doubt, from A and B with the sizes of their terms.
+pub(super) fn holds(least: f64, sums: impl IntoIterator<Item = [(f64, f64); 2]>) -> (f64, f64) {
+    let mut bounds = (least, f64::INFINITY);
     for [(a, a_size), (b, b_size)] in sums {
         let level = -a / b;
         let doubt = 4.0 * MARGIN_TOLERANCE * (a_size + level.abs() * b_size) / b.abs();
@@ -108,14 +108,14 @@ fn holds(sums: impl IntoIterator<Item = [(f64, f64); 2]>) -> (f64, f64) {
         } else if b < 0.0 {
             bounds.1 = f64::min(bounds.1, level - doubt);
         } else if a <= MARGIN_TOLERANCE * a_size {
-            bounds.1 = 0.0;
+            bounds.1 = f64::NEG_INFINITY;
         }
     }
     bounds
 }
 
 /// Which of two margins is negative, if one is, from them with the sizes of their terms. None where one is in doubt, or both are negative.
-fn breaks(margins: &[(f64, f64); 2]) -> Option<Option<usize>> {
+pub(super) fn breaks(margins: &[(f64, f64); 2]) -> Option<Option<usize>> {
     let mut broken = None;
     for (side, (margin, size)) in margins.iter().enumerate() {
         if margin.abs() <= MARGIN_TOLERANCE * size {
@@ -156,7 +156,7 @@ impl Octant {
         let sums = margins.iter().zip(&sizes).flat_map(|(forms, sizes)| {
             (0..7).map(move |k| [0, 1].map(|part: usize| (forms[part].0[k], sizes[part][k])))
         });
-        Self { levels: holds(sums), margins }
+        Self { levels: holds(0.0, sums), margins }
     }
 
     /// Whether an orbit holds everywhere on it.
@@ -561,13 +561,14 @@ mod tests {
 
     #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
-        let of = |margins: [[f64; 2]; 2]| holds(margins.map(|parts| parts.map(|part| (part, part.abs()))));
+        let of =
+            |margins: [[f64; 2]; 2]| holds(0.0, margins.map(|parts| parts.map(|part| (part, part.abs()))));
         // Margins L − 2 and 6 − 2 L, both positive for 2 < L < 3.
         let (least, most) = of([[-2.0, 1.0], [6.0, -2.0]]);
         assert!(least > 2.0 * (1.0 + MARGIN_TOLERANCE) && least < 2.0 + 1e-10, "{least:e}");
         assert!(most < 3.0 * (1.0 - MARGIN_TOLERANCE) && most > 3.0 - 1e-10, "{most:e}");
         // A margin that no orbit changes.
         assert_eq!(of([[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
-        assert_eq!(of([[1.0, 0.0], [-1.0, 0.0]]).1, 0.0);
+        assert_eq!(of([[1.0, 0.0], [-1.0, 0.0]]).1, f64::NEG_INFINITY);
     }
 }

@@ -211,7 +211,7 @@ impl<'a> FastSolver<'a> {
         let denominator = law.denominator_of(place.direction);
         let forces = law.forces_at(place.direction, [1.0, u], denominator);
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
-        let size = law.mass * (1.0 + u) * (1.0 + self.hoop.mu_s());
+        let size = law.mass * (1.0 + u + law.tilt.abs()) * (1.0 + self.hoop.mu_s());
         let hold = match arrival {
             Arrival::Open | Arrival::RollingLimit(_) if w < 0.0 => Hold::NoNormalForce,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
@@ -267,8 +267,7 @@ impl FastSolver<'_> {
     /// Where rolling from a place has led at the limit of time.
     fn rolled(&self, place: &Place) -> Option<State> {
         let (state, travel) = (place.state, place.travel());
-        let orbit = self.laws.orbit(place).ok()?;
-        let Reached { theta, theta_rate } = orbit.after(self.until - state.time)?;
+        let Reached { theta, theta_rate } = self.laws.rolled(place, self.until - state.time)?;
         let theta = travel * theta;
         let x = state.x - (theta - state.theta);
         Some(State { time: self.until, theta, theta_rate: travel * theta_rate, slip: 0.0, x })
@@ -338,7 +337,11 @@ impl Solver for FastSolver<'_> {
         if self.drift.is_far(state.theta) {
             return left_to_the_simulation(Doubt::Far);
         }
-        let ending: Ended = match self.laws.roll(place, on_limit, self.is_long()) {
+        let is_long = self.is_long();
+        if self.laws.leaves_rolling(is_long) {
+            return Self::take(self.exact.roll(&state, on_limit));
+        }
+        let ending: Ended = match self.laws.roll(place, on_limit, is_long) {
             Ok(RollEnd::Never) => Ending::Motion {
                 event: None,
                 end: None,
@@ -427,7 +430,8 @@ impl Solver for FastSolver<'_> {
         self.computed(&end);
         let solution = Kept::Slide(event.range_from(state.theta));
         if is_cut {
-            let repeats = is_conservative && event.is_behind_a_period(state.theta);
+            let goes_on = direction.sign() * law.drag() <= 0.0;
+            let repeats = goes_on && event.is_behind_a_period(state.theta, is_conservative);
             let verdict =
                 if repeats { for_ever } else { Verdict { kind: OutcomeKind::TimeLimit, state: end } };
             let ending = Ending::Motion { event: None, end: Some(end), verdict };

@@ -109,12 +109,14 @@ type Kept = [OnceLock<Option<Box<Cell>>>];
 
 /// The cells of one hoop, made where slides come, and the same whichever slide that is.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct Cells([[OnceLock<Box<Kept>>; HALVINGS + 1]; 2]);
+pub(in crate::engine) struct Cells([[OnceLock<Box<Kept>>; HALVINGS + 1]; 4]);
 
 impl Cells {
-    /// The cell of a tile for the direction `sigma` of slip in the frame of motion, if there is one.
+    /// The cell of a tile for the direction `sigma` of slip in the frame of motion, if there is one. On a slope the mirrored frame has its
+    /// own.
     pub(super) fn get(&self, law: &SlidingLaw, sigma: f64, tile: Tile) -> Option<&Cell> {
-        let cells = &self.0[usize::from(sigma > 0.0)][tile.halvings];
+        let which = usize::from(sigma > 0.0) + 2 * usize::from(law.body.tilt > 0.0);
+        let cells = &self.0[which][tile.halvings];
         let cells = cells.get_or_init(|| (0..tile.count()).map(|_| OnceLock::new()).collect());
         cells[tile.number].get_or_init(|| Cell::new(law, sigma, tile).map(Box::new)).as_deref()
     }

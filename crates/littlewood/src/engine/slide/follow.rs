@@ -8,8 +8,8 @@
 //!   vanished.
 //!
 //! *Periods.* Friction does not depend on the sign of θ′, so that in a libration θ′² is the same function of the angle in every period,
-//! and η′ falls by μk times the period in each: periods without an event are passed at once. Without kinetic friction rotations are
-//! periodic, too, and no event follows a whole period without one.
+//! and η′ falls by μk + σ tan α times the period in each: periods without an event are passed at once. Without kinetic friction rotations
+//! are periodic, too. Where η′ does not fall no event follows a whole period without one.
 
 use core::f64::consts::{PI, TAU};
 
@@ -50,8 +50,8 @@ const MIN_DOUBLING_DISTANCE: f64 = 0.25;
 /// How a slide is seen: perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::engine) struct Frame<'a> {
-    /// The laws for σ = −1 and σ = +1.
-    pub(in crate::engine) laws: &'a [SlidingLaw; 2],
+    /// The laws for σ = −1 and σ = +1, as they are and mirrored.
+    pub(in crate::engine) laws: &'a [[SlidingLaw; 2]; 2],
     /// −1 where the frame is mirrored.
     pub(in crate::engine) sign: f64,
     /// The angle at which the slide is.
@@ -69,7 +69,12 @@ impl Frame<'_> {
     }
 
     const fn law(&self) -> &SlidingLaw {
-        &self.laws[if self.sigma > 0.0 { 1 } else { 0 }]
+        &self.laws[if self.sign < 0.0 { 1 } else { 0 }][if self.sigma > 0.0 { 1 } else { 0 }]
+    }
+
+    /// What η′ loses in a time, but for what it has back after a period.
+    fn loss(&self, elapsed: f64) -> f64 {
+        self.sigma * self.law().drag() * elapsed
     }
 
     const fn way<'b, P: Piece>(&'b self, piece: &'b P) -> Way<'b, P> {
@@ -222,7 +227,7 @@ impl<'a> Slide<'a> {
                 z: 1.0,
                 u,
                 elapsed,
-                slip: frame.sigma * (frame.integral + u.sqrt() * exit.lever - law.friction * elapsed),
+                slip: frame.sigma * (frame.integral + u.sqrt() * exit.lever - law.drag() * elapsed),
                 slip_acceleration: frame.sigma * (exit.alpha + exit.beta * u),
                 direction: exit.direction,
             };
@@ -377,11 +382,12 @@ impl<'a> Slide<'a> {
             return Ok(None);
         }
         let period = here.elapsed - mark.elapsed;
-        let friction = self.frame.law().friction;
-        let loss = friction * period;
+        let law = self.frame.law();
+        let loss = self.frame.loss(period);
         let allowed = (self.allowed - here.elapsed) / period;
-        let periods = (self.least / loss).min(allowed);
-        if friction == 0.0 {
+        // In the frame in which η′ < 0 they are followed one by one.
+        let periods = if self.frame.sigma > 0.0 { (self.least / loss).min(allowed) } else { 0.0 };
+        if loss <= 0.0 && (turns == 0.0 || law.friction == 0.0) {
             if allowed == f64::INFINITY {
                 return Ok(Some(SlideEnd::Never));
             }
@@ -393,6 +399,7 @@ impl<'a> Slide<'a> {
             let late = here.elapsed + whole * period > self.allowed;
             self.pass_periods(if late { whole - 1.0 } else { whole }, period, TAU * turns);
         } else if turns != 0.0 {
+            // With friction turns differ, and one without loss tells nothing of the next.
             if periods > MAX_TURNS {
                 return Err(Doubt::TooLong);
             }
@@ -412,7 +419,7 @@ impl<'a> Slide<'a> {
     fn pass_periods(&mut self, periods: f64, period: f64, advance: f64) {
         let elapsed = periods * period;
         self.here.elapsed += elapsed;
-        self.here.slip -= self.frame.law().friction * elapsed;
+        self.here.slip -= self.frame.loss(elapsed);
         self.frame.theta += periods * advance;
         self.turns = self.turns.map(|turns| turns.after(periods));
     }

@@ -46,7 +46,7 @@ pub(super) enum SlideEnd {
     Event(SlideEvent),
     /// Not an event: where it is then.
     Cut(SlideEvent),
-    /// Never: without kinetic friction a whole period has passed without an event.
+    /// Never: a whole period in which η′ does not fall has passed without an event.
     Never,
 }
 
@@ -78,10 +78,11 @@ impl SlideEvent {
         (low.min(start).min(self.theta), high.max(start).max(self.theta))
     }
 
-    /// Whether a whole period has passed since the start, if energy is conserved: a turn, or the way from the first turning point to the
-    /// third.
-    pub(super) fn is_behind_a_period(&self, start: f64) -> bool {
-        (self.theta - start).abs() >= TAU || self.turns.is_some_and(|turns| turns.count >= 3.0)
+    /// Whether a whole period has passed since the start: the way from the first turning point to the third, or, if energy is conserved, a
+    /// turn.
+    pub(super) fn is_behind_a_period(&self, start: f64, is_conservative: bool) -> bool {
+        let has_turned = is_conservative && (self.theta - start).abs() >= TAU;
+        has_turned || self.turns.is_some_and(|turns| turns.count >= 3.0)
     }
 
     /// The same in the frame that is mirrored for −1.

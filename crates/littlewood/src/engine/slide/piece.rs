@@ -106,7 +106,7 @@ pub(super) struct Way<'a, P> {
     pub(super) piece: &'a P,
     /// Sign of η′.
     pub(super) sigma: f64,
-    /// The constant of the first integral, η′ − θ′ (1 + h cos ϑ + μk σ h sin ϑ) + μk σ τ.
+    /// The constant of the first integral, η′ − θ′ (1 + h cos ϑ + μk σ h sin ϑ) + (μk σ + tan α) τ.
     pub(super) integral: f64,
 }
 
@@ -147,7 +147,7 @@ impl<P: Piece> Way<'_, P> {
             z,
             u,
             elapsed,
-            slip: self.sigma * (self.integral + rate * there.lever - self.law.friction * elapsed),
+            slip: self.sigma * (self.integral + rate * there.lever - self.law.drag() * elapsed),
             slip_acceleration: self.sigma * (there.alpha + there.beta * u),
             direction: there.direction,
         }

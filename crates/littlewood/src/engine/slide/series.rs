@@ -164,7 +164,8 @@ impl Polynomials {
         let ca: [f64; 7] = product(&c, &a);
         let sp: [f64; 7] = product(&s, &p);
         let b = core::array::from_fn(|k| -h * (ca[k] + sigma * sp[k]));
-        Self { p, a: product(&a, &n), b, l, rest, drive: nq.map(|c| scale * c) }
+        let pulled: [f64; 5] = core::array::from_fn(|k| a[k] - sigma * law.body.pull() * p[k]);
+        Self { p, a: product(&pulled, &n), b, l, rest, drive: nq.map(|c| scale * c) }
     }
 
     /// Solutions with these values at the angle, each of the equation with so much of its drive.

@@ -21,6 +21,7 @@ pub(crate) use boundary::{Hold, margin_forms};
 pub use boundary::{RollingEnd, RollingLimit};
 pub use grazing::GrazingOrbit;
 pub(crate) use grazing::Levels;
+pub(crate) use limits::Limits;
 pub use orbit::RollingOrbit;
 #[cfg(test)]
 pub(crate) use orbit::time_between;

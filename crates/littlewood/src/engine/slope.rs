@@ -1,0 +1,879 @@
+//! Rolling on a slope, to its slip.
+//!
+//! A turn has sixteen tiles. In the direction of motion, at the distance φ from the beginning of a tile, G = D ϑ′² is g + γ(φ), with a
+//! function γ that belongs to the body and the slope, and one number g that belongs to the orbit and changes by γ(π/8) from tile to tile. The
+//! margins of static friction ([`Limits`]) are a + g b there, with two series of the body. Three functions of this kind, of which the first to
+//! vanish decides what happens: the two margins, and G itself, at a turning point.
+//!
+//! The time is a Gauss sum of √(D/G), over a tile with what is kept of it, over parts of tiles by closed forms, and next to a turning
+//! point in the square root of the distance from it.
+
+use core::f64::consts::TAU;
+use std::sync::OnceLock;
+
+use crate::math::bernstein::{Bernstein, value_and_slope};
+use crate::math::bracket::Bracket;
+use crate::math::series::{DEGREE, Series, convolve, crossing, value};
+use crate::math::trig::{sincos, taylor, without_turns};
+use crate::mechanics::equations::RollingLaw;
+use crate::model::hoop::Hoop;
+use crate::modes::rolling::Limits;
+
+use super::doubt::Doubt;
+use super::orbit::{MIN_SEPARATRIX_DISTANCE, Reached};
+use super::place::Place;
+use super::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
+use super::roll::{MIN_RATE, RollEnd, breaks, holds};
+
+/// Tiles of a turn, and the angle of one.
+const TILES: usize = 16;
+const WIDTH: f64 = TAU / TILES as f64;
+
+/// An orbit of more turns is left to the exact solver, which finds the turn of a slip by bisection.
+const MAX_TURNS: usize = 32;
+
+/// G and D change by at most this part of themselves on the ellipse about a panel with the half axes 1.76 and 1.45 times its own: the Gauss sum
+/// with 16 nodes is then exact to rounding, r = 3.2 and r⁻³² = 7e-17.
+const MAX_CHANGE: f64 = 0.9;
+const ELLIPSE: f64 = 1.76;
+
+/// Bounds of what sines and cosines of complex angles |φ| ≤ 1 add to the linear terms, as a part of |φ|²/2.
+const CURVATURE: f64 = 1.15;
+
+/// A turning point nearer than this part of the distance on which time is such a sum is where a leg begins.
+const MAX_PART_BESIDE_TURN: f64 = 0.1;
+
+/// How often a part of a tile is halved.
+const MAX_HALVINGS: u32 = 24;
+
+/// Newton's method for the place at a time ends with a shorter step: its error is of the second order.
+const MAX_LAST_STEP: f64 = 1e-9;
+const MAX_STEPS: u32 = 12;
+
+/// (sin φ − φ)/φ³ and (1 − cos φ)/φ² in φ², up to half a radian.
+const MAX_BEND: f64 = 0.5;
+const SINE: [f64; 7] = taylor(3, -1.0);
+const VERSINE: [f64; 7] = taylor(2, 1.0);
+
+/// sin φ − φ and 1 − cos φ.
+#[inline(always)]
+fn bends(angle: f64) -> (f64, f64) {
+    let square = angle * angle;
+    let sum = |coefficients: &[f64; 7]| coefficients.iter().fold(0.0, |sum, c| sum * square + c);
+    (angle * square * sum(&SINE), square * sum(&VERSINE))
+}
+
+/// The direction at an angle from another.
+fn rotated((sin, cos): (f64, f64), angle: f64) -> (f64, f64) {
+    let (bend, versine) = bends(angle);
+    let sine = angle + bend;
+    (sin + (cos * sine - sin * versine), cos - (sin * sine + cos * versine))
+}
+
+/// A function a + g b on a tile.
+#[derive(Clone, Debug)]
+struct Linear {
+    /// In powers of the distance from the beginning of the tile.
+    taylor: [Series; 2],
+    /// In Bernstein form on the tile.
+    bernstein: [Series; 2],
+    /// Sums of the sizes of their terms.
+    sizes: [f64; 2],
+}
+
+/// What the coefficients of such a function tell of it on the tile.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Known {
+    Positive,
+    /// It falls through zero once.
+    Falls,
+    Nothing,
+}
+
+impl Linear {
+    fn new(taylor: [Series; 2]) -> Self {
+        let bernstein = [0, 1].map(|part: usize| {
+            let form = Bernstein::from_taylor(&taylor[part], WIDTH);
+            core::array::from_fn(|k| form.coefficients()[k])
+        });
+        let sizes = [0, 1].map(|part: usize| value(&taylor[part].map(f64::abs), WIDTH));
+        Self { taylor, bernstein, sizes }
+    }
+
+    /// The g for which it is certainly positive everywhere, and exceeds `least`.
+    fn levels(&self, least: f64) -> (f64, f64) {
+        let [a, b] = &self.bernstein;
+        let [a_size, b_size] = self.sizes;
+        holds(f64::NEG_INFINITY, (0..=DEGREE).map(|k| [(a[k] - least, a_size), (b[k], b_size)]))
+    }
+
+    fn known(&self, level: f64) -> Known {
+        let [a, b] = &self.bernstein;
+        let on_orbit: Series = core::array::from_fn(|k| a[k] + level * b[k]);
+        let positive = on_orbit.iter().take_while(|c| **c > 0.0).count();
+        if positive > DEGREE {
+            Known::Positive
+        } else if positive > 0 && on_orbit[positive..].iter().all(|c| *c <= 0.0) && on_orbit[DEGREE] < 0.0 {
+            Known::Falls
+        } else {
+            Known::Nothing
+        }
+    }
+
+    fn on_orbit(&self, level: f64) -> Series {
+        let [a, b] = &self.taylor;
+        core::array::from_fn(|k| a[k] + level * b[k])
+    }
+
+    fn size(&self, level: f64) -> f64 {
+        self.sizes[0] + level.abs() * self.sizes[1]
+    }
+
+    /// The first zero behind a place at which it is positive, or zero and rising.
+    fn crossing(&self, level: f64, (from, starts_at_zero): (f64, bool)) -> Option<f64> {
+        let on_orbit = self.on_orbit(level);
+        match self.known(level) {
+            Known::Positive => None,
+            Known::Falls if !starts_at_zero => {
+                let bracket = Bracket { low: from, high: WIDTH };
+                Some(bracket.refine_from_secant(|at| value_and_slope(&on_orbit, at)))
+            }
+            Known::Falls | Known::Nothing => {
+                let mut ahead = shifted(on_orbit, from);
+                if starts_at_zero {
+                    ahead[0] = 0.0;
+                }
+                Some(from + crossing(&ahead, WIDTH - from)?)
+            }
+        }
+    }
+}
+
+/// A series about a point at a distance.
+fn shifted(mut series: Series, by: f64) -> Series {
+    if by != 0.0 {
+        for first in 0..DEGREE {
+            for k in (first..DEGREE).rev() {
+                series[k] += by * series[k + 1];
+            }
+        }
+    }
+    series
+}
+
+/// G and D about an angle, as functions of the distance φ.
+#[derive(Clone, Copy, Debug)]
+struct About {
+    /// G = g + slope φ + g_sine (sin φ − φ) + g_versine (1 − cos φ).
+    g: f64,
+    slope: f64,
+    g_sine: f64,
+    g_versine: f64,
+    /// D = d + d_sine sin φ + d_versine (1 − cos φ).
+    d: f64,
+    d_sine: f64,
+    d_versine: f64,
+    /// Bounds of what is left of G and D beyond their linear terms, over |φ|².
+    g_bend: f64,
+    d_bend: f64,
+}
+
+impl About {
+    fn new(law: &RollingLaw, (sin, cos): (f64, f64), g: f64) -> Self {
+        let RollingLaw { offset, mass, tilt, .. } = *law;
+        Self {
+            g,
+            slope: 2.0 * (offset * sin + tilt * (mass + offset * cos)),
+            g_sine: 2.0 * offset * (sin + tilt * cos),
+            g_versine: 2.0 * offset * (cos - tilt * sin),
+            d: law.denominator_of((sin, cos)),
+            d_sine: -2.0 * offset * sin,
+            d_versine: -2.0 * offset * cos,
+            g_bend: CURVATURE * offset * (1.0 + tilt * tilt).sqrt(),
+            d_bend: CURVATURE * offset,
+        }
+    }
+
+    /// G minus that at φ = 0.
+    fn gain(&self, angle: f64) -> f64 {
+        let (bend, versine) = bends(angle);
+        self.slope * angle + (self.g_sine * bend + self.g_versine * versine)
+    }
+
+    /// Whether the Gauss sum over a panel of this half width is exact to rounding.
+    fn is_smooth(&self, half: f64) -> bool {
+        let reach = ELLIPSE * half;
+        reach <= 1.0
+            && reach * (self.slope.abs() + reach * self.g_bend) <= MAX_CHANGE * self.g
+            && reach * (self.d_sine.abs() + reach * self.d_bend) <= MAX_CHANGE * self.d
+    }
+
+    /// √(D/G) at φ and −φ.
+    #[inline(always)]
+    fn slowness(&self, angle: f64) -> [f64; 2] {
+        let (bend, versine) = bends(angle);
+        let (even, odd) = (self.g + self.g_versine * versine, self.slope * angle + self.g_sine * bend);
+        let (d_even, d_odd) = (self.d + self.d_versine * versine, self.d_sine * (angle + bend));
+        [((d_even + d_odd) / (even + odd)).sqrt(), ((d_even - d_odd) / (even - odd)).sqrt()]
+    }
+
+    /// The time from −half to half.
+    fn time(&self, half: f64) -> f64 {
+        let mut sum = 0.0;
+        for j in 0..PAIRS {
+            let [ahead, behind] = self.slowness(half * LONG_NODE[j]);
+            sum += LONG_WEIGHT[j] * (ahead + behind);
+        }
+        half * sum
+    }
+
+    /// About a turning point: how far from it, in a direction, time is a Gauss sum in the square root of the distance.
+    fn reach_of_turn(&self) -> f64 {
+        let of_g = MAX_CHANGE * self.slope.abs() / self.g_bend;
+        let square = self.d_sine * self.d_sine + 4.0 * self.d_bend * (MAX_CHANGE * self.d);
+        let of_d = (square.sqrt() - self.d_sine.abs()) / (2.0 * self.d_bend);
+        of_g.min(of_d).min(1.0) / (ELLIPSE * ELLIPSE)
+    }
+
+    /// The distance of the turning point on the side of this sign, where G is `kinetic` here, if it is near.
+    fn distance_of_turn(&self, kinetic: f64, side: f64) -> Option<f64> {
+        let slope = self.slope.abs();
+        let mut distance = kinetic / slope;
+        for _ in 0..MAX_STEPS {
+            if distance.is_nan() || distance > 1.0 {
+                return None;
+            }
+            let next = distance + (kinetic + self.gain(side * distance)) / slope;
+            // Rounding of the slope and of the gain, a few terms each.
+            let is_last = (next - distance).abs() <= 8.0 * f64::EPSILON * distance;
+            distance = next;
+            if is_last {
+                return Some(distance);
+            }
+        }
+        None
+    }
+
+    /// The time from a turning point to a distance on the side of this sign, or back: ∫ 2 √(D/ρ) ds with the distance s² and G = s² ρ.
+    fn time_from_turn(&self, distance: f64, side: f64) -> f64 {
+        let far = distance.sqrt();
+        if distance == 0.0 {
+            return 0.0;
+        }
+        let mut sum = 0.0;
+        for j in 0..PAIRS {
+            let s = far * LONG_NODE[j];
+            let square = s * s;
+            let (bend, versine) = bends(square);
+            let g = side * (self.slope * square + self.g_sine * bend) + self.g_versine * versine;
+            let d = self.d + side * (self.d_sine * (square + bend)) + self.d_versine * versine;
+            sum += LONG_WEIGHT[j] * (d * square / g).sqrt();
+        }
+        2.0 * far * sum
+    }
+}
+
+/// A tile, in one direction of motion.
+#[derive(Clone, Debug)]
+struct Tile {
+    /// At its beginning.
+    direction: (f64, f64),
+    about: About,
+    /// The margins of slips to the two sides, and G.
+    margins: [Linear; 2],
+    kinetic: Linear,
+    /// The g of orbits that certainly pass it.
+    levels: (f64, f64),
+    /// What G gains over it.
+    gain: f64,
+    /// Above this g the time over it is the Gauss sum with its own nodes.
+    smooth: f64,
+    /// G − g, and √D times the weights, at the nodes.
+    nodes: [[f64; 2 * PAIRS]; 2],
+}
+
+impl Tile {
+    fn new(limits: &Limits, number: usize) -> Self {
+        let law = &limits.law;
+        let direction = sincos(WIDTH * number as f64);
+        let gains = limits.kinetic(direction, 0.0);
+        let margins = limits.heavy(direction).map(|[a, b]| {
+            let with_gain = core::array::from_fn(|n| a[n] + convolve([(&gains, &b)], n)[0]);
+            Linear::new([with_gain, b])
+        });
+        let kinetic = Linear::new([gains, core::array::from_fn(|n| if n == 0 { 1.0 } else { 0.0 })]);
+        let about = About::new(law, direction, 0.0);
+        let half = 0.5 * WIDTH;
+        let middle = About::new(law, rotated(direction, half), about.gain(half));
+        // Of which g is_smooth would hold.
+        let reach = ELLIPSE * half;
+        let smooth = reach * (middle.slope.abs() + reach * middle.g_bend) / MAX_CHANGE - middle.g;
+        let smooth =
+            if (About { g: f64::INFINITY, ..middle }).is_smooth(half) { smooth } else { f64::INFINITY };
+        let from_middle = |j: usize| {
+            let side = if j.is_multiple_of(2) { half } else { -half };
+            side * LONG_NODE[j / 2]
+        };
+        let gains = core::array::from_fn(|j| middle.g + middle.gain(from_middle(j)));
+        let weights = core::array::from_fn(|j| {
+            let d = law.denominator_of(rotated(direction, half + from_middle(j)));
+            half * LONG_WEIGHT[j / 2] * d.sqrt()
+        });
+        let levels = margins.iter().map(|margin| margin.levels(0.0));
+        let levels = levels
+            .fold(kinetic.levels(separatrix_distance(law)), |all, one| (all.0.max(one.0), all.1.min(one.1)));
+        Self {
+            direction,
+            about,
+            margins,
+            levels,
+            gain: about.gain(WIDTH),
+            smooth,
+            nodes: [gains, weights],
+            kinetic,
+        }
+    }
+
+    /// The time over it.
+    fn time(&self, level: f64) -> f64 {
+        let [gains, weights] = &self.nodes;
+        let mut sum = 0.0;
+        for j in 0..2 * PAIRS {
+            sum += weights[j] / (level + gains[j]).sqrt();
+        }
+        sum
+    }
+}
+
+/// G of orbits next to the separatrix is less at the top, by the energies as a function of the angle.
+fn separatrix_distance(law: &RollingLaw) -> f64 {
+    MIN_SEPARATRIX_DISTANCE * (law.bottom + swing(law))
+}
+
+/// By how much G less its growth downhill varies.
+fn swing(law: &RollingLaw) -> f64 {
+    4.0 * law.offset * (1.0 + law.tilt * law.tilt).sqrt()
+}
+
+/// Rolling in one direction of motion: what is kept of it, made where orbits come, and the same whichever orbit that is.
+#[derive(Clone, Debug)]
+pub(super) struct Ramp {
+    limits: Limits,
+    tiles: [OnceLock<Box<Tile>>; TILES],
+}
+
+impl Ramp {
+    /// In the direction `travel`.
+    pub(super) fn new(hoop: &Hoop, travel: f64) -> Self {
+        Self { limits: Limits::new(hoop, travel), tiles: [const { OnceLock::new() }; TILES] }
+    }
+
+    fn law(&self) -> &RollingLaw {
+        &self.limits.law
+    }
+
+    fn tile(&self, number: usize) -> &Tile {
+        let number = number % TILES;
+        self.tiles[number].get_or_init(|| Box::new(Tile::new(&self.limits, number)))
+    }
+}
+
+/// A part of an orbit in one direction of motion.
+struct Leg<'a> {
+    ramp: &'a Ramp,
+    /// The tile at its beginning, the place there, and g of the tile.
+    tile: usize,
+    from: f64,
+    level: f64,
+    /// How far behind its beginning a turning point is, if it is next to it.
+    past_turn: Option<f64>,
+    /// G about the beginning, or that turning point: next to it G is less than the last digits of `level`.
+    origin: About,
+}
+
+/// A place on a leg.
+#[derive(Clone, Copy)]
+struct Spot {
+    /// So many tiles behind the first.
+    tiles: usize,
+    at: f64,
+    /// g of its tile.
+    level: f64,
+}
+
+/// How a leg ends.
+enum LegEnd {
+    Slip { spot: Spot, side: usize },
+    Turn(Spot),
+}
+
+impl<'a> Leg<'a> {
+    /// From an angle with this sine and cosine, at which G is `kinetic`, or a turning point is so far behind.
+    fn enter(
+        ramp: &'a Ramp,
+        (theta, direction): (f64, (f64, f64)),
+        kinetic: f64,
+        past_turn: Option<f64>,
+    ) -> Self {
+        let rest = without_turns(theta);
+        let rest = if rest < 0.0 { rest + TAU } else { rest };
+        let tile = ((rest / WIDTH) as usize).min(TILES - 1);
+        let from = (rest - WIDTH * tile as f64).clamp(0.0, WIDTH);
+        let (g, past) = past_turn.map_or((kinetic, 0.0), |distance| (0.0, distance));
+        let origin = About::new(ramp.law(), rotated(direction, -past), g);
+        let level = g - ramp.tile(tile).about.gain(from - past);
+        Self { ramp, tile, from, level, past_turn, origin }
+    }
+
+    /// From the end of this one at a turning point, the other way.
+    fn back<'b>(&self, spot: Spot, ramp: &'b Ramp) -> Leg<'b> {
+        let tile = TILES - 1 - (self.tile + spot.tiles) % TILES;
+        let (from, first) = (WIDTH - spot.at, ramp.tile(tile));
+        let origin = About::new(ramp.law(), rotated(first.direction, from), 0.0);
+        Leg { ramp, tile, from, level: -first.about.gain(from), past_turn: Some(0.0), origin }
+    }
+
+    fn tile_of(&self, spot: &Spot) -> &'a Tile {
+        self.ramp.tile(self.tile + spot.tiles)
+    }
+
+    fn beginning(&self) -> Spot {
+        Spot { tiles: 0, at: self.from, level: self.level }
+    }
+
+    fn about(&self, spot: &Spot) -> About {
+        self.about_on(self.tile_of(spot), spot, spot.at)
+    }
+
+    /// G and D about a place on the tile of a spot.
+    fn about_on(&self, tile: &Tile, spot: &Spot, at: f64) -> About {
+        let distance = WIDTH * spot.tiles as f64 + (at - self.from) + self.past_turn.unwrap_or(0.0);
+        let g = if distance <= MAX_BEND {
+            self.origin.g + self.origin.gain(distance)
+        } else {
+            spot.level + tile.about.gain(at)
+        };
+        About::new(self.ramp.law(), rotated(tile.direction, at), g)
+    }
+
+    /// The time between two places on the tile of a spot, or over the whole; none where it comes too close to a turning point.
+    fn time_on(&self, tile: &Tile, spot: &Spot, [from, to]: [f64; 2]) -> Option<f64> {
+        let is_whole = from == 0.0 && to == WIDTH && spot.level > tile.smooth;
+        if is_whole {
+            Some(tile.time(spot.level))
+        } else {
+            self.time_of_parts(tile, spot, [from, to], MAX_HALVINGS)
+        }
+    }
+
+    fn time_of_parts(&self, tile: &Tile, spot: &Spot, [from, to]: [f64; 2], halvings: u32) -> Option<f64> {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let about = self.about_on(tile, spot, middle);
+        if about.is_smooth(half) {
+            return Some(about.time(half));
+        }
+        let halvings = halvings.checked_sub(1)?;
+        let first = self.time_of_parts(tile, spot, [from, middle], halvings)?;
+        Some(first + self.time_of_parts(tile, spot, [middle, to], halvings)?)
+    }
+
+    fn distance(&self, spot: &Spot) -> f64 {
+        WIDTH * spot.tiles as f64 + (spot.at - self.from)
+    }
+
+    /// Whether it may turn at a spot: on neither side of the separatrix by rounding.
+    fn turns_clearly(&self, spot: &Spot) -> bool {
+        let slope = self.about(spot).slope;
+        let law = self.ramp.law();
+        slope * slope > swing(law) * separatrix_distance(law)
+    }
+
+    /// Whether rolling clearly holds at a spot.
+    fn holds(&self, spot: &Spot) -> bool {
+        let here = self.tile_of(spot).margins.each_ref().map(|margin| {
+            let size = margin.size(spot.level);
+            (value(&margin.on_orbit(spot.level), spot.at), size)
+        });
+        breaks(&here) == Some(None)
+    }
+
+    fn end(&self) -> Result<LegEnd, Doubt> {
+        let beginning = self.beginning();
+        if !self.holds(&beginning) {
+            return Err(Doubt::FrictionLimit);
+        }
+        if self.past_turn.is_some() && !self.turns_clearly(&beginning) {
+            return Err(Doubt::Separatrix);
+        }
+        let mut spot = beginning;
+        while spot.tiles <= MAX_TURNS * TILES {
+            let tile = self.tile_of(&spot);
+            let starts_at_zero = self.past_turn.is_some() && spot.tiles == 0;
+            let passes = !starts_at_zero && spot.level > tile.levels.0 && spot.level < tile.levels.1;
+            if !passes && let Some(end) = self.end_on(tile, spot, starts_at_zero)? {
+                return Ok(end);
+            }
+            spot = Spot { tiles: spot.tiles + 1, at: 0.0, level: spot.level + tile.gain };
+        }
+        Err(Doubt::TooLong)
+    }
+
+    /// The end on a tile, ahead of a place.
+    fn end_on(&self, tile: &Tile, spot: Spot, starts_at_zero: bool) -> Result<Option<LegEnd>, Doubt> {
+        let level = spot.level;
+        let turn = tile.kinetic.crossing(level, (spot.at, starts_at_zero));
+        let [negative, positive] =
+            tile.margins.each_ref().map(|margin| margin.crossing(level, (spot.at, false)));
+        let slip = match (negative, positive) {
+            (Some(negative), Some(positive)) if positive < negative => Some((positive, 1)),
+            (Some(negative), _) => Some((negative, 0)),
+            (None, positive) => positive.map(|positive| (positive, 1)),
+        };
+        if let Some((at, side)) = slip
+            && turn.is_none_or(|turn| at < turn)
+        {
+            self.check_top(tile, &spot, at, starts_at_zero)?;
+            return Ok(Some(LegEnd::Slip { spot: Spot { at, ..spot }, side }));
+        }
+        if let Some(at) = turn {
+            let spot = Spot { at, ..spot };
+            if !self.turns_clearly(&spot) {
+                return Err(Doubt::Separatrix);
+            }
+            // Where it slips just so, or not, next to the turning point.
+            return if self.holds(&spot) { Ok(Some(LegEnd::Turn(spot))) } else { Err(Doubt::FrictionLimit) };
+        }
+        self.check_top(tile, &spot, WIDTH, starts_at_zero)?;
+        Ok(None)
+    }
+
+    /// Whether it clearly passes the top, if that is on a tile between a place and another.
+    fn check_top(&self, tile: &Tile, spot: &Spot, to: f64, starts_at_zero: bool) -> Result<(), Doubt> {
+        let rises = |at: f64| value_and_slope(&tile.kinetic.taylor[0], at).1 > 0.0;
+        if starts_at_zero || rises(spot.at) || !rises(to) {
+            return Ok(());
+        }
+        let ahead = shifted(tile.kinetic.on_orbit(spot.level), spot.at);
+        let ahead = Bernstein::from_taylor(&ahead, to - spot.at);
+        let least = ahead.coefficients().iter().fold(f64::INFINITY, |least, c| least.min(*c));
+        if least > separatrix_distance(self.ramp.law()) { Ok(()) } else { Err(Doubt::Separatrix) }
+    }
+
+    /// The time to a spot, perhaps a turning point. None where it takes too many nodes.
+    fn time(&self, spot: &Spot, is_turn: bool) -> Option<f64> {
+        let mut sum = 0.0;
+        self.pieces(spot, is_turn, |piece| {
+            sum += piece.time?;
+            Some(false)
+        })?;
+        Some(sum)
+    }
+
+    /// Passes its pieces up to a spot, until one is the last that is wanted.
+    fn pieces(&self, spot: &Spot, is_turn: bool, mut pass: impl FnMut(Piece) -> Option<bool>) -> Option<()> {
+        // Distances from a turning point behind the beginning.
+        let past = self.past_turn.unwrap_or(0.0);
+        let length = past + self.distance(spot);
+        let behind = Spot { at: self.from - past, ..self.beginning() };
+        let turns = [(self.past_turn.is_some(), behind, 1.0), (is_turn, *spot, -1.0)];
+        let turns =
+            turns.map(|(turns, spot, side)| turns.then(|| (About { g: 0.0, ..self.about(&spot) }, side)));
+        let reach = turns.map(|turn| turn.map_or(0.0, |(about, _)| about.reach_of_turn().min(WIDTH)));
+        let all = reach[0] + reach[1];
+        let reach = if all > length { reach.map(|reach| reach * (length / all)) } else { reach };
+        let reach = [reach[0].max(past), reach[1].min(length - past)];
+        let time_of = |turn: Option<(About, f64)>, [from, to]: [f64; 2]| {
+            turn.map(|(about, side)| {
+                let time = about.time_from_turn(to, side) - about.time_from_turn(from, side);
+                Piece { time: Some(time), on: None }
+            })
+        };
+        if let Some(piece) = time_of(turns[0], [past, reach[0]])
+            && pass(piece)?
+        {
+            return Some(());
+        }
+        let mut here = self.beginning();
+        while here.tiles <= spot.tiles {
+            let tile = self.tile_of(&here);
+            let behind = WIDTH * here.tiles as f64;
+            let from = (self.from + (reach[0] - past) - behind).max(0.0);
+            let to = (spot.at - reach[1] + WIDTH * (spot.tiles - here.tiles) as f64).min(WIDTH);
+            if from < to {
+                let time = self.time_on(tile, &here, [from, to]);
+                if pass(Piece { time, on: Some((here, [from, to])) })? {
+                    return Some(());
+                }
+            }
+            here = Spot { tiles: here.tiles + 1, at: 0.0, level: here.level + tile.gain };
+        }
+        if let Some(piece) = time_of(turns[1], [0.0, reach[1]]) {
+            pass(piece)?;
+        }
+        Some(())
+    }
+
+    /// Where it is after a time, on the way to a spot.
+    fn after(&self, time: f64, spot: &Spot, is_turn: bool) -> Option<Spot> {
+        let (mut left, mut found) = (time, None);
+        self.pieces(spot, is_turn, |piece| {
+            let here = piece.time?;
+            if here < left {
+                left -= here;
+                return Some(false);
+            }
+            found = piece.on;
+            Some(true)
+        })?;
+        let (spot, [from, to]) = found?;
+        let tile = self.tile_of(&spot);
+        let mut at = from + (to - from) * 0.5;
+        for _ in 0..MAX_STEPS {
+            let about = self.about_on(tile, &spot, at);
+            let step = (left - self.time_on(tile, &spot, [from, at])?) / about.slowness(0.0)[0];
+            at = (at + step).clamp(from, to);
+            if step.abs() < MAX_LAST_STEP {
+                return Some(Spot { at, ..spot });
+            }
+        }
+        None
+    }
+}
+
+/// A piece of a leg, on a tile or next to a turning point.
+struct Piece {
+    time: Option<f64>,
+    on: Option<(Spot, [f64; 2])>,
+}
+
+/// The legs of an orbit from a place, of which the first may be none, seen in the frame of motion.
+struct Orbit<'a> {
+    ramps: [&'a Ramp; 2],
+    /// Where the first leg begins, and whether it goes back.
+    theta: f64,
+    first: Leg<'a>,
+    is_back: bool,
+    /// The distance from the place to there, and the time, both small.
+    before: (f64, f64),
+}
+
+impl<'a> Orbit<'a> {
+    fn enter(ramps: &'a [Ramp; 2], place: &Place) -> Self {
+        let (travel, u) = (place.travel(), place.u());
+        let [ahead, back] = if travel < 0.0 { [&ramps[1], &ramps[0]] } else { [&ramps[0], &ramps[1]] };
+        let theta = travel * place.state.theta;
+        let direction = (travel * place.direction.0, place.direction.1);
+        let kinetic = ahead.law().denominator_of(direction) * u;
+        let about = About::new(ahead.law(), direction, 0.0);
+        // Next to a turning point the distance from it has all digits.
+        let side = if about.slope < 0.0 { 1.0 } else { -1.0 };
+        let reach = MAX_PART_BESIDE_TURN * about.reach_of_turn();
+        let turn = about.distance_of_turn(kinetic, side).filter(|distance| *distance <= reach);
+        let Some(distance) = turn else {
+            let first = Leg::enter(ahead, (theta, direction), kinetic, None);
+            return Self { ramps: [ahead, back], theta, first, is_back: false, before: (0.0, 0.0) };
+        };
+        if side < 0.0 {
+            let first = Leg::enter(ahead, (theta, direction), kinetic, Some(distance));
+            return Self { ramps: [ahead, back], theta, first, is_back: false, before: (0.0, 0.0) };
+        }
+        let (theta, (sin, cos)) = (theta + distance, rotated(direction, distance));
+        let first = Leg::enter(back, (-theta, (-sin, cos)), 0.0, Some(0.0));
+        let turn = About { g: 0.0, ..first.about(&first.beginning()) };
+        let before = (distance, turn.time_from_turn(distance, 1.0));
+        Self { ramps: [back, ahead], theta, first, is_back: true, before }
+    }
+
+    /// What is at a spot of a leg that begins at an angle and goes back, or not: θ, θ′, and sine and cosine of θ.
+    fn at(&self, leg: &Leg<'_>, (theta, is_back): (f64, bool), spot: &Spot) -> (Reached, (f64, f64)) {
+        let about = leg.about(spot);
+        let rate = (about.g.max(0.0) / about.d).sqrt();
+        let sign = if is_back { -1.0 } else { 1.0 };
+        let (sin, cos) = rotated(leg.tile_of(spot).direction, spot.at);
+        let reached = Reached { theta: theta + sign * leg.distance(spot), theta_rate: sign * rate };
+        (reached, (sign * sin, cos))
+    }
+
+    fn slip(
+        &self,
+        leg: &Leg<'_>,
+        (theta, is_back, before): (f64, bool, f64),
+        (spot, side): (&Spot, usize),
+    ) -> Result<RollEnd, Doubt> {
+        let (Reached { theta, theta_rate }, direction) = self.at(leg, (theta, is_back), spot);
+        if theta_rate.abs() < MIN_RATE {
+            return Err(Doubt::Standstill);
+        }
+        let elapsed = before + leg.time(spot, false).ok_or(Doubt::Separatrix)?;
+        let side = if is_back { 1 - side } else { side };
+        Ok(RollEnd::Slip { elapsed, theta, theta_rate, side, direction })
+    }
+}
+
+/// Follows the rolling that begins at a place, and holds there.
+pub(super) fn follow(ramps: &[Ramp; 2], place: &Place) -> Result<RollEnd, Doubt> {
+    let orbit = Orbit::enter(ramps, place);
+    let first = &orbit.first;
+    let turn = match first.end()? {
+        LegEnd::Slip { spot, side } => {
+            // It would have slipped on the way to the turning point.
+            if orbit.before.0 > 0.0 && first.distance(&spot) <= orbit.before.0 {
+                return Err(Doubt::Standstill);
+            }
+            return orbit.slip(first, (orbit.theta, orbit.is_back, orbit.before.1), (&spot, side));
+        }
+        LegEnd::Turn(spot) => spot,
+    };
+    let back = first.back(turn, orbit.ramps[1]);
+    match back.end()? {
+        LegEnd::Slip { spot, side } => {
+            let before = orbit.before.1 + first.time(&turn, true).ok_or(Doubt::Separatrix)?;
+            let (Reached { theta, .. }, _) = orbit.at(first, (orbit.theta, orbit.is_back), &turn);
+            orbit.slip(&back, (theta, !orbit.is_back, before), (&spot, side))
+        }
+        LegEnd::Turn(_) => Ok(RollEnd::Never),
+    }
+}
+
+/// Where rolling from a place is after a time, before its slip.
+pub(super) fn after(ramps: &[Ramp; 2], place: &Place, time: f64) -> Option<Reached> {
+    let orbit = Orbit::enter(ramps, place);
+    let first = &orbit.first;
+    let time = time - orbit.before.1;
+    if time < 0.0 {
+        return None;
+    }
+    let turn = match first.end().ok()? {
+        LegEnd::Slip { spot, .. } => {
+            let spot = first.after(time, &spot, false)?;
+            return Some(orbit.at(first, (orbit.theta, orbit.is_back), &spot).0);
+        }
+        LegEnd::Turn(spot) => spot,
+    };
+    let outward = first.time(&turn, true)?;
+    if time <= outward {
+        let spot = first.after(time, &turn, true)?;
+        return Some(orbit.at(first, (orbit.theta, orbit.is_back), &spot).0);
+    }
+    let back = first.back(turn, orbit.ramps[1]);
+    let LegEnd::Slip { spot, .. } = back.end().ok()? else { return None };
+    let spot = back.after(time - outward, &spot, false)?;
+    let (Reached { theta, .. }, _) = orbit.at(first, (orbit.theta, orbit.is_back), &turn);
+    Some(orbit.at(&back, (theta, !orbit.is_back), &spot).0)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::engine::roll::direction_of;
+    use crate::model::hoop::HoopParameters;
+    use crate::model::state::State;
+    use crate::modes::rolling::{Rolling, RollingLimit};
+
+    fn ramps(hoop: &Hoop) -> [Ramp; 2] {
+        [1.0, -1.0].map(|travel| Ramp::new(hoop, travel))
+    }
+
+    fn at(theta: f64, theta_rate: f64) -> State {
+        State { time: 0.0, theta, theta_rate, slip: 0.0, x: 0.0 }
+    }
+
+    fn figure_2(slope: f64) -> Hoop {
+        Hoop::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4).with_slope(slope)).unwrap()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4_000))]
+
+        /// Against the solver of the simulation, before the slip and at it.
+        #[test]
+        fn an_orbit_slips_and_is_where_rolling_is(
+            mass_ratio in prop_oneof![0.03..3.0_f64, Just(0.0)],
+            offset in 0.05..1.0_f64,
+            inertia in 0.01..2.0_f64,
+            mu_s in 0.05..2.0_f64,
+            slope in -1.2..1.2_f64,
+            theta in -7.0..7.0_f64,
+            theta_rate in prop_oneof![3 => -4.0..4.0_f64, 1 => -0.01..0.01_f64, 1 => Just(0.0)],
+            part in 0.0..1.0_f64,
+        ) {
+            let hoop = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia);
+            let hoop = Hoop::new(hoop.with_friction(mu_s, mu_s).with_slope(slope)).unwrap();
+            let (ramps, place) = (ramps(&hoop), Place::new(at(theta, theta_rate)));
+            let Ok(RollEnd::Slip { elapsed, theta, theta_rate, side, direction: (sin, cos) }) = follow(&ramps, &place) else {
+                return Ok(());
+            };
+            let rolling = Rolling::new(&hoop, place.state);
+            let end = rolling.orbit().end().expect("it slips");
+            let travel = place.travel();
+            prop_assert_eq!(end.limit, RollingLimit::Friction(direction_of(side, travel)));
+            // What the rounding of an angle, or of a margin, changes of a slip whose margin falls slowly.
+            let tolerance = 1e-11 * (1.0 + elapsed);
+            prop_assert!((end.theta - travel * theta).abs() < tolerance, "{} {theta}", end.theta);
+            prop_assert!((end.theta_rate - travel * theta_rate).abs() < tolerance, "{} {theta_rate}", end.theta_rate);
+            prop_assert!((end.elapsed - elapsed).abs() < tolerance, "{} {elapsed}", end.elapsed);
+            let expected = libm::sincos(theta);
+            let rounding = 8.0 * f64::EPSILON * (TAU + theta.abs());
+            prop_assert!((sin - expected.0).abs() < rounding && (cos - expected.1).abs() < rounding, "{theta}");
+            let Some(found) = after(&ramps, &place, part * elapsed) else { return Ok(()) };
+            let expected = rolling.state(part * elapsed);
+            prop_assert!((travel * found.theta - expected.theta).abs() < tolerance, "{found:?} {expected:?}");
+            prop_assert!((travel * found.theta_rate - expected.theta_rate).abs() < tolerance, "{found:?} {expected:?}");
+        }
+    }
+
+    /// What is not found is computed for much longer, which no test of answers would notice.
+    #[test]
+    fn nearly_all_orbits_are_followed() {
+        for slope in [0.03, 0.1, -0.5, 1.0] {
+            let ramps = ramps(&figure_2(slope));
+            let (mut all, mut slips, mut found, mut left) = (0, 0, 0, 0);
+            for (i, j) in (0..40).flat_map(|i| (0..40).map(move |j| (i, j))) {
+                let place = Place::new(at(0.16 * f64::from(i) - 3.1, 0.1 * f64::from(j) - 2.0));
+                match follow(&ramps, &place) {
+                    Ok(RollEnd::Slip { elapsed, .. }) => {
+                        slips += 1;
+                        found += usize::from(after(&ramps, &place, 0.5 * elapsed).is_some());
+                    }
+                    Ok(RollEnd::Never) => {}
+                    // Where it does not roll.
+                    Err(Doubt::FrictionLimit) => continue,
+                    Err(_) => left += 1,
+                }
+                all += 1;
+            }
+            assert!(all > 200 && 20 * left < all, "{slope}: {left} of {all}");
+            assert!(slips > 100 && 3 * found > 2 * slips, "{slope}: {found} of {slips}");
+        }
+    }
+
+    /// A sum over a turn, a tile at a time, with what is kept and without.
+    #[test]
+    fn whole_tiles_take_the_time_of_their_parts() {
+        let ramp = &ramps(&figure_2(0.2))[0];
+        let mut whole = 0;
+        for number in 0..TILES {
+            let tile = ramp.tile(number);
+            for kinetic in [1.0, 3.0, 20.0] {
+                let theta = WIDTH * (number as f64 + 0.5);
+                let leg = Leg::enter(ramp, (theta, sincos(theta)), kinetic, None);
+                if leg.level <= tile.smooth {
+                    continue;
+                }
+                whole += 1;
+                let parts = leg
+                    .time_of_parts(tile, &leg.beginning(), [0.0, 0.3 * WIDTH], MAX_HALVINGS)
+                    .unwrap()
+                    + leg.time_of_parts(tile, &leg.beginning(), [0.3 * WIDTH, WIDTH], MAX_HALVINGS).unwrap();
+                assert!(
+                    (tile.time(leg.level) - parts).abs() < 4e-16 * 4.0 * parts,
+                    "{number} {kinetic}: {} {parts}",
+                    tile.time(leg.level)
+                );
+            }
+        }
+        assert!(whole > 2 * TILES, "{whole}");
+    }
+}
