@@ -74,7 +74,9 @@ pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, window: Window, unit:
         canvas.words(&name, (window.width - 4.0 * unit, at(0.0).1 + deep), end, SOFT);
     } else {
         let (end, back) = if is_named_first { (seen[0], 24.0) } else { (seen[1], -24.0) };
-        canvas.words(&name, view.moved(at(end), back * unit, deep), style, SOFT);
+        let (x, y) = view.moved(at(end), back * unit, deep);
+        let beside = 18.0 * unit;
+        canvas.words(&name, (x.clamp(beside, window.width - beside), y), style, SOFT);
     }
 }
 

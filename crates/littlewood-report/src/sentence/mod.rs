@@ -77,8 +77,9 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         }
         Cause::LiftOff => {
             let rise = -trajectory.hoop().h() * libm::sin(event.before.theta) * event.before.theta_rate;
+            let rises = if hoop.slope() == 0.0 { "rises" } else { "rises from the plane" };
             format!(
-                "Jumps: the normal force has vanished while the mass centre rises at {}.",
+                "Jumps: the normal force has vanished while the mass centre {rises} at {}.",
                 scale.show_with_unit(Dimension::Velocity, three(rise))
             )
         }
