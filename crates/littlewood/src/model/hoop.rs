@@ -262,7 +262,9 @@ impl<T: Number> Heavy<T> {
     pub(crate) fn pull(&self) -> T {
         self.tilt + 0.0
     }
+}
 
+impl Heavy {
     /// The mirror image, on the mirrored slope.
     pub(crate) const fn mirrored(self) -> Self {
         Self { tilt: if self.tilt == 0.0 { self.tilt } else { -self.tilt }, ..self }
