@@ -120,7 +120,13 @@ impl Problem {
 
     /// What a report says beside the motion.
     pub(crate) const fn subject(&self) -> Subject<'_> {
-        Subject { case: self.case, start: self.start, units: self.units.as_ref(), digits: None }
+        Subject {
+            case: self.case,
+            start: self.start,
+            units: self.units.as_ref(),
+            digits: None,
+            derivatives: None,
+        }
     }
 
     /// The scenario file, if there is one.

@@ -2,11 +2,15 @@
 
 use std::path::Path;
 
+use littlewood::Trajectory;
+use littlewood::derivatives::Derivatives;
+use littlewood::tables::Quantity;
 use littlewood_report::Subject;
 use littlewood_report::page::Look;
 
 use crate::args::{Format, SimulateArgs};
 use crate::error::Error;
+use crate::nearest;
 use crate::output::Output;
 use crate::problem::Problem;
 use crate::report::{self, Sampling};
@@ -15,6 +19,9 @@ use crate::scenario::Scenario;
 
 /// Samples of a table at most: all its rows are in memory, 2.5 kB each, since they make the widths of its columns.
 const MOST_ROWS: u64 = 100_000;
+
+/// The name of all quantities.
+const ALL: &str = "all";
 
 /// Runs the command.
 ///
@@ -40,7 +47,9 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let sampling =
         samples.map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
     let digits = if args.digits { Some(problem.digits()?) } else { None };
-    let subject = Subject { digits: digits.as_deref(), ..problem.subject() };
+    let derivatives = derivatives(&args.derivatives, &trajectory)?;
+    let subject =
+        Subject { digits: digits.as_deref(), derivatives: derivatives.as_ref(), ..problem.subject() };
     let look = Look { sampling, all: args.all_bounces, advice: None };
     let colour = output.has_colour();
     output.write(|writer| match format {
@@ -50,6 +59,32 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
         Format::Json => report::json::motion(writer, &subject, &trajectory, sampling),
         Format::Csv => report::csv::motion(writer, &subject, &trajectory, sampling),
     })
+}
+
+/// The derivatives with respect to the named quantities, or to all that the motion has.
+fn derivatives(names: &[String], trajectory: &Trajectory) -> Result<Option<Derivatives>, Error> {
+    if names.is_empty() {
+        return Ok(None);
+    }
+    let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
+    let find = |name: &String| known().find(|quantity| quantity.name() == name.replace('-', "_"));
+    let quantities = if names.iter().any(|name| name == ALL) {
+        let bounces = trajectory.hoop().restitution().is_some();
+        known().filter(|quantity| bounces || *quantity != Quantity::Restitution).collect()
+    } else {
+        let unknown = |name: &String| {
+            let all = format!(
+                "quantities are {ALL} and {}",
+                Vec::from_iter(known().map(Quantity::name)).join(", ")
+            );
+            Error::UnknownQuantity {
+                name: name.clone(),
+                hint: nearest::hint(name, known().map(Quantity::name), &all),
+            }
+        };
+        names.iter().map(|name| find(name).ok_or_else(|| unknown(name))).collect::<Result<Vec<_>, _>>()?
+    };
+    trajectory.derivatives(&quantities).map(Some).map_err(Error::NotDifferentiable)
 }
 
 /// What the ending says; a name without one is a table.

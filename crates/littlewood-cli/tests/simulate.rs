@@ -593,3 +593,44 @@ fn numbers_in_messages_have_no_more_digits_than_a_double() {
     let message = complaint(&["simulate", "figure-3", "--mu-s", "-1e-300"], 2);
     assert!(message.contains("mu_s = -1e-300 must"), "{message}");
 }
+
+#[test]
+fn derivatives_have_the_numbers_of_closed_forms_and_their_reasons() {
+    // From the top Littlewood's hoop rolls with sin(θ/2) = θ0′ sinh(τ/2) (3.5), so that along the slip
+    // ½ cos(θ/2) δθ = sinh(τ/2) δθ0′ + ½ θ0′ cosh(τ/2) δτ.
+    let flags = "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5 --mu-k 0.4 --theta 0 --theta-rate 0.5";
+    let flags: Vec<&str> = flags.split(' ').collect();
+    let document = json(&[&["simulate"], &flags[..], &["--derivatives", "theta_rate,x,inertia"]].concat());
+    let slip = &document["transitions"][0];
+    let of = |quantity: &str, name: &str| number(&slip["derivatives"][quantity][name]);
+    let (time, theta) = (number(&slip["time"]), number(&slip["theta"]));
+    assert_close((0.5 * theta).sin(), 0.5 * (0.5 * time).sinh(), 1e-14);
+    let left = 0.5 * (0.5 * theta).cos() * of("theta_rate", "theta");
+    let right = (0.5 * time).sinh() + 0.25 * (0.5 * time).cosh() * of("theta_rate", "time");
+    assert_close(left, right, 1e-12);
+    assert_close(of("x", "x"), 1.0, 0.0);
+    assert_eq!(slip["derivatives"]["inertia"]["reason"], "one_sided");
+    assert_eq!(document["outcome"]["derivatives"]["theta_rate"]["reason"], "singular");
+
+    // A libration has the derivatives of its period and of its ends.
+    let document = json(&["simulate", "libration", "--derivatives", "theta"]);
+    let found = &document["outcome"]["derivatives"]["theta"];
+    let turns = ["theta_min", "theta_max"].map(|name| number(&found[name]));
+    assert_close(turns[0].abs(), 1.0, 1e-12);
+    assert_close(turns[0] + turns[1], 0.0, 1e-12);
+
+    let all = json(&["simulate", "figure-3", "--restitution", "0.5", "--derivatives", "all"]);
+    assert_eq!(all["transitions"][3]["derivatives"].as_object().unwrap().len(), 13);
+    let table = text(&["simulate", "figure-3", "--format", "csv", "--derivatives", "mu-k"]);
+    assert!(table.lines().next().unwrap().ends_with("d_slip_d_mu_k,d_x_d_mu_k"), "{table}");
+    let page = text(&["simulate", "figure-3", "--derivatives", "slip,mu_k"]);
+    assert!(
+        page.contains("one sided: on the two sides of this value the motion begins differently"),
+        "{page}"
+    );
+
+    let error = complaint(&["simulate", "figure-3", "--derivatives", "muk"], 2);
+    assert!(error.contains("named 'muk'") && error.contains("did you mean 'mu_k'"), "{error}");
+    let error = complaint(&["simulate", "figure-3", "--derivatives", "restitution"], 2);
+    assert!(error.contains("with respect to restitution") && error.contains("give --restitution"), "{error}");
+}

@@ -8,7 +8,8 @@ use littlewood::{Cause, Outcome, OutcomeKind, Phase, State, Trajectory};
 
 use crate::instants::{START, instants};
 use crate::record::{
-    Fields, Value, columns, edge, edge_of, jump, opening, sample, si_jump, si_sample, si_state, state,
+    Fields, Value, columns, derivative_columns, edge, edge_of, jump, opening, sample, si_jump, si_sample,
+    si_state, state,
 };
 use crate::{Sampling, Subject};
 
@@ -44,6 +45,10 @@ fn events<W: Write>(
         let fields = state(&at).followed_by(edge);
         let fields = match subject.digits {
             Some(digits) => fields.followed_by(columns(transition.and_then(|index| digits.get(index)))),
+            None => fields,
+        };
+        let fields = match subject.derivatives {
+            Some(derivatives) => fields.followed_by(derivative_columns(derivatives, transition)),
             None => fields,
         };
         let fields = if may_jump { fields.followed_by(jump(gap_rate, side, impact)) } else { fields };

@@ -80,10 +80,11 @@ pub fn motion(
             .iter()
             .enumerate()
             .map(|(index, it)| {
-                TransitionRecord::new(it, units, subject.digits.and_then(|digits| digits.get(index)))
+                let digits = subject.digits.and_then(|digits| digits.get(index));
+                TransitionRecord::new(it, units, digits, subject.derivatives.map(|all| (all, index)))
             })
             .collect(),
-        outcome: OutcomeRecord::new(&trajectory.outcome(), units),
+        outcome: OutcomeRecord::new(&trajectory.outcome(), units, subject.derivatives),
         phases: trajectory.phases().iter().map(|phase| PhaseRecord::new(phase, units)).collect(),
         energy: Fields::of_details(energy.clone()),
         si: units.map(|units| SiRecord::new(trajectory.hoop().parameters(), units, energy)),

@@ -1,6 +1,7 @@
 //! What a report is about, apart from the motion itself.
 
 use littlewood::cases::NamedCase;
+use littlewood::derivatives::Derivatives;
 use littlewood::si::Units;
 use littlewood::{Digits, Start};
 
@@ -15,12 +16,14 @@ pub struct Subject<'a> {
     pub units: Option<&'a Units>,
     /// How many digits of each transition can be trusted, if that is wanted.
     pub digits: Option<&'a [Option<Digits>]>,
+    /// The derivatives of the motion, if they are wanted.
+    pub derivatives: Option<&'a Derivatives>,
 }
 
 impl Subject<'_> {
     /// A named case without dimension.
     #[must_use]
     pub const fn of_case(case: &'static NamedCase) -> Self {
-        Self { case: Some(case), start: case.setup.start, units: None, digits: None }
+        Self { case: Some(case), start: case.setup.start, units: None, digits: None, derivatives: None }
     }
 }

@@ -148,6 +148,7 @@ impl Motion {
             start: self.problem.start,
             units: self.problem.units.as_ref(),
             digits: None,
+            derivatives: None,
         }
     }
 

@@ -204,6 +204,10 @@ pub(crate) struct SimulateArgs {
     /// Estimate the trusted digits of each transition, from neighbouring starts and perturbed rounding
     #[arg(long, help_heading = "Output")]
     pub(crate) digits: bool,
+    /// Derivatives of each transition and of the outcome with respect to these quantities of hoop and start, with commas between
+    /// their names, such as mu_k,theta_rate; or to all. They are dimensionless
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', help_heading = "Output")]
+    pub(crate) derivatives: Vec<String>,
     /// Output file; an existing file is replaced once the output is complete
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,

@@ -19,6 +19,7 @@ pub(super) fn of(error: &Error) -> Option<String> {
         | Error::Mixed { hint, .. }
         | Error::Out { hint, .. }
         | Error::UnknownShade { hint, .. }
+        | Error::UnknownQuantity { hint, .. }
         | Error::Interrupted { hint, .. } => hint.clone(),
         #[cfg(feature = "figures")]
         Error::UnknownFigure { hint, .. } => hint.clone(),
@@ -42,6 +43,7 @@ pub(super) fn of(error: &Error) -> Option<String> {
         ),
         #[cfg(feature = "figures")]
         Error::Figure(error) => of_figure(error),
+        Error::NotDifferentiable(_) => "give --restitution, or leave the quantity out".to_owned(),
         Error::Drawing(error) => of_drawing(error).to_owned(),
         Error::Stopped => "unfinished files are removed; finished ones are kept".to_owned(),
         Error::NotBuilt { feature, .. } => format!(

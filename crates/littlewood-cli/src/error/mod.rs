@@ -9,6 +9,7 @@ use std::path::PathBuf;
 
 use anstyle::{AnsiColor, Style};
 use littlewood::ParameterError;
+use littlewood::derivatives::NotDifferentiable;
 #[cfg(feature = "sweep")]
 use littlewood::tables::Quantity;
 use littlewood_draw::DrawError;
@@ -56,6 +57,17 @@ pub(crate) enum Error {
         /// Where.
         excerpt: Excerpt,
     },
+    /// No quantity of a hoop or a start has this name.
+    #[error("there is no quantity of a hoop or a start named '{name}'")]
+    UnknownQuantity {
+        /// The name that was given.
+        name: String,
+        /// The nearest names.
+        hint: String,
+    },
+    /// A motion has no derivative with respect to a quantity.
+    #[error(transparent)]
+    NotDifferentiable(NotDifferentiable),
     /// No case has this name.
     #[error("there is no case named '{name}'")]
     UnknownCase {
@@ -267,6 +279,8 @@ impl Error {
             | Self::ScenarioValue { .. }
             | Self::Scenario { .. }
             | Self::UnknownCase { .. }
+            | Self::UnknownQuantity { .. }
+            | Self::NotDifferentiable(_)
             | Self::Missing { .. }
             | Self::Mixed { .. }
             | Self::Unreadable { .. }

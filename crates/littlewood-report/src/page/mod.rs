@@ -1,6 +1,7 @@
 //! A motion as a page for a person: hoop and start, the table of the phases, how it ends, and what it has come to.
 
 mod balance;
+mod derivatives;
 mod digits;
 mod parts;
 mod phases;
@@ -76,6 +77,9 @@ pub fn motion(sheet: &mut Sheet, subject: &Subject<'_>, trajectory: &Trajectory,
     sheet.fact("Energy", Vec::from_iter(balance::energy(trajectory, scale)));
     if let Some(digits) = subject.digits {
         sheet.fact("Digits", digits::trusted(trajectory, digits, scale));
+    }
+    if let Some(derivatives) = subject.derivatives {
+        derivatives::derivatives(sheet, trajectory, derivatives);
     }
     if let Some(sampling) = look.sampling {
         sheet.gap();

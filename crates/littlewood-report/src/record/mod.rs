@@ -4,6 +4,7 @@
 mod candidates;
 mod case;
 mod classification;
+mod derivatives;
 mod digits;
 mod fields;
 mod impact;
@@ -15,6 +16,7 @@ mod transition;
 
 pub(crate) use case::CaseRecord;
 pub(crate) use classification::ClassificationRecord;
+pub(crate) use derivatives::derivative_columns;
 pub(crate) use digits::columns;
 pub(crate) use fields::{Fields, Value};
 pub(crate) use impact::{jump, si_jump};

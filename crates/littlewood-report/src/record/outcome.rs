@@ -1,10 +1,12 @@
 //! The outcome of a motion.
 
 use littlewood::Outcome;
+use littlewood::derivatives::Derivatives;
 use littlewood::si::Units;
 use serde::Serialize;
 
 use super::candidates::CandidatesRecord;
+use super::derivatives::{DerivativesRecord, of_outcome};
 use super::fields::Fields;
 use super::instant::{si_state, state};
 
@@ -18,10 +20,12 @@ pub(crate) struct OutcomeRecord {
     candidates: Option<CandidatesRecord>,
     #[serde(skip_serializing_if = "Option::is_none")]
     si: Option<Fields>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    derivatives: Option<DerivativesRecord>,
 }
 
 impl OutcomeRecord {
-    pub(crate) fn new(outcome: &Outcome, units: Option<&Units>) -> Self {
+    pub(crate) fn new(outcome: &Outcome, units: Option<&Units>, derivatives: Option<&Derivatives>) -> Self {
         let end = outcome.state();
         let si = |units| si_state(units, &end).followed_by(Fields::of_si_details(units, outcome.details()));
         Self {
@@ -29,6 +33,7 @@ impl OutcomeRecord {
             fields: state(&end).followed_by(Fields::of_details(outcome.details())),
             candidates: outcome.candidates().map(CandidatesRecord::from),
             si: units.map(si),
+            derivatives: derivatives.map(of_outcome),
         }
     }
 }

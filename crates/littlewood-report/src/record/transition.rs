@@ -1,11 +1,13 @@
 //! Transitions.
 
+use littlewood::derivatives::Derivatives;
 use littlewood::impact::Impact;
 use littlewood::si::Units;
 use littlewood::tables::{Detail, Dimension, SampleColumn};
 use littlewood::{Digits, Direction, Mode, Transition};
 use serde::Serialize;
 
+use super::derivatives::{DerivativesRecord, of_transition};
 use super::digits::object;
 use super::fields::{Fields, Value};
 use super::impact::ImpactRecord;
@@ -38,6 +40,8 @@ pub(crate) struct TransitionRecord {
     /// `null` where the start does not decide what happens.
     #[serde(skip_serializing_if = "Option::is_none")]
     digits: Option<Option<Fields>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    derivatives: Option<DerivativesRecord>,
 }
 
 /// What is known just after an impact, and the impact, if there is one; in one system of units.
@@ -54,6 +58,7 @@ impl TransitionRecord {
         transition: &Transition,
         units: Option<&Units>,
         digits: Option<&Option<Digits>>,
+        derivatives: Option<(&Derivatives, usize)>,
     ) -> Self {
         let impact = transition.impact.as_ref();
         let after = &transition.after;
@@ -67,6 +72,7 @@ impl TransitionRecord {
                 impact: impact.map(|impact| ImpactRecord::in_si(units, impact)),
             }),
             digits: digits.map(|digits| digits.as_ref().map(object)),
+            derivatives: derivatives.and_then(|(all, index)| of_transition(all, index)),
         }
     }
 
@@ -83,6 +89,7 @@ impl TransitionRecord {
                 impact: Some(ImpactRecord::in_si(units, impact)),
             }),
             digits: None,
+            derivatives: None,
         }
     }
 }
@@ -98,14 +105,14 @@ mod tests {
     fn only_a_jump_of_the_velocities_has_an_impact() -> Result<(), Box<dyn std::error::Error>> {
         let case = find_case("figure-3").ok_or("a named case")?;
         let landing = *case.simulate()?.transitions().last().ok_or("the landing")?;
-        let text = serde_json::to_value(TransitionRecord::new(&landing, None, None))?;
+        let text = serde_json::to_value(TransitionRecord::new(&landing, None, None, None))?;
         assert_eq!(text.get("impact"), None);
         assert_eq!(text["slip"], landing.before.slip);
 
         let hoop = Hoop::new(case.setup.hoop.with_restitution(0.5, RestitutionLaw::Energetic))?;
         let motion = hoop.simulate(case.setup.start, littlewood::Limits::default())?;
         let landing = motion.transitions().iter().find(|it| it.impact.is_some()).ok_or("a landing")?;
-        let text = serde_json::to_value(TransitionRecord::new(landing, None, None))?;
+        let text = serde_json::to_value(TransitionRecord::new(landing, None, None, None))?;
         assert_eq!(text["slip"].as_f64(), Some(0.0));
         assert_eq!(text["to"], "flight");
         let impact = &text["impact"];
