@@ -15,7 +15,7 @@ from littlewood.style import FAINT, INK, LINE
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from run import CASES, ENGINES, HERE, PATIENCE, RESULTS, read, read_engines
+from run import CASES, ENGINES, HERE, PATIENCE, RAMPS, RESULTS, read, read_engines
 
 DOCS = HERE.parents[1] / "docs"
 PAGE = DOCS / "engines.md"
@@ -210,9 +210,8 @@ def summary(engines: dict[str, Any]) -> list[str]:
     return rows
 
 
-def others(engines: dict[str, Any]) -> list[str]:
-    """The table of the other cases: largest error, and events missed or that are none."""
-    labels = [label for label in CASES if label != FIRST]
+def others(labels: list[str], engines: dict[str, Any]) -> list[str]:
+    """The table of some cases: largest error, and events missed or that are none."""
     rows = [
         f"| engine | setting | {' | '.join(CASES[label].what for label in labels)} |",
         "|---" * (len(labels) + 2) + "|",
@@ -262,8 +261,10 @@ def main() -> None:
     for name, parts in PICTURE_PARTS.items():
         figure(engines, parts).savefig(PICTURES / f"{name}.svg", metadata={"Date": None})
     text = PAGE.read_text(encoding="utf-8")
-    for label, rows in (("figure 3", summary), ("cases", others), ("versions", machines)):
-        text = put(text, label, rows(engines))
+    level = [label for label in CASES if label != FIRST and label not in RAMPS]
+    tables = {"figure 3": summary(engines), "cases": others(level, engines), "ramps": others([*RAMPS], engines)}
+    for label, rows in (tables | {"versions": machines(engines)}).items():
+        text = put(text, label, rows)
     PAGE.write_text(text, encoding="utf-8")
 
 

@@ -38,7 +38,7 @@ PATIENCE = 120.0
 
 @dataclass(frozen=True)
 class Case:
-    """A hoop (mass ratio, offset and inertia 1) and its start."""
+    """A hoop (mass ratio and inertia 1) and its start."""
 
     what: str
     until: float
@@ -49,13 +49,15 @@ class Case:
     mu_s: float = 0.5
     mu_k: float = 0.5
     restitution: float = 0.0
+    offset: float = 1.0
+    slope: float = 0.0
 
     def motion(self, law: str | None = None) -> Any:
         """The exact motion; all laws of restitution agree on it, as slip does not end within an impact that bounces."""
         import littlewood as lw
 
-        parameters = {"mu_s": self.mu_s, "mu_k": self.mu_k, "restitution": self.restitution}
-        hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, restitution_law=law, **parameters)
+        parameters = {"mu_s": self.mu_s, "mu_k": self.mu_k, "restitution": self.restitution, "slope": self.slope}
+        hoop = lw.Hoop(mass_ratio=1, offset=self.offset, inertia=1, restitution_law=law, **parameters)
         start = {"theta": self.theta, "theta_rate": self.theta_rate, "slip": self.slip, "gap_rate": self.gap_rate}
         return hoop.simulate(**start, until=self.until)
 
@@ -65,6 +67,7 @@ class Case:
             "mass": hoop.mass,
             "h": hoop.h,
             "inertia": hoop.inertia_about_mass_centre,
+            "slope": self.slope,
             "mu_s": self.mu_s,
             "mu_k": self.mu_k,
             "restitution": self.restitution,
@@ -84,11 +87,21 @@ CASES = {
     "lands": Case("is thrown, lands sliding, sticks", 2.0, 2.5, 0.5, slip=0.5, gap_rate=0.5),
     "bounces": Case("bounces three times, e = 0.5", 2.9, 1.7, -0.4, slip=3.5, gap_rate=0.7, restitution=0.5),
     "bounces-high": Case("bounces five times, e = 0.8", 4.6, -2.4, -1.5, slip=3.5, gap_rate=0.5, restitution=0.8),
+    # Next to the equilibrium, in which the mass centre is over the point of contact: it rocks by 5e-6.
+    "ramp-rests": Case("ramp: rests, the particle low", 5.0, -2.93298, 0.0, slope=0.2),
+    "ramp-rolls": Case("ramp: balanced, rolls down without slip", 5.0, 0.0, 0.0, offset=0.0, slope=0.3),
+    "ramp-slips": Case(
+        "ramp: balanced, rolls down with slip", 5.0, 0.0, 0.0, mu_s=0.1, mu_k=0.1, offset=0.0, slope=0.5
+    ),
+    "ramp-jumps": Case("ramp: slides, rolls, slides, jumps, lands", 3.9, math.pi / 2, 2.0, slope=0.2),
 }
 
 STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5)
 COARSE = (1e-2, 1e-3, 1e-4)
 """Steps of every case but the first, which has all."""
+
+RAMPS = tuple(name for name in CASES if name.startswith("ramp-"))
+"""Cases on a slope, which engines need not have run."""
 
 
 @dataclass(frozen=True)
@@ -258,7 +271,7 @@ def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
                         setting,
                         step,
                         run["status"],
-                        run.get("largest_error", run.get("reason")),
+                        run.get("error", run.get("reason")),
                         flush=True,
                     )
                     yield run

@@ -3,8 +3,8 @@
 An adapter is run as ``python NAME_adapter.py CASE.json STEP SETTING RECORD.csv`` in an environment that has its
 engine. It writes the columns time, x, y, theta, and prints one line of JSON: ``cpu_s``, the processor time of the
 loop over the steps (all threads), and ``steps``. Lengths are in R, times in sqrt(R/g), masses in m2. x and y are
-those of the geometric centre of the hoop, theta is the angle of the particle from the upward vertical,
-counterclockwise.
+those of the geometric centre of the hoop along the plane and from it, theta is the angle of the particle from the
+normal of the plane, counterclockwise. On a ramp the plane stays where it is, and gravity is inclined.
 """
 
 import json
@@ -28,6 +28,7 @@ class Case:
     mass: float
     h: float
     inertia: float
+    slope: float
     mu_s: float
     mu_k: float
     restitution: float
@@ -41,6 +42,11 @@ class Case:
     def x_rate(self):
         """Velocity of the geometric centre along the plane: slip = x' + theta'."""
         return self.slip - self.theta_rate
+
+    @property
+    def gravity(self):
+        """Gravity along the plane, which rises to the right by the slope, and away from it."""
+        return -math.sin(self.slope), -math.cos(self.slope)
 
     def mass_centre(self):
         """Its place at the start, the hoop touching the plane at x = 0."""

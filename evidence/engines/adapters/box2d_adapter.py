@@ -17,7 +17,8 @@ SKIN = 0.01
 def simulate(case, step, setting):
     """Yield rows."""
     size, *iterations = SETTINGS[setting]
-    world = b2World(gravity=(0.0, -size), doSleep=False)
+    along, away = case.gravity
+    world = b2World(gravity=(along * size, away * size), doSleep=False)
     mu = case.one_coefficient()
     edge = b2EdgeShape(vertices=[(-100.0 * size, -SKIN), (100.0 * size, -SKIN)])
     world.CreateStaticBody(fixtures=b2FixtureDef(shape=edge, friction=mu))

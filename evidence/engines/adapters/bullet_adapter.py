@@ -18,7 +18,7 @@ from adapter import main, stepped
 def simulate(case, step, setting):
     """Yield rows."""
     bullet.connect(bullet.DIRECT)
-    bullet.setGravity(0.0, 0.0, -1.0)
+    bullet.setGravity(case.gravity[0], 0.0, case.gravity[1])
     bullet.setPhysicsEngineParameter(fixedTimeStep=step, numSubSteps=0)
     if setting == "careful":
         bullet.setPhysicsEngineParameter(

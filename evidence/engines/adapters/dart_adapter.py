@@ -30,7 +30,8 @@ def simulate(case, step, setting):
     """Yield rows."""
     size, mu = SIZES[setting], case.one_coefficient()
     world = dart.simulation.World()
-    world.setGravity([0.0, 0.0, -size])
+    along, away = case.gravity
+    world.setGravity([along * size, 0.0, away * size])
     world.setTimeStep(step)
     if setting == "careful":
         options = dart.constraint.NsgsFrictionSolver.Options()

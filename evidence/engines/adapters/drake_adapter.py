@@ -31,7 +31,7 @@ def simulate(case, step, setting):
         case.one_coefficient()
     builder = DiagramBuilder()
     plant, _ = AddMultibodyPlantSceneGraph(builder, time_step=0.0 if continuous else step)
-    plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -1.0])
+    plant.mutable_gravity_field().set_gravity_vector([case.gravity[0], 0.0, case.gravity[1]])
     about_centre = UnitInertia(*[case.inertia / case.mass] * 3)
     com = np.array([0.0, 0.0, case.h])
     inertia = SpatialInertia.MakeFromCentralInertia(case.mass, com, case.mass * about_centre)

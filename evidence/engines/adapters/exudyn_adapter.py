@@ -37,7 +37,7 @@ def simulate(case, step, setting):
         referenceRotationMatrix=utilities.RotationMatrixY(-case.theta),
         initialVelocity=[case.x_rate, 0.0, case.gap_rate],
         initialAngularVelocity=[0.0, -case.theta_rate, 0.0],
-        gravity=[0.0, 0.0, -1.0],
+        gravity=[case.gravity[0], 0.0, case.gravity[1]],
     )
     ground = mbs.AddObject(utilities.ObjectGround())
     markers = [mbs.AddMarker(utilities.MarkerBodyRigid(bodyNumber=body)) for body in (hoop, ground)]

@@ -25,9 +25,15 @@ def simulate(case, step, setting):
     zero = 0.0 * variables[0]
     falling = hy.event_direction.negative
 
+    def events_of(mode):
+        """Those functions whose zero ends a mode, by their number, that are not constants, as some of a balanced hoop."""
+        ends = enumerate(hoop.ends(mode, variables, hy))
+        return {i: end for i, end in ends if isinstance(end, hy.expression) and hy.get_variables(end)}
+
     def integrator(mode, has_events):
         rates = [zero + rate for rate in hoop.rates(mode, variables, hy)]
-        events = [hy.t_event(end, direction=falling) for end in hoop.ends(mode, variables, hy)] if has_events else []
+        ends = events_of(mode).values() if has_events else []
+        events = [hy.t_event(end, direction=falling) for end in ends]
         return hy.taylor_adaptive(
             list(zip(variables, rates, strict=True)), [0.1] * 6, t_events=events, **OPTIONS[setting]
         )
@@ -46,7 +52,8 @@ def simulate(case, step, setting):
 
     def advance(mode, start, state, until):
         if mode != FLIGHT or state[1] > 1.0 + 1e-9 or start + WHILE >= until:
-            return run(integrators[mode], start, state, until)
+            end, last, event, dense = run(integrators[mode], start, state, until)
+            return end, last, None if event is None else list(events_of(mode))[event], dense
         middle, between, _, early = run(free, start, state, start + WHILE)
         end, last, event, late = run(integrators[FLIGHT], middle, between, until)
         return end, last, event, lambda at: early(at) if at <= middle else late(at)

@@ -1,7 +1,7 @@
 """The hoop as a hybrid system, for integrators of differential equations with events.
 
 The state is (x, y, theta, slip, gap rate, theta rate). With J and P the forces along the plane and upwards, at the
-point of contact, slip' = A J + B P - h s theta'^2 and gap'' = B J + C P - 1 + h c theta'^2.
+point of contact, and gravity (gx, gy), slip' = A J + B P + gx - h s theta'^2 and gap'' = B J + C P + gy + h c theta'^2.
 """
 
 import math
@@ -24,10 +24,14 @@ class Hoop:
         c, s = 1.0 + h * lib.cos(theta), h * lib.sin(theta)
         return 1.0 / m + c * c / inertia, c * s / inertia, 1.0 / m + s * s / inertia
 
+    def free(self, theta, rate, lib=math):
+        """Accelerations of the point of contact without forces, slip' and gap'', the other way round."""
+        h, (along, away) = self.case.h, self.case.gravity
+        return h * lib.sin(theta) * rate * rate - along, -away - h * lib.cos(theta) * rate * rate
+
     def forces(self, mode, theta, rate, lib=math):
         """J and P."""
-        h = self.case.h
-        slipping, falling = h * lib.sin(theta) * rate * rate, 1.0 - h * lib.cos(theta) * rate * rate
+        slipping, falling = self.free(theta, rate, lib)
         a, b, c = self.coefficients(theta, lib)
         if mode == ROLL:
             d = a * c - b * b
@@ -44,15 +48,15 @@ class Hoop:
         h = self.case.h
         a, b, _ = self.coefficients(theta, lib)
         along, up = self.forces(mode, theta, rate, lib)
-        slip_rate = a * along + b * up - h * lib.sin(theta) * rate * rate
+        slipping, falling = self.free(theta, rate, lib)
+        slip_rate = a * along + b * up - slipping
         turning = ((1.0 + h * lib.cos(theta)) * along + h * lib.sin(theta) * up) / self.case.inertia
-        gap = h * lib.cos(theta) * rate * rate - 1.0
         return (
             slip - rate,
             gap_rate,
             rate,
             0.0 if mode == ROLL else slip_rate,
-            gap if mode == FLIGHT else 0.0,
+            -falling if mode == FLIGHT else 0.0,
             turning,
         )
 
@@ -64,7 +68,7 @@ class Hoop:
         along, up = self.forces(mode, theta, rate, lib)
         if mode == ROLL:
             return [self.case.mu_s * up - along, self.case.mu_s * up + along]
-        return [slip * SIGN[mode], 1.0 - self.case.h * lib.cos(theta) * rate * rate]
+        return [slip * SIGN[mode], self.free(theta, rate, lib)[1]]
 
     def follows(self, state):
         """The mode in which a hoop in contact goes on, from its accelerations."""

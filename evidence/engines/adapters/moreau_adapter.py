@@ -26,7 +26,7 @@ def simulate(case, step, _):
         x, y, theta = x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate
         c, s = math.cos(theta), math.sin(theta)
         rebound = case.restitution * (vy + h * s * rate)
-        vy -= step
+        vx, vy = vx + step * case.gravity[0], vy + step * case.gravity[1]
         if y - h * c <= 1.0:
             arm = 1.0 + h * c
             a, b, d = 1.0 / m + arm * arm / inertia, arm * h * s / inertia, 1.0 / m + (h * s) ** 2 / inertia

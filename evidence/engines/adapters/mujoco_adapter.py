@@ -17,7 +17,7 @@ from adapter import main, stepped
 
 SCENE = """
 <mujoco>
-  <option timestep="{step!r}" gravity="0 0 -1" {option}/>
+  <option timestep="{step!r}" gravity="{along!r} 0 {away!r}" {option}/>
   <default><geom condim="3" friction="{mu!r} 0 0" {geom}/></default>
   <worldbody>
     <geom type="plane" size="0 0 1"/>
@@ -41,6 +41,8 @@ def model_of(case, step, setting):
     return mujoco.MjModel.from_xml_string(
         SCENE.format(
             step=step,
+            along=case.gravity[0],
+            away=case.gravity[1],
             option=option,
             geom=geom,
             mu=case.one_coefficient(),

@@ -21,7 +21,7 @@ wp.config.enable_backward = False
 
 def simulate(case, step, setting):
     """Yield rows."""
-    builder = newton.ModelBuilder(gravity=(0.0, 0.0, -1.0))
+    builder = newton.ModelBuilder(gravity=(case.gravity[0], 0.0, case.gravity[1]))
     if setting == "careful":
         newton.solvers.SolverKamino.register_custom_attributes(builder)
     surface = newton.ModelBuilder.ShapeConfig(

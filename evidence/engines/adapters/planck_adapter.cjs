@@ -15,7 +15,7 @@ main((hoop, step, setting) => {
   planck.Settings.linearSlop = slop;
   planck.Settings.velocityThreshold = threshold;
   const friction = oneCoefficient(hoop);
-  const world = new planck.World({ gravity: { x: 0, y: -1 }, allowSleep: false });
+  const world = new planck.World({ gravity: { x: -Math.sin(hoop.slope), y: -Math.cos(hoop.slope) }, allowSleep: false });
   const skin = 2 * slop;
   world.createBody().createFixture({ shape: new planck.Edge({ x: -100, y: -skin }, { x: 100, y: -skin }), friction });
   // The origin of the body is the geometric centre, about which planck takes the inertia.

@@ -16,7 +16,8 @@ def simulate(case, step, setting):
     """Yield rows."""
     size = 1.0 if setting == "default" else 100.0
     space = pymunk.Space()
-    space.gravity = (0.0, -size)
+    along, away = case.gravity
+    space.gravity = (along * size, away * size)
     if setting == "careful":
         space.iterations, space.collision_slop = 100, 0.0
     plane = pymunk.Segment(space.static_body, (-1e3 * size, -size), (1e3 * size, -size), size)

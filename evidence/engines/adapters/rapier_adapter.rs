@@ -29,7 +29,8 @@ impl Case {
 /// A world with the hoop, which starts.
 fn world(case: &Case, step: f64, is_careful: bool) -> Result<(PhysicsWorld, RigidBodyHandle), String> {
     let mut world = PhysicsWorld::default();
-    world.gravity = Vector::new(0.0, -1.0);
+    let slope = case.get("slope")?;
+    world.gravity = Vector::new(-slope.sin(), -slope.cos());
     let with = &mut world.integration_parameters;
     with.dt = step;
     if is_careful {

@@ -24,7 +24,7 @@ def simulate(case, step, setting):
     h = case.h
     (x, y), (vx, vy) = case.mass_centre(), case.mass_centre_rates()
     start = np.array([x, y, case.theta]), np.array([vx, vy, case.theta_rate])
-    inertia, weight = np.diag([case.mass, case.mass, case.inertia]), np.array([0.0, -case.mass, 0.0])
+    inertia, weight = np.diag([case.mass, case.mass, case.inertia]), case.mass * np.array([*case.gravity, 0.0])
     body = kernel.LagrangianLinearTIDS(*start, inertia)
     body.setFExtPtr(weight)
 

@@ -3,7 +3,7 @@
 import pytest
 
 COARSE, FINE = 4e-3, 1e-3
-CASES = ("figure-3", "two-coefficients", "lands", "bounces")
+CASES = ("figure-3", "two-coefficients", "lands", "bounces", "ramp-rests", "ramp-rolls", "ramp-slips", "ramp-jumps")
 
 LARGEST = {
     ("scipy", "default"): 3e-2,

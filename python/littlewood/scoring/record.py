@@ -56,11 +56,11 @@ class Record:
     time : array_like
         Times τ, √(R/g), of shape (n,), growing, at least three.
     x : array_like
-        Horizontal position of the geometric centre, to the right, R, shape (n,).
+        Position of the geometric centre along the plane, to the right, R, shape (n,).
     y : array_like
-        Height of the geometric centre over the plane, R, shape (n,): 1 in contact.
+        Distance of the geometric centre from the plane, R, shape (n,): 1 in contact.
     theta : array_like
-        Angle θ of the particle from the upward vertical, counterclockwise, rad, shape (n,). A turn is 2π more.
+        Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). A turn is 2π more.
     contact : array_like of bool, optional
         Whether the solver says that the rim touches the plane, shape (n,). Without it the height decides.
 

@@ -264,7 +264,8 @@ def _energy_error(motion: Trajectory, record: Record) -> _Reals:
         centre_x, centre_y = x - hoop.h * np.sin(theta), y + hoop.h * np.cos(theta)
         square = (np.diff(centre_x) ** 2 + np.diff(centre_y) ** 2) * hoop.mass
         square += hoop.inertia_about_mass_centre * np.diff(theta) ** 2
-        height = 0.5 * (centre_y[1:] + centre_y[:-1])
+        raised = centre_y * math.cos(hoop.slope) + centre_x * math.sin(hoop.slope)
+        height = 0.5 * (raised[1:] + raised[:-1])
         result: _Reals = 0.5 * square / step**2 + hoop.mass * height
         return result
 
