@@ -8,37 +8,26 @@
 //! The time is a Gauss sum of √(D/G), over a tile with what is kept of it, over parts of tiles by closed forms, and next to a turning
 //! point in the square root of the distance from it.
 
+mod tile;
+
 use core::f64::consts::TAU;
 use std::sync::OnceLock;
 
 use crate::math::bernstein::{Bernstein, value_and_slope};
-use crate::math::bracket::Bracket;
-use crate::math::series::{DEGREE, Series, convolve, crossing, value};
-use crate::math::trig::{sincos, taylor, without_turns};
+use crate::math::series::value;
+use crate::math::trig::without_turns;
 use crate::mechanics::equations::RollingLaw;
 use crate::model::hoop::Hoop;
 use crate::modes::rolling::Limits;
 
 use super::doubt::Doubt;
-use super::orbit::{MIN_SEPARATRIX_DISTANCE, Reached};
+use super::orbit::Reached;
 use super::place::Place;
-use super::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
-use super::roll::{MIN_RATE, RollEnd, breaks, holds};
-
-/// Tiles of a turn, and the angle of one.
-const TILES: usize = 16;
-const WIDTH: f64 = TAU / TILES as f64;
+use super::roll::{MIN_RATE, RollEnd, breaks};
+use tile::{About, MAX_BEND, TILES, Tile, WIDTH, rotated, separatrix_distance, shifted, swing};
 
 /// An orbit of more turns is left to the exact solver, which finds the turn of a slip by bisection.
 const MAX_TURNS: usize = 32;
-
-/// G and D change by at most this part of themselves on the ellipse about a panel with the half axes 1.76 and 1.45 times its own: the Gauss sum
-/// with 16 nodes is then exact to rounding, r = 3.2 and r⁻³² = 7e-17.
-const MAX_CHANGE: f64 = 0.9;
-const ELLIPSE: f64 = 1.76;
-
-/// Bounds of what sines and cosines of complex angles |φ| ≤ 1 add to the linear terms, as a part of |φ|²/2.
-const CURVATURE: f64 = 1.15;
 
 /// A turning point nearer than this part of the distance on which time is such a sum is where a leg begins.
 const MAX_PART_BESIDE_TURN: f64 = 0.1;
@@ -49,311 +38,6 @@ const MAX_HALVINGS: u32 = 24;
 /// Newton's method for the place at a time ends with a shorter step: its error is of the second order.
 const MAX_LAST_STEP: f64 = 1e-9;
 const MAX_STEPS: u32 = 12;
-
-/// (sin φ − φ)/φ³ and (1 − cos φ)/φ² in φ², up to half a radian.
-const MAX_BEND: f64 = 0.5;
-const SINE: [f64; 7] = taylor(3, -1.0);
-const VERSINE: [f64; 7] = taylor(2, 1.0);
-
-/// sin φ − φ and 1 − cos φ.
-#[inline(always)]
-fn bends(angle: f64) -> (f64, f64) {
-    let square = angle * angle;
-    let sum = |coefficients: &[f64; 7]| coefficients.iter().fold(0.0, |sum, c| sum * square + c);
-    (angle * square * sum(&SINE), square * sum(&VERSINE))
-}
-
-/// The direction at an angle from another.
-fn rotated((sin, cos): (f64, f64), angle: f64) -> (f64, f64) {
-    let (bend, versine) = bends(angle);
-    let sine = angle + bend;
-    (sin + (cos * sine - sin * versine), cos - (sin * sine + cos * versine))
-}
-
-/// A function a + g b on a tile.
-#[derive(Clone, Debug)]
-struct Linear {
-    /// In powers of the distance from the beginning of the tile.
-    taylor: [Series; 2],
-    /// In Bernstein form on the tile.
-    bernstein: [Series; 2],
-    /// Sums of the sizes of their terms.
-    sizes: [f64; 2],
-}
-
-/// What the coefficients of such a function tell of it on the tile.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Known {
-    Positive,
-    /// It falls through zero once.
-    Falls,
-    Nothing,
-}
-
-impl Linear {
-    fn new(taylor: [Series; 2]) -> Self {
-        let bernstein = [0, 1].map(|part: usize| {
-            let form = Bernstein::from_taylor(&taylor[part], WIDTH);
-            core::array::from_fn(|k| form.coefficients()[k])
-        });
-        let sizes = [0, 1].map(|part: usize| value(&taylor[part].map(f64::abs), WIDTH));
-        Self { taylor, bernstein, sizes }
-    }
-
-    /// The g for which it is certainly positive everywhere, and exceeds `least`.
-    fn levels(&self, least: f64) -> (f64, f64) {
-        let [a, b] = &self.bernstein;
-        let [a_size, b_size] = self.sizes;
-        holds(f64::NEG_INFINITY, (0..=DEGREE).map(|k| [(a[k] - least, a_size), (b[k], b_size)]))
-    }
-
-    fn known(&self, level: f64) -> Known {
-        let [a, b] = &self.bernstein;
-        let on_orbit: Series = core::array::from_fn(|k| a[k] + level * b[k]);
-        let positive = on_orbit.iter().take_while(|c| **c > 0.0).count();
-        if positive > DEGREE {
-            Known::Positive
-        } else if positive > 0 && on_orbit[positive..].iter().all(|c| *c <= 0.0) && on_orbit[DEGREE] < 0.0 {
-            Known::Falls
-        } else {
-            Known::Nothing
-        }
-    }
-
-    fn on_orbit(&self, level: f64) -> Series {
-        let [a, b] = &self.taylor;
-        core::array::from_fn(|k| a[k] + level * b[k])
-    }
-
-    fn size(&self, level: f64) -> f64 {
-        self.sizes[0] + level.abs() * self.sizes[1]
-    }
-
-    /// The first zero behind a place at which it is positive, or zero and rising.
-    fn crossing(&self, level: f64, (from, starts_at_zero): (f64, bool)) -> Option<f64> {
-        let on_orbit = self.on_orbit(level);
-        match self.known(level) {
-            Known::Positive => None,
-            Known::Falls if !starts_at_zero => {
-                let bracket = Bracket { low: from, high: WIDTH };
-                Some(bracket.refine_from_secant(|at| value_and_slope(&on_orbit, at)))
-            }
-            Known::Falls | Known::Nothing => {
-                let mut ahead = shifted(on_orbit, from);
-                if starts_at_zero {
-                    ahead[0] = 0.0;
-                }
-                Some(from + crossing(&ahead, WIDTH - from)?)
-            }
-        }
-    }
-}
-
-/// A series about a point at a distance.
-fn shifted(mut series: Series, by: f64) -> Series {
-    if by != 0.0 {
-        for first in 0..DEGREE {
-            for k in (first..DEGREE).rev() {
-                series[k] += by * series[k + 1];
-            }
-        }
-    }
-    series
-}
-
-/// G and D about an angle, as functions of the distance φ.
-#[derive(Clone, Copy, Debug)]
-struct About {
-    /// G = g + slope φ + g_sine (sin φ − φ) + g_versine (1 − cos φ).
-    g: f64,
-    slope: f64,
-    g_sine: f64,
-    g_versine: f64,
-    /// D = d + d_sine sin φ + d_versine (1 − cos φ).
-    d: f64,
-    d_sine: f64,
-    d_versine: f64,
-    /// Bounds of what is left of G and D beyond their linear terms, over |φ|².
-    g_bend: f64,
-    d_bend: f64,
-}
-
-impl About {
-    fn new(law: &RollingLaw, (sin, cos): (f64, f64), g: f64) -> Self {
-        let RollingLaw { offset, mass, tilt, .. } = *law;
-        Self {
-            g,
-            slope: 2.0 * (offset * sin + tilt * (mass + offset * cos)),
-            g_sine: 2.0 * offset * (sin + tilt * cos),
-            g_versine: 2.0 * offset * (cos - tilt * sin),
-            d: law.denominator_of((sin, cos)),
-            d_sine: -2.0 * offset * sin,
-            d_versine: -2.0 * offset * cos,
-            g_bend: CURVATURE * offset * (1.0 + tilt * tilt).sqrt(),
-            d_bend: CURVATURE * offset,
-        }
-    }
-
-    /// G minus that at φ = 0.
-    fn gain(&self, angle: f64) -> f64 {
-        let (bend, versine) = bends(angle);
-        self.slope * angle + (self.g_sine * bend + self.g_versine * versine)
-    }
-
-    /// Whether the Gauss sum over a panel of this half width is exact to rounding.
-    fn is_smooth(&self, half: f64) -> bool {
-        let reach = ELLIPSE * half;
-        reach <= 1.0
-            && reach * (self.slope.abs() + reach * self.g_bend) <= MAX_CHANGE * self.g
-            && reach * (self.d_sine.abs() + reach * self.d_bend) <= MAX_CHANGE * self.d
-    }
-
-    /// √(D/G) at φ and −φ.
-    #[inline(always)]
-    fn slowness(&self, angle: f64) -> [f64; 2] {
-        let (bend, versine) = bends(angle);
-        let (even, odd) = (self.g + self.g_versine * versine, self.slope * angle + self.g_sine * bend);
-        let (d_even, d_odd) = (self.d + self.d_versine * versine, self.d_sine * (angle + bend));
-        [((d_even + d_odd) / (even + odd)).sqrt(), ((d_even - d_odd) / (even - odd)).sqrt()]
-    }
-
-    /// The time from −half to half.
-    fn time(&self, half: f64) -> f64 {
-        let mut sum = 0.0;
-        for j in 0..PAIRS {
-            let [ahead, behind] = self.slowness(half * LONG_NODE[j]);
-            sum += LONG_WEIGHT[j] * (ahead + behind);
-        }
-        half * sum
-    }
-
-    /// About a turning point: how far from it, in a direction, time is a Gauss sum in the square root of the distance.
-    fn reach_of_turn(&self) -> f64 {
-        let of_g = MAX_CHANGE * self.slope.abs() / self.g_bend;
-        let square = self.d_sine * self.d_sine + 4.0 * self.d_bend * (MAX_CHANGE * self.d);
-        let of_d = (square.sqrt() - self.d_sine.abs()) / (2.0 * self.d_bend);
-        of_g.min(of_d).min(1.0) / (ELLIPSE * ELLIPSE)
-    }
-
-    /// The distance of the turning point on the side of this sign, where G is `kinetic` here, if it is near.
-    fn distance_of_turn(&self, kinetic: f64, side: f64) -> Option<f64> {
-        let slope = self.slope.abs();
-        let mut distance = kinetic / slope;
-        for _ in 0..MAX_STEPS {
-            if distance.is_nan() || distance > 1.0 {
-                return None;
-            }
-            let next = distance + (kinetic + self.gain(side * distance)) / slope;
-            // Rounding of the slope and of the gain, a few terms each.
-            let is_last = (next - distance).abs() <= 8.0 * f64::EPSILON * distance;
-            distance = next;
-            if is_last {
-                return Some(distance);
-            }
-        }
-        None
-    }
-
-    /// The time from a turning point to a distance on the side of this sign, or back: ∫ 2 √(D/ρ) ds with the distance s² and G = s² ρ.
-    fn time_from_turn(&self, distance: f64, side: f64) -> f64 {
-        let far = distance.sqrt();
-        if distance == 0.0 {
-            return 0.0;
-        }
-        let mut sum = 0.0;
-        for j in 0..PAIRS {
-            let s = far * LONG_NODE[j];
-            let square = s * s;
-            let (bend, versine) = bends(square);
-            let g = side * (self.slope * square + self.g_sine * bend) + self.g_versine * versine;
-            let d = self.d + side * (self.d_sine * (square + bend)) + self.d_versine * versine;
-            sum += LONG_WEIGHT[j] * (d * square / g).sqrt();
-        }
-        2.0 * far * sum
-    }
-}
-
-/// A tile, in one direction of motion.
-#[derive(Clone, Debug)]
-struct Tile {
-    /// At its beginning.
-    direction: (f64, f64),
-    about: About,
-    /// The margins of slips to the two sides, and G.
-    margins: [Linear; 2],
-    kinetic: Linear,
-    /// The g of orbits that certainly pass it.
-    levels: (f64, f64),
-    /// What G gains over it.
-    gain: f64,
-    /// Above this g the time over it is the Gauss sum with its own nodes.
-    smooth: f64,
-    /// G − g, and √D times the weights, at the nodes.
-    nodes: [[f64; 2 * PAIRS]; 2],
-}
-
-impl Tile {
-    fn new(limits: &Limits, number: usize) -> Self {
-        let law = &limits.law;
-        let direction = sincos(WIDTH * number as f64);
-        let gains = limits.kinetic(direction, 0.0);
-        let margins = limits.heavy(direction).map(|[a, b]| {
-            let with_gain = core::array::from_fn(|n| a[n] + convolve([(&gains, &b)], n)[0]);
-            Linear::new([with_gain, b])
-        });
-        let kinetic = Linear::new([gains, core::array::from_fn(|n| if n == 0 { 1.0 } else { 0.0 })]);
-        let about = About::new(law, direction, 0.0);
-        let half = 0.5 * WIDTH;
-        let middle = About::new(law, rotated(direction, half), about.gain(half));
-        // Of which g is_smooth would hold.
-        let reach = ELLIPSE * half;
-        let smooth = reach * (middle.slope.abs() + reach * middle.g_bend) / MAX_CHANGE - middle.g;
-        let smooth =
-            if (About { g: f64::INFINITY, ..middle }).is_smooth(half) { smooth } else { f64::INFINITY };
-        let from_middle = |j: usize| {
-            let side = if j.is_multiple_of(2) { half } else { -half };
-            side * LONG_NODE[j / 2]
-        };
-        let gains = core::array::from_fn(|j| middle.g + middle.gain(from_middle(j)));
-        let weights = core::array::from_fn(|j| {
-            let d = law.denominator_of(rotated(direction, half + from_middle(j)));
-            half * LONG_WEIGHT[j / 2] * d.sqrt()
-        });
-        let levels = margins.iter().map(|margin| margin.levels(0.0));
-        let levels = levels
-            .fold(kinetic.levels(separatrix_distance(law)), |all, one| (all.0.max(one.0), all.1.min(one.1)));
-        Self {
-            direction,
-            about,
-            margins,
-            levels,
-            gain: about.gain(WIDTH),
-            smooth,
-            nodes: [gains, weights],
-            kinetic,
-        }
-    }
-
-    /// The time over it.
-    fn time(&self, level: f64) -> f64 {
-        let [gains, weights] = &self.nodes;
-        let mut sum = 0.0;
-        for j in 0..2 * PAIRS {
-            sum += weights[j] / (level + gains[j]).sqrt();
-        }
-        sum
-    }
-}
-
-/// G of orbits next to the separatrix is less at the top, by the energies as a function of the angle.
-fn separatrix_distance(law: &RollingLaw) -> f64 {
-    MIN_SEPARATRIX_DISTANCE * (law.bottom + swing(law))
-}
-
-/// By how much G less its growth downhill varies.
-fn swing(law: &RollingLaw) -> f64 {
-    4.0 * law.offset * (1.0 + law.tilt * law.tilt).sqrt()
-}
 
 /// Rolling in one direction of motion: what is kept of it, made where orbits come, and the same whichever orbit that is.
 #[derive(Clone, Debug)]
@@ -576,8 +260,7 @@ impl<'a> Leg<'a> {
         let length = past + self.distance(spot);
         let behind = Spot { at: self.from - past, ..self.beginning() };
         let turns = [(self.past_turn.is_some(), behind, 1.0), (is_turn, *spot, -1.0)];
-        let turns =
-            turns.map(|(turns, spot, side)| turns.then(|| (About { g: 0.0, ..self.about(&spot) }, side)));
+        let turns = turns.map(|(turns, spot, side)| turns.then(|| (self.about(&spot), side)));
         let reach = turns.map(|turn| turn.map_or(0.0, |(about, _)| about.reach_of_turn().min(WIDTH)));
         let all = reach[0] + reach[1];
         let reach = if all > length { reach.map(|reach| reach * (length / all)) } else { reach };
@@ -679,7 +362,7 @@ impl<'a> Orbit<'a> {
         }
         let (theta, (sin, cos)) = (theta + distance, rotated(direction, distance));
         let first = Leg::enter(back, (-theta, (-sin, cos)), 0.0, Some(0.0));
-        let turn = About { g: 0.0, ..first.about(&first.beginning()) };
+        let turn = first.about(&first.beginning());
         let before = (distance, turn.time_from_turn(distance, 1.0));
         Self { ramps: [back, ahead], theta, first, is_back: true, before }
     }
@@ -768,6 +451,7 @@ mod tests {
 
     use super::*;
     use crate::engine::roll::direction_of;
+    use crate::math::trig::sincos;
     use crate::model::hoop::HoopParameters;
     use crate::model::state::State;
     use crate::modes::rolling::{Rolling, RollingLimit};
