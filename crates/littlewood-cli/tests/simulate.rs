@@ -595,6 +595,7 @@ fn numbers_in_messages_have_no_more_digits_than_a_double() {
 }
 
 #[test]
+#[allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 fn derivatives_have_the_numbers_of_closed_forms_and_their_reasons() {
     // From the top Littlewood's hoop rolls with sin(θ/2) = θ0′ sinh(τ/2) (3.5), so that along the slip
     // ½ cos(θ/2) δθ = sinh(τ/2) δθ0′ + ½ θ0′ cosh(τ/2) δτ.
