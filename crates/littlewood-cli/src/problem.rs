@@ -6,6 +6,7 @@ use littlewood::si::{SiParameters, SiSetup, Units};
 use littlewood::tables::{Group, Presence, Quantity, Setup};
 use littlewood::theory::Classification;
 use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Start, Trajectory};
+use littlewood_report::Uncertainty;
 use littlewood_report::{RESTITUTION_LAW, Subject};
 
 use crate::error::{Error, mixed};
@@ -110,6 +111,19 @@ impl Problem {
         self.hoop.digits(self.start, self.limits).map_err(|error| self.inputs.blame(error))
     }
 
+    /// The standard errors of the motion, from those of its numbers.
+    ///
+    /// # Errors
+    /// A quantity with respect to which there are no derivatives.
+    pub(crate) fn uncertainty(
+        &self,
+        motion: &Trajectory,
+        given: Vec<(Quantity, f64)>,
+    ) -> Result<Uncertainty, Error> {
+        let setup = Setup::new(self.hoop.parameters(), self.start);
+        Uncertainty::new(&setup, self.limits, motion, given).map_err(Error::NotDifferentiable)
+    }
+
     /// Classifies the start.
     ///
     /// # Errors
@@ -126,6 +140,7 @@ impl Problem {
             units: self.units.as_ref(),
             digits: None,
             derivatives: None,
+            uncertainty: None,
         }
     }
 

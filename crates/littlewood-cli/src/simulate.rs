@@ -8,9 +8,8 @@ use littlewood::tables::Quantity;
 use littlewood_report::Subject;
 use littlewood_report::page::Look;
 
-use crate::args::{Format, SimulateArgs};
+use crate::args::{Format, Names, SimulateArgs};
 use crate::error::Error;
-use crate::nearest;
 use crate::output::Output;
 use crate::problem::Problem;
 use crate::report::{self, Sampling};
@@ -19,9 +18,6 @@ use crate::scenario::Scenario;
 
 /// Samples of a table at most: all its rows are in memory, 2.5 kB each, since they make the widths of its columns.
 const MOST_ROWS: u64 = 100_000;
-
-/// The name of all quantities.
-const ALL: &str = "all";
 
 /// Runs the command.
 ///
@@ -48,8 +44,17 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
         samples.map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
     let digits = if args.digits { Some(problem.digits()?) } else { None };
     let derivatives = derivatives(&args.derivatives, &trajectory)?;
-    let subject =
-        Subject { digits: digits.as_deref(), derivatives: derivatives.as_ref(), ..problem.subject() };
+    let uncertainty = if args.uncertainty.is_empty() {
+        None
+    } else {
+        Some(problem.uncertainty(&trajectory, args.uncertainty.clone())?)
+    };
+    let subject = Subject {
+        digits: digits.as_deref(),
+        derivatives: derivatives.as_ref(),
+        uncertainty: uncertainty.as_ref(),
+        ..problem.subject()
+    };
     let look = Look { sampling, all: args.all_bounces, advice: None };
     let colour = output.has_colour();
     output.write(|writer| match format {
@@ -62,28 +67,18 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
 }
 
 /// The derivatives with respect to the named quantities, or to all that the motion has.
-fn derivatives(names: &[String], trajectory: &Trajectory) -> Result<Option<Derivatives>, Error> {
+fn derivatives(names: &[Names], trajectory: &Trajectory) -> Result<Option<Derivatives>, Error> {
     if names.is_empty() {
         return Ok(None);
     }
-    let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
-    let find = |name: &String| known().find(|quantity| quantity.name() == name.replace('-', "_"));
-    let quantities = if names.iter().any(|name| name == ALL) {
-        let bounces = trajectory.hoop().restitution().is_some();
-        known().filter(|quantity| bounces || *quantity != Quantity::Restitution).collect()
-    } else {
-        let unknown = |name: &String| {
-            let all = format!(
-                "quantities are {ALL} and {}",
-                Vec::from_iter(known().map(Quantity::name)).join(", ")
-            );
-            Error::UnknownQuantity {
-                name: name.clone(),
-                hint: nearest::hint(name, known().map(Quantity::name), &all),
-            }
-        };
-        names.iter().map(|name| find(name).ok_or_else(|| unknown(name))).collect::<Result<Vec<_>, _>>()?
-    };
+    let bounces = trajectory.hoop().restitution().is_some();
+    let all = Quantity::HOOP.into_iter().chain(Quantity::START);
+    let all = all.filter(|quantity| bounces || *quantity != Quantity::Restitution);
+    let named = names.iter().flat_map(|names| match names {
+        Names::All => Vec::from_iter(all.clone()),
+        Names::One(quantity) => vec![*quantity],
+    });
+    let quantities: Vec<Quantity> = named.collect();
     trajectory.derivatives(&quantities).map(Some).map_err(Error::NotDifferentiable)
 }
 

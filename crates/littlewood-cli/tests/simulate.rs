@@ -635,3 +635,37 @@ fn derivatives_have_the_numbers_of_closed_forms_and_their_reasons() {
     let error = complaint(&["simulate", "figure-3", "--derivatives", "restitution"], 2);
     assert!(error.contains("with respect to restitution") && error.contains("give --restitution"), "{error}");
 }
+
+#[test]
+fn errors_of_the_given_numbers_become_those_of_the_events() {
+    let document = json(&["simulate", "figure-3", "--uncertainty", "mu_k=0.02,theta=0.5deg"]);
+    let found = &document["uncertainty"];
+    assert_close(number(&found["given"]["theta"]), 0.5_f64.to_radians(), 1e-16);
+    assert_eq!((found["motions"].as_u64(), found["alike"].as_u64()), (Some(10_000), Some(10_000)));
+    let derivatives = json(&["simulate", "figure-3", "--derivatives", "mu_k,theta"]);
+    for (index, spread) in found["transitions"].as_array().unwrap().iter().enumerate() {
+        for name in STATE {
+            let of =
+                |quantity: &str| number(&derivatives["transitions"][index]["derivatives"][quantity][name]);
+            let (friction, angle) = (of("mu_k") * 0.02, of("theta") * 0.5_f64.to_radians());
+            let [first, sample] = ["first_order", "sample"].map(|kind| number(&spread[kind][name]));
+            assert_close(first, (friction * friction + angle * angle).sqrt(), 1e-12);
+            // The standard error of a sample of 10,000, and what is beyond the first order.
+            assert!((sample - first).abs() <= 0.03 * first, "{index} {name}: {first} {sample}");
+        }
+    }
+    let page = text(&["simulate", "figure-3", "--uncertainty", "theta_rate=0.3"]);
+    for part in ["of the motions have had other transitions", "the errors are too large for the first order"]
+    {
+        assert!(page.contains(part), "{page}");
+    }
+    // A start without slip has no derivative with respect to it.
+    let page = text(&["simulate", "figure-3", "--uncertainty", "slip=0.01"]);
+    assert!(page.contains("without a derivative there is no first order"), "{page}");
+    let error = complaint(&["simulate", "figure-3", "--uncertainty", "mu_k=2deg"], 2);
+    assert!(error.contains("mu_k is no angle") && error.contains("theta=0.5deg"), "{error}");
+    for bad in ["mu_k", "mu_k=-1", "mu_k=nan", "muk=1", "restitution=0.1"] {
+        let error = complaint(&["simulate", "figure-3", "--uncertainty", bad], 2);
+        assert!(error.contains("hint:"), "{bad}: {error}");
+    }
+}

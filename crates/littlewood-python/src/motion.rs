@@ -259,7 +259,14 @@ impl Trajectory {
 impl Trajectory {
     fn page(&self) -> Sheet {
         let mut sheet = Sheet::default();
-        let subject = Subject { case: None, start: self.1, units: None, digits: None, derivatives: None };
+        let subject = Subject {
+            case: None,
+            start: self.1,
+            units: None,
+            digits: None,
+            derivatives: None,
+            uncertainty: None,
+        };
         page::motion(&mut sheet, &subject, &self.0, Look::default());
         sheet
     }

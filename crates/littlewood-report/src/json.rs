@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 
 use crate::record::{
     CaseRecord, ClassificationRecord, Fields, OutcomeRecord, PhaseRecord, SiRecord, StartRecord,
-    TransitionRecord, hoop, sample, si_sample,
+    TransitionRecord, UncertaintyRecord, hoop, sample, si_sample,
 };
 use crate::{Sampling, Subject, instants, jam_of};
 
@@ -23,6 +23,8 @@ struct MotionDocument<'a> {
     start: StartRecord,
     transitions: Vec<TransitionRecord>,
     outcome: OutcomeRecord,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uncertainty: Option<UncertaintyRecord>,
     phases: Vec<PhaseRecord>,
     #[serde(flatten)]
     energy: Fields,
@@ -85,6 +87,7 @@ pub fn motion(
             })
             .collect(),
         outcome: OutcomeRecord::new(&trajectory.outcome(), units, subject.derivatives),
+        uncertainty: subject.uncertainty.map(UncertaintyRecord::new),
         phases: trajectory.phases().iter().map(|phase| PhaseRecord::new(phase, units)).collect(),
         energy: Fields::of_details(energy.clone()),
         si: units.map(|units| SiRecord::new(trajectory.hoop().parameters(), units, energy)),

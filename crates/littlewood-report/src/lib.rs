@@ -33,6 +33,7 @@ pub mod scale;
 pub mod sentence;
 pub mod sheet;
 mod subject;
+mod uncertainty;
 
 pub use energy::kinetic_energy;
 pub use instants::{Instant, instants};
@@ -40,3 +41,4 @@ pub use jam::jam_of;
 pub use record::RESTITUTION_LAW;
 pub use sampling::Sampling;
 pub use subject::Subject;
+pub use uncertainty::{SAMPLE, Spread, Uncertainty};

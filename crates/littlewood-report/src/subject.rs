@@ -5,6 +5,8 @@ use littlewood::derivatives::Derivatives;
 use littlewood::si::Units;
 use littlewood::{Digits, Start};
 
+use crate::Uncertainty;
+
 /// What was asked for: the case, the start, and whether results are wanted in SI units too.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
@@ -18,12 +20,21 @@ pub struct Subject<'a> {
     pub digits: Option<&'a [Option<Digits>]>,
     /// The derivatives of the motion, if they are wanted.
     pub derivatives: Option<&'a Derivatives>,
+    /// The standard errors of the motion, if those of its numbers are given.
+    pub uncertainty: Option<&'a Uncertainty>,
 }
 
 impl Subject<'_> {
     /// A named case without dimension.
     #[must_use]
     pub const fn of_case(case: &'static NamedCase) -> Self {
-        Self { case: Some(case), start: case.setup.start, units: None, digits: None, derivatives: None }
+        Self {
+            case: Some(case),
+            start: case.setup.start,
+            units: None,
+            digits: None,
+            derivatives: None,
+            uncertainty: None,
+        }
     }
 }

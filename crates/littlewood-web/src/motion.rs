@@ -149,6 +149,7 @@ impl Motion {
             units: self.problem.units.as_ref(),
             digits: None,
             derivatives: None,
+            uncertainty: None,
         }
     }
 

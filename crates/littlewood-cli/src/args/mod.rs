@@ -3,6 +3,7 @@
 #[cfg(feature = "film")]
 mod animate;
 mod elsewhere;
+mod errors;
 #[cfg(feature = "figures")]
 mod figures;
 #[cfg(feature = "lab")]
@@ -17,6 +18,7 @@ mod sweep;
 #[cfg(feature = "film")]
 pub(crate) use animate::{AnimateArgs, Bar, Beside, Camera};
 pub(crate) use elsewhere::ElsewhereArgs;
+pub(crate) use errors::Names;
 #[cfg(feature = "figures")]
 pub(crate) use figures::{FigureFormat, FiguresArgs};
 #[cfg(feature = "lab")]
@@ -35,6 +37,7 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use littlewood::tables::Quantity;
 use littlewood_report::Sampling;
 
 #[cfg(feature = "film")]
@@ -206,8 +209,12 @@ pub(crate) struct SimulateArgs {
     pub(crate) digits: bool,
     /// Derivatives of each transition and of the outcome with respect to these quantities of hoop and start, with commas between
     /// their names, such as mu_k,theta_rate; or to all. They are dimensionless
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', help_heading = "Output")]
-    pub(crate) derivatives: Vec<String>,
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = errors::parse_names, help_heading = "Output")]
+    pub(crate) derivatives: Vec<Names>,
+    /// Standard errors of hoop and start, such as mu_k=0.02,theta=0.5deg: those of each transition and of the outcome, to first
+    /// order and in a sample of 10,000 motions, with a warning where they differ (in the table and in JSON, dimensionless)
+    #[arg(long, value_name = "NAME=ERROR", value_delimiter = ',', value_parser = errors::parse_error, help_heading = "Output")]
+    pub(crate) uncertainty: Vec<(Quantity, f64)>,
     /// Output file; an existing file is replaced once the output is complete
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,

@@ -19,7 +19,6 @@ pub(super) fn of(error: &Error) -> Option<String> {
         | Error::Mixed { hint, .. }
         | Error::Out { hint, .. }
         | Error::UnknownShade { hint, .. }
-        | Error::UnknownQuantity { hint, .. }
         | Error::Interrupted { hint, .. } => hint.clone(),
         #[cfg(feature = "figures")]
         Error::UnknownFigure { hint, .. } => hint.clone(),

@@ -57,14 +57,6 @@ pub(crate) enum Error {
         /// Where.
         excerpt: Excerpt,
     },
-    /// No quantity of a hoop or a start has this name.
-    #[error("there is no quantity of a hoop or a start named '{name}'")]
-    UnknownQuantity {
-        /// The name that was given.
-        name: String,
-        /// The nearest names.
-        hint: String,
-    },
     /// A motion has no derivative with respect to a quantity.
     #[error(transparent)]
     NotDifferentiable(NotDifferentiable),
@@ -279,7 +271,6 @@ impl Error {
             | Self::ScenarioValue { .. }
             | Self::Scenario { .. }
             | Self::UnknownCase { .. }
-            | Self::UnknownQuantity { .. }
             | Self::NotDifferentiable(_)
             | Self::Missing { .. }
             | Self::Mixed { .. }

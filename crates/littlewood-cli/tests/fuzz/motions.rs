@@ -28,7 +28,14 @@ pub(crate) fn run(case: &mut Case) -> Verdict {
         Err(error) => return refused(&error),
     };
     in_order(&motion, limits)?;
-    let subject = Subject { case: None, start: setup.start, units: None, digits: None, derivatives: None };
+    let subject = Subject {
+        case: None,
+        start: setup.start,
+        units: None,
+        digits: None,
+        derivatives: None,
+        uncertainty: None,
+    };
     let sampling = case.draw.comes(0.3).then(|| Sampling::of(&motion, 2 + case.draw.below(SAMPLES)));
     readable(&motion, &subject, sampling)?;
     spoken(&motion)?;

@@ -5,6 +5,7 @@ mod derivatives;
 mod digits;
 mod parts;
 mod phases;
+mod uncertainty;
 
 use littlewood::si::SiSetup;
 use littlewood::tables::{Dimension, Quantity, SampleColumn, SampleValue, Setup};
@@ -80,6 +81,9 @@ pub fn motion(sheet: &mut Sheet, subject: &Subject<'_>, trajectory: &Trajectory,
     }
     if let Some(derivatives) = subject.derivatives {
         derivatives::derivatives(sheet, trajectory, derivatives);
+    }
+    if let Some(uncertainty) = subject.uncertainty {
+        uncertainty::uncertainty(sheet, trajectory, uncertainty);
     }
     if let Some(sampling) = look.sampling {
         sheet.gap();

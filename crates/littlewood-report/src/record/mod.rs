@@ -13,6 +13,7 @@ mod outcome;
 mod phase;
 mod setup;
 mod transition;
+mod uncertainty;
 
 pub(crate) use case::CaseRecord;
 pub(crate) use classification::ClassificationRecord;
@@ -26,3 +27,4 @@ pub(crate) use phase::PhaseRecord;
 pub use setup::RESTITUTION_LAW;
 pub(crate) use setup::{SiRecord, StartRecord, hoop, opening};
 pub(crate) use transition::{TransitionRecord, edge, edge_of};
+pub(crate) use uncertainty::UncertaintyRecord;

@@ -1,0 +1,45 @@
+//! Standard errors of a motion, dimensionless.
+
+use serde::Serialize;
+
+use super::fields::{Fields, Value};
+use super::instant::state;
+use crate::{Spread, Uncertainty};
+
+/// The standard errors of a motion.
+#[derive(Debug, Serialize)]
+pub(crate) struct UncertaintyRecord {
+    given: Fields,
+    motions: usize,
+    alike: usize,
+    transitions: Vec<SpreadRecord>,
+    outcome: Option<SpreadRecord>,
+}
+
+/// Those of a state: `null` where there are none.
+#[derive(Debug, Serialize)]
+struct SpreadRecord {
+    first_order: Option<Fields>,
+    sample: Option<Fields>,
+    motions: usize,
+}
+
+impl UncertaintyRecord {
+    pub(crate) fn new(uncertainty: &Uncertainty) -> Self {
+        let record = |spread: &Spread| SpreadRecord {
+            first_order: spread.first_order.as_ref().map(state),
+            sample: spread.sample.as_ref().map(state),
+            motions: spread.motions,
+        };
+        let given = uncertainty.given.iter().map(|(quantity, error)| (quantity.name(), Value::Real(*error)));
+        let mut transitions: Vec<SpreadRecord> = uncertainty.spreads.iter().map(record).collect();
+        let outcome = transitions.pop();
+        Self {
+            given: given.collect(),
+            motions: uncertainty.motions,
+            alike: uncertainty.alike,
+            transitions,
+            outcome,
+        }
+    }
+}
