@@ -642,6 +642,37 @@ fn chains_of_slips_are_those_of_the_simulation() {
     assert!(longest.get() > 1_000, "{}", longest.get());
 }
 
+/// The same on gentle slopes, which hoops that go over the top slip down.
+#[test]
+fn chains_of_slips_down_slopes_are_those_of_the_simulation() {
+    let mut longest = 0;
+    for slope in [0.015, -0.01, 0.004, -0.001] {
+        for (mu_s, mu_k) in [(0.5, 0.4), (0.5, 0.5), (0.3, 0.29)] {
+            let hoop = HoopParameters::thin(1.0).with_friction(mu_s, mu_k).with_slope(slope);
+            let hoop = Hoop::new(hoop).expect("a valid hoop");
+            let (engine, direct) = (Engine::new(&hoop), Engine::builder(&hoop).expected_starts(1).build());
+            assert!(engine.passes_chains() && !direct.passes_chains());
+            let limits = Limits::default().with_transitions(1_000);
+            for start in random_starts(60) {
+                let theirs = direct.summary(start, limits).expect("a valid start");
+                if theirs.transitions < 20 {
+                    continue;
+                }
+                let ours = engine.summary(start, limits).expect("a valid start");
+                longest = longest.max(theirs.transitions);
+                let checked = check(&ours, &theirs, tolerance(&theirs)).or_else(|_| {
+                    let motion = hoop.simulate(start, limits).expect("a valid start");
+                    compare(&ours, &motion, limits, tolerance(&theirs), false)
+                });
+                if let Err(difference) = checked {
+                    panic!("{hoop:?}\n{start:?} {limits:?}\n{difference}");
+                }
+            }
+        }
+    }
+    assert_eq!(longest, 1_000);
+}
+
 /// A very light hoop with next to no friction: each passage of the bottom amplifies rounding by 1e4.
 /// The double at a multiple of 2π may lie to either side of it.
 #[test]

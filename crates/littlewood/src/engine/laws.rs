@@ -42,7 +42,7 @@ impl Laws {
                 Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction))
             }),
             rolling: RollingLaw::of(hoop),
-            margins: margin_forms(hoop)?,
+            margins: margin_forms(hoop, 1.0)?,
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             cells: Cells::default(),
             octants: Octants::default(),

@@ -440,7 +440,7 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu_s, 0.0);
             let hoop = Hoop::new(hoop).unwrap();
-            let (margins, law) = (margin_forms(&hoop).unwrap(), RollingLaw::of(&hoop));
+            let (margins, law) = (margin_forms(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
             let curve = SlipCurves::new(margins, law);
             for (step, side) in (0..300).flat_map(|step| [0, 1].map(|side| (step, side))) {
                 let theta = 0.021 * f64::from(step) - 3.1;
@@ -514,7 +514,7 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu_s, mu_s);
             let hoop = Hoop::new(hoop).unwrap();
-            let (margins, law) = (margin_forms(&hoop).unwrap(), RollingLaw::of(&hoop));
+            let (margins, law) = (margin_forms(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
             for octant in 0..OCTANTS {
                 let known = Octant::new(&margins, octant);
                 for step in 0..40 {

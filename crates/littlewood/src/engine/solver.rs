@@ -41,7 +41,7 @@ pub(super) struct FastSolver<'a> {
     hoop: &'a Hoop,
     laws: &'a Laws,
     /// Chains of slips, if they are passed by whole links.
-    chains: Option<&'a Chains>,
+    chains: Option<&'a [Chains]>,
     until: f64,
     exact: Exact<'a>,
     /// Phases that are computed before what is kept is used.
@@ -118,7 +118,7 @@ impl<'a> FastSolver<'a> {
     }
 
     /// The solver that passes chains.
-    pub(super) fn with_chains(self, chains: &'a Chains) -> Self {
+    pub(super) fn with_chains(self, chains: &'a [Chains]) -> Self {
         Self { chains: Some(chains), ..self }
     }
 
@@ -274,22 +274,46 @@ impl FastSolver<'_> {
     }
 }
 
+/// A state in a frame that is mirrored for −1.
+fn seen(state: &State, frame: f64) -> State {
+    let State { time, theta, theta_rate, slip, x } = *state;
+    if frame < 0.0 {
+        State { time, theta: -theta, theta_rate: -theta_rate, slip: -slip, x: -x }
+    } else {
+        *state
+    }
+}
+
+/// A direction in such a frame.
+const fn seen_direction(direction: Direction, frame: f64) -> Direction {
+    if frame < 0.0 { direction.reversed() } else { direction }
+}
+
 impl Follow for FastSolver<'_> {
-    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, f64, PhaseSequence)> {
+    fn link(
+        &self,
+        chains: &Chains,
+        slip: SlipPoint,
+        theta_rate: f64,
+    ) -> Option<(State, Direction, f64, PhaseSequence)> {
         let solver = Self::new(self.hoop, self.laws, &Limits::default());
-        let state = State { time: 0.0, theta: slip.angle, theta_rate, slip: 0.0, x: 0.0 };
+        let frame = chains.frame();
+        let state = seen(&State { time: 0.0, theta: slip.angle, theta_rate, slip: 0.0, x: 0.0 }, frame);
         let place = Place::new(state);
         let mut phases = PhaseSequence::default();
         let tell = |mode, direction| {
             phases.push(mode, direction);
             !phases.is_truncated()
         };
-        let (end, direction, slid) = next_slip(&solver, place, direction_of(slip.side, 1.0), tell)?;
+        let (end, direction, slid) = next_slip(&solver, place, direction_of(slip.side, frame), tell)?;
         if solver.has_drifted() {
             return None;
         }
-        let is_last = self.chains.is_some_and(|chains| chains.is_last(self.hoop, &state, &end, phases));
-        (!is_last).then_some((end, direction, slid, phases))
+        if chains.is_last(self.hoop, &state, &end, phases) {
+            return None;
+        }
+        let phases = if frame < 0.0 { phases.mirrored() } else { phases };
+        Some((seen(&end, frame), seen_direction(direction, frame), slid, phases))
     }
 }
 
@@ -497,12 +521,24 @@ impl Solver for FastSolver<'_> {
         direction: Direction,
         room: &ChainBudget<'_>,
     ) -> Option<ChainSegment<Place>> {
-        let chains = self.chains?;
         let (state, travel) = (place.state, place.travel());
-        let point = chains.point(&state, direction)?;
+        let chains = match self.chains? {
+            [ahead, back] => {
+                if travel < 0.0 {
+                    back
+                } else {
+                    ahead
+                }
+            }
+            [chains, ..] => chains,
+            [] => return None,
+        };
+        let frame = chains.frame();
+        let start = seen(&state, frame);
+        let point = chains.point(&start, seen_direction(direction, frame))?;
         let after = |passage: &Passage| {
             let (slip, rate) = chains.slip(passage.end)?;
-            Some((slip, passage.state_after(&state, (slip.angle, rate))))
+            Some((slip, seen(&passage.state_after(&start, (slip.angle, rate)), frame)))
         };
         let has_room = |passage: &Passage| {
             passage.route.transitions <= room.transitions

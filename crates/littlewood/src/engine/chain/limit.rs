@@ -144,6 +144,31 @@ mod tests {
     use crate::modes::rolling::margin_forms;
 
     #[test]
+    fn at_the_limit_friction_gives_way() {
+        for slope in [0.0, 0.3, -1.1] {
+            for travel in [1.0, -1.0] {
+                let hoop =
+                    HoopParameters::thin(2.0).with_inertia(0.5).with_friction(0.3, 0.2).with_slope(slope);
+                let hoop = Hoop::new(hoop).unwrap();
+                let law = RollingLaw::of(&hoop);
+                let curves = SlipCurves::new(margin_forms(&hoop, travel).unwrap(), law);
+                let seen = RollingLaw { tilt: travel * law.tilt, ..law };
+                for side in [0, 1] {
+                    for k in 1..50 {
+                        let angle = TAU / 50.0 * f64::from(k);
+                        let u = curves.limit(side, angle).unwrap();
+                        let direction = libm::sincos(angle);
+                        let forces = seen.forces_at(direction, [1.0, u], seen.denominator_of(direction));
+                        let towards = if side == 1 { 1.0 } else { -1.0 };
+                        let margin = 0.3 * forces.normal + towards * forces.friction;
+                        assert!(margin.abs() < 1e-12 * (1.0 + u.abs()), "{slope} {side} {angle}: {margin:e}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
     fn the_limit_has_its_slope_its_zeros_and_its_extrema() {
         let mut found = (0, 0);
         for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
@@ -152,7 +177,7 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu_s, mu_s);
             let hoop = Hoop::new(hoop).unwrap();
-            let curves = SlipCurves::new(margin_forms(&hoop).unwrap(), RollingLaw::of(&hoop));
+            let curves = SlipCurves::new(margin_forms(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
             for side in [0, 1] {
                 let mut compared = 0;
                 for k in 1..200 {

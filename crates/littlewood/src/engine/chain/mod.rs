@@ -16,11 +16,12 @@ mod tree;
 use crate::model::hoop::{Heavy, Hoop};
 use crate::model::mode::Direction;
 use crate::model::state::State;
-use crate::modes::rolling::Levels;
+use crate::modes::rolling::{Levels, margin_forms};
 use crate::walk::sequence::PhaseSequence;
 
 use super::interpolant::Basis;
 use super::laws::Laws;
+use super::roll::Margins;
 use curve::{Curves, Point};
 use tree::{Found, Making, Tree};
 
@@ -35,10 +36,15 @@ const SUCCESSES_BEFORE_RETRY: usize = 2;
 
 /// Follows a motion from a slip to the next.
 pub(super) trait Follow {
-    /// The state at the end of the link that begins at a slip with this rate, travelling to positive angles from x = 0 at τ = 0, with the
-    /// direction of the slip there, the length of the slides, and the phases; none where the motion comes to
+    /// The state at the end of the link that begins at a slip with this rate, travelling to positive angles from x = 0 at τ = 0 in the frame
+    /// of the chains, with the direction of the slip there, the length of the slides, and the phases; none where the motion comes to
     /// another end, or it may be known there that it slips for ever.
-    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, f64, PhaseSequence)>;
+    fn link(
+        &self,
+        chains: &Chains,
+        slip: SlipPoint,
+        theta_rate: f64,
+    ) -> Option<(State, Direction, f64, PhaseSequence)>;
 }
 
 /// The maps from slip to slip of one body.
@@ -52,25 +58,46 @@ pub(super) struct Chains {
     noise: f64,
     /// With μs = μk, towards which orbits slips lead.
     grazing: Option<Levels>,
+    /// On a slope, the direction of motion in which all slips are.
+    travel: Option<f64>,
 }
 
 impl Chains {
-    /// Of a hoop with these equations. Nothing is computed yet.
-    pub(super) fn new(hoop: &Hoop, laws: &Laws) -> Self {
+    /// Of a hoop with these equations: for all slips, or on a slope for those in each direction of motion. Nothing is computed yet.
+    pub(super) fn new(hoop: &Hoop, laws: &Laws) -> Vec<Self> {
+        let travels: &[Option<f64>] = if hoop.slope() == 0.0 { &[None] } else { &[Some(1.0), Some(-1.0)] };
+        let margins = |travel: &Option<f64>| Some((*travel, margin_forms(hoop, travel.unwrap_or(1.0))?));
+        travels
+            .iter()
+            .filter_map(margins)
+            .map(|(travel, margins)| Self::of(hoop, laws, (travel, margins)))
+            .collect()
+    }
+
+    fn of(hoop: &Hoop, laws: &Laws, (travel, margins): (Option<f64>, Margins)) -> Self {
         let Heavy { mass, inertia, .. } = laws.body;
-        let curves = Curves::new(SlipCurves::new(laws.margins, laws.rolling));
+        let curves = Curves::new(SlipCurves::new(margins, laws.rolling));
         let level = curves.bounds().map(|(left, right)| Tree::new(left, right)).collect();
         Self {
             curves,
             basis: Basis::new(),
             levels: vec![level; LEVELS],
             noise: (mass / inertia).sqrt().max(1.0),
-            grazing: if hoop.mu_s() == hoop.mu_k() { Levels::new(hoop) } else { None },
+            grazing: if hoop.mu_s() == hoop.mu_k() && hoop.slope() == 0.0 { Levels::new(hoop) } else { None },
+            travel,
         }
     }
 
-    /// Where a state is on the curves, at a slip in a direction.
+    /// The frame in which a state is seen: 1, or −1 where that is mirrored.
+    pub(super) fn frame(&self) -> f64 {
+        self.travel.unwrap_or(1.0)
+    }
+
+    /// Where a state is on the curves, at a slip in a direction. On a slope there is none in the other direction of motion.
     pub(super) fn point(&self, state: &State, direction: Direction) -> Option<Point> {
+        if self.travel.is_some() && state.theta_rate < 0.0 {
+            return None;
+        }
         self.curves.point(SlipPoint::of(state, direction), state.theta_rate)
     }
 
@@ -171,7 +198,7 @@ impl Chains {
     fn value(&self, level: usize, point: Point, follow: &impl Follow) -> Option<(Passage, PhaseSequence)> {
         let Some(below) = level.checked_sub(1) else {
             let (slip, rate) = self.curves.slip(point)?;
-            let (end, direction, slid, phases) = follow.link(slip, rate)?;
+            let (end, direction, slid, phases) = follow.link(self, slip, rate)?;
             return Some((Passage::to(&end, self.point(&end, direction)?, slid, phases), phases));
         };
         let first = self.found(below, point, follow)?.from(point.at);

@@ -171,13 +171,35 @@ impl Boundary {
     }
 }
 
-/// The margins (μs N − F) D² and (μs N + F) D² = A + E B on the orbit with E = K − D(π), twice the energy over the bottom: for each, A and B
-/// as forms of degree six in (cos θ/2, sin θ/2); none for a massless hoop.
-pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
+/// What a slope adds to the margins: −T ℓ̂ s (m + ℓ̂c) D to N D², and T (m Î + ℓ̂² s²) D to F D².
+fn pulled(law: &RollingLaw, travel: f64, mu: f64) -> [Form<7>; 2] {
+    let RollingLaw { mass, offset: l, top, bottom, own, tilt, .. } = *law;
+    let (pull, d) = (travel * tilt, [top, bottom]);
+    let normal: [f64; 3] = even_product([mass + l, mass - l], d);
+    let friction: [f64; 4] = even_product([own, 2.0 * own + 4.0 * l * l, own], d);
+    [-1.0, 1.0].map(|sign| {
+        let mut form = [0.0; 7];
+        for i in 0..4 {
+            form[2 * i] = sign * (pull * friction[i]);
+        }
+        for i in 0..3 {
+            form[2 * i + 1] = -2.0 * mu * l * (pull * normal[i]);
+        }
+        Form(form)
+    })
+}
+
+/// The margins (μs N − F) D² and (μs N + F) D² = A + E B with E = K − D(π), on a level plane twice the energy over the bottom: for each, A and B
+/// as forms of degree six in (cos θ/2, sin θ/2), in the direction `travel` of motion; none for a massless hoop.
+pub(crate) fn margin_forms(hoop: &Hoop, travel: f64) -> Option<[[Form<7>; 2]; 2]> {
     let Body::Heavy(_) = hoop.body() else { return None };
     let law = RollingLaw::of(hoop);
     let part = |one, excess, k| margins(hoop.mu_s(), law.offset, forces(&law, one, excess, k));
     let [minus, plus] = part(1.0, [-4.0 * law.offset, 0.0], law.bottom);
     let [minus_driven, plus_driven] = part(0.0, [1.0, 1.0], 1.0);
-    Some([[minus, minus_driven], [plus, plus_driven]])
+    let [pulled_minus, pulled_plus] = pulled(&law, travel, hoop.mu_s());
+    let with = |form: Form<7>, pulled: Form<7>| {
+        if law.tilt == 0.0 { form } else { Form(core::array::from_fn(|i| form.0[i] + pulled.0[i])) }
+    };
+    Some([[with(minus, pulled_minus), minus_driven], [with(plus, pulled_plus), plus_driven]])
 }

@@ -129,7 +129,8 @@ impl Levels {
         if body.h == 0.0 || hoop.slope() != 0.0 {
             return None;
         }
-        let [[a, b], _] = margin_forms(hoop)?.map(|parts| parts.map(|part| Trigonometric::from_form(&part)));
+        let [[a, b], _] =
+            margin_forms(hoop, 1.0)?.map(|parts| parts.map(|part| Trigonometric::from_form(&part)));
         let law = RollingLaw::of(hoop);
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes();
         let inside = extrema.into_iter().filter_map(|angle| {
