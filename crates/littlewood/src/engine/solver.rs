@@ -52,13 +52,17 @@ pub(super) struct FastSolver<'a> {
 /// Equilibria of a slide without kinetic friction are nearer than this part of its energy.
 const EQUILIBRIUM_TOLERANCE: f64 = 1e-9;
 
+/// The same on a slope, where such a slide ends: the time over the top is known to ε over this part. On a level plane it repeats itself.
+const EQUILIBRIUM_TOLERANCE_ON_SLOPES: f64 = 1e-3;
+
 /// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays so close to rest at the bottom, that
 /// rounding tells whether it passes, or which way it goes.
 fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
     let energy = FrictionlessIntegrals::new(body, &place.state, place.direction).energy;
     let over_bottom = energy + 2.0 * body.offset;
+    let tolerance = if body.tilt == 0.0 { EQUILIBRIUM_TOLERANCE } else { EQUILIBRIUM_TOLERANCE_ON_SLOPES };
     over_bottom <= 8.0 * f64::EPSILON * body.offset
-        || (energy - 2.0 * body.offset).abs() <= EQUILIBRIUM_TOLERANCE * energy.abs()
+        || (energy - 2.0 * body.offset).abs() <= tolerance * energy.abs()
 }
 
 /// How a motion ended, as far as a summary tells.
