@@ -11,8 +11,8 @@ use crate::common::{
 use littlewood::modes::SlideLimit;
 use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
 use littlewood::{
-    Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, Proof, Restitution, RestitutionLaw, Start,
-    Summary, Trajectory,
+    Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, Phase, Proof, Restitution, RestitutionLaw,
+    Sample, Start, Summary, Trajectory,
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;
@@ -150,14 +150,30 @@ fn compare(
     }
     // What is known of a time is known of a rate times its acceleration, which is large in light hoops and in fast flights.
     let [of_rate, of_slip] = accelerates(motion).map(|largest| tolerance * largest);
+    let of_time = slowest(motion);
     let more = SummaryColumn::reals().zip(&sway.same).map(|(column, same)| {
         same + match column {
             SummaryColumn::EndThetaRate => of_rate,
             SummaryColumn::EndSlip => of_slip,
+            SummaryColumn::EndTime
+            | SummaryColumn::FirstSlipTime
+            | SummaryColumn::LiftOffTime
+            | SummaryColumn::SettleTime => of_time,
             _ => 0.0,
         }
     });
     check_with(ours, &theirs, tolerance, &more.collect::<Vec<_>>())
+}
+
+/// The longest time in which θ changes by its last digit at the end of a phase, by θ′ or by θ″ if that is sooner.
+fn slowest(motion: &Trajectory) -> f64 {
+    let ends = motion.phases().iter().filter(|phase| motion.end_of(phase).is_some()).filter_map(Phase::last);
+    let time = |sample: Sample| {
+        let digit = f64::EPSILON * sample.state.theta.abs();
+        let by_rate = digit / sample.state.theta_rate.abs();
+        by_rate.min((2.0 * digit / sample.theta_acceleration.abs()).sqrt())
+    };
+    ends.map(time).filter(|time| time.is_finite()).fold(0.0, f64::max)
 }
 
 /// The largest |θ″| and |η″| at the ends of phases.
