@@ -18,6 +18,8 @@ _Scales = tuple[float, float, float]
 _Reals = npt.NDArray[np.float64]
 _Pair = tuple[float, float]
 _Pieces = list[list[list[float]]]
+# Derivatives of states, number after number, and the reasons why there are none.
+_Rows = tuple[_Reals, list[str]]
 
 __all__ = [
     "AXES",
@@ -147,6 +149,10 @@ class Trajectory:
     def sequence(self) -> str: ...
     def at(self, times: _Reals, is_before: bool) -> dict[str, npt.NDArray[Any]]: ...
     def sample_evenly(self, count: int, until: float) -> dict[str, npt.NDArray[Any]]: ...
+    def derivatives(
+        self, quantities: Sequence[str] | None
+    ) -> tuple[list[str], _Rows, _Rows, dict[str, list[float]]]: ...
+    def derivatives_at(self, times: _Reals, quantities: Sequence[str] | None) -> tuple[list[str], _Rows]: ...
 
 @final
 class PhasePlane:

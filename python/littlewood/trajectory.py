@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
+from . import _core, derivatives
 from .counts import checked_count, checked_limits
 from .elementwise import flat
 from .extras import require
@@ -292,6 +292,97 @@ class Trajectory:
         table["mode"] = pd.Categorical.from_codes(np.asarray(samples["mode"]), categories=list(MODES))
         frame: pandas.DataFrame = pd.DataFrame(table)
         return frame
+
+    def derivatives(self, quantities: Sequence[str] | None = None) -> xarray.Dataset:
+        r"""Return the exact derivatives of each transition and of the outcome.
+
+        Parameters
+        ----------
+        quantities : list of str, optional
+            Names of quantities of the hoop and of the start, as "mu_k" or "theta_rate"; by default all that the motion
+            has, and "restitution" only with a coefficient.
+
+        Returns
+        -------
+        xarray.Dataset
+            Of the dimensions `transition` and `quantity`: `time`, `theta`, `theta_rate`, `slip` and `x`, the
+            derivatives of the time and of the state after each transition, along it; and `reason`. The same of the
+            outcome with `end_` before their names, of the dimension `quantity`; and `period`, `theta_min` and
+            `theta_max` of rolling for ever that swings, `period` of rolling that turns. Where a derivative does not
+            exist it is NaN, and `reason` or `end_reason` says why: "grazing", "one_sided", "singular" or "too_long";
+            it is empty where there is one.
+
+        Raises
+        ------
+        ParameterError
+            For a name that is no such quantity, or "restitution" without a coefficient; `hint` has the names.
+
+        See Also
+        --------
+        derivatives_at : At fixed times.
+
+        Notes
+        -----
+        An event g(y, p) = 0 ends a phase y′ = f(y, p), and y⁺ = R(y, p) is the state after it. With a quantity p,
+        and the derivative (δy)_τ at a fixed time,
+
+        .. math:: \delta\tau = -\frac{g_y (\delta y)_\tau + g_p}{g'}, \qquad
+                  \delta y = (\delta y)_\tau + y' \delta\tau, \qquad \delta y^+ = R_y\, \delta y + R_p .
+
+        They are exact to rounding: there is no step. All are dimensionless (2.9), those of a hoop in SI units, too: in
+        SI units one is multiplied by the unit of what is differentiated over that of the quantity.
+
+        Examples
+        --------
+        >>> import littlewood as lw
+        >>> motion = lw.case("figure-3").simulate()
+        >>> found = motion.derivatives(["mu_k", "gap_rate"])
+        >>> lift_off = found.isel(transition=2)
+        >>> round(float(lift_off.time.sel(quantity="mu_k")), 5), lift_off.reason.values.tolist()
+        (0.05073, ['', 'one_sided'])
+        """
+        return derivatives.of_motion(self._core, quantities)
+
+    def derivatives_at(self, times: npt.ArrayLike, quantities: Sequence[str] | None = None) -> xarray.Dataset:
+        r"""Return the exact derivatives of the state at fixed times.
+
+        Parameters
+        ----------
+        times : array_like
+            Times τ, √(R/g): one, or of shape (n,).
+        quantities : list of str, optional
+            As in :meth:`derivatives`.
+
+        Returns
+        -------
+        xarray.Dataset
+            Of the dimensions `time` (n, absent for one time) and `quantity`: `theta`, `theta_rate`, `slip`, `x` and
+            `reason`. At a transition they are those of the motion that begins. Outside the motion they are NaN with the
+            reason "outside".
+
+        Raises
+        ------
+        ParameterError
+            As in :meth:`derivatives`.
+        ValueError
+            For times of more than one dimension.
+
+        Notes
+        -----
+        After an event at τₑ with derivatives δτₑ and δy⁺ the state at a fixed time begins with
+
+        .. math:: (\delta y)_\tau = \delta y^+ - f(y^+, p)\, \delta\tau_e .
+
+        Units are those of :meth:`derivatives`: dimensionless.
+
+        Examples
+        --------
+        >>> import littlewood as lw
+        >>> motion = lw.case("figure-3").simulate()
+        >>> motion.derivatives_at([0.5, 1.0, 2.0], ["theta"]).theta.shape
+        (3, 1)
+        """
+        return derivatives.at_times(self._core, times, quantities)
 
     def plot(self) -> Figure:
         """Draw the path in the plane and θ, θ′, η′ and the forces over time.

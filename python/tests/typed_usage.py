@@ -26,6 +26,8 @@ kind: str = motion.outcome.kind
 samples: lw.Samples = motion(np.linspace(0.0, 1.0, 5))
 largest: float = float(np.max(samples.normal))
 dataset: xarray.Dataset = motion.to_xarray(si=False)
+gradient: xarray.Dataset = motion.derivatives(["mu_k", "theta_rate"])
+at_times: xarray.Dataset = motion.derivatives_at([0.5, 1.0])
 many: xarray.Dataset = lw.simulate_many(hoop, theta=[0.0, 1.0], theta_rate=1.0, mu_k=np.array([0.1, 0.2]))
 plane: xarray.Dataset = lw.outcome_map(theta=np.zeros(2), theta_rate=np.ones(3), mu_s=0.5, mu_k=0.4, chunks="auto")
 angle: float = float(closed_form.slip_angle(0.5))

@@ -2,7 +2,8 @@
 
 use std::collections::TryReserveError;
 
-use littlewood::tables::UnknownName;
+use littlewood::derivatives::NotDifferentiable;
+use littlewood::tables::{Quantity, UnknownName};
 use littlewood::{ParameterError as Refusal, Proof, RestitutionLaw};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -29,6 +30,24 @@ pub(crate) fn unknown_law(py: Python<'_>, error: &UnknownName) -> PyErr {
 pub(crate) fn unknown_proof(py: Python<'_>, error: &UnknownName) -> PyErr {
     let hint = format!("leave it out for '{}'", Proof::default());
     exception(py, error.to_string(), "proof", &hint, None)
+}
+
+/// The exception of a quantity that neither a hoop nor a start has; these have the known ones.
+pub(crate) fn unknown_quantity(py: Python<'_>, name: &str, known: impl Iterator<Item = Quantity>) -> PyErr {
+    let hint = format!("quantities are {}", Vec::from_iter(known.map(Quantity::name)).join(", "));
+    exception(py, format!("there is no quantity of a hoop or a start named '{name}'"), name, &hint, None)
+}
+
+/// The exception of a quantity with respect to which a motion has no derivatives.
+pub(crate) fn not_differentiable(py: Python<'_>, error: NotDifferentiable) -> PyErr {
+    let name = error.quantity.name();
+    exception(
+        py,
+        error.to_string(),
+        name,
+        "leave it out, or give the hoop a coefficient of restitution",
+        None,
+    )
 }
 
 /// The exception of arrays for which there is no memory.

@@ -6,6 +6,7 @@
 //! handed over, not copied.
 
 mod closed_form;
+mod derivatives;
 mod digest;
 mod error;
 mod link;

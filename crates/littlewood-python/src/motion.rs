@@ -16,6 +16,7 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::derivatives::{self, All, Rows};
 use crate::error::{refuse, too_large};
 use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, limits, start, start_numbers};
 use crate::samples::Samples;
@@ -253,6 +254,22 @@ impl Trajectory {
             Ok(samples)
         });
         samples.map_err(|error| too_large(&error))?.into_dict(py)
+    }
+
+    /// The derivatives of the transitions and of the outcome with respect to these quantities, or to all that there are.
+    fn derivatives<'py>(&self, py: Python<'py>, quantities: Option<Vec<String>>) -> PyResult<All<'py>> {
+        derivatives::all(py, &self.0, quantities)
+    }
+
+    /// The derivatives of the state at fixed times.
+    fn derivatives_at<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+        quantities: Option<Vec<String>>,
+    ) -> PyResult<(Vec<&'static str>, Rows<'py>)> {
+        let times: Vec<f64> = times.as_array().iter().copied().collect();
+        derivatives::at(py, &self.0, &times, quantities)
     }
 }
 

@@ -1,0 +1,108 @@
+//! Derivatives of a motion, as flat arrays.
+
+use littlewood::derivatives::{Derivative, NoDerivative, NotDifferentiable};
+use littlewood::modes::Recurrence;
+use littlewood::tables::{Detail, Quantity};
+use littlewood::{State, Trajectory};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::{not_differentiable, unknown_quantity};
+
+/// The reason outside a motion.
+const OUTSIDE: &str = "outside";
+
+/// Derivatives of states, the numbers of each in the order of [`State::COLUMNS`], NaN where there are none; and the reason
+/// for each, empty where there are.
+pub(crate) type Rows<'py> = (Bound<'py, PyArray1<f64>>, Vec<&'static str>);
+
+/// The rows while they are collected.
+#[derive(Default)]
+struct Collected(Vec<f64>, Vec<&'static str>);
+
+impl Collected {
+    fn push(&mut self, derivative: Result<State, &'static str>) {
+        match derivative {
+            Ok(state) => self.0.extend(state.numbers()),
+            Err(_) => self.0.extend([f64::NAN; State::COLUMNS.len()]),
+        }
+        self.1.push(derivative.err().unwrap_or_default());
+    }
+
+    fn into_rows(self, py: Python<'_>) -> Rows<'_> {
+        (self.0.into_pyarray(py), self.1)
+    }
+}
+
+fn named<T: Copy>(derivative: &Derivative<T>, state: impl Fn(T) -> State) -> Result<State, &'static str> {
+    derivative.map(state).map_err(NoDerivative::name)
+}
+
+/// The quantities of these names, or all that the motion has.
+fn quantities(py: Python<'_>, motion: &Trajectory, names: Option<Vec<String>>) -> PyResult<Vec<Quantity>> {
+    let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
+    let Some(names) = names else {
+        let bounces = motion.hoop().restitution().is_some();
+        return Ok(known().filter(|quantity| bounces || *quantity != Quantity::Restitution).collect());
+    };
+    let find = |name: &String| known().find(|quantity| quantity.name() == name);
+    names.iter().map(|name| find(name).ok_or_else(|| unknown_quantity(py, name, known()))).collect()
+}
+
+/// The names of the quantities, the rows of all transitions, those of the outcome, and by their names the numbers of its
+/// recurrence.
+pub(crate) type All<'py> = (Vec<&'static str>, Rows<'py>, Rows<'py>, Bound<'py, PyDict>);
+
+/// All derivatives of a motion with respect to these quantities, or to all that it has.
+pub(crate) fn all<'py>(
+    py: Python<'py>,
+    motion: &Trajectory,
+    names: Option<Vec<String>>,
+) -> PyResult<All<'py>> {
+    let quantities = quantities(py, motion, names)?;
+    let found =
+        py.detach(|| motion.derivatives(&quantities)).map_err(|error| not_differentiable(py, error))?;
+    let (mut transitions, mut outcome) = (Collected::default(), Collected::default());
+    for derivative in found.transitions().iter().flatten() {
+        transitions.push(named(derivative, |event| event.after));
+    }
+    let numbers = PyDict::new(py);
+    for (place, derivative) in found.outcome().iter().enumerate() {
+        outcome.push(named(derivative, |end| end.state));
+        let recurrence = derivative.ok().and_then(|end| end.recurrence);
+        for (name, detail) in recurrence.iter().flat_map(Recurrence::details) {
+            let Detail::Real(value, _) = detail else { continue };
+            if !numbers.contains(name)? {
+                numbers.set_item(name, vec![f64::NAN; quantities.len()])?;
+            }
+            if let Some(values) = numbers.get_item(name)? {
+                values.set_item(place, value)?;
+            }
+        }
+    }
+    let names = quantities.into_iter().map(Quantity::name).collect();
+    Ok((names, transitions.into_rows(py), outcome.into_rows(py), numbers))
+}
+
+/// The derivatives of the state at fixed times, time after time.
+pub(crate) fn at<'py>(
+    py: Python<'py>,
+    motion: &Trajectory,
+    times: &[f64],
+    names: Option<Vec<String>>,
+) -> PyResult<(Vec<&'static str>, Rows<'py>)> {
+    let quantities = quantities(py, motion, names)?;
+    let found = py.detach(|| -> Result<Collected, NotDifferentiable> {
+        let mut rows = Collected::default();
+        for time in times {
+            match motion.derivatives_at(*time, &quantities)? {
+                Some(each) => each.iter().for_each(|derivative| rows.push(named(derivative, |state| state))),
+                None => quantities.iter().for_each(|_| rows.push(Err(OUTSIDE))),
+            }
+        }
+        Ok(rows)
+    });
+    let rows = found.map_err(|error| not_differentiable(py, error))?;
+    Ok((quantities.into_iter().map(Quantity::name).collect(), rows.into_rows(py)))
+}

@@ -1,0 +1,77 @@
+"""Derivatives of a motion as data sets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+from .extras import require
+from .tables import SAMPLE_COLUMNS
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import xarray
+
+_Rows = tuple["npt.NDArray[np.float64]", list[str]]
+# Columns with the unit of a number of endless rolling.
+_LIKE = {"period": "time", "theta_min": "theta", "theta_max": "theta"}
+_REASON = {"long_name": "why there is no derivative, empty where there is one"}
+
+
+def _attributes(name: str, of: str) -> dict[str, Any]:
+    column = SAMPLE_COLUMNS[_LIKE.get(name, name)]
+    what = name if name in _LIKE else column.long_name
+    return {"long_name": f"derivative of {what}{of}", "units": "1", "scale": column.scale}
+
+
+def _variables(
+    rows: _Rows, dimensions: tuple[str, ...], shape: tuple[int, ...], of: str, prefix: str
+) -> dict[str, Any]:
+    values, reasons = rows
+    numbers = values.reshape(*shape, len(_core.STATE))
+    found: dict[str, Any] = {
+        prefix + name: (dimensions, numbers[..., i], _attributes(name, of)) for i, name in enumerate(_core.STATE)
+    }
+    found[prefix + "reason"] = (dimensions, np.array(reasons, dtype=np.str_).reshape(shape), _REASON)
+    return found
+
+
+def _dataset(variables: dict[str, Any], coordinates: dict[str, Any], names: list[str], title: str) -> xarray.Dataset:
+    quantity = ("quantity", names, {"long_name": "quantity of the hoop, the plane or the start"})
+    attributes = {"title": title, "source": f"littlewood {_core.__version__}"}
+    dataset: xarray.Dataset = require("xarray").Dataset(
+        variables, coords={**coordinates, "quantity": quantity}, attrs=attributes
+    )
+    return dataset
+
+
+def of_motion(core: _core.Trajectory, quantities: Sequence[str] | None) -> xarray.Dataset:
+    """Return the derivatives of the transitions and of the outcome."""
+    names, transitions, outcome, numbers = core.derivatives(quantities)
+    count = len(transitions[1]) // len(names) if names else len(core.transitions())
+    variables = _variables(
+        transitions, ("transition", "quantity"), (count, len(names)), " after the transition, along it", ""
+    )
+    variables |= _variables(outcome, ("quantity",), (len(names),), " at the end, along it", "end_")
+    variables |= {name: ("quantity", values, _attributes(name, "")) for name, values in numbers.items()}
+    place = ("transition", np.arange(count), {"long_name": "index of the transition"})
+    return _dataset(variables, {"transition": place}, names, "derivatives of the events of a motion")
+
+
+def at_times(core: _core.Trajectory, times: npt.ArrayLike, quantities: Sequence[str] | None) -> xarray.Dataset:
+    """Return the derivatives of the state at fixed times."""
+    instants = np.asarray(times, dtype=np.float64)
+    if instants.ndim > 1:
+        raise ValueError(f"times of shape {instants.shape} must be one time or of shape (n,)")
+    names, rows = core.derivatives_at(instants.reshape(-1), quantities)
+    dimensions = ("time",) * instants.ndim
+    shape = (*instants.shape, len(names))
+    variables = _variables(rows, (*dimensions, "quantity"), shape, " at a fixed time", "")
+    # That of the time itself is zero, and its name that of the instants.
+    del variables["time"]
+    column = SAMPLE_COLUMNS["time"]
+    time = (dimensions, instants, {"long_name": column.long_name, "units": column.cf_unit, "scale": column.scale})
+    return _dataset(variables, {"time": time}, names, "derivatives of the states of a motion at fixed times")
