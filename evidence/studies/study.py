@@ -23,6 +23,7 @@ NAMES = (
     "how-many-slips",
     "band",
     "massless-limit",
+    "gradients-through-contact",
     "real-film",
     "sequences",
 )

@@ -18,6 +18,7 @@ PAGES = [
         for name in ("own-hoop.md", "jumps.md", "landing.md", "fit.md", "video.md", "lab.md", "score.md")
     ),
     PYTHON.parent / "docs" / "start.md",
+    PYTHON.parent / "docs" / "studies" / "gradients-through-contact.md",
 ]
 
 
