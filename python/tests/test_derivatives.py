@@ -170,3 +170,13 @@ def test_they_have_no_units():
         assert name.endswith("reason") or variable.attrs["units"] == "1"
     assert (found.time.attrs["scale"], found.end_slip.attrs["scale"]) == ("sqrt(R/g)", "sqrt(g R)")
     assert lw.case("figure-2-libration").simulate().derivatives().period.attrs["scale"] == "sqrt(R/g)"
+
+
+def test_what_follows_a_jam_without_a_motion_before_is_not_differentiated():
+    # The jam of a start ends no phase; its impact changes all that follows.
+    motion = lw.case("jam").simulate()
+    assert (motion.transitions[0].cause, motion.transitions[0].from_mode) == ("jam", None)
+    found = motion.derivatives(["theta", "slip", "mu_k"])
+    assert set(found.reason.values.ravel()) == set(found.end_reason.values) == {"singular"}
+    fixed = motion.derivatives_at([motion.start.time, 1.0], ["theta"])
+    assert set(fixed.reason.values.ravel()) == {"singular"}

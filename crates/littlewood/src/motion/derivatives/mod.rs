@@ -20,7 +20,7 @@ use crate::mechanics::{Bounces, Contact, ContactVelocities, RollingLaw, contact}
 use crate::model::{Body, Heavy, Mode, Quantity, RestitutionLaw, State, named};
 use crate::modes::{PhaseSolution, Recurrence};
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Cause, Outcome};
+use crate::walk::{Cause, Outcome, Transition};
 
 use flow::{Motion, Plane, Point};
 
@@ -275,6 +275,8 @@ struct Tangents<'a, const K: usize> {
     now: Instant<K>,
     /// Rate of the gap after the last impact or at the start.
     gap_rate: Dual<K>,
+    /// Time of the first jam without a motion before it: it ends no phase, and is not differentiated.
+    jam: Option<f64>,
 }
 
 impl<'a, const K: usize> Tangents<'a, K> {
@@ -314,6 +316,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             origin: [seed(Quantity::Time, time), seed(Quantity::X, x)],
             now: Instant { elapsed: Dual::constant(0.0), point },
             gap_rate: seed(Quantity::GapRate, rise) / pace,
+            jam: motion.transitions.iter().find(|it| it.from.is_none()).map(Transition::time),
         }
     }
 
@@ -355,10 +358,14 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// The state at the start of a phase, with its derivatives, as exact as the phase has it.
-    fn begin(&mut self, phase: &Phase) {
+    fn begin(&mut self, phase: &Phase) -> Derivative<()> {
+        if self.jam.is_some_and(|time| phase.start().time >= time) {
+            return Err(NoDerivative::Singular);
+        }
         let known = Point::from(&phase.start);
         self.now.point = self.now.point.zip(known, Dual::at);
         self.now.elapsed = self.now.elapsed.at(phase.start.time);
+        Ok(())
     }
 
     /// Moves a state to the instant at which a condition with these derivatives vanishes.
@@ -372,7 +379,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     /// Passes a phase and the event that ends it. Returns the states before and after the event.
     fn pass(&mut self, phase: &Phase) -> Derivative<Option<[Instant<K>; 2]>> {
-        self.begin(phase);
+        self.begin(phase)?;
         let motion = self.motion_of(phase);
         let Some(end) = phase.end else { return Ok(None) };
         let Some(number) = phase.ended_by else { return Ok(None) };
@@ -512,7 +519,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     /// The state within a phase at a time that is the same for all motions, in the units of the results.
     fn at_time(&mut self, phase: &Phase, elapsed: f64) -> Result<Instant<K>, NoDerivative> {
-        self.begin(phase);
+        self.begin(phase)?;
         let motion = self.motion_of(phase);
         let within = (elapsed - phase.start.time).max(0.0);
         let point = self.plane.follow(&motion, &self.now.point, within)?;
@@ -528,6 +535,9 @@ impl<'a, const K: usize> Tangents<'a, K> {
         &mut self,
         passed: &[Option<[Instant<K>; 2]>],
     ) -> Derivative<(Instant<K>, Option<Repeats<K>>)> {
+        if self.jam.is_some() {
+            return Err(NoDerivative::Singular);
+        }
         let outcome = self.motion.outcome;
         let last = self.motion.phases.last();
         // The state of these outcomes is that of an event, unless a limit cut a phase.
