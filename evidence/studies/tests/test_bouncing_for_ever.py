@@ -20,7 +20,10 @@ from evidence.studies.bouncing_for_ever import (
     orbit,
     product,
     random_orbits,
+    rocked,
+    rocking,
     rubbed,
+    smooth_rocking,
     stable,
     thin,
 )
@@ -238,3 +241,74 @@ def test_nearly_balanced_hoops_have_the_interval_and_the_life_of_their_limit():
         assert low == pytest.approx(0.5 * math.pi, abs=h * h * 3.0)
         assert (high - 0.5 * math.pi) / h == pytest.approx(span, rel=2.0 * h)
         assert life(h, low, high) == pytest.approx(turns, rel=2.0 * h)
+
+
+def lossless(hoop, theta, rate, gap_rate, impacts):
+    """The places and rates after the impacts of a motion, none of which loses energy."""
+    motion = hoop.simulate(theta=theta, theta_rate=rate, gap_rate=gap_rate, max_transitions=impacts)
+    assert [one.cause for one in motion.transitions] == ["landing"] * impacts
+    assert all(abs(one.impact.energy_lost) < 1e-12 for one in motion.transitions)
+    assert all(one.impact.after.gap_rate == pytest.approx(gap_rate, rel=1e-9) for one in motion.transitions)
+    return [(one.after.theta, one.impact.after.theta_rate) for one in motion.transitions]
+
+
+def test_there_are_lossless_motions_that_do_not_turn():
+    # The rate is that of a referee, from the equations of Newton and Euler.
+    hoop = thin_hoop(0.5, mu_k=0.5, restitution=1.0)
+    one = rocking(0.5, 0.75, 2.0)
+    assert one.second_rate == pytest.approx(0.61391, abs=5e-6)
+    far = 2.0 * math.pi - 2.0
+    found = lossless(hoop, 2.0, one.second_rate, one.gap_rate, 4)
+    assert found == [pytest.approx(after, rel=1e-9) for after in 2 * [(far, -one.second_rate), (2.0, one.second_rate)]]
+    # With a pause: κ v and v² = χ/κα.
+    v = math.sqrt((math.pi - 2.0) / (one.kappa * one.alpha))
+    found = lossless(hoop, 2.0, one.kappa * v, v, 4)
+    pauses = [(far, 0.0), (far, -one.kappa * v), (2.0, 0.0), (2.0, one.kappa * v)]
+    assert found == [pytest.approx(after, rel=1e-9, abs=1e-9) for after in pauses]
+    # With two rates, where a² = ϱ + L²: (h cos φ)² + h cos φ + 1 − h² = 0 in a thin hoop.
+    h = 0.9
+    angle = math.acos((math.sqrt(4.0 * h * h - 3.0) - 1.0) / (2.0 * h))
+    a, chi = h * math.sin(angle), math.pi - angle
+    v = 2.5 * math.sqrt(a * chi)
+    slow, fast = ((v + side * math.sqrt(v * v - 4.0 * a * chi)) / (2.0 * a) for side in (-1.0, 1.0))
+    rough = thin_hoop(h, mu_k=1.5 * (1.0 + h * math.cos(angle)) / a, restitution=1.0)
+    found = lossless(rough, angle, fast, v, 2)
+    assert found == [pytest.approx(after, rel=1e-9) for after in ((2.0 * math.pi - angle, -slow), (angle, fast))]
+
+
+def test_rocking_is_unstable_with_friction_and_conserves_area_without():
+    for h, angle in ((0.3, 1.0), (0.5, 2.0), (0.8, 2.6)):
+        one = rocking(h, thin(h), angle)
+        half = np.array(rocked(one))
+        assert np.linalg.det(half) == pytest.approx(1.0 + one.kappa * one.lever * (math.pi - angle), rel=1e-12)
+        assert np.linalg.det(np.array(rocked(rocking(h, thin(h), angle, rough=False)))) == pytest.approx(1.0, rel=1e-12)
+        hoop = thin_hoop(h, mu_k=one.friction + 0.2, restitution=1.0)
+        start, columns = [angle, one.second_rate, one.gap_rate], []
+        for i in range(3):
+            ends = []
+            for step in (1e-7, -1e-7):
+                theta, rate, gap_rate = (x + step * (i == j) for j, x in enumerate(start))
+                motion = hoop.simulate(theta=theta, theta_rate=rate, gap_rate=gap_rate, max_transitions=1)
+                after = motion.transitions[0]
+                ends.append([-after.after.theta, -after.impact.after.theta_rate, after.impact.after.gap_rate])
+            columns.append([(x - y) / 2e-7 for x, y in zip(*ends, strict=True)])
+        assert np.transpose(columns) == pytest.approx(half, abs=2e-6 * np.max(np.abs(half)))
+
+
+def test_smooth_rocking_is_stable_where_its_multipliers_are_on_the_unit_circle():
+    for h in (0.1, 0.5, 0.7):
+        for end in smooth_rocking(h):
+            sizes = []
+            for angle in (end - 1e-3, end + 1e-3):
+                sizes.append(max(abs(np.linalg.eigvals(np.array(rocked(rocking(h, thin(h), angle, rough=False)))))))
+            assert min(sizes) == pytest.approx(1.0, abs=1e-6) and max(sizes) > 1.01
+
+
+def test_bands_that_are_narrower_than_the_grid_are_found():
+    for h, inside, outside in ((0.9, 155.458, (155.45, 155.47)), (0.95, 162.35, (162.33, 162.38))):
+        low, high = next(band for band in stable(h) if band[0] < math.radians(inside) < band[1])
+        assert math.radians(outside[0]) < low and high < math.radians(outside[1])
+        for degrees in (inside, *outside):
+            # By the eigenvalues of the matrix: one is 1, and both others are smaller inside the band only.
+            sizes = np.sort(abs(np.linalg.eigvals(np.array(orbit(h, thin(h), math.radians(degrees)).turn()))))
+            assert sizes[1] < 1.0 - 1e-4 if degrees == inside else sizes[2] > 1.0 + 1e-4
