@@ -19,7 +19,7 @@ from .frictionless import degenerate_rates
 from .page import table
 from .study import Study
 from .surfaces import Grid
-from .turns import Floats, hoop_of, names_of
+from .turns import Floats, first_turn, hoop_of, names_of
 
 LEAST, MOST = 0.005, 2.0
 """Range of the friction."""
@@ -191,9 +191,16 @@ def list_table() -> list[str]:
     """All sequences."""
     rows = []
     for name, extent in sorted(extents().items(), key=lambda one: (-one[1].number, one[0])):
+        if extent.number == 1:
+            break
         word, stop = name.split(maxsplit=1)
         rows.append([f"`{word}`", stop, *extent.cells])
     return table(["sequence", "stop", "intervals", "γ", "θ′√γ", "μ"], rows)
+
+
+def once_text() -> str:
+    """The sequences of one interval."""
+    return ", ".join(f"`{name}`" for name, extent in sorted(extents().items()) if extent.number == 1)
 
 
 def degenerate_parts(gamma: float) -> list[float]:
@@ -278,10 +285,129 @@ def drawn_text() -> str:
     return f"{sum(missing.values())} of {DRAWN:,} starts, with {len(missing)} sequences"
 
 
-def union_text() -> str:
-    """The size of the list, those of random starts added."""
-    words = {name.split()[0] for name in {*extents(), *drawn()[1]}}
-    return f"{len({*extents(), *drawn()[1]})} with stops and {len(words)} without"
+@dataclass(frozen=True)
+class Region:
+    """A region of starts of one family, and how many of them are drawn in a search.
+
+    Parameters
+    ----------
+    gamma, part, mu : pair of float
+        Ranges; μ is drawn by its logarithm.
+    rim : bool
+        Whether the hoops are thin ones with the particle on the rim.
+    """
+
+    gamma: tuple[float, float]
+    part: tuple[float, float]
+    mu: tuple[float, float]
+    count: int
+    rim: bool = False
+
+
+CORNER = Region((0.2, 0.37), (0.68, 0.8), (10**-2.9, 10**-1.7), 150_000)
+"""Where most of the sequences are that the lines do not have."""
+
+RIM = Region((0.1, 0.97), (0.0, 1.0), (LEAST, MOST), 50_000, rim=True)
+
+
+@cache
+def searched(region: Region, seed: int) -> frozenset[tuple[str, bool]]:
+    """Return the sequences of random starts of a region, and whether each has μ ≥ 0.005 for some of them."""
+    random = np.random.default_rng(seed)
+    gamma, part = random.uniform(*region.gamma, region.count), random.uniform(*region.part, region.count)
+    mu = np.exp(random.uniform(math.log(region.mu[0]), math.log(region.mu[1]), region.count))
+    words = names_of(gamma, mu, rate_of(gamma, part), rim=region.rim)
+    above = set(words[mu >= LEAST].tolist())
+    return frozenset((name, name in above) for name in set(words.tolist()))
+
+
+@dataclass(frozen=True)
+class Recapture:
+    """Two independent searches of a region, and what they say of the number of its sequences.
+
+    Parameters
+    ----------
+    first, second : set of str
+        Sequences that each has found.
+    above : set of str
+        Those of both with μ ≥ 0.005.
+    """
+
+    first: set[str]
+    second: set[str]
+    above: set[str]
+
+    @classmethod
+    def of(cls, region: Region, known: Iterable[str] = ()) -> Recapture:
+        """Search a region twice for sequences that are not known."""
+        one, two = ({pair for pair in searched(region, seed) if pair[0] not in set(known)} for seed in (1, 2))
+        return cls({name for name, _ in one}, {name for name, _ in two}, {name for name, above in one | two if above})
+
+    @property
+    def found(self) -> set[str]:
+        """All that are found."""
+        return self.first | self.second
+
+    @property
+    def estimate(self) -> float:
+        """Chapman's estimate of how many there are, were all equally easy to find."""
+        return (len(self.first) + 1) * (len(self.second) + 1) / (len(self.first & self.second) + 1) - 1
+
+    @property
+    def told(self) -> str:
+        """The numbers in words."""
+        both = len(self.first & self.second)
+        return (
+            f"{len(self.first)} and {len(self.second)} sequences with stops, {both} of them both, "
+            f"{len(self.found)} together, and the estimate is {self.estimate:.1f}"
+        )
+
+
+def corner_text() -> str:
+    """What two searches find in the corner."""
+    return Recapture.of(CORNER, extents()).told
+
+
+def corner_above_text() -> str:
+    """How many of these are in the range of the lines."""
+    return str(len(Recapture.of(CORNER, extents()).above))
+
+
+def corner_list() -> str:
+    """The sequences of the corner that the lines do not have."""
+    return ", ".join(f"`{name.removesuffix(' revolution')}`" for name in sorted(Recapture.of(CORNER, extents()).found))
+
+
+UNFOUND = (0.249967916028383, 0.007794611384076971, 0.7063085869522819)
+"""γ, μ and θ′√γ of a start in the corner, from another search, with a sequence that neither of the two has."""
+
+
+def unfound_text() -> str:
+    """The sequence of that start."""
+    gamma, mu, part = UNFOUND
+    return f"`{first_turn(gamma, mu, part / math.sqrt(gamma)).word}` ({gamma!r}, {part!r}, {mu!r})"
+
+
+def rim_text() -> str:
+    """What two searches of rim hoops find."""
+    return Recapture.of(RIM).told
+
+
+def slides(name: str) -> int:
+    """Return the number of slides of a sequence."""
+    return sum(mark in "+-" for mark in name.split()[0])
+
+
+def most_slides() -> tuple[int, int]:
+    """Return the largest number of slides of all starts of the searches, and their phases at most."""
+    every = {*extents(), *drawn()[1], *Recapture.of(CORNER).found, *Recapture.of(RIM).found}
+    return max(map(slides, every)), max(len(name.split()[0]) for name in every)
+
+
+def slides_text() -> str:
+    """The largest numbers of slides and of phases."""
+    most, phases = most_slides()
+    return f"{most} slides or {phases} phases"
 
 
 @dataclass(frozen=True)
@@ -380,8 +506,14 @@ STUDY = Study(
         "distance": distance_text,
         "halfway": halfway_text,
         "drawn": drawn_text,
-        "union": union_text,
+        "corner": corner_text,
+        "above": corner_above_text,
+        "more": corner_list,
+        "unfound": unfound_text,
+        "rim": rim_text,
+        "most": slides_text,
         "list": list_table,
+        "once": once_text,
     },
     pictures={"planes": picture},
 )

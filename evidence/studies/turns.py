@@ -1,4 +1,7 @@
-"""First turns of the hoops of Theron and Maritz, many at once: from the top to a revolution, θ′ = 0 or lift-off."""
+"""First turns of the hoops of Theron and Maritz, many at once: from the top to a revolution, θ′ = 0 or lift-off.
+
+Of their hoops with a mass ratio of 1/3, or, with `rim`, of thin hoops with a particle on the rim.
+"""
 
 from __future__ import annotations
 
@@ -48,14 +51,21 @@ class Turn:
         return f"{self.word} {self.stop}"
 
 
-def hoop_of(mu: float, gamma: float) -> lw.Hoop:
-    """Return the hoop of Theron and Maritz, with its particle so far out that the mass centre is at gamma."""
-    return lw.Hoop(mass_ratio=1.0 / 3.0, offset=gamma / 0.75, inertia=1.0 / 3.0, mu_s=mu, mu_k=mu)
+def body_of(gamma: Floats, *, rim: bool) -> tuple[Floats, Floats]:
+    """Return m1/m2, which is I_zz, too, and ℓ of the bodies whose mass centre is at gamma."""
+    return (1.0 / gamma - 1.0, np.ones_like(gamma)) if rim else (np.full_like(gamma, 1.0 / 3.0), gamma / 0.75)
 
 
-def first_turn(gamma: float, mu: float, rate: float, phases: int = 4 * PHASES) -> Turn:
+def hoop_of(mu: float, gamma: float, *, rim: bool = False) -> lw.Hoop:
+    """Return the hoop whose mass centre is at gamma."""
+    ratio, offset = (float(one[0]) for one in body_of(np.array([gamma]), rim=rim))
+    return lw.Hoop(mass_ratio=ratio, offset=offset, inertia=ratio, mu_s=mu, mu_k=mu)
+
+
+def first_turn(gamma: float, mu: float, rate: float, phases: int = 4 * PHASES, *, rim: bool = False) -> Turn:
     """Follow a hoop from the top to a revolution, to θ′ = 0 or to lift-off, in so many phases."""
-    motion = hoop_of(mu, gamma).simulate(theta=0.0, theta_rate=rate, proof="none", max_transitions=phases)
+    hoop = hoop_of(mu, gamma, rim=rim)
+    motion = hoop.simulate(theta=0.0, theta_rate=rate, proof="none", max_transitions=phases)
     word = ""
     durations: list[float] = []
     for phase in motion.phases:
@@ -64,7 +74,7 @@ def first_turn(gamma: float, mu: float, rate: float, phases: int = 4 * PHASES) -
         word += "R" if phase.mode == "rolling" else "+" if phase.direction > 0 else "-"
         if phase.end is None:
             durations.append(math.inf)
-            return Turn(word, _rolling_stop(phase.energy_start, gamma), tuple(durations))
+            return Turn(word, _rolling_stop(phase.energy_start, hoop.offset), tuple(durations))
         found = _stop_of(motion, phase)
         if found is not None:
             durations.append(found[1])
@@ -73,9 +83,9 @@ def first_turn(gamma: float, mu: float, rate: float, phases: int = 4 * PHASES) -
     return Turn(word, "is given up", tuple(durations))
 
 
-def _rolling_stop(energy: float, gamma: float) -> str:
-    """Return what stops a turn that rolls on: the energy at rest on the top decides."""
-    return "revolution" if energy > gamma / 0.75 else "turns back"
+def _rolling_stop(energy: float, rest: float) -> str:
+    """Return what stops a turn that rolls on: the energy at rest on the top decides, which is m h."""
+    return "revolution" if energy > rest else "turns back"
 
 
 def _stop_of(motion: lw.Trajectory, phase: lw.motion.Phase) -> tuple[str, float] | None:
@@ -95,8 +105,11 @@ def _stop_of(motion: lw.Trajectory, phase: lw.motion.Phase) -> tuple[str, float]
     return stop, high
 
 
-def names_of(gamma: Floats, mu: Floats, rate: Floats) -> Texts:
+def names_of(gamma: Floats, mu: Floats, rate: Floats, *, rim: bool = False) -> Texts:
     """Return the phases and stops of many first turns."""
+    ratio, offset = body_of(gamma, rim=rim)
+    # Small swings of the slides of a rim hoop have the period 2π √(k²/h).
+    swing = np.minimum(SWING, SWING * np.sqrt((1.0 - gamma**2) / gamma)) if rim else np.full_like(gamma, SWING)
     names = np.full(len(mu), "", dtype="U32")
     going = np.arange(len(mu))
     theta, time = np.zeros(len(mu)), np.zeros(len(mu))
@@ -104,14 +117,14 @@ def names_of(gamma: Floats, mu: Floats, rate: Floats) -> Texts:
         if not len(going):
             break
         state = lw.simulate_many(
-            mass_ratio=1.0 / 3.0, inertia=1.0 / 3.0, offset=gamma[going] / 0.75, mu_s=mu[going], mu_k=mu[going],
+            mass_ratio=ratio[going], inertia=ratio[going], offset=offset[going], mu_s=mu[going], mu_k=mu[going],
             theta=0.0, theta_rate=rate[going], proof="none", max_transitions=count,
         )  # fmt: skip
         words = lw.sequence_names(state["sequence"].to_numpy())
-        stops, asked = _stops(words, state, gamma[going], theta, time)
+        stops, asked = _stops(words, state, offset[going], theta, time, swing[going])
         for place in np.flatnonzero(asked):
             one = going[place]
-            turn = first_turn(float(gamma[one]), float(mu[one]), float(rate[one]), count)
+            turn = first_turn(float(gamma[one]), float(mu[one]), float(rate[one]), count, rim=rim)
             names[one], stops[place] = turn.name, turn.stop.replace("is given up", "")
         told = ~asked & (stops != "")
         names[going[told]] = np.char.add(np.char.add(words[told], " "), stops[told])
@@ -123,7 +136,7 @@ def names_of(gamma: Floats, mu: Floats, rate: Floats) -> Texts:
 
 
 def _stops(
-    words: Texts, state: xr.Dataset, gamma: Floats, theta: Floats, time: Floats
+    words: Texts, state: xr.Dataset, rest: Floats, theta: Floats, time: Floats, swing: Floats
 ) -> tuple[Texts, npt.NDArray[np.bool_]]:
     """Return what stops the turns in their last phases, empty where nothing does, and where only samples can tell.
 
@@ -138,10 +151,10 @@ def _stops(
     stops = np.full(len(words), "", dtype="U10")
     slides = last != "R"
     over = np.where(slides, past | back, past | back | endless)
-    top = np.where(slides, past, energy > gamma / 0.75)
+    top = np.where(slides, past, energy > rest)
     stops[over] = np.where(top[over], "revolution", "turns back")
     stops[last == "F"] = "lifts off"
     swung = slides & ~past & (end <= theta)
     stops[swung] = "turns back"
-    asked = ~over & ~swung & (state["end_time"].to_numpy() - time > SWING)
+    asked = ~over & ~swung & (state["end_time"].to_numpy() - time > swing)
     return stops, slides & (last != "F") & (asked | ((swung | back) & ~past & (last == "+")))

@@ -253,7 +253,7 @@ def lossless(hoop, theta, rate, gap_rate, impacts):
 
 
 def test_there_are_lossless_motions_that_do_not_turn():
-    # The rate is that of a referee, from the equations of Newton and Euler.
+    # The rate is from an independent derivation, by the equations of Newton and Euler.
     hoop = thin_hoop(0.5, mu_k=0.5, restitution=1.0)
     one = rocking(0.5, 0.75, 2.0)
     assert one.second_rate == pytest.approx(0.61391, abs=5e-6)

@@ -13,12 +13,16 @@ from evidence.studies.frictionless import degenerate_rates, quadratic
 from evidence.studies.grazing import Margin
 from evidence.studies.roots import zero
 from evidence.studies.sequences import (
+    CORNER,
     GAMMAS,
     LEAST,
     MOST,
     PARTS,
+    RIM,
     SCAN,
     SMOOTH,
+    UNFOUND,
+    Recapture,
     distance_to_degenerate,
     extents,
     family,
@@ -119,6 +123,43 @@ def test_random_starts_have_the_sequences_of_the_lines():
     columns = starts(4000, 2, SMOOTH)
     missing = [name for name in names_of(*columns).tolist() if name not in extents()]
     assert len(missing) <= 4
+
+
+def test_the_lines_do_not_have_all_sequences_and_two_searches_do_not_either():
+    # Starts of an independent search, with another program.
+    found = Recapture.of(CORNER, extents()).found
+    for start, name, is_found in (
+        (UNFOUND, "R-R+R-R+R-R revolution", False),
+        ((0.2864325030024969, 0.010817605465116668, 0.7212563050567887), "R+R-R+R-R+-R revolution", True),
+        ((0.3655039952264185, 0.008390902203133984, 0.7124488114235097), "R+-R-R+-R revolution", True),
+    ):
+        gamma, mu, part = start
+        assert first_turn(gamma, mu, part / math.sqrt(gamma)).name == name
+        assert name not in extents()
+        assert (name in found) == is_found
+
+
+def test_the_number_of_a_set_is_estimated_by_capture_and_recapture():
+    # The estimate has no bias where every member is as easy to find: E = N for n1 + n2 ≥ N (Chapman 1951).
+    random = np.random.default_rng(3)
+    everything = [str(name) for name in range(60)]
+    found = [
+        Recapture(set(random.choice(everything, 40, False)), set(random.choice(everything, 35, False)), set()).estimate
+        for _ in range(4000)
+    ]
+    assert np.mean(found) == pytest.approx(60.0, abs=4.0 * np.std(found) / math.sqrt(len(found)))
+
+
+def test_turns_of_a_batch_of_rim_hoops_are_those_of_single_motions():
+    random = np.random.default_rng(7)
+    gamma, part = random.uniform(*RIM.gamma, 1000), random.uniform(*RIM.part, 1000)
+    mu, rate = np.exp(random.uniform(*np.log(RIM.mu), 1000)), rate_of(gamma, part)
+    rows = zip(gamma, mu, rate, strict=True)
+    single = [first_turn(*(float(one) for one in row), rim=True).name for row in rows]
+    assert names_of(gamma, mu, rate, rim=True).tolist() == single
+    assert len(set(single)) > 20
+    # The hoops with γ = 0.75 belong to both families.
+    assert first_turn(0.75, 0.2, 0.6, rim=True) == first_turn(0.75, 0.2, 0.6)
 
 
 # Surfaces.
