@@ -371,6 +371,32 @@ def thrown() -> str:
     return f"{flights} of {jams} jams of the sample are followed by a flight, and θ′ differs by {worst:.0e} at most"
 
 
+SPENT = lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=1e-3, mu_s=0.5, mu_k=0.5, restitution=0.0), (1.2, -0.9, 0.5)
+"""A slide, θ, θ′ and η′, that still slips where doubles do not resolve its distance from P = 0, and does not jam."""
+
+
+def slip_left(hoop: lw.Hoop, start: tuple[float, float, float], time: float) -> float:
+    """Return η′ that the first integral leaves at P = 0 and θ′ = −1/√(h cos θ), from θ, θ′ and η′ before that time."""
+    body, mu = Body.of(hoop), hoop.mu_k
+    theta, rate, slip = start
+    cosine = math.cos(body.angle(mu))
+
+    def lever(cosine: float) -> float:
+        return 1.0 + body.h * (cosine + mu * math.sqrt((1.0 - cosine) * (1.0 + cosine)))
+
+    return slip - rate * lever(math.cos(theta)) - lever(cosine) / math.sqrt(body.h * cosine) - mu * time
+
+
+def seeming() -> str:
+    """What is left of the slip of that slide, and how it ends."""
+    hoop, (theta, rate, slip) = SPENT
+    body = Body.of(hoop)
+    end = hoop.simulate(theta=theta, theta_rate=rate, slip=slip, max_transitions=1).transitions[0]
+    left = slip_left(hoop, (theta, rate, slip), end.state.time)
+    exponent = body.exponent(math.cos(body.angle(hoop.mu_k)))
+    return f"λ = {exponent:.3f} and η′_P = {left:.3f}: a {end.cause}, and no jam"
+
+
 def zone(body: Body, mu: float) -> float:
     """Return the distance from P = 0 at which the boundary has its turning point; infinite if beyond the bottom."""
     theta = body.angle(mu)
@@ -601,6 +627,7 @@ STUDY = Study(
         "rim bounds": rim_bounds,
         "exponents": exponents,
         "fates": fates,
+        "spent": seeming,
         "thrown": thrown,
         "comsol": comsol,
         "comsol zone": comsol_zone,

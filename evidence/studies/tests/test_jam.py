@@ -2,11 +2,12 @@ import math
 from dataclasses import replace
 from fractions import Fraction
 
+import littlewood as lw
 import numpy as np
 import pytest
 
 from evidence.studies.hoops import random_hoops, thin_hoop
-from evidence.studies.jam import Body, after_jam, rim_one, sample, zone
+from evidence.studies.jam import SPENT, Body, after_jam, rim_one, sample, slip_left, zone
 
 
 def bodies(count):
@@ -131,3 +132,51 @@ def test_comsols_hoop_jams_in_its_zone_only():
         assert hoop.simulate(theta=theta + part * width, theta_rate=-1e-4, slip=5.0).outcome.kind == "singular"
     for rate in (0.0, 0.01, 0.5, 1.0, 1.5):
         assert hoop.simulate(theta=theta + 1.02 * width, theta_rate=-rate, slip=5.0).outcome.kind != "singular"
+
+
+def test_a_slip_that_still_lasts_next_to_p_0_need_not_jam():
+    hoop, (theta, rate, slip) = SPENT
+    motion = hoop.simulate(theta=theta, theta_rate=rate, slip=slip, max_transitions=1)
+    (end,) = motion.transitions
+    assert (end.cause, end.to_mode) == ("stick", "rolling")
+    assert slip_left(hoop, (theta, rate, slip), end.state.time) < -0.01
+    # It slips where its distance from P = 0 is already 1e-9: the sign of the slip there would tell a jam.
+    last = motion(np.nextafter(end.state.time, 0.0) - 1e-9)
+    assert float(last["slip"]) > 0.01
+    assert 0.0 < float(last["theta"]) - Body.of(hoop).angle(hoop.mu_k) < 1e-8
+
+
+def test_what_is_left_of_the_slip_tells_jams_from_ends_of_slip_next_to_p_0():
+    # Slides from 0.1 beside P = 0, at λ = 0.02, where the slip ends or jams closer than doubles resolve.
+    seen = {"jam": 0, "end of slip": 0}
+    for body in bodies(150):
+        if body.k2 < 1e-3:
+            continue
+        mu = body.friction_of(0.02)
+        theta = body.angle(mu) + 0.1
+        base = lw.Hoop(mass_ratio=0.0, offset=body.h, inertia=body.k2, mu_s=mu, mu_k=mu, restitution=0.0)
+        for slip in (0.5, 1.0, 2.0, 4.0, 8.0):
+            start = (theta, -0.5 / math.sqrt(body.h), slip)
+            motion = base.simulate(theta=theta, theta_rate=start[1], slip=slip, max_transitions=1)
+            end = motion.transitions[0].state
+            if abs(end.theta - body.angle(mu)) > 1e-9:
+                continue
+            found = "jam" if motion.transitions[0].cause == "jam" else "end of slip"
+            seen[found] += 1
+            assert (slip_left(base, start, end.time) > 0.0) == (found == "jam")
+    assert min(seen.values()) > 20, seen
+
+
+def test_the_slip_of_rim_hoops_that_begins_does_so_below_a_rate():
+    # Exactly: m P η″/(…) ≥ 0 in its two forms, ψ in P and in the first integral.
+    for gamma, mu, t, u in (
+        (Fraction(1, 3), Fraction(2, 7), Fraction(3, 5), Fraction(4, 3)),
+        (Fraction(9, 10), Fraction(7, 9), Fraction(1, 4), Fraction(1, 5)),
+        (Fraction(5, 8), Fraction(3, 2), Fraction(-2, 9), Fraction(2, 3)),
+    ):
+        s, c = 2 * t / (1 + t * t), (1 - t * t) / (1 + t * t)
+        k2, q = 1 - gamma**2, gamma * s - mu * (1 + gamma * c)
+        x, w, p = (1 + gamma * c) * q, 1 - gamma * c * u, k2 + gamma * s * q
+        psi = gamma * (c + mu * s)
+        assert p == (1 + gamma * c) * (1 - psi)
+        assert (x - mu * k2) * w - gamma * s * u * p == x - mu * k2 - u * (x + mu * k2)
