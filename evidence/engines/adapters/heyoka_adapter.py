@@ -26,7 +26,7 @@ def simulate(case, step, setting):
     falling = hy.event_direction.negative
 
     def events_of(mode):
-        """Those functions whose zero ends a mode, by their number, that are not constants, as some of a balanced hoop."""
+        """Those functions whose zero ends a mode, by number, that are not constants, as some of a balanced hoop."""
         ends = enumerate(hoop.ends(mode, variables, hy))
         return {i: end for i, end in ends if isinstance(end, hy.expression) and hy.get_variables(end)}
 

@@ -18,7 +18,7 @@ def test_the_cases_have_the_events_that_they_are_for(run):
 
 
 def test_the_ramps_are_those_of_the_closed_forms(run):
-    """ℓ = 0: x″ = −m sin α/D without slip, D = Î + m, and −sin α + μ cos α with it; and rest next to the equilibrium."""
+    """ℓ = 0: x″ = −m sin α/D without slip, D = Î + m, and −sin α + μ cos α with it; rest next to the equilibrium."""
     sin, cos = math.sin, math.cos
     for name, rate in (("ramp-rolls", -sin(0.3) * 2 / 3), ("ramp-slips", 0.1 * cos(0.5) - sin(0.5))):
         motion = run.CASES[name].motion()

@@ -136,7 +136,7 @@ impl<const K: usize> Plane<Dual<K>> {
                 let law = RollingLaw::of_body(&self.body);
                 let PhasePoint { theta, rate } =
                     in_steps(from, elapsed, |place| RollSeries::new(&law, place).parts())?;
-                Ok(Point { theta, rate, slip: from.slip, x: from.x - (theta - from.theta) })
+                Ok(Point { theta, rate, slip: Dual::constant(0.0), x: from.x - (theta - from.theta) })
             }
             Motion::Slides(direction) => {
                 let law = self.sliding(*direction);
