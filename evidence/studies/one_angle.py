@@ -157,6 +157,24 @@ def laws() -> list[str]:
     return table([*heads, "height/h"], rows)
 
 
+def whole_turns(number: int) -> float:
+    """Return the angle of lift-off before the top after which a hoop turns so many times in the air."""
+    return math.atan(number * math.pi)
+
+
+def whole() -> str:
+    """The first of these angles."""
+    first, second, third = (whole_turns(number) / DEGREE for number in (1, 2, 3))
+    return f"{first:.3f}°, {second:.3f}°, {third:.3f}° …"
+
+
+def steep() -> str:
+    """How far the landing moves with a tenth of a degree beside the first vertical tangent."""
+    place = zero(lambda angle: math.tan(angle) - angle - math.pi, 1.3, 1.4)
+    below, at, above = (turned_in_air(place + step * DEGREE) for step in (-0.1, 0.0, 0.1))
+    return f"{(at - below) / DEGREE:.0f}° below and {(above - at) / DEGREE:.0f}° above"
+
+
 @cache
 def sample() -> list[tuple[float, float]]:
     """Return angles of lift-off and of the turn in the air of random hoops, as the library simulates them."""
@@ -244,6 +262,6 @@ def law_picture() -> Figure:
 
 STUDY = Study(
     name="one-angle",
-    texts={"laws": laws, "agreement": agreement, "second hop": second_agreement},
+    texts={"laws": laws, "whole": whole, "steep": steep, "agreement": agreement, "second hop": second_agreement},
     pictures={"law": law_picture},
 )
