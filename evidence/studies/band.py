@@ -88,31 +88,27 @@ FRICTIONS = (0.1, 0.3, 0.6)
 
 
 @cache
-def shares(h: float, mu_k: float) -> dict[str, float]:
-    """Return the shares of what becomes of the starts."""
+def fates(h: float, mu_k: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return of the starts whether the mass centre rises, the sequences, and the outcomes."""
     hoop = thin_hoop(h, mu_k=mu_k, mu_s=1.25 * mu_k)
     theta, rate = starts(h)
     result = lw.simulate_many(hoop, theta=theta, theta_rate=rate, max_transitions=20_000, threads=1)
     names = lw.sequence_names(result.sequence.values)
-    outcome = np.array([lw.tables.OUTCOMES[int(code)] for code in result.outcome.values])
-    lifts = outcome == "landing"
-    return {
-        "at once": float(np.mean([name.startswith("F") for name in names])),
-        "first slide": float(np.mean(lifts & np.array([name in ("+F", "-F") for name in names]))),
-        "later": float(np.mean(lifts & np.array([name not in ("+F", "-F", "F") for name in names]))),
-        "rolls": float(np.mean(outcome == "rolls_forever")),
-        "other": float(np.mean(~lifts & (outcome != "rolls_forever"))),
-    }
+    return np.sin(theta) * rate < 0.0, names, np.array([lw.tables.OUTCOMES[int(one)] for one in result.outcome.values])
 
 
 def share_table() -> list[str]:
-    """What becomes of the starts."""
+    """What becomes of the starts, by their direction."""
     rows = []
     for h in OFFSETS:
         for mu_k in FRICTIONS:
-            rows.append([f"{h:g}", f"{mu_k:g}", *(f"{100.0 * part:.1f} %" for part in shares(h, mu_k).values())])
-    heads = ["h", "μk", "off the plane at once", "out of the first slide", "later", "rolls for ever", "another end"]
-    return table(heads, rows)
+            rises, names, outcome = fates(h, mu_k)
+            first = np.isin(names, ("+F", "-F"))
+            cells = [f"{np.sum(first & one)} of {np.sum(one)}" for one in (rises, ~rises)]
+            ends = [np.sum((outcome == "landing") & ~first), np.sum(outcome == "rolls_forever")]
+            rows.append([f"{h:g}", f"{mu_k:g}", *cells, *map(str, ends)])
+    heads = ["h", "μk", "rising: off in the first slide", "falling: off in the first slide", "off later"]
+    return table([*heads, "roll for ever"], rows)
 
 
 def picture() -> Figure:

@@ -4,9 +4,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from evidence.studies.band import area, last_angle, shares, thickness, upper
+from evidence.studies.band import area, fates, last_angle, thickness, upper
 from evidence.studies.contact import Contact
 from evidence.studies.hoops import random_hoops
+from evidence.studies.one_angle import jumps_of
 
 
 def inside(seed, count):
@@ -62,4 +63,18 @@ def test_the_area_is_that_of_a_sum_over_a_fine_grid():
 
 
 def test_nothing_leaves_the_plane_at_once_from_the_band():
-    assert shares(0.5, 0.3)["at once"] == 0.0
+    _, names, outcome = fates(0.5, 0.3)
+    assert not any(name.startswith("F") for name in names)
+    assert set(outcome) == {"landing"}
+
+
+def test_a_falling_hoop_does_not_lift_off():
+    lifted = 0
+    for _, motion, place in jumps_of(5, 600):
+        start = motion.phases[place].start
+        lifted += 1
+        assert math.sin(start.theta) * start.theta_rate < 0.0
+    assert lifted > 50
+    for h in (0.5, 0.9):
+        rises, names, _ = fates(h, 0.3)
+        assert set(np.isin(names[~rises], ("+F", "-F"))) == {False}
