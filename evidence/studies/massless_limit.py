@@ -75,6 +75,37 @@ def slip_law() -> str:
     return f"{slip_shift(0.5, 0.5):.4f}"
 
 
+def thin_slip_law() -> str:
+    """The same for thin hoops, whose mass centre moves off the rim."""
+    return f"{slip_shift(0.5, 0.5) + 0.25:.4f}"
+
+
+def log_factor(mu: float, rate: float, time: float) -> float:
+    """Return Δθ over Î ln(1/Î) at a time, for μs = μk and a start at the top."""
+    motion = lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=0.0, mu_s=mu, mu_k=mu).simulate(
+        theta=0.0, theta_rate=rate, until=time, max_transitions=40
+    )
+    slip, now = motion.transitions[0], motion(time)
+    angle, pace = slip.state.theta, slip.state.theta_rate
+    pressure = 1.0 - math.cos(angle) * pace**2
+    return -pressure * (time - slip.time) / (math.sin(angle) * pace * math.sin(float(now.theta)))
+
+
+def log_law() -> str:
+    """The factor of the logarithm in the motion of Figure 7 with equal coefficients."""
+    return f"{log_factor(0.5, 0.5, 2.2):.4f}"
+
+
+def friction_at_bottom(family: str, mu: float) -> float:
+    """Return (θ′ √Î − v)/√Î at the bottom of Figure 7, as Î → 0; there the slip is to the left and θ′ > 0."""
+    return (2.0 if FAMILIES[family] else 1.0) * mu * math.pi * SPEED / 8.0
+
+
+def passage_law() -> str:
+    """The limit of the last column of the passages."""
+    return " and ".join(f"{friction_at_bottom(family, 0.4):.4f} ({family})" for family in FAMILIES)
+
+
 def bottom(hoop: lw.Hoop) -> tuple[float, float]:
     """Return time and rate at which the particle of a light hoop passes its lowest place."""
     motion = figure_7(hoop)
@@ -242,6 +273,9 @@ STUDY = Study(
     texts={
         "regular": regular,
         "slip law": slip_law,
+        "thin slip law": thin_slip_law,
+        "log law": log_law,
+        "passage law": passage_law,
         "speed": speed,
         "passages": passages,
         "equal": equal,

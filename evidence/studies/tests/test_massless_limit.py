@@ -11,8 +11,10 @@ from evidence.studies.massless_limit import (
     after,
     bottom,
     figure_7,
+    friction_at_bottom,
     jams,
     light,
+    log_factor,
     massless,
     starts,
 )
@@ -28,6 +30,36 @@ def test_the_angle_of_slip_moves_by_its_coefficient(mu, rate):
         assert (angle - 2.0 * math.atan(mu)) / size == pytest.approx(
             mu * k / (b * (4.0 * b - k)), rel=200.0 * size + 1e-7
         )
+
+
+@pytest.mark.parametrize("rate", [0.1, 0.4])
+def test_thin_hoops_slip_later_by_half_the_friction(rate):
+    mu, (b, k) = 0.5, (1.6, 4.0 * (1.0 + rate * rate))
+    hoop = light(1e-6, "thin hoop", mu, mu)
+    angle = hoop.simulate(theta=0.0, theta_rate=rate, max_transitions=1).transitions[0].state.theta
+    shift = (angle - 2.0 * math.atan(mu)) / hoop.inertia_about_mass_centre
+    assert shift == pytest.approx(0.5 * mu + mu * k / (b * (4.0 * b - k)), rel=1e-4)
+
+
+@pytest.mark.parametrize(("mu", "rate", "time"), [(0.5, 0.5, 2.2), (0.3, 0.4, 2.3), (0.4, 0.6, 2.0)])
+def test_equal_coefficients_have_the_factor_of_their_logarithm(mu, rate, time):
+    ring = lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=0.0, mu_s=mu, mu_k=mu)
+    there = ring.simulate(theta=0.0, theta_rate=rate, until=time)(time).theta
+    off = []
+    for size in (1e-6, 1e-7):
+        hoop = light(size, "no mass, only inertia", mu, mu)
+        here = hoop.simulate(theta=0.0, theta_rate=rate, until=time, max_transitions=40)(time).theta
+        off.append(float(here - there) / size)
+    assert (off[1] - off[0]) / math.log(10.0) == pytest.approx(log_factor(mu, rate, time), rel=2e-3)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("mu", [0.2, 0.4])
+def test_friction_changes_the_passage_of_the_bottom_by_the_root_of_the_inertia(family, mu):
+    hoop = light(1e-6, family, mu)
+    root = math.sqrt(hoop.inertia_about_mass_centre)
+    _, rate = bottom(hoop)
+    assert (rate * root - SPEED) / root == pytest.approx(friction_at_bottom(family, mu), rel=1e-2)
 
 
 @pytest.mark.parametrize("family", FAMILIES)
