@@ -152,3 +152,26 @@ def test_the_number_of_slips_follows_the_logarithm_of_three():
             assert abs(errors[1]) < 0.05
             assert abs(errors[1]) < 0.6 * abs(errors[0]) + 2e-3
     assert found > 20
+
+
+def test_no_slide_begins_with_less_than_a_slip_out_of_rolling():
+    reversals = 0
+    for hoop, random in random_hoops(31, 4000):
+        m, h, inertia = hoop.mass, hoop.h, hoop.inertia_about_mass_centre
+        theta, u = random.uniform(-math.pi, math.pi), 10.0 ** random.uniform(-2.0, 1.0)
+        s, lever = math.sin(theta), 1.0 + h * math.cos(theta)
+        a, b, c = 1.0 / m + lever**2 / inertia, h * s * lever / inertia, 1.0 / m + (h * s) ** 2 / inertia
+        w, d, gap = 1.0 - h * math.cos(theta) * u, a * c - b * b, hoop.mu_s - hoop.mu_k
+        normal = (a * w - b * h * s * u) / d
+        force = (h * s * u - b * normal) / a
+        if w <= 0.0 or abs(force) <= hoop.mu_s * normal or gap == 0.0:
+            continue
+        sigma = -math.copysign(1.0, force)
+        kinetic, static = (c - mu * sigma * b for mu in (hoop.mu_k, hoop.mu_s))
+        if static <= 0.0:
+            continue
+        pressed = w / kinetic
+        begins = sigma * ((b - a * hoop.mu_k * sigma) * pressed - h * s * u)
+        reversals += 1
+        assert begins >= gap * d * w / (kinetic * static) * (1.0 - 1e-9)
+    assert reversals > 200
