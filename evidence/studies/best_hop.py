@@ -155,6 +155,12 @@ def rolled(body: Body, energy: float, mu: float) -> Rolled:
     return Rolled(found.jump_height.to_numpy(), found.jump_length.to_numpy())
 
 
+def free_energy(body: Body, energy: Any) -> Any:
+    """Return the energy without that of the speed along the plane, which little friction leaves as at the bottom."""
+    square = (1.0 - body.h) ** 2
+    return (energy * body.gyration - body.h * square) / (body.gyration + square)
+
+
 def searched(energy: float, mu: float, share: float) -> tuple[Any, Rolled]:
     """Return offsets, and the jumps of hoops with a share of the inertia of thin ones that roll first."""
     offsets = np.linspace(0.02, 0.99, 98)

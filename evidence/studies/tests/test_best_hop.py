@@ -9,6 +9,7 @@ from evidence.studies.best_hop import (
     build,
     farthest,
     flight,
+    free_energy,
     height,
     hops,
     hula,
@@ -25,6 +26,22 @@ from evidence.studies.best_hop import (
 )
 from evidence.studies.hoops import random_hoops
 from evidence.studies.one_angle import before_top, jumps_of, rise, turned_at_top, turned_in_air
+
+
+def test_little_friction_leaves_the_speed_along_the_plane_as_it_was_at_the_bottom():
+    for h, energy in ((0.3, 6.0), (0.5, 4.0), (0.7, 3.0), (0.9, 2.0)):
+        body = Body.thin(h)
+        left = free_energy(body, energy)
+        assert left == pytest.approx(0.5 * energy * (1.0 + h) - 0.5 * h * (1.0 - h), rel=1e-12)
+        told = math.acos((left - math.sqrt(left * left - 1.0)) / h)
+        rate = math.sqrt(2.0 * (energy + h) / body.about_contact(math.pi))
+        off = []
+        for mu in (1e-4, 1e-5):
+            motion = body.hoop(mu).simulate(theta=math.pi, theta_rate=rate, proof="contact", max_transitions=1000)
+            lift = next(one for one in motion.transitions if one.cause == "lift_off")
+            off.append(abs(before_top(lift.state.theta) - told))
+        # Friction moves it in the first order.
+        assert off[0] < 1e-2 and off[1] == pytest.approx(0.1 * off[0], rel=0.05)
 
 
 def test_the_body_of_two_numbers_has_them():
