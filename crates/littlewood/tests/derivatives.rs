@@ -9,7 +9,7 @@ use crate::common::{heavy_hoop, moderate_hoop, start};
 use littlewood::cases::find_case;
 use littlewood::derivatives::{Derivatives, EventDerivative, NoDerivative};
 use littlewood::modes::{GrazingOrbit, Recurrence};
-use littlewood::tables::Quantity;
+use littlewood::tables::{Quantity, Setup};
 use littlewood::theory::{Body, RollingLaw};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Phase, Restitution, RestitutionLaw, Sample, Start,
@@ -49,19 +49,19 @@ fn derivatives_are_those_of_differences_with_40_digits() {
     let motions = file["motions"].as_array().expect("a list");
     let mut compared = 0;
     for (index, row) in motions.iter().enumerate() {
-        let hoop: HoopParameters = serde_json::from_value(row["hoop"].clone()).expect("a hoop");
-        let mut start = Start::at(0.0, 0.0);
-        for (name, field) in [
-            ("theta", &mut start.theta),
-            ("theta_rate", &mut start.theta_rate),
-            ("slip", &mut start.slip),
-            ("gap_rate", &mut start.gap_rate),
-        ] {
-            *field = row["start"][name].as_f64().expect("a number");
+        let mut setup = Setup::new(HoopParameters::thin(1.0), Start::default());
+        for (quantities, table) in [(&Quantity::HOOP[..], &row["hoop"]), (&Quantity::START, &row["start"])] {
+            for quantity in quantities {
+                if let Some(value) = table[quantity.name()].as_f64() {
+                    setup.set(*quantity, value);
+                }
+            }
         }
+        let law = row["hoop"]["restitution_law"].as_str();
+        setup.hoop.restitution_law = law.map(|name| name.parse().expect("a law"));
         let events = row["events"].as_array().expect("a list");
         let limits = Limits::default().with_transitions(events.len());
-        let motion = Hoop::new(hoop).expect("a hoop").simulate(start, limits).expect("a start");
+        let motion = Hoop::new(setup.hoop).expect("a hoop").simulate(setup.start, limits).expect("a start");
         let named = events[0]["before"].as_object().expect("a table");
         let quantities: Vec<Quantity> = named.keys().map(|name| name.parse().expect("a quantity")).collect();
         let derivatives = motion.derivatives(&quantities).expect("quantities");
