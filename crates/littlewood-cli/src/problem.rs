@@ -114,12 +114,17 @@ impl Problem {
     /// The standard errors of the motion, from those of its numbers.
     ///
     /// # Errors
-    /// A quantity with respect to which there are no derivatives.
+    /// A quantity that has two errors, or with respect to which there are no derivatives.
     pub(crate) fn uncertainty(
         &self,
         motion: &Trajectory,
         given: Vec<(Quantity, f64)>,
     ) -> Result<Uncertainty, Error> {
+        for (index, (quantity, _)) in given.iter().enumerate() {
+            if given[..index].iter().any(|(earlier, _)| earlier == quantity) {
+                return Err(Error::TwoErrors { quantity: *quantity });
+            }
+        }
         let setup = Setup::new(self.hoop.parameters(), self.start);
         Uncertainty::new(&setup, self.limits, motion, given).map_err(Error::NotDifferentiable)
     }

@@ -78,7 +78,12 @@ fn derivatives(names: &[Names], trajectory: &Trajectory) -> Result<Option<Deriva
         Names::All => Vec::from_iter(all.clone()),
         Names::One(quantity) => vec![*quantity],
     });
-    let quantities: Vec<Quantity> = named.collect();
+    let mut quantities: Vec<Quantity> = Vec::new();
+    for quantity in named {
+        if !quantities.contains(&quantity) {
+            quantities.push(quantity);
+        }
+    }
     trajectory.derivatives(&quantities).map(Some).map_err(Error::NotDifferentiable)
 }
 

@@ -620,8 +620,11 @@ fn derivatives_have_the_numbers_of_closed_forms_and_their_reasons() {
     assert_close(turns[0].abs(), 1.0, 1e-12);
     assert_close(turns[0] + turns[1], 0.0, 1e-12);
 
-    let all = json(&["simulate", "figure-3", "--restitution", "0.5", "--derivatives", "all"]);
-    assert_eq!(all["transitions"][3]["derivatives"].as_object().unwrap().len(), 13);
+    let all = ["simulate", "figure-3", "--restitution", "0.5", "--derivatives", "mu_k,all"];
+    assert_eq!(json(&all)["transitions"][3]["derivatives"].as_object().unwrap().len(), 13);
+    let written = text(&[&all[..], &["--format", "json"]].concat());
+    let [friction, angle] = ["\"mu_k\": {", "\"theta\": {"].map(|name| written.matches(name).count());
+    assert_eq!(friction, angle, "a quantity that is named twice has one record");
     let table = text(&["simulate", "figure-3", "--format", "csv", "--derivatives", "mu-k"]);
     assert!(table.lines().next().unwrap().ends_with("d_slip_d_mu_k,d_x_d_mu_k"), "{table}");
     let page = text(&["simulate", "figure-3", "--derivatives", "slip,mu_k"]);
@@ -664,7 +667,7 @@ fn errors_of_the_given_numbers_become_those_of_the_events() {
     assert!(page.contains("without a derivative there is no first order"), "{page}");
     let error = complaint(&["simulate", "figure-3", "--uncertainty", "mu_k=2deg"], 2);
     assert!(error.contains("mu_k is no angle") && error.contains("theta=0.5deg"), "{error}");
-    for bad in ["mu_k", "mu_k=-1", "mu_k=nan", "muk=1", "restitution=0.1"] {
+    for bad in ["mu_k", "mu_k=-1", "mu_k=nan", "muk=1", "restitution=0.1", "mu_k=0.1,mu-k=0.2"] {
         let error = complaint(&["simulate", "figure-3", "--uncertainty", bad], 2);
         assert!(error.contains("hint:"), "{bad}: {error}");
     }

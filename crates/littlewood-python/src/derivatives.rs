@@ -13,8 +13,8 @@ use crate::error::{not_differentiable, unknown_quantity};
 /// The reason outside a motion.
 const OUTSIDE: &str = "outside";
 
-/// Derivatives of states, the numbers of each in the order of [`State::COLUMNS`], NaN where there are none; and the reason
-/// for each, empty where there are.
+/// The derivatives of states, one row for each state with its numbers in the order of [`State::COLUMNS`], and the name of the reason
+/// for each row. A row without derivatives is NaN; a row that has them has an empty reason.
 pub(crate) type Rows<'py> = (Bound<'py, PyArray1<f64>>, Vec<&'static str>);
 
 /// The rows while they are collected.

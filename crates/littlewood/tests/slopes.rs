@@ -96,8 +96,7 @@ fn check_motion(motion: &Trajectory) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    // The inversion of a quadrature at each instant takes its time.
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(ProptestConfig::with_cases(400))]
 
     #[test]
     fn heavy_hoops_keep_their_laws(hoop in heavy_hoop(), slope in slope(), start in start()) {

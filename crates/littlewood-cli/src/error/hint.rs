@@ -42,6 +42,7 @@ pub(super) fn of(error: &Error) -> Option<String> {
         ),
         #[cfg(feature = "figures")]
         Error::Figure(error) => of_figure(error),
+        Error::TwoErrors { .. } => "give each quantity once".to_owned(),
         Error::NotDifferentiable(_) => "give --restitution, or leave the quantity out".to_owned(),
         Error::Drawing(error) => of_drawing(error).to_owned(),
         Error::Stopped => "unfinished files are removed; finished ones are kept".to_owned(),

@@ -57,6 +57,12 @@ pub(crate) enum Error {
         /// Where.
         excerpt: Excerpt,
     },
+    /// A quantity with two standard errors.
+    #[error("--uncertainty has two errors of {quantity}")]
+    TwoErrors {
+        /// The quantity.
+        quantity: Quantity,
+    },
     /// A motion has no derivative with respect to a quantity.
     #[error(transparent)]
     NotDifferentiable(NotDifferentiable),
@@ -271,6 +277,7 @@ impl Error {
             | Self::ScenarioValue { .. }
             | Self::Scenario { .. }
             | Self::UnknownCase { .. }
+            | Self::TwoErrors { .. }
             | Self::NotDifferentiable(_)
             | Self::Missing { .. }
             | Self::Mixed { .. }

@@ -1,4 +1,4 @@
-//! Derivatives: under the name of each quantity those of the state, dimensionless; or the reason why there are none.
+//! Derivatives, dimensionless: an object for each quantity, with the derivatives of the state or with the reason why there are none.
 
 use littlewood::State;
 use littlewood::derivatives::{Derivative, Derivatives, EventDerivative, OutcomeDerivative};
@@ -33,13 +33,13 @@ fn record<T: Copy>(
     DerivativesRecord(derivatives.quantities().iter().copied().zip(each.iter().map(fields)).collect())
 }
 
-/// Those of the time of a transition and of the state after it.
+/// The derivatives of the time of a transition and of the state after it.
 pub(crate) fn of_transition(derivatives: &Derivatives, index: usize) -> Option<DerivativesRecord> {
     let each = derivatives.transitions().get(index)?;
     Some(record(derivatives, each, |EventDerivative { after, .. }| state(&after)))
 }
 
-/// Those of the state and of the recurrence of the outcome.
+/// The derivatives of the state and of the recurrence of the outcome.
 pub(crate) fn of_outcome(derivatives: &Derivatives) -> DerivativesRecord {
     record(derivatives, derivatives.outcome(), |OutcomeDerivative { state: end, recurrence, .. }| {
         let numbers = recurrence.iter().flat_map(littlewood::modes::Recurrence::details);
@@ -48,7 +48,8 @@ pub(crate) fn of_outcome(derivatives: &Derivatives) -> DerivativesRecord {
     })
 }
 
-/// As columns, for the state after a transition; empty where there is none.
+/// The derivatives of the state after a transition as columns of CSV. They are empty in rows that are no transition, and where a derivative does
+/// not exist.
 pub(crate) fn derivative_columns(derivatives: &Derivatives, index: Option<usize>) -> Fields {
     let each = index.and_then(|index| derivatives.transitions().get(index));
     let quantities = derivatives.quantities().iter().enumerate();

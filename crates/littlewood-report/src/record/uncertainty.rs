@@ -16,7 +16,7 @@ pub(crate) struct UncertaintyRecord {
     outcome: Option<SpreadRecord>,
 }
 
-/// Those of a state: `null` where there are none.
+/// The standard errors of a state. They are `null` where a derivative does not exist, or where fewer than two motions of the sample get there.
 #[derive(Debug, Serialize)]
 struct SpreadRecord {
     first_order: Option<Fields>,

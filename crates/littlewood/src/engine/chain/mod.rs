@@ -93,7 +93,8 @@ impl Chains {
         self.travel.unwrap_or(1.0)
     }
 
-    /// Where a state is on the curves, at a slip in a direction. On a slope there is none in the other direction of motion.
+    /// The point of the curves at which a slip in this direction begins. On a slope each direction of motion has its own curves; for a state
+    /// that moves the other way the result is `None`.
     pub(super) fn point(&self, state: &State, direction: Direction) -> Option<Point> {
         if self.travel.is_some() && state.theta_rate < 0.0 {
             return None;

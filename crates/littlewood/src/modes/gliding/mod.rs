@@ -16,6 +16,7 @@ mod particle;
 mod rest;
 mod tilted;
 
+use crate::math::number::Number;
 use crate::model::{Direction, Hoop, Massless, Mode, State};
 use crate::modes::{Instant, Sample};
 
@@ -62,13 +63,13 @@ impl GlidingIntegrals {
 /// Accelerations θ″ and η″ of gliding (3.17), for a particle at 0 < ℓ̂ ≤ 1. Not defined at θ = 0, ±π.
 #[must_use]
 pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f64, f64) {
-    accelerations(hoop, [hoop.weight(), theta_rate * theta_rate], libm::sincos(theta))
+    let u = theta_rate * theta_rate;
+    accelerations([hoop.offset, hoop.pull()], [hoop.weight(), u], libm::sincos(theta))
 }
 
-/// θ″ and η″ from gravity normal to the plane and u.
-fn accelerations(hoop: &Massless, [weight, u]: [f64; 2], (sin, cos): (f64, f64)) -> (f64, f64) {
-    let l = hoop.offset;
-    let slip = (weight * (1.0 + l * cos) - u * l * (l + cos)) / (l * sin) - hoop.pull() * weight;
+/// θ″ and η″ from ℓ̂ and the pull of the slope, gravity normal to the plane and u.
+pub(crate) fn accelerations<T: Number>([l, pull]: [T; 2], [weight, u]: [T; 2], (sin, cos): (T, T)) -> (T, T) {
+    let slip = (weight * (l * cos + 1.0) - u * l * (l + cos)) / (l * sin) - pull * weight;
     ((weight - l * cos * u) / (l * sin), slip)
 }
 
@@ -164,7 +165,7 @@ impl Gliding {
             mode: Mode::Gliding,
             direction: Some(self.direction),
             accelerations: accelerations(
-                &self.body,
+                [self.body.offset, self.body.pull()],
                 [1.0, state.theta_rate * state.theta_rate],
                 libm::sincos(state.theta),
             ),

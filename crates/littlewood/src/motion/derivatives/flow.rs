@@ -8,6 +8,7 @@ use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::math::trig::TruncatedSeries;
 use crate::mechanics::{Accelerations, RollingLaw, SlidingLaw};
 use crate::model::{Direction, Heavy, State};
+use crate::modes::gliding;
 use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
 
 use super::NoDerivative;
@@ -88,8 +89,8 @@ impl<T: Number> Plane<T> {
                 (theta, slip)
             }
             Motion::Glides => {
-                let spin = (-(h * cos * rate * rate) + 1.0) / (h * sin);
-                (spin, spin * (h * cos + 1.0) - h * sin * rate * rate - self.body.pull())
+                let one = T::constant(1.0);
+                gliding::accelerations([h, self.body.pull()], [one, rate * rate], (sin, cos))
             }
             Motion::Flies { .. } => (T::constant(0.0), -(h * sin * rate * rate) - self.body.pull()),
         };

@@ -8,21 +8,22 @@
 //! ```
 //!
 //! and the next phase begins with δy⁺ at the time τ + δτ (R. I. Leine and H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical
-//! Systems, Springer 2004). Each equation is that of the simulation, over numbers that carry derivatives ([`crate::math::number`]); there
-//! is no difference quotient and no step. Where a derivative does not exist, [`NoDerivative`] says why.
+//! Systems, Springer 2004). The equations of contact, of impacts and of bounces that settle are those of the simulation, over numbers that carry
+//! derivatives ([`crate::math::number`]); there is no difference quotient. Where a derivative does not exist, [`NoDerivative`] says why.
+//!
+//! [`tangents`] passes from phase to phase, [`flow`] follows a phase, and [`event`] has the conditions g.
 
+mod event;
 mod flow;
+mod tangents;
 
 use thiserror::Error;
 
-use crate::math::number::{Dual, Number};
-use crate::mechanics::{Bounces, Contact, ContactVelocities, RollingLaw, contact};
-use crate::model::{Body, Heavy, Mode, Quantity, RestitutionLaw, State, named};
-use crate::modes::{PhaseSolution, Recurrence};
-use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Cause, Outcome, Transition};
+use crate::model::{Quantity, State, named};
+use crate::modes::Recurrence;
+use crate::motion::trajectory::Trajectory;
 
-use flow::{Motion, Plane, Point};
+use tangents::Tangents;
 
 named! {
     /// Why a derivative does not exist.
@@ -31,7 +32,7 @@ named! {
     pub label: &'static str {
         /// The condition of the event vanishes along with its rate.
         Grazing = 0, "grazing" => "the event is touched, not crossed: its time has no derivative";
-        /// The quantity is at an end of its range or at a border between two modes, on whose two sides the motion differs.
+        /// The motion begins differently on the two sides of the value. At an end of its range a quantity has the derivative from within.
         OneSided = 1, "one_sided" => "on the two sides of this value the motion begins differently";
         /// P = 0, or a rate or a force without bound.
         Singular = 2, "singular" => "the equations of motion are singular there";
@@ -42,21 +43,18 @@ named! {
 
 /// A quantity with respect to which a motion has no derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("there are no derivatives with respect to {quantity}: {}", self.reason())]
+#[error("there are no derivatives with respect to {quantity}: {}", reason(*quantity))]
 pub struct NotDifferentiable {
     /// The quantity.
     pub quantity: Quantity,
 }
 
-impl NotDifferentiable {
-    fn reason(self) -> &'static str {
-        if self.quantity == Quantity::Restitution {
-            "the motion ends at its first landing, without a coefficient of restitution"
-        } else {
-            "quantities of the hoop and its start are mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, theta, theta_rate, \
-             slip, gap_rate, x and time"
-        }
+fn reason(quantity: Quantity) -> String {
+    if quantity == Quantity::Restitution {
+        return "the motion ends at its first landing, without a coefficient of restitution".to_owned();
     }
+    let known = Quantity::HOOP.into_iter().chain(Quantity::START);
+    format!("quantities of hoop and start are {}", Vec::from_iter(known.map(Quantity::name)).join(", "))
 }
 
 /// The derivatives of one transition with respect to one quantity.
@@ -231,461 +229,6 @@ impl Trajectory {
                     recurrence: recurrence.map(|numbers| numbers.part(k)),
                 }),
             });
-        }
-    }
-}
-
-/// A state with the time since the start of the motion, in the units of the solvers.
-#[derive(Clone, Copy, Debug)]
-struct Instant<const K: usize> {
-    elapsed: Dual<K>,
-    point: Point<Dual<K>>,
-}
-
-/// The numbers of a recurrence.
-#[derive(Clone, Copy, Debug)]
-enum Repeats<const K: usize> {
-    Libration { period: Dual<K>, theta_min: Dual<K>, theta_max: Dual<K> },
-    Rotation { period: Dual<K> },
-}
-
-impl<const K: usize> Repeats<K> {
-    fn part(self, k: usize) -> Recurrence {
-        match self {
-            Self::Libration { period, theta_min, theta_max } => Recurrence::Libration {
-                period: period.parts[k],
-                theta_min: theta_min.parts[k],
-                theta_max: theta_max.parts[k],
-            },
-            Self::Rotation { period } => Recurrence::Rotation { period: period.parts[k] },
-        }
-    }
-}
-
-/// The derivatives of a motion with respect to K quantities, while its phases are passed.
-struct Tangents<'a, const K: usize> {
-    motion: &'a Trajectory,
-    plane: Plane<Dual<K>>,
-    mu_s: Dual<K>,
-    restitution: Option<(Dual<K>, RestitutionLaw)>,
-    /// √cos α, the unit of velocity.
-    pace: Dual<K>,
-    /// Time and x of the start.
-    origin: [Dual<K>; 2],
-    now: Instant<K>,
-    /// Rate of the gap after the last impact or at the start.
-    gap_rate: Dual<K>,
-    /// Time of the first jam without a motion before it: it ends no phase, and is not differentiated.
-    jam: Option<f64>,
-}
-
-impl<'a, const K: usize> Tangents<'a, K> {
-    fn new(motion: &'a Trajectory, quantities: &[Quantity; K]) -> Self {
-        let seed = |quantity: Quantity, value: f64| Dual {
-            value,
-            parts: quantities.map(|it| if it == quantity { 1.0 } else { 0.0 }),
-        };
-        let parameters = motion.hoop.parameters();
-        let slope = seed(Quantity::Slope, parameters.slope);
-        let body = Heavy::of(
-            [
-                seed(Quantity::MassRatio, parameters.mass_ratio),
-                seed(Quantity::Offset, parameters.offset),
-                seed(Quantity::Inertia, parameters.inertia),
-            ],
-            slope,
-        );
-        let pace = slope.sincos().1.sqrt();
-        let State { theta_rate, slip, x, time, .. } = motion.start;
-        let point = Point {
-            theta: seed(Quantity::Theta, motion.relative.theta),
-            rate: seed(Quantity::ThetaRate, theta_rate) / pace,
-            slip: seed(Quantity::Slip, slip) / pace,
-            x: Dual::constant(0.0),
-        };
-        let rise = motion.phases.first().map_or(0.0, Phase::take_off_rate);
-        Self {
-            motion,
-            plane: Plane { body, mu_k: seed(Quantity::MuK, parameters.mu_k) },
-            mu_s: seed(Quantity::MuS, parameters.mu_s),
-            restitution: motion
-                .hoop
-                .restitution()
-                .map(|it| (seed(Quantity::Restitution, it.coefficient()), it.law())),
-            pace,
-            origin: [seed(Quantity::Time, time), seed(Quantity::X, x)],
-            now: Instant { elapsed: Dual::constant(0.0), point },
-            gap_rate: seed(Quantity::GapRate, rise) / pace,
-            jam: motion.transitions.iter().find(|it| it.from.is_none()).map(Transition::time),
-        }
-    }
-
-    /// Whether the motion differs on the two sides of the value of a quantity.
-    fn one_sided(&self, quantity: Quantity) -> bool {
-        let first = self.motion.phases.first().map(Phase::mode);
-        match quantity {
-            Quantity::Slip => self.motion.start.slip == 0.0 && first != Some(Mode::Flight),
-            Quantity::GapRate => first != Some(Mode::Flight),
-            // With inertia it is another body.
-            Quantity::MassRatio | Quantity::Inertia => matches!(self.motion.hoop.body(), Body::Massless(_)),
-            _ => false,
-        }
-    }
-
-    /// The derivative of a state in the units of the results.
-    fn state(&self, at: &Instant<K>, k: usize) -> State {
-        let [time, x] = self.origin;
-        State {
-            time: (time + at.elapsed / self.pace).parts[k],
-            theta: at.point.theta.parts[k],
-            theta_rate: (at.point.rate * self.pace).parts[k],
-            slip: (at.point.slip * self.pace).parts[k],
-            x: (x + at.point.x).parts[k],
-        }
-    }
-
-    fn motion_of(&self, phase: &Phase) -> Motion<Dual<K>> {
-        match &phase.solution {
-            PhaseSolution::Rolling(_) => Motion::Rolls,
-            PhaseSolution::Sliding(slide) => Motion::Slides(slide.direction()),
-            PhaseSolution::Gliding(_) => Motion::Glides,
-            PhaseSolution::Flight(flight) => {
-                let rise = self.gap_rate.at(flight.take_off_rate());
-                let lifts_off = flight.lifts_off();
-                Motion::Flies { from: self.now.point, rise, lifts_off }
-            }
-        }
-    }
-
-    /// The state at the start of a phase, with its derivatives, as exact as the phase has it.
-    fn begin(&mut self, phase: &Phase) -> Derivative<()> {
-        if self.jam.is_some_and(|time| phase.start().time >= time) {
-            return Err(NoDerivative::Singular);
-        }
-        let known = Point::from(&phase.start);
-        self.now.point = self.now.point.zip(known, Dual::at);
-        self.now.elapsed = self.now.elapsed.at(phase.start.time);
-        Ok(())
-    }
-
-    /// Moves a state to the instant at which a condition with these derivatives vanishes.
-    fn to_event(&self, motion: &Motion<Dual<K>>, at: &Point<Dual<K>>, by: [f64; K]) -> Point<Dual<K>> {
-        let rates = self.plane.rates(motion, at);
-        at.zip(rates, |number, rate| Dual {
-            value: number.value,
-            parts: core::array::from_fn(|k| number.parts[k] + rate.value * by[k]),
-        })
-    }
-
-    /// Passes a phase and the event that ends it. Returns the states before and after the event.
-    fn pass(&mut self, phase: &Phase) -> Derivative<Option<[Instant<K>; 2]>> {
-        self.begin(phase)?;
-        let motion = self.motion_of(phase);
-        let Some(end) = phase.end else { return Ok(None) };
-        let Some(number) = phase.ended_by else { return Ok(None) };
-        let transition = &self.motion.transitions[number];
-        let elapsed = end.time - phase.start.time;
-        if transition.cause == Cause::Settle {
-            return self.settle(&motion, &end).map(Some);
-        }
-        let point = self.plane.follow(&motion, &self.now.point, elapsed)?.zip(Point::from(&end), Dual::at);
-        if !(point.rate.value.is_finite() && point.slip.value.is_finite()) {
-            return Err(NoDerivative::Singular);
-        }
-        let event = Event::of(transition.cause, &end)?;
-        let later = self.delay(&motion, event, (&point, elapsed))?;
-        let at = self.to_event(&motion, &point, later);
-        let mut time = self.now.elapsed.at(end.time);
-        for (part, later) in time.parts.iter_mut().zip(later) {
-            *part += later;
-        }
-        let mut before = Instant { elapsed: time, point: at };
-        if event == Event::Rest {
-            before.point.slip = Dual::constant(0.0);
-        }
-        let mut after = before;
-        if let Some(impact) = &transition.impact {
-            let Some(restitution) = self.restitution else { return Err(NoDerivative::Singular) };
-            let friction = [self.mu_s, self.plane.mu_k];
-            let contact = Contact::of(&self.plane.body, friction, at.theta.sincos());
-            let gap_rate = self
-                .gap_rate_at(&motion, (&point, elapsed), later)
-                .at(impact.before.gap_rate / self.pace.value);
-            let velocities = ContactVelocities { theta_rate: at.rate, slip: at.slip, gap_rate };
-            let result = match transition.cause {
-                Cause::Jam => return Err(NoDerivative::Singular),
-                _ => contact.impact(velocities, restitution).after,
-            };
-            after.point = Point { rate: result.theta_rate, slip: result.slip, ..at };
-            self.gap_rate = result.gap_rate;
-        } else {
-            self.gap_rate = Dual::constant(0.0);
-        }
-        self.now = after;
-        Ok(Some([before, after]))
-    }
-
-    /// The derivatives of the time of an event, from the state at its time.
-    fn delay(
-        &self,
-        motion: &Motion<Dual<K>>,
-        event: Event,
-        (at, elapsed): (&Point<Dual<K>>, f64),
-    ) -> Derivative<[f64; K]> {
-        let condition = event.condition((&self.plane, self.mu_s), motion, (at, elapsed));
-        let (rate, curvature) = self.rate_of(motion, event, (at, elapsed));
-        // To second order the condition falls below zero by as much: less than the rounding of what it is made of is a graze.
-        let depth = rate * rate / (2.0 * curvature);
-        let rounding = GRAZING * event.size((&self.plane, self.mu_s.value), motion, (at, elapsed));
-        if depth <= rounding || depth.is_nan() {
-            return Err(NoDerivative::Grazing);
-        }
-        Ok(condition.parts.map(|part| -part / rate))
-    }
-
-    /// The rate of a condition along the motion, and the size of its second derivative.
-    fn rate_of(
-        &self,
-        motion: &Motion<Dual<K>>,
-        event: Event,
-        (at, elapsed): (&Point<Dual<K>>, f64),
-    ) -> (f64, f64) {
-        if let Motion::Flies { from, rise, lifts_off } = motion {
-            let (_, slope) = self.plane.gap((from, *rise, *lifts_off), Dual::constant(elapsed));
-            let u = at.rate.value * at.rate.value;
-            return (slope.value, 1.0 + self.plane.body.h.value * u);
-        }
-        let constant = |number: Dual<K>| Dual::<4>::constant(number.value);
-        let Heavy { mass, h, offset, inertia, tilt } = self.plane.body;
-        let [mass, h, offset, inertia, tilt] = [mass, h, offset, inertia, tilt].map(constant);
-        let plane = Plane { body: Heavy { mass, h, offset, inertia, tilt }, mu_k: constant(self.plane.mu_k) };
-        let variable = |number: Dual<K>, place: usize| {
-            let mut variable = constant(number);
-            variable.parts[place] = 1.0;
-            variable
-        };
-        let seeded = Point {
-            theta: variable(at.theta, 0),
-            rate: variable(at.rate, 1),
-            slip: variable(at.slip, 2),
-            x: variable(at.x, 3),
-        };
-        let in_contact = Motion::Rolls;
-        let gradient = event.condition((&plane, constant(self.mu_s)), &in_contact, (&seeded, elapsed)).parts;
-        let rates = self.plane.rates(motion, at);
-        let rates = [rates.theta, rates.rate, rates.slip, rates.x].map(Dual::value);
-        let terms = gradient.into_iter().zip(rates).map(|(slope, rate)| slope * rate);
-        let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()));
-        (sum, size * (rates[0].abs() + rates[1].abs().sqrt()))
-    }
-
-    /// The rate of the gap at an event of a flight; zero in contact.
-    fn gap_rate_at(
-        &self,
-        motion: &Motion<Dual<K>>,
-        (at, elapsed): (&Point<Dual<K>>, f64),
-        later: [f64; K],
-    ) -> Dual<K> {
-        let Motion::Flies { from, rise, lifts_off } = motion else { return Dual::constant(0.0) };
-        let (_, mut rate) = self.plane.gap((from, *rise, *lifts_off), Dual::constant(elapsed));
-        let u = at.rate.value * at.rate.value;
-        let fall = contact(1.0, self.plane.body.h.value, libm::cos(at.theta.value) * u);
-        for (part, later) in rate.parts.iter_mut().zip(later) {
-            *part -= fall * later;
-        }
-        rate
-    }
-
-    /// Passes infinitely many bounces.
-    fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<[Instant<K>; 2]> {
-        let (Some(restitution), Motion::Flies { rise, .. }) = (self.restitution, motion) else {
-            return Err(NoDerivative::Singular);
-        };
-        let from = self.now.point;
-        let friction = [self.mu_s, self.plane.mu_k];
-        let start = ContactVelocities { theta_rate: from.rate, slip: from.slip, gap_rate: *rise };
-        let sum = Bounces::of(&self.plane.body, (friction, 1.0), (from.theta, from.rate), restitution)
-            .and_then(|bounces| bounces.sum(start, f64::INFINITY));
-        let Ok(settling) = sum else { return Err(NoDerivative::Singular) };
-        let elapsed = settling.duration;
-        let point = self.plane.follow(motion, &from, elapsed.value)?.zip(Point::from(end), Dual::at);
-        let at = self.to_event(motion, &point, elapsed.parts);
-        let before = Instant { elapsed: (self.now.elapsed + elapsed).at(end.time), point: at };
-        let after = settling.impact.after;
-        let after = Instant { point: Point { rate: after.theta_rate, slip: after.slip, ..at }, ..before };
-        (self.now, self.gap_rate) = (after, Dual::constant(0.0));
-        Ok([before, after])
-    }
-
-    /// The state within a phase at a time that is the same for all motions, in the units of the results.
-    fn at_time(&mut self, phase: &Phase, elapsed: f64) -> Result<Instant<K>, NoDerivative> {
-        self.begin(phase)?;
-        let motion = self.motion_of(phase);
-        let within = (elapsed - phase.start.time).max(0.0);
-        let point = self.plane.follow(&motion, &self.now.point, within)?;
-        // A fixed time of the results is later or earlier in the time of the solvers, and since the start of the phase.
-        let [start, _] = self.origin;
-        let fixed = (Dual::constant(start.value) - start) * self.pace + self.pace / self.pace.value * elapsed;
-        let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
-        Ok(Instant { elapsed: fixed, point: self.to_event(&motion, &point, later) })
-    }
-
-    /// The derivatives of the outcome, after all phases with these events.
-    fn outcome(
-        &mut self,
-        passed: &[Option<[Instant<K>; 2]>],
-    ) -> Derivative<(Instant<K>, Option<Repeats<K>>)> {
-        if self.jam.is_some() {
-            return Err(NoDerivative::Singular);
-        }
-        let outcome = self.motion.outcome;
-        let last = self.motion.phases.last();
-        // The state of these outcomes is that of an event, unless a limit cut a phase.
-        let is_cut = last.is_some_and(|phase| phase.end.is_some() && phase.ended_by.is_none());
-        let at_event = || if is_cut { Err(NoDerivative::TooLong) } else { Ok((self.now, None)) };
-        match outcome {
-            Outcome::TimeLimit { state } => match last {
-                Some(phase) => Ok((self.at_time(phase, state.time)?, None)),
-                None => Ok((self.now, None)),
-            },
-            Outcome::RollsForever { recurrence, .. } => Ok((self.now, self.recurrence(recurrence)?)),
-            Outcome::RepeatsForever { since, .. } => {
-                let events = passed.iter().flatten().map(|[_, after]| *after);
-                let first = events.into_iter().find(|event| event.elapsed.value == since.time);
-                first.map_or_else(at_event, |event| Ok((event, None)))
-            }
-            Outcome::SlidesForever { .. }
-            | Outcome::Landing { .. }
-            | Outcome::SlipsForever { .. }
-            | Outcome::StaysInContact { .. }
-            | Outcome::TransitionLimit { .. }
-            | Outcome::Inconsistent { .. }
-            | Outcome::Ambiguous { .. }
-            | Outcome::StepLimit { .. } => at_event(),
-            Outcome::ParticleAtPlane { .. }
-            | Outcome::ParticleAtBottom { .. }
-            | Outcome::ParticleAtTop { .. }
-            | Outcome::Singular { .. }
-            | Outcome::Unresolved { .. } => Err(NoDerivative::Singular),
-        }
-    }
-
-    /// The derivatives of the numbers of endless rolling. After a period the state is that of the start, whose time follows from the larger
-    /// of its rates; a turning point has the energy of the start.
-    fn recurrence(&self, recurrence: Recurrence) -> Derivative<Option<Repeats<K>>> {
-        let law = RollingLaw::of_body(&self.plane.body);
-        let from = self.now.point;
-        let kinetic = law.denominator_of(from.theta.sincos()) * 0.5 * from.rate * from.rate;
-        let energy = law.energy_of(kinetic, from.theta, from.theta.sincos());
-        let turning = |theta: f64| {
-            let at = Dual::constant(theta);
-            let (sin, cos) = at.sincos();
-            let excess = energy - law.energy_of(Dual::constant(0.0), at, (sin, cos));
-            let slope = -law.drive(Dual::constant(1.0), cos, sin).value;
-            Dual { value: theta, parts: excess.parts.map(|part| part / slope) }
-        };
-        let period_of = |period: f64| {
-            let point = self.plane.follow(&Motion::Rolls, &from, period)?;
-            let rates = self.plane.rates(&Motion::Rolls, &from);
-            let (moved, rate) = if rates.theta.value.abs() >= rates.rate.value.abs() {
-                (point.theta - from.theta, rates.theta.value)
-            } else {
-                (point.rate - from.rate, rates.rate.value)
-            };
-            Ok(Dual { value: period, parts: moved.parts.map(|part| -part / rate) } / self.pace)
-        };
-        match recurrence {
-            Recurrence::Libration { period, theta_min, theta_max } => {
-                let [theta_min, theta_max] = [theta_min, theta_max].map(turning);
-                Ok(Some(Repeats::Libration { period: period_of(period)?, theta_min, theta_max }))
-            }
-            Recurrence::Rotation { period } => Ok(Some(Repeats::Rotation { period: period_of(period)? })),
-            Recurrence::Rest | Recurrence::Asymptotic { .. } | Recurrence::Downhill { .. } => Ok(None),
-        }
-    }
-}
-
-/// The rounding of a condition of some tens of operations, relative to the size of its terms.
-const GRAZING: f64 = 64.0 * f64::EPSILON;
-
-/// The condition that ends a phase.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Event {
-    /// μs N − |F| = 0 of rolling.
-    Slip,
-    /// N = 0 of rolling.
-    Unloaded,
-    /// η′ = 0.
-    Rest,
-    /// 1 − h cos θ θ′² = 0.
-    LiftOff,
-    /// The gap closes.
-    Landing,
-}
-
-impl Event {
-    /// The condition of a cause.
-    fn of(cause: Cause, end: &State) -> Result<Self, NoDerivative> {
-        match cause {
-            Cause::Slip => Ok(Self::Slip),
-            Cause::NormalForceZero => Ok(Self::Unloaded),
-            Cause::Stick | Cause::Reversal => Ok(Self::Rest),
-            // A slide that stops where the normal force vanishes.
-            Cause::LiftOff if end.slip == 0.0 => Ok(Self::Rest),
-            Cause::LiftOff => Ok(Self::LiftOff),
-            Cause::Landing => Ok(Self::Landing),
-            Cause::Graze => Err(NoDerivative::Grazing),
-            Cause::ParticleAtPlane
-            | Cause::ParticleAtBottom
-            | Cause::ParticleAtTop
-            | Cause::Singularity
-            | Cause::Settle
-            | Cause::Jam => Err(NoDerivative::Singular),
-        }
-    }
-
-    fn condition<T: Number>(
-        self,
-        (plane, mu_s): (&Plane<T>, T),
-        motion: &Motion<T>,
-        (at, elapsed): (&Point<T>, f64),
-    ) -> T {
-        let (sin, cos) = at.theta.sincos();
-        let u = at.rate * at.rate;
-        let forces = || {
-            let law = RollingLaw::of_body(&plane.body);
-            law.forces_at((sin, cos), [T::constant(1.0), u], law.denominator_of((sin, cos)))
-        };
-        match (self, motion) {
-            (Self::Slip, _) => mu_s * forces().normal - forces().friction.abs(),
-            (Self::Unloaded, _) => forces().normal,
-            (Self::Landing, Motion::Flies { from, rise, lifts_off }) => {
-                plane.gap((from, *rise, *lifts_off), T::constant(elapsed)).0
-            }
-            (Self::Rest | Self::Landing, _) => at.slip,
-            (Self::LiftOff, _) => contact(1.0, plane.body.h, cos * u),
-        }
-    }
-
-    /// The size of the terms of the condition.
-    fn size<const K: usize>(
-        self,
-        (plane, mu_s): (&Plane<Dual<K>>, f64),
-        motion: &Motion<Dual<K>>,
-        (at, elapsed): (&Point<Dual<K>>, f64),
-    ) -> f64 {
-        let Heavy { mass, h, .. } = plane.body;
-        let rate = at.rate.value.abs();
-        let weight = 1.0 + h.value * rate * rate;
-        match (self, motion) {
-            (Self::Landing, Motion::Flies { from, rise, .. }) => {
-                let turned = (from.rate.value * elapsed).abs();
-                elapsed * rise.value + h.value * turned * turned * turned.min(1.0)
-            }
-            (Self::Slip, _) => (1.0 + mu_s) * mass.value * weight,
-            (Self::Unloaded, _) => mass.value * weight,
-            (Self::Rest | Self::Landing, _) => (1.0 + h.value) * rate + plane.mu_k.value * elapsed,
-            (Self::LiftOff, _) => weight,
         }
     }
 }

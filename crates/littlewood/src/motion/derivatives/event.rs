@@ -1,0 +1,95 @@
+//! The conditions of the events that end phases.
+
+use crate::math::number::{Dual, Number};
+use crate::mechanics::{RollingLaw, contact};
+use crate::model::{Heavy, State};
+use crate::walk::Cause;
+
+use super::flow::{Motion, Plane, Point};
+use super::{Derivative, NoDerivative};
+
+/// The rounding of a condition of some tens of operations, relative to the size of its terms.
+pub(super) const GRAZING: f64 = 64.0 * f64::EPSILON;
+
+/// The condition that ends a phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Event {
+    /// μs N − |F| = 0 of rolling.
+    Slip,
+    /// N = 0 of rolling.
+    Unloaded,
+    /// η′ = 0.
+    Rest,
+    /// 1 − h cos θ θ′² = 0.
+    LiftOff,
+    /// The gap closes.
+    Landing,
+}
+
+impl Event {
+    /// The condition of a cause.
+    pub(super) fn of(cause: Cause, end: &State) -> Derivative<Self> {
+        match cause {
+            Cause::Slip => Ok(Self::Slip),
+            Cause::NormalForceZero => Ok(Self::Unloaded),
+            Cause::Stick | Cause::Reversal => Ok(Self::Rest),
+            // A slide that stops where the normal force vanishes.
+            Cause::LiftOff if end.slip == 0.0 => Ok(Self::Rest),
+            Cause::LiftOff => Ok(Self::LiftOff),
+            Cause::Landing => Ok(Self::Landing),
+            Cause::Graze => Err(NoDerivative::Grazing),
+            Cause::ParticleAtPlane
+            | Cause::ParticleAtBottom
+            | Cause::ParticleAtTop
+            | Cause::Singularity
+            | Cause::Settle
+            | Cause::Jam => Err(NoDerivative::Singular),
+        }
+    }
+
+    /// The quantity that vanishes at the event.
+    pub(super) fn condition<T: Number>(
+        self,
+        (plane, mu_s): (&Plane<T>, T),
+        motion: &Motion<T>,
+        (at, elapsed): (&Point<T>, f64),
+    ) -> T {
+        let (sin, cos) = at.theta.sincos();
+        let u = at.rate * at.rate;
+        let forces = || {
+            let law = RollingLaw::of_body(&plane.body);
+            law.forces_at((sin, cos), [T::constant(1.0), u], law.denominator_of((sin, cos)))
+        };
+        match (self, motion) {
+            (Self::Slip, _) => mu_s * forces().normal - forces().friction.abs(),
+            (Self::Unloaded, _) => forces().normal,
+            (Self::Landing, Motion::Flies { from, rise, lifts_off }) => {
+                plane.gap((from, *rise, *lifts_off), T::constant(elapsed)).0
+            }
+            (Self::Rest | Self::Landing, _) => at.slip,
+            (Self::LiftOff, _) => contact(1.0, plane.body.h, cos * u),
+        }
+    }
+
+    /// The size of the terms of the condition.
+    pub(super) fn size<const K: usize>(
+        self,
+        (plane, mu_s): (&Plane<Dual<K>>, f64),
+        motion: &Motion<Dual<K>>,
+        (at, elapsed): (&Point<Dual<K>>, f64),
+    ) -> f64 {
+        let Heavy { mass, h, .. } = plane.body;
+        let rate = at.rate.value.abs();
+        let weight = 1.0 + h.value * rate * rate;
+        match (self, motion) {
+            (Self::Landing, Motion::Flies { from, rise, .. }) => {
+                let turned = (from.rate.value * elapsed).abs();
+                elapsed * rise.value + h.value * turned * turned * turned.min(1.0)
+            }
+            (Self::Slip, _) => (1.0 + mu_s) * mass.value * weight,
+            (Self::Unloaded, _) => mass.value * weight,
+            (Self::Rest | Self::Landing, _) => (1.0 + h.value) * rate + plane.mu_k.value * elapsed,
+            (Self::LiftOff, _) => weight,
+        }
+    }
+}
