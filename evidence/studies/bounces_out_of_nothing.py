@@ -333,7 +333,9 @@ def plane() -> Figure:
         right.plot(
             e, np.where(np.array(least) < 89.9, least, np.nan), color=colour, dashes=dash, linewidth=1.5, label=name
         )
-    right.annotate("(a)", (EXAMPLE["e"], EXAMPLE["slope"] / DEGREE), color=INK, fontsize=8, ha="center", va="center")
+    shown = EXAMPLE["e"], EXAMPLE["slope"] / DEGREE
+    right.plot(*shown, "o", color=INK, markersize=4)
+    right.annotate("of (a)", shown, (6, 3), textcoords="offset points", color=INK, fontsize=8, ha="left")
     right.set_xlabel("e")
     right.set_ylabel("least slope, °")
     right.set_ylim(0, 75)

@@ -178,7 +178,7 @@ def picture() -> Figure:
             # At its end the next phase begins.
             times = np.linspace(phase.start_time, np.nextafter(phase.end_time, 0.0), 80)
             found = motion.derivatives_at(times, ["mu_k"])[name].sel(quantity="mu_k")
-            left.plot(times, found, color=colour, dashes=dash, label=f"∂{label}/∂μk" if i == 0 else None)
+            left.plot(times, found, color=colour, dashes=dash, label=f"∂{label}/∂μₖ" if i == 0 else None)
     for transition in motion.transitions[:-1]:
         left.axvline(transition.time, color=FAINT, linewidth=0.8)
         left.text(
@@ -190,7 +190,7 @@ def picture() -> Figure:
     both = np.array([errors(float(step)) for step in steps])
     for (column, label), colour, dash in styled(((0, "forward"), (1, "central"))):
         right.loglog(steps, both[:, column], color=colour, dashes=dash, label=f"{label} difference")
-    right.set(xlabel="step of μk", ylabel="relative error")
+    right.set(xlabel="step of μₖ", ylabel="relative error")
     right.legend(frameon=False, fontsize=8)
     return figure
 
