@@ -10,7 +10,6 @@ use std::path::PathBuf;
 use anstyle::{AnsiColor, Style};
 use littlewood::ParameterError;
 use littlewood::derivatives::NotDifferentiable;
-#[cfg(feature = "sweep")]
 use littlewood::tables::Quantity;
 use littlewood_draw::DrawError;
 #[cfg(feature = "figures")]
