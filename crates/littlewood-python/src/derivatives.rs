@@ -95,8 +95,8 @@ pub(crate) fn at<'py>(
     let quantities = quantities(py, motion, names)?;
     let found = py.detach(|| -> Result<Collected, NotDifferentiable> {
         let mut rows = Collected::default();
-        for time in times {
-            match motion.derivatives_at(*time, &quantities)? {
+        for each in motion.derivatives_at(times, &quantities)? {
+            match each {
                 Some(each) => each.iter().for_each(|derivative| rows.push(named(derivative, |state| state))),
                 None => quantities.iter().for_each(|_| rows.push(Err(OUTSIDE))),
             }

@@ -240,7 +240,10 @@ pub mod tables {
     pub use crate::model::quantity::{Bound, Group, Number, Presence, Quantity, QuantityRow};
     pub use crate::model::setup::Setup;
     pub use crate::motion::class::Class;
-    pub use crate::motion::columns::{ColumnType, SampleColumn, SampleValue, SummaryColumn, SummaryValue};
+    pub use crate::motion::columns::{
+        ColumnType, DerivativeColumn, SampleColumn, SampleValue, SummaryColumn, SummaryValue,
+        UnknownDerivative,
+    };
     pub use crate::walk::sequence::{PhaseCode, PhaseSequence};
 }
 

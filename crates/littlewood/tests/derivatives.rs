@@ -9,11 +9,11 @@ use crate::common::{heavy_hoop, moderate_hoop, start};
 use littlewood::cases::find_case;
 use littlewood::derivatives::{Derivatives, EventDerivative, NoDerivative};
 use littlewood::modes::{GrazingOrbit, Recurrence};
-use littlewood::tables::{Quantity, Setup};
+use littlewood::tables::{Quantity, Setup, SummaryColumn, SummaryValue};
 use littlewood::theory::{Body, RollingLaw};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Phase, Restitution, RestitutionLaw, Sample, Start,
-    State, Trajectory,
+    State, Summary, Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -187,6 +187,58 @@ proptest! {
         }
     }
 
+    /// The derivatives of a summary are those of its differences, as far as two steps agree on them.
+    #[test]
+    fn derivatives_of_a_summary_are_those_of_its_differences(motion in motions(moderate_hoop()), slope in prop_oneof![Just(0.0), -0.3..0.3]) {
+        let mut setup = Setup::new(motion.hoop().parameters(), Start::default());
+        setup.set(Quantity::Slope, slope);
+        let limits = Limits::default().with_transitions(8).with_until(Some(motion.start().time + 20.0));
+        let rise = motion.phases().first().map_or(0.0, Phase::take_off_rate);
+        setup.set(Quantity::GapRate, rise);
+        let State { theta, theta_rate, slip, x, time } = motion.start();
+        for (quantity, value) in [
+            (Quantity::Time, time), (Quantity::X, x), (Quantity::Theta, theta), (Quantity::ThetaRate, theta_rate), (Quantity::Slip, slip),
+        ] {
+            setup.set(quantity, value);
+        }
+        let follow = |setup: &Setup| Hoop::new(setup.hoop)?.simulate(setup.start, limits);
+        let motion = follow(&setup).expect("a motion");
+        let quantities = [Quantity::Theta, Quantity::ThetaRate, Quantity::MuK, Quantity::MuS, Quantity::Inertia, Quantity::Slope, Quantity::X, Quantity::Time];
+        let derivatives = motion.derivatives(&quantities).expect("quantities");
+        let like = motion.summary();
+        for (k, quantity) in quantities.into_iter().enumerate() {
+            let at = |change: f64| {
+                let mut changed = setup;
+                changed.set(quantity, setup.get(quantity)? + change);
+                let summary = follow(&changed).ok()?.summary();
+                (summary.sequence == like.sequence && summary.outcome == like.outcome).then_some(summary)
+            };
+            let steps = [1e-3, 5e-4, 2.5e-4].map(|h| Some((h, [at(-2.0 * h)?, at(-h)?, at(h)?, at(2.0 * h)?])));
+            let Some(steps) = steps.into_iter().collect::<Option<Vec<_>>>() else { continue };
+            for (column, row) in SummaryColumn::reals().zip(derivatives.summary()) {
+                let Ok(ours) = row[k] else { continue };
+                let real = |summary: &Summary| match column.of(summary) {
+                    SummaryValue::F64(value) => value,
+                    _ => f64::NAN,
+                };
+                let differences = [0, 1, 2].map(|step| {
+                    let (h, points) = &steps[step];
+                    let [a, b, c, d] = points.each_ref().map(real);
+                    (8.0 * (c - b) - (d - a)) / (12.0 * h)
+                });
+                let [_, coarse, fine] = differences;
+                prop_assert_eq!(ours.is_nan(), real(&like).is_nan(), "{} {}", column, quantity);
+                // A difference of fourth order. Where it converges, what halving the step has changed bounds its error.
+                let (change, next) = ((differences[0] - coarse).abs(), (coarse - fine).abs());
+                if ours.is_nan() || next > 0.5 * change + 1e-7 || change > 1e-2 * (1.0 + fine.abs()) {
+                    continue;
+                }
+                let error = next + 1e-8 * (1.0 + fine.abs());
+                prop_assert!((ours - fine).abs() <= 4.0 * error, "{} {} {} {:?}", column, quantity, ours, differences);
+            }
+        }
+    }
+
     /// The derivative at a fixed time, in the middle of each phase and at its end.
     #[test]
     fn derivatives_at_a_time_are_those_along_the_event_less_what_it_moves(motion in motions(moderate_hoop())) {
@@ -199,8 +251,8 @@ proptest! {
             }
             let index = motion.transitions().iter().position(|it| it == transition).expect("its own");
             // The time of the event belongs to the next phase: the last double before it to this one.
-            let at = motion.derivatives_at(transition.time().next_down(), &quantities).expect("quantities");
-            for (k, at) in at.expect("within the motion").into_iter().enumerate() {
+            let at = motion.derivatives_at(&[transition.time().next_down()], &quantities).expect("quantities");
+            for (k, at) in at[0].clone().expect("within the motion").into_iter().enumerate() {
                 let (Ok(along), Ok(at)) = (derivatives.transitions()[index][k], at) else { continue };
                 let Sample { state, theta_acceleration, slip_acceleration, .. } = last;
                 let rates = [1.0, state.theta_rate, theta_acceleration, slip_acceleration, state.slip - state.theta_rate];

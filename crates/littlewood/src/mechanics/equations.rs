@@ -77,15 +77,28 @@ pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64
 pub(crate) fn energy_at(
     hoop: &Hoop,
     state: &State,
-    (sin, cos): (f64, f64),
+    direction: (f64, f64),
     (gap, gap_rate): (f64, f64),
 ) -> f64 {
-    let (m, h, rate) = (hoop.mass(), hoop.h(), state.theta_rate);
-    let vx = state.slip - (1.0 + h * cos) * rate;
+    let inertia = hoop.body().inertia_about_mass_centre();
+    let [mass, h, offset, tilt] = [hoop.mass(), hoop.h(), hoop.offset(), hoop.tilt()];
+    let body = Heavy { mass, h, offset, inertia, tilt };
+    energy_of(&body, [state.theta_rate, state.slip, state.x], direction, [gap, gap_rate])
+}
+
+/// [`energy`] of a body with inertia or without, from θ′, η′ and x.
+#[inline]
+pub(crate) fn energy_of<T: Number>(
+    &Heavy { mass, h, offset, inertia, tilt }: &Heavy<T>,
+    [rate, slip, x]: [T; 3],
+    (sin, cos): (T, T),
+    [gap, gap_rate]: [T; 2],
+) -> T {
+    let vx = slip - (h * cos + 1.0) * rate;
     let vy = gap_rate - h * sin * rate;
-    let spin = hoop.body().inertia_about_mass_centre() * rate * rate;
-    let risen = m * hoop.tilt() * (state.x - h * sin);
-    0.5 * (m * (vx * vx + vy * vy) + spin) + hoop.offset() * cos + m * gap + risen
+    let spin = inertia * rate * rate;
+    let risen = mass * tilt * (x - h * sin);
+    (mass * (vx * vx + vy * vy) + spin) * 0.5 + offset * cos + mass * gap + risen
 }
 
 /// The equations of rolling (2.10) to (2.12) of one body, massless or not.

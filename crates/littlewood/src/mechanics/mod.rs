@@ -14,7 +14,7 @@ pub(crate) mod solvability;
 
 pub(crate) use self::closed_form::{RollingType, rolling_energy};
 pub(crate) use self::equations::{
-    Accelerations, ContactForces, RollingLaw, SlidePath, SlidingLaw, contact, energy, energy_at,
+    Accelerations, ContactForces, RollingLaw, SlidePath, SlidingLaw, contact, energy, energy_at, energy_of,
     leaves_plane, slip_acceleration_at_rest,
 };
 pub(crate) use self::frictionless::{FrictionlessIntegrals, converge};

@@ -1,6 +1,11 @@
 //! The columns of samples and summaries: name, dimension, description and value.
 
-use crate::model::{Dimension, Direction, Mode, State, getters, named};
+use core::fmt;
+use core::str::FromStr;
+
+use thiserror::Error;
+
+use crate::model::{Dimension, Direction, Mode, Quantity, State, getters, named};
 use crate::modes::Sample;
 use crate::motion::summary::Summary;
 use crate::walk::{OutcomeKind, PhaseSequence};
@@ -175,6 +180,47 @@ named! {
         ImpactEnergyLost = 15, "impact_energy_lost" => (ColumnType::Real, Dimension::Energy, "energy lost in impacts");
         /// [`Summary::settle_time`].
         SettleTime = 16, "settle_time" => (ColumnType::Real, Dimension::Time, "time from which on the rim stays at the plane");
+    }
+}
+
+/// The derivative of a number of a summary by a quantity; its name is `jump_length_by_mu_k`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct DerivativeColumn {
+    /// The number, one of [`SummaryColumn::reals`].
+    pub number: SummaryColumn,
+    /// The quantity, one of [`Quantity::HOOP`] or [`Quantity::START`].
+    pub quantity: Quantity,
+}
+
+/// A name that is not that of a derivative.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error(
+    "there is no derivative named '{name}': it is NUMBER_by_QUANTITY, with one of {}, and one of {}",
+    SummaryColumn::reals().map(SummaryColumn::name).collect::<Vec<_>>().join(", "),
+    Quantity::HOOP.into_iter().chain(Quantity::START).map(Quantity::name).collect::<Vec<_>>().join(", ")
+)]
+pub struct UnknownDerivative {
+    /// The name.
+    pub name: String,
+}
+
+impl fmt::Display for DerivativeColumn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&format!("{}_by_{}", self.number, self.quantity))
+    }
+}
+
+impl FromStr for DerivativeColumn {
+    type Err = UnknownDerivative;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        let parts = name.split_once("_by_").and_then(|(number, quantity)| {
+            let number = SummaryColumn::reals().find(|column| column.name() == number)?;
+            let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
+            Some((number, quantities.into_iter().find(|known| known.name() == quantity)?))
+        });
+        let (number, quantity) = parts.ok_or_else(|| UnknownDerivative { name: name.to_owned() })?;
+        Ok(Self { number, quantity })
     }
 }
 

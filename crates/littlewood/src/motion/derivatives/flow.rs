@@ -132,38 +132,64 @@ impl<const K: usize> Plane<Dual<K>> {
         from: &Point<Dual<K>>,
         elapsed: f64,
     ) -> Result<Point<Dual<K>>, NoDerivative> {
+        let mut last = Err(NoDerivative::Singular);
+        self.follow_to(motion, from, &[elapsed], |point| last = point);
+        last
+    }
+
+    /// The states after times that are the same for all motions, and do not decrease.
+    pub(super) fn follow_to(
+        &self,
+        motion: &Motion<Dual<K>>,
+        from: &Point<Dual<K>>,
+        times: &[f64],
+        mut give: impl FnMut(Result<Point<Dual<K>>, NoDerivative>),
+    ) {
         match motion {
             Motion::Rolls => {
                 let law = RollingLaw::of_body(&self.body);
-                let PhasePoint { theta, rate } =
-                    in_steps(from, elapsed, |place| RollSeries::new(&law, place).parts())?;
-                Ok(Point { theta, rate, slip: Dual::constant(0.0), x: from.x - (theta - from.theta) })
+                let series = |place| RollSeries::new(&law, place).parts();
+                in_steps(from, times, series, |_, place| {
+                    give(place.map(|PhasePoint { theta, rate }| Point {
+                        theta,
+                        rate,
+                        slip: Dual::constant(0.0),
+                        x: from.x - (theta - from.theta),
+                    }));
+                });
             }
             Motion::Slides(direction) => {
                 let law = self.sliding(*direction);
-                let PhasePoint { theta, rate } = in_steps(from, elapsed, |place| {
+                let series = |place| {
                     let series = SlideSeries::new(&law, place, from.slip);
                     [series.theta, series.theta_rate]
-                })?;
-                let (start, end) = (from.theta.sincos(), theta.sincos());
-                let time = Dual::constant(elapsed);
+                };
                 let lever = |(sin, cos)| law.lever(sin, cos);
-                let slip = from.slip - from.rate * lever(start) + rate * lever(end) - law.drag() * time;
+                let start = from.theta.sincos();
                 let path = law.path([from.rate, from.slip, from.x], start);
-                Ok(Point { theta, rate, slip, x: path.x(time, end) })
+                in_steps(from, times, series, |elapsed, place| {
+                    give(place.map(|PhasePoint { theta, rate }| {
+                        let (end, time) = (theta.sincos(), Dual::constant(elapsed));
+                        let slip =
+                            from.slip - from.rate * lever(start) + rate * lever(end) - law.drag() * time;
+                        Point { theta, rate, slip, x: path.x(time, end) }
+                    }));
+                });
             }
-            Motion::Glides => self.glide(from, elapsed),
-            Motion::Flies { .. } => {
-                let Heavy { h, .. } = self.body;
-                let (start, theta) = (from.theta.sincos(), from.theta + from.rate * elapsed);
-                let (sin, cos) = theta.sincos();
-                let vx = from.slip - (h * start.1 + 1.0) * from.rate;
-                let pulled = self.body.pull() * elapsed;
-                let slip = vx - pulled + (h * cos + 1.0) * from.rate;
-                let x = from.x - h * start.0 + (vx - pulled * 0.5) * elapsed + h * sin;
-                Ok(Point { theta, rate: from.rate, slip, x })
-            }
+            Motion::Glides => times.iter().for_each(|elapsed| give(self.glide(from, *elapsed))),
+            Motion::Flies { .. } => times.iter().for_each(|elapsed| give(Ok(self.fly(from, *elapsed)))),
         }
+    }
+
+    fn fly(&self, from: &Point<Dual<K>>, elapsed: f64) -> Point<Dual<K>> {
+        let Heavy { h, .. } = self.body;
+        let (start, theta) = (from.theta.sincos(), from.theta + from.rate * elapsed);
+        let (sin, cos) = theta.sincos();
+        let vx = from.slip - (h * start.1 + 1.0) * from.rate;
+        let pulled = self.body.pull() * elapsed;
+        let slip = vx - pulled + (h * cos + 1.0) * from.rate;
+        let x = from.x - h * start.0 + (vx - pulled * 0.5) * elapsed + h * sin;
+        Point { theta, rate: from.rate, slip, x }
     }
 
     /// The free fall of the particle of a massless hoop.
@@ -237,28 +263,38 @@ impl<T: Number> RollSeries<T> {
     }
 }
 
-/// Follows series of θ and θ′ for a time.
+/// Follows series of θ and θ′, and gives their values after times that do not decrease.
 fn in_steps<const K: usize>(
     from: &Point<Dual<K>>,
-    elapsed: f64,
+    times: &[f64],
     series: impl Fn(PhasePoint<Dual<K>>) -> [Series<Dual<K>>; 2],
-) -> Result<PhasePoint<Dual<K>>, NoDerivative> {
+    mut give: impl FnMut(f64, Result<PhasePoint<Dual<K>>, NoDerivative>),
+) {
     let mut place = PhasePoint { theta: from.theta, rate: from.rate };
-    let mut left = elapsed;
+    let mut passed = 0.0;
+    let mut times = times.iter().copied().peekable();
+    while let Some(elapsed) = times.next_if(|elapsed| *elapsed <= 0.0) {
+        give(elapsed, Ok(place));
+    }
+    let mut failed = NoDerivative::TooLong;
     for _ in 0..MAX_STEPS {
-        if left <= 0.0 {
-            return Ok(place);
+        if times.peek().is_none() {
+            return;
         }
         let [theta, rate] = series(place);
         let reach = reach(&rate);
         if reach == 0.0 || reach.is_nan() {
-            return Err(NoDerivative::Singular);
+            failed = NoDerivative::Singular;
+            break;
         }
-        let width = reach.min(left);
-        place = PhasePoint { theta: value(&theta, width), rate: value(&rate, width) };
-        left -= width;
+        let at = |width| PhasePoint { theta: value(&theta, width), rate: value(&rate, width) };
+        while let Some(elapsed) = times.next_if(|elapsed| elapsed - passed <= reach) {
+            give(elapsed, Ok(at(elapsed - passed)));
+        }
+        place = at(reach);
+        passed += reach;
     }
-    Err(NoDerivative::TooLong)
+    times.for_each(|elapsed| give(elapsed, Err(failed)));
 }
 
 /// The step on which a series and its derivatives converge to rounding, by the rule of [`SlideSeries::reach`].

@@ -15,15 +15,17 @@
 
 mod event;
 mod flow;
+mod summary;
 mod tangents;
 
 use thiserror::Error;
 
 use crate::model::{Quantity, State, named};
 use crate::modes::Recurrence;
+use crate::motion::columns::SummaryColumn;
 use crate::motion::trajectory::Trajectory;
 
-use tangents::Tangents;
+use tangents::{Passed, Tangents};
 
 named! {
     /// Why a derivative does not exist.
@@ -87,6 +89,7 @@ pub struct Derivatives {
     quantities: Vec<Quantity>,
     transitions: Vec<Vec<Derivative<EventDerivative>>>,
     outcome: Vec<Derivative<OutcomeDerivative>>,
+    summary: Vec<Vec<Derivative<f64>>>,
 }
 
 impl Derivatives {
@@ -103,8 +106,16 @@ impl Derivatives {
     }
 
     /// The derivatives of the outcome with respect to each quantity.
+    #[must_use]
     pub fn outcome(&self) -> &[Derivative<OutcomeDerivative>] {
         &self.outcome
+    }
+
+    /// The derivatives of the summary: for each of [`SummaryColumn::reals`] those with respect to each quantity, NaN where the number
+    /// is absent.
+    #[must_use]
+    pub fn summary(&self) -> &[Vec<Derivative<f64>>] {
+        &self.summary
     }
 }
 
@@ -130,53 +141,34 @@ impl Trajectory {
             quantities: quantities.to_vec(),
             transitions: vec![Vec::new(); self.transitions.len()],
             outcome: Vec::new(),
+            summary: vec![Vec::new(); SummaryColumn::reals().count()],
         };
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
-        // Four at a time share the series of the state.
-        for group in quantities.chunks(4) {
-            match group {
-                [one] => self.append::<1>(&[*one], &mut all),
-                [one, two] => self.append::<2>(&[*one, *two], &mut all),
-                [one, two, three] => self.append::<3>(&[*one, *two, *three], &mut all),
-                many => {
-                    if let Some(many) = many.first_chunk::<4>() {
-                        self.append::<4>(many, &mut all);
-                    }
-                }
-            }
-        }
+        in_groups(quantities, &mut Events { motion: self, all: &mut all });
         Ok(all)
     }
 
-    /// The derivatives of the state at a fixed time with respect to each quantity; none outside the motion.
+    /// The derivatives of the states at fixed times, in any order, with respect to each quantity; none outside the motion.
     ///
     /// # Errors
     /// As [`Trajectory::derivatives`].
     pub fn derivatives_at(
         &self,
-        time: f64,
+        times: &[f64],
         quantities: &[Quantity],
-    ) -> Result<Option<Vec<Derivative<State>>>, NotDifferentiable> {
+    ) -> Result<Vec<Option<Vec<Derivative<State>>>>, NotDifferentiable> {
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
-        if !(time.is_finite() && time >= self.start.time && time <= self.end_time()) {
-            return Ok(None);
-        }
-        let each = |quantity: &Quantity| {
-            let mut walk = Tangents::new(self, &[*quantity]);
-            let last = self.phases.partition_point(|phase| phase.start().time <= time).saturating_sub(1);
-            for phase in self.phases.iter().take(last) {
-                walk.pass(phase)?;
-            }
-            let Some(phase) = self.phases.get(last) else { return Err(NoDerivative::Singular) };
-            let at = walk.at_time(phase, self.origin.elapsed(time))?;
-            let given = State { time: 0.0, ..walk.state(&at, 0) };
-            Ok(given)
-        };
-        Ok(Some(quantities.iter().map(each).collect()))
+        let is_within = |time: f64| time.is_finite() && time >= self.start.time && time <= self.end_time();
+        let mut found: Vec<_> = times.iter().map(|time| is_within(*time).then(Vec::new)).collect();
+        let mut order: Vec<usize> = (0..times.len()).filter(|place| found[*place].is_some()).collect();
+        order.sort_by(|one, other| times[*one].total_cmp(&times[*other]));
+        let order = order.into_iter().map(|place| (times[place], place)).collect();
+        in_groups(quantities, &mut Instants { motion: self, order, found: &mut found });
+        Ok(found)
     }
 
     fn check_quantity(&self, quantity: Quantity) -> Result<(), NotDifferentiable> {
@@ -184,13 +176,86 @@ impl Trajectory {
             && (quantity != Quantity::Restitution || self.hoop.restitution().is_some());
         if is_known { Ok(()) } else { Err(NotDifferentiable { quantity }) }
     }
+}
 
-    /// Adds the derivatives with respect to K quantities.
-    fn append<const K: usize>(&self, quantities: &[Quantity; K], all: &mut Derivatives) {
-        let mut walk = Tangents::new(self, quantities);
+/// Work that is done for K quantities at a time.
+trait Group {
+    fn add<const K: usize>(&mut self, quantities: &[Quantity; K]);
+}
+
+/// Four quantities at a time share the series of the state.
+fn in_groups(quantities: &[Quantity], work: &mut impl Group) {
+    for group in quantities.chunks(4) {
+        match group {
+            [one] => work.add(&[*one]),
+            [one, two] => work.add(&[*one, *two]),
+            [one, two, three] => work.add(&[*one, *two, *three]),
+            many => {
+                if let Some(many) = many.first_chunk::<4>() {
+                    work.add(many);
+                }
+            }
+        }
+    }
+}
+
+/// The derivatives of states at times in ascending order, each with its place.
+struct Instants<'a> {
+    motion: &'a Trajectory,
+    order: Vec<(f64, usize)>,
+    found: &'a mut [Option<Vec<Derivative<State>>>],
+}
+
+impl Group for Instants<'_> {
+    fn add<const K: usize>(&mut self, quantities: &[Quantity; K]) {
+        let Self { motion, order, found } = self;
+        let mut walk = Tangents::new(motion, quantities);
         let mut failed = None;
-        let mut passed = vec![None; self.transitions.len()];
-        for phase in &self.phases {
+        let mut rest = order.as_slice();
+        for (number, phase) in motion.phases.iter().enumerate() {
+            let next = motion.phases.get(number + 1).map_or(f64::INFINITY, |next| next.start().time);
+            let (here, later) = rest.split_at(rest.partition_point(|(time, _)| *time < next));
+            rest = later;
+            let mut places = here.iter().map(|(_, place)| *place);
+            let mut give = |walk: &Tangents<'_, K>, at: Derivative<_>| {
+                let Some(states) = places.next().and_then(|place| found[place].as_mut()) else { return };
+                states.extend(quantities.iter().enumerate().map(|(k, quantity)| {
+                    let at = if walk.one_sided(*quantity) { Err(NoDerivative::OneSided) } else { at };
+                    at.map(|at| State { time: 0.0, ..walk.state(&at, k) })
+                }));
+            };
+            if let Some(reason) = failed {
+                here.iter().for_each(|_| give(&walk, Err(reason)));
+                continue;
+            }
+            if !here.is_empty() {
+                let elapsed: Vec<f64> = here.iter().map(|(time, _)| motion.origin.elapsed(*time)).collect();
+                walk.at_times(phase, &elapsed, give);
+            }
+            if rest.is_empty() {
+                break;
+            }
+            failed = walk.pass(phase).err();
+        }
+        for (_, place) in rest {
+            found[*place].iter_mut().for_each(|states| states.extend([Err(NoDerivative::Singular); K]));
+        }
+    }
+}
+
+/// The derivatives of transitions and outcome.
+struct Events<'a> {
+    motion: &'a Trajectory,
+    all: &'a mut Derivatives,
+}
+
+impl Group for Events<'_> {
+    fn add<const K: usize>(&mut self, quantities: &[Quantity; K]) {
+        let Self { motion, all } = self;
+        let mut walk = Tangents::new(motion, quantities);
+        let mut failed = None;
+        let mut passed = vec![None; motion.transitions.len()];
+        for phase in &motion.phases {
             match walk.pass(phase) {
                 Ok(event) => {
                     if let (Some(number), Some(event)) = (phase.ended_by, event) {
@@ -208,8 +273,8 @@ impl Trajectory {
                 let derivative = match (walk.one_sided(*quantity), event) {
                     (true, _) => Err(NoDerivative::OneSided),
                     (false, None) => Err(failed.unwrap_or(NoDerivative::Singular)),
-                    (false, Some(both)) => {
-                        let [before, after] = both.each_ref().map(|at| walk.state(at, k));
+                    (false, Some(Passed { before, after, .. })) => {
+                        let [before, after] = [before, after].map(|at| walk.state(at, k));
                         Ok(EventDerivative { before, after })
                     }
                 };
@@ -220,6 +285,16 @@ impl Trajectory {
             Some(reason) => Err(reason),
             None => walk.outcome(&passed),
         };
+        let numbers = summary::of(&walk, &passed, end.as_ref().map(|(at, _)| *at).map_err(|reason| *reason));
+        for (row, number) in all.summary.iter_mut().zip(numbers) {
+            row.extend(quantities.iter().enumerate().map(|(k, quantity)| {
+                if walk.one_sided(*quantity) {
+                    Err(NoDerivative::OneSided)
+                } else {
+                    number.map(|it| it.parts[k])
+                }
+            }));
+        }
         for (k, quantity) in quantities.iter().enumerate() {
             all.outcome.push(match (walk.one_sided(*quantity), &end) {
                 (true, _) => Err(NoDerivative::OneSided),

@@ -1,7 +1,7 @@
 //! The derivatives of a motion, from phase to phase.
 
 use crate::math::number::{Dual, Number};
-use crate::mechanics::{Bounces, Contact, ContactVelocities, RollingLaw, contact};
+use crate::mechanics::{Bounces, Contact, ContactVelocities, RollingLaw, contact, energy_of};
 use crate::model::{Body, Heavy, Mode, Quantity, RestitutionLaw, State};
 use crate::modes::{PhaseSolution, Recurrence};
 use crate::motion::trajectory::{Phase, Trajectory};
@@ -14,8 +14,23 @@ use super::{Derivative, NoDerivative};
 /// A state with the time since the start of the motion, in the units of the solvers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Instant<const K: usize> {
-    elapsed: Dual<K>,
-    point: Point<Dual<K>>,
+    pub(super) elapsed: Dual<K>,
+    pub(super) point: Point<Dual<K>>,
+}
+
+/// The start of a phase, and the rate at which the gap opens there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Begun<const K: usize> {
+    pub(super) at: Instant<K>,
+    pub(super) gap_rate: Dual<K>,
+}
+
+/// The states before and after an event, and the work of its impacts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passed<const K: usize> {
+    pub(super) before: Instant<K>,
+    pub(super) after: Instant<K>,
+    pub(super) work: Dual<K>,
 }
 
 /// The numbers of a recurrence.
@@ -40,8 +55,8 @@ impl<const K: usize> Repeats<K> {
 
 /// The derivatives of a motion with respect to K quantities, while its phases are passed.
 pub(super) struct Tangents<'a, const K: usize> {
-    motion: &'a Trajectory,
-    plane: Plane<Dual<K>>,
+    pub(super) motion: &'a Trajectory,
+    pub(super) plane: Plane<Dual<K>>,
     mu_s: Dual<K>,
     restitution: Option<(Dual<K>, RestitutionLaw)>,
     /// √cos α, the unit of velocity.
@@ -50,7 +65,9 @@ pub(super) struct Tangents<'a, const K: usize> {
     origin: [Dual<K>; 2],
     now: Instant<K>,
     /// Rate of the gap after the last impact or at the start.
-    gap_rate: Dual<K>,
+    pub(super) gap_rate: Dual<K>,
+    /// The phases that have begun.
+    pub(super) begun: Vec<Begun<K>>,
     /// Time of the first jam without a motion before it: it ends no phase, and is not differentiated.
     jam: Option<f64>,
 }
@@ -92,6 +109,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             origin: [seed(Quantity::Time, time), seed(Quantity::X, x)],
             now: Instant { elapsed: Dual::constant(0.0), point },
             gap_rate: seed(Quantity::GapRate, rise) / pace,
+            begun: Vec::new(),
             jam: motion.transitions.iter().find(|it| it.from.is_none()).map(Transition::time),
         }
     }
@@ -106,16 +124,34 @@ impl<'a, const K: usize> Tangents<'a, K> {
             || (is_massless && [Quantity::MassRatio, Quantity::Inertia].contains(&quantity))
     }
 
+    /// A time in the units of the results.
+    pub(super) fn time(&self, at: &Instant<K>) -> Dual<K> {
+        self.origin[0] + at.elapsed / self.pace
+    }
+
+    /// A difference of energies in the units of the results.
+    pub(super) fn difference(&self, energy: Dual<K>) -> Dual<K> {
+        energy * self.pace * self.pace
+    }
+
+    /// The energy in the units of the results.
+    pub(super) fn energy(&self, at: &Point<Dual<K>>, gap_rate: Dual<K>) -> Dual<K> {
+        let Heavy { mass, tilt, .. } = self.plane.body;
+        let numbers = [at.rate, at.slip, at.x];
+        let energy = energy_of(&self.plane.body, numbers, at.theta.sincos(), [Dual::constant(0.0), gap_rate]);
+        self.difference(energy + mass * tilt * self.origin[1])
+    }
+
+    /// The numbers of a state in the units of the results, in the order of [`State::COLUMNS`].
+    pub(super) fn numbers(&self, at: &Instant<K>) -> [Dual<K>; 5] {
+        let Point { theta, rate, slip, x } = at.point;
+        [self.time(at), theta, rate * self.pace, slip * self.pace, self.origin[1] + x]
+    }
+
     /// The derivative of a state in the units of the results.
     pub(super) fn state(&self, at: &Instant<K>, k: usize) -> State {
-        let [time, x] = self.origin;
-        State {
-            time: (time + at.elapsed / self.pace).parts[k],
-            theta: at.point.theta.parts[k],
-            theta_rate: (at.point.rate * self.pace).parts[k],
-            slip: (at.point.slip * self.pace).parts[k],
-            x: (x + at.point.x).parts[k],
-        }
+        let [time, theta, theta_rate, slip, x] = self.numbers(at).map(|number| number.parts[k]);
+        State { time, theta, theta_rate, slip, x }
     }
 
     fn motion_of(&self, phase: &Phase) -> Motion<Dual<K>> {
@@ -151,9 +187,10 @@ impl<'a, const K: usize> Tangents<'a, K> {
         })
     }
 
-    /// Passes a phase and the event that ends it. Returns the states before and after the event.
-    pub(super) fn pass(&mut self, phase: &Phase) -> Derivative<Option<[Instant<K>; 2]>> {
+    /// Passes a phase and the event that ends it.
+    pub(super) fn pass(&mut self, phase: &Phase) -> Derivative<Option<Passed<K>>> {
         self.begin(phase)?;
+        self.begun.push(Begun { at: self.now, gap_rate: self.gap_rate });
         let motion = self.motion_of(phase);
         let Some(end) = phase.end else { return Ok(None) };
         let Some(number) = phase.ended_by else { return Ok(None) };
@@ -177,7 +214,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         if event == Event::Rest {
             before.point.slip = Dual::constant(0.0);
         }
-        let mut after = before;
+        let (mut after, mut work) = (before, Dual::constant(0.0));
         if let Some(impact) = &transition.impact {
             let Some(restitution) = self.restitution else { return Err(NoDerivative::Singular) };
             let friction = [self.mu_s, self.plane.mu_k];
@@ -186,14 +223,16 @@ impl<'a, const K: usize> Tangents<'a, K> {
                 .gap_rate_at(&motion, (&point, elapsed), later)
                 .at(impact.before.gap_rate / self.pace.value);
             let velocities = ContactVelocities { theta_rate: at.rate, slip: at.slip, gap_rate };
-            let result = contact.impact(velocities, restitution).after;
+            let result = contact.impact(velocities, restitution);
+            work = result.normal_work + result.friction_work;
+            let result = result.after;
             after.point = Point { rate: result.theta_rate, slip: result.slip, ..at };
             self.gap_rate = result.gap_rate;
         } else {
             self.gap_rate = Dual::constant(0.0);
         }
         self.now = after;
-        Ok(Some([before, after]))
+        Ok(Some(Passed { before, after, work }))
     }
 
     /// The derivatives of the time of an event, from the state at its time.
@@ -268,7 +307,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// Passes infinitely many bounces.
-    fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<[Instant<K>; 2]> {
+    fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<Passed<K>> {
         let (Some(restitution), Motion::Flies { rise, .. }) = (self.restitution, motion) else {
             return Err(NoDerivative::Singular);
         };
@@ -282,29 +321,48 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let point = self.plane.follow(motion, &from, elapsed.value)?.zip(Point::from(end), Dual::at);
         let at = self.to_event(motion, &point, elapsed.parts);
         let before = Instant { elapsed: (self.now.elapsed + elapsed).at(end.time), point: at };
+        let work = settling.impact.normal_work + settling.impact.friction_work;
         let after = settling.impact.after;
         let after = Instant { point: Point { rate: after.theta_rate, slip: after.slip, ..at }, ..before };
         (self.now, self.gap_rate) = (after, Dual::constant(0.0));
-        Ok([before, after])
+        Ok(Passed { before, after, work })
     }
 
-    /// The state within a phase at a time that is the same for all motions, in the units of the results.
-    pub(super) fn at_time(&mut self, phase: &Phase, elapsed: f64) -> Derivative<Instant<K>> {
-        self.begin(phase)?;
+    /// The states within a phase at times that are the same for all motions, in the units of the results, and do not decrease.
+    pub(super) fn at_times(
+        &mut self,
+        phase: &Phase,
+        times: &[f64],
+        mut give: impl FnMut(&Self, Derivative<Instant<K>>),
+    ) {
+        if let Err(reason) = self.begin(phase) {
+            return times.iter().for_each(|_| give(self, Err(reason)));
+        }
         let motion = self.motion_of(phase);
-        let within = (elapsed - phase.start.time).max(0.0);
-        let point = self.plane.follow(&motion, &self.now.point, within)?;
-        // A fixed time of the results is later or earlier in the time of the solvers, and since the start of the phase.
+        let within: Vec<f64> = times.iter().map(|elapsed| (elapsed - phase.start.time).max(0.0)).collect();
         let [start, _] = self.origin;
-        let fixed = (Dual::constant(start.value) - start) * self.pace + self.pace / self.pace.value * elapsed;
-        let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
-        Ok(Instant { elapsed: fixed, point: self.to_event(&motion, &point, later) })
+        let mut times = times.iter();
+        self.plane.follow_to(&motion, &self.now.point, &within, |point| {
+            let Some(elapsed) = times.next() else { return };
+            // A fixed time of the results is later or earlier in the time of the solvers, and since the start of the phase.
+            let fixed =
+                (Dual::constant(start.value) - start) * self.pace + self.pace / self.pace.value * *elapsed;
+            let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
+            let moved = |point| Instant { elapsed: fixed, point: self.to_event(&motion, &point, later) };
+            give(self, point.map(moved));
+        });
+    }
+
+    fn at_time(&mut self, phase: &Phase, elapsed: f64) -> Derivative<Instant<K>> {
+        let mut found = Err(NoDerivative::Singular);
+        self.at_times(phase, &[elapsed], |_, at| found = at);
+        found
     }
 
     /// The derivatives of the outcome, after all phases with these events.
     pub(super) fn outcome(
         &mut self,
-        passed: &[Option<[Instant<K>; 2]>],
+        passed: &[Option<Passed<K>>],
     ) -> Derivative<(Instant<K>, Option<Repeats<K>>)> {
         if self.jam.is_some() {
             return Err(NoDerivative::Singular);
@@ -321,7 +379,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             },
             Outcome::RollsForever { recurrence, .. } => Ok((self.now, self.recurrence(recurrence)?)),
             Outcome::RepeatsForever { since, .. } => {
-                let events = passed.iter().flatten().map(|[_, after]| *after);
+                let events = passed.iter().flatten().map(|passed| passed.after);
                 let first = events.into_iter().find(|event| event.elapsed.value == since.time);
                 first.map_or_else(at_event, |event| Ok((event, None)))
             }
