@@ -27,7 +27,7 @@ uv() {
 # The Python of all tests, target/venv, with what python/uv.lock lists; PYTHON names the interpreter that it is made of.
 python_environment() {
   UV_PROJECT_ENVIRONMENT="$target/venv" uv sync --quiet --project python --frozen --inexact --no-install-project \
-    --all-extras --all-groups --no-python-downloads --python "${PYTHON:-python3}"
+    --all-extras --no-extra torch --all-groups --no-python-downloads --python "${PYTHON:-python3}"
 }
 
 # The packages of npm that web/package-lock.json lists.

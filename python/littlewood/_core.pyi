@@ -64,6 +64,7 @@ __all__ = [
     "classify",
     "curves",
     "dashes",
+    "derivative_column",
     "derived_units",
     "digest_line",
     "edges",
@@ -200,7 +201,9 @@ def summaries(
     starts: int,
     threads: int,
     progress: Callable[[int], object] | None,
+    derivatives: Sequence[str],
 ) -> dict[str, npt.NDArray[Any]]: ...
+def derivative_column(name: str) -> tuple[str, list[str]]: ...
 def classes(
     outcome: npt.NDArray[np.uint8], sequence: npt.NDArray[np.uint64], lift_off_time: _Reals
 ) -> npt.NDArray[np.uint8]: ...

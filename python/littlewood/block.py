@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,6 +41,7 @@ def compute(
     starts: int,
     threads: int,
     progress: Callable[[int], object] | None = None,
+    derivatives: Sequence[str] = (),
 ) -> dict[str, npt.NDArray[Any]]:
     """Simulate the points of some arrays.
 
@@ -60,6 +61,8 @@ def compute(
         Number of threads; 0 for all cores.
     progress : callable, optional
         Called with the number of points done.
+    derivatives : sequence of str, optional
+        Names of derivatives that are computed, too.
 
     Returns
     -------
@@ -89,5 +92,6 @@ def compute(
         starts,
         threads,
         progress,
+        derivatives,
     )
     return {name: values.reshape(shape) for name, values in columns.items()}

@@ -15,6 +15,8 @@ _EXTRA_OF = {
     "anywidget": "lab",
     "flint": "certify",
     "cv2": "video",
+    "jax": "jax",
+    "torch": "torch",
 }
 """The extra that brings a package."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,16 +12,17 @@ import numpy.typing as npt
 from .block import Limits, compute
 from .extras import require
 from .points import Points
-from .variables import DTYPE, RESULTS
+from .variables import RESULTS, record
 
 
-def lazy_columns(points: Points, limits: Limits) -> dict[str, Any]:
+def lazy_columns(points: Points, limits: Limits, derivatives: Sequence[str]) -> dict[str, Any]:
     """Return the variables of a result as arrays of Dask.
 
     A block of points is one task, which makes records; each variable picks its field of them. Nothing is computed here.
     """
     da = require("dask.array")
     axes = points.axes
+    dtype = record(derivatives)
     varying = [name for name, variable in points.variables.items() if variable.ndim]
     fixed = {name: float(one.data) for name, one in points.variables.items() if not one.ndim}
     arguments: list[Any] = []
@@ -42,12 +43,13 @@ def lazy_columns(points: Points, limits: Limits) -> dict[str, Any]:
         law=points.law,
         limits=tuple(limits),
         starts=points.starts,
-        dtype=DTYPE,
-        meta=np.empty((0,) * len(points.sizes), dtype=DTYPE),
+        derivatives=tuple(derivatives),
+        dtype=dtype,
+        meta=np.empty((0,) * len(points.sizes), dtype=dtype),
     )
     return {
-        name: records.map_blocks(operator.itemgetter(name), dtype=DTYPE[name], name=f"{name}-{records.name}")
-        for name in RESULTS
+        name: records.map_blocks(operator.itemgetter(name), dtype=dtype[name], name=f"{name}-{records.name}")
+        for name in (*RESULTS, *derivatives)
     }
 
 
@@ -59,12 +61,13 @@ def _records(
     law: str | None,
     limits: tuple[float | None, int, int, str],
     starts: int,
+    derivatives: tuple[str, ...],
 ) -> npt.NDArray[Any]:
     arrays = dict(zip(names, blocks, strict=True))
     arrays.update((name, np.asarray(value)) for name, value in fixed.items())
     # A worker of Dask runs as many blocks at a time as it has threads: one thread for each.
-    columns = compute(arrays, axes, law, Limits(*limits), starts, threads=1)
-    records = np.empty(columns["outcome"].shape, dtype=DTYPE)
+    columns = compute(arrays, axes, law, Limits(*limits), starts, threads=1, derivatives=derivatives)
+    records = np.empty(columns["outcome"].shape, dtype=record(derivatives))
     for name, values in columns.items():
         records[name] = values
     return records

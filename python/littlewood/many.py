@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypedDict
 
@@ -18,7 +18,7 @@ from .hoop import Hoop
 from .lazy import lazy_columns
 from .points import Points, broadcast, check_hoop, fill, grid
 from .tables import MAX_SLIDES, MAX_TRANSITIONS, PROOF
-from .variables import CONVENTIONS, RESULTS, result_attributes
+from .variables import CONVENTIONS, RESULTS, checked_derivatives, result_attributes
 
 if TYPE_CHECKING:
     import xarray
@@ -54,6 +54,7 @@ def simulate_many(
     chunks: Any = None,
     threads: int | None = None,
     progress: bool = False,
+    derivatives: Iterable[str] = (),
     **quantities: Unpack[Quantities],
 ) -> xarray.Dataset:
     """Simulate many motions and keep a summary of each.
@@ -92,6 +93,10 @@ def simulate_many(
         Number of threads, at most 1024; all cores by default. Blocks of Dask take one each.
     progress : bool, optional
         Whether to show a progress bar (tqdm); for lazy results Dask has its own.
+    derivatives : iterable of str, optional
+        Derivatives to compute, as `"jump_length_by_mu_k"`: of one of the variables that are real numbers by a
+        quantity of the hoop or the start. NaN where it does not exist, or the number is absent. Each motion is then
+        simulated once more, which takes some tenths of a millisecond.
 
     Returns
     -------
@@ -99,8 +104,9 @@ def simulate_many(
         Of the common shape, with `outcome`, `sequence`, `transitions`, `painleve`, `end_time`, `end_theta`,
         `end_theta_rate`, `end_slip`, `end_x`, `energy`, `first_slip_time`, `lift_off_time`, `jump_length` and
         `jump_height` of the first flight, `landings`, `impact_energy_lost` and `settle_time`, with their units and
-        long names. Events that do not happen are NaN. Dimensions are those of the DataArrays; of arrays
-        `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of restitution, if there is one.
+        long names, and the derivatives. Events that do not happen are NaN. Dimensions are those of the DataArrays; of
+        arrays `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of restitution, if there is
+        one.
 
     Raises
     ------
@@ -125,7 +131,8 @@ def simulate_many(
     """
     values = fill(hoop, quantities)
     law = _law(hoop, restitution_law, values)
-    return _simulate(broadcast(values, law), until, max_transitions, max_slides, proof, chunks, threads, progress)
+    points = broadcast(values, law)
+    return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives)
 
 
 def outcome_map(
@@ -139,13 +146,14 @@ def outcome_map(
     chunks: Any = None,
     threads: int | None = None,
     progress: bool = False,
+    derivatives: Iterable[str] = (),
     **quantities: Unpack[Quantities],
 ) -> xarray.Dataset:
     """Simulate a grid of motions: each quantity that is given as a one-dimensional array is an axis.
 
     Parameters
     ----------
-    hoop, restitution_law, until, max_transitions, max_slides, proof, chunks, threads, progress
+    hoop, restitution_law, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives
         As in :func:`simulate_many`.
     theta, theta_rate, slip, gap_rate : array_like, optional
         Axes of the start, of shape (n,), in the given order, or numbers. `theta` and `theta_rate` are required.
@@ -174,7 +182,7 @@ def outcome_map(
     values = fill(hoop, quantities)
     law = _law(hoop, restitution_law, values)
     points = grid(values, law, [*quantities])
-    return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress)
+    return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives)
 
 
 def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
@@ -208,7 +216,9 @@ def _simulate(
     chunks: Any,
     threads: int | None,
     progress: bool,
+    derivatives: Iterable[str],
 ) -> xarray.Dataset:
+    names = checked_derivatives(derivatives, "restitution" in points.variables)
     limits = Limits.checked(until, max_transitions, max_slides, proof)
     if threads is not None and operator.index(threads) < 1:
         raise ValueError(f"threads = {threads} must not be less than 1")
@@ -222,14 +232,14 @@ def _simulate(
     if points.is_lazy:
         if progress:
             raise ValueError("progress=True is for results that are computed at once; use the bars of Dask")
-        data = lazy_columns(points, limits)
+        data = lazy_columns(points, limits, names)
     else:
         arrays = {name: variable.data for name, variable in points.variables.items()}
         with _bar(points.count, progress) as show:
-            data = compute(arrays, points.axes, points.law, limits, points.starts, threads or 0, show)
+            data = compute(arrays, points.axes, points.law, limits, points.starts, threads or 0, show, names)
     dimensions = tuple(points.sizes)
     dataset: xarray.Dataset = require("xarray").Dataset(
-        {name: (dimensions, data[name], result_attributes(name)) for name in RESULTS},
+        {name: (dimensions, data[name], result_attributes(name)) for name in (*RESULTS, *names)},
         coords=points.coordinates,
         attrs={
             "Conventions": CONVENTIONS,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,9 +12,6 @@ from .tables import OUTCOMES, QUANTITIES, SUMMARY_COLUMNS
 
 CONVENTIONS = "CF-1.11"
 """Conventions that the attributes of data sets follow."""
-
-DTYPE = np.dtype([(name, column.dtype) for name, column in SUMMARY_COLUMNS.items()])
-"""A result, as one record."""
 
 RESULTS: tuple[str, ...] = tuple(SUMMARY_COLUMNS)
 """Names of the variables of a result."""
@@ -25,6 +23,22 @@ def quantity_attributes(name: str) -> dict[str, Any]:
     return {"long_name": quantity.long_name, "units": quantity.cf_unit, "scale": quantity.scale}
 
 
+def record(derivatives: Sequence[str]) -> np.dtype[Any]:
+    """Return the type of a result with these derivatives, as one record."""
+    columns = [(name, column.dtype) for name, column in SUMMARY_COLUMNS.items()]
+    return np.dtype([*columns, *((name, "float64") for name in derivatives)])
+
+
+def checked_derivatives(names: Iterable[str], has_restitution: bool) -> tuple[str, ...]:
+    """Return names of derivatives, each once; refuse unknown ones, and those of what no motion has."""
+    names = tuple(dict.fromkeys(names))
+    for name in names:
+        quantity, _ = _core.derivative_column(name)
+        if quantity == "restitution" and not has_restitution:
+            raise ValueError(f"{name}: the motions have no coefficient of restitution")
+    return names
+
+
 def _legend() -> dict[str, str]:
     letters = {str(code): f"{letter}: {meaning}" for code, letter, meaning in _core.PHASES}
     return {"0": "end of the sequence", **letters}
@@ -32,6 +46,9 @@ def _legend() -> dict[str, str]:
 
 def result_attributes(name: str) -> dict[str, Any]:
     """Return the attributes of a variable of the result."""
+    if name not in SUMMARY_COLUMNS:
+        _, (long_name, unit, scale) = _core.derivative_column(name)
+        return {"long_name": long_name, "units": unit, "scale": scale}
     column = SUMMARY_COLUMNS[name]
     units = {"units": column.cf_unit, "scale": column.scale}
     # Lists of plain numbers: a store holds them, as the command line writes them.

@@ -26,7 +26,12 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let size = PictureSize { width: args.size.0, height: args.size.1 };
     let kinds = store::kinds(&args.store.out, &Kind::OF_A_MAP)?;
     check_width(args.width_mm, &kinds)?;
-    let (grid, Base { limits, units, .. }) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
+    let mut derivatives = args.store.derivatives.clone();
+    if let Shade::Derivative(column) = shade {
+        derivatives.push(column);
+    }
+    let (grid, Base { limits, units, .. }) =
+        work::grid(&args.base, &args.run, &[args.x, args.y], &derivatives)?;
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
     let at_the_end: Vec<(Kind, &Path)> =
         kinds.iter().copied().filter(|(kind, _)| kind.is_written_at_the_end()).collect();
@@ -145,12 +150,12 @@ fn remove_partial(kinds: &[(Kind, &Path)]) {
 
 fn shade_of(name: &str) -> Result<Shade, Error> {
     let plain = name.replace('-', "_");
-    let known = || Shade::all().map(Shade::name);
-    Shade::all().find(|shade| shade.name() == plain).ok_or_else(|| {
-        let all: Vec<&str> = known().collect();
-        Error::UnknownShade {
-            name: name.to_owned(),
-            hint: nearest::hint(name, known(), &format!("the columns are {}", all.join(", "))),
-        }
+    let derivative = || plain.parse().ok().map(Shade::Derivative);
+    Shade::all().find(|shade| shade.name() == plain).or_else(derivative).ok_or_else(|| {
+        let all: Vec<_> = Shade::all().map(Shade::name).collect();
+        let known = || all.iter().map(AsRef::as_ref);
+        let columns = Vec::from_iter(known()).join(", ");
+        let columns = format!("the columns are {columns}, and derivatives such as end_x_by_mu_k");
+        Error::UnknownShade { name: name.to_owned(), hint: nearest::hint(name, known(), &columns) }
     })
 }

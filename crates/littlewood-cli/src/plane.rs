@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use littlewood::tables::{Class, ColumnType, PhaseSequence, SummaryColumn, SummaryValue};
+use littlewood::tables::{Class, ColumnType, DerivativeColumn, PhaseSequence, SummaryColumn, SummaryValue};
 use littlewood::{OutcomeKind, Summary};
 use littlewood_sweep::{Axis, Chunk, Columns, Grid};
 use serde::Serialize;
@@ -22,6 +22,7 @@ const CLASS: &str = "class";
 pub(crate) struct Plane<'a> {
     axes: &'a [Axis],
     summaries: Vec<Summary>,
+    derivatives: Vec<(DerivativeColumn, Vec<f64>)>,
 }
 
 impl<'a> Plane<'a> {
@@ -36,22 +37,27 @@ impl<'a> Plane<'a> {
             reason: format!("{} starts are too many for a text, which may have {MOST}", grid.len()),
             hint: "give fewer points, or a name that ends in .parquet or .zarr (feature `sweep`)".to_owned(),
         })?;
-        Ok(Self { axes: grid.axes(), summaries: vec![Summary::NOT_COMPUTED; len] })
+        let derivatives = grid.derivatives().iter().map(|column| (*column, vec![f64::NAN; len])).collect();
+        Ok(Self { axes: grid.axes(), summaries: vec![Summary::NOT_COMPUTED; len], derivatives })
     }
 
     /// Adds the results of a chunk.
     pub(crate) fn add(&mut self, chunk: &Chunk, columns: &Columns) {
-        for (indices, summary) in chunk.indices().zip(columns.summaries()) {
+        for (row, (indices, summary)) in chunk.indices().zip(columns.summaries()).enumerate() {
             let place = indices.iter().zip(self.axes).fold(0, |place, (i, axis)| place * axis.count() + i);
             self.summaries[place] = summary;
+            for (column, values) in &mut self.derivatives {
+                values[place] = columns.derivative(*column).map_or(f64::NAN, |values| values[row]);
+            }
         }
     }
 
     /// One row a start: its place on the axes, then the columns. What has no value is an empty cell.
     pub(crate) fn csv(&self, writer: &mut dyn Write) -> io::Result<()> {
-        let names = self.axes.iter().map(|axis| axis.varies().name());
-        let columns = SummaryColumn::ALL.into_iter().map(SummaryColumn::name);
-        let names: Vec<&str> = names.chain(columns).chain([CLASS]).collect();
+        let axes = self.axes.iter().map(|axis| axis.varies().name().to_owned());
+        let columns = SummaryColumn::ALL.iter().map(SummaryColumn::to_string);
+        let derivatives = self.derivatives.iter().map(|(column, _)| column.to_string());
+        let names: Vec<String> = axes.chain(columns).chain([CLASS.to_owned()]).chain(derivatives).collect();
         writeln!(writer, "{}", names.join(","))?;
         for (place, summary) in self.summaries.iter().enumerate() {
             let mut cells: Vec<String> = vec![String::new(); self.axes.len()];
@@ -62,6 +68,7 @@ impl<'a> Plane<'a> {
             }
             cells.extend(SummaryColumn::ALL.into_iter().map(|column| Cell::of(column, summary).text()));
             cells.push(Class::of(summary).to_string());
+            cells.extend(self.derivatives.iter().map(|(_, values)| Cell::Real(values[place]).text()));
             writeln!(writer, "{}", cells.join(","))?;
         }
         Ok(())
@@ -83,7 +90,7 @@ impl Serialize for Plane<'_> {
             .map(|axis| Values { name: axis.varies().name(), values: axis.values().collect() })
             .collect();
         map.serialize_entry("axes", &axes)?;
-        map.serialize_entry("columns", &Lists(&self.summaries))?;
+        map.serialize_entry("columns", &Lists(self))?;
         map.end()
     }
 }
@@ -94,17 +101,22 @@ struct Values {
     values: Vec<f64>,
 }
 
-/// The columns of some summaries by their names.
-struct Lists<'a>(&'a [Summary]);
+/// The columns of a plane by their names.
+struct Lists<'a>(&'a Plane<'a>);
 
 impl Serialize for Lists<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Plane { summaries, derivatives, .. } = self.0;
         let columns = SummaryColumn::ALL.into_iter().map(|column| {
-            let cells: Vec<Cell> = self.0.iter().map(|summary| Cell::of(column, summary)).collect();
-            (column.name(), cells)
+            let cells: Vec<Cell> = summaries.iter().map(|summary| Cell::of(column, summary)).collect();
+            (column.to_string(), cells)
         });
-        let classes = self.0.iter().map(|summary| Cell::Word(Class::of(summary).to_string())).collect();
-        serializer.collect_map(columns.chain([(CLASS, classes)]))
+        let classes = summaries.iter().map(|summary| Cell::Word(Class::of(summary).to_string())).collect();
+        let derivatives = derivatives.iter().map(|(column, values)| {
+            let cells = values.iter().copied().map(Cell::Real).collect();
+            (column.to_string(), cells)
+        });
+        serializer.collect_map(columns.chain([(CLASS.to_owned(), classes)]).chain(derivatives))
     }
 }
 

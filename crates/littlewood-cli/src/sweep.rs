@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
+use littlewood::tables::Quantity;
 use littlewood_sweep::{
     Options, Progress, Report, StartList, SweepError, Target, Workers, sweep_grid, sweep_list,
 };
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Error> {
 
 fn follow_grid(args: &SweepArgs) -> Result<(), Error> {
     let kinds = store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet])?;
-    let (grid, Base { limits, .. }) = work::grid(&args.base, &args.run, &args.axis)?;
+    let (grid, Base { limits, .. }) = work::grid(&args.base, &args.run, &args.axis, &args.store.derivatives)?;
     follow(args, grid.len(), &kinds, |targets, workers, options| {
         sweep_grid(&grid, limits, targets, None, workers, options)
     })
@@ -41,6 +42,9 @@ fn follow_list(args: &SweepArgs, starts: &Path) -> Result<(), Error> {
     let quantities = list::columns(starts)?;
     let base = work::base(&args.base, &args.run, Varied { quantities, ..Varied::default() })?;
     let list = StartList::open(starts, base.setup)?;
+    let bounces = list.columns().contains(&Quantity::Restitution) || base.setup.hoop.restitution.is_some();
+    let derivatives = work::derivatives(&args.store.derivatives, bounces)?;
+    let list = list.with_derivatives(derivatives);
     follow(args, list.rows(), &kinds, |targets, workers, options| {
         sweep_list(&list, base.limits, targets, workers, options)
     })

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use littlewood::derivatives::NotDifferentiable;
 use littlewood::si::Units;
-use littlewood::tables::{Quantity, Setup};
+use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use littlewood::{HoopParameters, Limits, RestitutionLaw, Start};
 use littlewood_sweep::{Axis, AxisError, Grid, Options, Progress, Report, Target, Workers};
 
@@ -81,9 +82,34 @@ pub(crate) fn grid(
     args: &ProblemArgs<false>,
     run: &RunArgs,
     axes: &[TypedAxis],
+    wanted: &[DerivativeColumn],
 ) -> Result<(Grid, Base), Error> {
     let base = base(args, run, Varied::by(axes))?;
-    Ok((Grid::new(base.setup, resolve(axes, &base)?)?, base))
+    let grid = Grid::new(base.setup, resolve(axes, &base)?)?;
+    let bounces = grid.axis(Quantity::Restitution).is_some() || base.setup.hoop.restitution.is_some();
+    let derivatives = derivatives(wanted, bounces)?;
+    Ok((grid.with_derivatives(derivatives), base))
+}
+
+/// Derivatives, each once.
+///
+/// # Errors
+/// One by the restitution of motions that have none.
+pub(crate) fn derivatives(
+    wanted: &[DerivativeColumn],
+    bounces: bool,
+) -> Result<Vec<DerivativeColumn>, Error> {
+    let mut derivatives = Vec::new();
+    for column in wanted {
+        let quantity = column.quantity;
+        if quantity == Quantity::Restitution && !bounces {
+            return Err(Error::NotDifferentiable(NotDifferentiable { quantity }));
+        }
+        if !derivatives.contains(column) {
+            derivatives.push(*column);
+        }
+    }
+    Ok(derivatives)
 }
 
 /// Axes without dimension.

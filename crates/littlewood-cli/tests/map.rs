@@ -511,3 +511,40 @@ fn a_picture_may_show_phases_energy_and_curves() {
     let si = map(&["--particle-mass-kg", "2", "--radius-m", "0.5"]);
     assert!(si != plain);
 }
+
+#[test]
+fn derivatives_are_columns_and_may_be_shown() {
+    let folder = folder();
+    let [csv, png] = ["plane.csv", "plane.png"].map(|name| path(&folder, name));
+    let names = "jump_length_by_mu_k,end_theta_by_theta_rate";
+    let axes = ["--x", "theta=0:pi/2:2", "--y", "theta_rate=1:2:2"];
+    let more = ["--derivatives", names, "--shade", "end_x_by_mu_k", "--out", &csv, "--out", &png];
+    text(&[&["map", "figure-3"], &axes[..], &more].concat());
+    let table = fs::read_to_string(&csv).expect("a text");
+    let mut lines = table.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    assert_eq!(
+        header[header.len() - 3..],
+        ["jump_length_by_mu_k", "end_theta_by_theta_rate", "end_x_by_mu_k"]
+    );
+    // The last row is the start of Figure 3, whose landing is the last transition.
+    let cells: Vec<&str> = lines.last().expect("a row").split(',').collect();
+    let cell = |name: &str| {
+        let place = header.iter().position(|other| *other == name).expect("a column");
+        cells[place].parse::<f64>().expect("a number")
+    };
+    let motion = json(&["simulate", "figure-3", "--derivatives", "mu_k,theta_rate"]);
+    let landing = &motion["transitions"][3]["derivatives"];
+    assert_eq!(cell("end_x_by_mu_k"), number(&landing["mu_k"]["x"]));
+    assert_eq!(cell("end_theta_by_theta_rate"), number(&landing["theta_rate"]["theta"]));
+    let lift_off = number(&motion["transitions"][2]["derivatives"]["mu_k"]["x"]);
+    let travel = number(&landing["mu_k"]["x"]) - lift_off;
+    assert_close(cell("jump_length_by_mu_k").abs(), travel.abs(), 1e-14);
+    assert_eq!(fs::read(&png).expect("a picture")[1..4], *b"PNG");
+
+    let refused =
+        |more: &[&str]| complaint(&[&["map", "figure-3"], &axes[..], &["--out", &csv], more].concat(), 2);
+    assert!(refused(&["--derivatives", "outcome_by_theta"]).contains("NUMBER_by_QUANTITY"));
+    assert!(refused(&["--shade", "end_x_by_me"]).contains("derivatives such as end_x_by_mu_k"));
+    assert!(refused(&["--shade", "end_x_by_restitution"]).contains("hint: give --restitution"));
+}

@@ -1,8 +1,8 @@
 //! Many starts in, columns out.
 
-use littlewood::tables::{Class, Group, PhaseSequence, Quantity, Setup};
+use littlewood::tables::{Class, DerivativeColumn, Group, PhaseSequence, Quantity, Setup, UnknownDerivative};
 use littlewood::{OutcomeKind, RestitutionLaw, Summary};
-use littlewood_sweep::{ColumnValues, MOST_THREADS, Points, Refused};
+use littlewood_sweep::{ColumnValues, MOST_THREADS, Points, Refused, of_derivative};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -66,6 +66,7 @@ fn summaries<'py>(
     starts: u64,
     threads: usize,
     progress: Option<Py<PyAny>>,
+    derivatives: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let columns = columns
         .map(|column| column.map(|column| Column(column.as_array().iter().copied().collect::<Vec<_>>())));
@@ -80,7 +81,13 @@ fn summaries<'py>(
     with_room::<(usize, Summary)>(count).map_err(|error| too_large(&error))?;
     let given = Given { columns, law: law(py, &law_name)? };
     let limits = limits(py, until, (max_transitions, max_slides), proof)?;
-    let points = Points { count, at: &|i| given.setup(i), share_hoop: given.have_one_hoop() };
+    let derivatives = derivatives.iter().map(|name| derivative(name)).collect::<PyResult<Vec<_>>>()?;
+    let points = Points {
+        count,
+        at: &|i| given.setup(i),
+        share_hoop: given.have_one_hoop(),
+        derivatives: &derivatives,
+    };
     let columns = waiting::run(py, threads, progress.as_ref(), |workers, options| {
         workers.follow(points, Some(starts), limits, options)
     })?
@@ -88,13 +95,24 @@ fn summaries<'py>(
     let dict = PyDict::new(py);
     for (column, values) in columns.into_columns() {
         match values {
-            ColumnValues::U8(values) => dict.set_item(column.name(), values.into_pyarray(py))?,
-            ColumnValues::U32(values) => dict.set_item(column.name(), values.into_pyarray(py))?,
-            ColumnValues::U64(values) => dict.set_item(column.name(), values.into_pyarray(py))?,
-            ColumnValues::F64(values) => dict.set_item(column.name(), values.into_pyarray(py))?,
+            ColumnValues::U8(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
+            ColumnValues::U32(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
+            ColumnValues::U64(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
+            ColumnValues::F64(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
         }
     }
     Ok(dict)
+}
+
+fn derivative(name: &str) -> PyResult<DerivativeColumn> {
+    name.parse().map_err(|error: UnknownDerivative| PyValueError::new_err(error.to_string()))
+}
+
+/// The quantity, and the long name, the unit and the scale of a derivative.
+#[pyfunction]
+fn derivative_column(name: &str) -> PyResult<(&'static str, [String; 3])> {
+    let column = derivative(name)?;
+    Ok((column.quantity.name(), of_derivative(column)))
 }
 
 /// The class of each motion, from the columns of its summary that decide it.
@@ -123,5 +141,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("MOST_POINTS", MOST_POINTS)?;
     module.add("MOST_THREADS", MOST_THREADS)?;
     module.add_function(wrap_pyfunction!(summaries, module)?)?;
+    module.add_function(wrap_pyfunction!(derivative_column, module)?)?;
     module.add_function(wrap_pyfunction!(classes, module)?)
 }

@@ -58,12 +58,12 @@ impl Atlas {
     ) -> Result<Self, ParameterError> {
         Self::collect(grid, options, |chunk, watch| {
             let points: Vec<Setup> = chunk.points(grid).collect();
-            let columns = match workers.compute_points(&points, Some(grid.starts_of_a_hoop()), limits, watch)
-            {
-                Ok(columns) => columns,
-                Err(Halt::Refused(refused)) => return Err(refused.error),
-                Err(Halt::Cancelled) => return Ok(None),
-            };
+            let columns =
+                match workers.compute_points((&points, &[]), Some(grid.starts_of_a_hoop()), limits, watch) {
+                    Ok(columns) => columns,
+                    Err(Halt::Refused(refused)) => return Err(refused.error),
+                    Err(Halt::Cancelled) => return Ok(None),
+                };
             let sequences = columns
                 .summaries()
                 .map(|summary| (summary.outcome != OutcomeKind::Invalid).then_some((summary.sequence, None)));

@@ -1,10 +1,13 @@
 //! What stores say of their columns: the attributes of the CF conventions, and how codes are to be read.
 
 use littlewood::OutcomeKind;
-use littlewood::tables::{ColumnType, Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
+use littlewood::tables::{
+    ColumnType, DerivativeColumn, Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn,
+};
 use serde_json::{Map, Value, json};
 
 use crate::axis::Varies;
+use crate::columns::Column;
 
 /// The conventions that the attributes follow.
 pub(crate) const CONVENTIONS: &str = "CF-1.11";
@@ -27,7 +30,34 @@ pub(crate) fn of_axis(varies: Varies) -> Attributes {
 }
 
 /// Of a column of results, as numbers.
-pub(crate) fn of_column(column: SummaryColumn) -> Attributes {
+pub(crate) fn of_column(column: Column) -> Attributes {
+    match column {
+        Column::Summary(column) => of_summary(column),
+        Column::Derivative(column) => {
+            let [long_name, units, scale] = of_derivative(column);
+            attributes_of([("long_name", long_name.into()), ("units", units.into()), ("scale", scale.into())])
+        }
+    }
+}
+
+/// Long name, unit and scale of a derivative.
+#[must_use]
+pub fn of_derivative(DerivativeColumn { number, quantity }: DerivativeColumn) -> [String; 3] {
+    let [over, under] = [number.dimension(), quantity.dimension()];
+    let units = match [over, under].map(Dimension::cf_unit) {
+        [over, "1"] => over.to_owned(),
+        ["1", under] => format!("{under}-1"),
+        [over, under] => format!("{over} {under}-1"),
+    };
+    let scale = match [over, under].map(Dimension::scale) {
+        [over, "1"] => over.to_owned(),
+        [over, under] => format!("{over}/({under})"),
+    };
+    let long_name = format!("derivative of the {} by the {}", number.long_name(), quantity.long_name());
+    [long_name, units, scale]
+}
+
+fn of_summary(column: SummaryColumn) -> Attributes {
     let mut attributes = named(column.long_name());
     attributes.extend(match column.column_type() {
         ColumnType::Outcome => {
@@ -87,9 +117,23 @@ mod tests {
     const PARSED_BY_UDUNITS: [&str; 2] = ["1", "rad"];
 
     #[test]
+    fn derivatives_have_the_units_of_their_quotients() {
+        let of = |name: &str| of_derivative(name.parse().expect("a derivative"));
+        let [long_name, units, scale] = of("jump_length_by_theta_rate");
+        assert_eq!(long_name, "derivative of the length of the first jump by the rate of the angle");
+        assert_eq!([units.as_str(), scale.as_str()], ["1", "R/(sqrt(g/R))"]);
+        let [_, units, scale] = of("end_theta_by_theta");
+        assert_eq!([units.as_str(), scale.as_str()], ["rad rad-1", "1"]);
+        let [_, units, scale] = of("end_x_by_theta");
+        assert_eq!([units.as_str(), scale.as_str()], ["rad-1", "R"]);
+        assert!("end_x_by_gravity".parse::<DerivativeColumn>().is_err());
+        assert!("outcome_by_theta".parse::<DerivativeColumn>().is_err());
+    }
+
+    #[test]
     fn units_can_be_parsed_and_scales_stand_beside_them() {
         let quantities = Quantity::HOOP.into_iter().chain(Quantity::START).map(of_quantity);
-        let columns = SummaryColumn::ALL.into_iter().map(of_column);
+        let columns = SummaryColumn::ALL.into_iter().map(of_summary);
         for attributes in quantities.chain(columns) {
             assert!(attributes["long_name"].is_string());
             match attributes.get("units") {
@@ -105,7 +149,7 @@ mod tests {
     #[test]
     fn flags_have_a_meaning_of_one_word_for_each_value() {
         for column in SummaryColumn::ALL {
-            let attributes = of_column(column);
+            let attributes = of_summary(column);
             let Some(values) = attributes.get("flag_values") else { continue };
             let words = attributes["flag_meanings"].as_str().unwrap().split(' ').count();
             assert_eq!(values.as_array().unwrap().len(), words, "{column}");

@@ -1,17 +1,64 @@
 //! The results of a sweep, column by column.
 
-use littlewood::tables::{Class, ColumnType, SummaryColumn, SummaryValue};
+use littlewood::tables::{Class, ColumnType, DerivativeColumn, SummaryColumn, SummaryValue};
 use littlewood::{OutcomeKind, Summary};
 
-/// Number of columns.
+/// Number of columns of a summary.
 const COLUMNS: usize = SummaryColumn::ALL.len();
 
-/// The results of many points: one vector for each [`SummaryColumn`], all of the same length, in the order of the
+/// A column of results: of the summaries, or the derivative of one of their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// Of the summaries.
+    Summary(SummaryColumn),
+    /// A derivative.
+    Derivative(DerivativeColumn),
+}
+
+impl core::fmt::Display for Column {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Summary(column) => column.fmt(f),
+            Self::Derivative(column) => column.fmt(f),
+        }
+    }
+}
+
+impl Column {
+    /// The columns of results with these derivatives.
+    pub fn all(derivatives: &[DerivativeColumn]) -> impl ExactSizeIterator<Item = Self> + Clone + '_ {
+        let place = |place: usize| match SummaryColumn::ALL.get(place) {
+            Some(column) => Self::Summary(*column),
+            None => Self::Derivative(derivatives[place - COLUMNS]),
+        };
+        (0..COLUMNS + derivatives.len()).map(place)
+    }
+
+    /// Type.
+    #[must_use]
+    pub const fn column_type(self) -> ColumnType {
+        match self {
+            Self::Summary(column) => column.column_type(),
+            Self::Derivative(_) => ColumnType::Real,
+        }
+    }
+
+    /// The value where nothing has been computed.
+    pub(crate) fn not_computed(self) -> SummaryValue {
+        match self {
+            Self::Summary(column) => column.of(&Summary::NOT_COMPUTED),
+            Self::Derivative(_) => SummaryValue::F64(f64::NAN),
+        }
+    }
+}
+
+/// The results of many points: one vector for each [`Column`], all of the same length, in the order of the
 /// points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
-    /// In the order of [`SummaryColumn::ALL`].
-    columns: [ColumnValues; COLUMNS],
+    /// In the order of [`Column::all`].
+    columns: Vec<ColumnValues>,
+    derivatives: Vec<DerivativeColumn>,
     /// The class of each point: pictures and counts need it, and it takes much longer to find from the columns.
     classes: Vec<Class>,
 }
@@ -117,22 +164,18 @@ impl ColumnValues {
     }
 }
 
-/// The value of a column where nothing has been computed.
-pub(crate) fn not_computed(column: SummaryColumn) -> SummaryValue {
-    column.of(&Summary::NOT_COMPUTED)
-}
-
 impl Default for Columns {
     fn default() -> Self {
-        Self::blank(0)
+        Self::blank(0, &[])
     }
 }
 
 impl Columns {
     /// Columns of this many points that have not been computed.
-    pub(crate) fn blank(len: usize) -> Self {
-        let columns = SummaryColumn::ALL.map(|column| ColumnValues::repeat(not_computed(column), len));
-        Self { columns, classes: vec![Class::of(&Summary::NOT_COMPUTED); len] }
+    pub(crate) fn blank(len: usize, derivatives: &[DerivativeColumn]) -> Self {
+        let columns = Column::all(derivatives).map(|column| ColumnValues::repeat(column.not_computed(), len));
+        let classes = vec![Class::of(&Summary::NOT_COMPUTED); len];
+        Self { columns: columns.collect(), derivatives: derivatives.to_vec(), classes }
     }
 
     /// Sets the results of a point below [`Columns::len`].
@@ -143,17 +186,29 @@ impl Columns {
         self.classes[i] = Class::of(summary);
     }
 
-    /// From the values of each column of [`SummaryColumn::ALL`].
+    /// Sets the derivatives of a point below [`Columns::len`].
+    pub(crate) fn set_derivatives(&mut self, i: usize, values: &[f64]) {
+        for (column, value) in self.columns[COLUMNS..].iter_mut().zip(values) {
+            // The sign and the payload of a computed NaN are unspecified.
+            column.set(i, SummaryValue::F64(if value.is_nan() { f64::NAN } else { *value }));
+        }
+    }
+
+    /// From the values of each of [`Column::all`].
     ///
     /// # Errors
     /// Says which column is of another type or length than it must be, or holds a number that is no code.
-    pub(crate) fn from_values(columns: Vec<ColumnValues>) -> Result<Self, String> {
-        let columns: [ColumnValues; COLUMNS] = columns
-            .try_into()
-            .map_err(|columns: Vec<_>| format!("{} columns instead of {COLUMNS}", columns.len()))?;
+    pub(crate) fn from_values(
+        columns: Vec<ColumnValues>,
+        derivatives: &[DerivativeColumn],
+    ) -> Result<Self, String> {
+        let all = Column::all(derivatives);
+        if columns.len() != all.len() {
+            return Err(format!("{} columns instead of {}", columns.len(), all.len()));
+        }
         let len = columns[0].len();
-        for (column, values) in SummaryColumn::ALL.into_iter().zip(&columns) {
-            let blank = ColumnValues::repeat(not_computed(column), 0);
+        for (column, values) in all.zip(&columns) {
+            let blank = ColumnValues::repeat(column.not_computed(), 0);
             if core::mem::discriminant(&blank) != core::mem::discriminant(values) {
                 return Err(format!("column {column} is of another type"));
             }
@@ -166,7 +221,7 @@ impl Columns {
                 }
             }
         }
-        let mut columns = Self { columns, classes: Vec::new() };
+        let mut columns = Self { columns, derivatives: derivatives.to_vec(), classes: Vec::new() };
         columns.classes = (0..len).map(|i| Class::of(&columns.summary(i))).collect();
         Ok(columns)
     }
@@ -196,18 +251,26 @@ impl Columns {
 
     /// The values of a column.
     #[must_use]
-    pub const fn column(&self, column: SummaryColumn) -> &ColumnValues {
+    pub fn column(&self, column: SummaryColumn) -> &ColumnValues {
         &self.columns[column.code() as usize]
     }
 
     /// All columns with their values.
-    pub fn columns(&self) -> impl ExactSizeIterator<Item = (SummaryColumn, &ColumnValues)> + '_ {
-        SummaryColumn::ALL.into_iter().zip(&self.columns)
+    pub fn columns(&self) -> impl ExactSizeIterator<Item = (Column, &ColumnValues)> + '_ {
+        Column::all(&self.derivatives).zip(&self.columns)
     }
 
     /// All columns with their values, to keep.
-    pub fn into_columns(self) -> impl ExactSizeIterator<Item = (SummaryColumn, ColumnValues)> {
-        SummaryColumn::ALL.into_iter().zip(self.columns)
+    #[must_use]
+    pub fn into_columns(self) -> Vec<(Column, ColumnValues)> {
+        Column::all(&self.derivatives).zip(self.columns).collect()
+    }
+
+    /// The values of a derivative; none if it has not been computed.
+    #[must_use]
+    pub fn derivative(&self, column: DerivativeColumn) -> Option<&[f64]> {
+        let place = self.derivatives.iter().position(|known| *known == column)?;
+        self.columns[COLUMNS + place].as_f64()
     }
 
     /// The values of a column of real numbers; none for codes and counts.
@@ -223,7 +286,7 @@ impl Columns {
     #[must_use]
     pub fn summary(&self, i: usize) -> Summary {
         let mut summary = Summary::NOT_COMPUTED;
-        for (column, values) in self.columns() {
+        for (column, values) in SummaryColumn::ALL.into_iter().zip(&self.columns) {
             let taken = column.set(&mut summary, values.get(i));
             debug_assert!(taken, "{column} has been checked");
         }
@@ -248,12 +311,12 @@ mod tests {
 
     #[test]
     fn values_that_are_no_columns_are_refused() {
-        let good = Columns::blank(2);
-        assert_eq!(Columns::from_values(good.columns.to_vec()).map(|columns| columns.len()), Ok(2));
+        let good = Columns::blank(2, &[]);
+        assert_eq!(Columns::from_values(good.columns.clone(), &[]).map(|columns| columns.len()), Ok(2));
         let with = |column: SummaryColumn, values| {
             let mut columns = good.columns.clone();
             columns[usize::from(column.code())] = values;
-            Columns::from_values(columns.to_vec()).map(drop)
+            Columns::from_values(columns, &[]).map(drop)
         };
         assert!(with(SummaryColumn::Energy, ColumnValues::U8(vec![0; 2])).is_err());
         assert!(with(SummaryColumn::Energy, ColumnValues::F64(vec![0.0; 3])).is_err());

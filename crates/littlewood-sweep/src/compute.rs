@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use littlewood::tables::Setup;
+use littlewood::tables::{DerivativeColumn, Setup};
 use littlewood::{Engine, Hoop, Limits, ParameterError, Summary};
 use rayon::prelude::*;
 use thiserror::Error;
@@ -81,6 +81,8 @@ pub struct Points<'a> {
     pub at: &'a (dyn Fn(usize) -> Setup + Sync),
     /// Whether all of them are known to have the same hoop.
     pub share_hoop: bool,
+    /// The derivatives that are asked for: each point is then simulated, too.
+    pub derivatives: &'a [DerivativeColumn],
 }
 
 impl core::fmt::Debug for Points<'_> {
@@ -180,10 +182,10 @@ impl Workers {
         limits: Limits,
     ) -> Result<Columns, ParameterError> {
         let points: Vec<Setup> = points.into_iter().collect();
-        match self.compute_points(&points, None, limits, &Watch::NONE) {
+        match self.compute_points((&points, &[]), None, limits, &Watch::NONE) {
             Err(Halt::Refused(refused)) => Err(refused.error),
             // Nobody can cancel it.
-            Err(Halt::Cancelled) => Ok(Columns::blank(points.len())),
+            Err(Halt::Cancelled) => Ok(Columns::blank(points.len(), &[])),
             Ok(columns) => Ok(columns),
         }
     }
@@ -196,7 +198,7 @@ impl Workers {
         limits: Limits,
         key: &dyn Fn(&Summary) -> u64,
     ) -> Result<Vec<u64>, ParameterError> {
-        match self.compute_points(points, Some(starts_of_a_hoop), limits, &Watch::NONE) {
+        match self.compute_points((points, &[]), Some(starts_of_a_hoop), limits, &Watch::NONE) {
             Err(Halt::Refused(refused)) => Err(refused.error),
             // Nobody can cancel it.
             Err(Halt::Cancelled) => Ok(vec![key(&Summary::NOT_COMPUTED); points.len()]),
@@ -223,12 +225,13 @@ impl Workers {
     /// Computes points of a run in which each hoop has so many starts, or, where that is not known, as many as here.
     pub(crate) fn compute_points(
         &self,
-        points: &[Setup],
+        (points, derivatives): (&[Setup], &[DerivativeColumn]),
         starts_of_a_hoop: Option<u64>,
         limits: Limits,
         watch: &Watch<'_>,
     ) -> Result<Columns, Halt> {
-        let points = Points { count: points.len(), at: &|index| points[index], share_hoop: false };
+        let at = |index: usize| points[index];
+        let points = Points { count: points.len(), at: &at, share_hoop: false, derivatives };
         self.follow_points(points, starts_of_a_hoop, limits, watch)
     }
 
@@ -255,7 +258,7 @@ impl Workers {
             .into_iter()
             .fold(Ok(Vec::new()), first_halt)?;
 
-        let mut columns = Columns::blank(points.count);
+        let mut columns = Columns::blank(points.count, points.derivatives);
         let mut engines = Vec::new();
         for (prepared, tasks) in results {
             engines.extend(prepared);
@@ -308,7 +311,7 @@ impl Job<'_> {
                 let tasks = group
                     .par_chunks(self.points_of_a_task(group.len()))
                     .map(|places| {
-                        let mut columns = Columns::blank(places.len());
+                        let mut columns = Columns::blank(places.len(), self.points.derivatives);
                         let watch = &mut self.watch.clone();
                         self.compute(engine.as_deref(), places, (&mut columns, 0), watch)?;
                         Ok(Task { places: Cow::Borrowed(places), columns })
@@ -319,7 +322,7 @@ impl Job<'_> {
             }
             _ => {
                 let places = groups.concat();
-                let mut columns = Columns::blank(places.len());
+                let mut columns = Columns::blank(places.len(), self.points.derivatives);
                 let watch = &mut self.watch.clone();
                 let mut first = 0;
                 for group in groups {
@@ -355,6 +358,14 @@ impl Job<'_> {
         Ok((prepared, self.keep && prepares))
     }
 
+    /// The derivatives of a point; none of a hoop that cannot be.
+    fn derivatives(&self, index: usize) -> Vec<f64> {
+        let Setup { hoop, start, .. } = (self.points.at)(index);
+        let motion = Hoop::new(hoop).ok().and_then(|hoop| hoop.simulate(start, self.limits).ok());
+        let found = motion.and_then(|motion| motion.summary_derivatives(self.points.derivatives).ok());
+        found.unwrap_or_default()
+    }
+
     /// Sets the results of the points at some places, in the columns from the place `first` on.
     fn compute(
         &self,
@@ -375,6 +386,9 @@ impl Job<'_> {
                     Some(summary) => summary.map_err(|error| Halt::Refused(Refused { index, error }))?,
                 };
             columns.set(i, &summary);
+            if !self.points.derivatives.is_empty() {
+                columns.set_derivatives(i, &self.derivatives(index));
+            }
             watch.count();
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! The description of a run, as stores keep it: two runs with the same description have the same result.
 
-use littlewood::tables::{PhaseSequence, Quantity, Setup};
+use littlewood::tables::{DerivativeColumn, PhaseSequence, Quantity, Setup};
 use littlewood::{HoopParameters, Limits, Start};
 use serde_json::{Map, Value, json};
 
@@ -15,6 +15,9 @@ pub const STORE_FORMAT: u32 = 4;
 
 /// The key of the spacing of an axis that is not evenly spaced.
 const SPACING: &str = "spacing";
+
+/// The key of the derivatives, where there are any.
+const DERIVATIVES: &str = "derivatives";
 
 /// The version of stores that have none.
 const FIRST_FORMAT: u64 = 1;
@@ -85,34 +88,48 @@ impl Description {
                 axis_value
             })
             .collect();
-        Self(json!({
-            "version": env!("CARGO_PKG_VERSION"),
-            "format": STORE_FORMAT,
-            "sequence_version": PhaseSequence::VERSION,
-            "points": "grid",
-            "axes": axes,
-            "fixed": fixed,
-            RESTITUTION_LAW: law(grid.base(), has_restitution),
-            "limits": of_limits(limits),
-            "chunk": chunk,
-        }))
+        Self::with_derivatives(
+            grid.derivatives(),
+            json!({
+                "version": env!("CARGO_PKG_VERSION"),
+                "format": STORE_FORMAT,
+                "sequence_version": PhaseSequence::VERSION,
+                "points": "grid",
+                "axes": axes,
+                "fixed": fixed,
+                RESTITUTION_LAW: law(grid.base(), has_restitution),
+                "limits": of_limits(limits),
+                "chunk": chunk,
+            }),
+        )
     }
 
     pub(crate) fn of_list(list: &StartList, limits: Limits, chunk: usize) -> Self {
         let base = numbers(given(list.base()));
         let column = list.columns().contains(&Quantity::Restitution);
         let has_restitution = column || list.base().get(Quantity::Restitution).is_some();
-        Self(json!({
-            "version": env!("CARGO_PKG_VERSION"),
-            "format": STORE_FORMAT,
-            "sequence_version": PhaseSequence::VERSION,
-            "points": "list",
-            "list": list.fingerprint(),
-            "base": base,
-            RESTITUTION_LAW: law(list.base(), has_restitution),
-            "limits": of_limits(limits),
-            "chunk": chunk,
-        }))
+        Self::with_derivatives(
+            list.derivatives(),
+            json!({
+                "version": env!("CARGO_PKG_VERSION"),
+                "format": STORE_FORMAT,
+                "sequence_version": PhaseSequence::VERSION,
+                "points": "list",
+                "list": list.fingerprint(),
+                "base": base,
+                RESTITUTION_LAW: law(list.base(), has_restitution),
+                "limits": of_limits(limits),
+                "chunk": chunk,
+            }),
+        )
+    }
+
+    /// Stores without derivatives say nothing of them.
+    fn with_derivatives(derivatives: &[DerivativeColumn], mut value: Value) -> Self {
+        if !derivatives.is_empty() {
+            value[DERIVATIVES] = Vec::from_iter(derivatives.iter().map(DerivativeColumn::to_string)).into();
+        }
+        Self(value)
     }
 
     /// CRC-32 of the text.
@@ -166,7 +183,9 @@ impl Description {
         let chunk = value.get("chunk")?.as_array()?;
         let chunk =
             chunk.iter().map(|size| usize::try_from(size.as_u64()?).ok()).collect::<Option<Vec<_>>>()?;
-        Some((Grid::new(base, axes).ok()?, limits, chunk))
+        let derivatives = value.get(DERIVATIVES).and_then(Value::as_array).into_iter().flatten();
+        let derivatives = derivatives.map(|name| name.as_str()?.parse().ok()).collect::<Option<Vec<_>>>()?;
+        Some((Grid::new(base, axes).ok()?.with_derivatives(derivatives), limits, chunk))
     }
 }
 
@@ -215,7 +234,9 @@ mod tests {
             Axis::new(Varies::Friction, 0.01, 1.0, 5).and_then(|axis| axis.with_spacing(Spacing::Log));
         let theta = Axis::new(Quantity::Theta, -1.0, 1.0, 3);
         let axes = vec![friction.expect("an axis"), theta.expect("an axis")];
+        let derivatives = vec!["end_x_by_mu_k".parse().expect("a derivative")];
         let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 1.0)), axes).expect("a grid");
+        let grid = grid.with_derivatives(derivatives);
         let description = Description::of_grid(&grid, Limits::default(), &[5, 3]);
         let (again, limits, chunk) = Description::grid(&description.0).expect("a description of a grid");
         assert_eq!((again, limits, chunk), (grid, Limits::default(), vec![5, 3]));

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use littlewood::tables::{Quantity, Setup};
+use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use littlewood::{Hoop, HoopParameters};
 
 use crate::axis::{Axis, AxisError};
@@ -11,7 +11,7 @@ use crate::setup::quantities;
 /// The points of a grid, numbered row by row: the last axis runs fastest.
 ///
 /// ```
-/// use littlewood::tables::{Quantity, Setup};
+/// use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 /// use littlewood::{HoopParameters, Start};
 /// use littlewood_sweep::{Axis, Grid};
 ///
@@ -28,6 +28,7 @@ pub struct Grid {
     base: Setup,
     axes: Vec<Axis>,
     len: u64,
+    derivatives: Vec<DerivativeColumn>,
 }
 
 impl Grid {
@@ -56,12 +57,25 @@ impl Grid {
         for axis in &axes {
             axis.varies().set(&mut base, axis.from());
         }
-        let grid = Self { base, axes, len };
+        let grid = Self { base, axes, len, derivatives: Vec::new() };
         grid.check_each()?;
         for related in CONTRADICTIONS {
             grid.check_together(related)?;
         }
         Ok(grid)
+    }
+
+    /// With derivatives of numbers of the summary, which are NaN where they do not exist.
+    #[must_use]
+    pub fn with_derivatives(mut self, derivatives: Vec<DerivativeColumn>) -> Self {
+        self.derivatives = derivatives;
+        self
+    }
+
+    /// The derivatives that are computed.
+    #[must_use]
+    pub fn derivatives(&self) -> &[DerivativeColumn] {
+        &self.derivatives
     }
 
     /// The base setup; where there is an axis it has the first value of the axis.

@@ -64,9 +64,10 @@ mod watch;
 mod zarr;
 
 pub use atlas::{Atlas, AtlasEntry};
+pub use attributes::of_derivative;
 pub use axis::{Axis, AxisError, Spacing, Varies};
 pub use chunk::{Chunk, Chunks};
-pub use columns::{ColumnValues, Columns};
+pub use columns::{Column, ColumnValues, Columns};
 pub use compute::{Halt, MOST_THREADS, Points, Refused, ThreadsError, Workers};
 pub use description::{ForeignVersion, STORE_FORMAT};
 pub use destination::Target;

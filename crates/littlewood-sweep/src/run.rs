@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use littlewood::Limits;
-use littlewood::tables::{Class, Setup};
+use littlewood::tables::{Class, DerivativeColumn, Setup};
 use rayon::prelude::*;
 
 use crate::columns::Columns;
@@ -150,7 +150,8 @@ impl<'a> Run<'a> {
             .map(|&number| {
                 let lacking = self.destinations.iter().map(|destination| !destination.has(number)).collect();
                 let starts_of_a_hoop = source.starts_of_a_hoop();
-                Ok(Input { number, points: source.points(number)?, starts_of_a_hoop, lacking })
+                let derivatives = source.derivatives().to_vec();
+                Ok(Input { number, points: source.points(number)?, derivatives, starts_of_a_hoop, lacking })
             })
             .collect()
     }
@@ -192,6 +193,7 @@ impl<'a> Run<'a> {
 struct Input {
     number: usize,
     points: Vec<Setup>,
+    derivatives: Vec<DerivativeColumn>,
     /// Starts of each hoop in the whole run, where that is known.
     starts_of_a_hoop: Option<u64>,
     /// Which destinations lack it.
@@ -211,9 +213,10 @@ fn compute(
     workers: &Workers,
     watch: &Watch<'_>,
 ) -> Result<(FinishedChunk, Columns), Failure> {
-    let Input { number, points, starts_of_a_hoop, lacking } = input;
+    let Input { number, points, derivatives, starts_of_a_hoop, lacking } = input;
+    let asked = (points.as_slice(), derivatives.as_slice());
     let columns =
-        workers.compute_points(&points, starts_of_a_hoop, limits, watch).map_err(|halt| match halt {
+        workers.compute_points(asked, starts_of_a_hoop, limits, watch).map_err(|halt| match halt {
             Halt::Refused(refused) => Failure::Point { chunk: number, refused },
             Halt::Cancelled => Failure::Cancelled,
         })?;

@@ -1,7 +1,7 @@
 //! Where the points of a run come from: a grid or a list, chunk by chunk.
 
 use littlewood::ParameterError;
-use littlewood::tables::{Quantity, Setup};
+use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 
 use crate::chunk::Chunks;
 use crate::compute::Refused;
@@ -13,6 +13,8 @@ use crate::starts::{ListError, Rows, StartList};
 pub(crate) trait Source {
     /// Number of points.
     fn total(&self) -> u64;
+    /// The derivatives that are computed of each point.
+    fn derivatives(&self) -> &[DerivativeColumn];
     /// Starts of each hoop, where that is known before all points have been read.
     fn starts_of_a_hoop(&self) -> Option<u64>;
     /// Number of chunks.
@@ -34,6 +36,10 @@ pub(crate) struct GridSource<'a> {
 impl Source for GridSource<'_> {
     fn total(&self) -> u64 {
         self.grid.len()
+    }
+
+    fn derivatives(&self) -> &[DerivativeColumn] {
+        self.grid.derivatives()
     }
 
     fn starts_of_a_hoop(&self) -> Option<u64> {
@@ -85,6 +91,10 @@ const CHUNKS_WITH_LINES: usize = 2;
 impl Source for ListSource<'_> {
     fn total(&self) -> u64 {
         self.list.rows()
+    }
+
+    fn derivatives(&self) -> &[DerivativeColumn] {
+        self.list.derivatives()
     }
 
     fn starts_of_a_hoop(&self) -> Option<u64> {

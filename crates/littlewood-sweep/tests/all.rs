@@ -4,6 +4,7 @@
 
 mod atlas;
 mod compute;
+mod derivatives;
 mod list;
 mod picture;
 mod restitution;

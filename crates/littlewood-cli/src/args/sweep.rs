@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use littlewood::tables::Quantity;
+use littlewood::tables::{DerivativeColumn, Quantity};
 use littlewood_sweep::{CHUNK_POINTS, MOST_CHUNK_POINTS};
 
 use super::{ProblemArgs, RunArgs, ShortFormat, number};
@@ -44,6 +44,7 @@ Examples:
   littlewood map figure-3 --x theta=-pi:pi:500 --y theta_rate=-4:4:500 --shade sequence --curves --out phases.png
   littlewood map figure-3 --x theta_rate=0:3:300 --y mu=0.01:2:300:log --shade energy_lost --contours --out lost.png
   littlewood map figure-3 --x theta=-pi:pi:300 --y theta_rate=-4:4:300 --width-mm 84 --out outcomes.pdf
+  littlewood map figure-3 --x theta=-pi:pi:150 --y theta_rate=-4:4:150 --shade end_x_by_mu_k --out sensitivity.png
   littlewood map --scenario hoop.toml --x theta=-pi:pi:500 --y theta_rate_rad_per_s=0:20:500 --out hoop.png";
 
 #[cfg(feature = "sweep")]
@@ -99,8 +100,8 @@ pub(crate) struct MapArgs {
     pub(crate) work: WorkArgs,
     #[command(flatten)]
     pub(crate) store: StoreArgs,
-    /// Column shown by colour: outcome, sequence, energy_lost, or a column such as transitions, landings (hops),
-    /// lift_off_time or jump_length
+    /// Column shown by colour: outcome, sequence, energy_lost, a column such as transitions, landings (hops),
+    /// lift_off_time or jump_length, or the size of a derivative such as end_x_by_mu_k
     #[arg(long, value_name = "COLUMN", default_value = "outcome", help_heading = "Output")]
     pub(crate) shade: String,
     /// Draw the curves f (|F| = mu_s N in rolling), n (N = 0 in rolling) and that of lift-off over a map of theta and theta_rate
@@ -183,6 +184,10 @@ pub(crate) struct StoreArgs {
     /// Output file (repeatable); the extension chooses the format
     #[arg(long, value_name = "PATH", required = true)]
     pub(crate) out: Vec<PathBuf>,
+    /// Derivatives to compute, such as jump_length_by_mu_k: of a column of numbers by a quantity of hoop or start (repeatable, or with
+    /// commas); empty where there is none
+    #[arg(long, value_name = "COLUMN_by_QUANTITY", value_delimiter = ',')]
+    pub(crate) derivatives: Vec<DerivativeColumn>,
     /// Resume an interrupted run; parameters must match
     #[arg(long)]
     pub(crate) resume: bool,

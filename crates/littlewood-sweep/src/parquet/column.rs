@@ -5,7 +5,7 @@ use std::io::Write;
 use std::sync::Arc;
 
 use littlewood::OutcomeKind;
-use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
+use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryValue};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
@@ -15,7 +15,7 @@ use parquet::schema::types::{Type, TypePtr};
 use serde_json::Value;
 
 use crate::attributes::{Attributes, of_column, of_quantity, of_words};
-use crate::columns::{ColumnValues, not_computed};
+use crate::columns::{Column as Results, ColumnValues};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,16 +52,29 @@ impl Column {
     }
 
     /// Those of a column of results: a code has its words before it.
-    pub(super) fn of_results(column: SummaryColumn) -> Vec<Self> {
-        let words = || Self::new(column.name(), Kind::Words, of_words(column));
-        let numbers = |kind| Self::new(&name_of_numbers(column), kind, of_column(column));
-        match column.column_type() {
-            ColumnType::Outcome => vec![words(), numbers(Kind::U8)],
-            ColumnType::Sequence => vec![words(), numbers(Kind::U64)],
-            ColumnType::Count => vec![numbers(Kind::U32)],
-            ColumnType::Flag => vec![numbers(Kind::Flag)],
-            ColumnType::Real => vec![numbers(Kind::F64)],
-        }
+    pub(super) fn of_results(column: Results) -> Vec<Self> {
+        let kind = match column.column_type() {
+            ColumnType::Outcome => Kind::U8,
+            ColumnType::Sequence => Kind::U64,
+            ColumnType::Count => Kind::U32,
+            ColumnType::Flag => Kind::Flag,
+            ColumnType::Real => Kind::F64,
+        };
+        let numbers = Self::new(&name_of_numbers(column), kind, of_column(column));
+        let words = match (column, column.column_type()) {
+            (Results::Summary(column), ColumnType::Outcome | ColumnType::Sequence) => {
+                Some(Self::new(column.name(), Kind::Words, of_words(column)))
+            }
+            (
+                Results::Summary(_) | Results::Derivative(_),
+                ColumnType::Outcome
+                | ColumnType::Sequence
+                | ColumnType::Count
+                | ColumnType::Flag
+                | ColumnType::Real,
+            ) => None,
+        };
+        words.into_iter().chain([numbers]).collect()
     }
 
     /// The type of the column in the file.
@@ -83,7 +96,7 @@ impl Column {
 }
 
 /// The name under which a table has the numbers of a column.
-pub(super) fn name_of_numbers(column: SummaryColumn) -> String {
+pub(super) fn name_of_numbers(column: Results) -> String {
     match column.column_type() {
         ColumnType::Outcome | ColumnType::Sequence => format!("{column}_code"),
         ColumnType::Count | ColumnType::Flag | ColumnType::Real => column.to_string(),
@@ -100,7 +113,7 @@ impl<W: Write + Send> Writer<'_, '_, W> {
     }
 
     /// A column of results: all that [`Column::of_results`] has of it.
-    pub(super) fn results(&mut self, column: SummaryColumn, values: &ColumnValues) -> Result<()> {
+    pub(super) fn results(&mut self, column: Results, values: &ColumnValues) -> Result<()> {
         match (column.column_type(), values) {
             (ColumnType::Outcome, ColumnValues::U8(codes)) => {
                 let name = |code: u8| match OutcomeKind::try_from(code) {
@@ -156,12 +169,9 @@ fn each<T: Copy, U>(values: &[T], to: impl FnMut(T) -> U) -> Vec<U> {
 const BATCH: usize = 1 << 16;
 
 /// The values of a column of results from its reader, or what is wrong with it.
-pub(super) fn read(
-    column: SummaryColumn,
-    reader: ColumnReader,
-) -> core::result::Result<ColumnValues, String> {
+pub(super) fn read(column: Results, reader: ColumnReader) -> core::result::Result<ColumnValues, String> {
     let no_code = |_| format!("column {column} has a number that is no code");
-    match (not_computed(column), reader) {
+    match (column.not_computed(), reader) {
         (SummaryValue::U8(_), ColumnReader::BoolColumnReader(reader)) => {
             Ok(ColumnValues::U8(each(&all(reader)?, u8::from)))
         }

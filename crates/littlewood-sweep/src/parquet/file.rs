@@ -78,7 +78,7 @@ impl OneFile {
 
     /// The results of a chunk, from the file.
     pub(crate) fn read(&self, chunk: usize) -> Result<Option<Columns>, StoreError> {
-        read_row_group(&self.path, chunk).map(Some)
+        read_row_group(&self.path, chunk, &self.table.derivatives).map(Some)
     }
 
     /// Puts the parts together. Encoded columns are copied; nothing is decoded, and memory stays flat.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use littlewood::tables::{Quantity, Setup, SummaryColumn};
+use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::errors::Result as Encoded;
 use parquet::file::metadata::KeyValue;
@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use super::arrow;
 use super::column::{Column, Writer};
 use super::read::read_part;
-use crate::columns::Columns;
+use crate::columns::{Column as Results, Columns};
 use crate::description::{Description, STORE_FORMAT};
 use crate::disk::UNFINISHED;
 use crate::grid::Grid;
@@ -42,17 +42,15 @@ pub(crate) struct Table {
     digits: usize,
     /// The quantities of the points.
     quantities: Vec<Quantity>,
+    pub(super) derivatives: Vec<DerivativeColumn>,
 }
 
 impl Table {
     /// The table of a grid. The rows stand chunk by chunk (see [`crate::Chunks`]), each with the quantities of its
     /// point.
     pub(crate) fn of_grid(description: &Description, chunks: usize, grid: &Grid) -> Self {
-        Self::new(
-            description.clone(),
-            chunks,
-            of_points(grid.base(), |quantity| grid.axis(quantity).is_some()),
-        )
+        let quantities = of_points(grid.base(), |quantity| grid.axis(quantity).is_some());
+        Self::new(description.clone(), chunks, quantities, grid.derivatives().to_vec())
     }
 
     /// The table of a list, one row a start in the order of the list. Where and when the start is has a column if the
@@ -61,16 +59,21 @@ impl Table {
         let has_column = |quantity| list.columns().contains(&quantity);
         let places = places().filter(|place| has_column(*place));
         let quantities = of_points(list.base(), has_column).into_iter().chain(places).collect();
-        Self::new(description.clone(), chunks, quantities)
+        Self::new(description.clone(), chunks, quantities, list.derivatives().to_vec())
     }
 
-    fn new(description: Description, chunks: usize, quantities: Vec<Quantity>) -> Self {
+    fn new(
+        description: Description,
+        chunks: usize,
+        quantities: Vec<Quantity>,
+        derivatives: Vec<DerivativeColumn>,
+    ) -> Self {
         let digits = chunks.saturating_sub(1).to_string().len().max(5);
         let of_points = quantities.iter().copied().map(Column::of_quantity);
-        let columns: Vec<Column> =
-            of_points.chain(SummaryColumn::ALL.into_iter().flat_map(Column::of_results)).collect();
+        let results = Results::all(&derivatives).flat_map(Column::of_results);
+        let columns: Vec<Column> = of_points.chain(results).collect();
         let arrow_schema = arrow::schema(&columns);
-        Self { description, columns, arrow_schema, digits, quantities }
+        Self { description, columns, arrow_schema, digits, quantities, derivatives }
     }
 
     fn file(&self, chunk: usize, points: &[Setup], columns: &Columns) -> Encoded<Vec<u8>> {
@@ -177,6 +180,6 @@ impl Format for Table {
     }
 
     fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError> {
-        read_part(&root.join(self.path(chunk)))
+        read_part(&root.join(self.path(chunk)), &self.derivatives)
     }
 }

@@ -40,13 +40,13 @@ impl Picture {
         let exact = [0, 1].map(|k| place[k] * (self.counts[k] - 1) as f64);
         let [i, j] = exact.map(|at| libm::round(at) as usize);
         let nearest = self.cells[j * nx + i];
-        let Some(key) = region.filter(|key| *key != self.key_of(nearest)) else { return nearest };
+        let Some(key) = region.filter(|key| *key != self.key_of(nearest.key)) else { return nearest };
         let around =
             |middle: usize, count: usize| middle.saturating_sub(NEAR)..(middle + NEAR + 1).min(count);
         let away = |(i, j): (usize, usize)| libm::hypot(i as f64 - exact[0], j as f64 - exact[1]);
         around(j, ny)
             .flat_map(|j| around(i, nx).map(move |i| (i, j)))
-            .filter(|&(i, j)| self.key_of(self.cells[j * nx + i]) == key)
+            .filter(|&(i, j)| self.key_of(self.cells[j * nx + i].key) == key)
             .min_by(|a, b| away(*a).total_cmp(&away(*b)))
             .map_or(nearest, |(i, j)| self.cells[j * nx + i])
     }
@@ -62,7 +62,7 @@ impl Picture {
             (_, Some(Class::NotComputed | Class::Invalid)) | (Shade::Class | Shade::Sequence, _) => {
                 self.colour_of(cell.key)
             }
-            (Shade::EnergyLost | Shade::Column(_), _) => {
+            (Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_), _) => {
                 scale.map_or_else(|| Ink::NoValue.colour(Theme::Light), |scale| scale.colour(cell.number))
             }
         }

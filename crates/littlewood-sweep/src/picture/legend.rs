@@ -29,7 +29,7 @@ impl Picture {
         match self.shade {
             Shade::Class => self.entries_of_classes(&Class::ALL),
             Shade::Sequence => self.entries_of_sequences(),
-            Shade::EnergyLost | Shade::Column(_) => self.entries_of_scale(scale),
+            Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => self.entries_of_scale(scale),
         }
     }
 

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
+use littlewood::Limits;
 use littlewood::si::Units;
-use littlewood::tables::{Class, Quantity, Setup, SummaryColumn, SummaryValue};
-use littlewood::{Limits, Summary};
+use littlewood::tables::{Class, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
 
 use super::cells::{Cell, cell, class_of, of_class, place};
 use super::error::PictureError;
@@ -142,7 +142,7 @@ impl Picture {
     pub fn with_contours(mut self) -> Result<Self, PictureError> {
         match self.shade {
             Shade::Class | Shade::Sequence => return Err(PictureError::NoScale { shade: self.shade }),
-            Shade::EnergyLost | Shade::Column(_) => {}
+            Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => {}
         }
         self.has_contours = true;
         Ok(self)
@@ -169,7 +169,9 @@ impl Picture {
                 continue;
             };
             let point = self.grid.point_at(&indices);
-            self.cells[y * self.counts[0] + x] = self.cell_of(&point, &columns.summary(i), class);
+            let number = self.shade.number(&point, columns, i);
+            let key = self.key_at(columns.summary(i).sequence, class);
+            self.cells[y * self.counts[0] + x] = Cell { key, number };
         }
         if self.shade == Shade::Sequence {
             self.rank_sequences();
@@ -184,13 +186,12 @@ impl Picture {
         self.ranks = self.ranking.iter().enumerate().map(|(rank, key)| (*key, rank)).collect();
     }
 
-    /// What the map keeps of a point.
-    pub(super) fn cell_of(&self, point: &Setup, summary: &Summary, class: Class) -> Cell {
-        let key = match self.shade {
-            Shade::Sequence => key_of_sequence(summary.sequence.bits(), class),
-            Shade::Class | Shade::EnergyLost | Shade::Column(_) => of_class(class),
-        };
-        Cell { key, number: self.shade.number(point, summary) }
+    /// What has a colour of its own at a point.
+    pub(super) fn key_at(&self, sequence: PhaseSequence, class: Class) -> u64 {
+        match self.shade {
+            Shade::Sequence => key_of_sequence(sequence.bits(), class),
+            Shade::Class | Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => of_class(class),
+        }
     }
 
     /// The rank of a sequence.
@@ -199,11 +200,11 @@ impl Picture {
     }
 
     /// What cells of one colour have in common.
-    pub(super) fn key_of(&self, cell: Cell) -> u64 {
+    pub(super) fn key_of(&self, key: u64) -> u64 {
         let is_other = self.shade == Shade::Sequence
-            && cell.class().is_none()
-            && self.rank(cell.key) >= littlewood_style::RANKS;
-        if is_other { OTHERS } else { cell.key }
+            && class_of(key).is_none()
+            && self.rank(key) >= littlewood_style::RANKS;
+        if is_other { OTHERS } else { key }
     }
 
     /// Follows the boundaries between colours as curves: between neighbours of the grid that differ, motions are computed. The
@@ -226,7 +227,7 @@ impl Picture {
             let places = (0..self.counts[k]).map(|j| place(j, count, self.counts[k]));
             places.map(|i| i as f64 / (count - 1) as f64).collect()
         });
-        let keys = self.cells.iter().map(|cell| self.key_of(*cell)).collect();
+        let keys = self.cells.iter().map(|cell| self.key_of(cell.key)).collect();
         let cells = CELLS[usize::from(self.is_in_vectors)];
         let wanted = self.counts.iter().map(|count| cells.div_ceil(count - 1)).max().unwrap_or(1);
         let exact = Detail { parts: wanted.next_power_of_two().min(PARTS), ..Detail::default() };
@@ -237,11 +238,9 @@ impl Picture {
         let mut ask = |places: &[Place]| -> Result<Vec<u64>, Halt> {
             let points: Vec<_> = places.iter().map(|&place| self.grid.point_between(place)).collect();
             let starts = Some(self.grid.starts_of_a_hoop());
-            let found = workers.compute_points(&points, starts, limits, &ledger.watch())?;
-            let rows = points.iter().zip(found.summaries().zip(found.classes()));
-            Ok(rows
-                .map(|(point, (summary, class))| self.key_of(self.cell_of(point, &summary, *class)))
-                .collect())
+            let found = workers.compute_points((&points, &[]), starts, limits, &ledger.watch())?;
+            let rows = found.summaries().zip(found.classes());
+            Ok(rows.map(|(summary, class)| self.key_of(self.key_at(summary.sequence, *class))).collect())
         };
         match Regions::find(&Lattice { places, keys }, &detail, &mut ask) {
             Ok(found) => {

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use littlewood::si::Units;
-use littlewood::tables::{Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
+use littlewood::tables::{DerivativeColumn, Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
 use littlewood_draw::marked;
 use littlewood_style::ticks::{self, Tick, minus};
 
@@ -100,6 +100,16 @@ pub(super) fn title(shade: Shade, goes_on: bool, units: Option<&Units>) -> Strin
         Shade::Column(column) => {
             with_unit(&capitalised(column.long_name()), &unit_sign(units, column.dimension()))
         }
+        Shade::Derivative(DerivativeColumn { number, quantity }) => {
+            let [over, under] = [number.dimension(), quantity.dimension()].map(|of| unit_sign(units, of));
+            let unit = match (over.is_empty(), under.is_empty()) {
+                (_, true) => over,
+                (true, false) => format!("1/({under})"),
+                (false, false) => format!("{over}/({under})"),
+            };
+            let sign = sign(units, Varies::One(quantity));
+            with_unit(&format!("Sensitivity of the {} to {sign}", number.long_name()), &unit)
+        }
     }
 }
 
@@ -109,6 +119,9 @@ pub(super) fn unit_of(shade: Shade, units: Option<&Units>) -> f64 {
         Shade::Class | Shade::Sequence => 1.0,
         Shade::EnergyLost => unit(units, Dimension::Energy),
         Shade::Column(column) => unit(units, column.dimension()),
+        Shade::Derivative(DerivativeColumn { number, quantity }) => {
+            unit(units, number.dimension()) / unit(units, quantity.dimension())
+        }
     }
 }
 
@@ -117,6 +130,7 @@ pub(super) const fn without_number(shade: Shade) -> &'static str {
     match shade {
         Shade::Class | Shade::Sequence => "",
         Shade::EnergyLost => "no value",
+        Shade::Derivative(_) => "no derivative",
         Shade::Column(column) => match column {
             SummaryColumn::FirstSlipTime
             | SummaryColumn::LiftOffTime
@@ -134,7 +148,7 @@ pub(super) const fn at_zero(shade: Shade) -> &'static str {
         Shade::Column(
             SummaryColumn::FirstSlipTime | SummaryColumn::LiftOffTime | SummaryColumn::SettleTime,
         ) => "at once",
-        Shade::Class | Shade::Sequence | Shade::EnergyLost | Shade::Column(_) => "0",
+        Shade::Class | Shade::Sequence | Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => "0",
     }
 }
 

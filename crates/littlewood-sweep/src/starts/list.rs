@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use littlewood::tables::{Quantity, Setup};
+use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use serde_json::{Value, json};
 
 use super::error::{ListError, unreadable};
@@ -24,6 +24,7 @@ pub struct StartList {
     rows: u64,
     /// Length and CRC-32 of the file.
     content: (u64, u32),
+    derivatives: Vec<DerivativeColumn>,
 }
 
 impl StartList {
@@ -45,7 +46,8 @@ impl StartList {
         let content = checksum(path)?;
         let mut rows = Rows::open(path, format, base)?;
         let columns = rows.columns().to_vec();
-        let mut list = Self { path: path.to_owned(), format, base, columns, rows: 0, content };
+        let mut list =
+            Self { path: path.to_owned(), format, base, columns, rows: 0, content, derivatives: Vec::new() };
         if list.columns.is_empty() {
             return Err(ListError::Empty { path: list.path });
         }
@@ -64,6 +66,19 @@ impl StartList {
             return Err(ListError::Empty { path: list.path });
         }
         Ok(list)
+    }
+
+    /// With derivatives of numbers of the summary, which are NaN where they do not exist.
+    #[must_use]
+    pub fn with_derivatives(mut self, derivatives: Vec<DerivativeColumn>) -> Self {
+        self.derivatives = derivatives;
+        self
+    }
+
+    /// The derivatives that are computed.
+    #[must_use]
+    pub fn derivatives(&self) -> &[DerivativeColumn] {
+        &self.derivatives
     }
 
     /// The file.

@@ -14,7 +14,7 @@ const LEVEL: i32 = 1;
 /// An array of a store.
 #[derive(Debug)]
 pub(super) struct Array {
-    pub(super) name: &'static str,
+    pub(super) name: String,
     pub(super) shape: Vec<usize>,
     /// Shape of a chunk, also of one that is cut off at the far end of an axis.
     pub(super) chunk: Vec<usize>,
@@ -57,7 +57,7 @@ impl Array {
             compressor.include_checksum(true)?;
             compressor.compress(values)
         };
-        compress().map_err(StoreError::encoding(self.name))
+        compress().map_err(StoreError::encoding(&self.name))
     }
 
     /// The values of a chunk from its file.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use littlewood::tables::{Setup, SummaryColumn, SummaryValue};
+use littlewood::tables::{DerivativeColumn, Setup, SummaryValue};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -12,7 +12,7 @@ use super::variable;
 use crate::attributes::{Attributes, CONVENTIONS, of_axis, of_column};
 use crate::axis::Axis;
 use crate::chunk::{Chunk, Chunks};
-use crate::columns::{Columns, not_computed};
+use crate::columns::{Column, Columns};
 use crate::description::{Description, STORE_FORMAT};
 use crate::grid::Grid;
 use crate::store::{Format, Header, StoreError, StoreFile};
@@ -25,8 +25,9 @@ pub(crate) struct Layout {
     pub(super) chunks: Chunks,
     description: Description,
     coordinates: Vec<(Axis, Array)>,
-    /// In the order of [`SummaryColumn::ALL`].
-    variables: Vec<(SummaryColumn, Array)>,
+    /// In the order of [`Column::all`].
+    variables: Vec<(Column, Array)>,
+    derivatives: Vec<DerivativeColumn>,
 }
 
 impl Layout {
@@ -36,7 +37,7 @@ impl Layout {
     pub(crate) fn new(grid: &Grid, chunks: Chunks, description: Description) -> Self {
         let names: Vec<&'static str> = grid.axes().iter().map(|axis| axis.varies().name()).collect();
         let coordinate = |axis: &Axis| Array {
-            name: axis.varies().name(),
+            name: axis.varies().name().to_owned(),
             shape: vec![axis.count()],
             // The whole axis is one chunk: it is read with the metadata, and small beside a column.
             chunk: vec![axis.count()],
@@ -44,17 +45,18 @@ impl Layout {
             dimensions: vec![axis.varies().name()],
             attributes: of_axis(axis.varies()),
         };
-        let variable = |column: SummaryColumn| Array {
-            name: column.name(),
+        let variable = |column: Column| Array {
+            name: column.to_string(),
             shape: grid.shape(),
             chunk: chunks.shape().to_vec(),
-            data_type: DataType(not_computed(column)),
+            data_type: DataType(column.not_computed()),
             dimensions: names.clone(),
             attributes: of_column(column),
         };
         let coordinates = grid.axes().iter().map(|axis| (*axis, coordinate(axis))).collect();
-        let variables = SummaryColumn::ALL.into_iter().map(|column| (column, variable(column))).collect();
-        Self { chunks, description, coordinates, variables }
+        let derivatives = grid.derivatives().to_vec();
+        let variables = Column::all(&derivatives).map(|column| (column, variable(column))).collect();
+        Self { chunks, description, coordinates, variables, derivatives }
     }
 
     fn arrays(&self) -> impl Iterator<Item = &Array> {
@@ -94,8 +96,7 @@ impl Format for Layout {
     }
 
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
-        let arrays: Attributes =
-            self.arrays().map(|array| (array.name.to_owned(), array.metadata())).collect();
+        let arrays: Attributes = self.arrays().map(|array| (array.name.clone(), array.metadata())).collect();
         pretty(
             METADATA,
             &json!({
@@ -125,7 +126,7 @@ impl Format for Layout {
     fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError> {
         let mut files = Vec::new();
         for array in self.arrays() {
-            files.push((Path::new(array.name).join(METADATA), pretty(array.name, &array.metadata())?));
+            files.push((Path::new(&array.name).join(METADATA), pretty(&array.name, &array.metadata())?));
         }
         for (axis, array) in &self.coordinates {
             let values: Vec<u8> = axis.values().flat_map(f64::to_le_bytes).collect();
@@ -145,9 +146,12 @@ impl Format for Layout {
         let places = places_in_full_chunk(&self.chunks.chunk(chunk), full);
         let files: Vec<Result<Vec<u8>, StoreError>> = self
             .variables
-            .par_iter()
-            .map(|(column, array)| {
-                array.encode(&variable::to_bytes(*column, columns.column(*column), &places, size))
+            .iter()
+            .zip(columns.columns())
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|((column, array), (_, values))| {
+                array.encode(&variable::to_bytes(*column, values, &places, size))
             })
             .collect();
         self.paths(chunk).into_iter().zip(files).map(|(path, bytes)| Ok((path, bytes?))).collect()
@@ -170,7 +174,7 @@ impl Format for Layout {
             columns.push(variable::from_bytes(*column, &bytes, &places));
         }
         let damaged = |reason| StoreError::DamagedChunk { path: root.to_owned(), reason };
-        Columns::from_values(columns).map(Some).map_err(damaged)
+        Columns::from_values(columns, &self.derivatives).map(Some).map_err(damaged)
     }
 }
 

@@ -1,20 +1,15 @@
 //! The values of a column of a store as bytes.
 
-use littlewood::tables::{SummaryColumn, SummaryValue};
+use littlewood::tables::SummaryValue;
 
-use crate::columns::{ColumnValues, not_computed};
+use crate::columns::{Column, ColumnValues};
 
 /// The values of a chunk in a box of the full chunk size, little-endian, with the fill value where there are none.
-pub(super) fn to_bytes(
-    column: SummaryColumn,
-    values: &ColumnValues,
-    places: &[usize],
-    size: usize,
-) -> Vec<u8> {
+pub(super) fn to_bytes(column: Column, values: &ColumnValues, places: &[usize], size: usize) -> Vec<u8> {
     if values.len() == size {
         return bytes(values);
     }
-    let mut full = ColumnValues::repeat(not_computed(column), size);
+    let mut full = ColumnValues::repeat(column.not_computed(), size);
     full.spread(places.iter().copied(), values);
     bytes(&full)
 }
@@ -38,11 +33,11 @@ fn joined<T: Copy, const N: usize>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -
 }
 
 /// The values of a chunk from a box of the full chunk size.
-pub(super) fn from_bytes(column: SummaryColumn, bytes: &[u8], places: &[usize]) -> ColumnValues {
+pub(super) fn from_bytes(column: Column, bytes: &[u8], places: &[usize]) -> ColumnValues {
     fn words<const N: usize>(bytes: &[u8], places: &[usize]) -> impl Iterator<Item = [u8; N]> {
         places.iter().map(|place| core::array::from_fn(|i| bytes[place * N + i]))
     }
-    match not_computed(column) {
+    match column.not_computed() {
         SummaryValue::U8(_) => ColumnValues::U8(places.iter().map(|&place| bytes[place]).collect()),
         SummaryValue::U32(_) => ColumnValues::U32(words(bytes, places).map(u32::from_le_bytes).collect()),
         SummaryValue::U64(_) => ColumnValues::U64(words(bytes, places).map(u64::from_le_bytes).collect()),

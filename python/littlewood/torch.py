@@ -1,0 +1,82 @@
+"""Summaries of motions as functions that PyTorch differentiates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from .differentiable import Problem
+from .extras import require
+from .hoop import Hoop
+
+__all__ = ["summary"]
+
+
+def summary(
+    columns: Iterable[str], hoop: Hoop | None = None, **fixed: Any
+) -> Callable[[Mapping[str, Any]], dict[str, Any]]:
+    """Return a function of quantities whose values are columns of a summary, with exact derivatives.
+
+    Its gradients are the derivatives of :func:`littlewood.simulate_many`, also through stick, slip, lift-off and
+    impacts: an :class:`torch.autograd.Function`, which is differentiated once. The motions are simulated on the
+    processor in double precision; results have the type and the device of the first quantity.
+
+    Parameters
+    ----------
+    columns : iterable of str
+        Variables of :func:`littlewood.simulate_many` that are real numbers, such as `"jump_length"`.
+    hoop : Hoop, optional
+        Supplies the parameters of the hoop that are given nowhere else.
+    **fixed
+        Quantities of the start and the hoop that stay as they are, and the limits (`until`, …) of
+        :func:`littlewood.simulate_many`.
+
+    Returns
+    -------
+    callable
+        It takes a dictionary of quantities, tensors that broadcast, and returns one of the columns. What does not
+        happen is NaN, and so is a derivative that does not exist.
+
+    Examples
+    --------
+    >>> import torch, littlewood as lw, littlewood.torch
+    >>> hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
+    >>> jump = littlewood.torch.summary(["lift_off_time"], hoop, theta=2.5, theta_rate=3.0)
+    >>> mu_k = torch.tensor(0.4, dtype=torch.float64, requires_grad=True)
+    >>> jump({"mu_k": mu_k})["lift_off_time"].backward()
+    """
+    torch = require("torch")
+    problem = Problem(columns, hoop, fixed)
+
+    function: Any = torch.autograd.Function
+
+    class Summary(function):  # type: ignore[misc]
+        @staticmethod
+        def forward(ctx: Any, names: tuple[str, ...], *values: Any) -> Any:
+            arrays = [value.detach().cpu().double().numpy() for value in values]
+            compute = problem.numbers_and_slopes if any(ctx.needs_input_grad) else problem.numbers
+            found = [torch.from_numpy(array.copy()).to(values[0]) for array in compute(names, *arrays)]
+            ctx.save_for_backward(*found[len(problem.columns) :])
+            # A column that is not used has no rate: its derivative, which may be NaN, then counts for nothing.
+            ctx.set_materialize_grads(False)
+            return tuple(found[: len(problem.columns)])
+
+        @staticmethod
+        @torch.autograd.function.once_differentiable  # type: ignore[untyped-decorator]
+        def backward(ctx: Any, *rates: Any) -> Any:
+            slopes = ctx.saved_tensors
+            count = len(slopes) // len(rates)
+
+            def of_quantity(place: int) -> Any:
+                pairs = zip(slopes[place::count], rates, strict=True)
+                return sum(slope * rate for slope, rate in pairs if rate is not None)
+
+            return (None, *(of_quantity(place) for place in range(count)))
+
+    def evaluate(values: Mapping[str, Any]) -> dict[str, Any]:
+        names = tuple(sorted(values))
+        # Outside of the function, so that what is broadcast is summed again.
+        tensors = torch.broadcast_tensors(*(values[name] for name in names))
+        return dict(zip(problem.columns, Summary.apply(names, *tensors), strict=True))
+
+    return evaluate
