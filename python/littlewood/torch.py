@@ -69,7 +69,8 @@ def summary(
 
             def of_quantity(place: int) -> Any:
                 pairs = zip(slopes[place::count], rates, strict=True)
-                return sum(slope * rate for slope, rate in pairs if rate is not None)
+                terms = [slope * rate for slope, rate in pairs if rate is not None]
+                return sum(terms) if terms else None
 
             return (None, *(of_quantity(place) for place in range(count)))
 
