@@ -1,8 +1,10 @@
-//! Figure 3 of the paper to lift-off and landing.
+//! Figure 3 of the paper to lift-off and landing; derivatives of motions.
 
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use littlewood::cases::find_case;
+use littlewood::tables::Quantity;
 use littlewood::{Hoop, Limits, Start};
 
 fn figure_3(criterion: &mut Criterion) {
@@ -13,5 +15,21 @@ fn figure_3(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, figure_3);
+/// A motion, and its derivatives with respect to one quantity and to two.
+fn derivatives(criterion: &mut Criterion) {
+    for name in ["figure-3", "figure-3-bounces", "stick-slip-no-jump", "rolls-forever", "ramp-libration"] {
+        let case = find_case(name).expect("a named case");
+        let mut group = criterion.benchmark_group(format!("derivatives of {name}"));
+        group.bench_function("motion", |bencher| bencher.iter(|| black_box(case).simulate()));
+        let motion = case.simulate().expect("a motion");
+        for quantities in [&[Quantity::MuK][..], &[Quantity::MuK, Quantity::Theta]] {
+            group.bench_function(format!("{} of them", quantities.len()), |bencher| {
+                bencher.iter(|| black_box(&motion).derivatives(quantities));
+            });
+        }
+        group.finish();
+    }
+}
+
+criterion_group!(benches, figure_3, derivatives);
 criterion_main!(benches);

@@ -381,3 +381,34 @@ fn periods_and_amplitudes_have_the_derivatives_of_their_closed_forms() {
         }
     }
 }
+
+/// θ after many periods of rolling: the derivative by the rate of the start grows with the time, as that of the period says.
+#[test]
+fn rolling_through_many_periods_has_the_derivatives_of_its_differences() {
+    // Rotation without friction's limits, a libration, and a well of a slope.
+    for (theta, rate, slope, offset) in [(0.0, 0.5, 0.0, 0.2), (2.5, 0.0, 0.0, 1.0), (2.9, 0.1, 0.1, 1.0)] {
+        let motion = |change: f64| {
+            let hoop = HoopParameters::thin(1.0).with_friction(9.0, 9.0).with_offset(offset);
+            let mut setup = Setup::new(hoop, Start::at(theta, rate + change));
+            setup.set(Quantity::Slope, slope);
+            let limits = Limits::default().with_until(Some(2000.0));
+            Hoop::new(setup.hoop).expect("a hoop").simulate(setup.start, limits).expect("a motion")
+        };
+        let here = motion(0.0);
+        let times = [0.5, 400.0, 1999.0];
+        let found = here.derivatives_at(&times, &[Quantity::ThetaRate]).expect("a quantity");
+        for (time, found) in times.into_iter().zip(found) {
+            let ours = found.expect("within the motion")[0].expect("regular");
+            let step = 1e-6;
+            let [plus, minus] = [step, -step].map(|step| motion(step).at(time).expect("within").state);
+            for (ours, (plus, minus)) in
+                numbers(&ours).into_iter().zip(numbers(&plus).into_iter().zip(numbers(&minus)))
+            {
+                let theirs = (plus - minus) / (2.0 * step);
+                // A central difference: rounding 1e-13 of the angle over the step, and the third derivative, which grows with the time cubed.
+                let bound = 1e-6 + 1e-12 * time * time * time + 1e-7 * theirs.abs();
+                assert!((ours - theirs).abs() < bound, "{theta} {rate} {slope} {time}: {ours} {theirs}");
+            }
+        }
+    }
+}

@@ -155,6 +155,12 @@ impl<T: Number> RollingLaw<T> {
         self.offset * levered + (self.mass * one + self.offset * cos) * self.tilt
     }
 
+    /// The gain of D u over an angle, from the direction of its middle, its chord 2 sin(½ angle), and the angle.
+    #[inline]
+    pub(crate) fn gain(&self, (sin, cos): (T, T), chord: T, angle: T) -> T {
+        (self.offset * chord * (sin + self.tilt * cos) + self.tilt * self.mass * angle) * 2.0
+    }
+
     /// θ″ = [ℓ̂ sin θ (1 + u) + (m + ℓ̂ cos θ) tan α]/D, (2.11) on a level plane; from D.
     #[inline]
     pub(crate) fn acceleration(&self, (sin, cos): (T, T), [one, u]: [T; 2], denominator: T) -> T {

@@ -17,7 +17,7 @@
 use core::f64::consts::{FRAC_PI_8, PI, TAU};
 
 use crate::math::bracket::{Bracket, Step};
-use crate::math::panel::{NODES, Rule, largest};
+use crate::math::panel::{ROUNDING, TAIL_TOLERANCE, integral};
 use crate::math::series::{Series, crossing};
 use crate::math::trig::{sincos, without_turns};
 use crate::mechanics::RollingLaw;
@@ -26,16 +26,6 @@ use crate::model::{Direction, Hoop, MAX_COORDINATE};
 use super::boundary::{Hold, RollingEnd, RollingLimit, in_body_frame};
 use super::limits::Limits;
 use super::recurrence::Recurrence;
-
-/// Largest relative tail of an integrand on a panel: the rule is exact to twice the degree.
-const TAIL_TOLERANCE: f64 = 1e-8;
-
-/// Largest number of halvings of a panel: its width is then one unit in the last place.
-const MAX_HALVINGS: u32 = 52;
-
-/// What rounding of an integrand leaves in the tail, at most, as a multiple of its terms: a few units in the last place, ten times in the sums
-/// over the nodes.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// How often a panel is halved before its series are computed, which cost some ten times as much as a look at the margins.
 const SCREENINGS: u32 = 3;
@@ -233,10 +223,7 @@ impl Incline {
 impl Leg {
     /// 2 [ℓ̂ (cos a − cos b) + T (m (b − a) + ℓ̂ (sin b − sin a))] for b = a + `by`.
     fn gain(&self, from: f64, by: f64) -> f64 {
-        let RollingLaw { offset, mass, tilt, .. } = *self.law();
-        let (sin, cos) = sincos(from + 0.5 * by);
-        let chord = 2.0 * libm::sin(0.5 * by);
-        2.0 * (offset * chord * (sin + tilt * cos) + tilt * mass * by)
+        self.law().gain(sincos(from + 0.5 * by), 2.0 * libm::sin(0.5 * by), by)
     }
 
     /// The angle at the beginning is the sum of whole turns and a rest.
@@ -391,7 +378,7 @@ impl Leg {
         }
         // The first turn, whose kinetic energy may vanish, then turns that differ by the gain of a turn, then the rest.
         let slowest = if self.law().tilt < 0.0 { turns - 1.0 } else { 1.0 };
-        let summed = integral([0.0, TAU], |rest| {
+        let summed = integral(TAIL_TOLERANCE, [0.0, TAU], |rest| {
             let place = self.place(slowest, rest);
             let (slowness, rounding) = self.slowness(place);
             let kinetic = self.kinetic_at(place);
@@ -415,16 +402,17 @@ impl Leg {
             Some(behind) if turns == 0.0 && from == 0.0 && behind <= first_end => {
                 let near = first_end.min(PI);
                 let roots = [behind, behind + near].map(f64::sqrt);
-                integral(roots, |s| at_root(s, at(s * s - behind))) + integral([near, first_end], at)
+                integral(TAIL_TOLERANCE, roots, |s| at_root(s, at(s * s - behind)))
+                    + integral(TAIL_TOLERANCE, [near, first_end], at)
             }
-            Some(_) | None => integral([from, first_end], at),
+            Some(_) | None => integral(TAIL_TOLERANCE, [from, first_end], at),
         };
         if to.passed.rest > middle {
             let near = (end - middle).min(PI).max(to.left);
             let back =
                 |left: f64| self.slowness(Place { passed: Distance { turns, rest: end - left }, left });
-            time += integral([middle, end - near], at);
-            time += integral([to.left.sqrt(), near.sqrt()], |s| at_root(s, back(s * s)));
+            time += integral(TAIL_TOLERANCE, [middle, end - near], at);
+            time += integral(TAIL_TOLERANCE, [to.left.sqrt(), near.sqrt()], |s| at_root(s, back(s * s)));
         }
         time
     }
@@ -545,34 +533,6 @@ impl Leg {
         let is_last = reach > 2.0 * TAU && reach <= self.room();
         is_last.then(|| self.crossing(whole, [0.0, reach - TAU * whole])).flatten()
     }
-}
-
-/// The integral of a function over an interval, on panels that are halved until the rule resolves it, or its rounding, which the function
-/// gives as a part of its value.
-fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> (f64, f64)) -> f64 {
-    let rule = Rule::get();
-    let pieces = (to - from).ceil().max(1.0);
-    let width = (to - from) / pieces;
-    if width.is_nan() || width <= 0.0 {
-        return 0.0;
-    }
-    let mut sum = 0.0;
-    let mut pending: Vec<(f64, f64, u32)> = (0..pieces as u32)
-        .rev()
-        .map(|k| (from + width * f64::from(k), from + width * f64::from(k + 1), 0))
-        .collect();
-    while let Some((low, high, halvings)) = pending.pop() {
-        let (centre, half) = (0.5 * (low + high), 0.5 * (high - low));
-        let nodes = rule.nodes.map(|x| f(centre + half * x));
-        let values: [f64; NODES] = nodes.map(|node| node.0);
-        let rounding = nodes.iter().fold(0.0_f64, |most, node| most.max(node.1));
-        if halvings < MAX_HALVINGS && rule.tail(&values) > TAIL_TOLERANCE.max(rounding) * largest(&values) {
-            pending.extend([(centre, high, halvings + 1), (low, centre, halvings + 1)]);
-        } else {
-            sum += half * rule.integral(&values);
-        }
-    }
-    sum
 }
 
 /// Σ (g + k δ)^(−½) for k = 0 … n − 1.

@@ -15,6 +15,7 @@
 
 mod event;
 mod flow;
+mod period;
 mod summary;
 mod tangents;
 

@@ -1,5 +1,7 @@
 //! The derivatives of a motion, from phase to phase.
 
+use core::f64::consts::TAU;
+
 use crate::math::number::{Dual, Number};
 use crate::mechanics::{Bounces, Contact, ContactVelocities, RollingLaw, contact, energy_of};
 use crate::model::{Body, Heavy, Mode, Quantity, RestitutionLaw, State};
@@ -9,7 +11,7 @@ use crate::walk::{Cause, Outcome, Transition};
 
 use super::event::{Event, GRAZING};
 use super::flow::{Motion, Plane, Point};
-use super::{Derivative, NoDerivative};
+use super::{Derivative, NoDerivative, period};
 
 /// A state with the time since the start of the motion, in the units of the solvers.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +43,22 @@ pub(super) enum Repeats<const K: usize> {
 }
 
 impl<const K: usize> Repeats<K> {
+    const fn period(&self) -> Dual<K> {
+        match self {
+            Self::Libration { period, .. } | Self::Rotation { period } => *period,
+        }
+    }
+
+    /// In the units of the results, from those of the solvers.
+    fn at_pace(self, pace: Dual<K>) -> Self {
+        match self {
+            Self::Libration { period, theta_min, theta_max } => {
+                Self::Libration { period: period / pace, theta_min, theta_max }
+            }
+            Self::Rotation { period } => Self::Rotation { period: period / pace },
+        }
+    }
+
     pub(super) fn part(self, k: usize) -> Recurrence {
         match self {
             Self::Libration { period, theta_min, theta_max } => Recurrence::Libration {
@@ -187,6 +205,37 @@ impl<'a, const K: usize> Tangents<'a, K> {
         })
     }
 
+    /// The states of a phase after times that are the same for all motions, and do not decrease.
+    fn follow(
+        &self,
+        phase: &Phase,
+        motion: &Motion<Dual<K>>,
+        times: &[f64],
+        mut give: impl FnMut(Derivative<Point<Dual<K>>>),
+    ) {
+        let from = &self.now.point;
+        let longest = times.last().copied().unwrap_or(0.0);
+        let repeats = self.recurrence(phase, longest);
+        let Some(repeats) = repeats else { return self.plane.follow_to(motion, from, times, give) };
+        let period = repeats.period();
+        let turn = match repeats {
+            Repeats::Libration { .. } => 0.0,
+            Repeats::Rotation { .. } => TAU.copysign(from.rate.value),
+        };
+        // After whole periods the state is that of a time which differs from motion to motion.
+        for within in times.chunk_by(|a, b| (a / period.value).floor() == (b / period.value).floor()) {
+            let periods = (within[0] / period.value).floor();
+            let rest: Vec<f64> = within.iter().map(|time| (time - periods * period.value).max(0.0)).collect();
+            let later = period.parts.map(|part| -periods * part);
+            self.plane.follow_to(motion, from, &rest, |point| {
+                give(point.map(|point| {
+                    let moved = self.to_event(motion, &point, later);
+                    Point { theta: moved.theta + periods * turn, x: moved.x - periods * turn, ..moved }
+                }));
+            });
+        }
+    }
+
     /// Passes a phase and the event that ends it.
     pub(super) fn pass(&mut self, phase: &Phase) -> Derivative<Option<Passed<K>>> {
         self.begin(phase)?;
@@ -199,7 +248,9 @@ impl<'a, const K: usize> Tangents<'a, K> {
         if transition.cause == Cause::Settle {
             return self.settle(&motion, &end).map(Some);
         }
-        let point = self.plane.follow(&motion, &self.now.point, elapsed)?.zip(Point::from(&end), Dual::at);
+        let mut found = Err(NoDerivative::Singular);
+        self.follow(phase, &motion, &[elapsed], |point| found = point);
+        let point = found?.zip(Point::from(&end), Dual::at);
         if !(point.rate.value.is_finite() && point.slip.value.is_finite()) {
             return Err(NoDerivative::Singular);
         }
@@ -342,7 +393,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let within: Vec<f64> = times.iter().map(|elapsed| (elapsed - phase.start.time).max(0.0)).collect();
         let [start, _] = self.origin;
         let mut times = times.iter();
-        self.plane.follow_to(&motion, &self.now.point, &within, |point| {
+        self.follow(phase, &motion, &within, |point| {
             let Some(elapsed) = times.next() else { return };
             // A fixed time of the results is later or earlier in the time of the solvers, and since the start of the phase.
             let fixed =
@@ -377,7 +428,10 @@ impl<'a, const K: usize> Tangents<'a, K> {
                 Some(phase) => Ok((self.at_time(phase, state.time)?, None)),
                 None => Ok((self.now, None)),
             },
-            Outcome::RollsForever { recurrence, .. } => Ok((self.now, self.recurrence(recurrence)?)),
+            Outcome::RollsForever { .. } => {
+                let repeats = last.and_then(|phase| self.recurrence(phase, f64::INFINITY));
+                Ok((self.now, repeats.map(|repeats| repeats.at_pace(self.pace))))
+            }
             Outcome::RepeatsForever { since, .. } => {
                 let events = passed.iter().flatten().map(|passed| passed.after);
                 let first = events.into_iter().find(|event| event.elapsed.value == since.time);
@@ -399,37 +453,25 @@ impl<'a, const K: usize> Tangents<'a, K> {
         }
     }
 
-    /// The derivatives of the numbers of endless rolling. After a period the state is that of the start, whose time follows from the larger
-    /// of its rates; a turning point has the energy of the start.
-    fn recurrence(&self, recurrence: Recurrence) -> Derivative<Option<Repeats<K>>> {
+    /// The numbers of the recurrence of a phase of rolling, in the units of the solvers; none if its period is longer than `most`.
+    fn recurrence(&self, phase: &Phase, most: f64) -> Option<Repeats<K>> {
+        let PhaseSolution::Rolling(rolling) = &phase.solution else { return None };
         let law = RollingLaw::of_body(&self.plane.body);
-        let from = self.now.point;
-        let kinetic = law.denominator_of(from.theta.sincos()) * 0.5 * from.rate * from.rate;
-        let energy = law.energy_of(kinetic, from.theta, from.theta.sincos());
-        let turning = |theta: f64| {
-            let at = Dual::constant(theta);
-            let (sin, cos) = at.sincos();
-            let excess = energy - law.energy_of(Dual::constant(0.0), at, (sin, cos));
-            let slope = -law.drive(Dual::constant(1.0), cos, sin).value;
-            Dual { value: theta, parts: excess.parts.map(|part| part / slope) }
-        };
-        let period_of = |period: f64| {
-            let point = self.plane.follow(&Motion::Rolls, &from, period)?;
-            let rates = self.plane.rates(&Motion::Rolls, &from);
-            let (moved, rate) = if rates.theta.value.abs() >= rates.rate.value.abs() {
-                (point.theta - from.theta, rates.theta.value)
-            } else {
-                (point.rate - from.rate, rates.rate.value)
-            };
-            Ok(Dual { value: period, parts: moved.parts.map(|part| -part / rate) } / self.pace)
-        };
-        match recurrence {
-            Recurrence::Libration { period, theta_min, theta_max } => {
-                let [theta_min, theta_max] = [theta_min, theta_max].map(turning);
-                Ok(Some(Repeats::Libration { period: period_of(period)?, theta_min, theta_max }))
+        let from = &self.now.point;
+        match rolling.orbit().recurrence() {
+            Recurrence::Libration { period, theta_min, theta_max } if period <= most => {
+                let ends = [theta_min, theta_max].map(|theta| period::turning_point(&law, from, theta));
+                let period = period::of_libration(&law, ends).at(period);
+                Some(Repeats::Libration { period, theta_min: ends[0], theta_max: ends[1] })
             }
-            Recurrence::Rotation { period } => Ok(Some(Repeats::Rotation { period: period_of(period)? })),
-            Recurrence::Rest | Recurrence::Asymptotic { .. } | Recurrence::Downhill { .. } => Ok(None),
+            Recurrence::Rotation { period } if period <= most => {
+                Some(Repeats::Rotation { period: period::of_rotation(&law, from).at(period) })
+            }
+            Recurrence::Libration { .. }
+            | Recurrence::Rotation { .. }
+            | Recurrence::Rest
+            | Recurrence::Asymptotic { .. }
+            | Recurrence::Downhill { .. } => None,
         }
     }
 }
