@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 
 import littlewood as lw
 import numpy as np
@@ -160,6 +161,21 @@ class Slides:
         near = np.full_like(self.h, 1e-7) * np.minimum(1.0, end)
         w = s / c * near / (1.0 - exponent)
         return self.path(near, end, (1.0 - w) / (self.h * np.cos(self.theta + near)))
+
+    def beyond(self, end: Array, steps: int = 4000) -> tuple[Array, Array]:
+        """Return ξ and u* on to a distance `end` beyond the bottom.
+
+        There a light hoop is fast within an angle of the root of its inertia, which steps in ln ξ would pass over.
+        """
+        first = np.full_like(self.h, 0.05)
+        _, levels = self.boundary(first)
+        bottom, width = math.pi - self.theta, np.sqrt(self.k2)
+        low, high = (np.arcsinh((xi - bottom) / width) for xi in (first, end))
+        xi = bottom + width * np.sinh(low + (high - low) * np.linspace(0.0, 1.0, steps + 1)[:, None])
+        u = [levels[-1]]
+        for one, two in pairwise(xi):
+            u.append(self.path(one, two, u[-1], 1)[1][-1])
+        return xi, np.array(u)
 
     @property
     def exponent(self) -> Array:
@@ -497,6 +513,43 @@ def rolling_starts() -> str:
     )
 
 
+@cache
+def shares(seed: int, count: int) -> tuple[tuple[float, float], ...]:
+    """Return, for rim hoops that can jam, what a start at s < 0 has at most of the rate it needs, and the bound of it.
+
+    The slide that is smooth at P = 0 is above all that jam; hoops are left out in which it does not come past the
+    bottom.
+    """
+    random = np.random.default_rng(seed)
+    drawn = []
+    for _ in range(count):
+        body = Body.rim(1.0 - 10.0 ** random.uniform(-5.0, 0.0))
+        low, high = 1.01 * body.lower, 0.99 * body.upper
+        if low < high:
+            mu = low * (high / low) ** random.uniform()
+            drawn.append((body.h, body.k2, mu, body.angle(mu)))
+    slides = Slides(*np.array(drawn).T)
+    xi, u = slides.beyond(2.0 * math.pi - slides.theta)
+    angles = slides.theta + xi
+    arm = 1.0 + slides.h * (np.cos(angles) + slides.mu * np.sin(angles))
+    # Until the slide has turned back or left the plane, backwards in time.
+    held = np.cumsum((u < 0.0) | (1.0 - slides.h * np.cos(angles) * u < 0.0), axis=0) == 0
+    g = slides.h * np.cos(slides.theta)
+    part = 0.5 * np.sqrt(g * np.maximum(u, 0.0)) * arm
+    most = np.where(held & (angles > math.pi), part, -1.0).max(axis=0)
+    return tuple((float(a), float(b)) for a, b in zip(most, 0.5 * (1.0 + g), strict=True) if a > -1.0)
+
+
+def near() -> str:
+    """How much of the rate needed for a jam the slides of a sample have."""
+    found = shares(7, 400)
+    most, bound = max(found)
+    return (
+        f"{len(found)} random rim hoops whose slides come from beyond the bottom, the largest part is {most:.3f}, "
+        f"where the bound is {bound:.4f}"
+    )
+
+
 def approach_picture() -> Figure:
     """N, θ′ and slip against the distance from P = 0."""
     figure, axes = panels(3, width=3.7, height=3.4)
@@ -605,6 +658,18 @@ def hoops_picture() -> Figure:
     left.plot(gammas, painleve, color=COLOURS[0], dashes=(2, 1.5), label="√(1 − γ²)/γ: first P = 0")
     left.plot([COMSOL], [1.0], "o", color=INK, markersize=5)
     left.annotate("COMSOL", (COMSOL, 1.0), (6, 6), textcoords="offset points", fontsize=9, color=INK)
+    g, mu = np.meshgrid(np.linspace(0.01, 0.999, 400), np.linspace(0.01, 2.4, 300))
+    # γ (c + μ s) = 1 with c = g/γ: the larger root of (1 − g)² = μ² (γ² − g²).
+    gamma = np.hypot(g, (1.0 - g) / mu)
+    cosine = g / gamma
+    jam = cosine < 2.0 * gamma / (3.0 * (1.0 - gamma**2) + np.sqrt(9.0 * (1.0 - gamma**2) ** 2 + 4.0 * gamma**2))
+    part = np.where(jam & (gamma < 1.0), 0.5 * (1.0 + g), np.nan)
+    parts = (0.6, 0.7, 0.8, 0.9)
+    left.contour(gamma, mu, part, levels=parts, colors=[INK], linewidths=0.6)
+    for level in parts:
+        at = 2.0 * level - 1.0
+        height = (1.0 - at) / math.sqrt(0.93**2 - at**2)
+        left.text(0.93, height, f"{level:g}", fontsize=8, color=INK, ha="center", va="bottom")
     left.text(0.60, 1.48, "slides jam", fontsize=9, color=INK, ha="center", rotation=-32)
     left.set(xlim=(0.3, 1.0), ylim=(0.0, 2.4), xlabel="part of the mass in the particle γ", ylabel="friction μk")
     left.legend(frameon=False, fontsize=9)
@@ -633,6 +698,7 @@ STUDY = Study(
         "comsol zone": comsol_zone,
         "comsol margin": comsol_margin,
         "comsol motions": comsol_motions,
+        "near": near,
         "rolling": rolling_starts,
     },
     pictures={"approach": approach_picture, "phase": phase_picture, "hoops": hoops_picture},

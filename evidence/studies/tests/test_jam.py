@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from evidence.studies.hoops import random_hoops, thin_hoop
-from evidence.studies.jam import SPENT, Body, after_jam, rim_one, sample, slip_left, zone
+from evidence.studies.jam import SPENT, Body, after_jam, rim_one, sample, shares, slip_left, zone
 
 
 def bodies(count):
@@ -180,3 +180,43 @@ def test_the_slip_of_rim_hoops_that_begins_does_so_below_a_rate():
         psi = gamma * (c + mu * s)
         assert p == (1 + gamma * c) * (1 - psi)
         assert (x - mu * k2) * w - gamma * s * u * p == x - mu * k2 - u * (x + mu * k2)
+
+
+def test_a_slide_that_begins_without_slip_has_at_most_half_of_one_plus_g_of_the_rate_a_jam_needs():
+    found = shares(11, 300)
+    assert len(found) > 200
+    assert all(part < bound < 1.0 for part, bound in found)
+    # The bound is approached: by light hoops and little friction.
+    assert max(part for part, _ in found) > 0.95
+
+
+def test_slides_of_rim_hoops_that_begin_behind_the_bottom_jam_only_with_slip_to_begin_with():
+    random = np.random.default_rng(12)
+    jams = 0
+    for _ in range(150):
+        body = Body.rim(random.uniform(0.8, 0.99))
+        mu = body.lower + (body.upper - body.lower) * random.uniform(0.1, 0.9)
+        hoop = thin_hoop(body.h, mu_k=mu)
+        theta = random.uniform(math.pi, 2.0 * math.pi)
+        cosine = body.h * math.cos(theta)
+        rate = -random.uniform(0.1, 1.0) * math.sqrt(min(1.0 / cosine if cosine > 0.0 else 9.0, 9.0))
+        ends = [
+            hoop.simulate(theta=theta, theta_rate=rate, slip=slip, max_transitions=0).outcome.kind
+            for slip in (1e-12, 30.0)
+        ]
+        assert ends[0] != "singular"
+        jams += ends[1] == "singular"
+    assert jams > 20
+
+
+def test_the_energy_of_the_vertical_motion_changes_by_friction_alone():
+    # Exactly: θ″ = q w m/P and N = m k² w m/P give dW/dθ = −μ (1 + h c) N/m.
+    for h, k2, mu, t, u in (
+        (Fraction(1, 3), Fraction(1, 5), Fraction(2, 7), Fraction(3, 5), Fraction(4, 3)),
+        (Fraction(9, 10), Fraction(1, 8), Fraction(7, 9), Fraction(-5, 4), Fraction(1, 5)),
+    ):
+        s, c = 2 * t / (1 + t * t), (1 - t * t) / (1 + t * t)
+        q = h * s - mu * (1 + h * c)
+        w, p = 1 - h * c * u, k2 + h * s * q
+        change = (k2 + h**2 * s**2) * q * w / p + h**2 * s * c * u - h * s
+        assert change == -mu * (1 + h * c) * k2 * w / p
