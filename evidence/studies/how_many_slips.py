@@ -157,6 +157,27 @@ COUNT = 2000
 START = 0.05
 
 
+def scaled(hoop: lw.Hoop, x: float) -> tuple[float, float]:
+    """Return the scaled distance of the energy at a slip, x or a little less, and what it takes off, scaled."""
+    gap = hoop.mu_s - hoop.mu_k
+    orbit = grazing_orbits(Contact.of(hoop), hoop.mu_s, hoop.mu_k)[0]
+    unit = gap * orbit.normal / (2.0 * orbit.rise)
+    motion = hoop.simulate(
+        theta=math.pi, theta_rate=bottom_rate(hoop, orbit.energy + x * unit), max_transitions=2, proof="none"
+    )
+    slide = motion.phases[1]
+    if [one.cause for one in motion.transitions] != ["slip", "stick"]:
+        raise ValueError(f"{motion.transitions} is no slip and stick")
+    loss = slide.energy_lost * orbit.fall / (hoop.mu_k * orbit.mobility * orbit.normal**3 * gap**2)
+    return (slide.energy_start - orbit.energy) / unit, loss
+
+
+def scaled_loss(x: float) -> float:
+    """Return ℓ(x): what a slip takes off the energy, for nearly equal coefficients."""
+    v = 0.25 * (3.0 * math.sqrt(x) + math.sqrt(9.0 * x + 12.0)) ** 2
+    return v * (v + 6.0) / 36.0
+
+
 def rate_table() -> list[str]:
     """The grazing orbits, their constants, and the rate at which the distance falls."""
     rows = []
@@ -274,7 +295,7 @@ def search_table() -> list[str]:
 
 def picture() -> Figure:
     """The fall of the distance, the number near equal coefficients, and Λ over all thin hoops."""
-    figure, (left, middle, right) = panels(3)
+    figure, (left, map_, middle, right) = panels(4, width=3.7)
     for (name, h, mu), colour, dash in styled(EXAMPLES):
         _, orbit = example(h, mu)
         values = np.array(distances(h, mu, START * orbit.energy, COUNT))
@@ -290,6 +311,13 @@ def picture() -> Figure:
             law.append(other.slips_from(mu, float(gap) * mu, 0.02 * orbit.energy))
         middle.loglog(fine, law, color=colour, dashes=dash, linewidth=1.2)
         middle.loglog(gaps, counts, "o", color=colour, markersize=3.5)
+        nearly = thin_hoop(h, mu_k=mu, mu_s=mu + 1e-3 * mu)
+        seen = [scaled(nearly, float(x)) for x in np.linspace(0.05, 4.0, 12)]
+        map_.plot(*zip(*seen, strict=True), "o", color=colour, markersize=3.5)
+    x = np.linspace(0.0, 4.0, 200)
+    map_.plot(x, [scaled_loss(float(one)) for one in x], color=INK, linewidth=1.0, label="ℓ(x)")
+    map_.set(xlabel="x = 2aε/(δN)", ylabel="ΔE k/(μβN³δ²)", ylim=(0, None))
+    map_.legend(frameon=False, fontsize=8, loc="upper left")
     n = np.array([1.0, COUNT])
     left.loglog(n, 1.0 / n, color=INK, linewidth=0.8, dashes=(1, 2), label="c ε = 1/n")
     left.set(xlabel="number n of the slip", ylabel="c ε = c (E − E*)", ylim=(2e-5, 1))

@@ -668,8 +668,8 @@ def hoops_picture() -> Figure:
     left.contour(gamma, mu, part, levels=parts, colors=[INK], linewidths=0.6)
     for level in parts:
         at = 2.0 * level - 1.0
-        height = (1.0 - at) / math.sqrt(0.93**2 - at**2)
-        left.text(0.93, height, f"{level:g}", fontsize=8, color=INK, ha="center", va="bottom")
+        height = (1.0 - at) / math.sqrt(0.96**2 - at**2)
+        left.text(0.96, height, f"{level:g}", fontsize=8, color=INK, ha="center", va="bottom")
     left.text(0.60, 1.48, "slides jam", fontsize=9, color=INK, ha="center", rotation=-32)
     left.set(xlim=(0.3, 1.0), ylim=(0.0, 2.4), xlabel="part of the mass in the particle γ", ylabel="friction μk")
     left.legend(frameon=False, fontsize=9)

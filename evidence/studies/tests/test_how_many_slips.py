@@ -7,8 +7,9 @@ import pytest
 
 from evidence.studies.contact import Contact
 from evidence.studies.grazing import Margin, grazing_orbits
-from evidence.studies.hoops import random_hoops
-from evidence.studies.how_many_slips import LeastLoss, bottom_rate, counted
+from evidence.studies.hoops import random_hoops, thin_hoop
+from evidence.studies.how_many_slips import LeastLoss, bottom_rate, counted, scaled
+from evidence.studies.roots import zero
 
 
 def slips_of(seed, count):
@@ -175,3 +176,85 @@ def test_no_slide_begins_with_less_than_a_slip_out_of_rolling():
         reversals += 1
         assert begins >= gap * d * w / (kinetic * static) * (1.0 - 1e-9)
     assert reversals > 200
+
+
+def test_the_loss_of_a_slip_in_scaled_variables():
+    random = np.random.default_rng(51)
+    found = 0
+    for _ in range(40):
+        mass_ratio, mu_k = 1.0 / random.uniform(0.15, 0.7) - 1.0, random.uniform(0.2, 0.8)
+        inertia, x = mass_ratio * random.uniform(0.3, 1.0), random.uniform(0.1, 6.0)
+        off = []
+        for ratio in (1e-3, 1e-5):
+            mu_s = mu_k * (1.0 + ratio)
+            hoop = lw.Hoop(mass_ratio=mass_ratio, offset=1.0, inertia=inertia, mu_s=mu_s, mu_k=mu_k)
+            if not grazing_orbits(Contact.of(hoop), mu_s, mu_k):
+                break
+            try:
+                place, loss = scaled(hoop, x)
+            except ValueError:
+                break
+            # ℓ(x) by the zero S of 1 + t0 s − s²/3 and the integral of s + t0 s² − s³/3.
+            t0 = math.sqrt(place)
+            end = max(np.roots([-1.0 / 3.0, t0, 1.0]).real)
+            off.append(loss / (end**2 / 2.0 + t0 * end**3 / 3.0 - end**4 / 12.0) - 1.0)
+        if len(off) == 2 and abs(off[0]) < 0.2:
+            found += 1
+            # What is neglected goes with the root of μs − μk, which is a tenth.
+            assert abs(off[1]) < max(0.25 * abs(off[0]), 3e-3)
+    assert found > 15
+
+
+@pytest.mark.parametrize(("h", "mu"), [(0.5, 0.2), (0.3, 0.15), (0.75, 0.3), (0.5, 0.1296)])
+def test_an_orbit_may_touch_the_limit_where_it_turns_back(h, mu):
+    hoop = thin_hoop(h, mu_k=mu)
+    contact = Contact.of(hoop)
+    margin = Margin(contact, mu)
+
+    def left(theta):
+        a, b = margin.terms(theta)
+        return a[0] - contact.denominator(theta) * b[0]
+
+    theta = zero(left, math.pi, 1.5 * math.pi)
+    (a, b), d = margin.terms(theta), contact.denominator(theta)
+    push, slope = contact.m * contact.h * math.sin(theta), (a[1] - d * b[1]) / d**2
+    energy, rise, fall = (
+        contact.m * contact.h * math.cos(theta),
+        b[0] / d**2 + slope / (2.0 * push),
+        0.5 * slope * push / d,
+    )
+    normal, friction = contact.rolling(theta, 0.0)
+    mobility = d / (contact.m * contact.solvability(theta, -math.copysign(mu, friction)))
+    off = []
+    for distance in (1e-3, 1e-4):
+        motion = hoop.simulate(
+            theta=math.pi, theta_rate=bottom_rate(hoop, energy + distance), max_transitions=4, proof="none"
+        )
+        slides = [one for one in motion.phases if one.mode == "sliding"]
+        assert len(slides) == 2
+        for slide in slides:
+            c = 9.0 * mu * normal * rise**2 * mobility / fall
+            off.append(slide.energy_lost / (c * (slide.energy_start - energy) ** 2) - 1.0)
+    # At a turning point the next term is of the order of the distance.
+    assert max(map(abs, off[:2])) < 0.01
+    assert max(map(abs, off[2:])) < 0.15 * max(map(abs, off[:2]))
+
+
+def test_next_to_the_top_slips_come_in_one_order_only():
+    # At hθ′² = 1 and w → 0: a part of −+R−, and the flight.
+    seen = set()
+    for hoop, random in random_hoops(61, 3000):
+        h, inertia, m = hoop.h, hoop.inertia_about_mass_centre, hoop.mass
+        if not 0.05 < h < 0.9 or inertia < 0.25 * m * hoop.mu_k**2 * (1.0 + h) ** 2:
+            continue
+        near = 1e-3 * min(1.0, h)
+        theta = -near * random.uniform(0.0, 1.0)
+        slip = random.choice([0.0, 1.0, -1.0, -1.0]) * near**2 * random.uniform(0.0, 1.0)
+        rate = math.sqrt((1.0 - near * random.uniform(0.0, 0.1)) / (h * math.cos(theta)))
+        motion = hoop.simulate(theta=theta, theta_rate=rate, slip=slip, until=2.0 * near / rate, max_transitions=20)
+        slides = {1: "+", -1: "-", 0: "R"}
+        word = "".join(slides[one.direction] for one in motion.phases if one.mode != "flight")
+        rest = iter("-+R-")
+        assert all(letter in rest for letter in word), word
+        seen.add(word)
+    assert {"-+R-", "-+-", "+-", "R-"} <= seen, seen
