@@ -1,0 +1,59 @@
+import math
+
+import pytest
+
+from evidence.studies.limit_system import LimitSystem, State
+from evidence.studies.massless_limit import (
+    ARRIVAL,
+    SPEED,
+    comparisons,
+    drift_left,
+    light,
+    stopped_law,
+)
+
+
+def test_figure_7_comes_to_the_plane_as_the_paper_says_and_bounces():
+    pieces = LimitSystem(0.5, 0.4).follow(State(0.0, 0.5, 0.0), 4.0)
+    roll, right, left, rising = pieces
+    assert (roll.ended_by, right.ended_by, left.ended_by) == ("slip", "stick", "bounce")
+    assert roll.end == pytest.approx(math.log(5.0), rel=1e-12)
+    assert left.end == pytest.approx(ARRIVAL, rel=1e-9)
+    # b′ and V on both sides of the bounce: V = −1.2 is less than 2 μk v, and stops.
+    before, after = left.at(left.end - left.begin - 1e-6), rising.at(1e-6)
+    assert -math.sin(before.theta) * before.rate == pytest.approx(-SPEED, rel=1e-5)
+    assert -math.sin(after.theta) * after.rate == pytest.approx(SPEED, rel=1e-5)
+    assert before.slip - (1.0 + math.cos(before.theta)) * before.rate == pytest.approx(-1.2, rel=1e-9)
+    assert after.slip == pytest.approx((1.0 + math.cos(after.theta)) * after.rate, rel=1e-9)
+
+
+def test_slip_is_lost_in_the_set_and_at_its_border():
+    system = LimitSystem(0.8, 0.6)
+    inside = system.follow(State(0.5, -0.2, 0.6), 0.1)[0]
+    assert inside.kind == "roll"
+    assert inside.at(0.0).rate == pytest.approx(-0.5)
+    first, second = system.follow(State(1.9, -1.5, 0.7), 0.9)
+    at_border = first.at(first.end)
+    assert first.ended_by == "set"
+    assert math.tan(0.5 * at_border.theta) == pytest.approx(0.6, rel=1e-12)
+    assert second.at(0.0).rate == pytest.approx(at_border.rate - 0.5 * at_border.slip, rel=1e-12)
+
+
+def test_light_hoops_differ_from_the_limit_by_the_orders_of_the_theorem():
+    found = comparisons(9, 200)
+    for power in (1.0, 0.5, 1.0 / 3.0):
+        measured = sorted(one.measured for one in found if one.power == power)
+        assert len(measured) > 15
+        # Logarithms, and differences that vanish by chance, are in the tails.
+        assert measured[len(measured) // 2] == pytest.approx(power, abs=0.03)
+        assert measured[len(measured) // 6] > 0.8 * power
+        assert measured[-len(measured) // 6] < 1.25 * power
+
+
+@pytest.mark.parametrize("family", ["thin hoop", "no mass, only inertia"])
+@pytest.mark.parametrize(("mu_s", "mu_k"), [(0.72, 0.6), (0.3, 0.25), (0.5, 0.5)])
+def test_a_bounce_that_stops_the_slip_leaves_a_velocity_of_the_third_root(family, mu_s, mu_k):
+    # By V at the end of rolling, b θ′ at δ³ = 2 μs Î, and the impulse after it.
+    off = [drift_left(light(size, family, mu_k, mu_s)) / stopped_law(mu_s, mu_k) - 1.0 for size in (1e-6, 1e-9)]
+    assert abs(off[1]) < 0.005
+    assert abs(off[1]) < 0.5 * abs(off[0])
