@@ -17,7 +17,7 @@ from .study import Study
 
 
 def thickness(h: float, kappa: float, theta: float) -> float:
-    """Return the thickness of the band in 1/(hθ′²) where cos θ ≥ 0; κ = Î/m."""
+    """Return the thickness of the band in 1/(hθ′²) where cos θ ≥ 0; ϱ = Î/m."""
     lever = 1.0 + h * math.cos(theta)
     return h * math.sin(theta) ** 2 * lever / (kappa + lever**2)
 
@@ -47,7 +47,7 @@ def area(h: float, kappa: float) -> float:
 
 
 def rim(h: float) -> float:
-    """Return κ of a thin hoop with the particle on the rim."""
+    """Return ϱ of a thin hoop with the particle on the rim."""
     return 1.0 - h * h
 
 
@@ -62,7 +62,7 @@ def size_table() -> list[str]:
         for kappa in (0.01, rim(h), 10.0):
             cells += [f"{math.degrees(last_angle(h, kappa)):.2f}", f"{area(h, kappa):.4f}"]
         rows.append(cells)
-    heads = [f"{what}, κ = {kappa}" for kappa in ("0.01", "1 − h²", "10") for what in ("θb, °", "area")]
+    heads = [f"{what}, ϱ = {kappa}" for kappa in ("0.01", "1 − h²", "10") for what in ("θb, °", "area")]
     return table(["h", *heads], rows)
 
 
@@ -129,10 +129,10 @@ def picture() -> Figure:
     degrees = np.linspace(0.0, 90.0, 200)
     for ratio, colour, dash in styled((0.01, 0.3, 1.0, 10.0)):
         values = [thickness(0.5, ratio, math.radians(float(degree))) for degree in degrees]
-        middle.plot(degrees, values, color=colour, dashes=dash, label=f"κ = {ratio:g}")
+        middle.plot(degrees, values, color=colour, dashes=dash, label=f"ϱ = {ratio:g}")
         offsets = np.linspace(0.01, 0.99, 80)
         sizes = [area(float(one), ratio) for one in offsets]
-        right.plot(offsets, sizes, color=colour, dashes=dash, label=f"κ = {ratio:g}")
+        right.plot(offsets, sizes, color=colour, dashes=dash, label=f"ϱ = {ratio:g}")
     middle.set(xlabel="θ, degrees", ylabel="thickness in 1/(hθ′²), h = 0.5", xlim=(0, 90))
     middle.set_ylim(bottom=0)
     middle.legend(frameon=False, fontsize=8, loc="upper left")

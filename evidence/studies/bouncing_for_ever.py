@@ -36,7 +36,7 @@ class Orbit:
     lever : number
         L = 1 + h cos φ.
     alpha : number
-        α = 1 − κa, κ the jump of the rate over that of the gap.
+        α = 1 − ja, j the jump of the rate over that of the gap.
     rate : number
         ω1, the rate of the flight over the top.
     gap_rate : number
@@ -54,7 +54,7 @@ class Orbit:
 
     @property
     def kappa(self) -> Any:
-        """κ: an impact that meets the plane at the rate v turns ω into ω + κv."""
+        """j: an impact that meets the plane at the rate v turns ω into ω + jv."""
         return (1 - self.alpha) / self.arm
 
     @property
@@ -86,7 +86,7 @@ class Orbit:
 
     @property
     def slope_of_kappa(self) -> Any:
-        """dκ/dφ."""
+        """dj/dφ."""
         c = self.lever - 1
         square = self.kappa * self.kappa
         return self.kappa * c / self.arm + (square if self.rough else -square * c)
@@ -122,7 +122,7 @@ class Orbit:
 
     @property
     def determinant(self) -> Any:
-        """λ1 λ2."""
+        """ζ1 ζ2."""
         if not self.rough:
             return 1
         pull = 2 * self.friction
@@ -132,7 +132,7 @@ class Orbit:
 
     @property
     def product(self) -> Any:
-        """(1 − λ1)(1 − λ2)."""
+        """(1 − ζ1)(1 − ζ2)."""
         a, alpha, v = self.arm, self.alpha, self.gap_rate
         squares = self.rate * self.rate + self.second_rate * self.second_rate
         size = a * a * squares + alpha * (1 - alpha) * v * v
@@ -147,7 +147,7 @@ class Orbit:
 
     @property
     def multipliers(self) -> tuple[complex, complex]:
-        """λ1 and λ2: what a disturbance is multiplied by in a turn, beside the 1 of the family itself."""
+        """ζ1 and ζ2: what a disturbance is multiplied by in a turn, beside the 1 of the family itself."""
         d = self.determinant
         half = 0.5 * (1.0 + d - self.product)
         root = cmath.sqrt(half * half - d)
@@ -271,7 +271,7 @@ def stable(h: float, *, rough: bool = True) -> tuple[tuple[float, float], ...]:
     angles: Any = np.linspace(0.02, math.pi - 0.02, 4000)
     grid = family(h, thin(h), angles, rough=rough)
     borders = []
-    # A simple zero of G or dE/dφ borders a stable interval where |λ1 λ2| < 1, which may be narrower than the grid.
+    # A simple zero of Γ or dE/dφ borders a stable interval where |ζ1 ζ2| < 1, which may be narrower than the grid.
     for name in ("tilt", "energy_slope"):
         values = getattr(grid, name)
 
@@ -505,7 +505,7 @@ def example() -> list[str]:
         one, two = sorted(found.multipliers, key=abs, reverse=True)
         numbers = [found.rate, found.second_rate, found.gap_rate, found.friction, found.energy, one.real, two.real]
         rows.append([f"{angle:g}", *(f"{number:.4g}" for number in numbers)])
-    return table(["φ", "ω1", "ω2", "v", "friction", "E/m", "λ1", "λ2"], rows)
+    return table(["φ", "ω1", "ω2", "v", "friction", "E/m", "ζ1", "ζ2"], rows)
 
 
 def kicks() -> list[str]:
@@ -589,7 +589,7 @@ def regions_picture() -> Figure:
         ax.set(xlim=(0, 180), ylim=(0, 1), xlabel="angle of the impacts φ, degrees")
         ax.set_xticks(range(0, 181, 30))
     axes[0].set_ylabel("offset of the mass centre h, R")
-    for style, label in (("solid", "dE/dφ = 0"), ("dashed", "G = 0"), ("dotted", "λ = −1")):
+    for style, label in (("solid", "dE/dφ = 0"), ("dashed", "Γ = 0"), ("dotted", "ζ = −1")):
         axes[1].plot([], [], color=INK, linewidth=1.0, linestyle=style, label=label)
     axes[1].fill_between([], [], color=COLOURS[0], alpha=0.75, label="stable")
     axes[1].fill_between([], [], color=FAINT, alpha=0.35, label="no such motion")
@@ -613,7 +613,7 @@ def losses_picture() -> Figure:
             firm = np.linspace(low, high, 50)
             middle.plot(firm / DEGREE, family(h, thin(h), firm).energy, color=colour, linewidth=4.5, alpha=0.45)
     left.axhline(1.0, color=INK, linewidth=0.8)
-    left.set(xlim=(28, 150), ylim=(0.2, 200), xlabel="angle of the impacts φ, degrees", ylabel="largest multiplier |λ|")
+    left.set(xlim=(28, 150), ylim=(0.2, 200), xlabel="angle of the impacts φ, degrees", ylabel="largest multiplier |ζ|")
     left.legend(frameon=False, fontsize=8)
     middle.set(xlim=(60, 150), ylim=(1, 8), xlabel="angle of the impacts φ, degrees", ylabel="energy E over m g R")
     for loss, colour in zip(LOSSES, COLOURS, strict=False):

@@ -62,7 +62,7 @@ class Bounce:
     e : float
         Coefficient of restitution.
     kappa : float
-        κ = I/(m h²): square of the radius of gyration about the mass centre over its distance from the centre.
+        ϱ/h² = I/(m h²): square of the radius of gyration about the mass centre over its distance from the centre.
     psi : float
         ψ = μk σ (1 + h cos θ)/h at the landing; 0 without friction.
     """
@@ -79,7 +79,7 @@ class Bounce:
         if rate < 1e-9:
             return None
         s = math.sin(landing)
-        # P over m h θ′, from Δw = (C − μk σ B) P with m C = 1 + s²/κ and m B = s (1 + hc)/(hκ).
+        # P over m h θ′, from Δw = (C − μk σ B) P with m C = 1 + h² s²/ϱ and m B = h s (1 + hc)/ϱ.
         impulse = (1.0 + self.e) * rate / (1.0 + s * (s - self.psi) / self.kappa)
         spin = 1.0 + impulse * (s - self.psi) / self.kappa
         return self._next(landing, spin, self.e * rate, 1.0 / math.cos(angle))
@@ -241,8 +241,10 @@ def law_picture() -> Figure:
     left.plot([0, 60], [0, 180], color=FAINT, dashes=(1, 2))
     points = np.array(sample()) / DEGREE
     left.plot(*points.T, ".", color=INK, markersize=2.5, label="random hoops")
-    left.set(xlim=(0, 90), ylim=(0, 720), xlabel="lift-off before the top |θ0|, degrees", ylabel="degrees")
-    left.set_yticks(range(0, 721, 90))
+    whole = np.arctan(math.pi * np.arange(1, 4)) / DEGREE
+    left.plot(whole, [360, 720, 1080], "o", color=COLOURS[0], markersize=7, fillstyle="none", zorder=4)
+    left.set(xlim=(0, 90), ylim=(0, 1170), xlabel="lift-off before the top |θ0|, degrees", ylabel="degrees")
+    left.set_yticks(range(0, 1081, 180))
     left.legend(frameon=False, fontsize=8, loc="upper left")
     middle.plot(angles / DEGREE, turned * np.sqrt(np.cos(angles)), color=COLOURS[0], label="time in the air over √h")
     heights = [rise(float(angle), turned_at_top(float(angle))) for angle in angles]
@@ -253,7 +255,7 @@ def law_picture() -> Figure:
     for kappa, colour, dash in styled((0.3, 1.0, 3.0, 30.0)):
         values = [Bounce(0.5, kappa).second(float(angle)) for angle in shown]
         line = [math.nan if value is None else value / DEGREE for value in values]
-        right.plot(shown / DEGREE, line, color=colour, dashes=dash, label=f"κ = {kappa:g}")
+        right.plot(shown / DEGREE, line, color=colour, dashes=dash, label=f"ϱ/h² = {kappa:g}")
     right.set(xlim=(0, 90), xlabel="lift-off before the top |θ0|, degrees", ylabel="turned in the second hop, degrees")
     right.set_ylim(bottom=0)
     right.legend(frameon=False, fontsize=8, title="e = 0.5, no friction\nin the impact", title_fontsize=8)

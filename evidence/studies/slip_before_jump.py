@@ -33,7 +33,7 @@ LIKE_FILMS = "disc with a rod"
 
 @dataclass(frozen=True)
 class Body:
-    """A hoop per unit of its mass: h and κ = Î/m."""
+    """A hoop per unit of its mass: h and ϱ = Î/m."""
 
     h: float
     kappa: float

@@ -15,14 +15,14 @@ PAGES = Path(__file__).parents[2] / "docs" / "studies"
 
 NAMES = (
     "one-angle",
+    "jam",
+    "massless-limit",
     "best-hop",
     "bouncing-for-ever",
-    "jam",
     "slip-before-jump",
     "bounces-out-of-nothing",
     "how-many-slips",
     "band",
-    "massless-limit",
     "gradients-through-contact",
     "real-film",
     "sequences",

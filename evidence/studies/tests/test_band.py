@@ -78,3 +78,14 @@ def test_a_falling_hoop_does_not_lift_off():
     for h in (0.5, 0.9):
         rises, names, _ = fates(h, 0.3)
         assert set(np.isin(names[~rises], ("+F", "-F"))) == {False}
+
+
+def test_a_falling_hoop_falls_faster_in_its_first_slide():
+    falls = 0
+    for hoop, _, theta, rate in inside(9, 400):
+        slide = hoop.simulate(theta=abs(theta), theta_rate=abs(rate), max_transitions=1, proof="none")
+        seen = slide(np.linspace(0.0, slide.phases[0].end_time * (1.0 - 1e-9), 60))
+        rates = np.asarray(seen.theta_rate)[np.asarray(seen.theta) < math.pi]
+        assert np.all(np.diff(rates) > -1e-12 * rates[0])
+        falls += len(rates) > 10
+    assert falls > 100
