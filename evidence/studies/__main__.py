@@ -1,4 +1,4 @@
-"""`python -m evidence.studies NAME…`: computes studies, and puts their tables and pictures into their pages."""
+"""`python -m evidence.studies NAME…`: computes studies, and writes their tables, pictures and lists."""
 
 from __future__ import annotations
 
@@ -55,6 +55,8 @@ def main() -> int:
         else:
             study.page.write_text(after, encoding="utf-8")
             draw(study)
+            for file, content in study.files.items():
+                (study.folder / file).write_text(content(), encoding="utf-8")
         print(f"{name}: {time.perf_counter() - begin:.0f} s")
     return 1 if differs else 0
 

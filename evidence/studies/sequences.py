@@ -19,7 +19,7 @@ from .frictionless import degenerate_rates
 from .page import table
 from .study import Study
 from .surfaces import Grid
-from .turns import Floats, first_turn, hoop_of, names_of
+from .turns import Floats, Turn, first_turn, hoop_of, names_of
 
 LEAST, MOST = 0.005, 2.0
 """Range of the friction."""
@@ -77,20 +77,6 @@ def scan_table() -> list[str]:
     return table([*heads, f"with stops, μ > {SMOOTH:g}"], rows)
 
 
-def gamma_table() -> list[str]:
-    """Boundaries and sequences over γ."""
-    rows = []
-    known: set[str] = set()
-    for gamma in GAMMAS:
-        found = [one for one in family().found if one.gamma == gamma]
-        smooth = [one for one in found if one.low > SMOOTH]
-        first = names(found) - known
-        known |= first
-        rows.append([f"{gamma:g}", str(len(found)), *counts(found), str(len(first)), str(len(smooth)), *counts(smooth)])
-    heads = ["γ", "boundaries", "sequences with stops", "sequences", "longest", "not in rows above"]
-    return table([*heads, f"boundaries, μ > {SMOOTH:g}", "with stops", "sequences", "longest"], rows)
-
-
 def kind_table() -> list[str]:
     """What coincides at the boundaries."""
     found = family().found
@@ -103,73 +89,22 @@ def kind_table() -> list[str]:
     return table(["coincidence", "boundaries", "for example below", "and above", "γ, θ′, μ"], rows)
 
 
-LARGE = 20
-"""Boundaries of a surface that is called large."""
-
-
 @dataclass(frozen=True)
 class Extent:
-    """Where something occurs: how often, and the ranges of γ, of the part and of μ."""
+    """Where a sequence occurs: the ranges of γ, of the part and of μ, and a start in its widest interval."""
 
-    number: int
     gamma: tuple[float, float]
     part: tuple[float, float]
     mu: tuple[float, float]
+    start: tuple[float, float, float]
 
     @classmethod
     def of(cls, places: Iterable[tuple[float, float, float, float]]) -> Extent:
         """Return that of intervals of μ, each with its γ and part."""
         gamma, part, low, high = zip(*places, strict=True)
-        return cls(len(gamma), (min(gamma), max(gamma)), (min(part), max(part)), (min(low), max(high)))
-
-    @property
-    def cells(self) -> list[str]:
-        """Number and ranges."""
-        ranges = (f"{low:.2g} … {high:.2g}" for low, high in (self.gamma, self.part, self.mu))
-        return [str(self.number), *ranges]
-
-
-def surface_table() -> list[str]:
-    """The large surfaces."""
-    grid = family()
-    rows = []
-    for places in grid.surfaces:
-        if len(places) < LARGE:
-            break
-        found = [grid.found[place] for place in places]
-        kind = Counter(one.kind for one in found).most_common(1)[0][0]
-        extent = Extent.of((one.gamma, one.part, one.mu, one.mu) for one in found)
-        rows.append([f"`{found[0].below}`", f"`{found[0].above}`", kind, *extent.cells])
-    return table(["below", "above", "coincidence", "boundaries", "γ", "θ′√γ", "μ"], rows)
-
-
-def piece_table() -> list[str]:
-    """How many boundaries lie on how many surfaces."""
-    grid = family()
-    sizes = [len(places) for places in grid.surfaces]
-    large = [places for places in grid.surfaces if len(places) >= LARGE]
-    through = [one for one in large if {grid.found[k].gamma for k in one} == set(GAMMAS)]
-    row = [
-        len(grid.found),
-        len({one.sides for one in grid.found}),
-        len(grid.links),
-        len(sizes),
-        sum(one == 1 for one in sizes),
-        len(large),
-        f"{100 * sum(map(len, large)) / len(grid.found):.0f} %",
-        len(through),
-    ]
-    heads = ["boundaries", "pairs of sequences", "links", "surfaces", "of one boundary", f"of {LARGE} or more"]
-    return table([*heads, "boundaries on these", "of these through all planes"], [[str(one) for one in row]])
-
-
-def friction_table() -> list[str]:
-    """The lists for least frictions."""
-    rows = []
-    for least in (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5):
-        part = [one for one in family().found if one.low > least]
-        rows.append([f"{least:g}", str(len(part)), *counts(part)])
-    return table(["least μ", "boundaries", "sequences with stops", "sequences", "longest"], rows)
+        wide = max(range(len(low)), key=lambda k: high[k] / low[k])
+        start = gamma[wide], part[wide], math.sqrt(low[wide] * high[wide])
+        return cls((min(gamma), max(gamma)), (min(part), max(part)), (min(low), max(high)), start)
 
 
 @cache
@@ -185,22 +120,6 @@ def extents() -> dict[str, Extent]:
         for name, low, high in zip([found[0].below, *(one.above for one in found)], ends, ends[1:], strict=False):
             places[name].append((gamma, part, low, high))
     return {name: Extent.of(one) for name, one in places.items()}
-
-
-def list_table() -> list[str]:
-    """All sequences."""
-    rows = []
-    for name, extent in sorted(extents().items(), key=lambda one: (-one[1].number, one[0])):
-        if extent.number == 1:
-            break
-        word, stop = name.split(maxsplit=1)
-        rows.append([f"`{word}`", stop, *extent.cells])
-    return table(["sequence", "stop", "intervals", "γ", "θ′√γ", "μ"], rows)
-
-
-def once_text() -> str:
-    """The sequences of one interval."""
-    return ", ".join(f"`{name}`" for name, extent in sorted(extents().items()) if extent.number == 1)
 
 
 def degenerate_parts(gamma: float) -> list[float]:
@@ -311,14 +230,15 @@ RIM = Region((0.1, 0.97), (0.0, 1.0), (LEAST, MOST), 50_000, rim=True)
 
 
 @cache
-def searched(region: Region, seed: int) -> frozenset[tuple[str, bool]]:
-    """Return the sequences of random starts of a region, and whether each has μ ≥ 0.005 for some of them."""
+def searched(region: Region, seed: int) -> dict[str, tuple[float, float, float]]:
+    """Return the sequences of random starts of a region, each with γ, the part and μ of its start of the largest μ."""
     random = np.random.default_rng(seed)
     gamma, part = random.uniform(*region.gamma, region.count), random.uniform(*region.part, region.count)
     mu = np.exp(random.uniform(math.log(region.mu[0]), math.log(region.mu[1]), region.count))
     words = names_of(gamma, mu, rate_of(gamma, part), rim=region.rim)
-    above = set(words[mu >= LEAST].tolist())
-    return frozenset((name, name in above) for name in set(words.tolist()))
+    order = np.argsort(mu)
+    starts = zip(gamma[order].tolist(), part[order].tolist(), mu[order].tolist(), strict=True)
+    return dict(zip(words[order].tolist(), starts, strict=True))
 
 
 @dataclass(frozen=True)
@@ -340,8 +260,9 @@ class Recapture:
     @classmethod
     def of(cls, region: Region, known: Iterable[str] = ()) -> Recapture:
         """Search a region twice for sequences that are not known."""
-        one, two = ({pair for pair in searched(region, seed) if pair[0] not in set(known)} for seed in (1, 2))
-        return cls({name for name, _ in one}, {name for name, _ in two}, {name for name, above in one | two if above})
+        one, two = (searched(region, seed) for seed in (1, 2))
+        above = {name for found in (one, two) for name, start in found.items() if start[2] >= LEAST}
+        return cls(*(set(names) - set(known) for names in (one, two, above)))
 
     @property
     def found(self) -> set[str]:
@@ -373,19 +294,20 @@ def corner_above_text() -> str:
     return str(len(Recapture.of(CORNER, extents()).above))
 
 
-def corner_list() -> str:
-    """The sequences of the corner that the lines do not have."""
-    return ", ".join(f"`{name.removesuffix(' revolution')}`" for name in sorted(Recapture.of(CORNER, extents()).found))
-
-
 UNFOUND = (0.249967916028383, 0.007794611384076971, 0.7063085869522819)
 """γ, μ and θ′√γ of a start in the corner, from another search, with a sequence that neither of the two has."""
+
+
+def unfound() -> Turn:
+    """Return the turn of that start."""
+    gamma, mu, part = UNFOUND
+    return first_turn(gamma, mu, part / math.sqrt(gamma))
 
 
 def unfound_text() -> str:
     """The sequence of that start."""
     gamma, mu, part = UNFOUND
-    return f"`{first_turn(gamma, mu, part / math.sqrt(gamma)).word}` ({gamma!r}, {part!r}, {mu!r})"
+    return f"`{unfound().word}` ({gamma!r}, {part!r}, {mu!r})"
 
 
 def rim_text() -> str:
@@ -447,6 +369,28 @@ def halfway_text() -> str:
     return f"{one.met} of the {one.links} links that cross it, and {one.boundaries} boundaries in all"
 
 
+def listed() -> str:
+    """Return the sequences of all searches as CSV, each with one start."""
+    (gamma, mu, rate), _ = drawn()
+    names_drawn = names_of(gamma, mu, rate).tolist()
+    parts = (rate * np.sqrt(gamma)).tolist()
+    rows: dict[tuple[str, str], tuple[str, tuple[float, float, float]]] = {}
+    for family_of, source, starts in (
+        ("shift", "lines", {name: one.start for name, one in extents().items()}),
+        ("shift", "random", dict(zip(names_drawn, zip(gamma.tolist(), parts, mu.tolist(), strict=True), strict=True))),
+        ("shift", "corner", {**searched(CORNER, 1), **searched(CORNER, 2)}),
+        ("shift", "other", {unfound().name: (UNFOUND[0], UNFOUND[2], UNFOUND[1])}),
+        ("rim", "rim", {**searched(RIM, 1), **searched(RIM, 2)}),
+    ):
+        for name, start in starts.items():
+            rows.setdefault((family_of, name), (source, start))
+    lines = ["family,sequence,stop,gamma,rate_times_root_gamma,mu,search"]
+    for (family_of, name), (source, start) in sorted(rows.items()):
+        word, stop = name.split(maxsplit=1)
+        lines.append(",".join([family_of, word, stop, *(repr(float(one)) for one in start), source]))
+    return "\n".join(lines) + "\n"
+
+
 SHOWN = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75)
 
 
@@ -497,10 +441,6 @@ STUDY = Study(
     texts={
         "kinds": kind_table,
         "scan": scan_table,
-        "gammas": gamma_table,
-        "pieces": piece_table,
-        "surfaces": surface_table,
-        "friction": friction_table,
         "sweep": sweep_table,
         "smooth": smooth_text,
         "distance": distance_text,
@@ -508,12 +448,10 @@ STUDY = Study(
         "drawn": drawn_text,
         "corner": corner_text,
         "above": corner_above_text,
-        "more": corner_list,
         "unfound": unfound_text,
         "rim": rim_text,
         "most": slides_text,
-        "list": list_table,
-        "once": once_text,
     },
     pictures={"planes": picture},
+    files={"list.csv": listed},
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -42,11 +42,14 @@ class Study:
         What stands between the marks of a label: lines of a table, or one number in a sentence.
     pictures : mapping of str to callable
         Figures by the names of their files.
+    files : mapping of str to callable
+        Texts of files beside the pictures, by their names.
     """
 
     name: str
     texts: Mapping[str, Callable[[], list[str] | str]]
     pictures: Mapping[str, Callable[[], Figure]]
+    files: Mapping[str, Callable[[], str]] = field(default_factory=dict)
 
     @property
     def page(self) -> Path:

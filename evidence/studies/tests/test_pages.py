@@ -12,6 +12,8 @@ from evidence.studies.study import NAMES, PAGES, load
 def test_a_page_has_the_numbers_of_its_command(name):
     study = load(name)
     assert study.page.read_text(encoding="utf-8") == computed(study)
+    for file, content in study.files.items():
+        assert (study.folder / file).read_text(encoding="utf-8") == content()
 
 
 @pytest.mark.parametrize("name", NAMES)

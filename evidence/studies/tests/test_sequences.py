@@ -1,3 +1,4 @@
+import csv
 import math
 from collections import Counter
 from fractions import Fraction
@@ -30,6 +31,7 @@ from evidence.studies.sequences import (
     smooth_sequences,
     swept,
 )
+from evidence.studies.study import load
 from evidence.studies.turns import first_turn, hoop_of, names_of
 
 # First turns and boundaries.
@@ -137,6 +139,15 @@ def test_the_lines_do_not_have_all_sequences_and_two_searches_do_not_either():
         assert first_turn(gamma, mu, part / math.sqrt(gamma)).name == name
         assert name not in extents()
         assert (name in found) == is_found
+
+
+def test_each_start_of_the_list_has_its_sequence():
+    rows = list(csv.DictReader(load("sequences").folder.joinpath("list.csv").read_text(encoding="utf-8").splitlines()))
+    assert len({(row["family"], row["sequence"], row["stop"]) for row in rows}) == len(rows) > 200
+    for row in rows:
+        gamma, part, mu = (float(row[name]) for name in ("gamma", "rate_times_root_gamma", "mu"))
+        turn = first_turn(gamma, mu, part / math.sqrt(gamma), rim=row["family"] == "rim")
+        assert turn.name == f"{row['sequence']} {row['stop']}"
 
 
 def test_the_number_of_a_set_is_estimated_by_capture_and_recapture():
