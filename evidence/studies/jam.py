@@ -670,7 +670,7 @@ def hoops_picture() -> Figure:
         at = 2.0 * level - 1.0
         height = (1.0 - at) / math.sqrt(0.96**2 - at**2)
         left.text(0.96, height, f"{level:g}", fontsize=8, color=INK, ha="center", va="bottom")
-    left.text(0.60, 1.48, "slides jam", fontsize=9, color=INK, ha="center", rotation=-32)
+    left.text(0.62, 1.38, "jam", fontsize=9, color=INK, ha="center")
     left.set(xlim=(0.3, 1.0), ylim=(0.0, 2.4), xlabel="part of the mass in the particle γ", ylabel="friction μk")
     left.legend(frameon=False, fontsize=9)
     hs = np.linspace(0.01, 1.0, 80)
@@ -680,8 +680,8 @@ def hoops_picture() -> Figure:
     lines = right.contour(hs, k2s, grid, levels=levels, colors=[COLOURS[0]], linewidths=1.1)
     right.clabel(lines, fontsize=8)
     right.plot(hs, 1.0 - hs**2, color=INK, linewidth=1.6)
-    right.text(0.55, 0.76, "thin hoop, particle on its rim", fontsize=8, color=INK)
-    right.set(xlim=(0, 1), ylim=(0, 1), xlabel="h", ylabel="I/m")
+    right.text(0.52, 0.8, "thin hoop, particle on its rim", fontsize=8, color=INK)
+    right.set(xlim=(0, 1), ylim=(0, 1), xlabel="h", ylabel="ϱ = Î/m")
     right.set_title("least μk that can jam", fontsize=10, color=INK)
     return figure
 
