@@ -1,4 +1,4 @@
-"""Chooses the cases of the data set, with a fixed seed, and writes those to cases.json that are not there yet.
+"""Chooses the cases of the data set, with a fixed seed, and adds those that littlewood.scoring does not have yet.
 
     python3 choose.py
 
@@ -432,12 +432,17 @@ FAMILIES = (
 
 def main() -> None:
     """Write the list; a case that is there stays, as that of a near tie depends on the last bits of the library."""
-    path = HERE / "cases.json"
-    there = {one["name"]: one for one in json.loads(path.read_text(encoding="utf-8"))} if path.exists() else {}
+    path = HERE.parents[1] / "python" / "littlewood" / "scoring" / "cases.json"
+    text = path.read_text(encoding="utf-8")
+    listed = json.loads(text)["cases"]
+    there = {one["name"]: one for one in listed}
     cases = [there.get(one["name"], one) for family in FAMILIES for one in family()]
     assert len({one["name"] for one in cases}) == len(cases)
+    # Those of the benchmark are written by hand.
+    cases += [one for one in listed if one["family"] == "engines"]
+    head, _ = text.split('"cases": [')
     lines = ",\n".join(json.dumps(one) for one in cases)
-    path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+    path.write_text(f'{head}"cases": [\n{lines}\n]}}\n', encoding="utf-8")
     print(len(cases), "cases")
 
 

@@ -1,4 +1,4 @@
-"""Makes the certificates of the data set from cases.json.
+"""Makes the certificates of the data set from the cases of littlewood.scoring.
 
     python3 make.py [FAMILY ...]
 
@@ -8,11 +8,11 @@ Each motion has a file in certificates/. The same bytes again, on any machine.
 from __future__ import annotations
 
 import argparse
-import json
 import time
 from pathlib import Path
 
 from littlewood.certify import Case, certify, dump
+from littlewood.scoring import CASES
 
 HERE = Path(__file__).parent
 
@@ -22,7 +22,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("family", nargs="*", help="families to make; all without any")
     wanted = parser.parse_args().family
-    cases = json.loads((HERE / "cases.json").read_text(encoding="utf-8"))
+    cases = [one.given for one in CASES.values()]
     unknown = set(wanted) - {one["family"] for one in cases}
     if unknown:
         parser.error(f"there is no family {', '.join(sorted(unknown))}")

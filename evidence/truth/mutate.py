@@ -29,7 +29,7 @@ from checker import Refused, check, digest  # noqa: E402
 SEED = 20261122
 
 QUICK = (
-    "elastic-01", "elastic-settling-09", "jam-13", "landing-18", "leaves-at-once-01", "lift-off-03",
+    "bounces", "elastic-01", "elastic-settling-09", "jam-13", "landing-18", "leaves-at-once-01", "lift-off-03",
     "long-rolling-08", "massless-16", "near-tie-10", "paper-02", "ramp-jump-15", "ramp-rolling-16", "ramp-sliding-14",
     "reversal-chain-17", "settles-sliding-04", "settles-sticking-02", "si-01", "slide-roll-slip-18", "thrown-01",
 )  # fmt: skip

@@ -27,6 +27,7 @@ from littlewood.certify import Case, CaseError, Refused, certify, check, checker
 from littlewood.certify.__main__ import main
 from littlewood.certify.checker import Range, digest, pi, precision, sine_and_cosine
 from littlewood.certify.compare import differences
+from littlewood.scoring import CASES
 
 ROOT = Path(__file__).resolve().parents[2]
 TRUTH = ROOT / "evidence" / "truth"
@@ -160,8 +161,8 @@ def mutate() -> Any:
 
 
 def test_the_checker_refuses_forgeries_of_each_family(mutate: Any) -> None:
-    families = {one["family"] for one in json.loads((TRUTH / "cases.json").read_text())}
-    assert {name.rsplit("-", 1)[0] for name in mutate.QUICK} == families
+    families = {one.given["family"] for one in CASES.values()}
+    assert {CASES[name].given["family"] for name in mutate.QUICK} == families
     kinds, count = set(), 0
     for name in mutate.QUICK:
         certificate = mutate.read(name)
@@ -259,10 +260,9 @@ def test_a_certificate_has_the_same_bytes_whatever_the_precision(thrown: dict[st
 
 
 def test_committed_certificates_are_made_again() -> None:
-    cases = {one["name"]: one for one in json.loads((TRUTH / "cases.json").read_text())}
     for name in RECERTIFIED:
         committed = (TRUTH / "certificates" / f"{name}.json").read_text()
-        assert dump(certify(Case.read(cases[name]))) == committed, name
+        assert dump(certify(Case.read(CASES[name].given))) == committed, name
 
 
 RECERTIFIED = (
@@ -285,13 +285,12 @@ RECERTIFIED = (
 
 
 def test_every_case_of_the_list_has_its_certificate() -> None:
-    cases = json.loads((TRUTH / "cases.json").read_text())
     files = {path.stem for path in (TRUTH / "certificates").glob("*.json")}
-    assert files == {one["name"] for one in cases}
+    assert files == set(CASES)
     assert f"- {len(files)} [certified motions]" in (ROOT / "docs" / "index.md").read_text()
-    for one in cases:
-        certificate = json.loads((TRUTH / "certificates" / f"{one['name']}.json").read_text())
-        assert certificate["case"] == Case.read(one).written()
+    for name, one in CASES.items():
+        certificate = json.loads((TRUTH / "certificates" / f"{name}.json").read_text())
+        assert certificate["case"] == Case.read(one.given).written()
         assert certificate["digest"] == digest(certificate)
         assert certificate["certified"] or certificate["reason"]
 
@@ -799,6 +798,10 @@ def with_another_shape(document: Any, rng: random.Random) -> Any:
     return document
 
 
+SI = ("kg", "m", "m2", "s2")
+"""Ends of the names of columns that have their unit in their name."""
+
+
 def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
     archive = script("archive")
     files = archive.contents()
@@ -812,7 +815,25 @@ def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
         data = files[resource["path"]]
         assert resource["hash"] == f"sha256:{hashlib.sha256(data).hexdigest()}"
         header = data.split(b"\n", 1)[0].decode().split(",")
-        assert header == [field["name"] for field in resource["schema"]["fields"]]
+        fields = resource["schema"]["fields"]
+        assert header == [field["name"] for field in fields]
+        assert all(field["description"] for field in fields)
+        numbers = [field for field in fields if field["type"] == "number" and field["name"].split("_")[-1] not in SI]
+        assert all(field["unit"] and field["unit_si"] for field in numbers)
+        rows = list(csv.DictReader(io.StringIO(data.decode())))
+        keys = [tuple(row[key] for key in resource["schema"]["primaryKey"]) for row in rows]
+        assert len(set(keys)) == len(rows) > 0
+        assert {row["motion"] for row in rows} <= set(CASES)
+    assert described["contributors"] and described["description"]
+    assert {"README.md", "LICENSE", "CITATION.cff", "families.md", "checker.py", "cases.json"} <= set(files)
+    for row in csv.DictReader(io.StringIO(files["tables/motions.csv"].decode())):
+        given = CASES[row["motion"]].given
+        assert all(float(row[key]) == value for key, value in given["hoop"].items() if key != "restitution_law")
+        assert all(float(row[f"start_{key}"]) == value for key, value in given["start"].items())
+        assert row["until"] == ("" if given["until"] is None else str(given["until"]))
     rows = list(csv.DictReader(io.StringIO(files["tables/events.csv"].decode())))
     slip = next(row for row in rows if row["motion"] == "paper-01" and row["cause"] == "slip")
     assert slip["time"].startswith("0.97322307477240541")
+    # An impulse changes the gap rate; the certificate has both.
+    landing = next(row for row in rows if row["motion"] == "landing-16" and row["impact"])
+    assert float(landing["normal_impulse"]) > 0.0 and float(landing["gap_rate_before"]) < 0.0

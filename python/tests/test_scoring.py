@@ -2,13 +2,16 @@
 
 import json
 import math
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import littlewood as lw
+from littlewood.certify.checker import digest
 from littlewood.certify.compare import simulated
+from littlewood.scoring.cases import CATEGORIES
 from littlewood.scoring.command import main
 from littlewood.scoring.episodes import Event
 from littlewood.scoring.matching import match
@@ -55,9 +58,13 @@ def test_the_exact_motion_has_no_error(motion, instants, columns):
 def test_the_events_are_those_of_the_motion(motion, instants, columns):
     score = scored(motion, instants, columns)
     exact = times(motion)
+    # The first slip is only read: the hoop starts to slide.
+    assert score.events[0].verdict == "artefact" and score.events[0].exact is None
     for event in score.events[1:]:
-        # The limits of slip velocity and height shift them, a lift-off the most: the gap begins with τ³.
-        assert abs(event.exact - exact[event.kind]) < (0.15 if event.kind == "lift_off" else 0.03)
+        assert event.exact == exact[event.kind]
+        # The limits of slip velocity and height shift where they are read, a lift-off the most: the gap begins with τ³.
+        assert abs(event.read - event.exact) < (0.15 if event.kind == "lift_off" else 0.03)
+        assert event.error == event.found - event.read
 
 
 @pytest.mark.parametrize("late", [0.02, 0.1])
@@ -139,12 +146,196 @@ def test_a_landing_that_sticks_is_one_event():
         assert score.events[-1].kind == "landing" and not score.missed and not score.spurious
 
 
-def test_flags_of_contact_are_believed(motion, instants, columns):
+@pytest.mark.parametrize("end", [5.0, None])
+def test_flags_of_contact_are_believed(motion, instants, columns, end):
     samples = motion(instants)
-    record = lw.scoring.Record(instants, **columns, contact=~samples.is_in("flight"))
+    if end is None:
+        record = lw.scoring.Record(instants, **columns, contact=~samples.is_in("flight"))
+        score = lw.scoring.score(motion, record)
+        # The landing is the end of the motion, behind the last row.
+        assert score.events[-1].verdict == "cut"
+        (lift_off,) = [event for event in score.events if event.kind == "lift_off"]
+    else:
+        later = np.arange(0.0, end, STEP)
+        lands = lw.scoring.CASES["two-coefficients"].motion
+        samples = lands(later)
+        record = lw.scoring.Record(later, samples.x, samples.centre_y, samples.theta, ~samples.is_in("flight"))
+        score = lw.scoring.score(motion, record)
+        lift_off, landing = score.events[-2:]
+        assert landing.error == 0.0 and landing.found == pytest.approx(motion.end_time, abs=STEP)
+    assert lift_off.error == 0.0 and lift_off.found == pytest.approx(times(motion)["lift_off"], abs=STEP)
+    assert not score.missed and not score.spurious
+
+
+@pytest.mark.parametrize(("late", "verdict"), [(0.02, "cut"), (-0.02, "found")])
+def test_a_landing_at_the_end_of_a_record_is_not_missed(motion, late, verdict):
+    """The record stops where the exact motion does: a late landing cannot be in it, an early one is."""
+    end = motion.end_time
+    instants = np.append(np.arange(0.0, end, STEP), end)
+    flies = np.maximum(instants - late, 0.0)
+    samples = motion(np.minimum(np.where(instants > 3.0, flies, instants), end))
+    record = lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta)
     score = lw.scoring.score(motion, record)
-    found = {event.kind: event.found for event in score.events if event.found is not None}
-    assert found["lift_off"] == pytest.approx(times(motion)["lift_off"], abs=STEP)
+    landing = score.events[-1]
+    assert landing.kind == "landing" and landing.exact == end and landing.verdict == verdict
+    assert not score.missed and not score.spurious
+    # With rows behind the end the late one is found, and sized.
+    instants = np.append(instants, end + np.arange(1, 50) * STEP)
+    samples = motion(np.minimum(np.where(instants > 3.0, instants - late, instants), end))
+    score = lw.scoring.score(motion, lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta))
+    assert score.events[-1].error == pytest.approx(late, abs=2e-5) and not score.missed and not score.spurious
+
+
+@pytest.mark.parametrize("step", [0.05, 1e-2, 1e-3])
+@pytest.mark.parametrize("flags", [False, True])
+def test_the_exact_motion_is_never_blamed(step, flags):
+    """A motion of each family, sampled and read: the floor of the reading."""
+    families = {one.given["family"]: one.motion for one in lw.scoring.CASES.values()}
+    verdicts = set()
+    for motion in families.values():
+        instants = np.arange(0.0, min(motion.end_time, 4.0), step)
+        if instants.size < 4:
+            continue
+        samples = motion(instants)
+        contact = ~samples.is_in("flight") if flags else None
+        record = lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta, contact)
+        score = lw.scoring.score(motion, record)
+        assert not score.missed and not score.spurious and not score.doubts
+        assert all(event.error in (None, 0.0) for event in score.events if event.read is not None)
+        assert score.energy_gained < 1e-12
+        verdicts |= {event.verdict for event in score.events}
+    assert verdicts == {"found", "unreadable", "cut", "artefact"}
+
+
+def test_a_coarse_record_says_what_can_not_be_read(motion):
+    verdicts = [(event.kind, event.verdict) for event in scored(motion, *sampled(motion, 0.3)).events]
+    # The hoop rolls for less than two rows.
+    assert verdicts[1:] == [("stick", "unreadable"), ("slip", "unreadable"), ("lift_off", "found"), ("landing", "cut")]
+
+
+def sampled(motion, step):
+    instants = np.arange(0.0, motion.end_time, step)
+    samples = motion(instants)
+    return instants, {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
+
+
+def test_bounces_are_impacts_as_long_as_they_can_be_read_and_then_they_settle():
+    motion = lw.scoring.CASES["settles-sticking-04"].motion
+    instants = np.arange(0.0, 4.0, STEP)
+    samples = motion(instants)
+    record = lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta)
+    score = lw.scoring.score(motion, record)
+    found = [event for event in score.events if event.verdict == "found"]
+    impact, settle, *_ = found
+    assert (impact.kind, settle.kind) == ("impact", "settle")
+    first, last = motion.transitions[0], next(one for one in motion.transitions if one.cause == "settle")
+    assert impact.exact == first.time and abs(impact.read - first.time) < 5e-3
+    # The last bounces are lower than what counts as contact.
+    assert settle.exact == last.time and -0.2 < settle.read - last.time < 0.0
+
+
+def test_velocities_are_used_if_given():
+    """The energy is that of the velocities, not of differences of the positions."""
+    motion = lw.scoring.BENCHMARK["lands"].motion
+    instants = np.arange(0.0, 2.0, 0.01)
+    samples = motion(instants)
+    rates = samples.slip - samples.theta_rate, samples.gap_rate, samples.theta_rate
+    place = samples.x, samples.centre_y, samples.theta
+    score = lw.scoring.score(motion, lw.scoring.Record(instants, *place, None, *rates))
+    assert score.energy_error.size == instants.size and np.max(np.abs(score.energy_error)) < 1e-13
+    faster = lw.scoring.Record(instants, *place, None, rates[0], rates[1], rates[2] + 0.1)
+    exact = samples.energy
+    spins = lw.scoring.score(motion, faster).energy_error
+    hoop = motion.hoop
+    sin, cos = np.sin(place[2]), np.cos(place[2])
+    moved = rates[0] - hoop.h * cos * faster.theta_rate, rates[1] - hoop.h * sin * faster.theta_rate
+    kinetic = hoop.mass * (moved[0] ** 2 + moved[1] ** 2) + hoop.inertia_about_mass_centre * faster.theta_rate**2
+    expected = 0.5 * kinetic + hoop.mass * (place[1] - 1.0 + hoop.h * cos) - exact
+    assert spins[1] == pytest.approx(expected[1], rel=1e-9)
+    with pytest.raises(ValueError, match="x_rate without the others"):
+        lw.scoring.Record(instants, *place, None, rates[0])
+
+
+def test_rim_in_the_plane_for_a_while_gains_no_energy(motion, instants, columns):
+    deep = (instants > 0.6) & (instants < 0.8)
+    score = scored(motion, instants, columns, y=columns["y"] - 0.004 * deep)
+    assert score.penetration == pytest.approx(0.004) and score.energy_gained < 1e-12
+
+
+MISTAKES = {
+    "theta has the other sign": lambda r, h: {"theta": -r["theta"]},
+    "theta is in degrees": lambda r, h: {"theta": np.degrees(r["theta"])},
+    "theta is whole turns off": lambda r, h: {"theta": r["theta"] + 4 * math.pi},
+    "another direction": lambda r, h: {"theta": r["theta"] + math.pi / 2},
+    "mass centre": lambda r, h: {"x": r["x"] - h * np.sin(r["theta"]), "y": r["y"] + h * np.cos(r["theta"])},
+    "y is the gap": lambda r, h: {"y": r["y"] - 1.0},
+    "time is in thousandths": lambda r, h: {"time": 1e3 * r["time"]},
+    "x and y are in thousandths": lambda r, h: {"x": 1e3 * r["x"], "y": 1e3 * r["y"]},
+    "x does not begin at 0": lambda r, h: {"x": r["x"] + 3.0},
+    "x has the other sign": lambda r, h: {"x": -r["x"]},
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+@pytest.mark.parametrize("name", ["one-coefficient", "bounces", "comsol"])
+def test_the_usual_mistakes_are_named(mistake, name):
+    motion = lw.scoring.BENCHMARK[name].motion
+    instants, columns = sampled(motion, 4e-3)
+    changed = {"time": instants, **columns}
+    changed |= MISTAKES[mistake](changed, motion.hoop.h)
+    record = lw.scoring.Record(**changed)
+    if mistake == "time is in thousandths":
+        # Too few rows are within the motion to score anything.
+        with pytest.raises(ValueError, match=r"fewer than three instants.*time is in thousandths"):
+            lw.scoring.score(motion, record)
+        return
+    (doubt,) = lw.scoring.score(motion, record).doubts
+    assert mistake in doubt
+
+
+def test_two_mistakes_and_another_case_are_named(motion):
+    instants, columns = sampled(motion, 4e-3)
+    both = {**columns, "theta": np.degrees(columns["theta"]), "y": columns["y"] - 1.0}
+    (doubt,) = scored(motion, instants, both).doubts
+    assert "theta is in degrees" in doubt and "y is the gap" in doubt
+    other = lw.scoring.BENCHMARK["lands"].motion
+    instants, columns = sampled(other, 4e-3)
+    (doubt,) = scored(motion, instants, columns).doubts
+    assert "is it the case lands?" in doubt
+
+
+def test_a_wrapped_angle_is_named():
+    motion = lw.scoring.BENCHMARK["one-coefficient"].motion
+    instants, columns = sampled(motion, 4e-3)
+    wrapped = np.angle(np.exp(1j * columns["theta"]))
+    assert np.max(np.abs(np.diff(wrapped))) > 6.0
+    (doubt,) = scored(motion, instants, columns, theta=wrapped).doubts
+    assert "is it wrapped?" in doubt
+
+
+def test_noise_is_counted_and_not_listed(motion, instants, columns):
+    noise = np.random.default_rng(1).normal(0.0, 1e-5, instants.size)
+    score = scored(motion, instants, columns, x=columns["x"] + noise)
+    assert len(score.spurious) > 50
+    printed = str(score)
+    assert len(printed.splitlines()) < 25 and "times from" in printed
+    # Differences of white noise: its size times √2 over the step.
+    size = float(printed.split("noise of about ")[1].split()[0])
+    assert size == pytest.approx(1e-5 * math.sqrt(2.0) / STEP, rel=0.2)
+
+
+def test_the_steps_of_the_solver_may_be_other_than_those_of_the_rows(motion):
+    scores = []
+    for step in (0.01, 0.005):
+        instants, columns = sampled(motion, 0.02)
+        scores.append(scored(motion, instants, columns, theta=columns["theta"] + step**2 * instants))
+    assert lw.scoring.convergence(scores, [0.01, 0.005]).order == pytest.approx(2.0)
+    with pytest.raises(ValueError, match="1 different steps"):
+        lw.scoring.convergence(scores)
+    with pytest.raises(ValueError, match="1 steps, and 2 scores"):
+        lw.scoring.convergence(scores, [0.01])
+    with pytest.raises(ValueError, match="must be positive"):
+        lw.scoring.convergence(scores, [0.01, 0.0])
 
 
 @pytest.mark.parametrize("order", [1, 2, 4])
@@ -201,6 +392,11 @@ def write(path, header, rows):
         ("time,x,y,theta", ["0,0,1,0", "", "1,0,1", "2,0,1,0"], 4, None, "3 fields, the first line has 4"),
         ("time,x,y,theta", ["0,0,1,0", "1,0,1,0", "1,0,1,0"], 4, "time", "must be greater than 1.0"),
         ("time,x,theta", ["0,0,0"], 1, "y", "is missing among time, x, theta"),
+        ("t,x,y,theta", ["0,0,1,0"], 1, "time", "is missing among t, x, y, theta; is t meant?"),
+        ("time,X,y,theta", ["0,0,1,0"], 1, "x", "is X meant?"),
+        ("time x y theta", ["0 0 1 0"], 1, "time", "separated by commas"),
+        ("0,0.5,1,2", ["1,0,1,0"], 1, "time", "the first line must have the names time,x,y,theta"),
+        ("time,x,y,theta,x_rate", ["0,0,1,0,0"], 1, "y_rate", "is missing among"),
         ("time,x,y,theta,x", ["0,0,1,0,0"], 1, "x", "occurs twice"),
         ("time_s,x,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "x has no dimension"),
         ("time_s,x_m,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "the hoop has none"),
@@ -230,6 +426,19 @@ def test_bad_records_are_refused():
         lw.scoring.Tolerances(gap=-1.0)
 
 
+def test_a_mark_at_the_begin_of_a_file_is_no_name(tmp_path):
+    path = tmp_path / "marked.csv"
+    path.write_text("time,x,y,theta\n0,0,1,0\n1,0,1,0\n2,0,1,0\n", encoding="utf-8-sig")
+    assert lw.scoring.Record.from_csv(path).time.tolist() == [0.0, 1.0, 2.0]
+
+
+def test_what_the_command_line_simulates_is_read(binary, tmp_path, motion):
+    path = tmp_path / "exact.csv"
+    subprocess.run([binary, "simulate", "figure-3", "--samples", "2000", "--format", "csv", "--out", path], check=True)
+    score = lw.scoring.score(motion, lw.scoring.Record.from_csv(path))
+    assert score.largest_error < 1e-14 and not score.missed and not score.spurious
+
+
 def test_a_file_in_si_units_is_the_same(tmp_path):
     hoop = lw.Hoop.from_si(
         disc_mass_kg=0.3, particle_mass_kg=0.2, radius_m=0.4, offset_m=0.38, inertia_kg_m2=0.05, mu_s=0.4, mu_k=0.3
@@ -249,6 +458,9 @@ def test_a_file_in_si_units_is_the_same(tmp_path):
     np.savetxt(path, rows, fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments="")
     score = lw.scoring.score(motion, lw.scoring.Record.from_csv(path, hoop.units))
     assert score.largest_error < 1e-14
+    # What is printed is in SI units, too.
+    event = score.events[-1]
+    assert f"{event.exact * hoop.units.time_s:.6f}" in str(score) and "s, m, rad, J" in str(score)
 
 
 def test_the_command_prints_and_draws(motion, columns, instants, tmp_path, capsys):
@@ -283,6 +495,14 @@ def test_a_certificate_names_a_case(tmp_path, capsys):
     assert main([str(certificate), str(path), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["scores"][0]["largest_error"]["state"] < 1e-13
     changed = json.loads(certificate.read_text(encoding="utf-8"))
+    # Another event, with the digest of what it says, is what it is scored against.
+    events = json.loads(certificate.read_text(encoding="utf-8"))
+    events["events"][0]["state"]["time"][0] = "0.25"
+    events["digest"] = digest(events)
+    other = write(tmp_path / "events.json", json.dumps(events), [])
+    assert main([str(other), str(path), "--json"]) == 0
+    first = json.loads(capsys.readouterr().out)["scores"][0]["events"]
+    assert 0.25 / units.time_s in [event["exact"] for event in first]
     changed["events"][0]["state"]["time"][0] = "9.9"
     case_alone = {"case": changed["case"]}
     for text, reason in (
@@ -304,6 +524,8 @@ def test_the_command_refuses_with_the_reason(tmp_path, capsys):
     assert "line 3, column theta: '?' is not a number" in capsys.readouterr().err
     assert main(["figure-33", str(path)]) == 2
     assert "did you mean 'figure-3'" in capsys.readouterr().err
+    assert main(["figure-3", str(path), "--steps", "0.1", "0.2"]) == 2
+    assert "line 3" in capsys.readouterr().err
     assert main(["figure-3", str(tmp_path / "none.csv")]) == 2
     assert "none.csv" in capsys.readouterr().err
     assert main(["figure-3", str(path), "--gap", "0"]) == 2
@@ -317,3 +539,56 @@ def test_the_program_of_the_package_has_the_command(monkeypatch, capsys):
     with pytest.raises(SystemExit) as stopped:
         __main__.main()
     assert stopped.value.code == 0 and "littlewood score" in capsys.readouterr().out
+
+
+def test_the_cases_have_one_name_everywhere(capsys):
+    certificates = {path.stem for path in (ROOT / "evidence" / "truth" / "certificates").glob("*.json")}
+    assert set(lw.scoring.CASES) == certificates
+    assert not set(lw.scoring.CASES) & set(lw.CASES)
+    assert {one.category for one in lw.scoring.BENCHMARK.values()} == set(CATEGORIES)
+    assert all(one.what and one.given["until"] for one in lw.scoring.BENCHMARK.values())
+    with pytest.raises(SystemExit) as stopped:
+        main(["--list"])
+    assert stopped.value.code == 0
+    printed = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in printed] == list(lw.scoring.BENCHMARK)
+
+
+def test_the_command_warns_of_a_mistake(tmp_path, capsys, motion):
+    instants, columns = sampled(motion, 4e-3)
+    rows = np.column_stack([instants, columns["x"], columns["y"], np.degrees(columns["theta"])])
+    path = tmp_path / "degrees.csv"
+    np.savetxt(path, rows, delimiter=",", header="time,x,y,theta", comments="")
+    assert main(["figure-3", str(path)]) == 0
+    assert "warning" in (err := capsys.readouterr().err) and "theta is in degrees" in err
+
+
+def test_derivatives_are_scored_phase_by_phase(tmp_path, capsys, motion):
+    instants = np.linspace(0.01, 3.8, 400)
+    exact = motion.derivatives_at(instants, ["mu_k"])
+    x, theta = (exact[name].values[:, 0] for name in ("x", "theta"))
+    score = lw.scoring.score_gradient(motion, instants, x, theta, "mu_k")
+    assert [phase.mode for phase in score.phases] == ["sliding", "rolling", "sliding", "flight"]
+    assert score.largest_relative == 0.0
+    # Central differences of the exact motion are a solver's with an error of second order.
+    by = 1e-4
+    hoops = (lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4 + way) for way in (by, -by))
+    sides = [hoop.simulate(theta=math.pi / 2, theta_rate=2.0) for hoop in hoops]
+    distances = np.abs(instants[:, None] - [one.time for one in motion.transitions])
+    away = instants[np.min(distances, axis=1) > 0.01]
+    plus, minus = (side(away) for side in sides)
+    found = [(plus[name] - minus[name]) / (2.0 * by) for name in ("x", "theta")]
+    score = lw.scoring.score_gradient(motion, away, *found, "mu_k")
+    assert score.largest_relative < 1e-5
+    path = tmp_path / "gradient.csv"
+    rows = np.column_stack([instants, x, 1.1 * theta])
+    np.savetxt(path, rows, fmt="%.17g", delimiter=",", header="time,x,theta", comments="")
+    assert main(["figure-3", str(path), "--gradient", "mu_k", "--json"]) == 0
+    phases = json.loads(capsys.readouterr().out)["gradients"][0]["phases"]
+    sliding = instants < motion.transitions[0].time
+    assert phases[0]["error"] == pytest.approx(0.1 * np.max(np.abs(theta[sliding])), rel=1e-12)
+    assert main(["figure-3", str(path), "--gradient", "mass"]) == 2
+    assert "mass" in capsys.readouterr().err
+    rows[3, 1] *= np.nan
+    with pytest.raises(ValueError, match=r"x\[3\] must be finite"):
+        lw.scoring.score_gradient(motion, *rows.T, "mu_k")

@@ -4,9 +4,26 @@
 from the command line.
 """
 
+from .cases import BENCHMARK, CASES, BenchmarkCase
 from .convergence import Convergence, convergence
 from .episodes import Tolerances
+from .gradient import GradientScore, PhaseGradient, score_gradient
 from .record import Record, RecordError
 from .score import EventScore, Score, score
 
-__all__ = ["Convergence", "EventScore", "Record", "RecordError", "Score", "Tolerances", "convergence", "score"]
+__all__ = [
+    "BENCHMARK",
+    "CASES",
+    "BenchmarkCase",
+    "Convergence",
+    "EventScore",
+    "GradientScore",
+    "PhaseGradient",
+    "Record",
+    "RecordError",
+    "Score",
+    "Tolerances",
+    "convergence",
+    "score",
+    "score_gradient",
+]

@@ -1,32 +1,30 @@
 """Episodes of a motion by positions: rolling, sliding either way, flight.
 
-The same rule is applied to the exact motion and to that of a solver, so that the limits within which a hoop counts as
-in contact, or as rolling, shift an event of both by the same.
+The same rule reads the record of a solver and the exact motion at the same instants: what it leaves out is in both.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-if TYPE_CHECKING:
-    from ..trajectory import Trajectory
-    from .record import Record
+from .record import Record
 
-__all__ = ["Episode", "Event", "Tolerances", "events", "exact_episodes", "recorded_episodes"]
+__all__ = ["Episode", "Event", "Tolerances", "read_events"]
 
 _Reals = npt.NDArray[np.float64]
 
-FLIGHT, ROLLING, FORWARD, BACKWARD = "flight", "rolling", "sliding +", "sliding -"
-_OF_SIGN = {0: ROLLING, 1: FORWARD, -1: BACKWARD}
+FLIGHT, ROLLING, FORWARD, BACKWARD, IMPACT = "flight", "rolling", "sliding +", "sliding -", "impact"
+_OF_CODE = {0: ROLLING, 1: FORWARD, -1: BACKWARD, 2: FLIGHT, 3: IMPACT}
 
 _SHORT = 3.0
 """What is shorter than so many steps of a record is not told from an instant."""
 
-_HALVINGS = 50
+_SLACK = 1.5
+"""A contact between two flights is an impact if the height that counts as contact explains it, so many times over."""
 
 
 @dataclass(frozen=True)
@@ -69,54 +67,27 @@ class Event(NamedTuple):
     time: float
 
 
-def _state(gap: _Reals, slip: _Reals, within: Tolerances) -> npt.NDArray[np.int8]:
-    """2 in flight, otherwise the sign of the slip velocity."""
-    sliding = np.where(np.abs(slip) > within.slip, np.sign(slip), 0.0)
-    return np.where(gap > within.gap, 2.0, sliding).astype(np.int8)
+def read_events(record: Record, within: Tolerances) -> list[Event]:
+    """Return the events that a record shows."""
+    return _events(_episodes(record, within), record.step, within)
 
 
-def _episodes(codes: npt.NDArray[np.int8], cuts: _Reals, first: float, last: float) -> list[Episode]:
-    """Runs of equal codes; `cuts` are the times at which the code changes."""
-    changes = np.flatnonzero(np.diff(codes))
-    edges = [first, *cuts.tolist(), last]
-    starts = [0, *(changes + 1).tolist()]
-    return [
-        Episode(FLIGHT if codes[at] == 2 else _OF_SIGN[int(codes[at])], a, b)
-        for at, a, b in zip(starts, edges[:-1], edges[1:], strict=True)
-    ]
-
-
-def exact_episodes(motion: Trajectory, until: float, within: Tolerances) -> list[Episode]:
-    """Return the episodes of an exact motion up to a time."""
-    phases = [phase for phase in motion.phases if phase.start_time < until]
-    grid = np.unique(
-        np.concatenate([np.linspace(phase.start_time, min(phase.end_time, until), 401) for phase in phases])
-    )
-
-    def codes(times: _Reals) -> npt.NDArray[np.int8]:
-        samples = motion(times)
-        return _state(np.asarray(samples.gap), np.asarray(samples.slip), within)
-
-    found = codes(grid)
-    at = np.flatnonzero(np.diff(found))
-    low, high = grid[at], grid[at + 1]
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (low + high)
-        is_before = codes(middle) == found[at]
-        low, high = np.where(is_before, middle, low), np.where(is_before, high, middle)
-    return _episodes(found, high, float(grid[0]), float(grid[-1]))
-
-
-def recorded_episodes(record: Record, within: Tolerances) -> list[Episode]:
-    """Return the episodes of a record, its slip velocity being that of the middle between two instants."""
+def _episodes(record: Record, within: Tolerances) -> list[Episode]:
+    """The episodes of a record, its slip velocity being that of the middle between two instants."""
     time = record.time
     middle = 0.5 * (time[1:] + time[:-1])
-    slip = np.diff(record.x + record.theta) / np.diff(time)
+    slip = record.slip_between
     gap = record.y - 1.0 if record.contact is None else np.where(record.contact, 0.0, np.inf)
     # An interval is in flight if the rim is above at both of its ends; a touch between them is found below.
-    codes = _state(np.minimum(gap[1:], gap[:-1]), slip, within)
+    is_high = np.minimum(gap[1:], gap[:-1]) > within.gap
+    codes = np.where(is_high, 2.0, np.where(np.abs(slip) > within.slip, np.sign(slip), 0.0)).astype(np.int8)
+    for a, b in _contacts_between_flights(is_high):
+        start, end = (_crossing(time, gap, i, within.gap) for i in (a, b))
+        if end - start < _SHORT * record.step + _SLACK * (_passage(record, a, within) + _passage(record, b, within)):
+            codes[a:b] = 3
     cuts = []
-    for i in np.flatnonzero(np.diff(codes)).tolist():
+    changes = np.flatnonzero(np.diff(codes)).tolist()
+    for i in changes:
         a, b = codes[i], codes[i + 1]
         if 2 in (a, b):
             # The interval in contact has the limit in it: it is low at its other end.
@@ -124,10 +95,26 @@ def recorded_episodes(record: Record, within: Tolerances) -> list[Episode]:
         else:
             bound = within.slip * (np.sign(slip[i + 1]) if a == 0 else np.sign(slip[i]))
             cuts.append(_between(middle[i], slip[i], middle[i + 1], slip[i + 1], bound))
-    found = _episodes(codes, np.array(cuts), float(time[0]), float(time[-1]))
-    if record.contact is None:
-        found = [part for episode in found for part in _parted(episode, record, within)]
-    return found
+    edges = [float(time[0]), *cuts, float(time[-1])]
+    whats = [_OF_CODE[int(codes[at])] for at in (0, *(i + 1 for i in changes))]
+    found = (Episode(*one) for one in zip(whats, edges[:-1], edges[1:], strict=True))
+    return [part for episode in found for part in _parted(episode, record, within)]
+
+
+def _contacts_between_flights(is_high: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First interval, and that after the last, of each run in contact that begins and ends with a flight."""
+    begins = np.flatnonzero(is_high[:-1] & ~is_high[1:]) + 1
+    ends = np.flatnonzero(~is_high[:-1] & is_high[1:]) + 1
+    return [(int(a), int(ends[ends > a][0])) for a in begins if np.any(ends > a)]
+
+
+def _passage(record: Record, i: int, within: Tolerances) -> float:
+    """How long the rim takes through the height that counts as contact, with its velocity at an edge of the contact."""
+    if record.contact is not None:
+        return 0.0
+    low = max(i - 1, 0)
+    fall = abs(record.y[i + 1] - record.y[low]) / (record.time[i + 1] - record.time[low])
+    return float(within.gap / fall) if fall > 0.0 else np.inf
 
 
 def _between(a: float, at_a: float, b: float, at_b: float, bound: float) -> float:
@@ -161,13 +148,13 @@ def _parted(episode: Episode, record: Record, within: Tolerances) -> list[Episod
     parts = []
     start = episode.start
     for touch in touches:
-        parts += [Episode(FLIGHT, start, touch), Episode(ROLLING, touch, touch)]
+        parts += [Episode(FLIGHT, start, touch), Episode(IMPACT, touch, touch)]
         start = touch
     return [*parts, Episode(FLIGHT, start, episode.end)]
 
 
-def events(episodes: list[Episode], step: float, within: Tolerances) -> list[Event]:
-    """Return the events between episodes; an episode shorter than a few steps of the record is an instant.
+def _events(episodes: list[Episode], step: float, within: Tolerances) -> list[Event]:
+    """The events between episodes; an episode shorter than a few steps of the record is an instant.
 
     A contact between two flights is an impact, and a passage of the slip velocity through zero a reversal, or nothing.
     """
@@ -175,10 +162,10 @@ def events(episodes: list[Episode], step: float, within: Tolerances) -> list[Eve
     # A rim that counts as in contact may still fall, with a velocity of about 1 √(gR).
     falling = shortest + within.gap
     found: list[Event] = []
-    # A short contact between flights is one episode, whatever the hoop does in it.
+    # A landing is one episode, whatever the hoop does in its first steps.
     merged: list[Episode] = []
     for episode in episodes:
-        if merged and episode.what != FLIGHT and merged[-1].what != FLIGHT and _is_short(merged, episode, shortest):
+        if merged and not {FLIGHT, IMPACT} & {episode.what, merged[-1].what} and _is_short(merged, episode, shortest):
             merged[-1] = Episode(merged[-1].what, merged[-1].start, episode.end)
         elif episode.what == ROLLING and len(merged) > 1 and _is_short(merged, merged[-1], falling):
             # At a landing that sticks the slip velocity of the flight is no sliding.
@@ -188,10 +175,10 @@ def events(episodes: list[Episode], step: float, within: Tolerances) -> list[Eve
     before = merged[0]
     for at, episode in enumerate(merged[1:], start=1):
         behind = merged[at + 1] if at + 1 < len(merged) else None
-        is_short = episode.end - episode.start < shortest
-        if is_short and behind is not None and episode.what != FLIGHT and before.what == FLIGHT == behind.what:
-            found.append(Event("impact", 0.5 * (episode.start + episode.end)))
+        if episode.what == IMPACT:
+            found.append(Event(IMPACT, 0.5 * (episode.start + episode.end)))
             continue
+        is_short = episode.end - episode.start < shortest
         if is_short and behind is not None and episode.what == ROLLING and FLIGHT not in (before.what, behind.what):
             if before.what != behind.what:
                 found.append(Event("reversal", 0.5 * (episode.start + episode.end)))

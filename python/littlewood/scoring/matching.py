@@ -2,16 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from .episodes import Event
 
-__all__ = ["match"]
+__all__ = ["is_same", "match", "may_show"]
+
+_READ_AS = {
+    "graze": (),
+    "jam": ("stick", "reversal", "lift_off", "impact"),
+    "landing": ("landing", "impact"),
+    "settle": ("landing",),
+    "normal_force_zero": ("slip",),
+    "reversal": ("reversal", "stick"),
+}
+"""How a cause can look in positions, if not only like itself."""
 
 
-def match(exact: Sequence[Event], found: Sequence[Event], farthest: float) -> list[tuple[Event | None, Event | None]]:
+def is_same(exact: Event, found: Event) -> bool:
+    """Whether two events are of one kind."""
+    return exact.kind == found.kind
+
+
+def may_show(cause: Event, read: Event) -> bool:
+    """Whether a transition can look like an event that is read from positions."""
+    return read.kind in _READ_AS.get(cause.kind, (cause.kind,))
+
+
+def match(
+    exact: Sequence[Event],
+    found: Sequence[Event],
+    farthest: float,
+    may_be: Callable[[Event, Event], bool] = is_same,
+) -> list[tuple[Event | None, Event | None]]:
     """Pair the events of two motions in their order.
 
     Parameters
@@ -19,7 +44,9 @@ def match(exact: Sequence[Event], found: Sequence[Event], farthest: float) -> li
     exact, found : sequence of Event
         The events of the exact motion and of the solver.
     farthest : float
-        Events of one kind are the same if they are not farther apart, √(R/g).
+        Events are the same only if they are not farther apart, √(R/g).
+    may_be : callable
+        Whether two events can be the same.
 
     Returns
     -------
@@ -35,7 +62,7 @@ def match(exact: Sequence[Event], found: Sequence[Event], farthest: float) -> li
         for j, other in enumerate(found, start=1):
             cost[i, j] = min(cost[i - 1, j] + farthest, cost[i, j - 1] + farthest)
             distance = abs(other.time - one.time)
-            if one.kind == other.kind and distance <= farthest:
+            if may_be(one, other) and distance <= farthest:
                 cost[i, j] = min(cost[i, j], cost[i - 1, j - 1] + distance)
     pairs: list[tuple[Event | None, Event | None]] = []
     i, j = rows, columns
@@ -43,7 +70,7 @@ def match(exact: Sequence[Event], found: Sequence[Event], farthest: float) -> li
         if i > 0 and j > 0:
             one, other = exact[i - 1], found[j - 1]
             distance = abs(other.time - one.time)
-            is_pair = one.kind == other.kind and distance <= farthest
+            is_pair = may_be(one, other) and distance <= farthest
             if is_pair and cost[i, j] == cost[i - 1, j - 1] + distance:
                 pairs.append((one, other))
                 i, j = i - 1, j - 1

@@ -70,14 +70,12 @@ def _errors(score: Score, axes: Axes) -> None:
     for event in score.events:
         if event.exact is not None:
             axes.axvline(event.exact, color=LINE, linewidth=0.8, zorder=0)
-        if event.found is None or event.exact is None:
+        at = event.exact if event.found is None else event.found
+        if at is not None and event.verdict in ("missed", "spurious"):
             # What was missed, and what is none, is the news.
-            at, word = (event.exact, "missed") if event.found is None else (event.found, "is none")
-            if at is None:
-                continue
             axes.axvline(at, color=FAINT, linewidth=0.8, linestyle=(0.0, (2.0, 2.0)), zorder=0)
             axes.annotate(
-                f"{event.kind.replace('_', '-')}: {word}",
+                f"{event.kind.replace('_', '-')}: {event.verdict}",
                 (at, 1.0),
                 xycoords=("data", "axes fraction"),
                 xytext=(2, -2),
@@ -100,7 +98,7 @@ def draw_convergence(convergence: Convergence) -> Figure:
     """Draw the largest error over the step, with the law."""
     figure: Figure = require("matplotlib.figure").Figure(figsize=(5.0, 4.0), layout="constrained")
     axes = figure.add_subplot()
-    steps = np.array([one.record.step for one in convergence.scores])
+    steps = np.array(convergence.steps)
     errors = np.array([one.largest_error for one in convergence.scores])
     middle = np.exp(np.mean(np.log(errors)) - convergence.order * np.mean(np.log(steps)))
     axes.loglog(steps, middle * steps**convergence.order, color=FAINT, linewidth=1.0)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import csv
+import difflib
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -23,7 +25,11 @@ _FEWEST = 3
 
 _COLUMNS = ("time", "x", "y", "theta")
 _SI_COLUMNS = ("time_s", "x_m", "y_m", "theta_rad")
+_RATES = ("x_rate", "y_rate", "theta_rate")
+_SI_RATES = ("x_rate_m_per_s", "y_rate_m_per_s", "theta_rate_rad_per_s")
 _CONTACT = "contact"
+_ALSO = {"centre_y": "y", "centre_y_m": "y_m"}
+"""Names that `littlewood simulate --format csv` gives columns."""
 
 
 class RecordError(ValueError):
@@ -63,6 +69,9 @@ class Record:
         Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). A turn is 2π more.
     contact : array_like of bool, optional
         Whether the solver says that the rim touches the plane, shape (n,). Without it the height decides.
+    x_rate, y_rate, theta_rate : array_like, optional
+        The solver's velocities x′, y′, √(gR), and θ′, √(g/R), all three, shape (n,). Without them velocities are
+        differences of positions.
 
     Raises
     ------
@@ -75,15 +84,21 @@ class Record:
     y: _Reals
     theta: _Reals
     contact: npt.NDArray[np.bool_] | None = None
+    x_rate: _Reals | None = None
+    y_rate: _Reals | None = None
+    theta_rate: _Reals | None = None
 
     def __post_init__(self) -> None:
-        for name in _COLUMNS:
+        given = [name for name in _RATES if getattr(self, name) is not None]
+        if 0 < len(given) < len(_RATES):
+            raise ValueError(f"{', '.join(given)} without the others: the rates are {', '.join(_RATES)}, or none")
+        for name in (*_COLUMNS, *given):
             object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
         if self.contact is not None:
             object.__setattr__(self, _CONTACT, np.array(self.contact, dtype=np.bool_))
         if self.time.ndim != 1 or self.time.size < _FEWEST:
             raise ValueError(f"time has shape {self.time.shape}: a record needs at least {_FEWEST} instants")
-        for name in (*_COLUMNS, *([_CONTACT] if self.contact is not None else [])):
+        for name in (*_COLUMNS, *given, *([_CONTACT] if self.contact is not None else [])):
             values = getattr(self, name)
             if values.shape != self.time.shape:
                 raise ValueError(f"{name} has shape {values.shape}, time has {self.time.shape}: they must be the same")
@@ -102,6 +117,28 @@ class Record:
         """Median distance of two instants, √(R/g)."""
         return float(np.median(np.diff(self.time)))
 
+    @property
+    def rates(self) -> tuple[_Reals, _Reals, _Reals] | None:
+        """x′, y′ and θ′, if the solver has given them."""
+        if self.x_rate is None or self.y_rate is None or self.theta_rate is None:
+            return None
+        return self.x_rate, self.y_rate, self.theta_rate
+
+    @property
+    def slip_between(self) -> _Reals:
+        """Slip velocity in the middle of two instants, √(gR)."""
+        if self.rates is None:
+            slip: _Reals = np.diff(self.x + self.theta) / np.diff(self.time)
+            return slip
+        at = self.rates[0] + self.rates[2]
+        return 0.5 * (at[1:] + at[:-1])
+
+    def kept(self, which: npt.NDArray[np.bool_]) -> Record:
+        """Return some of the instants."""
+        columns: dict[str, Any] = {name: getattr(self, name) for name in (*_COLUMNS, _CONTACT, *_RATES)}
+        parts: dict[str, Any] = {name: None if all_ is None else all_[which] for name, all_ in columns.items()}
+        return Record(**parts)
+
     @classmethod
     def from_si(
         cls,
@@ -112,6 +149,9 @@ class Record:
         y_m: npt.ArrayLike,
         theta_rad: npt.ArrayLike,
         contact: npt.ArrayLike | None = None,
+        x_rate_m_per_s: npt.ArrayLike | None = None,
+        y_rate_m_per_s: npt.ArrayLike | None = None,
+        theta_rate_rad_per_s: npt.ArrayLike | None = None,
     ) -> Record:
         """Make a record from SI units.
 
@@ -123,17 +163,26 @@ class Record:
             As those of :class:`Record`, in s, m, m and rad.
         contact : array_like of bool, optional
             As that of :class:`Record`.
+        x_rate_m_per_s, y_rate_m_per_s, theta_rate_rad_per_s : array_like, optional
+            As the rates of :class:`Record`, in m/s, m/s and rad/s.
 
         Returns
         -------
         Record
         """
+
+        def over(values: npt.ArrayLike | None, unit: float) -> _Reals | None:
+            return None if values is None else np.asarray(values, dtype=np.float64) / unit
+
         return cls(
             np.asarray(time_s, dtype=np.float64) / units.time_s,
             np.asarray(x_m, dtype=np.float64) / units.length_m,
             np.asarray(y_m, dtype=np.float64) / units.length_m,
             np.asarray(theta_rad, dtype=np.float64),
             None if contact is None else np.asarray(contact, dtype=np.bool_),
+            over(x_rate_m_per_s, units.velocity_m_per_s),
+            over(y_rate_m_per_s, units.velocity_m_per_s),
+            over(theta_rate_rad_per_s, 1.0 / units.time_s),
         )
 
     @classmethod
@@ -144,7 +193,8 @@ class Record:
         ----------
         path : str or Path
             The file. Its columns are `time`, `x`, `y`, `theta`, or in SI units `time_s`, `x_m`, `y_m`, `theta_rad`;
-            `contact`, 0 or 1, may be there; others are passed over.
+            `contact`, 0 or 1, and the rates of :class:`Record` may be there; others are passed over. `y` may be
+            called `centre_y`, as by ``littlewood simulate --format csv``.
         units : Units, optional
             Those of the hoop; SI columns need them.
 
@@ -157,23 +207,35 @@ class Record:
         RecordError
             With the line and the column that cannot be read.
         """
-        file = Path(path)
-        with file.open(encoding="utf-8", newline="") as lines:
-            rows = csv.reader(lines)
-            names = [name.strip() for name in next(rows, [])]
-            wanted = _header(file, names, units)
-            table: list[list[float]] = []
-            for row in rows:
-                if row:
-                    table.append(_numbers(file, rows.line_num, names, row, wanted, table))
-        if len(table) < _FEWEST:
-            raise RecordError(file, None, None, f"{len(table)} instants: a record needs at least {_FEWEST}")
-        columns = [np.array(column) for column in zip(*table, strict=True)]
-        contact = columns[len(_COLUMNS)] == 1.0 if len(columns) > len(_COLUMNS) else None
-        time, x, y, theta = columns[: len(_COLUMNS)]
-        if units is None or wanted[0] == _COLUMNS[0]:
-            return cls(time, x, y, theta, contact)
-        return cls.from_si(units, time_s=time, x_m=x, y_m=y, theta_rad=theta, contact=contact)
+        columns: dict[str, Any] = read_table(Path(path), lambda names: _header(Path(path), names, units))
+        if _CONTACT in columns:
+            columns[_CONTACT] = columns[_CONTACT] == 1.0
+        return cls(**columns) if "time" in columns or units is None else cls.from_si(units, **columns)
+
+
+def read_table(file: Path, wanted_of: Callable[[list[str]], Sequence[str]]) -> dict[str, _Reals]:
+    """Return columns of a table of comma-separated values by name; `wanted_of` chooses from its names."""
+    # Spreadsheets begin a file with a mark of its encoding.
+    with file.open(encoding="utf-8-sig", newline="") as lines:
+        rows = csv.reader(lines)
+        names = [_ALSO.get(name.strip(), name.strip()) for name in next(rows, [])]
+        wanted = wanted_of(names)
+        missing = next((name for name in wanted if name not in names), None)
+        if missing is not None:
+            raise RecordError(file, 1, missing, f"is missing among {', '.join(names) or 'none'}{_hint(missing, names)}")
+        table: list[list[float]] = []
+        last: list[str] = []
+        for row in rows:
+            if not row:
+                continue
+            # `littlewood simulate` gives both sides of an event.
+            if "event" in names and table and row[names.index(wanted[0])] == last[names.index(wanted[0])]:
+                continue
+            last = row
+            table.append(_numbers(file, rows.line_num, names, row, wanted, table))
+    if len(table) < _FEWEST:
+        raise RecordError(file, None, None, f"{len(table)} instants: a record needs at least {_FEWEST}")
+    return dict(zip(wanted, np.array(table).T, strict=True))
 
 
 def _header(file: Path, names: list[str], units: Units | None) -> list[str]:
@@ -183,21 +245,43 @@ def _header(file: Path, names: list[str], units: Units | None) -> list[str]:
         raise RecordError(file, 1, twice, "occurs twice")
     has_plain = [name for name in _COLUMNS if name in names]
     has_si = [name for name in _SI_COLUMNS if name in names]
+    if set(has_plain) == set(_COLUMNS):
+        # A motion of `littlewood simulate` has columns of both kinds.
+        has_si = []
     if has_plain and has_si:
         raise RecordError(
             file, 1, has_si[0], f"is in SI units, {has_plain[0]} has no dimension: all must be of one kind"
         )
     wanted = _SI_COLUMNS if has_si else _COLUMNS
-    missing = next((name for name in wanted if name not in names), None)
-    if missing is not None:
-        raise RecordError(file, 1, missing, f"is missing among {', '.join(names) or 'none'}")
+    rates = _SI_RATES if has_si else _RATES
+    wanted = (*wanted, *(rates if any(name in names for name in rates[:2]) else ()))
     if has_si and units is None:
         raise RecordError(file, 1, has_si[0], "is in SI units, and the hoop has none: make it by Hoop.from_si")
     return [*wanted, *([_CONTACT] if _CONTACT in names else [])]
 
 
+def _hint(missing: str, names: list[str]) -> str:
+    """Which of the names may be meant."""
+    by_lower = {name.lower(): name for name in names}
+    likely = [name for name in names if name and missing.startswith(name.lower())]
+    likely += [by_lower[near] for near in difflib.get_close_matches(missing, by_lower)]
+    if likely:
+        return f"; is {likely[0]} meant?"
+    if names and all(_is_number(name) for name in names):
+        return f"; the first line must have the names {','.join(_COLUMNS)}"
+    return "; columns are separated by commas" if len(names) == 1 and len(names[0].split()) > 1 else ""
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
 def _numbers(
-    file: Path, line: int, names: list[str], row: list[str], wanted: list[str], before: list[list[float]]
+    file: Path, line: int, names: list[str], row: list[str], wanted: Sequence[str], before: list[list[float]]
 ) -> list[float]:
     """The numbers of a line."""
     if len(row) != len(names):

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
-from .episodes import Event, Tolerances, events, exact_episodes, recorded_episodes
-from .matching import match
+from .doubts import doubts
+from .episodes import Event, Tolerances, read_events
+from .matching import is_same, match, may_show
 from .record import Record
 
 if TYPE_CHECKING:
@@ -19,11 +21,17 @@ if TYPE_CHECKING:
 
     from ..trajectory import Trajectory
 
-__all__ = ["EventScore", "Score", "score"]
+__all__ = ["EventScore", "Score", "score", "true_events"]
 
 _Reals = npt.NDArray[np.float64]
 
 _CHANNELS = ("x", "y", "theta")
+
+_LASTING = 4
+"""Energy that is higher for fewer intervals is a jump of the positions, of which velocities are differences."""
+
+_MANY = 10
+"""Spurious events beyond so many are counted, not listed."""
 
 
 @dataclass(frozen=True)
@@ -33,21 +41,41 @@ class EventScore:
     Attributes
     ----------
     kind : str
-        stick, slip, reversal, lift_off, landing, or impact (between two flights).
+        The cause of the exact transition (an `impact` is a landing that goes on in flight); of what only the record has
+        stick, slip, reversal, lift_off, landing or impact.
     exact : float or None
-        Its time in the exact motion, √(R/g); None for a spurious event.
+        Time of the exact event, √(R/g); None for what is none.
+    read : float or None
+        Where the rule that reads the record finds it in the exact motion at the same instants: the floor of the
+        reading. None where it does not.
     found : float or None
-        Its time in the record, √(R/g); None where it was missed.
+        Its time in the record, √(R/g).
+    is_cut : bool
+        Whether the record ends too early to tell.
     """
 
     kind: str
     exact: float | None
+    read: float | None
     found: float | None
+    is_cut: bool = False
 
     @property
     def error(self) -> float | None:
-        """How much later the solver has it, √(R/g)."""
-        return None if self.exact is None or self.found is None else self.found - self.exact
+        """How much later the solver has it than the exact motion, both read in the same way, √(R/g)."""
+        at = self.exact if self.read is None else self.read
+        return None if at is None or self.found is None else self.found - at
+
+    @property
+    def verdict(self) -> str:
+        """One of found, missed, spurious, unreadable (in the exact motion, too), cut, and artefact (of the reading)."""
+        if self.found is not None:
+            if self.exact is not None:
+                return "found"
+            return "spurious" if self.read is None else "artefact"
+        if self.exact is None:
+            return "artefact"
+        return "cut" if self.is_cut else "unreadable" if self.read is None else "missed"
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,11 +95,14 @@ class Score:
     errors : dict of ndarray
         x, y (R) and theta (rad) of the record less those of the exact motion, at the times of the record.
     energy_error : ndarray
-        Energy between two instants of the record, from its differences, less that of the exact motion there, m2 g R.
+        Energy of the record less that of the exact motion, m2 g R: at its instants if it has rates, otherwise between
+        two of them, by differences of both motions.
     slip_while_rolling : float
         Largest way that the point of contact slides in a phase in which the exact motion rolls, R.
     penetration : float
         Largest depth of the rim under the plane, R.
+    doubts : tuple of str
+        What looks like a mistake of the record rather than of the solver: a sign, a unit, another case.
     """
 
     motion: Trajectory
@@ -82,16 +113,17 @@ class Score:
     energy_error: _Reals
     slip_while_rolling: float
     penetration: float
+    doubts: tuple[str, ...] = ()
 
     @property
     def missed(self) -> tuple[EventScore, ...]:
-        """Events of the exact motion that the record does not have."""
-        return tuple(event for event in self.events if event.found is None)
+        """Events of the exact motion that can be read in it, and that the record does not have."""
+        return tuple(event for event in self.events if event.verdict == "missed")
 
     @property
     def spurious(self) -> tuple[EventScore, ...]:
         """Events of the record that the exact motion does not have."""
-        return tuple(event for event in self.events if event.exact is None)
+        return tuple(event for event in self.events if event.verdict == "spurious")
 
     @property
     def error(self) -> _Reals:
@@ -106,8 +138,10 @@ class Score:
 
     @property
     def energy_gained(self) -> float:
-        """Largest energy above that of the exact motion, m2 g R; 0 if there is none."""
-        return max(0.0, float(np.max(self.energy_error)))
+        """Largest energy above that of the exact motion for four intervals or longer, m2 g R; 0 if there is none."""
+        count = min(_LASTING, self.energy_error.size)
+        lasting = np.lib.stride_tricks.sliding_window_view(self.energy_error, count).min(axis=1)
+        return max(0.0, float(np.max(lasting)))
 
     @property
     def between(self) -> tuple[tuple[float, float, float], ...]:
@@ -128,7 +162,9 @@ class Score:
             "tolerances": asdict(self.tolerances),
             "step": self.record.step,
             "until": float(self.record.time[-1]),
-            "events": [{**asdict(event), "error": event.error} for event in self.events],
+            "units": None if self.motion.hoop.units is None else asdict(self.motion.hoop.units),
+            "doubts": list(self.doubts),
+            "events": [{**asdict(event), "error": event.error, "verdict": event.verdict} for event in self.events],
             "missed": len(self.missed),
             "spurious": len(self.spurious),
             "largest_error": {
@@ -160,30 +196,67 @@ class Score:
 
 
 def _lines(score: Score) -> list[str]:
-    def time(value: float | None) -> str:
-        return f"{'–' if value is None else format(value, '.6f'):>12}"
+    units = score.motion.hoop.units
+    second, metre, joule = (1.0, 1.0, 1.0) if units is None else (units.time_s, units.length_m, units.energy_j)
 
-    lines = [f"{'event':10}{'exact τ':>12}{'found τ':>12}{'error':>12}"]
+    def time(value: float | None) -> str:
+        return f"{'–' if value is None else format(value * second, '.6f'):>12}"
+
+    lines = [f"{'event':10}{'exact':>12}{'read there':>12}{'found':>12}{'error':>13}"]
+    are_many = len(score.spurious) > _MANY
     for event in score.events:
-        if event.error is None:
-            word = "missed" if event.found is None else "is none"
-        else:
-            word = f"{event.error:.2e}"
-        lines.append(f"{event.kind:10}{time(event.exact)}{time(event.found)}{word:>12}")
-    parts = ", ".join(f"{name} {np.max(np.abs(score.errors[name])):.2e}" for name in _CHANNELS)
+        if are_many and event.verdict == "spurious":
+            continue
+        word = event.verdict if event.error is None or event.exact is None else f"{event.error * second:.2e}"
+        lines.append(f"{event.kind:10}{time(event.exact)}{time(event.read)}{time(event.found)}{word:>13}")
+    if are_many:
+        lines += _summarised(score, second)
+    sizes = {name: np.max(np.abs(score.errors[name])) * (1.0 if name == "theta" else metre) for name in _CHANNELS}
     lines += [
         "",
-        f"largest error       {parts}",
-        f"energy              gained {score.energy_gained:.2e}, error at the end {score.energy_error[-1]:.2e}",
-        f"slip while rolling  {score.slip_while_rolling:.2e}",
-        f"penetration         {score.penetration:.2e}",
-        f"step                {score.record.step:.3g}, up to τ = {score.record.time[-1]:.6g}",
-        "units (2.9): time √(R/g), length R, angle rad, energy m₂gR",
+        f"largest error       {', '.join(f'{name} {size:.2e}' for name, size in sizes.items())}",
+        f"energy              gained {score.energy_gained * joule:.2e}, "
+        f"error at the end {score.energy_error[-1] * joule:.2e}",
+        f"slip while rolling  {score.slip_while_rolling * metre:.2e}",
+        f"penetration         {score.penetration * metre:.2e}",
+        f"step                {score.record.step * second:.3g}, up to {score.record.time[-1] * second:.6g}",
+        f"units               {'s, m, rad, J' if units else '(2.9): time √(R/g), length R, angle rad, energy m₂gR'}",
     ]
     return lines
 
 
-def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = None) -> Score:
+def _summarised(score: Score, second: float) -> list[str]:
+    """Spurious events by kind, and whether noise of the positions explains them."""
+    lines = []
+    for kind in dict.fromkeys(event.kind for event in score.spurious):
+        times = [event.found for event in score.spurious if event.kind == kind and event.found is not None]
+        span = f"from {min(times) * second:.6g} to {max(times) * second:.6g}"
+        lines.append(f"{kind:10}{len(times):>12} times {span}, spurious")
+    noise = slip_noise(score.record)
+    if noise > score.tolerances.slip:
+        lines.append(
+            f"The slip velocity has noise of about {noise:.1e} √(gR), above the tolerance {score.tolerances.slip:g}: "
+            "rounded or noisy positions at so short a step. Give velocities, fewer rows, or a larger --slip."
+        )
+    return lines
+
+
+def slip_noise(record: Record) -> float:
+    """Return the size of the noise of the slip velocity, √(gR): from differences that a smooth motion has not."""
+    slip = record.slip_between
+    if slip.size < _LASTING:
+        return 0.0
+    # Third differences of white noise have the variance 20, first ones 2; a median over 0.6745 is a deviation.
+    return float(np.median(np.abs(np.diff(slip, 2))) / 0.6745 * math.sqrt(2.0 / 20.0))
+
+
+def score(
+    motion: Trajectory,
+    record: Record,
+    tolerances: Tolerances | None = None,
+    *,
+    events: Sequence[tuple[str, float]] | None = None,
+) -> Score:
     """Hold a motion that a solver has computed against the exact one.
 
     Parameters
@@ -194,6 +267,8 @@ def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = No
         The record of the solver.
     tolerances : Tolerances, optional
         Within which a hoop counts as in contact, or as rolling.
+    events : sequence of (str, float), optional
+        Cause and time, √(R/g), of the exact events, such as those of a certificate; by default those of `motion`.
 
     Returns
     -------
@@ -206,78 +281,141 @@ def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = No
 
     Notes
     -----
-    Only positions are compared, so that any solver can be scored. The hoop counts as in flight where the rim is higher
-    than a tolerance, and as rolling where the point of contact slides more slowly than another; both are asked of the
-    exact motion in the same way, so that they shift an event of both by the same. Velocities are differences of
-    positions, those of the exact motion, too.
+    Events are read from positions, which every solver has, and from the flags of contact and the rates that it gives.
+    The hoop counts as in flight where the rim is higher than a tolerance, and as rolling where the point of contact
+    slides more slowly than another. The exact motion is read in the same way at the same instants: what can't be read
+    there is held against no solver, and the error of an event is that of the solver alone.
     """
     within = tolerances or Tolerances()
-    part = _within(motion, record)
+    true = list(true_events(motion) if events is None else (Event(*one) for one in events))
+    doubtful = tuple(doubts(motion, record))
+    part, longer = _parts(motion, record, within, doubtful)
     samples = motion(part.time)
     exact = {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
-    pairs = match(
-        events(exact_episodes(motion, float(part.time[-1]), within), part.step, within),
-        events(recorded_episodes(part, within), part.step, within),
-        within.time,
-    )
     return Score(
         motion=motion,
         record=part,
         tolerances=within,
-        events=tuple(_event(one, other) for one, other in pairs),
+        events=tuple(_held(true, read_events(_exactly(motion, longer), within), longer, within, _landing(motion))),
         errors={name: np.asarray(getattr(part, name) - exact[name]) for name in _CHANNELS},
         energy_error=_energy_error(motion, part),
         slip_while_rolling=_slip_while_rolling(motion, part),
         penetration=max(0.0, float(np.max(1.0 - part.y))),
+        doubts=doubtful,
     )
 
 
-def _within(motion: Trajectory, record: Record) -> Record:
-    """The part of a record that the exact motion has."""
+def true_events(motion: Trajectory) -> list[Event]:
+    """Return the transitions of a motion; a landing that goes on in flight is an impact."""
+    return [
+        Event("impact" if one.cause == "landing" and one.to_mode == "flight" else one.cause, one.time)
+        for one in motion.transitions
+    ]
+
+
+def _held(
+    true: list[Event], read: list[Event], record: Record, within: Tolerances, landing: float | None
+) -> Iterator[EventScore]:
+    """The events of the exact motion, of its reading, and of the record."""
+    found = read_events(record, within)
+    if landing is not None:
+        # The motion ends there, and what the solver goes on with is not judged.
+        read, found = (_up_to_landing(some, landing - within.time) for some in (read, found))
+    last = float(record.time[-1])
+    known = match([one for one in true if one.time <= last + within.time], read, within.time, may_show)
+    # Of an event that is not read its true time is all that there is.
+    places = [seen or one for one, seen in known]
+    at = {id(place): pair for place, pair in zip(places, known, strict=True)}
+
+    def may_be(place: Event, mine: Event) -> bool:
+        return may_show(place, mine) if at[id(place)][1] is None else is_same(place, mine)
+
+    for place, mine in match([place for place in places if place], found, within.time, may_be):
+        one, seen = at[id(place)] if place is not None else (None, None)
+        if one is None and seen is not None and mine is None:
+            continue
+        kind = (one or seen or mine).kind  # type: ignore[union-attr]
+        is_cut = mine is None and place is not None and place.time > last - within.time
+        yield EventScore(kind, one and one.time, seen and seen.time, mine and mine.time, is_cut)
+
+
+def _up_to_landing(events: list[Event], earliest: float) -> list[Event]:
+    """Events up to the first landing that may be the one that ends the motion."""
+    for at, event in enumerate(events):
+        if event.kind in ("landing", "impact") and event.time >= earliest:
+            return [*events[:at], Event("landing", event.time)]
+    return events
+
+
+def _landing(motion: Trajectory) -> float | None:
+    """When the motion ends by landing, if it does."""
+    last = motion.transitions[-1] if motion.transitions else None
+    return last.time if last is not None and last.cause == "landing" and not last.to_mode else None
+
+
+def _parts(motion: Trajectory, record: Record, within: Tolerances, doubtful: tuple[str, ...]) -> tuple[Record, Record]:
+    """The part of a record that the exact motion has, and that which may have its events."""
     first, last = motion.start.time, motion.end_time
     if motion.outcome.is_final and math.isfinite(last) and motion.transitions and motion.transitions[-1].to_mode:
         # It goes on for ever in its last phase.
         last = math.inf
-    kept = (record.time >= first) & (record.time <= last) & np.isfinite(motion(record.time).theta)
-    if np.count_nonzero(kept) < 3:
+    is_inside = (record.time >= first) & (record.time <= last) & np.isfinite(motion(record.time).theta)
+    if np.count_nonzero(is_inside) < 3:
         raise ValueError(
             f"the record, from time = {record.time[0]} to {record.time[-1]} sqrt(R/g), has fewer than three instants "
-            f"within the motion, from {first} to {last} sqrt(R/g)"
+            f"within the motion, from {first} to {last} sqrt(R/g){''.join(f'; {doubt}' for doubt in doubtful)}"
         )
-    columns = {name: getattr(record, name)[kept] for name in ("time", *_CHANNELS)}
-    return Record(**columns, contact=None if record.contact is None else record.contact[kept])
+    landing = _landing(motion)
+    is_behind = (record.time > last) & (record.time <= last + within.time) & (landing is not None)
+    return record.kept(is_inside), record.kept(is_inside | is_behind)
 
 
-def _event(exact: Event | None, found: Event | None) -> EventScore:
-    one = exact or found
-    assert one is not None
-    return EventScore(one.kind, exact.time if exact else None, found.time if found else None)
+def _exactly(motion: Trajectory, record: Record) -> Record:
+    """The exact motion as a record with the instants and columns of another; behind its landing the hoop rests."""
+    samples = motion(np.minimum(record.time, motion.end_time))
+    x, y, theta = (np.array(samples[name]) for name in ("x", "centre_y", "theta"))
+    is_behind = record.time > motion.end_time
+    y[is_behind] = 1.0
+    is_high = np.asarray(samples.is_in("flight")) & ~is_behind
+    rates = (None, None, None)
+    if record.rates is not None:
+        at = np.array(samples.theta_rate), np.array(samples.slip), np.array(samples.gap_rate)
+        for column in at:
+            column[is_behind] = 0.0
+        rates = at[1] - at[0], at[2], at[0]  # type: ignore[assignment]
+    return Record(record.time, x, y, theta, None if record.contact is None else ~is_high, *rates)
 
 
 def _energy_error(motion: Trajectory, record: Record) -> _Reals:
-    """Energy (2.8) in the middle of two instants less that of the exact motion; 0 about an impact, which has none."""
-    hoop = motion.hoop
-    step = np.diff(record.time)
-    middle = 0.5 * (record.time[1:] + record.time[:-1])
-
-    def energy(x: Any, y: Any, theta: Any) -> _Reals:
-        centre_x, centre_y = x - hoop.h * np.sin(theta), y + hoop.h * np.cos(theta)
-        square = (np.diff(centre_x) ** 2 + np.diff(centre_y) ** 2) * hoop.mass
-        square += hoop.inertia_about_mass_centre * np.diff(theta) ** 2
-        raised = centre_y * math.cos(hoop.slope) + centre_x * math.sin(hoop.slope)
-        height = 0.5 * (raised[1:] + raised[:-1])
-        result: _Reals = 0.5 * square / step**2 + hoop.mass * height
-        return result
-
-    samples = motion(record.time)
+    """Energy (2.8) less that of the exact motion; 0 about an impact, where it depends on the instant."""
+    exact = _exactly(motion, record)
     # The same differences of the exact motion: what they leave out is in both.
-    exact = energy(samples.x, samples.centre_y, samples.theta)
-    found = energy(record.x, record.y, record.theta)
-    hit = np.zeros(middle.size, dtype=np.bool_)
+    time, error = record.time, _energy(motion, record) - _energy(motion, exact)
+    if record.rates is None:
+        time = 0.5 * (time[1:] + time[:-1])
+    hit = np.zeros(time.size, dtype=np.bool_)
     for transition in motion.transitions:
         if transition.impact is not None:
-            hit |= np.abs(middle - transition.time) <= 2.0 * record.step
-    return np.where(hit, 0.0, found - exact)
+            hit |= np.abs(time - transition.time) <= 2.0 * record.step
+    return np.where(hit, 0.0, error)
+
+
+def _energy(motion: Trajectory, record: Record) -> _Reals:
+    """Energy at the instants of a record with rates, between those of one without."""
+    hoop = motion.hoop
+    sin, cos = np.sin(record.theta), np.cos(record.theta)
+    centre_x, centre_y = record.x - hoop.h * sin, record.y + hoop.h * cos
+    raised = centre_y * math.cos(hoop.slope) + centre_x * math.sin(hoop.slope)
+    if record.rates is None:
+        step = np.diff(record.time)
+        along, up, turning = (np.diff(values) / step for values in (centre_x, centre_y, record.theta))
+        raised = 0.5 * (raised[1:] + raised[:-1])
+    else:
+        x_rate, y_rate, turning = record.rates
+        along, up = x_rate - hoop.h * cos * turning, y_rate - hoop.h * sin * turning
+    kinetic = hoop.mass * (along**2 + up**2) + hoop.inertia_about_mass_centre * turning**2
+    energy: _Reals = 0.5 * kinetic + hoop.mass * raised
+    return energy
 
 
 def _slip_while_rolling(motion: Trajectory, record: Record) -> float:
