@@ -17,15 +17,13 @@ from .motion import State
 from .noise import Noise
 from .style import FAINT, INK, LINE, MODE_COLOURS, MODE_DASHES
 from .track import Track
+from .track_file import COLUMN_OF
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = ["Estimate", "FitResult", "IdentifiabilityWarning"]
-
-# Columns of samples by the channels of a track.
-_COLUMNS = {"theta": "theta", "x": "x", "y": "centre_y"}
 
 
 class IdentifiabilityWarning(UserWarning):
@@ -182,7 +180,7 @@ class FitResult:
         )
         end = min(float(self.track.time[-1]), self.motion.end_time)
         samples = self.motion.sample(1001, end)
-        plane = {channel: samples[column] for channel, column in _COLUMNS.items()}
+        plane = {channel: samples[column] for channel, column in COLUMN_OF.items()}
         seen = self.track.as_seen(plane, self.hoop.slope)
         for k, (name, measured) in enumerate(channels.items()):
             above, below = axes[0, k], axes[1, k]
@@ -192,14 +190,14 @@ class FitResult:
                 above.plot(
                     samples.time[part], fitted[part], color=MODE_COLOURS[mode], ls=MODE_DASHES[mode], lw=1.8, label=mode
                 )
-            above.set_ylabel(canvas.axis_label(_COLUMNS[name]))
+            above.set_ylabel(canvas.axis_label(COLUMN_OF[name]))
             if name == "theta":
                 canvas.pi_ticks(above, "y", most=7)
                 above.set_ylabel(canvas.sign(name))
             below.axhspan(-self.sigma[name], self.sigma[name], color=LINE, alpha=0.5, lw=0)
             below.axhline(0.0, color=INK, lw=0.8)
             below.plot(self.track.time, self.residuals[name], "o", ms=2.6, color=INK)
-            below.set_ylabel(f"residual of {canvas.axis_label(_COLUMNS[name])}")
+            below.set_ylabel(f"residual of {canvas.axis_label(COLUMN_OF[name])}")
             below.set_xlabel(canvas.axis_label("time"))
             for one in (above, below):
                 one.spines[["top", "right"]].set_visible(False)

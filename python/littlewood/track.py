@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from .calibration import checked
+from .text_table import TrackFileError
+from .track_file import read_track
 
 if TYPE_CHECKING:
     from .units import Units
+    from .video.plane import Plane
 
-__all__ = ["Track"]
+__all__ = ["Track", "TrackFileError"]
 
 _Reals = npt.NDArray[np.float64]
 
@@ -24,7 +27,8 @@ _Reals = npt.NDArray[np.float64]
 def _column(name: str, values: npt.ArrayLike | None, count: int) -> _Reals | None:
     if values is None:
         return None
-    column = np.array(values, dtype=np.float64)
+    # A masked value was not seen.
+    column = np.array(np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan))
     if column.shape != (count,):
         raise ValueError(f"{name} has shape {column.shape}, time has ({count},): they must be the same")
     return column
@@ -81,7 +85,13 @@ class Track:
             raise ValueError(f"time[{i + 1}] = {time[i + 1]} must be greater than time[{i}] = {time[i]}")
         object.__setattr__(self, "time", time)
         for name in ("theta", "x", "y"):
-            object.__setattr__(self, name, _column(name, getattr(self, name), time.size))
+            column = _column(name, getattr(self, name), time.size)
+            object.__setattr__(self, name, column)
+            if column is not None and np.any(np.isinf(column)):
+                i = int(np.flatnonzero(np.isinf(column))[0])
+                raise ValueError(f"{name}[{i}] = {column[i]} must be finite, or NaN where it was not seen")
+            if column is not None and not np.any(np.isfinite(column)):
+                raise ValueError(f"{name} has no finite value: leave it out if it was not tracked")
         if self.theta is None and self.x is None:
             raise ValueError("a track needs theta or x")
         if self.theta is not None:
@@ -167,18 +177,46 @@ class Track:
         )
 
     @classmethod
-    def from_csv(cls, path: str | Path, units: Units | None = None, *, level: bool = False) -> Track:
-        """Read a track from a CSV file with a line of names.
+    def from_csv(
+        cls,
+        path: str | Path,
+        units: Units | None = None,
+        *,
+        level: bool = False,
+        centre: str | None = None,
+        marker: str | None = None,
+        run: int | None = None,
+        fps: float | None = None,
+        plane: Plane | None = None,
+        length_unit: str = "m",
+        ignore: Iterable[str] = (),
+    ) -> Track:
+        """Read a track from a table of numbers with a line of names, as spreadsheets and trackers write it.
 
         Parameters
         ----------
         path : str or Path
             The file. Its columns are `time`, `theta`, `x`, `y`, or in SI units `time_s`, `theta_rad` (or `theta_deg`),
-            `x_m`, `y_m`; others are passed over, and an empty field is a frame in which something was not seen.
+            `x_m`, `y_m`; an empty cell is a frame in which something was not seen. Exports of Tracker, Kinovea and
+            PASCO Capstone are read as they are.
         units : Units, optional
             Those of the hoop; SI columns need them.
         level : bool, optional
             As that of :class:`Track`.
+        centre, marker : str, optional
+            Names of the points that are the centre of the hoop and the marker of its particle, in exports that name
+            points. A single point is the centre; of two the names may say it ("centre", "marker").
+        run : int, optional
+            Number of the run, in exports with several.
+        fps : float, optional
+            Rate at which frames were taken, 1/s, in files that have their numbers and no times.
+        plane : littlewood.video.Plane, optional
+            The plane of the motion in a frame: the positions are in pixels.
+        length_unit : {"m", "cm", "mm"}, optional
+            Unit of positions in exports of Tracker and Kinovea, whose files do not have it.
+        ignore : iterable of str, optional
+            Columns to pass over. Velocities and other quantities that are computed from the track are passed over
+            anyhow; any other unknown column is refused.
 
         Returns
         -------
@@ -186,33 +224,23 @@ class Track:
 
         Raises
         ------
-        ValueError
-            If a column is missing, or units of two kinds are mixed.
+        littlewood.track.TrackFileError
+            With file, line, column, value and hint, for what cannot be read: nothing is left out in silence.
         """
-        table: Any = np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64, encoding="utf-8", ndmin=1)
-        columns = {name: table[name] for name in table.dtype.names or ()}
-        if "theta_deg" in columns and "theta_rad" not in columns:
-            columns["theta_rad"] = np.radians(columns["theta_deg"])
-        if "time_s" in columns:
-            plain = [name for name in ("time", "theta", "x", "y") if name in columns]
-            if plain:
-                raise ValueError(f"{path}: {', '.join(plain)} has no dimension, time_s is in SI units")
-            if units is None:
-                raise ValueError(f"{path} is in SI units: make the hoop by Hoop.from_si")
-            return cls.from_si(
-                units,
-                time_s=columns["time_s"],
-                theta_rad=columns.get("theta_rad"),
-                x_m=columns.get("x_m"),
-                y_m=columns.get("y_m"),
-                level=level,
-            )
-        if "time" not in columns:
-            raise ValueError(f"{path}: no column time or time_s among {', '.join(columns) or 'none'}")
-        in_si = [name for name in ("theta_rad", "x_m", "y_m") if name in columns]
-        if in_si:
-            raise ValueError(f"{path}: time has no dimension, {', '.join(in_si)} is in SI units")
-        return cls(columns["time"], columns.get("theta"), columns.get("x"), columns.get("y"), level=level)
+        found = read_track(
+            path,
+            units,
+            centre=centre,
+            marker=marker,
+            run=run,
+            fps=fps,
+            plane=plane,
+            length_unit=length_unit,
+            ignore=ignore,
+        )
+        if not found.is_si or units is None:
+            return cls(found.time, found.theta, found.x, found.y, level=level)
+        return cls.from_si(units, time_s=found.time, theta_rad=found.theta, x_m=found.x, y_m=found.y, level=level)
 
     @property
     def channels(self) -> dict[str, _Reals]:

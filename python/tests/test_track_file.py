@@ -1,0 +1,214 @@
+"""Tracks in files: exports of trackers as they are, and what is refused."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import littlewood as lw
+from littlewood.track import TrackFileError
+
+TRACKS = Path(__file__).parent / "tracks"
+RADIUS, OFFSET = 0.3, 0.27
+# The files have a hoop of this radius that rolls at 0.6 m/s, with its particle up at first, at 240 frames a second.
+TIME_S = np.arange(12) / 240.0
+X_M, THETA = 0.6 * TIME_S, -2.0 * TIME_S
+
+
+@pytest.fixture(scope="module")
+def units():
+    hoop = lw.Hoop.from_si(
+        disc_mass_kg=0.25,
+        particle_mass_kg=0.25,
+        radius_m=RADIUS,
+        offset_m=OFFSET,
+        inertia_kg_m2=0.02,
+        mu_s=0.5,
+        mu_k=0.4,
+    )
+    return hoop.units
+
+
+def assert_rolls(track, units, channels, *, atol=2e-6, missing=()):
+    assert tuple(track.channels) == channels
+    np.testing.assert_allclose(track.time * units.time_s, TIME_S, atol=6e-6)
+    true = {"theta": THETA, "x": X_M / RADIUS, "y": np.ones(12)}
+    for name, values in track.channels.items():
+        seen = np.isfinite(values)
+        assert np.flatnonzero(~seen).tolist() == list(missing if name == "theta" else ())
+        np.testing.assert_allclose(values[seen], true[name][seen], atol=atol)
+
+
+def test_tracker_exports_one_point_mass(units):
+    assert_rolls(lw.Track.from_csv(TRACKS / "tracker.txt", units), units, ("x", "y"))
+
+
+def test_tracker_exports_centre_and_marker(units):
+    track = lw.Track.from_csv(TRACKS / "tracker-two.csv", units, centre="hub", marker="weight")
+    assert_rolls(track, units, ("theta", "x", "y"), missing=(5,))
+    # The names say it.
+    assert_rolls(lw.Track.from_csv(TRACKS / "tracker-two.csv", units), units, ("theta", "x", "y"), missing=(5,))
+
+
+def test_kinovea_exports_trajectories(units):
+    track = lw.Track.from_csv(TRACKS / "kinovea.txt", units, length_unit="cm")
+    assert_rolls(track, units, ("theta", "x", "y"), atol=1e-5)
+    track = lw.Track.from_csv(TRACKS / "kinovea.csv", units)
+    assert_rolls(track, units, ("theta", "x", "y"), missing=(3,))
+    track = lw.Track.from_csv(TRACKS / "kinovea-timecodes.txt", units, length_unit="cm")
+    np.testing.assert_allclose(track.time * units.time_s, 0.04 * np.arange(12), atol=1e-12)
+    np.testing.assert_allclose(track.x * RADIUS, 0.6 * 0.04 * np.arange(12), atol=1e-4)
+
+
+def test_capstone_exports_runs(units):
+    with pytest.raises(TrackFileError, match=r"has runs 1, 2; choose one: run=1"):
+        lw.Track.from_csv(TRACKS / "capstone.csv", units)
+    assert_rolls(lw.Track.from_csv(TRACKS / "capstone.csv", units, run=1), units, ("theta", "x"))
+    second = lw.Track.from_csv(TRACKS / "capstone.csv", units, run=2)
+    assert second.time.size == 8
+    np.testing.assert_allclose(second.theta, 1.0 + THETA[:8], atol=2e-6)
+
+
+def test_opencv_writes_frames_and_pixels(units):
+    plane = lw.video.Plane.from_ground_line((100, 300), (500, 300), 1.0)
+    track = lw.Track.from_csv(TRACKS / "opencv.csv", units, fps=240, plane=plane)
+    np.testing.assert_allclose(track.time * units.time_s, TIME_S + 1 / 240, atol=1e-12)
+    assert np.flatnonzero(~np.isfinite(track.x)).tolist() == [7]
+    seen = np.isfinite(track.x)
+    np.testing.assert_allclose(track.x[seen], X_M[seen] / RADIUS, atol=1e-5)
+    np.testing.assert_allclose(track.y[seen], 1.0, atol=1e-5)
+    np.testing.assert_allclose(track.theta[seen], THETA[seen], atol=2e-6)
+
+
+def test_a_motion_that_was_written_is_read(tmp_path, units):
+    motion = lw.Hoop(mass_ratio=1, offset=0.9, inertia=1, mu_s=0.5, mu_k=0.4, units=units).simulate(
+        theta=1.0, theta_rate=2.0
+    )
+    time = np.linspace(0.0, motion.end_time, 30)
+    motion.to_pandas(time, si=True).to_csv(tmp_path / "motion.csv", index=False)
+    track = lw.Track.from_csv(tmp_path / "motion.csv", units)
+    np.testing.assert_allclose(track.y, motion(time).centre_y, rtol=1e-12)
+    motion.to_pandas(time).to_csv(tmp_path / "plain.csv", index=False)
+    np.testing.assert_array_equal(lw.Track.from_csv(tmp_path / "plain.csv").theta, motion(time).theta)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "separator", "mark", "end"),
+    [
+        ("utf-8-sig", ",", ".", "\n"),
+        ("utf-16", "\t", ",", "\r\n"),
+        ("utf-8", ";", ",", "\r"),
+        ("utf-8", " ", ".", "\n"),
+    ],
+)
+def test_separators_marks_and_encodings_are_found(tmp_path, encoding, separator, mark, end, units):
+    rows = [["time_s", "theta_deg", "x_mm"]]
+    rows += [
+        [
+            f"{t:.9f}".replace(".", mark),
+            f"{math.degrees(a):.9f}".replace(".", mark),
+            f"{1e3 * x:.9f}".replace(".", mark),
+        ]
+        for t, a, x in zip(TIME_S, THETA, X_M, strict=True)
+    ]
+    (tmp_path / "track.csv").write_bytes(end.join(separator.join(row) for row in rows).encode(encoding))
+    assert_rolls(lw.Track.from_csv(tmp_path / "track.csv", units), units, ("theta", "x"), atol=1e-8)
+
+
+REFUSED = {
+    "a misspelt column": (
+        "time_s,tehta_deg\n0,1\n",
+        "line 1, column 'tehta_deg': is not a column of a track; is it theta_deg?",
+    ),
+    "a word for a number": (
+        "time_s,theta_deg\n0,1\n0.1,abc-97.4\n",
+        "line 3, column theta_deg: 'abc-97.4' is not a finite number; leave a cell empty",
+    ),
+    "an infinite number": ("time_s,x_m\n0,1\n0.1,inf\n", "line 3, column x_m: 'inf' is not a finite number"),
+    "no time": ("time_s,x_m\n0,1\n,2\n", "line 3, column time_s: '' is not a finite number"),
+    "one quantity twice": (
+        "time_s,theta_deg,theta_rad\n0,1,2\n",
+        "line 1: theta_deg and theta_rad: two columns of one quantity; remove one",
+    ),
+    "a name twice": ("time_s,x_m,x_m\n0,1,2\n", "line 1: x_m: two columns of one quantity"),
+    "two decimal marks": ("time_s;x_m\n0;1,5\n1;1.6\n", "line 3, column x_m: '1.6' has another decimal mark"),
+    "a short row": (
+        "time_s,x_m\n0,1\n0.1\n",
+        "line 3: has 1 cells, the line of names has 2; cells are separated by commas",
+    ),
+    "a long row": ("time_s,x_m\n0,1,5\n", "line 2: has 3 cells"),
+    "nothing": ("", "is empty; a table has a line of names"),
+    "a line of names alone": ("time_s,x_m\n", "line 1: has no rows"),
+    "numbers alone": ("0,1\n1,2\n", "line 1, column '0': is not a column of a track"),
+    "no channel": ("time_s,vx\n0,1\n", "line 1: has neither an angle nor a position"),
+    "an empty channel": ("time_s,theta_deg,x_m\n0,,1\n1,,2\n", "column theta_deg: has no number; remove the column"),
+    "times that stand": ("time_s,x_m\n0,1\n\n0,2\n", "line 4, column time_s: '0' must be greater than 0 of line 2"),
+    "a length without a unit": (
+        "time_s,x\n0,1\n",
+        "line 1, column x: has no dimension, the time is in SI units; name it x_m",
+    ),
+    "a time without a unit": ("time,x_m\n0,1\n", "line 1, column x_m: is in SI units, time has no dimension"),
+    "an angle without a unit": ("t\tθ\n0\t1\n", "line 1, column θ: has no unit; name it theta_deg or theta_rad"),
+    "a unit of another kind": ("time_s,x_deg\n0,1\n", "column 'x_deg': is not a column"),
+    "an unknown unit": ("time_s,x (furlong)\n0,1\n", r"column 'x \(furlong\)': is not a column"),
+    "frames": ("frame,x_m\n0,1\n", "line 1, column frame: has numbers of frames and no time; give the rate"),
+    "pixels": ("time_s,x_px,y_px\n0,1,2\n", "line 1, column x_px: is in pixels; give the plane"),
+    "pixels without a name": ("time,x,y\n0,100,40\n1,120,40\n", "line 1, column x: has whole numbers without a unit"),
+    "points without a role": ("\tA\t\tB\t\nt\tx\ty\tx\ty\t\n0\t1\t2\t3\t4\n", "has the points A, B; say which are"),
+    "three words in Kinovea": ("#Kinovea Trajectory data export\n#T X Y\n\n# A\n0 1\n", "line 5: has 2 cells"),
+    "an instant twice in Kinovea": (
+        "#Kinovea Trajectory data export\n#T X Y\n0:00:00:00 1 2\n0:00:00:00 1 2\n",
+        "line 4, column T: '0:00:00:00' occurs twice; choose milliseconds",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), REFUSED.values(), ids=REFUSED)
+def test_what_cannot_be_read_is_refused_with_its_place(tmp_path, units, text, message):
+    path = tmp_path / "bad.csv"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(TrackFileError, match=message) as caught:
+        lw.Track.from_csv(path, units)
+    assert str(caught.value).startswith(str(path))
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"PK\x03\x04rest", "is a spreadsheet or an archive: save the sheet as CSV"),
+        (b"<?xml version='1.0'?>", "is a project or a web page: export the data"),
+        (b"time_s,x_m\n0,\x00\n", "is not text: byte 13 is 0"),
+        (b"time_s,x_m\n0,\xb5\n", "line 2: byte 0xb5 is not UTF-8; save the file as UTF-8"),
+    ],
+)
+def test_files_that_are_no_text_are_refused(tmp_path, units, content, message):
+    (tmp_path / "bad").write_bytes(content)
+    with pytest.raises(TrackFileError, match=message):
+        lw.Track.from_csv(tmp_path / "bad", units)
+
+
+def test_errors_have_their_parts(tmp_path, units):
+    path = tmp_path / "bad.csv"
+    path.write_text("time_s,x_m\n0,1\n0.1,two\n")
+    with pytest.raises(TrackFileError) as caught:
+        lw.Track.from_csv(path, units)
+    error = caught.value
+    assert (error.path, error.line, error.column, error.value) == (str(path), 3, "x_m", "two")
+    assert error.hint is not None
+    # A column is passed over by name only.
+    path.write_text("time_s,x_m,mood\n0,1,good\n0.1,1,bad\n")
+    assert lw.Track.from_csv(path, units, ignore=("mood",)).time.size == 2
+    with pytest.raises(TrackFileError, match="has no column mud"):
+        lw.Track.from_csv(path, units, ignore=("mood", "mud"))
+    with pytest.raises(TrackFileError, match="from_si"):
+        lw.Track.from_csv(path, ignore=("mood",))
+
+
+def test_tracks_of_arrays_lose_nothing():
+    masked = np.ma.masked_array([0.0, 0.1, 9.0], mask=[False, False, True])
+    assert np.isnan(lw.Track([0.0, 1.0, 2.0], theta=masked).theta[2])
+    with pytest.raises(ValueError, match=r"x\[1\] = inf must be finite, or NaN"):
+        lw.Track([0.0, 1.0], x=[0.0, math.inf])
+    with pytest.raises(ValueError, match="theta has no finite value: leave it out"):
+        lw.Track([0.0, 1.0], theta=[math.nan, math.nan], x=[0.0, 1.0])
