@@ -107,7 +107,6 @@ impl Derivatives {
     }
 
     /// The derivatives of the outcome with respect to each quantity.
-    #[must_use]
     pub fn outcome(&self) -> &[Derivative<OutcomeDerivative>] {
         &self.outcome
     }
