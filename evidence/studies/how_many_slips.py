@@ -258,6 +258,56 @@ def search() -> dict[float, tuple[np.ndarray, lw.Trajectory]]:
     return found
 
 
+@cache
+def last_slips(seed: int, count: int, lightest: float) -> tuple[lw.Trajectory, ...]:
+    """Return the motions of random hoops with μs = μk and the particle on the rim that roll, slip once, and roll on.
+
+    I_zz/(m1 R²) is drawn from `lightest` to 1, that of thin hoops, by its logarithm.
+    """
+    random = np.random.default_rng(seed)
+    h, mu = random.uniform(0.05, 0.95, count), 10.0 ** random.uniform(-2.5, 0.3, count)
+    theta, rate = random.uniform(-math.pi, math.pi, count), random.uniform(0.0, 1.5, count) / np.sqrt(h)
+    ratio = 1.0 / h - 1.0
+    inertia = ratio * lightest ** random.uniform(0.0, 1.0, count)
+    result = lw.simulate_many(
+        mass_ratio=ratio,
+        offset=1.0,
+        inertia=inertia,
+        mu_s=mu,
+        mu_k=mu,
+        theta=theta,
+        theta_rate=rate,
+        max_transitions=3,
+        threads=1,
+    )
+    names = lw.sequence_names(result.sequence.values)
+    found = np.flatnonzero((result.outcome.values == ROLLS) & np.isin(names, ("R-R", "R+R")))
+    return tuple(
+        lw.Hoop(
+            mass_ratio=float(ratio[k]),
+            offset=1.0,
+            inertia=float(inertia[k]),
+            mu_s=float(mu[k]),
+            mu_k=float(mu[k]),
+        ).simulate(theta=float(theta[k]), theta_rate=float(rate[k]))
+        for k in found
+    )
+
+
+def last_text() -> str:
+    """How often a slip is the last, and one of them."""
+    found, thin = last_slips(5, 20_000, 0.01), last_slips(5, 20_000, 1.0)
+    one = max(found, key=lambda motion: motion.phases[1].energy_lost / abs(motion.phases[1].energy_start))
+    slide, start = one.phases[1], one.start
+    rho = one.hoop.inertia_about_mass_centre / one.hoop.mass
+    return (
+        f"{len(found)} of 20,000 random hoops and starts, I_zz from a hundredth of m1 R² on, roll, slip once, and roll "
+        f"for ever, and {len(thin)} of as many thin hoops; as with h = {one.hoop.h:.4f}, ϱ = {rho:.4f} and "
+        f"μ = {one.hoop.mu_k:.4f} from θ = {start.theta:.4f}, θ′ = {start.theta_rate:.4f}, where the slip takes "
+        f"{slide.energy_lost:.4f} off the energy {slide.energy_start:.4f}"
+    )
+
+
 def causes(motion: lw.Trajectory, cause: str) -> int:
     """Return how many transitions have a cause."""
     return sum(one.cause == cause for one in motion.transitions)
@@ -343,6 +393,6 @@ def picture() -> Figure:
 
 STUDY = Study(
     name="how-many-slips",
-    texts={"rate": rate_table, "gap": gap_table, "search": search_table},
+    texts={"rate": rate_table, "gap": gap_table, "search": search_table, "last": last_text},
     pictures={"slips": picture},
 )

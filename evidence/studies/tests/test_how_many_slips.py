@@ -8,7 +8,7 @@ import pytest
 from evidence.studies.contact import Contact
 from evidence.studies.grazing import Margin, grazing_orbits
 from evidence.studies.hoops import random_hoops, thin_hoop
-from evidence.studies.how_many_slips import LeastLoss, bottom_rate, counted, scaled
+from evidence.studies.how_many_slips import LeastLoss, bottom_rate, counted, last_slips, scaled
 from evidence.studies.roots import zero
 
 
@@ -258,3 +258,26 @@ def test_next_to_the_top_slips_come_in_one_order_only():
         assert all(letter in rest for letter in word), word
         seen.add(word)
     assert {"-+R-", "-+-", "+-", "R-"} <= seen, seen
+
+
+def test_with_equal_coefficients_a_slip_may_be_the_last():
+    found = last_slips(6, 20_000, 0.01)
+    assert len(found) > 10
+    for motion in found:
+        before, slide, after = motion.phases
+        assert (before.mode, slide.mode, after.mode) == ("rolling", "sliding", "rolling")
+        contact = Contact.of(motion.hoop)
+        margin = Margin(contact, motion.hoop.mu_k)
+        mean = contact.inertia + contact.m * (1.0 + contact.h**2)
+        least = []
+        for energy in (slide.energy_start, slide.energy_start - slide.energy_lost):
+            constant = 2.0 * energy + mean
+            # The margins of both directions on the orbit, mirror images, over D².
+            angles = np.linspace(-math.pi, math.pi, 4_001)
+            on_orbit = [t for t in angles if contact.denominator(float(t)) <= constant]
+            values = []
+            for theta in on_orbit:
+                a, b = margin.terms(float(theta))
+                values.append((a[0] - constant * b[0]) / contact.denominator(float(theta)) ** 2)
+            least.append(min(values))
+        assert least[0] < 0.0 < least[1] + 1e-9
