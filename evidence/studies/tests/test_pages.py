@@ -1,5 +1,6 @@
 """Every page has the numbers that its command computes, and all of its pictures."""
 
+import html
 import re
 
 import pytest
@@ -24,6 +25,19 @@ def test_a_page_shows_its_pictures_and_its_command(name):
     assert shown == set(study.pictures)
     assert all((study.folder / f"{picture}.svg").is_file() for picture in shown)
     assert f"python -m evidence.studies {name}\n" in text
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_pictures_have_the_title_and_the_description_of_their_page(name):
+    study = load(name)
+    text = study.page.read_text(encoding="utf-8")
+    for picture in study.pictures:
+        drawn = (study.folder / f"{picture}.svg").read_text(encoding="utf-8")
+        title, description = (
+            html.unescape(re.search(rf"<{tag}>(.*?)</{tag}>", drawn, re.S).group(1))
+            for tag in ("title", "dc:description")
+        )
+        assert f"![{title}]({name}/{picture}.svg)\n\n{description}" in text
 
 
 def test_the_index_has_every_study():
