@@ -57,3 +57,22 @@ def test_a_bounce_that_stops_the_slip_leaves_a_velocity_of_the_third_root(family
     off = [drift_left(light(size, family, mu_k, mu_s)) / stopped_law(mu_s, mu_k) - 1.0 for size in (1e-6, 1e-9)]
     assert abs(off[1]) < 0.005
     assert abs(off[1]) < 0.5 * abs(off[0])
+
+
+@pytest.mark.parametrize("theta", [0.3, -0.5])
+@pytest.mark.parametrize("mu", [0.8, 1.5])
+def test_a_light_hoop_that_loses_its_load_slips_against_the_sine(theta, mu):
+    off = []
+    for size in (1e-4, 1e-6):
+        hoop = light(size, "no mass, only inertia", 0.9 * mu, mu)
+        rate = math.copysign(0.95, theta)
+        motion = hoop.simulate(theta=theta, theta_rate=rate, max_transitions=2)
+        slip, slide = motion.transitions[0], motion.phases[1]
+        assert slip.cause == "slip"
+        assert slide.direction == -math.copysign(1.0, theta)
+        # K − 4b is 4 μs Î/(μs b + |s|), of the first margin to vanish.
+        b, s = 1.0 + math.cos(slip.state.theta), abs(math.sin(slip.state.theta))
+        constant = (size + 2.0 * (1.0 + math.cos(theta))) * (1.0 + rate**2)
+        off.append((constant - 4.0 * b) / size / (4.0 * mu / (mu * b + s)) - 1.0)
+    assert abs(off[0]) < 0.05
+    assert abs(off[1]) < 0.05 * abs(off[0]) + 1e-6
