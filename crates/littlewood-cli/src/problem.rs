@@ -6,11 +6,12 @@ use littlewood::si::{SiParameters, SiSetup, Units};
 use littlewood::tables::{Group, Presence, Quantity, Setup};
 use littlewood::theory::Classification;
 use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Start, Trajectory};
-use littlewood_report::Uncertainty;
 use littlewood_report::{RESTITUTION_LAW, Subject};
+use littlewood_report::{SAMPLE, Uncertainty};
 
 use crate::error::{Error, mixed};
 use crate::nearest;
+use crate::progress::{Bar, Count};
 use crate::request::Request;
 use crate::scenario::Scenario;
 use crate::values::{Given, GivenLaw, Origin, Values, find_mixture, flag};
@@ -126,7 +127,9 @@ impl Problem {
             }
         }
         let setup = Setup::new(self.hoop.parameters(), self.start);
-        Uncertainty::new(&setup, self.limits, motion, given).map_err(Error::NotDifferentiable)
+        let bar = Bar::new();
+        let progress = |done: usize| bar.show("motions", Count { done: done as u64, total: SAMPLE as u64 });
+        Uncertainty::new(&setup, self.limits, motion, given, progress).map_err(Error::NotDifferentiable)
     }
 
     /// Classifies the start.

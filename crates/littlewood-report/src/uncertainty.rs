@@ -65,6 +65,7 @@ const fn state_of([time, theta, theta_rate, slip, x]: [f64; 5]) -> State {
 
 impl Uncertainty {
     /// The standard errors of a motion with these limits. A number whose sample is out of bounds, such as a friction below 0, is left out.
+    /// `progress` is told how many motions of the sample are done.
     ///
     /// # Errors
     /// A quantity with respect to which the motion has no derivatives.
@@ -73,6 +74,7 @@ impl Uncertainty {
         limits: Limits,
         motion: &Trajectory,
         given: Vec<(Quantity, f64)>,
+        mut progress: impl FnMut(usize),
     ) -> Result<Self, NotDifferentiable> {
         let quantities: Vec<Quantity> = given.iter().map(|(quantity, _)| *quantity).collect();
         let derivatives = motion.derivatives(&quantities)?;
@@ -81,6 +83,7 @@ impl Uncertainty {
         let mut sums = vec![Sums { count: 0, sum: [0.0; 5], squares: [0.0; 5] }; events + 1];
         let (mut motions, mut alike) = (0, 0);
         for number in 0..SAMPLE {
+            progress(number);
             let mut drawn = *setup;
             for ((quantity, error), deviate) in given.iter().zip(deviates(number, given.len())) {
                 drawn.set(*quantity, setup.get(*quantity).unwrap_or(0.0) + error * deviate);
