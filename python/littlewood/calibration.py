@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from .trajectory import Trajectory
 
-__all__ = ["CALIBRATION", "checked", "means", "shown"]
+__all__ = ["CALIBRATION", "checked", "determined", "means", "shown"]
 
 _Reals = npt.NDArray[np.float64]
 # Displacement (δx, δy) of a point, and the rows of its derivatives by x and y.
@@ -41,27 +41,45 @@ _OF_ANGLE: dict[str, Callable[[_Reals], Any]] = {
     "middle_y": np.sin,
 }
 
+# What shifts heights alone.
+_OF_HEIGHT = {"floor"}
+
 CALIBRATION = (*_SHIFTS, *_OF_ANGLE, "exposure")
 """Names of what a camera may show wrong in every frame alike."""
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(2)
 
 
+def determined(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
+    """Return those of some constants that some channels determine."""
+    channels = set(channels)
+    told = {"exposure"}
+    if "x" in channels:
+        told |= set(_SHIFTS) if "y" in channels else set(_SHIFTS) - _OF_HEIGHT
+    if channels > {"theta"}:
+        told |= set(_OF_ANGLE)
+    return tuple(name for name in CALIBRATION if name in names and name in told)
+
+
 def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
-    """Return the names of a calibration that some channels determine.
+    """Return the names of a calibration, in the order of :data:`CALIBRATION`.
 
     Raises
     ------
     ValueError
-        For a name that is not one of :data:`CALIBRATION`.
+        For a name that is not one of :data:`CALIBRATION`, or that the channels do not determine.
     """
-    names, channels = tuple(names), set(channels)
+    names, channels = tuple(names), tuple(channels)
     unknown = [name for name in names if name not in CALIBRATION]
     if unknown:
         raise ValueError(f"calibration has {', '.join(unknown)}; it can have {', '.join(CALIBRATION)}")
-    told = {name for name in _SHIFTS if {"x", "y"} <= channels} | {"exposure"}
-    told |= set(_OF_ANGLE) if "theta" in channels and channels > {"theta"} else set()
-    return tuple(name for name in CALIBRATION if name in names and name in told)
+    found = determined(names, channels)
+    missing = [name for name in names if name not in found]
+    if missing:
+        there = ", ".join(channels)
+        can = ", ".join(determined(CALIBRATION, channels))
+        raise ValueError(f"calibration has {', '.join(missing)}, which {there} do not determine; they determine {can}")
+    return found
 
 
 def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[str, _Reals]:

@@ -16,24 +16,34 @@ from .noise import Noise, Whitening, estimate_noise
 from .track import Track
 from .trajectory import Trajectory
 
-__all__ = ["FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
+__all__ = ["CLOCK", "FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
 
 _Reals = npt.NDArray[np.float64]
 
 OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution", "slope")
+# What is weighed and measured, and a stretch of all times: a fit asks whether the track contradicts them.
+_MEASURED = ("mass_ratio", "offset")
+CLOCK = "clock"
 # Least inertia that is tried: without any, a hoop without mass is another body, with other equations.
 LEAST_INERTIA = 1e-6
 # Largest coefficient of friction and inertia that are tried: beyond them a motion no longer depends on them.
 _LARGEST_FRICTION = 1e3
 _LARGEST_INERTIA = 1e6
 _STEEPEST = 1.57
+_CAMERA = "camera_"
+_EXPOSURE = "camera_exposure"
+# Bounds of what may be held.
+_HELD = {"mu_k": (0.0, math.inf), "inertia": (LEAST_INERTIA, math.inf), "restitution": (0.0, 1.0)}
+_HELD[_EXPOSURE] = (0.0, math.inf)
+_HELD |= {"slope": (-_STEEPEST, _STEEPEST), "mass_ratio": (0.0, math.inf), "offset": (0.0, 1.0)}
+# Part of a value, or of 1, by which differences for derivatives go to either side.
+_STEP = 6e-6
 _TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 # By which part the sum of squares still changes in the last step: on the way, and at the end.
 ROUGH, FINE = 1e-6, 1e-12
+_MOST_STEPS = 100
 # What the constants of a camera are before the video is seen: 0 ± 0.1, R or rad. A video tells them far better as a
 # rule; where it does not, they stay reasonable. An exposure is anything from none to the time between two frames.
-_CAMERA = "camera_"
-_EXPOSURE = "camera_exposure"
 _PRIOR = 0.1
 
 
@@ -95,6 +105,11 @@ class Problem:
         return np.concatenate([unknowns[:rest], found.x])
 
     @property
+    def holdable(self) -> tuple[str, ...]:
+        """What is either free or held, but for the camera."""
+        return (*OF_HOOP, *_MEASURED, CLOCK)
+
+    @property
     def _camera_names(self) -> list[str]:
         return [name for name in self.names if name.startswith(_CAMERA)]
 
@@ -134,11 +149,25 @@ class Problem:
             [high.get(name, math.inf) for name in self.names],
         )
 
+    def limits(self, name: str) -> tuple[float, float]:
+        """Return the least and the largest value of a parameter, not of the unknown that stands for it."""
+        if name == "mu_s" and "mu_k" in self.names:
+            return 0.0, _LARGEST_FRICTION
+        low, high = self.bounds()
+        place = self.names.index(name)
+        return low[place], high[place]
+
+    @property
+    def camera_count(self) -> int:
+        """How many of the unknowns, the last ones, are constants of the camera."""
+        return len(self._camera_names)
+
     def values(self, unknowns: _Reals) -> dict[str, Any]:
         """Return everything by name; a coefficient of restitution may be absent."""
-        found = {name: getattr(self.hoop, name) for name in OF_HOOP}
+        found = {name: getattr(self.hoop, name) for name in (*OF_HOOP, *_MEASURED)}
         found |= {f"start_{name}": value for name, value in self.first.items()}
         found[_EXPOSURE] = self.track.exposure
+        found[CLOCK] = 0.0
         found |= dict(zip(self.names, map(float, unknowns), strict=True))
         if "mu_s" in self.names and "mu_k" in self.names:
             found["mu_s"] += found["mu_k"]
@@ -146,27 +175,39 @@ class Problem:
 
     def motion(self, unknowns: _Reals) -> Trajectory:
         """Simulate the motion while the video was taken."""
-        values = self.values(unknowns)
-        hoop = replace(self.hoop, units=self.hoop.units, **{name: values[name] for name in OF_HOOP})
+        return self._motion_of(self.values(unknowns))
+
+    def _motion_of(self, values: dict[str, Any]) -> Trajectory:
+        hoop = replace(self.hoop, units=self.hoop.units, **{name: values[name] for name in (*OF_HOOP, *_MEASURED)})
+        begin, end = float(self.track.time[0]), float(self.track.time[-1])
         return hoop.simulate(
             theta=values["start_theta"],
             theta_rate=values["start_theta_rate"],
             slip=values["start_slip"] if self.slips else 0.0,
             x=values["start_x"],
-            time=float(self.track.time[0]),
-            until=float(self.track.time[-1]) + values[_EXPOSURE],
+            time=begin,
+            until=begin + (end - begin) * (1.0 + values[CLOCK]) + values[_EXPOSURE],
         )
 
     def residuals(self, unknowns: _Reals) -> dict[str, _Reals]:
         """Return what was measured less what the camera would have shown, by channel."""
-        values = self.values(unknowns)
+        return self.residuals_of(self.values(unknowns))
+
+    def residuals_of(self, values: dict[str, Any]) -> dict[str, _Reals]:
+        """Return the residuals for everything by name."""
         camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
         # The means over exposures are the same for all other constants of the camera.
         key = tuple(value for name, value in values.items() if not name.startswith(_CAMERA) or name == _EXPOSURE)
         if self._last is None or self._last[0] != key:
-            self._last = key, means(self.motion(unknowns), self.track.time, values[_EXPOSURE])
+            begin = self.track.time[0]
+            time = begin + (self.track.time - begin) * (1.0 + values[CLOCK])
+            self._last = key, means(self._motion_of(values), time, values[_EXPOSURE])
         found = shown(self.track.as_seen(self._last[1], values["slope"]), camera)
         return {name: measured - found[name] for name, measured in self.track.channels.items()}
+
+    def seen(self, by_channel: dict[str, _Reals]) -> dict[str, _Reals]:
+        """Return values, or columns of them, of the frames in which a channel was seen."""
+        return {name: values[self._seen[name]] for name, values in by_channel.items()}
 
     def scaled(self, unknowns: _Reals) -> _Reals:
         """Return the residuals as numbers that are independent and of size 1, and then the constants of the camera."""
@@ -188,37 +229,76 @@ class Problem:
     def noise_of(self, unknowns: _Reals, known: dict[str, Noise], loss: str, correlated: bool) -> dict[str, Noise]:
         """Estimate the errors of each channel from the residuals."""
         relative = {name: self.track.relative_errors(name)[seen] for name, seen in self._seen.items()}
-        residuals = {name: residual[self._seen[name]] for name, residual in self.residuals(unknowns).items()}
+        residuals = self.seen(self.residuals(unknowns))
         if loss != "linear":
             typical = {name: float(np.sqrt(np.mean(np.square(residuals[name] / relative[name])))) for name in relative}
             return {name: Noise(max(value, 1e-12)) for name, value in typical.items()} | known
         times = {name: self.track.time[seen] for name, seen in self._seen.items()}
-        slopes = {name: columns[self._seen[name]] for name, columns in self._derivatives(unknowns).items()}
+        slopes = self.seen(self.derivatives(unknowns))
         return estimate_noise(times, relative, residuals, slopes, known, correlated)
 
-    def _derivatives(self, unknowns: _Reals) -> dict[str, _Reals]:
-        """Return the derivatives of the residuals of each channel by differences within the bounds."""
+    def derivatives(self, unknowns: _Reals) -> dict[str, _Reals]:
+        """Return the derivatives of the residuals of each channel by the unknowns: by differences within the bounds."""
         columns: dict[str, list[_Reals]] = {name: [] for name in self.track.channels}
         low, high = self.bounds()
         for k, value in enumerate(unknowns):
-            step = 6e-6 * max(1.0, abs(value))
+            step = _STEP * max(1.0, abs(value))
             ends = max(value - step, low[k]), min(value + step, high[k])
             below, above = (self.residuals(np.concatenate([unknowns[:k], [end], unknowns[k + 1 :]])) for end in ends)
             for name in columns:
                 columns[name].append((above[name] - below[name]) / (ends[1] - ends[0]))
         return {name: np.column_stack(values) for name, values in columns.items()}
 
-    def refine(self, unknowns: _Reals, loss: str, tolerance: float = FINE) -> Any:
-        """Minimise from a guess, until the sum of squares changes by less than a part."""
+    def jacobian(self, unknowns: _Reals) -> _Reals:
+        """Return the derivatives of :meth:`scaled`."""
+        parts = [self._white[name](columns) for name, columns in self.seen(self.derivatives(unknowns)).items()]
+        rest = unknowns.size - self._before.size
+        return np.vstack([*parts, np.eye(unknowns.size)[rest:] / self._deviation[:, None]])
+
+    def derivative_by(self, name: str, values: dict[str, Any]) -> dict[str, _Reals] | None:
+        """Return the derivatives of the residuals by something that is held; None without a motion on both sides."""
+        value = values.get(name, 0.0)
+        low, high = _HELD.get(name, (-math.inf, math.inf))
+        if value is None or value < low:
+            return None
+        step = _STEP * max(1.0, abs(value))
+        low = values["mu_k"] if name == "mu_s" else low
+        high = values["mu_s"] if name == "mu_k" else high
+        ends = max(value - step, low), min(value + step, high)
+        if ends[0] >= ends[1]:
+            return None
+        below, above = (self.residuals_of(values | {name: end}) for end in ends)
+        return {channel: (above[channel] - below[channel]) / (ends[1] - ends[0]) for channel in below}
+
+    def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, _Reals] | None:
+        """Return the same with a parameter of the hoop fixed, and a guess of the others; None where no hoop has it."""
+        value, values = values[name], values | {"mu_k": max(values["mu_k"], 0.0)}
+        if values["mu_s"] < values["mu_k"]:
+            # The other coefficient gives way, if it may.
+            other = "mu_k" if name == "mu_s" else "mu_s"
+            if other not in self.names:
+                return None
+            values[other] = value
+        held = {one: values[one] for one in OF_HOOP if one == name or one not in self.names}
+        held |= {"mu_s": max(values["mu_s"], values["mu_k"]), "mu_k": values["mu_k"]}
+        hoop = replace(self.hoop, units=self.hoop.units, **held)
+        found = replace(self, hoop=hoop, names=tuple(one for one in self.names if one != name))
+        if "mu_s" in found.names and "mu_k" in found.names:
+            values["mu_s"] -= values["mu_k"]
+        low, high = found.bounds()
+        return found, np.clip([values[one] for one in found.names], low, high)
+
+    def refine(self, unknowns: _Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS) -> Any:
+        """Minimise from a guess, until the sum of squares changes by less than a part, in a number of steps."""
         return require("scipy.optimize").least_squares(
             self.scaled,
             unknowns,
             bounds=self.bounds(),
-            jac="3-point",
+            jac=self.jacobian,
             x_scale="jac",
             loss=loss,
             ftol=tolerance,
             xtol=tolerance,
             gtol=tolerance,
-            max_nfev=200,
+            max_nfev=most,
         )

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from html import escape
 from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
+from .doubts import DOUBTS, Doubt
 from .extras import require
 from .hoop import Hoop
 from .motion import State
@@ -23,21 +26,32 @@ from .trajectory import Trajectory
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Estimate", "FitResult", "IdentifiabilityWarning"]
+    from .fit_problem import Problem
+
+__all__ = ["DOUBTS", "Doubt", "Estimate", "FitResult", "FitWarning", "IdentifiabilityWarning"]
 
 
-class IdentifiabilityWarning(UserWarning):
-    """A parameter leaves no trace in the motion that was tracked.
+class FitWarning(UserWarning):
+    """A doubt about a fit.
 
     Attributes
     ----------
-    parameters : tuple of str
-        Their names.
+    doubt : littlewood.fit_result.Doubt
+        Its name, what was found, and what it is about.
     """
 
-    def __init__(self, message: str, parameters: tuple[str, ...]) -> None:
-        super().__init__(message)
-        self.parameters = parameters
+    def __init__(self, doubt: Doubt) -> None:
+        super().__init__(doubt)
+        self.doubt = doubt
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of what it is about."""
+        return self.doubt.parameters
+
+
+class IdentifiabilityWarning(FitWarning):
+    """A parameter leaves no trace in the motion that was tracked."""
 
 
 @dataclass(frozen=True)
@@ -116,6 +130,11 @@ class FitResult:
         Largest friction |F|/N of rolling in the fitted motion, a lower bound of μs.
     message : str
         How the optimiser ended.
+    doubts : tuple of littlewood.fit_result.Doubt
+        What speaks against the fit, each also a :class:`littlewood.fit_result.FitWarning`; empty for a good fit.
+    sequences : mapping of str to float
+        Sequences of phases that were fitted with the final errors, the most probable first, and their posterior
+        probabilities.
     """
 
     hoop: Hoop
@@ -129,6 +148,10 @@ class FitResult:
     reduced_chi_square: float
     mu_s_at_least: float
     message: str
+    doubts: tuple[Doubt, ...]
+    sequences: Mapping[str, float]
+    _problem: Problem = field(repr=False)
+    _unknowns: npt.NDArray[np.float64] = field(repr=False)
 
     @property
     def sigma(self) -> dict[str, float]:
@@ -149,7 +172,8 @@ class FitResult:
             "reduced χ²": f"{self.reduced_chi_square:.3f}",
         }
         width = max(18, 2 + max(map(len, lines)))
-        return "\n".join(f"{name:<{width}}{value}" for name, value in lines.items())
+        doubts = [f"{'doubt':<{width}}{doubt}" for doubt in self.doubts]
+        return "\n".join([*(f"{name:<{width}}{value}" for name, value in lines.items()), *doubts])
 
     def _repr_html_(self) -> str:
         rows = "".join(
@@ -159,8 +183,32 @@ class FitResult:
         )
         return (
             f"<div><b>Fitted motion</b> {self.motion.sequence}: {self.motion.outcome}<table>{rows}</table>"
-            f"<small>μs is at least {self.mu_s_at_least:.4g}; reduced χ² {self.reduced_chi_square:.3f}</small></div>"
+            f"<small>μs is at least {self.mu_s_at_least:.4g}; reduced χ² {self.reduced_chi_square:.3f}</small>"
+            + "".join(f"<div><b>Doubt: {doubt.name}</b> {escape(doubt.message)}</div>" for doubt in self.doubts)
+            + "</div>"
         )
+
+    def profile_interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
+        """Return the interval of the profile likelihood, which holds where that is no parabola.
+
+        The ends are where the least sum of squares, over all other unknowns, exceeds that of the fit by the square of
+        the normal quantile.
+
+        Parameters
+        ----------
+        name : str
+            A parameter of the hoop that was free.
+        confidence : float, optional
+            Probability that it contains the true value.
+
+        Returns
+        -------
+        tuple of float
+            Its ends; a bound, or infinite, where the track does not exclude the values beyond.
+        """
+        from .profile import profile_interval
+
+        return profile_interval(self._problem, self._unknowns, self.covariance, name, self.estimates[name], confidence)
 
     def plot(self) -> Figure:
         """Draw data, fitted motion and residuals.
@@ -207,5 +255,8 @@ class FitResult:
         handles, labels = axes[0, 0].get_legend_handles_labels()
         unique = dict(zip(labels, handles, strict=True))
         figure.legend(unique.values(), unique.keys(), loc="outside upper center", ncols=5, frameon=False)
+        if self.doubts:
+            words = "\n".join(textwrap.fill(f"Doubt: {doubt}", 42 * max(2, len(channels))) for doubt in self.doubts)
+            figure.supxlabel(words, fontsize=8, color=MODE_COLOURS["sliding"], ha="left", x=0.02)
         figure.align_ylabels()
         return figure

@@ -14,10 +14,12 @@ import numpy as np
 import numpy.typing as npt
 
 from .calibration import checked
+from .doubts import Doubt, doubts_of_residuals
 from .fit_problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
-from .fit_result import Estimate, FitResult, IdentifiabilityWarning
+from .fit_result import Estimate, FitResult, FitWarning, IdentifiabilityWarning
 from .hoop import Hoop
 from .noise import Noise
+from .profile import rise
 from .track import Track
 from .trajectory import Trajectory
 
@@ -32,6 +34,7 @@ _BY_DEFAULT = ("mu_s", "mu_k", "inertia")
 _TRY_MU_K = (0.05, 0.12, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0)
 _TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
 _TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
+_TRY_SLIP = (0.0, -3.0, -2.0, -1.2, -0.5, 0.5, 1.2, 2.0, 3.0)
 _BEST = 6
 # Parts of the track over which a coefficient of restitution is sought, and how many guesses are followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
@@ -43,6 +46,21 @@ _FORETELLS = 2.0
 _SAME = 1e-3
 # How often the errors are estimated from the residuals.
 _TURNS = 4
+# Neighbours of a fit whose sequences are looked at, how far they are in standard errors, how many other sequences are
+# fitted, and the probability from which one is named.
+_NEIGHBOURS = 40
+_SPREAD = 3.0
+_MOVES = (1.0, 2.0, 4.0, 8.0)
+_LEAST_MOVE = 0.01
+_RIVALS = 2
+_STEPS_OF_RIVAL = 15
+_RIVAL = 0.01
+# A parameter is at a bound if it is nearer to it than this part of its standard error.
+_AT_BOUND = 0.01
+# The profile likelihood is looked at so many standard errors away; a normal interval is wrong where it rises by so many
+# times more, or less, than a parabola: then the interval is wrong by a factor of two, or more.
+_PROFILED = 2.0
+_OTHER_RISE = 4.0
 _DEPENDENT = "the motion does not depend on it, apart from the others"
 
 
@@ -105,7 +123,10 @@ def fit(
 
     Warns
     -----
-    IdentifiabilityWarning
+    littlewood.fit_result.FitWarning
+        For each doubt that the fit has (:data:`littlewood.fit_result.DOUBTS`), which the result, its table and its
+        picture name, too.
+    littlewood.fit_result.IdentifiabilityWarning
         If the motion does not depend on something that is free. μs enters by the instant of a slip out of rolling alone
         (a motion without one gives only a lower bound, the friction that rolling needed), μk by slides and by
         impacts that slip; the inertia enters by rolling, sliding and impacts, not by flight; the coefficient of
@@ -168,8 +189,9 @@ def fit(
     known = {name: Noise(float(value)) for name, value in (sigma or {}).items()}
     noise = dict.fromkeys(track.channels, Noise(1.0)) | known
     problem = Problem(track, hoop, tuple(names), first, noise, slips_at_start)
+    others: list[_Reals] = []
     if search:
-        unknowns = _search(problem, loss, "theta" not in track.channels and "theta" not in (start or {})).x
+        unknowns, *others = _search(problem, loss, track.theta is None, start or {})
     elif camera:
         # Without its constants the fit would leave the sequence of phases of a good guess.
         unknowns = problem.guess()
@@ -183,9 +205,14 @@ def fit(
     for turn in range(_TURNS):
         noise = problem.noise_of(unknowns, known, loss, turn > 0)
         problem = replace(problem, noise=noise)
-        best = problem.refine(unknowns, loss, FINE if turn == _TURNS - 1 else ROUGH)
+        last = turn == _TURNS - 1
+        best = problem.refine(unknowns, loss, FINE, 50) if last else problem.refine(unknowns, loss, ROUGH, 30)
         unknowns = best.x
-    return _result(problem, best)
+    if loss == "linear":
+        best, sequences = _compared(problem, best, others)
+    else:
+        sequences = {problem.motion(best.x).sequence: 1.0}
+    return _result(problem, best, sequences, known, loss)
 
 
 def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[str, float]:
@@ -221,33 +248,43 @@ def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[st
     return guess | given
 
 
-def _guesses(problem: Problem, any_angle: bool) -> list[_Reals]:
+def _guesses(problem: Problem, any_angle: bool, given: Mapping[str, float]) -> list[_Reals]:
     """Return the unknowns at many places."""
     free = problem.names
-    angles = np.linspace(-math.pi, math.pi, 24, endpoint=False) if any_angle else [problem.first["theta"]]
-    mu_k = (problem.hoop.mu_k, *_TRY_MU_K) if "mu_k" in free else (problem.hoop.mu_k,)
-    inertias = (
-        [problem.hoop.inertia * factor for factor in _TRY_INERTIA] if "inertia" in free else [problem.hoop.inertia]
-    )
+    first = problem.first
+    angles, rates = [first["theta"]], [first["theta_rate"]]
+    mu_k: tuple[float, ...] = (problem.hoop.mu_k, *(_TRY_MU_K if "mu_k" in free else ()))
+    factors: tuple[float, ...] = _TRY_INERTIA
+    steps: tuple[float, ...] = _TRY_STEP
+    if any_angle:
+        # A position alone says nothing of the angle, and of its rate only where the hoop rolls.
+        factors, steps, mu_k = (1.0,), _TRY_STEP[2:4], mu_k[:: 1 if len(mu_k) == 1 else 2]
+        if "theta" not in given:
+            angles = list(np.linspace(-math.pi, math.pi, 24, endpoint=False))
+        if problem.slips and "theta_rate" not in given:
+            rates = [rates[0] + slip for slip in _TRY_SLIP]
+    inertias = [problem.hoop.inertia * factor for factor in factors] if "inertia" in free else [problem.hoop.inertia]
+    velocity = first["slip"] - first["theta_rate"]
     guesses = []
-    for angle, kinetic, inertia in itertools.product(angles, mu_k, inertias):
-        static = (
-            (problem.hoop.mu_s, *(kinetic + step for step in _TRY_STEP)) if "mu_s" in free else (problem.hoop.mu_s,)
-        )
+    for angle, rate, kinetic, inertia in itertools.product(angles, rates, mu_k, inertias):
+        static = (problem.hoop.mu_s, *(kinetic + step for step in steps)) if "mu_s" in free else (problem.hoop.mu_s,)
+        start = {"theta": float(angle), "theta_rate": rate}
+        if any_angle and problem.slips and "slip" not in given:
+            start["slip"] = velocity + rate
         for mu_s in static:
             if kinetic <= mu_s:
                 inertia = max(inertia, 2.0 * LEAST_INERTIA)
-                guesses.append(problem.guess(mu_s=mu_s, mu_k=kinetic, inertia=inertia, theta=float(angle)))
+                guesses.append(problem.guess(mu_s=mu_s, mu_k=kinetic, inertia=inertia, **start))
     return guesses
 
 
-def _search(problem: Problem, loss: str, any_angle: bool) -> Any:
-    """Refine the best of many guesses.
+def _search(problem: Problem, loss: str, any_angle: bool, given: Mapping[str, float]) -> list[_Reals]:
+    """Refine the best of many guesses; return where they end, the best first.
 
     Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track, and sought anew
     where what fits one part does not foretell the next.
     """
-    guesses = _guesses(problem, any_angle)
+    guesses = _guesses(problem, any_angle, given)
     parts, best = (_PARTS, _BEST_OF_PART) if "restitution" in problem.names else ((1.0,), _BEST)
     foretold = 0.0
     for part in parts:
@@ -260,7 +297,7 @@ def _search(problem: Problem, loss: str, any_angle: bool) -> Any:
         found.sort(key=lambda result: float(result.cost))
         guesses = _distinct([result.x for result in found])
         foretold = _FORETELLS * shorter.misfit(guesses[0])
-    return found[0]
+    return guesses
 
 
 def _distinct(guesses: list[_Reals]) -> list[_Reals]:
@@ -272,9 +309,72 @@ def _distinct(guesses: list[_Reals]) -> list[_Reals]:
     return kept
 
 
-def _result(problem: Problem, best: Any) -> FitResult:
+def _compared(problem: Problem, best: Any, others: list[_Reals]) -> tuple[Any, dict[str, float]]:
+    """Fit other sequences of phases, and return the most probable fit and the probabilities of all."""
+    rest = len(problem.names) - problem.camera_count
+    random = np.random.default_rng(0)
+    covariance, _ = _covariance(best.jac)
+    low, high = problem.bounds()
+    root = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    guesses = [np.concatenate([other[:rest], best.x[rest:]]) for other in others]
+    # Neighbours within a few standard errors, in all directions and by one parameter, which may be of another sequence.
+    for k, name in enumerate(problem.names):
+        if name in OF_HOOP:
+            moves = np.zeros((2 * len(_MOVES), root.size))
+            moves[:, k] = np.concatenate([_MOVES, np.negative(_MOVES)]) * max(root[k], _LEAST_MOVE)
+            guesses += list(np.clip(best.x + moves, low, high))
+    for _ in range(_NEIGHBOURS):
+        guesses.append(np.clip(best.x + _SPREAD * root * random.normal(size=root.size), low, high))
+    found = {problem.motion(best.x).sequence: best}
+    nearest: dict[str, tuple[float, _Reals]] = {}
+    for guess in guesses:
+        sequence = problem.motion(guess).sequence
+        if sequence not in found:
+            misfit = problem.misfit(guess)
+            if sequence not in nearest or misfit < nearest[sequence][0]:
+                nearest[sequence] = misfit, guess
+    for _, guess in sorted(nearest.values(), key=lambda one: one[0])[:_RIVALS]:
+        other = problem.refine(guess, "linear", ROUGH, _STEPS_OF_RIVAL)
+        sequence = problem.motion(other.x).sequence
+        if sequence not in found or other.cost < found[sequence].cost:
+            found[sequence] = other
+    evidence = {sequence: _evidence(one) for sequence, one in found.items()}
+    most = max(evidence.values())
+    weights = {sequence: math.exp(max(value - most, -700.0)) for sequence, value in evidence.items()}
+    order = sorted(weights, key=lambda sequence: -weights[sequence])
+    total = sum(weights.values())
+    winner = found[order[0]]
+    if winner is not best:
+        winner = problem.refine(winner.x, "linear", FINE)
+    return winner, {sequence: weights[sequence] / total for sequence in order}
+
+
+def _evidence(found: Any) -> float:
+    """Return the logarithm of the probability of the measurements for a sequence, by Laplace's method.
+
+    Beforehand each unknown is anything within about 1, in the units of the hoop.
+    """
+    normal = found.jac.T @ found.jac + np.eye(found.x.size)
+    return -float(found.cost) - 0.5 * float(np.linalg.slogdet(normal)[1])
+
+
+def _bounds_met(problem: Problem, best: Any, covariance: _Reals) -> list[str]:
+    """Return the parameters of the hoop that end at their bounds."""
+    low, high = problem.bounds()
+    met = []
+    for k, name in enumerate(problem.names):
+        near = _AT_BOUND * min(math.sqrt(max(covariance[k, k], 0.0)), 1.0) + 1e-9
+        if name in OF_HOOP and (best.x[k] - low[k] <= near or high[k] - best.x[k] <= near):
+            met.append(name)
+    return met
+
+
+def _result(
+    problem: Problem, best: Any, sequences: dict[str, float], known: Mapping[str, Noise], loss: str
+) -> FitResult:
     names = problem.names
     covariance, lost = _covariance(best.jac)
+    met = _bounds_met(problem, best, covariance)
     at_bound = False
     if "mu_s" in names and "mu_k" in names:
         # The unknown is the excess of mu_s over mu_k.
@@ -303,6 +403,21 @@ def _result(problem: Problem, best: Any) -> FitResult:
     estimates = {
         name: Estimate(values[name], math.sqrt(covariance[i, i]), name not in reasons) for i, name in enumerate(names)
     }
+    doubts = []
+    if reasons:
+        words = "; ".join(f"{name} ({reason})" for name, reason in reasons.items())
+        doubts.append(Doubt("identifiability", f"not identifiable from this motion: {words}", tuple(reasons)))
+    ends = {name: values[name] for name in met if name not in reasons}
+    if ends:
+        words = ", ".join(f"{name} = {value:.4g}" for name, value in ends.items())
+        doubts.append(Doubt("bound", f"{words} is at its bound: its interval is one-sided at best", tuple(ends)))
+    second = [(sequence, part) for sequence, part in list(sequences.items())[1:] if part > _RIVAL]
+    if second:
+        words = ", ".join(f"{sequence} ({part:.2g})" for sequence, part in second)
+        message = f"with the probability in brackets the phases are {words}, not {motion.sequence}"
+        doubts.append(Doubt("sequences", message, tuple(sequence for sequence, _ in second)))
+    doubts += _wrong_intervals(problem, best, covariance, estimates, loss)
+    doubts += doubts_of_residuals(problem, best.x, known, loss != "linear")
     result = FitResult(
         hoop=motion.hoop,
         start=motion.start,
@@ -315,12 +430,40 @@ def _result(problem: Problem, best: Any) -> FitResult:
         reduced_chi_square=problem.reduced_chi_square(best.x),
         mu_s_at_least=demand,
         message=str(best.message),
+        doubts=tuple(doubts),
+        sequences=sequences,
+        _problem=problem,
+        _unknowns=best.x,
     )
-    if reasons:
-        words = "; ".join(f"{name} ({reason})" for name, reason in reasons.items())
-        message = f"not identifiable from this motion: {words}"
-        warnings.warn(IdentifiabilityWarning(message, tuple(reasons)), stacklevel=3)
+    for doubt in doubts:
+        kind = IdentifiabilityWarning if doubt.name == "identifiability" else FitWarning
+        warnings.warn(kind(doubt), stacklevel=3)
     return result
+
+
+def _wrong_intervals(
+    problem: Problem, best: Any, covariance: _Reals, estimates: Mapping[str, Estimate], loss: str
+) -> list[Doubt]:
+    """Compare the rise of the profile likelihood at the ends of the normal intervals with that of a parabola."""
+    wrong: dict[str, float] = {}
+    for name, estimate in estimates.items():
+        if name not in OF_HOOP or not estimate.identifiable or loss != "linear":
+            continue
+        low, high = problem.limits(name)
+        for sign in (-1.0, 1.0):
+            value = estimate.value + sign * _PROFILED * estimate.std_error
+            if low < value < high:
+                found = rise(problem, best.x, covariance, name, value) / _PROFILED**2
+                if not 1.0 / _OTHER_RISE < found < _OTHER_RISE:
+                    wrong[name] = found
+    if not wrong:
+        return []
+    words = ", ".join(f"{name} ({part:.2g})" for name, part in wrong.items())
+    message = (
+        f"the likelihood of {words} is not that of a normal error ({_PROFILED:g} standard errors away it falls by the "
+        "number in brackets times as much): take profile_interval"
+    )
+    return [Doubt("interval", message, tuple(wrong))]
 
 
 def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:

@@ -17,6 +17,8 @@ _Reals = npt.NDArray[np.float64]
 _RATIOS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 _TIMES = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
 _LEAST = 1e-12
+# Longest track whose combinations are kept as a matrix.
+_DENSE = 2000
 
 
 @dataclass(frozen=True)
@@ -70,6 +72,7 @@ class Whitening:
         white = np.square(noise.white * relative)
         self._keeps: list[float] = []
         self._gains: list[float] = []
+        self._matrix: _Reals | None = None
         total = white
         if noise.slow > 0.0:
             total, slow, left = np.empty(time.size), noise.slow**2, 0.0
@@ -87,6 +90,12 @@ class Whitening:
         """Return values, or columns of them, as those combinations."""
         if not self._gains:
             return np.asarray((values.T / self._roots).T)
+        if self._matrix is None and len(self._gains) <= _DENSE:
+            # The same matrix serves every step of a fit.
+            self._matrix = self._filtered(np.eye(len(self._gains)))
+        return self._filtered(values) if self._matrix is None else np.asarray(self._matrix @ values)
+
+    def _filtered(self, values: _Reals) -> _Reals:
         found, state = np.empty_like(values), 0.0 * values[0]
         for k, (keep, gain) in enumerate(zip(self._keeps, self._gains, strict=True)):
             new = values[k] - keep * state
@@ -122,11 +131,7 @@ def estimate_noise(
     kept = norms > 0.0
     for name, tried in shapes.items():
         columns = np.column_stack([residuals[name], jacobians[name][:, kept] / norms[kept]])
-        grams[name] = []
-        for noise in tried:
-            whitening = Whitening(noise, times[name], relative[name])
-            white = whitening(columns)
-            grams[name].append((white.T @ white, whitening.log_determinant))
+        grams[name] = _grams(tried, times[name], relative[name], columns)
     counts = {name: residuals[name].size for name in residuals}
     best = dict.fromkeys(shapes, 0)
     scales = {
@@ -158,6 +163,26 @@ def _shapes(time: _Reals, correlated: bool) -> list[Noise]:
         return [Noise(1.0)]
     step = float(np.median(np.diff(time)))
     return [Noise(1.0), *(Noise(1.0, math.sqrt(ratio), step * length) for ratio in _RATIOS for length in _TIMES)]
+
+
+def _grams(shapes: Sequence[Noise], time: _Reals, relative: _Reals, columns: _Reals) -> list[tuple[_Reals, float]]:
+    """Return products of whitened columns, and the logarithm of the determinant, for each noise."""
+    whites, slows = (np.square([getattr(one, name) for one in shapes]) for name in ("white", "slow"))
+    lengths = np.array([one.time if one.slow > 0.0 else 1.0 for one in shapes])
+    state, left = np.zeros((len(shapes), columns.shape[1])), np.zeros(len(shapes))
+    found, totals = np.empty((len(time), *state.shape)), np.empty((len(time), len(shapes)))
+    for k, elapsed in enumerate(np.diff(time, prepend=-math.inf)):
+        keep = np.exp(-elapsed / lengths)
+        before = keep * keep * left + (1.0 - keep * keep) * slows
+        white = whites * relative[k] ** 2
+        totals[k] = before + white
+        left = before * white / totals[k]
+        new = columns[k] - keep[:, None] * state
+        found[k] = new / np.sqrt(totals[k])[:, None]
+        state = keep[:, None] * state + (before / totals[k])[:, None] * new
+    logs = np.sum(np.log(totals), axis=0)
+    whitened = np.moveaxis(found, 1, 0)
+    return [(one.T @ one, float(log)) for one, log in zip(whitened, logs, strict=True)]
 
 
 def _solved(

@@ -102,6 +102,7 @@ def pulls(result, hoop):
     ]
 
 
+@pytest.mark.filterwarnings("ignore:interval")
 def test_what_the_camera_shows_wrong_is_found(motion):
     track = filmed(motion, 3, WRONG)
     result = fit(track, motion, calibration=WRONG)
@@ -115,8 +116,11 @@ def test_what_the_camera_shows_wrong_is_found(motion):
         assert estimate.std_error < 0.5 * abs(value)
     assert np.max(np.abs(pulls(result, motion.hoop))) < 4.0
     assert result.reduced_chi_square == pytest.approx(1.0, abs=0.02)
-    # Who believes the camera gets intervals that do not contain the truth.
-    assert np.max(np.abs(pulls(fit(track, motion), motion.hoop))) > 4.0
+    # Who believes the camera gets intervals that do not contain the truth, and is told.
+    with pytest.warns(lw.fit_result.FitWarning):
+        believed = fit(track, motion)
+    assert {"camera", "structure"} & {doubt.name for doubt in believed.doubts}
+    assert np.max(np.abs(pulls(believed, motion.hoop))) > 4.0
 
 
 def test_constants_of_the_camera_are_found_for_a_given_motion(motion):
@@ -188,6 +192,7 @@ def test_slow_errors_are_told_from_others():
     assert 0.7 < np.median(of_others) < 1.6
 
 
+@pytest.mark.filterwarnings("ignore::littlewood.fit_result.FitWarning")
 def test_intervals_hold_with_slow_errors(motion):
     """Errors over standard errors of 10 tracks are numbers of size 1, which those of independent errors are not."""
     found, believed = [], []
@@ -210,5 +215,8 @@ def test_bad_calibrations_are_refused(motion):
         lw.Track([0.0, 1.0], theta=[0.0, 0.1], calibration=("colour",))
     with pytest.raises(ValueError, match="exposure = -1"):
         lw.Track([0.0, 1.0], theta=[0.0, 0.1], exposure=-1.0)
-    # An angle alone does not tell where the floor is.
-    assert lw.Track([0.0, 1.0], theta=[0.0, 0.1], calibration=CALIBRATION).calibration == ("exposure",)
+    # An angle alone does not tell where the floor is; along the floor a position tells of the scale, not of its height.
+    with pytest.raises(ValueError, match=r"floor, turn, .* which theta do not determine; they determine exposure"):
+        lw.Track([0.0, 1.0], theta=[0.0, 0.1], calibration=CALIBRATION)
+    with pytest.raises(ValueError, match="calibration has floor, which theta, x do not determine; they determine turn"):
+        lw.Track([0.0, 1.0], theta=[0.0, 0.1], x=[0.0, 0.1], calibration=("scale", "floor"))

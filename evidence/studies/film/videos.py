@@ -122,7 +122,7 @@ def fitted(film: Film, track: lw.Track, **more: Any) -> lw.FitResult:
     """Fit the track of a film from the truth."""
     thrown = film.thrown
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
+        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
         return lw.fit(
             track, thrown.hoop, free=FREE, slips_at_start=thrown.slips, start=thrown.start, search=False, **more
         )

@@ -1,0 +1,99 @@
+"""The profile likelihood of a parameter: how well the others make up for a wrong value of it."""
+
+from __future__ import annotations
+
+import math
+from statistics import NormalDist
+
+import numpy as np
+import numpy.typing as npt
+
+from .fit_problem import OF_HOOP, ROUGH, Problem
+from .fit_result import Estimate
+
+__all__ = ["profile_interval", "rise"]
+
+_Reals = npt.NDArray[np.float64]
+
+_STEPS = 40
+# From where the covariance foretells the others a parabola takes two or three steps.
+_STEPS_OF_RISE = 8
+# The ends of an interval are found to this part of a standard error.
+_CLOSE = 0.02
+
+
+def rise(problem: Problem, unknowns: _Reals, covariance: _Reals, name: str, value: float) -> float:
+    """Return by how much the least sum of squares exceeds that of the fit where a parameter has a value.
+
+    Parameters
+    ----------
+    problem : Problem
+        What was fitted.
+    unknowns : ndarray
+        The fit.
+    covariance : ndarray
+        That of the estimates, in the order of the names: it says where the others go.
+    name : str
+        The parameter.
+    value : float
+        Its value.
+    """
+    values = problem.values(unknowns)
+    place = problem.names.index(name)
+    part = (value - values[name]) / float(covariance[place, place])
+    for k, other in enumerate(problem.names):
+        if k != place:
+            values[other] += part * float(covariance[k, place])
+    restricted = problem.fixed(name, values | {name: value})
+    if restricted is None:
+        return math.inf
+    best = problem.scaled(unknowns)
+    narrower, begin = restricted
+    found = narrower.refine(begin, "linear", ROUGH, _STEPS_OF_RISE)
+    return 2.0 * float(found.cost) - float(best @ best)
+
+
+def profile_interval(
+    problem: Problem,
+    unknowns: _Reals,
+    covariance: _Reals,
+    name: str,
+    estimate: Estimate,
+    confidence: float,
+) -> tuple[float, float]:
+    """Return the interval in which the profile rises by less than the square of the normal quantile."""
+    if name not in OF_HOOP:
+        raise ValueError(f"name = {name!r} must be one of {', '.join(one for one in problem.names if one in OF_HOOP)}")
+    if not 0.0 < confidence < 1.0:
+        raise ValueError(f"confidence = {confidence} must lie between 0 and 1")
+    limit = NormalDist().inv_cdf(0.5 + 0.5 * confidence)
+    low, high = problem.limits(name)
+    covariance = np.where(np.isfinite(covariance), covariance, 1.0)
+    unit = estimate.std_error if math.isfinite(estimate.std_error) else 0.1 * max(1.0, abs(estimate.value))
+
+    def root(value: float) -> float:
+        return math.sqrt(max(rise(problem, unknowns, covariance, name, value), 0.0))
+
+    def end(sign: float, bound: float) -> float:
+        inside, at_inside, step = estimate.value, 0.0, limit * unit
+        outside = at_outside = math.nan
+        for _ in range(_STEPS):
+            value = inside + sign * step if math.isnan(outside) else 0.5 * (inside + outside)
+            if at_inside > 0.0 and not math.isnan(at_outside) and math.isfinite(at_outside):
+                part = (limit - at_inside) / (at_outside - at_inside)
+                value = inside + min(max(part, 0.1), 0.9) * (outside - inside)
+            if math.isnan(outside) and sign * (value - bound) >= 0.0:
+                if root(bound) < limit:
+                    return bound
+                outside, at_outside = bound, root(bound)
+                continue
+            at = root(value)
+            if at < limit:
+                inside, at_inside, step = value, at, 2.0 * step
+            else:
+                outside, at_outside = value, at
+            if not math.isnan(outside) and abs(outside - inside) < _CLOSE * unit:
+                break
+        return 0.5 * (inside + outside) if not math.isnan(outside) else sign * math.inf
+
+    return end(-1.0, low), end(1.0, high)
