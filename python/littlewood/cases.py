@@ -5,10 +5,10 @@ from __future__ import annotations
 import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any
 
 from . import _core
+from .frozen import Frozen
 from .hoop import Hoop
 from .motion import Start
 from .tables import HOOP, START
@@ -64,7 +64,7 @@ def _case(
     return Case(name, title, source, body, Start(**dict(zip(START, start, strict=True))))
 
 
-CASES: Mapping[str, Case] = MappingProxyType({row[0]: _case(*row) for row in _core.cases()})
+CASES: Mapping[str, Case] = Frozen({row[0]: _case(*row) for row in _core.cases()})
 """All cases by their names."""
 
 

@@ -13,6 +13,25 @@ if TYPE_CHECKING:
     Reals = npt.NDArray[np.float64]
 
 
+def reals(values: Any) -> npt.NDArray[np.float64]:
+    """Return numbers as an array; NaN where they are masked.
+
+    Raises
+    ------
+    TypeError
+        For dates, texts and complex numbers, which are no real numbers.
+    """
+    array = np.asanyarray(values)
+    if array.dtype.kind not in "biufO":
+        raise TypeError(f"{array.dtype} is not a type of real numbers")
+    if np.ma.isMaskedArray(array):
+        array = np.ma.filled(array.astype(np.float64), np.nan)
+    try:
+        return np.asarray(array, dtype=np.float64)
+    except OverflowError:
+        raise TypeError("a number is beyond the range of doubles") from None
+
+
 def flat(values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
     """Return an array of one dimension, as the core takes it: of this type, and aligned.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -152,6 +153,14 @@ class Hoop:
             "restitution": restitution,
         }
         numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP], restitution_law)
+        most = disc_mass_kg * radius_m**2
+        # The product may be rounded.
+        if inertia_kg_m2 > most * (1.0 + 1e-12):
+            warnings.warn(
+                f"inertia_kg_m2 = {inertia_kg_m2:g} exceeds {most:.4g}, that of a disc with all its mass at the rim "
+                "(disc_mass_kg radius_m²)",
+                stacklevel=2,
+            )
         parameters: dict[str, Any] = dict(zip(HOOP, numbers, strict=True))
         return cls(**parameters, restitution_law=restitution_law, units=Units(*units))
 

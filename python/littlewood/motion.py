@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from . import _core
+from .frozen import Frozen
 from .tables import FINAL_OUTCOMES, IMPACT_LABELS, OUTCOME_LABELS, START
 
 __all__ = [
@@ -209,7 +209,7 @@ class Transition:
 
 
 def _frozen(details: Mapping[str, Any]) -> Mapping[str, Any]:
-    return MappingProxyType(dict(details))
+    return Frozen(details)
 
 
 @dataclass(frozen=True)

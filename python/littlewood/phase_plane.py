@@ -59,6 +59,9 @@ class PhasePlane:
         self.hoop = hoop
         self._core = _core.PhasePlane(hoop._given)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return PhasePlane, (self.hoop,)
+
     def __repr__(self) -> str:
         return f"PhasePlane({self.hoop!r})"
 

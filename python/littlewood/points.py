@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .elementwise import reals
 from .extras import require
 from .hoop import Hoop
 from .tables import AXES, HOOP, QUANTITIES
@@ -71,6 +72,13 @@ class Points:
         require("dask.array")
         # Each with the same blocks along the same dimension: found on one array over all of them.
         xr = require("xarray")
+        if isinstance(chunks, Mapping):
+            unknown = [str(name) for name in chunks if name not in self.sizes]
+            if unknown:
+                raise ValueError(f"chunks has {', '.join(unknown)}; the dimensions are {', '.join(self.sizes)}")
+        for size in chunks.values() if isinstance(chunks, Mapping) else [chunks]:
+            if isinstance(size, int) and (size == 0 or size < -1):
+                raise ValueError(f"chunks = {size} must be at least 1, or -1 for the whole dimension")
         shape = tuple(self.sizes.values())
         probe = xr.Variable(tuple(self.sizes), np.broadcast_to(np.float64(0.0), shape)).chunk(chunks)
         blocks = probe.chunksizes
@@ -95,7 +103,7 @@ def _real(name: str, value: Any) -> Any:
     if is_lazy(value):
         return value.astype(np.float64)
     try:
-        return np.asarray(value, dtype=np.float64)
+        return reals(value)
     except (TypeError, ValueError) as error:
         raise type(error)(f"{name} must hold real numbers: {error}") from None
 
@@ -110,6 +118,9 @@ def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
     TypeError
         For an unknown name, or if a quantity is missing.
     """
+    if hoop is not None and not isinstance(hoop, Hoop):
+        hint = f": littlewood.case({hoop!r}).hoop is one" if isinstance(hoop, str) else ""
+        raise TypeError(f"hoop = {hoop!r} must be a Hoop{hint}")
     unknown = [name for name in given if name not in AXES]
     if unknown:
         raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join(AXES)}")

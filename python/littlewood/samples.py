@@ -56,7 +56,9 @@ class Samples(Mapping[str, Any]):
 
     def __getattr__(self, name: str) -> Any:
         # Only what is not found elsewhere comes here.
-        if name.startswith("_") or name not in self._columns:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name not in self._columns:
             raise AttributeError(f"samples have no {name!r}; they have {', '.join(self)}")
         return self._columns[name]
 

@@ -6,17 +6,17 @@ Names, codes, labels and units stand in the core alone; this module gives them t
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from types import MappingProxyType
 from typing import NamedTuple, TypeVar
 
 from . import _core
+from .frozen import Frozen
 
 _K = TypeVar("_K")
 _V = TypeVar("_V")
 
 
 def _frozen(items: Iterable[tuple[_K, _V]]) -> Mapping[_K, _V]:
-    return MappingProxyType(dict(items))
+    return Frozen(dict(items))
 
 
 class Quantity(NamedTuple):

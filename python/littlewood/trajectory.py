@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy.typing as npt
 
 from . import _core, derivatives
 from .counts import checked_count, checked_limits
-from .elementwise import flat
+from .elementwise import flat, reals
 from .extras import require
 from .html import page_html
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition, _frozen
@@ -203,7 +204,7 @@ class Trajectory:
         """
         if side not in ("after", "before"):
             raise ValueError(f"side = {side!r} must be 'after' or 'before'")
-        return Samples(self._core.at(flat(times), side == "before"), np.shape(times))
+        return Samples(self._core.at(flat(reals(times)), side == "before"), np.shape(times))
 
     def sample(self, count: int = 1001, until: float | None = None) -> Samples:
         """Return evenly spaced instants, and both sides of each transition in between.
@@ -292,6 +293,30 @@ class Trajectory:
         table["mode"] = pd.Categorical.from_codes(np.asarray(samples["mode"]), categories=list(MODES))
         frame: pandas.DataFrame = pd.DataFrame(table)
         return frame
+
+    def to_csv(
+        self,
+        path: str | Path | None = None,
+        times: npt.ArrayLike | None = None,
+        *,
+        count: int = 1001,
+        si: bool = False,
+    ) -> str | None:
+        """Write instants as comma-separated values, with the columns of :meth:`to_pandas`.
+
+        Parameters
+        ----------
+        path : str or Path, optional
+            The file; without one the text is returned.
+        times, count, si : optional
+            As those of :meth:`to_pandas`.
+
+        Returns
+        -------
+        str or None
+        """
+        text: str | None = self.to_pandas(times, count=count, si=si).to_csv(path, index=False)
+        return text
 
     def derivatives(self, quantities: Sequence[str] | None = None) -> xarray.Dataset:
         r"""Return the exact derivatives of each transition and of the outcome.

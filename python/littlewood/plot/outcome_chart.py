@@ -50,6 +50,14 @@ def classes(dataset: xarray.Dataset) -> xarray.DataArray:
     return named
 
 
+def _is_geometric(values: Any) -> bool:
+    """Tell whether an axis has equal factors, and not equal steps."""
+    if values.size < 3 or np.min(values) <= 0.0:
+        return False
+    ratios, steps = np.diff(np.log(values)), np.diff(values)
+    return bool(np.allclose(ratios, ratios[0], rtol=1e-6) and not np.allclose(steps, steps[0], rtol=1e-6))
+
+
 def _codes(outcome: Any, sequence: Any, lift_off_time: Any) -> Any:
     arrays = np.broadcast_arrays(outcome, sequence, lift_off_time)
     types = (np.uint8, np.uint64, np.float64)
@@ -108,6 +116,10 @@ def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None
     axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1.0), frameon=False, labelspacing=0.9)
     axes.set_xlabel(sign(x) if x == "theta" else axis_label(x))
     axes.set_ylabel(sign(y) if y == "theta" else axis_label(y))
+    if _is_geometric(shown[x].to_numpy()):
+        axes.set_xscale("log")
+    if _is_geometric(shown[y].to_numpy()):
+        axes.set_yscale("log")
     if x == "theta":
         pi_ticks(axes)
     if y == "theta":
