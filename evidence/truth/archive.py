@@ -248,6 +248,7 @@ def readme(tables: dict[str, list[Row]]) -> bytes:
 | tables/samples.csv | states within the phases as doubles; key: motion, phase, time |
 | datapackage.json | types, units and keys of all columns (Frictionless) |
 | cases.json | the inputs, and those that the benchmark of contact solvers uses |
+| derivatives.json | derivatives of the events of some motions, as balls |
 | families.md | what each family shows |
 | checker.py | `python3 checker.py certificates/*.json` confirms them; it needs Python 3.10 and nothing else |
 
@@ -266,6 +267,7 @@ def contents() -> dict[str, bytes]:
         files[str(path.relative_to(HERE).as_posix())] = path.read_bytes()
     for path in (PACKAGE / "certify" / "checker.py", PACKAGE / "scoring" / "cases.json"):
         files[path.name] = path.read_bytes()
+    files["derivatives.json"] = (HERE / "derivatives.json").read_bytes()
     files["README.md"] = readme(tables)
     for path in (HERE / "LICENSE", HERE / "families.md", HERE / "CITATION.cff"):
         files[path.name] = path.read_bytes()

@@ -825,7 +825,15 @@ def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
         assert len(set(keys)) == len(rows) > 0
         assert {row["motion"] for row in rows} <= set(CASES)
     assert described["contributors"] and described["description"]
-    assert {"README.md", "LICENSE", "CITATION.cff", "families.md", "checker.py", "cases.json"} <= set(files)
+    assert {
+        "README.md",
+        "LICENSE",
+        "CITATION.cff",
+        "families.md",
+        "checker.py",
+        "cases.json",
+        "derivatives.json",
+    } <= set(files)
     for row in csv.DictReader(io.StringIO(files["tables/motions.csv"].decode())):
         given = CASES[row["motion"]].given
         assert all(float(row[key]) == value for key, value in given["hoop"].items() if key != "restitution_law")

@@ -589,6 +589,8 @@ def test_derivatives_are_scored_phase_by_phase(tmp_path, capsys, motion):
     assert phases[0]["error"] == pytest.approx(0.1 * np.max(np.abs(theta[sliding])), rel=1e-12)
     assert main(["figure-3", str(path), "--gradient", "mass"]) == 2
     assert "mass" in capsys.readouterr().err
+    with pytest.raises(ValueError, match="slip = 0"):
+        lw.scoring.score_gradient(motion, instants, x, theta, "slip")
     rows[3, 1] *= np.nan
     with pytest.raises(ValueError, match=r"x\[3\] must be finite"):
         lw.scoring.score_gradient(motion, *rows.T, "mu_k")

@@ -123,6 +123,8 @@ def score_gradient(
         if not np.all(np.isfinite(column)):
             raise ValueError(f"{name}[{np.flatnonzero(~np.isfinite(column))[0]}] must be finite")
     times, *found = columns
+    if quantity in ("slip", "gap_rate") and getattr(motion.start, quantity) == 0.0:
+        raise ValueError(f"the start has {quantity} = 0: motions differ on its two sides")
     data = motion.derivatives_at(times, [quantity])
     exact = np.array([data[name].sel(quantity=quantity) for name in ("x", "theta")])
     edges = [motion.start.time, *(one.time for one in motion.transitions), np.inf]
