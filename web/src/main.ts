@@ -17,12 +17,14 @@ import type { NamedCase, State, Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
+import { watchDrags } from './ui/drag';
 import { Embedding } from './ui/embedding';
 import { EnergyBar } from './ui/energy-bar';
 import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
 import { Host } from './ui/host';
 import { ImpactPane } from './ui/impact-pane';
+import { MovesPane } from './ui/moves-pane';
 import { PhaseTable } from './ui/phase-table';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
@@ -74,6 +76,8 @@ function start(cases: NamedCase[]): void {
   const phases = new PhaseTable(lab, go);
   const energy = new EnergyBar(lab);
   const impact = new ImpactPane(lab, palette, draw, go);
+  const moves = new MovesPane(lab, draw);
+  watchDrags(lab);
   new Share(
     lab,
     {
@@ -97,6 +101,7 @@ function start(cases: NamedCase[]): void {
     stale.time = false;
     plane.paint();
     impact.paint();
+    moves.paint();
   }
 
   const showTheme = (): void => {
@@ -119,6 +124,7 @@ function start(cases: NamedCase[]): void {
       phases.showMotion();
       energy.showMotion();
       impact.showMotion();
+      moves.showMotion();
       bar.show();
     }
     if (changes.has('errors')) {

@@ -30,6 +30,12 @@ pub fn column(value: f64) -> String {
     .replace('-', "−")
 }
 
+/// Three digits are enough for a sentence; all of them are in the tables.
+#[must_use]
+pub fn three(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
 fn infinite(value: f64) -> String {
     if value.is_nan() {
         "undefined".to_owned()

@@ -1,7 +1,8 @@
 //! The core of `littlewood` for the browser.
 //!
 //! A thin boundary: numbers cross it as `Float64Array`s, so that not a bit is lost on the way, and texts as the command
-//! line writes them. [`Motion`] is a simulated motion, [`Routh`] the diagram of an impact, [`Plane`] the (θ, θ′) plane with
+//! line writes them. [`Motion`] is a simulated motion, [`Routh`] the diagram of an impact, [`Moves`] what
+//! moves an event, [`Prediction`] a landing predicted from another motion, [`Plane`] the (θ, θ′) plane with
 //! its curves, [`OutcomeMap`] what becomes of every start of that plane, [`Problem`] a hoop and a start in either system of
 //! units. A value that has no physical meaning is a [`Refusal`], which names the quantity.
 //!
@@ -16,8 +17,11 @@ pub mod hops;
 mod link;
 mod map;
 mod motion;
+mod moves;
 mod panic;
+mod partials;
 mod plane;
+mod prediction;
 mod problem;
 mod refusal;
 mod routh;
@@ -29,8 +33,10 @@ pub use digest::digest_line;
 pub use link::{read_link, read_number, write_link};
 pub use map::{MapSubject, OutcomeMap};
 pub use motion::Motion;
+pub use moves::Moves;
 pub use panic::{begin, provoke_panic};
 pub use plane::Plane;
+pub use prediction::{Ghost, Prediction};
 pub use problem::{Problem, dimensionless_quantities, si_quantities};
 pub use refusal::Refusal;
 pub use routh::Routh;

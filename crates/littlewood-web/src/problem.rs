@@ -148,7 +148,7 @@ impl Problem {
         Ok(Self { hoop, start: setup.start, limits: Limits::default().with_until(until), units })
     }
 
-    const fn setup(&self) -> Setup {
+    pub(crate) const fn setup(&self) -> Setup {
         Setup::new(self.hoop.parameters(), self.start)
     }
 }

@@ -13,10 +13,13 @@ import {
   OUTCOME_ROWS,
   OUTCOMES,
   type OutcomeKind,
+  type Quantity,
   SAMPLE_COLUMNS,
   type SampleColumn,
+  STATE_COLUMNS,
+  type StateColumn,
 } from '../generated/tables';
-import { boundary, Motion as CoreMotion, type Problem } from './wasm';
+import { boundary, Motion as CoreMotion, type Prediction, type Problem } from './wasm';
 
 export type Sample = Readonly<Record<SampleColumn, number>>;
 export type Samples = Record<SampleColumn, Float64Array> & { length: number };
@@ -54,6 +57,29 @@ export interface Routh {
   frame: Float64Array;
   sticking: Float64Array;
   compression: Float64Array;
+}
+
+/** What a small change of a quantity moves an event by, in the units of the problem; a reason where there is no derivative. */
+export interface Move {
+  quantity: Quantity;
+  change: number;
+  moved: number | null;
+  reason: string | null;
+}
+
+/** What moves a number of an event: the largest move first, and a sentence on it. */
+export interface Moves {
+  rows: Move[];
+  sentence: string;
+}
+
+/** A landing that is predicted to first order, and the flight before it. */
+export interface Ghost {
+  time: number;
+  theta: number;
+  x: number;
+  /** x and height of the mass centre, in turn. */
+  path: Float64Array;
 }
 
 /** Where the energy of the start is. What an impact has gained is lost below zero. */
@@ -217,6 +243,26 @@ export class Motion {
     return routh;
   }
 
+  /** What moves a number of a transition. */
+  moves(transition: number, column: StateColumn): Moves {
+    const core = this.core.moves(transition);
+    if (core === undefined) return { rows: [], sentence: '' };
+    const place = STATE_COLUMNS.indexOf(column);
+    const moves = { rows: JSON.parse(core.rows(place)) as Move[], sentence: core.sentence(place) };
+    core.free();
+    return moves;
+  }
+
+  /** The landings, in order, as far as the motion is shown. */
+  get landings(): Event[] {
+    return this.events.filter(({ name, transition, time }) => name === 'landing' && transition !== null && time <= this.end);
+  }
+
+  /** What the derivatives predict of a landing of other motions. */
+  prediction({ transition }: Event): Prediction | null {
+    return (transition === null ? undefined : this.core.prediction(transition)) ?? null;
+  }
+
   /** The table of the phases; with `all` nothing is folded or left out. */
   table(all: boolean): Table {
     return JSON.parse(this.core.table(all)) as Table;
@@ -247,6 +293,15 @@ export function modeOf(code: number): Mode {
   return mode;
 }
 
+/** What a prediction says of a problem: a ghost, or why there is none. */
+export function ghostOf(prediction: Prediction, problem: Problem): Ghost | string {
+  const core = prediction.of(problem);
+  const [time = NaN, theta = NaN, , , x = NaN] = core.landing();
+  const ghost = core.reason() ?? { time, theta, x, path: core.path() };
+  core.free();
+  return ghost;
+}
+
 /** Whether the core has the names that the page was generated with, in the same order. */
 export function namesAgree(): boolean {
   return boundary() === BOUNDARY;
@@ -256,7 +311,7 @@ function byColumn(row: Float64Array): Record<SampleColumn, number> {
   return Object.fromEntries(SAMPLE_COLUMNS.map((name, i) => [name, row[i]])) as Record<SampleColumn, number>;
 }
 
-const NO_IMPACT = { impact: null, transition: null } as const;
+const NO_TRANSITION = { impact: null, transition: null } as const;
 
 /** A name of the core as one of a list that the page has. */
 function named<T extends string>(list: readonly T[], name: string): T {
@@ -292,7 +347,7 @@ function eventsOf(document: Document, first: string, others: string[], last: str
   });
   const { time, theta, theta_rate, slip } = start;
   const events: Event[] = [
-    { time, theta, theta_rate, slip, name: 'start', label: 'start', to: modeNamed(start.mode), sentence: first, ...NO_IMPACT },
+    { time, theta, theta_rate, slip, name: 'start', label: 'start', to: modeNamed(start.mode), sentence: first, ...NO_TRANSITION },
   ];
   transitions.forEach((it, i) => {
     const cause = named(CAUSES, it.cause);
@@ -302,16 +357,17 @@ function eventsOf(document: Document, first: string, others: string[], last: str
       label: CAUSE_LABELS[cause],
       to: modeNamed(it.to),
       sentence: others[i]!,
-      ...NO_IMPACT,
+      impact: null,
+      transition: i,
     };
-    events.push(it.impact ? { ...event, impact: impactOf(it.impact, event), transition: i } : event);
+    events.push(it.impact ? { ...event, impact: impactOf(it.impact, event) } : event);
   });
   const kind = named(OUTCOMES, outcome.kind);
   const { label, forever, lastEvent } = OUTCOME_ROWS[kind];
   if (lastEvent === null) {
     const mode = document.phases.at(-1)?.mode ?? null;
     const to = forever ? modeNamed(mode) : null;
-    events.push({ ...state(outcome), name: kind, label, to, sentence: last, ...NO_IMPACT });
+    events.push({ ...state(outcome), name: kind, label, to, sentence: last, ...NO_TRANSITION });
   }
   return events;
 }

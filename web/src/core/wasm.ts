@@ -21,6 +21,7 @@ export {
   Motion,
   OutcomeMap,
   Plane,
+  Prediction,
   Problem,
   provokePanic,
   Refusal,

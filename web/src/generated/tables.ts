@@ -179,6 +179,16 @@ export const COLUMN_ROWS = {
   particle_y: { longName: 'height of the particle', signs: { dimensionless: 'y₂', si: 'y₂' }, units: { dimensionless: 'R', si: 'm' } },
 } as const satisfies Record<SampleColumn, ColumnRow>;
 
+/** Those of a state, in the order in which the core gives them. */
+export const STATE_COLUMNS = [
+  'time',
+  'theta',
+  'theta_rate',
+  'slip',
+  'x',
+] as const;
+export type StateColumn = (typeof STATE_COLUMNS)[number];
+
 /** Modes of motion. Arrays hold a mode as its place in this list. */
 export const MODES = [
   'rolling',

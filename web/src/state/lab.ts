@@ -1,8 +1,8 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
 import { inOrder, inSystem, LIMIT, quantityNamed, type Values, valuesOf } from '../core/fields';
-import { type ColumnUnits, type ImpactEvent, Motion, unitsOf } from '../core/motion';
-import { Problem, Refusal } from '../core/wasm';
+import { type ColumnUnits, type Event, type Ghost, ghostOf, type ImpactEvent, Motion, unitsOf } from '../core/motion';
+import { type Prediction, Problem, Refusal } from '../core/wasm';
 import {
   DIMENSIONLESS,
   type DimensionlessNumber,
@@ -16,11 +16,17 @@ import {
 import { lawOf, type NamedCase, numberOf, numbersOfProblem, type ProblemState, problemWith, type State, type ViewState } from './state';
 import { caseOf, type FieldError } from './url';
 
-/** What has changed: the hoop, the slip or the rate of the gap (new curves, new map), the motion, the time of the cursor, the view. */
-export type Change = 'hoop' | 'motion' | 'time' | 'view' | 'errors';
+/** What has changed: the hoop, the slip or the rate of the gap (new curves, new map), the motion, the time of the cursor, the view, a drag that has ended. */
+export type Change = 'hoop' | 'motion' | 'time' | 'view' | 'errors' | 'drag';
 
 /** Values of quantities; that of a coefficient of restitution may be none. */
 export type Given = Partial<Record<Exclude<Quantity, 'restitution'>, number>> & { restitution?: number | null };
+
+/** The next landing of a motion that is dragged, predicted from before the drag, or why it cannot be; and the exact one, if there is one. */
+export interface Landing {
+  predicted: Ghost | string;
+  exact: Event | null;
+}
 
 type Listener = (changes: ReadonlySet<Change>) => void;
 
@@ -31,6 +37,10 @@ export class Lab {
   /** What dimensionless values are worth in the units that are shown. */
   units: ColumnUnits;
   fieldErrors: FieldError[] = [];
+  /** Whether something is being dragged. */
+  held = false;
+  /** What was known before the drag: of which landing, and what the derivatives say of it. */
+  private before: { landing: number; prediction: Prediction } | null = null;
   private readonly listeners: Listener[] = [];
 
   constructor(
@@ -76,6 +86,42 @@ export class Lab {
     return impacts.findLast((event) => event.time <= time) ?? impacts[0] ?? null;
   }
 
+  /** A drag begins: what follows is compared with what was before. */
+  hold(): void {
+    this.held = true;
+  }
+
+  /** A drag ends. */
+  release(): void {
+    if (!this.held) return;
+    this.held = false;
+    this.before?.prediction.free();
+    this.before = null;
+    this.notify('drag');
+  }
+
+  private remember(): void {
+    if (this.before !== null) return;
+    const { landings } = this.motion;
+    const next = landings.findIndex((it) => it.time > this.time);
+    const landing = Math.max(next, 0);
+    const prediction = landings[landing] === undefined ? null : this.motion.prediction(landings[landing]);
+    if (prediction !== null) this.before = { landing, prediction };
+  }
+
+  /** The landing of a motion that is dragged. */
+  get landing(): Landing | null {
+    if (this.before === null) return null;
+    const { landing, prediction } = this.before;
+    return { predicted: ghostOf(prediction, this.problem), exact: this.motion.landings[landing] ?? null };
+  }
+
+  /** The transition that is shown: the last one up to the cursor, or the first. */
+  get transition(): Event | null {
+    const transitions = this.motion.events.filter(({ transition, time }) => transition !== null && time <= this.motion.end);
+    return transitions.findLast((event) => event.time <= this.time) ?? transitions[0] ?? null;
+  }
+
   /** Time of the cursor. */
   get time(): number {
     return this.state.view.time ?? this.motion.begin;
@@ -90,6 +136,7 @@ export class Lab {
     try {
       const problem = checked(next);
       const motion = Motion.of(problem, caseOf(next));
+      if (this.held) this.remember();
       this.motion.free();
       this.motion = motion;
       this.problem = problem;

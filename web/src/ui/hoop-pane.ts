@@ -2,7 +2,7 @@
 
 import { brief, byId } from '../dom';
 import type { Palette } from '../generated/palette';
-import { QUANTITY_ROWS } from '../generated/tables';
+import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { Sheet, type Size } from '../views/canvas';
 import { cameraOf, drawHoop, type HoopScene, seen } from '../views/hoop';
@@ -22,6 +22,7 @@ const EDGE = 26;
 export class HoopPane {
   private readonly sheet: Sheet;
   private readonly handle = byId('slope-handle', HTMLDivElement);
+  private readonly ghost = byId('ghost', HTMLParagraphElement);
 
   constructor(
     private readonly lab: Lab,
@@ -43,7 +44,7 @@ export class HoopPane {
   }
 
   private get scene(): HoopScene {
-    const { motion, time, plain, problem, state } = this.lab;
+    const { motion, time, plain, problem, state, landing } = this.lab;
     return {
       motion,
       sample: motion.at(time),
@@ -51,6 +52,10 @@ export class HoopPane {
       h: problem.h,
       slope: plain.slope,
       follow: state.view.follow,
+      landing: landing && {
+        predicted: typeof landing.predicted === 'string' ? null : landing.predicted,
+        exact: landing.exact && motion.at(landing.exact.time),
+      },
       palette: this.palette,
     };
   }
@@ -61,6 +66,30 @@ export class HoopPane {
     const { scene } = this;
     drawHoop(this.sheet.clear(), size, scene);
     this.placeHandle(size, scene);
+    this.showGhost();
+  }
+
+  /** The predicted landing in words, beside the exact one. */
+  private showGhost(): void {
+    const {
+      landing,
+      motion,
+      units,
+      state: {
+        problem: { system },
+      },
+    } = this.lab;
+    this.ghost.hidden = landing === null;
+    if (landing === null) return;
+    const { predicted, exact } = landing;
+    const { time: tau, x } = COLUMN_ROWS;
+    const say = (it: { x: number; time: number }): string =>
+      `${x.signs[system]} = ${brief(it.x * units.x, 4)} ${x.units[system]}, ${tau.signs[system]} = ${brief(it.time * units.time, 4)} ${tau.units[system]}`;
+    const now = exact && motion.at(exact.time);
+    this.ghost.textContent = [
+      typeof predicted === 'string' ? `No prediction: ${predicted}.` : `Landing to first order: ${say(predicted)}.`,
+      now && exact ? `Exact: ${say({ x: now.x, time: exact.time })}.` : 'The motion no longer lands.',
+    ].join(' ');
   }
 
   drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {

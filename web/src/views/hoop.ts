@@ -1,7 +1,7 @@
 // The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and trails. The view is level, and a
 // plane with a slope is tilted.
 
-import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
+import { type Ghost, type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
 import { MODE_DASHES, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
@@ -16,6 +16,8 @@ export interface HoopScene {
   h: number;
   slope: number;
   follow: boolean;
+  /** The next landing as it was predicted before a drag, and as it is. */
+  landing: { predicted: Ghost | null; exact: Sample | null } | null;
   palette: Palette;
 }
 
@@ -37,6 +39,9 @@ const SIGN = {
   friction: COLUMN_ROWS.friction.signs.dimensionless,
   slip: COLUMN_ROWS.slip.signs.dimensionless,
 };
+
+/** Where the landing is seen by itself, in pixels, and those of a radius. */
+const INSET = { top: 46, width: 190, height: 96, scale: 30 };
 
 type Place = readonly [number, number];
 
@@ -62,8 +67,10 @@ export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopSce
     return;
   }
   drawTrails(c, motion.samples, sample.time, camera, palette);
+  drawLanding(c, camera, scene);
   drawBody(c, camera, scene, sample);
   drawArrows(c, camera, scene, sample);
+  if (scene.follow) drawInset(c, size, camera, scene);
 }
 
 export function cameraOf({ width, height }: Size, { motion, sample, slope, follow }: HoopScene): Camera {
@@ -152,6 +159,66 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
   };
   trail(s.x, s.centre_y, 1.5);
   trail(s.mass_centre_x, s.mass_centre_y, 2.5);
+}
+
+/** The landing of a motion that is dragged: as predicted, dashed, and as it is. */
+function drawLanding(c: CanvasRenderingContext2D, camera: Camera, { landing, offset, palette }: HoopScene): void {
+  if (landing === null) return;
+  const { predicted, exact } = landing;
+  const draw = (x: number, theta: number, colour: string): void => {
+    c.strokeStyle = colour;
+    c.fillStyle = colour;
+    c.beginPath();
+    c.arc(...camera.at(x, 1), camera.scale - 2.5, 0, 2 * Math.PI);
+    c.stroke();
+    c.setLineDash([]);
+    c.beginPath();
+    c.arc(...camera.at(x - offset * Math.sin(theta), 1 + offset * Math.cos(theta)), 5, 0, 2 * Math.PI);
+    c.fill();
+  };
+  c.lineWidth = 2;
+  if (exact) draw(exact.x, exact.theta, palette.ink.soft);
+  if (predicted) {
+    c.setLineDash([6, 5]);
+    c.strokeStyle = palette.ink.ink;
+    c.beginPath();
+    for (let i = 0; i < predicted.path.length; i += 2) c.lineTo(...camera.at(predicted.path[i]!, predicted.path[i + 1]!));
+    c.stroke();
+    draw(predicted.x, predicted.theta, palette.ink.ink);
+  }
+  c.setLineDash([]);
+}
+
+/** The landing by itself where the view follows the hoop, which is elsewhere. */
+function drawInset(c: CanvasRenderingContext2D, size: Size, camera: Camera, scene: HoopScene): void {
+  const { landing, palette } = scene;
+  const x = landing?.exact?.x ?? landing?.predicted?.x;
+  if (x === undefined) return;
+  const [width, height] = [Math.min(INSET.width, size.width), INSET.height];
+  const [left, top] = [size.width - width - 1, INSET.top];
+  const { sin, cos } = camera;
+  const [middle, ground] = [left + 0.5 * width, top + 0.78 * height];
+  c.save();
+  c.beginPath();
+  c.rect(left, top, width, height);
+  c.fillStyle = palette.ink.paper;
+  c.strokeStyle = palette.ink.soft;
+  c.lineWidth = 1;
+  c.fill();
+  c.stroke();
+  c.clip();
+  const at = (along: number, up: number): Place => [
+    middle + INSET.scale * ((along - x) * cos - up * sin),
+    ground - INSET.scale * ((along - x) * sin + up * cos),
+  ];
+  c.strokeStyle = palette.ink.ink;
+  c.lineWidth = 2;
+  c.beginPath();
+  c.moveTo(...at(x - width, 0));
+  c.lineTo(...at(x + width, 0));
+  c.stroke();
+  drawLanding(c, { ...camera, scale: INSET.scale, at }, scene);
+  c.restore();
 }
 
 function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene, sample: Sample): void {

@@ -4,9 +4,9 @@ use littlewood::impact::{Impact, ImpactCase};
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, Trajectory, Transition};
 
-use super::{three, to_the};
+use super::to_the;
 use crate::energy::kinetic_energy;
-use crate::number::brief;
+use crate::number::{brief, three};
 use crate::scale::Scale;
 
 /// Smaller parts of an energy are rounding.

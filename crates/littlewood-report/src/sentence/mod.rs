@@ -9,7 +9,7 @@ use littlewood::tables::Dimension;
 use littlewood::theory::{Candidates, ContactForces, RollingLaw};
 use littlewood::{Cause, Mode, Outcome, Phase, Trajectory, Transition};
 
-use crate::number::brief;
+use crate::number::{brief, three};
 use crate::scale::Scale;
 
 /// Why the motion of a massless hoop ends at the plane.
@@ -280,9 +280,4 @@ fn to_the(slip: f64) -> &'static str {
 /// Two digits say enough about a coefficient of friction.
 fn short(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
-}
-
-/// Three digits are enough for a sentence; all of them are in the tables.
-fn three(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
 }

@@ -2,7 +2,7 @@
 
 use littlewood::impact::ImpactCase;
 use littlewood::tables::{Class, Dimension, Group, Quantity, SampleColumn, System};
-use littlewood::{Cause, Mode, OutcomeKind, RestitutionLaw};
+use littlewood::{Cause, Mode, OutcomeKind, RestitutionLaw, State};
 use littlewood_report::link::VIEW;
 use littlewood_web::{dimensionless_quantities, si_quantities};
 
@@ -118,6 +118,12 @@ fn columns(source: &mut Source) {
         (column.name(), object(&fields))
     });
     source.record("COLUMN_ROWS", ("SampleColumn", "ColumnRow"), "The table of columns.", rows);
+    source.names(
+        "STATE_COLUMNS",
+        "StateColumn",
+        "Those of a state, in the order in which the core gives them.",
+        State::COLUMNS.map(SampleColumn::name),
+    );
 }
 
 fn outcomes(source: &mut Source) {

@@ -1,0 +1,287 @@
+//! What moves an event, and by how much, to first order.
+
+use core::cmp::Ordering;
+
+use littlewood::derivatives::Derivative;
+use littlewood::si::{SiSetup, Units};
+use littlewood::tables::{Dimension, Group, Quantity};
+use littlewood::{Cause, State, Trajectory};
+use littlewood_report::number::{brief, three};
+use littlewood_report::scale::Scale;
+use serde_json::{Value, json};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::partials::{Change, Partials};
+use crate::problem::Problem;
+
+/// The part of a quantity by which it is changed, or of its usual range where it is 0.
+const PART: f64 = 0.01;
+
+/// What a small change of each quantity moves an event by.
+#[wasm_bindgen]
+#[derive(Clone, Debug)]
+pub struct Moves {
+    cause: Cause,
+    units: Option<Units>,
+    rows: Vec<Row>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    quantity: Quantity,
+    /// Whether the change is a part of the usual range.
+    is_of_range: bool,
+    /// In the units of the problem, as what follows.
+    change: f64,
+    moved: Derivative<Change>,
+}
+
+impl Row {
+    fn moved(&self, column: usize) -> Derivative<f64> {
+        self.moved.map(|numbers| numbers.get(column).copied().unwrap_or_default())
+    }
+}
+
+#[wasm_bindgen]
+impl Moves {
+    /// The quantities, what each is changed by, and by how much that moves a column of [`State::COLUMNS`], as JSON: the largest move first,
+    /// and last what has no derivative, with the reason.
+    #[must_use]
+    pub fn rows(&self, column: usize) -> String {
+        let row = |row: &Row| {
+            json!({
+                "quantity": row.quantity.name(),
+                "change": row.change,
+                "moved": row.moved(column).ok(),
+                "reason": row.moved.err().map(|reason| reason.label()),
+            })
+        };
+        Value::from_iter(self.sorted(column).into_iter().map(row)).to_string()
+    }
+
+    /// The quantity that moves a column most.
+    #[must_use]
+    pub fn sentence(&self, column: usize) -> String {
+        let event = self.cause.label();
+        let rows = self.sorted(column);
+        let (Some(row), Some(column_moved)) = (rows.first(), State::COLUMNS.get(column)) else {
+            return String::new();
+        };
+        let moved = match row.moved(column) {
+            Err(reason) => {
+                return format!("Nothing is known of what moves this event ({event}): {}.", reason.label());
+            }
+            Ok(0.0) => return format!("Nothing moves this event ({event})."),
+            Ok(moved) => moved,
+        };
+        let scale = Scale::new(self.units.as_ref());
+        let unit = column_moved.dimension().map_or("", |it| unit_of(it, self.units.is_some()));
+        let (sign, name) = (row.quantity.sign(), row.quantity.long_name());
+        let part = if row.is_of_range { "of its usual range" } else { "of it" };
+        let plus = if moved > 0.0 { "+" } else { "" };
+        let by = format!("{plus}{} {unit}", brief(three(moved)));
+        format!(
+            "This event ({event}) moves most with {sign}, the {name}: +1 % {part} moves {} by {}.",
+            scale.column_sign(*column_moved),
+            by.trim_end()
+        )
+    }
+}
+
+impl Moves {
+    /// Of a transition of the motion of a problem; none if there is no such transition.
+    pub(crate) fn of(problem: &Problem, trajectory: &Trajectory, transition: usize) -> Option<Self> {
+        let event = trajectory.transitions().get(transition)?;
+        let partials = Partials::of(problem, trajectory, transition)?;
+        let setup = problem.setup();
+        let row = |(quantity, value): (Quantity, f64)| {
+            let [least, most] = quantity.row().usual;
+            let is_of_range = value == 0.0;
+            let change = PART * if is_of_range { most - least } else { value };
+            let moved = match (&problem.units, unit_place(quantity)) {
+                (None, _) => partials.move_of(|other| if other == quantity { change } else { 0.0 }),
+                (Some(units), None) => {
+                    let plain = quantity.dimensionless();
+                    let change = units.from_si(plain.dimension(), change);
+                    partials
+                        .move_of(|other| if other == plain { change } else { 0.0 })
+                        .map(|moved| in_columns(moved, |dimension, moved| units.to_si(dimension, moved)))
+                }
+                // A unit that grows makes the dimensionless numbers smaller, and those of the event in SI units larger.
+                (Some(units), Some(place)) => {
+                    let growth = |dimension: Dimension| PART * 0.5 * f64::from(dimension.halves()[place]);
+                    let change =
+                        |other: Quantity| -growth(other.dimension()) * setup.get(other).unwrap_or(0.0);
+                    let numbers = event.after.numbers();
+                    partials.move_of(change).map(|mut moved| {
+                        for ((moved, number), column) in moved.iter_mut().zip(numbers).zip(State::COLUMNS) {
+                            *moved += column.dimension().map_or(0.0, growth) * number;
+                        }
+                        in_columns(moved, |dimension, moved| units.to_si(dimension, moved))
+                    })
+                }
+            };
+            Row { quantity, is_of_range, change, moved }
+        };
+        let rows = values(problem).map(row).collect();
+        Some(Self { cause: event.cause, units: problem.units, rows })
+    }
+
+    fn sorted(&self, column: usize) -> Vec<&Row> {
+        let mut rows: Vec<&Row> = self.rows.iter().collect();
+        rows.sort_by(|one, other| match (one.moved(column), other.moved(column)) {
+            (Ok(one), Ok(other)) => other.abs().total_cmp(&one.abs()),
+            (Ok(_), Err(_)) => Ordering::Less,
+            (Err(_), Ok(_)) => Ordering::Greater,
+            (Err(_), Err(_)) => Ordering::Equal,
+        });
+        rows
+    }
+}
+
+/// The quantities of hoop, plane and start on which the motion depends, in the units of a problem, with their values.
+fn values(problem: &Problem) -> impl Iterator<Item = (Quantity, f64)> {
+    let setup = problem.setup();
+    let si = problem.units.as_ref().map(|units| SiSetup::new(&setup, units));
+    let (hoop, start): (&'static [Quantity], &'static [Quantity]) = match si {
+        None => (&Quantity::HOOP, &Quantity::START),
+        Some(_) => (&Quantity::SI_HOOP, &Quantity::SI_START),
+    };
+    hoop.iter().chain(start).copied().filter(|quantity| quantity.group() != Group::Place).filter_map(
+        move |quantity| {
+            let value = match &si {
+                None => setup.get(quantity),
+                Some(si) => si.get(quantity),
+            };
+            Some((quantity, value?))
+        },
+    )
+}
+
+/// The place of a quantity among the exponents of m2, R and g.
+fn unit_place(quantity: Quantity) -> Option<usize> {
+    [Quantity::ParticleMassKg, Quantity::RadiusM, Quantity::GravityMPerS2]
+        .iter()
+        .position(|unit| *unit == quantity)
+}
+
+fn in_columns(mut change: Change, convert: impl Fn(Dimension, f64) -> f64) -> Change {
+    for (number, column) in change.iter_mut().zip(State::COLUMNS) {
+        if let Some(dimension) = column.dimension() {
+            *number = convert(dimension, *number);
+        }
+    }
+    change
+}
+
+const fn unit_of(dimension: Dimension, is_si: bool) -> &'static str {
+    match (dimension, is_si) {
+        (Dimension::Angle, _) | (_, true) => dimension.si_sign(),
+        (_, false) => dimension.scale_sign(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use littlewood::derivatives::NoDerivative;
+
+    use super::*;
+    use crate::motion::Motion;
+
+    const TIME: usize = 0;
+    const THETA: usize = 1;
+    const X: usize = 4;
+
+    /// By how much a column of the event moves with each quantity; none without a derivative.
+    fn moved(moves: &Moves, column: usize) -> Vec<(Quantity, Option<f64>)> {
+        moves.rows.iter().map(|row| (row.quantity, row.moved(column).ok())).collect()
+    }
+
+    fn of(problem: &Problem, transition: usize) -> Moves {
+        Motion::new(problem, None).unwrap().moves(transition).unwrap()
+    }
+
+    #[test]
+    fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
+        // m1, m2, R, ℓ, Izz, g, μs, μk, α, θ, dθ/dt, dη/dt, rate of the gap, x, t: the mass centre is the centre.
+        let (gravity, slope, rate, lift, x): (f64, f64, f64, f64, f64) = (8.0, 0.25, 3.0, 2.0, 4.0);
+        let si = [1.5, 0.5, 2.0, 0.0, 3.0, gravity, 0.5, 0.4, slope, 0.5, rate, 1.0, lift, x, 0.0];
+        let moves = of(&Problem::si(&si, None, None, None).unwrap(), 0);
+        let (sin, cos) = (libm::sin(slope), libm::cos(slope));
+        // t = 2 v/(g cos α), θ = θ₀ + θ̇ t.
+        let time = 2.0 * lift / (gravity * cos);
+        let expected = |quantity| match quantity {
+            Quantity::GapRateMPerS => (0.01 * time, 0.01 * rate * time),
+            Quantity::GravityMPerS2 => (-0.01 * time, -0.01 * rate * time),
+            Quantity::Slope => (0.01 * slope * time * sin / cos, 0.01 * slope * rate * time * sin / cos),
+            Quantity::ThetaRateRadPerS => (0.0, 0.01 * rate * time),
+            Quantity::Theta => (0.0, 0.01 * 0.5),
+            _ => (0.0, 0.0),
+        };
+        let [times, angles] = [TIME, THETA].map(|column| moved(&moves, column));
+        assert_eq!(times.len(), 13);
+        for ((quantity, in_time), (_, in_angle)) in times.into_iter().zip(angles) {
+            // With an offset the mass centre is elsewhere.
+            if quantity == Quantity::OffsetM {
+                continue;
+            }
+            let (expected_time, expected_angle) = expected(quantity);
+            // A few roundings of numbers of this size.
+            assert!(
+                (in_time.unwrap() - expected_time).abs() <= 8.0 * f64::EPSILON * time,
+                "{quantity}: {in_time:?}"
+            );
+            assert!(
+                (in_angle.unwrap() - expected_angle).abs() <= 8.0 * f64::EPSILON * rate * time,
+                "{quantity}"
+            );
+        }
+    }
+
+    #[test]
+    fn masses_that_grow_together_move_nothing() {
+        // Only their ratios are in the equations.
+        let si = [0.4, 0.14, 0.45, 0.45, 0.081, 9.8, 0.5, 0.4, 0.1, 1.2, 6.0, 0.0, 0.0, 0.0, 0.0];
+        let motion = Motion::new(&Problem::si(&si, None, None, None).unwrap(), None).unwrap();
+        let moves = motion.moves(motion.transition_sentences().len() - 1).unwrap();
+        for column in [TIME, THETA, X] {
+            let masses: Vec<f64> = moved(&moves, column)
+                .into_iter()
+                .filter(|(quantity, _)| {
+                    [Quantity::DiscMassKg, Quantity::ParticleMassKg, Quantity::InertiaKgM2].contains(quantity)
+                })
+                .map(|(_, moved)| moved.unwrap())
+                .collect();
+            let size: f64 = masses.iter().map(|it| it.abs()).sum();
+            assert!(size > 1e-6);
+            // The move by m2 is the sum of the other two, rounded a few times.
+            assert!(masses.iter().sum::<f64>().abs() <= 8.0 * f64::EPSILON * size, "{masses:?}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_derivative_is_last_and_says_why() {
+        let numbers = [1.0, 1.0, 1.0, 0.5, 0.4, 0.0, core::f64::consts::FRAC_PI_2, 2.0, 0.0, 0.0, 0.0, 0.0];
+        let moves = of(&Problem::dimensionless(&numbers, None, None, None).unwrap(), 3);
+        let rows: Value = serde_json::from_str(&moves.rows(X)).unwrap();
+        let rows = rows.as_array().unwrap();
+        assert_eq!(rows.len(), 10);
+        for row in &rows[8..] {
+            assert!(row["moved"].is_null());
+            assert_eq!(row["reason"], NoDerivative::OneSided.label());
+            assert!(["slip", "gap_rate"].contains(&row["quantity"].as_str().unwrap()));
+        }
+        let sizes: Vec<f64> = rows[..8].iter().map(|row| row["moved"].as_f64().unwrap().abs()).collect();
+        assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
+        // α = 0 is changed by a part of its usual range.
+        let slope = rows.iter().find(|row| row["quantity"] == "slope").unwrap();
+        assert_eq!(slope["change"], 0.02);
+        let first = rows[0]["quantity"].as_str().unwrap().parse::<Quantity>().unwrap();
+        let sentence = moves.sentence(X);
+        assert!(
+            sentence.starts_with(&format!("This event (landing) moves most with {}, the ", first.sign()))
+                && sentence.ends_with(" R."),
+            "{sentence}"
+        );
+    }
+}
