@@ -15,6 +15,7 @@ import { byId } from './dom';
 import { type Change, Lab } from './state/lab';
 import type { NamedCase, State, Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
+import { Address } from './ui/address';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
 import { watchDrags } from './ui/drag';
@@ -51,6 +52,7 @@ function start(cases: NamedCase[]): void {
   const { embed } = parse(location.hash, plain).state.view;
   const first: State = { ...plain, view: { ...plain.view, embed } };
   const lab = new Lab(first, cases);
+  const address = new Address(lab);
   setTheme(first.view.theme);
 
   let palette = paletteOf(first.view.theme);
@@ -60,7 +62,7 @@ function start(cases: NamedCase[]): void {
   };
   const clock = new Clock(lab, () => {
     transport.showView();
-    if (!clock.playing) writeSoon(lab, host);
+    if (!clock.playing) writeSoon(lab, host, address);
   });
   const go = (time: number): void => {
     clock.pause();
@@ -86,7 +88,7 @@ function start(cases: NamedCase[]): void {
       impact: (c, width, height) => impact.drawOn(c, width, height),
     },
     () => palette,
-    () => address(lab),
+    () => address.text,
   );
   const embedding = new Embedding(lab);
 
@@ -154,7 +156,7 @@ function start(cases: NamedCase[]): void {
     plane.motionChanged();
     draw();
     // While it plays, the time in the address would change at every frame.
-    if (!(clock.playing && changes.size === 1 && changes.has('time'))) writeSoon(lab, host);
+    if (!(clock.playing && changes.size === 1 && changes.has('time'))) writeSoon(lab, host, address);
   });
 
   const read = (fragment: string): void => {
@@ -163,6 +165,7 @@ function start(cases: NamedCase[]): void {
     reading = true;
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
+    address.taken();
     showLinkErrors(lab.fieldErrors);
   };
   const host = new Host((fragment) => {
@@ -191,21 +194,15 @@ function start(cases: NamedCase[]): void {
     });
 }
 
-/** The address of the state. As the document of a notebook's frame the page has no address, and this is the fragment alone. */
-function address(lab: Lab): string {
-  const fragment = `#${format(lab.state)}`;
-  return HAS_ADDRESS ? `${location.origin}${location.pathname}${location.search}${fragment}` : fragment;
-}
-
 let timer = 0;
-function writeSoon(lab: Lab, host: Host): void {
+function writeSoon(lab: Lab, host: Host, address: Address): void {
   window.clearTimeout(timer);
   // A link that is wrong stays in sight, to be mended.
   if (lab.fieldErrors.length > 0) return;
   const shown = location.hash;
   timer = window.setTimeout(() => {
     // Another address that has come meanwhile, as by going back, is yet to be read.
-    if (HAS_ADDRESS && location.hash === shown) history.replaceState(null, '', address(lab));
+    if (location.hash === shown) address.write();
     host.tell(format(lab.state));
   }, ADDRESS_PAUSE);
 }

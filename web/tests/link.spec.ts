@@ -57,6 +57,47 @@ test('the address changes with the page, and back brings nothing strange', async
   await expect(page.locator('#case')).toHaveValue('figure-3');
 });
 
+test('going back undoes a change, one at a time, and forward does it again', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  await page.locator('#case').selectOption('rolls-forever');
+  await expect(page).toHaveURL(/case=rolls-forever/);
+  await page.locator('#si').check();
+  await expect(page).toHaveURL(/radius_m=/);
+  await field(page, 'mu_s').focus();
+  for (const text of ['0.6', '0.65', '0.7']) {
+    await type(page, 'mu_s', text);
+    await expect(page).toHaveURL(new RegExp(`mu_s=${text}&`));
+  }
+  await page.evaluate(() => history.back());
+  await expect(page.locator('#si')).toBeChecked();
+  await expect(field(page, 'mu_s')).not.toHaveValue('0.7');
+  await expect(page).not.toHaveURL(/mu_s=0\.6/);
+  await page.evaluate(() => history.back());
+  await expect(page.locator('#si')).not.toBeChecked();
+  await expect(page.locator('#case')).toHaveValue('rolls-forever');
+  await page.evaluate(() => history.back());
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+  await page.evaluate(() => history.forward());
+  await expect(page.locator('#case')).toHaveValue('rolls-forever');
+});
+
+test('a drag is one entry of the history', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  const length = await page.evaluate(() => history.length);
+  const box = (await page.locator('#start-handle').boundingBox())!;
+  await page.mouse.move(box.x + 15, box.y + 15);
+  await page.mouse.down();
+  for (const by of [10, 20, 30]) {
+    await page.mouse.move(box.x + 15 + by, box.y + 15);
+    // Longer than the address waits.
+    await page.waitForTimeout(400);
+  }
+  await page.mouse.up();
+  await expect.poll(() => page.evaluate(() => history.length)).toBe(length + 1);
+  await page.evaluate(() => history.back());
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+});
+
 const BAD: [string, string, RegExp][] = [
   ['mu_k=7', 'mu_k', /mu_k = 7 must not exceed mu_s = 0.5/],
   ['theta=nonsense', 'theta', /'nonsense' is not a number/],
