@@ -65,6 +65,8 @@ export class PlanePane {
     };
     pane.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
+      // A finger that begins beside the start may be about to scroll the page: it sets the start where it taps.
+      if (event.pointerType === 'touch' && event.target !== this.handle) return;
       event.preventDefault();
       pane.setPointerCapture(event.pointerId);
       this.handle.focus({ preventScroll: true });
@@ -72,6 +74,12 @@ export class PlanePane {
     });
     pane.addEventListener('pointermove', (event) => {
       if (pane.hasPointerCapture(event.pointerId)) move(event);
+    });
+    pane.addEventListener('click', (event) => {
+      if (event.pointerType !== 'touch' || event.target === this.handle) return;
+      this.handle.focus({ preventScroll: true });
+      const box = this.top.canvas.getBoundingClientRect();
+      this.moveTo(this.frame.theta(event.clientX - box.left), this.frame.rateAt(event.clientY - box.top));
     });
     this.handle.addEventListener('keydown', (event) => {
       const [right, up] = {
