@@ -89,6 +89,37 @@ test('on a phone the start is dragged with a finger', async ({ browser, baseURL 
   await context.close();
 });
 
+test('a swipe that begins on the plane scrolls the page, and leaves the start', async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  const page = await context.newPage();
+  await open(page, 'case=figure-3&map=0');
+  await page.locator('#plane').scrollIntoViewIfNeeded();
+  const { x, y } = await pixelOf(page, 0, 0);
+  const session = await context.newCDPSession(page);
+  const before = await page.evaluate(() => window.scrollY);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', to: number): Promise<unknown> =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: to }] });
+  await touch('touchStart', y);
+  for (let step = 1; step <= 8; step++) await touch('touchMove', y - 15 * step);
+  await touch('touchEnd', y);
+  await expect.poll(() => page.evaluate(() => window.scrollY)).toBeGreaterThan(before + 50);
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+  await context.close();
+});
+
+test('the numbers of an axis have the room that they need', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  // An axis is as wide as its longest number.
+  const widths = await page
+    .locator('.chart')
+    .evaluateAll((charts) =>
+      charts.map((it) => it.querySelector('.u-over')!.getBoundingClientRect().left - it.getBoundingClientRect().left),
+    );
+  const [, , normal, , energy] = widths as [number, number, number, number, number];
+  expect(energy).toBeGreaterThan(normal);
+  expect(energy).toBeGreaterThanOrEqual(12 + 8 * 4);
+});
+
 test('it works without a network once it has been there', async ({ page, context }) => {
   await open(page, 'case=figure-3');
   await page.evaluate(async () => {

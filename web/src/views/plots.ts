@@ -17,6 +17,10 @@ export interface Subject {
   values(samples: Samples, units: ColumnUnits): (number | null)[];
 }
 
+/** Pixels of an axis beside its numbers, and of one of their digits. */
+const AXIS = 12;
+const DIGIT = 8;
+
 /** What a motion is shown as. */
 export interface Shown {
   motion: Motion;
@@ -106,7 +110,7 @@ export class Plots {
           { ...axis, size: 26, gap: 2, space: 50 },
           {
             ...axis,
-            size: 44,
+            size: (_, texts) => AXIS + DIGIT * Math.max(0, ...(texts ?? []).map((it) => it.length)),
             gap: 3,
             space: 28,
             values: (_, ticks) => ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')),
