@@ -1,10 +1,12 @@
-"""Runs the engines, each in its own virtual environment, and scores what they compute.
+"""Runs the engines, each in its own virtual environment, checks and scores what they compute, and writes their rows.
 
-python evidence/engines/run.py [NAME ...] [--step STEP ...] [--case CASE ...] [--setting SETTING ...] [--out FOLDER]
+python evidence/engines/run.py [NAME ...] [--changed COMMIT] [--step STEP ...] [--case CASE ...] [--setting SETTING ...]
+                               [--out FOLDER]
 
-The Python that runs this has the package of this repository; environments are made under target/engines, or where
-LITTLEWOOD_ENGINES says. Results are two tables in results/: runs.csv has a row for each run, engines.csv what each
-engine ran on. What is run replaces the runs of the same engine, case and setting; all others stay.
+An engine is one file, adapters/NAME_adapter.py (.cjs, .rs), whose first comment says what it is and needs; template.py
+is one. The Python that runs this has the package of this repository; environments and logs are made under
+target/engines, or where LITTLEWOOD_ENGINES says. results/NAME.csv has a row for each run, results/machines.csv what
+each engine ran on. What is run replaces the runs of the same case and setting; all others stay.
 """
 
 from __future__ import annotations
@@ -12,7 +14,6 @@ from __future__ import annotations
 import argparse
 import csv
 import json
-import math
 import os
 import platform
 import re
@@ -22,10 +23,15 @@ import tempfile
 import venv
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from littlewood.scoring import BENCHMARK, Record, score, score_gradient
+from littlewood.scoring.gradient import read_gradient
+
 HERE = Path(__file__).resolve().parent
+ADAPTERS = HERE / "adapters"
 ENVIRONMENTS = Path(os.environ.get("LITTLEWOOD_ENGINES", HERE.parents[1] / "target" / "engines"))
 RESULTS = HERE / "results"
 
@@ -35,164 +41,143 @@ REFUSED = 3
 PATIENCE = 120.0
 """Seconds that an adapter may take."""
 
-
-@dataclass(frozen=True)
-class Case:
-    """A hoop (mass ratio and inertia 1) and its start."""
-
-    what: str
-    until: float
-    theta: float
-    theta_rate: float
-    slip: float = 0.0
-    gap_rate: float = 0.0
-    mu_s: float = 0.5
-    mu_k: float = 0.5
-    restitution: float = 0.0
-    offset: float = 1.0
-    slope: float = 0.0
-
-    def motion(self, law: str | None = None) -> Any:
-        """The exact motion; all laws of restitution agree on it, as slip does not end within an impact that bounces."""
-        import littlewood as lw
-
-        parameters = {"mu_s": self.mu_s, "mu_k": self.mu_k, "restitution": self.restitution, "slope": self.slope}
-        hoop = lw.Hoop(mass_ratio=1, offset=self.offset, inertia=1, restitution_law=law, **parameters)
-        start = {"theta": self.theta, "theta_rate": self.theta_rate, "slip": self.slip, "gap_rate": self.gap_rate}
-        return hoop.simulate(**start, until=self.until)
-
-    def file(self, hoop: Any) -> dict[str, float]:
-        """What an adapter reads."""
-        return {
-            "mass": hoop.mass,
-            "h": hoop.h,
-            "inertia": hoop.inertia_about_mass_centre,
-            "slope": self.slope,
-            "mu_s": self.mu_s,
-            "mu_k": self.mu_k,
-            "restitution": self.restitution,
-            "theta": self.theta,
-            "theta_rate": self.theta_rate,
-            "slip": self.slip,
-            "gap_rate": self.gap_rate,
-            "until": self.until,
-        }
-
-
-CASES = {
-    "figure-3": Case("Figure 3 with μs = μk: slides, rolls, slides, jumps, lands", 5.0, math.pi / 2, 2.0),
-    "two-coefficients": Case("Figure 3: μs = 0.5, μk = 0.4", 5.0, math.pi / 2, 2.0, mu_k=0.4),
-    "slides-and-sticks": Case("slides and sticks", 3.0, 2.0, 0.5, slip=1.0),
-    "rolls": Case("rolls", 3.0, 3.0, 1.0),
-    "lands": Case("is thrown, lands sliding, sticks", 2.0, 2.5, 0.5, slip=0.5, gap_rate=0.5),
-    "bounces": Case("bounces three times, e = 0.5", 2.9, 1.7, -0.4, slip=3.5, gap_rate=0.7, restitution=0.5),
-    "bounces-high": Case("bounces five times, e = 0.8", 4.6, -2.4, -1.5, slip=3.5, gap_rate=0.5, restitution=0.8),
-    # Next to the equilibrium, in which the mass centre is over the point of contact: it rocks by 5e-6.
-    "ramp-rests": Case("ramp: rests, the particle low", 5.0, -2.93298, 0.0, slope=0.2),
-    "ramp-rolls": Case("ramp: balanced, rolls down without slip", 5.0, 0.0, 0.0, offset=0.0, slope=0.3),
-    "ramp-slips": Case(
-        "ramp: balanced, rolls down with slip", 5.0, 0.0, 0.0, mu_s=0.1, mu_k=0.1, offset=0.0, slope=0.5
-    ),
-    "ramp-jumps": Case("ramp: slides, rolls, slides, jumps, lands", 3.9, math.pi / 2, 2.0, slope=0.2),
-}
-
 STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5)
 COARSE = (1e-2, 1e-3, 1e-4)
 """Steps of every case but the first, which has all."""
 
-RAMPS = tuple(name for name in CASES if name.startswith("ramp-"))
-"""Cases on a slope, which engines need not have run."""
+LEAST_STEP = 1e-4
+"""Of an engine that chooses its steps itself: a smaller one only writes more rows."""
+
+DEBIAN = "/usr/bin/python3"
+"""The Python of packages of Debian; LITTLEWOOD_SYSTEM_PYTHON names another."""
+
+KEYS = ("engine", "contact", "settings", "steps", "requires", "gradients", "docs", "reply")
+CONTACTS = ("events", "rigid", "compliant")
 
 
 @dataclass(frozen=True)
 class Engine:
-    """A solver: its name for people, its settings, and whether it chooses its steps itself."""
+    """An adapter and what its first comment says."""
 
-    title: str
-    settings: tuple[str, ...] = ("default", "careful")
-    is_adaptive: bool = False
-    interpreter: str = ""
-    """A Python that has the engine, where no registry has it; LITTLEWOOD_SYSTEM_PYTHON names another."""
+    name: str
+    adapter: Path
+
+    @cached_property
+    def said(self) -> dict[str, str]:
+        """The lines `key: value`; one that begins with two spaces goes on with the one before."""
+        text = self.adapter.read_text(encoding="utf-8").replace("\n//! ", "\n").split("\nimport")[0]
+        text = re.sub(r"\n  (?=\S)", " ", text)
+        return dict(re.findall(rf"^({'|'.join(KEYS)}): (.+)$", text, re.MULTILINE))
 
     @property
-    def least_step(self) -> float:
-        """An engine that chooses its steps itself only writes more rows with a smaller one."""
-        return 1e-4 if self.is_adaptive else 0.0
+    def title(self) -> str:
+        """Its name for people."""
+        return self.said["engine"]
+
+    @property
+    def settings(self) -> tuple[str, ...]:
+        """Its settings."""
+        return tuple(self.said["settings"].split())
+
+    @property
+    def requires(self) -> list[str]:
+        """Packages with exact versions: of PyPI, or with npm:, cargo:, debian: or git: before them."""
+        return self.said.get("requires", "").split()
+
+    @property
+    def gradients(self) -> list[str]:
+        """Quantities with respect to which it has derivatives."""
+        return self.said.get("gradients", "").split()
+
+    @property
+    def is_adaptive(self) -> bool:
+        """Whether it chooses its steps itself."""
+        return "steps" in self.said
+
+    def check(self) -> None:
+        """Refuse an adapter that does not say what it must."""
+        begin = f"error: {self.adapter.name}:"
+        for key in ("engine", "contact", "settings", "docs"):
+            if key not in self.said:
+                raise SystemExit(f"{begin} its first comment has no line `{key}: …`, as template.py has")
+        if self.said["contact"] not in CONTACTS:
+            raise SystemExit(f"{begin} contact is {self.said['contact']}, not {' or '.join(CONTACTS)}")
+        for one in self.requires:
+            if not re.fullmatch(r"cargo:\w+|git:[\w/.-]+@[0-9a-f]{40}|(npm:|debian:)?[\w@/.-]+==[\w.+]+", one):
+                raise SystemExit(f"{begin} requires {one}, which has no exact version: NAME==VERSION")
 
 
-ENGINES = {
-    "scipy": Engine("SciPy solve_ivp", is_adaptive=True),
-    "heyoka": Engine("heyoka", is_adaptive=True),
-    "moreau": Engine("Moreau time stepping (ours)", ("default",)),
-    "pymunk": Engine("pymunk (Chipmunk)"),
-    "box2d": Engine("Box2D 2.3"),
-    "planck": Engine("planck (Box2D, double precision)"),
-    "rapier": Engine("Rapier"),
-    "bullet": Engine("Bullet"),
-    "dart": Engine("DART"),
-    "mujoco": Engine("MuJoCo"),
-    "mjx": Engine("MJX (MuJoCo in JAX)"),
-    "newton": Engine("Newton (Warp)"),
-    "drake": Engine("Drake", ("default", "careful", "continuous")),
-    "exudyn": Engine("Exudyn"),
-    "siconos": Engine("Siconos", interpreter="/usr/bin/python3"),
-}
+def engines() -> dict[str, Engine]:
+    """All engines by name, rigid and compliant apart."""
+    found = [Engine(path.name.split("_adapter.")[0], path) for path in ADAPTERS.glob("*_adapter.*")]
+    for one in found:
+        one.check()
+    found.sort(key=lambda one: (CONTACTS.index(one.said["contact"]), one.title.lower()))
+    return {one.name: one for one in found}
 
 
-def requirements(name: str) -> Path:
-    """The file with the versions of an engine: of packages, or the manifest of a crate; an engine of ours has none."""
-    manifest = HERE / "requirements" / name / "Cargo.toml"
-    return manifest if manifest.exists() else HERE / "requirements" / f"{name}.txt"
-
-
-def versions(text: str) -> dict[str, str]:
-    """Packages and their versions in a file of requirements, or in a manifest, which names those that are exact."""
-    if "[dependencies]" in text:
-        return dict(re.findall(r'^([\w-]+) = "=([\w.]+)"$', text, re.MULTILINE))
-    return dict(
-        re.fullmatch(r"([\w.-]+)==([\w.]+)", line.strip()).groups() for line in text.splitlines() if line.strip()
-    )
-
-
-def adapter_of(name: str) -> Path:
-    """The adapter of an engine, for Python, node or in Rust."""
-    return next((HERE / "adapters").glob(f"{name}_adapter.*"))
-
-
-def prepared(name: str) -> list[str]:
+def prepared(engine: Engine) -> list[str]:
     """The command that runs an adapter; its environment is made if it is not there or has other versions."""
-    file, adapter = requirements(name), adapter_of(name)
-    if not file.exists():
+    adapter, folder, needs = engine.adapter, ENVIRONMENTS / engine.name, engine.requires
+    if not needs:
         return [sys.executable, str(adapter)]
-    if ENGINES[name].interpreter:
-        return [os.environ.get("LITTLEWOOD_SYSTEM_PYTHON", ENGINES[name].interpreter), str(adapter)]
-    folder = ENVIRONMENTS / name
-    if adapter.suffix == ".rs":
-        options = ["--quiet", "--release", "--locked", "--manifest-path", str(file), "--target-dir", str(folder)]
+    if needs[0].startswith("debian:"):
+        return [os.environ.get("LITTLEWOOD_SYSTEM_PYTHON", DEBIAN), str(adapter)]
+    if needs[0].startswith("cargo:"):
+        manifest = HERE / "requirements" / needs[0].removeprefix("cargo:") / "Cargo.toml"
+        options = ["--quiet", "--release", "--locked", "--manifest-path", str(manifest), "--target-dir", str(folder)]
         subprocess.run(["cargo", "build", *options], check=True)
         return [str(folder / "release" / adapter.stem)]
-    python, made = folder / "bin" / "python", folder / "requirements.txt"
-    is_node = adapter.suffix == ".cjs"
-    if not made.exists() or made.read_bytes() != file.read_bytes():
-        if is_node:
-            packages = [
-                f"{package}@{version}" for package, version in versions(file.read_text(encoding="utf-8")).items()
-            ]
-            folder.mkdir(parents=True, exist_ok=True)
-            subprocess.run(["npm", "install", "--silent", "--no-save", "--prefix", str(folder), *packages], check=True)
-        else:
-            venv.create(folder, clear=True, with_pip=True)
-            install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement", str(file)]
-            subprocess.run([python, *install], check=True)
-        made.write_bytes(file.read_bytes())
-    if is_node:
+    made = folder.with_suffix(".txt")
+    if not made.exists() or made.read_text(encoding="utf-8") != "\n".join(needs):
+        make(folder, needs)
+        made.write_text("\n".join(needs), encoding="utf-8")
+    if needs[0].startswith("npm:"):
         return ["env", f"NODE_PATH={folder / 'node_modules'}", "node", str(adapter)]
-    return [str(python), str(adapter)]
+    return ["env", f"LITTLEWOOD_SOURCES={folder / 'sources'}", str(folder / "bin" / "python"), str(adapter)]
+
+
+def make(folder: Path, needs: list[str]) -> None:
+    """Make an environment."""
+    packages = [one for one in needs if ":" not in one]
+    npm = [one.removeprefix("npm:").replace("==", "@") for one in needs if one.startswith("npm:")]
+    if npm:
+        folder.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["npm", "install", "--silent", "--no-save", "--prefix", str(folder), *npm], check=True)
+        return
+    venv.create(folder, clear=True, with_pip=True)
+    install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", *packages]
+    subprocess.run([folder / "bin" / "python", *install], check=True)
+    for one in needs:
+        if one.startswith("git:"):
+            source, commit = one.removeprefix("git:").split("@")
+            into = folder / "sources" / source.split("/")[1]
+            # A copy that is there already is as good, where the host can't be reached.
+            origin = os.environ.get("LITTLEWOOD_GIT", "https://github.com/") + source
+            subprocess.run(["git", "clone", "--quiet", origin, str(into)], check=True)
+            subprocess.run(["git", "-C", str(into), "checkout", "--quiet", commit], check=True)
+
+
+def case_file(given: Any) -> dict[str, float]:
+    """What an adapter reads of a case."""
+    hoop, start = given.motion.hoop, given.given["start"]
+    return {
+        "mass": hoop.mass,
+        "h": hoop.h,
+        "inertia": hoop.inertia_about_mass_centre,
+        "slope": hoop.slope,
+        "mu_s": hoop.mu_s,
+        "mu_k": hoop.mu_k,
+        "restitution": hoop.restitution or 0.0,
+        **{name: start[name] for name in ("theta", "theta_rate", "slip", "gap_rate")},
+        "until": given.given["until"],
+    }
 
 
 def steps_of(case: str, engine: Engine) -> list[float]:
     """The steps with which an engine runs a case."""
-    return [step for step in (STEPS if case == next(iter(CASES)) else COARSE) if step >= engine.least_step]
+    steps = STEPS if case == next(iter(BENCHMARK)) else COARSE
+    return [step for step in steps if not engine.is_adaptive or step >= LEAST_STEP]
 
 
 def outcome(code: int | None, message: str) -> dict[str, str]:
@@ -203,20 +188,27 @@ def outcome(code: int | None, message: str) -> dict[str, str]:
     return {"status": "refused" if code == REFUSED else "failed", "reason": last[0]}
 
 
-def run_adapter(prefix: list[str], case: Path, step: float, setting: str, record: Path) -> dict[str, Any]:
-    """Run one adapter once: its status, and its cost."""
+def run_adapter(prefix: list[str], case: Path, step: float, setting: str, record: Path, log: Path) -> dict[str, Any]:
+    """Run one adapter once: its status, and its cost. What it prints is in the log."""
     command = [*prefix, str(case), repr(step), setting, str(record)]
+    record.unlink(missing_ok=True)
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
     except subprocess.TimeoutExpired:
+        log.write_text(f"longer than {PATIENCE:g} s\n", encoding="utf-8")
         return outcome(None, "")
+    log.write_text(done.stdout + done.stderr, encoding="utf-8")
     if done.returncode != 0:
         return outcome(done.returncode, done.stderr)
-    return {"status": "scored", **json.loads(done.stdout.strip().splitlines()[-1])}
+    try:
+        cost = json.loads(done.stdout.strip().splitlines()[-1])
+        return {"status": "scored", "cpu_s": float(f"{cost['cpu_s']:.2g}"), "steps": cost["steps"]}
+    except (IndexError, KeyError, ValueError):
+        return {"status": "failed", "reason": "the last line that it prints is not the JSON of adapter.main"}
 
 
 def kept(score: dict[str, Any]) -> dict[str, Any]:
-    """What of a score goes into the results, with eight digits."""
+    """What of a score goes into the results, with four digits."""
     whole: dict[str, Any] = rounded(score)
     error, energy = whole["largest_error"], whole["energy"]
     return {
@@ -231,136 +223,178 @@ def kept(score: dict[str, Any]) -> dict[str, Any]:
         "slip_while_rolling": whole["slip_while_rolling"],
         "penetration": whole["penetration"],
         # Of events that are none, of which there may be hundreds, the number says enough.
-        "events": [event for event in whole["events"] if event["exact"] is not None],
+        "events": [event for event in score["events"] if event["exact"] is not None],
     }
 
 
 def rounded(value: Any) -> Any:
-    """The same with eight digits."""
+    """The same with four digits; times, which have an error beside them, with eight."""
     if isinstance(value, float):
-        return float(f"{value:.8g}")
+        return float(f"{value:.4g}")
     if isinstance(value, dict):
         return {key: rounded(one) for key, one in value.items()}
     return [rounded(one) for one in value] if isinstance(value, list) else value
 
 
-def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
+def runs(engine: Engine, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
     """Run an engine with all its cases, settings and steps."""
-    import littlewood as lw
-
-    engine, prefix = ENGINES[name], prepared(name)
+    prefix = prepared(engine)
+    logs = ENVIRONMENTS / "logs" / engine.name
+    logs.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         file, record = Path(folder) / "case.json", Path(folder) / "record.csv"
-        for label in options.case or CASES:
-            motion = CASES[label].motion()
-            file.write_text(json.dumps(CASES[label].file(motion.hoop)), encoding="utf-8")
+        for label in options.case or BENCHMARK:
+            file.write_text(json.dumps(case_file(BENCHMARK[label])), encoding="utf-8")
             for setting in engine.settings:
                 if options.setting and setting not in options.setting:
                     continue
                 for step in options.step or steps_of(label, engine):
+                    log = logs / f"{label}-{setting}-{step:g}.log"
                     run = {"case": label, "setting": setting, "step": step}
-                    run |= run_adapter(prefix, file, step, setting, record)
+                    run |= run_adapter(prefix, file, step, setting, record, log)
                     if run["status"] == "scored":
-                        try:
-                            run |= kept(lw.scoring.score(motion, lw.scoring.Record.from_csv(record)).as_dict())
-                        except ValueError as error:
-                            run |= {"status": "failed", "reason": str(error).replace(str(record), "the record")}
-                    print(
-                        name,
-                        label,
-                        setting,
-                        step,
-                        run["status"],
-                        run.get("error", run.get("reason")),
-                        flush=True,
-                    )
+                        run |= scored(label, record, log)
+                    said = run.get("error", run.get("reason"))
+                    print(engine.name, label, setting, step, run["status"], said, flush=True)
                     yield run
                     if run["status"] in ("refused", "timeout"):
                         break
 
 
+def scored(label: str, record: Path, log: Path) -> dict[str, Any]:
+    """The score of a record; one with an obvious mistake has failed, as a number would say nothing of the engine."""
+    try:
+        one = score(BENCHMARK[label].motion, Record.from_csv(record))
+    except ValueError as error:
+        return {"status": "failed", "reason": str(error).replace(str(record), "the record")}
+    with log.open("a", encoding="utf-8") as file:
+        print(one, *(f"warning: {doubt}" for doubt in one.doubts), sep="\n", file=file)
+    # A question names what would explain the first rows; a solver that is far off soon is another matter.
+    mistakes = [doubt for doubt in one.doubts if doubt.startswith("the first row is not") or doubt.endswith("?")]
+    return {"status": "failed", "reason": mistakes[0]} if mistakes else kept(one.as_dict())
+
+
+def gradient_runs(engine: Engine, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
+    """Derivatives of the cases at the steps of the tables, with respect to what the engine can."""
+    prefix = prepared(engine)
+    logs = ENVIRONMENTS / "logs" / engine.name
+    logs.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        file, record = Path(folder) / "case.json", Path(folder) / "gradient.csv"
+        for label in GRADIENT_CASES:
+            if options.case and label not in options.case:
+                continue
+            settings = [one for one in engine.settings if not options.setting or one in options.setting]
+            # A slip that is 0 at the start has no derivative.
+            quantities = [one for one in engine.gradients if BENCHMARK[label].given["start"].get(one) != 0.0]
+            for setting, quantity in ((one, other) for one in settings for other in quantities):
+                for step in options.step or GRADIENT_STEPS:
+                    file.write_text(json.dumps({**case_file(BENCHMARK[label]), "gradient": quantity}), encoding="utf-8")
+                    run: dict[str, Any] = {"engine": engine.name, "case": label, "quantity": quantity}
+                    run |= {"setting": setting, "step": step}
+                    log = logs / f"gradient-{label}-{quantity}-{setting}-{step:g}.log"
+                    ran = run_adapter(prefix, file, step, setting, record, log)
+                    print(engine.name, label, quantity, setting, step, ran["status"], ran.get("reason", ""), flush=True)
+                    if ran["status"] != "scored":
+                        yield run | {"phase": "", "status": ran["status"], "reason": ran["reason"]}
+                        continue
+                    found = score_gradient(BENCHMARK[label].motion, *read_gradient(record), quantity)
+                    for number, phase in enumerate(found.phases):
+                        numbers = {"exact": phase.size, "error": phase.error, "wrong_signs": phase.wrong_signs}
+                        yield run | {"phase": f"{number} {phase.mode}", "status": "scored", **rounded(numbers)}
+
+
+GRADIENT_CASES = ("rolls", "slides-and-sticks", "lands", "bounces")
+GRADIENT_STEPS = (1e-2, 1e-3)
+GRADIENT_COLUMNS = (
+    "engine", "case", "quantity", "setting", "step", "phase", "status", "exact", "error", "wrong_signs", "reason",
+)  # fmt: skip
+
 NUMBERS = (
     "step",
-    "cpu_s",
-    "steps",
+    "error",
     "missed",
     "spurious",
-    "error",
+    "energy_error_at_end",
+    "energy_gained",
+    "penetration",
+    "slip_while_rolling",
     "error_x",
     "error_y",
     "error_theta",
-    "energy_gained",
-    "energy_error_at_end",
-    "slip_while_rolling",
-    "penetration",
+    "cpu_s",
+    "steps",
 )
 COUNTS = ("steps", "missed", "spurious")
-COLUMNS = ("engine", "case", "setting", "status", *NUMBERS, "events", "reason")
-"""Columns of runs.csv. An event is its kind, its exact time, the time found and the error, or `missed`."""
+COLUMNS = ("case", "setting", "status", *NUMBERS, "events", "reason")
+"""Columns of results/NAME.csv. An event is its kind, its exact time, where the rule reads it in the exact motion, and
+in the record; a dash where it does not."""
 
 
 def event_text(event: dict[str, Any]) -> str:
     """One event of a cell."""
-    if event["found"] is None:
-        return f"{event['kind']} {event['exact']!r} missed"
-    return f"{event['kind']} {event['exact']!r} {event['found']!r} {event['error']!r}"
+    times = ("-" if event[key] is None else f"{event[key]:.8g}" for key in ("exact", "read", "found"))
+    return f"{event['kind']} {' '.join(times)}"
 
 
 def event_of(text: str) -> dict[str, Any]:
     """The event of a text."""
-    kind, exact, *rest = text.split()
-    found, error = (None, None) if rest == ["missed"] else map(float, rest)
-    return {"kind": kind, "exact": float(exact), "found": found, "error": error}
+    kind, *times = text.split()
+    exact, seen, found = (None if time == "-" else float(time) for time in times)
+    at = exact if seen is None else seen
+    error = None if found is None or at is None else found - at
+    return {"kind": kind, "exact": exact, "read": seen, "found": found, "error": error}
 
 
 def read(folder: Path) -> dict[str, list[dict[str, Any]]]:
     """The runs of each engine; a number that a run has not is None."""
     found: dict[str, list[dict[str, Any]]] = {}
-    if not (folder / "runs.csv").exists():
-        return found
-    with (folder / "runs.csv").open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            run: dict[str, Any] = dict(row)
-            for name in NUMBERS:
-                run[name] = (int if name in COUNTS else float)(row[name]) if row[name] else None
-            run["events"] = [event_of(text) for text in row["events"].split("; ") if text]
-            found.setdefault(run.pop("engine"), []).append(run)
+    for name in engines():
+        path = folder / f"{name}.csv"
+        if not path.exists():
+            continue
+        with path.open(encoding="utf-8", newline="") as file:
+            for row in csv.DictReader(file):
+                run: dict[str, Any] = dict(row)
+                for key in NUMBERS:
+                    run[key] = (int if key in COUNTS else float)(row[key]) if row[key] else None
+                run["events"] = [event_of(text) for text in row["events"].split("; ") if text]
+                found.setdefault(name, []).append(run)
     return found
 
 
-def read_engines(folder: Path) -> dict[str, dict[str, str]]:
-    """What each engine ran on."""
-    if not (folder / "engines.csv").exists():
-        return {}
-    with (folder / "engines.csv").open(encoding="utf-8", newline="") as file:
-        return {row["engine"]: row for row in csv.DictReader(file)}
+def read_rows(path: Path) -> list[dict[str, str]]:
+    """The rows of a table, if it is there."""
+    if not path.exists():
+        return []
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
 
 
-def write(folder: Path, runs: dict[str, list[dict[str, Any]]], engines: dict[str, dict[str, str]]) -> None:
-    """Write both tables, engines in their order."""
-    folder.mkdir(parents=True, exist_ok=True)
-    names = [name for name in ENGINES if name in runs]
-    with (folder / "runs.csv").open("w", encoding="utf-8", newline="") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for name in names:
-            for run in runs[name]:
-                numbers = ["" if run.get(key) is None else repr(run[key]) for key in NUMBERS]
-                events = "; ".join(event_text(event) for event in run.get("events", []))
-                table.writerow(
-                    [name, run["case"], run["setting"], run["status"], *numbers, events, run.get("reason", "")]
-                )
-    with (folder / "engines.csv").open("w", encoding="utf-8", newline="") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(["engine", *machine(), "packages"])
-        table.writerows(engines[name].values() for name in names)
+def write_rows(path: Path, columns: Sequence[str], rows: list[dict[str, Any]]) -> None:
+    """Write a table."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", encoding="utf-8", newline="") as file:
+        table = csv.DictWriter(file, columns, lineterminator="\n", restval="")
+        table.writeheader()
+        table.writerows(rows)
+
+
+def write(folder: Path, name: str, runs: list[dict[str, Any]]) -> None:
+    """Write the runs of an engine."""
+    rows = []
+    for run in runs:
+        row = {key: "" if run.get(key) is None else run[key] for key in COLUMNS}
+        row["step"] = f"{run['step']:g}"
+        rows.append(row | {"events": "; ".join(event_text(event) for event in run.get("events") or [])})
+    write_rows(folder / f"{name}.csv", COLUMNS, rows)
 
 
 def merged(old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Sequence[str]) -> list[dict[str, Any]]:
     """Runs, of which new ones replace those of the same case and setting; by case, setting and falling step."""
     again = {(run["case"], run["setting"]) for run in new}
-    kept_runs = [run for run in old if (run["case"], run["setting"]) not in again and run["case"] in CASES]
-    order = {label: at for at, label in enumerate(CASES)}
+    kept_runs = [run for run in old if (run["case"], run["setting"]) not in again and run["case"] in BENCHMARK]
+    order = {label: at for at, label in enumerate(BENCHMARK)}
     return sorted(
         [*kept_runs, *new], key=lambda run: (order[run["case"]], settings.index(run["setting"]), -run["step"])
     )
@@ -379,28 +413,48 @@ def machine() -> dict[str, str]:
     }
 
 
+def changed(commit: str) -> list[str]:
+    """Engines whose adapter, or manifest, differs from a commit."""
+    command = ["git", "diff", "--name-only", "--diff-filter=d", commit, "--", str(HERE)]
+    paths = subprocess.run(command, capture_output=True, text=True, check=True, cwd=HERE).stdout.split()
+    return [name for name in engines() if any(f"/{name}_adapter." in one or f"/{name}/" in one for one in paths)]
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run engines and write their results."""
-    parser = argparse.ArgumentParser(description="Run engines and score them.")
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"engines, by default all: {', '.join(ENGINES)}")
-    parser.add_argument("--case", action="append", choices=CASES)
+    """Run engines and write their results; 1 if one fails on any case."""
+    parser = argparse.ArgumentParser(description="Run engines, score them, and write their rows.")
+    every = engines()
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"engines, by default all: {', '.join(every)}")
+    parser.add_argument("--changed", metavar="COMMIT", help="those whose adapter differs from this commit")
+    parser.add_argument("--case", action="append", choices=BENCHMARK)
     parser.add_argument("--setting", action="append")
     parser.add_argument("--step", action="append", type=float)
+    parser.add_argument("--gradients", action="store_true", help="derivatives instead of motions")
     parser.add_argument("--out", type=Path, default=RESULTS)
     options = parser.parse_args(arguments)
     for name in options.names:
-        if name not in ENGINES:
-            parser.error(f"no engine {name}: there are {', '.join(ENGINES)}")
-    for name in options.names or ENGINES:
-        found = list(runs(name, options))
-        file = requirements(name)
-        packages = versions(file.read_text(encoding="utf-8")) if file.exists() else {}
-        every, engines = read(options.out), read_engines(options.out)
-        every[name] = merged(every.get(name, []), found, ENGINES[name].settings)
-        text = " ".join(f"{package}=={version}" for package, version in packages.items())
-        engines[name] = {"engine": name, **machine(), "packages": text}
-        write(options.out, every, engines)
-    return 0
+        if name not in every:
+            parser.error(f"no engine {name}: there are {', '.join(every)}; adapters/{name}_adapter.py would be one")
+    names = options.names or (list(every) if options.changed is None else changed(options.changed))
+    failed = 0
+    for name in names:
+        engine = every[name]
+        if options.gradients:
+            path = options.out / "gradients.csv"
+            rows = list(gradient_runs(engine, options))
+            rows += [row for row in read_rows(path) if row["engine"] != name]
+            write_rows(path, GRADIENT_COLUMNS, sorted(rows, key=lambda row: list(every).index(row["engine"])))
+            continue
+        found = list(runs(engine, options))
+        failed += sum(run["status"] == "failed" for run in found)
+        write(options.out, name, merged(read(options.out).get(name, []), found, engine.settings))
+        machines = {row["engine"]: row for row in read_rows(options.out / "machines.csv")}
+        machines[name] = {"engine": name, **machine()}
+        ordered = [machines[one] for one in every if one in machines]
+        write_rows(options.out / "machines.csv", list(ordered[0]), ordered)
+    if failed:
+        print(f"{failed} runs failed; logs are in {ENVIRONMENTS / 'logs'}", file=sys.stderr)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
 """What every adapter shares: the case it reads, the record it writes, its cost.
 
 An adapter is run as ``python NAME_adapter.py CASE.json STEP SETTING RECORD.csv`` in an environment that has its
-engine. It writes the columns time, x, y, theta, and prints one line of JSON: ``cpu_s``, the processor time of the
-loop over the steps (all threads), and ``steps``. Lengths are in R, times in sqrt(R/g), masses in m2. x and y are
-those of the geometric centre of the hoop along the plane and from it, theta is the angle of the particle from the
-normal of the plane, counterclockwise. On a ramp the plane stays where it is, and gravity is inclined.
+engine. It writes the columns time, x, y, theta (and x_rate, y_rate, theta_rate, if it yields them), and prints one
+line of JSON: ``cpu_s``, the processor time of the loop over the steps (all threads), and ``steps``. Where the case
+names a ``gradient``, the columns are time and the derivatives of x and theta with respect to that quantity. Lengths
+are in R, times in sqrt(R/g), masses in m2. x and y are those of the geometric centre of the hoop along the plane and
+from it, theta is the angle of the particle from the normal of the plane, counterclockwise. On a ramp the plane stays
+where it is, and gravity is inclined.
 """
 
 import json
@@ -37,6 +39,7 @@ class Case:
     slip: float
     gap_rate: float
     until: float
+    gradient: str = ""
 
     @property
     def x_rate(self):
@@ -95,16 +98,29 @@ def stepped(case, step, advance, row):
         yield row(i * each * step)
 
 
-def main(simulate):
-    """Run one case: `simulate(case, step, setting)` yields rows, and prepares the engine before the first."""
+COLUMNS = {
+    3: "time,x,theta",
+    4: "time,x,y,theta",
+    7: "time,x,y,theta,x_rate,y_rate,theta_rate",
+}
+"""Names of the columns of a row, by their number."""
+
+
+def main(simulate, gradient=None):
+    """Run one case: `simulate(case, step, setting)` yields rows, and prepares the engine before the first.
+
+    `gradient`, which takes the same, yields rows of derivatives with respect to `case.gradient`.
+    """
     file, step, setting, out = sys.argv[1:]
     case, step = Case(**json.loads(Path(file).read_text(encoding="utf-8"))), float(step)
-    rows = simulate(case, step, setting)
+    if case.gradient and gradient is None:
+        refuse("the adapter has no derivatives")
+    rows = gradient(case, step, setting) if case.gradient else simulate(case, step, setting)
     kept = [next(rows)]
     start = time.process_time()
     kept += rows
     cost = time.process_time() - start
     with Path(out).open("w", encoding="utf-8") as table:
-        table.write("time,x,y,theta\n")
-        table.writelines(f"{t:.17g},{x:.17g},{y:.17g},{theta:.17g}\n" for t, x, y, theta in kept)
+        table.write(f"{COLUMNS[len(kept[0])]}\n")
+        table.writelines(",".join(f"{value:.17g}" for value in row) + "\n" for row in kept)
     print(json.dumps({"cpu_s": cost, "steps": round(case.until / step)}))

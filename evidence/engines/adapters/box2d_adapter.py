@@ -1,5 +1,11 @@
 """Box2D 2.3 (pybox2d): a body whose mass data are set, a circle beside its mass centre, a long edge.
 
+engine: Box2D 2.3
+contact: rigid
+settings: default careful
+requires: Box2D==2.3.10
+docs: https://box2d.org/documentation/
+
 default: R is 1 m; 8 velocity and 3 position iterations, as its manual suggests.
 careful: R is 10 m, for the sake of the slop; 100 and 100 iterations.
 Cannot express: mu_s and mu_k (one coefficient; that of two shapes is the root of the product of theirs). Restitution

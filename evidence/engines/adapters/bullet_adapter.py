@@ -1,5 +1,11 @@
 """Bullet (pybullet): a sphere on a plane, its inertial frame off the geometric centre.
 
+engine: Bullet
+contact: rigid
+settings: default careful
+requires: numpy==2.4.6 pybullet==3.2.7
+docs: https://pybullet.org/
+
 The motion stays plane by symmetry.
 default: as the package comes, but for damping and rolling friction, which are none.
 careful: 1000 iterations of the solver, to a residual of 0, no slop, restitution at any speed. A hoop that bounces has

@@ -1,5 +1,11 @@
 """DART (dartpy): a sphere on a large box, on a planar joint at the geometric centre, off which the mass centre is.
 
+engine: DART
+contact: rigid
+settings: default careful
+requires: dartpy==6.20.0 numpy==2.4.6
+docs: https://dartsim.github.io/
+
 default: as the package comes: Dantzig's method, which bounds friction by the normal force that there would be without
 it, although the friction of a hoop presses it to the plane, or lifts it.
 careful: the solver NSGS, to 1e-10 or 1000 sweeps, and R is 10 m, for the sake of restitution at low speeds.

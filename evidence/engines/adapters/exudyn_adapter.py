@@ -1,5 +1,11 @@
 """Exudyn: a rigid body with a sphere on a triangle, a penalty contact with regularised friction.
 
+engine: Exudyn
+contact: compliant
+settings: default careful
+requires: exudyn==1.13.6 numpy==2.4.6
+docs: https://exudyn.readthedocs.io/en/latest/
+
 default: the generalised-alpha method as it comes, and friction regularised below 0.001 m/s. Exudyn has no stiffness of
 its own: it is 1e5 N/m.
 careful: the trapezoidal rule, a stiffness of 100 over the step, friction regularised below a tenth of the step;

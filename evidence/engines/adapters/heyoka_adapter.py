@@ -1,21 +1,28 @@
 """heyoka: adaptive Taylor series with terminal events, one integrator for each mode of motion.
 
+engine: heyoka
+contact: events
+settings: default careful
+steps: its own
+requires: certifi==2026.10.18 cloudpickle==3.1.2 heyoka==7.13.2 numpy==2.4.6
+docs: https://bluescarni.github.io/heyoka.py/
+
 The modes, what follows each, and the landing are ours (hybrid.py); heyoka integrates and finds the events. It chooses
 its steps itself: the step of the case is only that of the record, and errors do not fall with it.
 default: tolerance 2.2e-16.
 careful: the same, with compensated sums.
 Can express: mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that is zero at the start
-of a mode to a high order (the height at lift-off) is left alone for a short while.
+of a mode to a high order (the height at lift-off, the slip that begins) is left alone for a short while.
 """
 
 import heyoka as hy
 from adapter import main
-from hybrid import FLIGHT, MODES, Hoop
+from hybrid import FLIGHT, MODES, SIGN, Hoop
 
 hy.set_logger_level_critical()  # its warnings go to the standard output, where the cost is
 OPTIONS = {"default": {}, "careful": {"high_accuracy": True}}
 WHILE = 1e-2
-"""The rim is up to 1e-6 R high after it: no hoop lands before."""
+"""The rim is up to 1e-6 R high after it, and the slip as small: no hoop lands, or sticks, before."""
 
 
 def simulate(case, step, setting):
@@ -39,7 +46,7 @@ def simulate(case, step, setting):
         )
 
     integrators = {mode: integrator(mode, True) for mode in MODES}
-    free = integrator(FLIGHT, False)
+    free = {mode: integrator(mode, False) for mode in (FLIGHT, *SIGN)}
 
     def run(taylor, start, state, until):
         taylor.time, taylor.state[:] = start, state
@@ -51,11 +58,13 @@ def simulate(case, step, setting):
         return taylor.time, tuple(map(float, taylor.state)), event, lambda at: dense(at)
 
     def advance(mode, start, state, until):
-        if mode != FLIGHT or state[1] > 1.0 + 1e-9 or start + WHILE >= until:
+        begins_with_event = abs(state[3]) < 1e-12 if mode in SIGN else mode == FLIGHT and state[1] <= 1.0 + 1e-9
+        if not begins_with_event or start + WHILE >= until:
             end, last, event, dense = run(integrators[mode], start, state, until)
             return end, last, None if event is None else list(events_of(mode))[event], dense
-        middle, between, _, early = run(free, start, state, start + WHILE)
-        end, last, event, late = run(integrators[FLIGHT], middle, between, until)
+        middle, between, _, early = run(free[mode], start, state, start + WHILE)
+        end, last, event, late = run(integrators[mode], middle, between, until)
+        event = None if event is None else list(events_of(mode))[event]
         return end, last, event, lambda at: early(at) if at <= middle else late(at)
 
     yield from hoop.follow(advance, step)

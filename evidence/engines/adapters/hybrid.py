@@ -114,6 +114,10 @@ class Hoop:
         case = self.case
         state, time = (0.0, 1.0, case.theta, case.slip, case.gap_rate, case.theta_rate), 0.0
         mode = FLIGHT if case.gap_rate > 0.0 else self.follows(state)
+        if mode == FLIGHT and case.gap_rate == 0.0 and self.free(case.theta, case.theta_rate)[1] > 0.0:
+            # The plane holds the rim, and no slide is consistent: an impact without a collision.
+            state = self.impact(state)
+            mode = FLIGHT if state[4] > 0.0 else self.follows(state)
         instants = (i * step for i in range(round(case.until / step) + 1))
         at = next(instants)
         while True:

@@ -1,5 +1,10 @@
 """Moreau's time stepping in a few lines: contact by impulses, after a half step of the positions.
 
+engine: Moreau time stepping (ours)
+contact: rigid
+settings: default
+docs: python/docs/score.md
+
 The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes. There is one setting,
 default.
 Can express: one coefficient of friction, Newton's restitution at any speed. An impact is that of Moreau's rule, one

@@ -1,5 +1,11 @@
 """Newton: two of its solvers, on Warp's processor device, with a sphere on a plane, which stays plane by symmetry.
 
+engine: Newton (Warp)
+contact: rigid
+settings: default careful
+requires: newton==1.8.0 numpy==2.4.6 warp-lang==1.19.0
+docs: https://newton-physics.github.io/newton/
+
 default: SolverXPBD as it comes, which corrects positions; its restitution is switched on where the case bounces only,
 since with it on, and e = 0, the hoop of Figure 3 rolls where it should slide.
 careful: SolverKamino as it comes, which iterates until hard contacts with friction are satisfied.

@@ -1,5 +1,11 @@
 /* planck (Box2D for JavaScript, in double precision): a body whose mass data are set, a circle, a long edge.
 
+engine: planck (Box2D, double precision)
+contact: rigid
+settings: default careful
+requires: npm:planck==1.5.0
+docs: https://piqnt.com/planck.js/
+
 default: R is 1 m; 8 velocity and 3 position iterations, a slop of 0.005 m.
 careful: a slop of 1e-6 m, which double precision allows, 100 and 100 iterations, restitution at any speed.
 Cannot express: mu_s and mu_k (one coefficient; that of two shapes is the root of the product of theirs). Restitution

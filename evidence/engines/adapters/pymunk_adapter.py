@@ -1,5 +1,11 @@
 """pymunk (Chipmunk): a body with its mass centre at the origin, and a circle beside it.
 
+engine: pymunk (Chipmunk)
+contact: rigid
+settings: default careful
+requires: cffi==2.1.1 pycparser==3.12 pymunk==7.3.1
+docs: https://www.pymunk.org/en/latest/pymunk.html#pymunk.Space
+
 default: as the package comes, ten iterations and a collision slop of 0.1, which is a tenth of the radius here:
 Chipmunk is made for lengths of many units. An overlap that large is not corrected.
 careful: R is 100 units, which suits its defaults, 100 iterations, no slop.

@@ -1,5 +1,11 @@
 //! Rapier in the plane with double precision (rapier2d-f64): a ball on a half plane, its mass properties set.
 //!
+//! engine: Rapier
+//! contact: rigid
+//! settings: default careful
+//! requires: cargo:rapier
+//! docs: https://rapier.rs/docs/
+//!
 //! default: as the crate comes. Its contact is a spring, critically damped tenfold, of 60 Hz against a fixed body.
 //! careful: a contact whose frequency is an eighth of that of the steps, damped fivefold; friction is solved together with
 //! the correction of overlaps; no contact is recycled.

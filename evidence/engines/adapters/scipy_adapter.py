@@ -1,5 +1,12 @@
 """SciPy: `solve_ivp` with terminal events, one right-hand side for each mode of motion.
 
+engine: SciPy solve_ivp
+contact: events
+settings: default careful
+steps: its own
+requires: numpy==2.4.6 scipy==1.17.1
+docs: https://docs.scipy.org/doc/scipy/reference/generated/scipy.integrate.solve_ivp.html
+
 The modes, what follows each, and the landing are ours (hybrid.py); SciPy integrates and finds the events. It chooses
 its steps itself: the step of the case is only that of the record, and errors do not fall with it.
 default: RK45 with the tolerances that SciPy has (rtol 1e-3, atol 1e-6).

@@ -1,5 +1,11 @@
 """Siconos (Moreau-Jean time stepping): a body of three coordinates at its mass centre, Newton's impact with friction.
 
+engine: Siconos
+contact: rigid
+settings: default careful
+requires: debian:python3-siconos==4.4.0
+docs: https://nonsmooth.gricad-pages.univ-grenoble-alpes.fr/siconos/
+
 The relation between coordinates, gap and slip is linear and is made anew at each step: in Siconos 4.4 a relation whose
 Jacobian Python computes ends in a segmentation fault.
 default: theta = 1/2, the solver of plane friction that Siconos chooses.
