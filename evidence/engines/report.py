@@ -173,37 +173,39 @@ def settings(every: dict[str, Engine], runs: Runs) -> list[str]:
 
 def picture(every: dict[str, Engine], runs: Runs) -> Figure:
     """A panel for each engine, in colour, before all others."""
+    lines = {
+        name: [scored(runs[name], FIRST, setting) for setting in every[name].settings]
+        for name in runs
+        if any(scored(runs[name], FIRST, setting) for setting in every[name].settings)
+    }
     columns = 5
-    height = math.ceil(len(runs) / columns)
+    height = math.ceil(len(lines) / columns)
     drawn = Figure(figsize=(11.0, 1.75 * height + 0.5), layout="constrained")
     panels = drawn.subplots(height, columns, sharex=True, sharey=True, squeeze=False)
-    for axes in panels.flat:
+    # One line with gaps is all others.
+    gap = {"cpu_s": math.nan, "error": math.nan}
+    others = [run for some in lines.values() for mine in some for run in (*mine, gap)]
+    for axes in panels.flat[len(lines) :]:
         axes.set_axis_off()
-    for axes, name in zip(panels.flat, runs, strict=False):
-        axes.set_axis_on()
-        for other in runs:
-            for at, setting in enumerate(every[other].settings):
-                mine = scored(runs[other], FIRST, setting)
-                is_it = other == name
-                axes.plot(
-                    [run["cpu_s"] for run in mine],
-                    [max(run["error"], LEAST) for run in mine],
-                    color=COLOUR if is_it else FAINT,
-                    linewidth=1.6 if is_it else 0.5,
-                    linestyle=DASHES[at] if is_it else "solid",
-                    marker="o" if is_it else None,
-                    markersize=2.5,
-                    zorder=3 if is_it else 1,
-                )
+    for axes, (name, some) in zip(panels.flat, lines.items(), strict=False):
+        axes.plot(*points(others), color=FAINT, linewidth=0.4)
+        for at, mine in enumerate(some):
+            axes.plot(*points(mine), color=COLOUR, linewidth=1.6, linestyle=DASHES[at], marker="o", markersize=2.5)
         axes.set_xscale("log")
         axes.set_yscale("log")
-        axes.set_title(every[name].title, fontsize=9, loc="left", color=INK)
+        axes.minorticks_off()
+        axes.set_title(every[name].title.split(" (")[0], fontsize=9, loc="left", color=INK)
         axes.tick_params(colors=INK, labelsize=8)
         for spine in axes.spines.values():
             spine.set_color(LINE)
     drawn.supxlabel("processor time, s", fontsize=9, color=INK)
     drawn.supylabel("largest error of x, y, θ", fontsize=9, color=INK)
     return drawn
+
+
+def points(runs: list[Run]) -> tuple[list[float], list[float]]:
+    """Costs and errors, those below LEAST drawn there."""
+    return [run["cpu_s"] for run in runs], [np.maximum(run["error"], LEAST) for run in runs]
 
 
 def put(text: str, label: str, rows: list[str]) -> str:
