@@ -98,6 +98,25 @@ test('a drag is one entry of the history', async ({ page }) => {
   await expect(page.locator('#case')).toHaveValue('figure-3');
 });
 
+test('a field takes a comma, and one of an angle degrees and parts of π', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  await type(page, 'mu_k', '0,3');
+  await expect(page).toHaveURL(/mu_k=0\.3&/);
+  for (const [text, value] of [
+    ['pi/2', Math.PI / 2],
+    ['90°', Math.PI / 2],
+    ['-3π/4', (-3 * Math.PI) / 4],
+    ['−45 °', -Math.PI / 4],
+    ['0,5 pi', Math.PI / 2],
+  ] as const) {
+    await type(page, 'theta', text);
+    await expect(page.locator('#message-theta')).toBeEmpty();
+    await expect.poll(() => Number(/theta=([^&]*)/.exec(page.url())?.[1] ?? Math.PI / 2)).toBeCloseTo(value, 14);
+  }
+  await type(page, 'theta', 'π/0');
+  await expect(page.locator('#message-theta')).toHaveText(/not a number/);
+});
+
 const BAD: [string, string, RegExp][] = [
   ['mu_k=7', 'mu_k', /mu_k = 7 must not exceed mu_s = 0.5/],
   ['theta=nonsense', 'theta', /'nonsense' is not a number/],
@@ -139,7 +158,8 @@ test('a bad number in a field leaves the last good motion and its address', asyn
   for (const [text, message] of [
     ['0.6', /must not exceed mu_s/],
     ['', /missing/],
-    ['0,4', /not a number/],
+    ['0,4,', /not a number/],
+    ['pi/2', /not a number/],
   ] as const) {
     await type(page, 'mu_k', text);
     await expect(page.locator('#message-mu_k')).toHaveText(message);

@@ -39,6 +39,7 @@ test('every view is drawn, and nothing is wider than the screen', async ({ page 
     ['light', 1280, 800],
     ['light', 1024, 768],
     ['light', 390, 844],
+    ['light', 320, 700],
   ] as const;
   for (const [[theme, width, height], name] of screens.flatMap(
     (it) =>
@@ -118,6 +119,29 @@ test('the numbers of an axis have the room that they need', async ({ page }) => 
   const [, , normal, , energy] = widths as [number, number, number, number, number];
   expect(energy).toBeGreaterThan(normal);
   expect(energy).toBeGreaterThanOrEqual(12 + 8 * 4);
+});
+
+test('with the colours of the system phases, energy and legends keep theirs', async ({ page }) => {
+  await page.emulateMedia({ forcedColors: 'active' });
+  await open(page, 'case=figure-3-bounces&at=4&map=1');
+  await expect(page.locator('html[data-map=done]')).toBeAttached();
+  const colours = (selector: string): Promise<Set<string>> =>
+    page
+      .locator(selector)
+      .evaluateAll((all) => all.map((it) => getComputedStyle(it).backgroundColor))
+      .then((all) => new Set(all));
+  expect((await colours('.band')).size).toBeGreaterThan(2);
+  expect((await colours('#energy-bar .part')).size).toBeGreaterThan(1);
+  expect((await colours('#legend .swatch')).size).toBeGreaterThan(1);
+});
+
+test('on paper there is nothing to press', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  await page.emulateMedia({ media: 'print' });
+  for (const id of ['play', 'copy-link', 'open-share', 'theme', 'zoom-in', 'start-handle', 'slope-handle', 'slider-mu_k']) {
+    await expect(page.locator(`#${id}`)).toBeHidden();
+  }
+  for (const id of ['hoop', 'plane-base', 'phases', 'field-mu_k', 'sentence']) await expect(page.locator(`#${id}`)).toBeVisible();
 });
 
 test('it works without a network once it has been there', async ({ page, context }) => {

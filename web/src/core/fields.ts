@@ -11,6 +11,7 @@ import {
   type SiNumber,
   type System,
 } from '../generated/tables';
+import { readNumber } from './wasm';
 
 /** The numbers of a problem in each system. */
 export interface Numbers {
@@ -81,6 +82,22 @@ export function meaningOf(quantity: Quantity): string {
   const name = QUANTITY_ROWS[quantity].longName;
   const remark = REMARKS[inSystem('dimensionless', quantity)];
   return `${name.charAt(0).toUpperCase()}${name.slice(1)}.${remark === undefined ? '' : ` ${remark}`}`;
+}
+
+/** What a person types: a number, with a comma or a point; of an angle also in degrees, or a multiple or a part of π. */
+export function readField(quantity: Quantity, text: string): number | null {
+  const plain = text.trim().replace(',', '.');
+  const isAngle = QUANTITY_ROWS[quantity].unit === 'rad';
+  const degrees = isAngle ? /^(.*\S)\s*°$/.exec(plain) : null;
+  if (degrees) {
+    const value = readNumber(degrees[1]!);
+    return value === undefined ? null : (value * Math.PI) / 180;
+  }
+  const turns = isAngle ? /^([-+−]?)([\d.]*)\s*\*?\s*(?:π|pi)(?:\s*\/\s*([\d.]+))?$/i.exec(plain) : null;
+  if (!turns) return readNumber(plain) ?? null;
+  const [, sign, factor, part] = turns;
+  const value = (Number(factor || 1) * Math.PI) / Number(part ?? 1);
+  return Number.isFinite(value) ? (sign === '' || sign === '+' ? value : -value) : null;
 }
 
 /** The label of a field: a limit of time has the symbol of the time. */

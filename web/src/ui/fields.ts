@@ -1,7 +1,6 @@
 // The fields of the hoop and the start, with tips and messages beside them.
 
-import { isOptional, LIMIT, labelOf, meaningOf, numbersOf, sliderOf, stepOf } from '../core/fields';
-import { readNumber } from '../core/wasm';
+import { isOptional, LIMIT, labelOf, meaningOf, numbersOf, readField, sliderOf, stepOf } from '../core/fields';
 import { brief, make } from '../dom';
 import { type Group, QUANTITY_ROWS, type Quantity, type System } from '../generated/tables';
 import type { Lab } from '../state/lab';
@@ -60,7 +59,7 @@ export class Fields {
       row.input.setAttribute('aria-invalid', String(fieldError !== undefined));
       if (fieldError) {
         if (document.activeElement !== row.input && fieldError.given !== '') row.input.value = fieldError.given;
-      } else if (document.activeElement !== row.input || (readNumber(row.input.value) ?? null) !== value) {
+      } else if (document.activeElement !== row.input || readField(row.quantity, row.input.value) !== value) {
         row.input.value = value === null ? '' : String(value);
       }
       if (row.slider && value !== null) {
@@ -141,7 +140,7 @@ export class Fields {
 
   private typed(quantity: Quantity, text: string): void {
     const isEmpty = text.trim() === '';
-    const value = readNumber(text) ?? null;
+    const value = readField(quantity, text);
     if (value !== null || (isEmpty && isOptional(quantity))) {
       this.lab.setQuantity(quantity, value);
     } else {
@@ -153,8 +152,8 @@ export class Fields {
   /** The arrow keys count as they do in a field for numbers. */
   private stepped(event: KeyboardEvent, quantity: Quantity, input: HTMLInputElement): void {
     const way = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
-    const value = readNumber(input.value);
-    if (way === 0 || value === undefined) return;
+    const value = readField(quantity, input.value);
+    if (way === 0 || value === null) return;
     event.preventDefault();
     const step = stepOf(quantity) * (event.shiftKey ? 10 : 1);
     const next = Number((value + way * step).toFixed(10));

@@ -272,7 +272,8 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
   ];
   const [lx, ly] = outward(Math.hypot(px - x, py - y) - 22);
   if (offset > 0.35) label(c, QUANTITY_ROWS.particle_mass_kg.sign, lx, ly, palette.ink.ink, palette.ink.paper);
-  label(c, 'C', ...outward(-16), palette.ink.ink, palette.ink.paper);
+  const [cx, cy] = offset > 0 ? outward(-16) : [x - 13, y - 10];
+  label(c, 'C', cx, cy, palette.ink.ink, palette.ink.paper);
 }
 
 /** The usual sign of a mass centre: a disc in four quarters. */
