@@ -1,6 +1,7 @@
 // The page as a page: accessible, offline, small screens, light and dark, and what it shows when it breaks.
 
 import { readdirSync, readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { CURVE_ROWS, CURVES } from '../src/generated/palette';
@@ -210,6 +211,13 @@ test('every quantity of the tables has a field with its unit, and every curve it
     expect(new Set(await shown())).toEqual(new Set([...names, 'restitution' as const].map((name) => [name, QUANTITY_ROWS[name].unit])));
     await page.locator('#si').check();
   }
+});
+
+test('the page is fetched in at most 550 kB', () => {
+  const root = new URL('../dist/', import.meta.url);
+  const files = readdirSync(root, { recursive: true, withFileTypes: true }).filter((it) => it.isFile());
+  const sizes = files.map((it) => gzipSync(readFileSync(`${it.parentPath}/${it.name}`), { level: 9 }).length);
+  expect(sizes.reduce((sum, it) => sum + it, 0)).toBeLessThanOrEqual(550_000);
 });
 
 test('colours are written in the generated files, and those of the page alone in its theme', () => {

@@ -15,7 +15,7 @@ fn main() -> ExitCode {
     let result = Bindgen::new()
         .input_path(input)
         .web(true)
-        .and_then(|bindgen| bindgen.typescript(true).generate(folder));
+        .and_then(|bindgen| bindgen.typescript(true).remove_name_section(true).generate(folder));
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
