@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use littlewood::derivatives::Derivative;
+use littlewood::derivatives::{Derivative, NoDerivative};
 use littlewood::si::{SiSetup, Units};
 use littlewood::tables::{Dimension, Group, Quantity};
 use littlewood::{Cause, State, Trajectory};
@@ -53,7 +53,7 @@ impl Moves {
                 "quantity": row.quantity.name(),
                 "change": row.change,
                 "moved": row.moved(column).ok(),
-                "reason": row.moved.err().map(|reason| reason.label()),
+                "reason": row.moved.err().map(NoDerivative::label),
             })
         };
         Value::from_iter(self.sorted(column).into_iter().map(row)).to_string()
@@ -183,8 +183,6 @@ const fn unit_of(dimension: Dimension, is_si: bool) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::derivatives::NoDerivative;
-
     use super::*;
     use crate::motion::Motion;
 
