@@ -196,14 +196,17 @@ class Problem:
     def residuals_of(self, values: dict[str, Any]) -> dict[str, _Reals]:
         """Return the residuals for everything by name."""
         camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
-        # The means over exposures are the same for all other constants of the camera.
+        found = shown(self.track.as_seen(self._plane(values), values["slope"]), camera)
+        return {name: measured - found[name] for name, measured in self.track.channels.items()}
+
+    def _plane(self, values: dict[str, Any]) -> dict[str, _Reals]:
+        """Return θ, x and y of the plane in the frames: the same for all constants of the camera but the exposure."""
         key = tuple(value for name, value in values.items() if not name.startswith(_CAMERA) or name == _EXPOSURE)
         if self._last is None or self._last[0] != key:
             begin = self.track.time[0]
             time = begin + (self.track.time - begin) * (1.0 + values[CLOCK])
             self._last = key, means(self._motion_of(values), time, values[_EXPOSURE])
-        found = shown(self.track.as_seen(self._last[1], values["slope"]), camera)
-        return {name: measured - found[name] for name, measured in self.track.channels.items()}
+        return self._last[1]
 
     def seen(self, by_channel: dict[str, _Reals]) -> dict[str, _Reals]:
         """Return values, or columns of them, of the frames in which a channel was seen."""
@@ -238,16 +241,68 @@ class Problem:
         return estimate_noise(times, relative, residuals, slopes, known, correlated)
 
     def derivatives(self, unknowns: _Reals) -> dict[str, _Reals]:
-        """Return the derivatives of the residuals of each channel by the unknowns: by differences within the bounds."""
+        """Return the derivatives of the residuals of each channel by the unknowns.
+
+        They are those of the motion, where it has them and a frame shows an instant; else differences within bounds.
+        """
+        values = self.values(unknowns)
+        exact = self._tangents(values)
         columns: dict[str, list[_Reals]] = {name: [] for name in self.track.channels}
         low, high = self.bounds()
         for k, value in enumerate(unknowns):
+            if exact is not None and not self.names[k].startswith(_CAMERA):
+                found = self._seen_along(values, self.names[k], {name: rows[:, k] for name, rows in exact.items()})
+                for name in columns:
+                    columns[name].append(-found[name])
+                continue
             step = _STEP * max(1.0, abs(value))
             ends = max(value - step, low[k]), min(value + step, high[k])
             below, above = (self.residuals(np.concatenate([unknowns[:k], [end], unknowns[k + 1 :]])) for end in ends)
             for name in columns:
                 columns[name].append((above[name] - below[name]) / (ends[1] - ends[0]))
         return {name: np.column_stack(values) for name, values in columns.items()}
+
+    def _tangents(self, values: dict[str, Any]) -> dict[str, _Reals] | None:
+        """Return the derivatives of θ, x and y by the unknowns of hoop and start, if the motion has all."""
+        if values[_EXPOSURE] != 0.0 or _EXPOSURE in self.names or values[CLOCK] != 0.0:
+            return None
+        motion = self._motion_of(values)
+        shows_height = "y" in self.track.channels or self._is_turned(values) or self._camera_names
+        if shows_height and any(phase.mode == "flight" for phase in motion.phases):
+            # Those of the height of a flight are not among the derivatives of a state.
+            return None
+        names = [name for name in self.names if not name.startswith(_CAMERA)]
+        found = motion.derivatives_at(self.track.time, [name.removeprefix("start_") for name in names])
+        exact = {"theta": found.theta.to_numpy(), "x": found.x.to_numpy()}
+        if not all(np.isfinite(rows).all() for rows in exact.values()):
+            return None
+        if "mu_s" in names and "mu_k" in names:
+            # The unknown is the excess of mu_s over mu_k.
+            for rows in exact.values():
+                rows[:, names.index("mu_k")] += rows[:, names.index("mu_s")]
+        return exact | {"y": np.zeros_like(exact["x"])}
+
+    def _is_turned(self, values: dict[str, Any]) -> bool:
+        """Whether the axes of the track are not those of the plane."""
+        return self.track.level and (values["slope"] != 0.0 or "slope" in self.names)
+
+    def _seen_along(self, values: dict[str, Any], name: str, change: dict[str, _Reals]) -> dict[str, _Reals]:
+        """Return the derivative of what the camera shows, where the motion changes like this."""
+        camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
+        plane = self._plane(values)
+        largest = max(1.0, *(float(np.max(np.abs(rows))) for rows in change.values()))
+
+        def at(step: float) -> dict[str, _Reals]:
+            moved = {channel: rows + step * change[channel] for channel, rows in plane.items()}
+            slope = values["slope"] + (step if name == "slope" else 0.0)
+            return shown(self.track.as_seen(moved, slope), camera)
+
+        if not self._is_turned(values) and not any(camera.values()):
+            return change
+        # What a camera shows is smooth in θ, x and y, however these depend on what is unknown.
+        step = _STEP / largest
+        below, above = at(-step), at(step)
+        return {channel: (above[channel] - below[channel]) / (2.0 * step) for channel in below}
 
     def jacobian(self, unknowns: _Reals) -> _Reals:
         """Return the derivatives of :meth:`scaled`."""
