@@ -25,6 +25,7 @@ NAMES = (
     "band",
     "gradients-through-contact",
     "real-film",
+    "doubted-fits",
     "sequences",
 )
 """All studies, in the order of their index; each is a module of this package."""

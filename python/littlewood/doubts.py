@@ -191,7 +191,8 @@ def _contradictions(problem: Problem, unknowns: _Reals, channels: Mapping[str, _
             moved = (
                 np.abs(rows.T @ ((basis.T @ slope) / singular) / norms) * change / np.where(errors > 0.0, errors, 1.0)
             )
-            unseen = float(np.linalg.norm(slope - basis @ (basis.T @ slope))) * change < _LOUD
+            # Not to first order alone: a curved valley hides more than its tangent.
+            unseen = float(np.linalg.norm(slope - basis @ (basis.T @ slope))) * change < 2.0 * _LOUD
             k = max(of_hoop, key=lambda one: float(moved[one]), default=None)
             if unseen and k is not None and moved[k] > _LOUD:
                 yield Doubt(

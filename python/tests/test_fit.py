@@ -206,6 +206,7 @@ def test_a_track_on_a_ramp_of_a_known_slope(hoop, guess, level):
     with pytest.warns(lw.fit_result.FitWarning) as caught:
         wrong = lw.fit(track, guess, slips_at_start=True, sigma=dict.fromkeys(track.channels, NOISE))
     assert wrong.reduced_chi_square > 2.0
+    assert any(warning.message.doubt.name == "misfit" for warning in caught)
     assert any("slope" in warning.message.parameters for warning in caught)
 
 

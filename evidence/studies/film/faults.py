@@ -1,7 +1,7 @@
 """`python -m evidence.studies.film.faults FAULT FIRST LAST`: fits of tracks with a fault, a line of CSV for each.
 
-The fit does not know of the fault. Film number k of a fault is made with the seed k; docs/studies/doubted-fits/films.csv
-has the lines of 0 to 200 of every fault, and of none.
+The fit does not know of the fault. Film number k of a fault is made with the seed k; the first of every fault
+stand in docs/studies/doubted-fits/films.csv.
 """
 
 from __future__ import annotations

@@ -1,0 +1,87 @@
+"""Doubted fits: how often a fit of a faulty film is wrong, and says nothing."""
+
+from __future__ import annotations
+
+import csv
+from collections import Counter
+
+from .film.faults import FAULTS, WRONG
+from .page import table
+from .study import PAGES, Study
+
+WEAK = ("interval", "sequences")
+"""Doubts that good tracks raise, too: they speak of one interval or one slip, not of the film."""
+
+
+def rows_of(fault: str) -> list[dict[str, str]]:
+    """Return the lines of a fault in the table of fits."""
+    with (PAGES / "doubted-fits" / "films.csv").open(encoding="utf-8") as file:
+        return [row for row in csv.DictReader(file) if row["fault"] == fault]
+
+
+def is_wrong(row: dict[str, str]) -> bool:
+    """Whether the truth of an identifiable parameter is beyond so many standard errors."""
+    return float(row["worst"]) > WRONG
+
+
+def doubts_of(row: dict[str, str]) -> list[str]:
+    """Return the doubts that speak of the film."""
+    return [name for name in row["doubts"].split() if name not in WEAK]
+
+
+def unsaid(rows: list[dict[str, str]]) -> int:
+    """Return how many fits are wrong without any doubt."""
+    return sum(is_wrong(row) and not row["doubts"] for row in rows)
+
+
+def silent(rows: list[dict[str, str]]) -> int:
+    """Return how many fits are wrong without a doubt about the film."""
+    return sum(is_wrong(row) and not doubts_of(row) for row in rows)
+
+
+def of_faults() -> list[str]:
+    """Return a line for each fault."""
+    lines = []
+    for name, film in FAULTS.items():
+        rows = rows_of(name)
+        said = Counter(doubt for row in rows for doubt in doubts_of(row))
+        lines.append(
+            [
+                (film.__doc__ or name).rstrip("."),
+                str(len(rows)),
+                str(sum(map(is_wrong, rows))),
+                str(sum(bool(doubts_of(row)) for row in rows)),
+                str(silent(rows)),
+                str(unsaid(rows)),
+                ", ".join(f"`{doubt}` {count}" for doubt, count in said.most_common(3)),
+            ]
+        )
+    return table(
+        ["fault", "films", "wrong", "doubted", "wrong and not doubted", "wrong without any doubt", "doubts"], lines
+    )
+
+
+def result() -> str:
+    """How many fits of all faulty films are wrong without a doubt."""
+    rows = [row for name in FAULTS if name != "none" for row in rows_of(name)]
+    return f"{silent(rows)} of {len(rows)}"
+
+
+def alarms() -> str:
+    """How many fits of good tracks are doubted."""
+    rows = rows_of("none")
+    return f"{sum(bool(doubts_of(row)) for row in rows)} of {len(rows)}"
+
+
+def weak() -> str:
+    """How many fits of good tracks raise the weak doubts."""
+    rows = rows_of("none")
+    return f"{sum(bool(row['doubts']) for row in rows)} of {len(rows)}"
+
+
+STUDY = Study(
+    name="doubted-fits",
+    texts={"result": result, "faults": of_faults, "alarms": alarms, "weak": weak},
+    pictures={},
+)
+"""Fits of films with a fault that the fit does not know of."""
