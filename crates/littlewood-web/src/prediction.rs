@@ -193,7 +193,7 @@ mod tests {
         let [from, to] = [2, 3].map(|index| motion.transitions()[index].time());
         for (number, point) in path.chunks(2).enumerate() {
             let sample = motion.at(from + (to - from) * number as f64 / f64::from(PARTS)).unwrap();
-            let away = (point[0] - sample.mass_centre.x).hypot(point[1] - sample.mass_centre.y);
+            let away = libm::hypot(point[0] - sample.mass_centre.x, point[1] - sample.mass_centre.y);
             assert!(away < 1e-12, "{number}: {away}");
         }
     }
