@@ -99,7 +99,7 @@ napoleon_type_aliases = {
     "iterable": "~collections.abc.Iterable",
     "collection": "~collections.abc.Collection",
     # No pages of their own.
-    **{name: f"``{name}``" for name in ("Animation", "Laboratory")},
+    **{name: f"``{name}``" for name in ("Animation", "Laboratory", "callable")},
 }
 python_display_short_literal_types = True
 python_use_unqualified_type_names = True

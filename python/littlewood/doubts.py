@@ -60,7 +60,7 @@ class Doubt:
     Attributes
     ----------
     name : str
-        One of :data:`DOUBTS`.
+        One of :data:`littlewood.doubts.DOUBTS`.
     message : str
         What was found.
     parameters : tuple of str

@@ -124,7 +124,7 @@ def fit(
     Warns
     -----
     littlewood.fit_result.FitWarning
-        For each doubt that the fit has (:data:`littlewood.fit_result.DOUBTS`), which the result, its table and its
+        For each doubt that the fit has (:data:`littlewood.doubts.DOUBTS`), which the result, its table and its
         picture name, too.
     littlewood.fit_result.IdentifiabilityWarning
         If the motion does not depend on something that is free. μs enters by the instant of a slip out of rolling alone

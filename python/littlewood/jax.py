@@ -18,9 +18,9 @@ def summary(
 ) -> Callable[[Mapping[str, Any]], dict[str, Any]]:
     """Return a function of quantities whose values are columns of a summary, with exact derivatives.
 
-    The function is a :class:`jax.custom_jvp`: :func:`jax.grad`, :func:`jax.jvp` and the others take the derivatives of
+    The function is a ``jax.custom_jvp``: ``jax.grad``, ``jax.jvp`` and the others take the derivatives of
     :func:`littlewood.simulate_many`, also through stick, slip, lift-off and impacts. It can be compiled
-    (:func:`jax.jit`) and mapped (:func:`jax.vmap`); the motions are simulated on the host, many at once.
+    (``jax.jit``) and mapped (``jax.vmap``); the motions are simulated on the host, many at once.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def summary(
 
     Returns
     -------
-    callable
+    evaluate : callable
         It takes a dictionary of quantities, numbers or arrays that broadcast, and returns one of the columns. What
         does not happen is NaN, and so is a derivative that does not exist.
 

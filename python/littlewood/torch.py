@@ -18,7 +18,7 @@ def summary(
     """Return a function of quantities whose values are columns of a summary, with exact derivatives.
 
     Its gradients are the derivatives of :func:`littlewood.simulate_many`, also through stick, slip, lift-off and
-    impacts: an :class:`torch.autograd.Function`, which is differentiated once. The motions are simulated on the
+    impacts: an ``torch.autograd.Function``, which is differentiated once. The motions are simulated on the
     processor in double precision; results have the type and the device of the first quantity.
 
     Parameters
@@ -33,7 +33,7 @@ def summary(
 
     Returns
     -------
-    callable
+    evaluate : callable
         It takes a dictionary of quantities, tensors that broadcast, and returns one of the columns. What does not
         happen is NaN, and so is a derivative that does not exist.
 

@@ -441,7 +441,7 @@ def test_what_the_command_line_simulates_is_read(binary, tmp_path, motion):
 
 def test_a_file_in_si_units_is_the_same(tmp_path):
     hoop = lw.Hoop.from_si(
-        disc_mass_kg=0.3, particle_mass_kg=0.2, radius_m=0.4, offset_m=0.38, inertia_kg_m2=0.05, mu_s=0.4, mu_k=0.3
+        disc_mass_kg=0.3, particle_mass_kg=0.2, radius_m=0.4, offset_m=0.38, inertia_kg_m2=0.045, mu_s=0.4, mu_k=0.3
     )
     motion = hoop.simulate(theta=1.0, theta_rate=1.5, until=2.0)
     instants = np.linspace(0.0, 2.0, 801)

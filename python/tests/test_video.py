@@ -114,7 +114,10 @@ def test_a_film_tells_that_its_plane_is_wrong(film, hoop, motion):
     for name in ("mu_k", "inertia", "restitution"):
         estimate = result.estimates[name]
         assert abs(estimate.value - getattr(hoop, name)) < 4.0 * estimate.std_error
-    believed = fitted(track, hoop, motion, calibration=())
+    with pytest.warns(lw.fit_result.FitWarning) as caught:
+        believed = fitted(track, hoop, motion, calibration=())
+    doubts = {warning.message.doubt.name: warning.message for warning in caught}
+    assert {"camera_scale", "camera_floor"} <= set(doubts["camera"].parameters)
     off = [
         abs(believed.estimates[name].value - getattr(hoop, name)) / believed.estimates[name].std_error
         for name in ("mu_k", "inertia", "restitution")

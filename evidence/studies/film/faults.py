@@ -11,6 +11,7 @@ import sys
 import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import littlewood as lw
 import numpy as np
@@ -166,7 +167,8 @@ def ramp(random: np.random.Generator, rate: float) -> Film:
     film = thrown(random, rate)
     steep = replace(film.hoop, slope=math.radians(1.5))
     end = (SECONDS + 0.01) / film.hoop.require_units().time_s
-    motion = steep.simulate(**film.start, until=end)
+    start: dict[str, Any] = film.start
+    motion = steep.simulate(**start, until=end)
     film = _filmed(motion, film.slips, rate, film.time)
     film.hoop = replace(film.hoop, slope=0.0)
     return film

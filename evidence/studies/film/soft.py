@@ -1,4 +1,4 @@
-"""A hoop on soft ground, which resists rolling: by an integrator of its own; the exact simulation has no such ground."""
+"""A hoop on soft ground, which resists rolling, by an integrator of its own: the simulation has no such ground."""
 
 from __future__ import annotations
 

@@ -178,23 +178,22 @@ impl Trajectory {
     }
 }
 
-/// Work that is done for K quantities at a time.
+/// Work that is done for K quantities at a time, of which the first ones are asked for.
 trait Group {
-    fn add<const K: usize>(&mut self, quantities: &[Quantity; K]);
+    fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize);
 }
 
-/// Four quantities at a time share the series of the state.
+/// Four quantities at a time share the series of the state. Two or three take the code of four, with the last again: the page has no
+/// room for more.
 fn in_groups(quantities: &[Quantity], work: &mut impl Group) {
     for group in quantities.chunks(4) {
         match group {
-            [one] => work.add(&[*one]),
-            [one, two] => work.add(&[*one, *two]),
-            [one, two, three] => work.add(&[*one, *two, *three]),
-            many => {
-                if let Some(many) = many.first_chunk::<4>() {
-                    work.add(many);
-                }
+            [one] => work.add(&[*one], 1),
+            [_, .., last] => {
+                let padded = core::array::from_fn(|k| *group.get(k).unwrap_or(last));
+                work.add::<4>(&padded, group.len());
             }
+            [] => {}
         }
     }
 }
@@ -207,7 +206,7 @@ struct Instants<'a> {
 }
 
 impl Group for Instants<'_> {
-    fn add<const K: usize>(&mut self, quantities: &[Quantity; K]) {
+    fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize) {
         let Self { motion, order, found } = self;
         let mut walk = Tangents::new(motion, quantities);
         let mut failed = None;
@@ -219,7 +218,7 @@ impl Group for Instants<'_> {
             let mut places = here.iter().map(|(_, place)| *place);
             let mut give = |walk: &Tangents<'_, K>, at: Derivative<_>| {
                 let Some(states) = places.next().and_then(|place| found[place].as_mut()) else { return };
-                states.extend(quantities.iter().enumerate().map(|(k, quantity)| {
+                states.extend(quantities.iter().enumerate().take(asked).map(|(k, quantity)| {
                     let at = if walk.one_sided(*quantity) { Err(NoDerivative::OneSided) } else { at };
                     at.map(|at| State { time: 0.0, ..walk.state(&at, k) })
                 }));
@@ -238,7 +237,9 @@ impl Group for Instants<'_> {
             failed = walk.pass(phase).err();
         }
         for (_, place) in rest {
-            found[*place].iter_mut().for_each(|states| states.extend([Err(NoDerivative::Singular); K]));
+            found[*place]
+                .iter_mut()
+                .for_each(|states| states.extend(core::iter::repeat_n(Err(NoDerivative::Singular), asked)));
         }
     }
 }
@@ -250,7 +251,7 @@ struct Events<'a> {
 }
 
 impl Group for Events<'_> {
-    fn add<const K: usize>(&mut self, quantities: &[Quantity; K]) {
+    fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize) {
         let Self { motion, all } = self;
         let mut walk = Tangents::new(motion, quantities);
         let mut failed = None;
@@ -269,7 +270,7 @@ impl Group for Events<'_> {
             }
         }
         for (row, event) in all.transitions.iter_mut().zip(&passed) {
-            for (k, quantity) in quantities.iter().enumerate() {
+            for (k, quantity) in quantities.iter().enumerate().take(asked) {
                 let derivative = match (walk.one_sided(*quantity), event) {
                     (true, _) => Err(NoDerivative::OneSided),
                     (false, None) => Err(failed.unwrap_or(NoDerivative::Singular)),
@@ -287,7 +288,7 @@ impl Group for Events<'_> {
         };
         let numbers = summary::of(&walk, &passed, end.as_ref().map(|(at, _)| *at).map_err(|reason| *reason));
         for (row, number) in all.summary.iter_mut().zip(numbers) {
-            row.extend(quantities.iter().enumerate().map(|(k, quantity)| {
+            row.extend(quantities.iter().enumerate().take(asked).map(|(k, quantity)| {
                 if walk.one_sided(*quantity) {
                     Err(NoDerivative::OneSided)
                 } else {
@@ -295,7 +296,7 @@ impl Group for Events<'_> {
                 }
             }));
         }
-        for (k, quantity) in quantities.iter().enumerate() {
+        for (k, quantity) in quantities.iter().enumerate().take(asked) {
             all.outcome.push(match (walk.one_sided(*quantity), &end) {
                 (true, _) => Err(NoDerivative::OneSided),
                 (false, Err(reason)) => Err(*reason),
