@@ -228,9 +228,10 @@ proptest! {
                 });
                 let [_, coarse, fine] = differences;
                 prop_assert_eq!(ours.is_nan(), real(&like).is_nan(), "{} {}", column, quantity);
-                // A difference of fourth order. Where it converges, what halving the step has changed bounds its error.
+                // A difference of fourth order: halving the step divides its error by 16 where the number is smooth over the step, and by
+                // less where a step crosses a kink, such as an impact of another case. What it has changed then bounds the error.
                 let (change, next) = ((differences[0] - coarse).abs(), (coarse - fine).abs());
-                if ours.is_nan() || next > 0.5 * change + 1e-7 || change > 1e-2 * (1.0 + fine.abs()) {
+                if ours.is_nan() || next > change / 8.0 + 1e-7 || change > 1e-2 * (1.0 + fine.abs()) {
                     continue;
                 }
                 let error = next + 1e-8 * (1.0 + fine.abs());
