@@ -23,13 +23,8 @@ def summary(
 
     Parameters
     ----------
-    columns : iterable of str
-        Variables of :func:`littlewood.simulate_many` that are real numbers, such as `"jump_length"`.
-    hoop : Hoop, optional
-        Supplies the parameters of the hoop that are given nowhere else.
-    **fixed
-        Quantities of the start and the hoop that stay as they are, and the limits (`until`, …) of
-        :func:`littlewood.simulate_many`.
+    columns, hoop, **fixed
+        As in :func:`littlewood.jax.summary`.
 
     Returns
     -------

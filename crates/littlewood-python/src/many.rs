@@ -79,6 +79,7 @@ fn summaries<'py>(
     }
     // What is needed at once, at least: without it the process would end.
     with_room::<(usize, Summary)>(count).map_err(|error| too_large(&error))?;
+    with_room::<f64>(count.saturating_mul(derivatives.len())).map_err(|error| too_large(&error))?;
     let given = Given { columns, law: law(py, &law_name)? };
     let limits = limits(py, until, (max_transitions, max_slides), proof)?;
     let derivatives = derivatives.iter().map(|name| derivative(name)).collect::<PyResult<Vec<_>>>()?;

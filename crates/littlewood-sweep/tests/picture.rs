@@ -137,6 +137,11 @@ fn what_is_no_map_is_refused() {
             Err(error) => panic!("{error}"),
         }
     }
+    let column = "end_x_by_mu_k".parse().unwrap();
+    let error = Picture::new(&map(3), Limits::default(), Shade::Derivative(column), size).unwrap_err();
+    assert!(matches!(error, PictureError::NotComputed { column: refused } if refused == column));
+    let grid = map(3).with_derivatives(vec![column]);
+    assert!(Picture::new(&grid, Limits::default(), Shade::Derivative(column), size).is_ok());
     for (width, height) in [(0, 500), (500, 299), (100_000, 500)] {
         let error = Picture::of_grid(
             &map(3),

@@ -306,6 +306,15 @@ fn a_derivative_that_does_not_exist_says_why() {
     assert_eq!(reason(&rolls, Quantity::Slip), Some(NoDerivative::OneSided));
     assert_eq!(reason(&rolls, Quantity::GapRate), Some(NoDerivative::OneSided));
     assert_eq!(reason(&rolls, Quantity::MuS), None);
+    // At an instant, too; instants come in any order, and outside the motion there is no state.
+    let times = [0.5, -1.0, 0.25, 0.5];
+    let found = rolls.derivatives_at(&times, &[Quantity::Slip, Quantity::Theta]).expect("quantities");
+    assert_eq!(found[0].as_ref().map(|row| row[0]), Some(Err(NoDerivative::OneSided)));
+    assert_eq!(found[1], None);
+    assert_eq!(found[0], found[3]);
+    let alone = rolls.derivatives_at(&times[2..3], &[Quantity::Slip, Quantity::Theta]).expect("quantities");
+    assert_eq!(found[2], alone[0]);
+    assert!(found[2].as_ref().is_some_and(|row| row[1].is_ok()));
     // A massless hoop with inertia is another body; the particle reaches the plane with an infinite rate.
     let massless = find_case("type-1").expect("a case").simulate().expect("a motion");
     assert_eq!(reason(&massless, Quantity::Inertia), Some(NoDerivative::OneSided));

@@ -184,8 +184,8 @@ pub(crate) struct StoreArgs {
     /// Output file (repeatable); the extension chooses the format
     #[arg(long, value_name = "PATH", required = true)]
     pub(crate) out: Vec<PathBuf>,
-    /// Derivatives to compute, such as jump_length_by_mu_k: of a column of numbers by a quantity of hoop or start (repeatable, or with
-    /// commas); empty where there is none
+    /// Derivatives to compute, of a column of numbers by a quantity of hoop or start, separated by commas: jump_length_by_mu_k,end_x_by_theta.
+    /// One that does not exist is left empty in a text, and is NaN in a store
     #[arg(long, value_name = "COLUMN_by_QUANTITY", value_delimiter = ',')]
     pub(crate) derivatives: Vec<DerivativeColumn>,
     /// Resume an interrupted run; parameters must match

@@ -170,6 +170,7 @@ const fn of_picture(error: &PictureError) -> &'static str {
         PictureError::Size { .. } => "give another --size, such as 1500x1000",
         PictureError::NotTwoAxes { .. } => "a map has one --x and one --y",
         PictureError::NoNumber { .. } => "give another --shade, such as lift_off_time",
+        PictureError::NotComputed { .. } => "give it with --derivatives, too",
         PictureError::NoScale { .. } => {
             "leave out --contours, or give a --shade of numbers, such as lift_off_time"
         }

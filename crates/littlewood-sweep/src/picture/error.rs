@@ -1,6 +1,6 @@
 //! What is wrong with a picture.
 
-use littlewood::tables::SummaryColumn;
+use littlewood::tables::{DerivativeColumn, SummaryColumn};
 use thiserror::Error;
 
 use super::shade::Shade;
@@ -22,6 +22,12 @@ pub enum PictureError {
     NoNumber {
         /// The column.
         column: SummaryColumn,
+    },
+    /// A derivative is shown where it is computed.
+    #[error("a map cannot shade {column}, which its grid does not compute")]
+    NotComputed {
+        /// The derivative.
+        column: DerivativeColumn,
     },
     /// Lines of constant value need a scale.
     #[error("a map of {} has no scale, and so no lines of constant value", shade.name())]

@@ -84,7 +84,7 @@ impl Picture {
     /// An empty picture of a grid.
     ///
     /// # Errors
-    /// If the grid has not two axes, the column is not one of numbers, or the picture is too small or too large.
+    /// If the grid has not two axes, the column is not one of numbers, the grid does not compute the derivative, or the picture is too small or too large.
     pub fn new(grid: &Grid, limits: Limits, shade: Shade, size: PictureSize) -> Result<Self, PictureError> {
         let [x, y] = grid.axes() else {
             return Err(PictureError::NotTwoAxes { found: grid.axes().len() });
@@ -97,6 +97,11 @@ impl Picture {
             && !SummaryColumn::numbers().any(|other| other == column)
         {
             return Err(PictureError::NoNumber { column });
+        }
+        if let Shade::Derivative(column) = shade
+            && !grid.derivatives().contains(&column)
+        {
+            return Err(PictureError::NotComputed { column });
         }
         let counts = [x.count().min(size.width as usize), y.count().min(size.height as usize)];
         Ok(Self {
@@ -186,7 +191,7 @@ impl Picture {
         self.ranks = self.ranking.iter().enumerate().map(|(rank, key)| (*key, rank)).collect();
     }
 
-    /// What has a colour of its own at a point.
+    /// The key by which a point gets its colour.
     pub(super) fn key_at(&self, sequence: PhaseSequence, class: Class) -> u64 {
         match self.shade {
             Shade::Sequence => key_of_sequence(sequence.bits(), class),
