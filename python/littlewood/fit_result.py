@@ -256,7 +256,7 @@ class FitResult:
         unique = dict(zip(labels, handles, strict=True))
         figure.legend(unique.values(), unique.keys(), loc="outside upper center", ncols=5, frameon=False)
         if self.doubts:
-            words = "\n".join(textwrap.fill(f"Doubt: {doubt}", 42 * max(2, len(channels))) for doubt in self.doubts)
+            words = "\n".join(textwrap.fill(f"Doubt: {doubt}", 62 * max(2, len(channels))) for doubt in self.doubts)
             figure.supxlabel(words, fontsize=8, color=MODE_COLOURS["sliding"], ha="left", x=0.02)
         figure.align_ylabels()
         return figure
