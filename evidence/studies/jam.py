@@ -670,7 +670,7 @@ def hoops_picture() -> Figure:
         at = 2.0 * level - 1.0
         height = (1.0 - at) / math.sqrt(0.96**2 - at**2)
         left.text(0.96, height, f"{level:g}", fontsize=8, color=INK, ha="center", va="bottom")
-    left.text(0.62, 1.53, "jam", fontsize=9, color=INK, ha="center")
+    left.text(0.68, 1.31, "jam", fontsize=9, color=INK, ha="center")
     left.set(xlim=(0.3, 1.0), ylim=(0.0, 2.4), xlabel="part of the mass in the particle γ", ylabel="friction μk")
     left.legend(frameon=False, fontsize=9)
     hs = np.linspace(0.01, 1.0, 80)
