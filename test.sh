@@ -2,7 +2,7 @@
 # Tests on a fresh machine that has Rust, Python 3.11 and node 20; on Debian, as root, it installs Chromium.
 #
 #   ./test.sh                   the product: format, lints, documentation, tests of the crates (the certified motions among them), of the Python
-#                               package, of the page and of the site; at most ten minutes on two idle cores
+#                               package, of the page and of the site; 33 minutes of one core
 #   ./test.sh --all             everything, the evidence too, and the fuzzers for longer
 #   ./test.sh STAGE ARGUMENT…   one stage; `./test.sh --list` has all of them
 #
