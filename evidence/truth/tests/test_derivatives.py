@@ -31,8 +31,12 @@ def balls(derivatives, motions):
                 yield motion["motion"], number, name, event[name]
 
 
-def test_sixty_motions_have_small_balls_through_all_events(derivatives, motions):
-    assert len({one["motion"] for one in motions}) == len(motions) >= 60
+def test_every_family_has_small_balls_through_all_events(derivatives, motions):
+    assert len({one["motion"] for one in motions}) == len(motions)
+    paths = (FOLDER / "certificates").glob("*.json")
+    families = {path.stem: json.loads(path.read_text(encoding="utf-8"))["case"]["family"] for path in paths}
+    # Jams end where they begin; massless hoops and those in SI units are left out.
+    assert {*families.values()} - {families[one["motion"]] for one in motions} == {"jam", "massless", "si"}
     causes = {event["cause"] for one in motions for event in one["events"]}
     assert causes >= {"stick", "slip", "lift_off", "landing"}
     quantities = {name for *_, found in balls(derivatives, motions) for name in found}
@@ -42,7 +46,7 @@ def test_sixty_motions_have_small_balls_through_all_events(derivatives, motions)
             assert float(radius) <= 1e-9 * max(1.0, abs(float(middle))), (motion, number, name, quantity)
 
 
-@pytest.mark.parametrize("name", ["bounces", "law-energetic", "jam-16"])
+@pytest.mark.parametrize("name", ["bounces", "law-energetic", "ramp-sliding-09", "near-tie-20", "jam-16"])
 def test_committed_balls_are_made_again(derivatives, motions, name):
     certificate = json.loads((FOLDER / "certificates" / f"{name}.json").read_text(encoding="utf-8"))
     found = derivatives.differentiated(certificate)
@@ -51,8 +55,11 @@ def test_committed_balls_are_made_again(derivatives, motions, name):
 
 
 def test_the_derivatives_of_the_library_are_in_the_balls_but_for_rounding(derivatives, motions):
-    """Rounding at an event is multiplied by what follows, as derivatives are: their largest is the scale."""
-    compared = 0
+    """Rounding changes the derivatives by the second ones, of the size of the cube of the largest derivative so far.
+
+    Next to a tangency τ = √(p − p₀) has τ″ = −2 τ′³.
+    """
+    compared, refused = 0, []
     for motion in motions:
         names = list(motion["events"][0]["time"])
         exact = CASES[motion["motion"]].motion.derivatives(names)
@@ -60,14 +67,19 @@ def test_the_derivatives_of_the_library_are_in_the_balls_but_for_rounding(deriva
         for number, event in enumerate(motion["events"]):
             found = {name: event[name] for name in derivatives.NUMBERS}
             largest = max(largest, *(abs(float(middle)) for one in found.values() for middle, _ in one.values()))
+            # The bound is as large as the derivative itself: the library may say that the event is touched.
+            if ROUNDINGS * 2.0**-52 * largest**2 > 1.0 and set(exact.reason[number].values) == {"grazing"}:
+                refused.append(motion["motion"])
+                break
             for name, one in found.items():
                 for quantity, (middle, radius) in one.items():
                     mine = float(exact[name].sel(quantity=quantity)[number])
-                    bound = float(radius) + BOUND * 2.0**-52 * largest
+                    bound = float(radius) + ROUNDINGS * 2.0**-52 * largest**3
                     assert abs(mine - float(middle)) <= bound, (motion["motion"], number, name, quantity)
                     compared += 1
-    assert compared > 5000
+    assert compared > 30000
+    assert len(refused) < 5
 
 
-BOUND = 2.0**14
-"""Units in the last place of the largest derivative so far; the data set allows 2¹⁶ for a number itself."""
+ROUNDINGS = 16
+"""In units in the last place: those of a dozen operations."""

@@ -33,8 +33,8 @@ named! {
     pub enum NoDerivative, "reason",
     /// Sentence for tables and messages.
     pub label: &'static str {
-        /// The condition of the event vanishes along with its rate.
-        Grazing = 0, "grazing" => "the event is touched, not crossed: its time has no derivative";
+        /// The condition of the event vanishes along with its rate, but for the rounding of its terms.
+        Grazing = 0, "grazing" => "the event is touched, not crossed, but for rounding: its time has no derivative";
         /// The motion begins differently on the two sides of the value. At an end of its range a quantity has the derivative from within.
         OneSided = 1, "one_sided" => "on the two sides of this value the motion begins differently";
         /// P = 0, or a rate or a force without bound.
