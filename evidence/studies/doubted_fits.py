@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 from collections import Counter
 
+from scipy.stats import binomtest
+
 from .film.faults import FAULTS, WRONG
 from .page import table
 from .study import PAGES, Study
@@ -79,9 +81,29 @@ def weak() -> str:
     return f"{sum(bool(row['doubts']) for row in rows)} of {len(rows)}"
 
 
+SEEN = 17
+"""Films of each fault that had been looked at when the last limit of a doubt was set."""
+
+
+def at_most(rows: list[dict[str, str]]) -> float:
+    """Return the share of unsaid wrong fits that so many films leave possible, at 95 %: Clopper and Pearson's bound."""
+    return float(binomtest(unsaid(rows), len(rows), alternative="less").proportion_ci(0.95).high)
+
+
+def fresh() -> str:
+    """How many fits of films not seen before are wrong without any doubt, and what these films leave possible."""
+    rows = {name: [row for row in rows_of(name) if int(row["film"]) >= SEEN] for name in FAULTS if name != "none"}
+    together = [row for one in rows.values() for row in one]
+    worst = max(map(at_most, rows.values()))
+    return (
+        f"{unsaid(together)} of {len(together)} are wrong without any doubt, so at most {at_most(together):.1%} of all "
+        f"and at most {worst:.1%} of any one fault"
+    )
+
+
 STUDY = Study(
     name="doubted-fits",
-    texts={"result": result, "faults": of_faults, "alarms": alarms, "weak": weak},
+    texts={"result": result, "faults": of_faults, "alarms": alarms, "weak": weak, "fresh": fresh},
     pictures={},
 )
 """Fits of films with a fault that the fit does not know of."""
