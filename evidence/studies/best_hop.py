@@ -125,22 +125,8 @@ def flight(motion: lw.Trajectory) -> lw.motion.Phase:
     return next(phase for phase in motion.phases if phase.mode == "flight")
 
 
-@dataclass(frozen=True)
-class Rolled:
-    """What hoops do that roll over the bottom with an energy: the first jump of each, NaN without one.
-
-    Parameters
-    ----------
-    height, length : ndarray
-        Of the jump.
-    """
-
-    height: Any
-    length: Any
-
-
-def rolled(body: Body, energy: float, mu: float) -> Rolled:
-    """Return the jumps of hoops that roll at the bottom with an energy over m g R."""
+def rolled(body: Body, energy: float, mu: float) -> Any:
+    """Return the heights of the first jumps, or NaN, of hoops that roll at the bottom with an energy over m g R."""
     rate = np.sqrt(2.0 * (energy + body.h) / body.about_contact(math.pi))
     found = lw.simulate_many(
         theta=math.pi,
@@ -152,7 +138,7 @@ def rolled(body: Body, energy: float, mu: float) -> Rolled:
         threads=2,
         **body.parameters,
     )
-    return Rolled(found.jump_height.to_numpy(), found.jump_length.to_numpy())
+    return found.jump_height.to_numpy()
 
 
 def free_energy(body: Body, energy: Any) -> Any:
@@ -161,8 +147,8 @@ def free_energy(body: Body, energy: Any) -> Any:
     return (energy * body.gyration - body.h * square) / (body.gyration + square)
 
 
-def searched(energy: float, mu: float, share: float) -> tuple[Any, Rolled]:
-    """Return offsets, and the jumps of hoops with a share of the inertia of thin ones that roll first."""
+def searched(energy: float, mu: float, share: float) -> tuple[Any, Any]:
+    """Return offsets, and the heights of the jumps of hoops with a share of the inertia of thin ones."""
     offsets = np.linspace(0.02, 0.99, 98)
     return offsets, rolled(Body(offsets, share * (1.0 - offsets * offsets)), energy, mu)
 
@@ -260,22 +246,6 @@ def nudges() -> str:
     return f"{lifted} of {len(drawn)} leave the plane, and {hard} come to a place with P ≤ 0"
 
 
-def next_to_zero() -> lw.Trajectory:
-    """Return the motion of a hoop that is so light and rough that it slides towards P = 0 from a nudge."""
-    hoop = lw.Hoop(
-        mass_ratio=0.003, offset=0.6, inertia=1.7e-5, mu_s=0.59, mu_k=0.59, restitution=0.5, restitution_law="poisson"
-    )
-    return hoop.simulate(theta=1e-4, theta_rate=1e-4, max_transitions=6)
-
-
-def turns() -> str:
-    """Where the slide of the light hoop turns back."""
-    end = next_to_zero().phases[-1].end
-    assert end is not None
-    angle = math.degrees(end.theta) % 360
-    return f"that is at θ = {angle:.0f}°, with η′ = {end.slip:.2f} √(g R) left".replace("-", "−")
-
-
 def bounds() -> list[str]:
     """The bounds for thin hoops, over all of them, for several energies."""
     rows = []
@@ -298,49 +268,26 @@ def two_turns() -> str:
     return f"a lift-off {angle / DEGREE:.1f}° before the top, and at least E = {energy:.2f} m g R in a thin hoop"
 
 
-OFFSETS = (0.3, 0.5, 0.7, 0.9, 0.99)
-
-
-def heights() -> list[str]:
-    """How high thin hoops jump that roll before, with the bound."""
-    rows = []
-    for energy in (1.5, 2.0, 3.0, 5.0):
-        for mu in (0.1, 0.3, 1.0):
-            found = rolled(Body.thin(np.array(OFFSETS)), energy, mu).height
-            cells = []
-            for h, top in zip(OFFSETS, found, strict=True):
-                limit = Body.thin(h).earliest(energy)
-                most = f"({height(h, limit):.3g})" if math.isfinite(limit) else "(0)"
-                cells.append(f"{'–' if math.isnan(top) else f'{top:.3g}'} {most}")
-            rows.append([f"{energy:g}", f"{mu:g}", *cells])
-    return table(["E/(m g R)", "μ", *(f"h = {h:g}" for h in OFFSETS)], rows)
-
-
 SHARES = (1.0, 0.5, 0.1)
 """Inertias to search, as shares of that of a thin hoop."""
 
 
 @cache
-def search() -> dict[tuple[float, float, float], tuple[float, float, float, float]]:
-    """Offset and height of the highest jump, and offset and length of the longest, by energy, friction and share."""
+def search() -> dict[tuple[float, float, float], tuple[float, float]]:
+    """Offset and height of the highest jump, by energy, friction and share."""
     found = {}
     for energy in ENERGIES:
         for mu in FRICTIONS:
             for share in SHARES:
-                offsets, jumps = searched(energy, mu, share)
-                high, far = int(np.nanargmax(jumps.height)), int(np.nanargmax(jumps.length))
-                found[energy, mu, share] = (
-                    float(offsets[high]),
-                    float(jumps.height[high]),
-                    float(offsets[far]),
-                    float(jumps.length[far]),
-                )
+                offsets, heights = searched(energy, mu, share)
+                high = int(np.nanargmax(heights))
+                found[energy, mu, share] = float(offsets[high]), float(heights[high])
     return found
 
 
 def highest() -> str:
     """Where the highest jump was found."""
-    edge = sum(h == 0.99 for (*_, share), (h, *_) in search().items() if share == 1.0)
+    edge = sum(h == 0.99 for (*_, share), (h, _) in search().items() if share == 1.0)
     least = sum(
         search()[energy, mu, SHARES[-1]][1] == max(search()[energy, mu, share][1] for share in SHARES)
         for energy in ENERGIES
@@ -353,111 +300,15 @@ def highest() -> str:
     )
 
 
-def longest() -> str:
-    """The offsets of the longest jumps."""
-    offsets = [h for (*_, share), (_, _, h, _) in search().items() if share == 1.0]
-    return f"h from {min(offsets):.2f} to {max(offsets):.2f}"
-
-
-CELL = 0.14
-"""Mass of a battery of size D, kg."""
-
-HULA: dict[str, Any] = {"disc_mass_kg": 0.3, "radius_m": 0.4, "offset_m": 0.37, "inertia_kg_m2": 0.3 * 0.4**2}
-"""A hula hoop of 300 g and 80 cm across, with batteries inside its rim."""
-
-
 def too_hard(h: float, rate: float) -> float:
     """Return the height, to the leading order, of the flight of a hoop that a hard push makes fly at the top."""
     return 1.5 * h * (h * rate * rate - 1.0) ** 2
-
-
-def hula(cells: float, mu: float = 0.5) -> lw.Hoop:
-    """Return the hula hoop with batteries."""
-    return lw.Hoop.from_si(particle_mass_kg=CELL * cells, mu_s=mu, mu_k=mu, **HULA)
-
-
-def hula_jump(hoop: lw.Hoop, rate: float) -> lw.motion.Phase | None:
-    """Return the jump of a hoop that rolls over the top with a rate, if it jumps."""
-    motion = hoop.simulate(theta=0.0, theta_rate=-rate, proof="contact", max_transitions=500)
-    return next((phase for phase in motion.phases if phase.mode == "flight" and phase.start.time > 0.0), None)
-
-
-def hula_least(hoop: lw.Hoop) -> float:
-    """Return the least rate at the top from which the hula hoop jumps."""
-    low = math.sqrt(hoop.inertia_about_mass_centre / (hoop.h * hoop.mass * (1.0 + hoop.h) ** 2))
-    rates = np.linspace(0.5 * low, (1.0 - 1e-6) / math.sqrt(hoop.h), 300)
-    first = next(i for i, rate in enumerate(rates) if hula_jump(hoop, float(rate)) is not None)
-    return zero(lambda rate: 1.0 if hula_jump(hoop, rate) else -1.0, float(rates[first - 1]), float(rates[first]))
-
-
-def hula_table() -> list[str]:
-    """What to build."""
-    rows = []
-    for cells in (1, 2, 3, 4, 6):
-        hoop = hula(cells)
-        units = hoop.require_units()
-        at_top = 1.0 / math.sqrt(hoop.h)
-        jump = hula_jump(hoop, 0.97 * at_top)
-        speed = units.length_m / units.time_s
-        cells_of = [f"{cells}", f"{1000 * CELL * cells:.0f}", f"{hoop.h:.3f}", f"{hula_least(hoop) * speed:.2f}"]
-        cells_of.append(f"{at_top * speed:.2f}")
-        if jump is None or jump.end is None:
-            rows.append([*cells_of, "", "", "", "", ""])
-            continue
-        angle = abs(math.remainder(jump.start.theta, 2.0 * math.pi))
-        rows.append(
-            [
-                *cells_of,
-                f"{angle / DEGREE:.0f}",
-                f"{100 * units.length_m * height(hoop.h, angle):.1f}",
-                f"{units.time_s * jump.duration:.2f}",
-                f"{abs(jump.end.theta - jump.start.theta) / DEGREE:.0f}",
-                f"{100 * units.length_m * abs(jump.end.x - jump.start.x):.0f}",
-            ]
-        )
-    heads = ["D cells", "g", "h", "jumps from, m/s", "flies at the top at, m/s", "lift-off, °", "height, cm"]
-    return table([*heads, "time in the air, s", "turned, °", "length, cm"], rows)
-
-
-def sensitivity() -> list[str]:
-    """By how much the jump of the hula hoop with three cells changes with what it depends on."""
-
-    def measured(cells: float, mu: float, push: float) -> tuple[float, float]:
-        hoop = hula(cells, mu)
-        jump = hula_jump(hoop, push)
-        assert jump is not None
-        angle = abs(math.remainder(jump.start.theta, 2.0 * math.pi))
-        return height(hoop.h, angle), angle
-
-    given = {"the weight": 3.0, "friction": 0.5, "the push": 0.94 / math.sqrt(hula(3).h)}
-    base, angle = measured(*given.values())
-    rows = []
-    for name in given:
-        up, down = ([value * (step if key == name else 1.0) for key, value in given.items()] for step in (1.01, 0.99))
-        (more, later), (less, earlier) = measured(*up), measured(*down)
-        change = f"{(more - less) / (2.0 * base) * 100.0:+.1f} %"
-        rows.append([f"{name} by 1 %", change, f"{(later - earlier) / (2.0 * DEGREE):+.2f}"])
-    return table(
-        [f"change of (height {40 * base:.1f} cm, lift-off {angle / DEGREE:.1f}°)", "height", "lift-off, °"], rows
-    )
 
 
 MUS = (0.2, 0.4, 0.6, 1.0)
 RESTITUTIONS = (0.0, 0.2, 0.4, 0.6, 0.8)
 SEEN = (0.002, 0.005, 0.01)
 """Gaps from which on a flight counts as a hop, m."""
-
-
-def weights() -> list[str]:
-    """How often the published hoop hops with several weights, at one speed."""
-    unit = math.sqrt(lw.hoop.STANDARD_GRAVITY * RADIUS)
-    rows = []
-    for grams in (45, 51, 56, 61, 66, 75, 90):
-        counts = [
-            hops(build(grams / 1000.0, 0.4, restitution), 3.08 / unit, 0.005 / RADIUS) for restitution in RESTITUTIONS
-        ]
-        rows.append([f"{grams}", *(f"{count}" if count < 9 else "9 or more" for count in counts)])
-    return table(["weight, g", *(f"e = {restitution:g}" for restitution in RESTITUTIONS)], rows)
 
 
 def least_of_build() -> str:
@@ -504,7 +355,7 @@ def push_picture() -> Figure:
     tops = [height(1.0, Body.thin(1.0).earliest(float(energy))) for energy in energies]
     right.plot(energies, tops, color=INK, label="bound, proved")
     for h, colour, marker in zip((0.99, 0.7, 0.5, 0.3), COLOURS, "osD^", strict=False):
-        jumps = [(energy, float(rolled(Body.thin(np.array([h])), energy, 0.3).height[0])) for energy in ENERGIES]
+        jumps = [(energy, float(rolled(Body.thin(np.array([h])), energy, 0.3)[0])) for energy in ENERGIES]
         right.plot(
             *zip(*jumps, strict=True), marker, color=colour, markersize=4, label=f"rolls first, h = {h:g}, μ = 0.3"
         )
@@ -519,7 +370,7 @@ def hops_picture() -> Figure:
     figure, axes = panels(2, width=4.8)
     unit = math.sqrt(lw.hoop.STANDARD_GRAVITY * RADIUS)
     speeds = np.arange(2.7, 3.6, 0.02)
-    for ax, (mu, restitution) in zip(axes, ((0.4, 0.3), (0.4, 0.6)), strict=True):
+    for ax, (mu, restitution) in zip(axes, ((0.4, 0.0), (0.4, 0.6)), strict=True):
         for weight, colour, dash in styled((0.051, 0.066)):
             hoop = build(weight, mu, restitution)
             counts = [hops(hoop, speed / unit, 0.005 / RADIUS) for speed in speeds]
@@ -538,14 +389,8 @@ STUDY = Study(
     name="best-hop",
     texts={
         "nudges": nudges,
-        "turns": turns,
         "bounds": bounds,
-        "heights": heights,
         "highest": highest,
-        "longest": longest,
-        "hula": hula_table,
-        "sensitivity": sensitivity,
-        "weights": weights,
         "two turns": two_turns,
         "least of the build": least_of_build,
         "speeds": speeds,
