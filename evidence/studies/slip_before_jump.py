@@ -171,9 +171,9 @@ def vanishing(hoop: lw.Hoop, theta: float, rate: float) -> float:
 
 
 @cache
-def released(name: str, degrees: float, mu: float) -> tuple[Jump, ...]:
+def released(name: str, degrees: float) -> tuple[Jump, ...]:
     """Return the jumps of a body released from rest at each degree of a turn."""
-    hoop = on(hoops()[name], degrees * DEGREE, mu)
+    hoop = on(hoops()[name], degrees * DEGREE)
     found = (jump(hoop, psi * DEGREE) for psi in range(360))
     return tuple(one for one in found if one is not None)
 
@@ -183,64 +183,24 @@ def slips() -> list[str]:
     rows = []
     clock = math.sqrt(RADIUS / GRAVITY)
     for name in hoops():
-        for mu in (0.5, 1.0) if name == LIKE_FILMS else (1.0,):
-            for degrees in SLOPES:
-                jumps = released(name, degrees, mu)
-                slip = np.array([one.slip for one in jumps]) * RADIUS * 1e3
-                time = np.array([one.time for one in jumps]) * clock
-                apart = np.array([one.psi - one.unloaded for one in jumps]) / DEGREE
-                rows.append(
-                    [
-                        name,
-                        f"{mu:g}",
-                        f"{degrees:g}",
-                        f"{len(jumps)}",
-                        f"{np.median(slip):.2g}",
-                        f"{slip.max():.2g}",
-                        f"{np.mean(slip < 0.1):.0%}".replace("%", " %"),
-                        f"{time.max() * 1e3:.1f}",
-                        f"{time.max() * FRAMES:.1f}",
-                        f"{np.nanmax(np.abs(apart)):.1f}",
-                    ]
-                )
-    heads = ["", "μ", "slope, °", "jump", "median, mm", "most, mm", "< 0.1 mm", "most, ms", "frames", "off by, °"]
+        for degrees in SLOPES if name == LIKE_FILMS else (30.0,):
+            jumps = released(name, degrees)
+            slip = np.array([one.slip for one in jumps]) * RADIUS * 1e3
+            time = np.array([one.time for one in jumps]) * clock
+            apart = np.array([one.psi - one.unloaded for one in jumps]) / DEGREE
+            cells = [f"{np.median(slip):.2g}", f"{slip.max():.2g}", f"{time.max() * FRAMES:.1f}"]
+            rows.append([name, f"{degrees:g}", f"{len(jumps)}", *cells, f"{np.nanmax(np.abs(apart)):.1f}"])
+    heads = ["", "slope, °", "jump", "median, mm", "most, mm", "pictures", "off by, °"]
     return table(heads, rows)
 
 
-def orbits() -> list[str]:
-    """The orbit that ends in a jump without slip."""
-    rows = []
-    for name, hoop in hoops().items():
-        body = Body.of(hoop)
-        for degrees in SLOPES:
-            slope = degrees * DEGREE
-            found = body.releases(slope)
-            told = [without(on(hoop, slope), psi) for psi in found]
-            angles = ", ".join(f"{-psi / DEGREE:.1f}" for psi in found)
-            bounds = [f"{body.least_friction(slope):.3f}", f"{body.painleve(slope):.3f}"]
-            rows.append([name, f"{degrees:g}", *bounds, angles, ", ".join(told)])
-    return table(["μ = 1", "slope, °", "$\\mu_c$", "$\\mu_P$", "rolls through, °", "simulated"], rows)
-
-
-def without(hoop: lw.Hoop, psi: float) -> str:
-    """Return what the simulation does from the rounded release."""
-    found = jump(hoop, psi)
-    if found is None:
-        return "undecided" if hoop.mu_k > Body.of(hoop).painleve(hoop.slope) else "none"
-    if found.slides > 1:
-        return "slips before"
-    return "no slip" if found.slip < 1e-12 else f"slips {found.slip:.0e} R"
-
-
-def cubic() -> list[str]:
-    """The law of the slip next to the orbit, against the simulation."""
-    rows = []
-    hoop = on(hoops()[LIKE_FILMS], 30.0 * DEGREE)
-    body = Body.of(hoop)
-    for part in (-0.1, -0.03, -0.01, 0.01, 0.03, 0.1):
-        slip, law = beside(hoop, part), body.slip_law(hoop.slope, hoop.mu_k, part)
-        rows.append([f"{part:g}", f"{slip:.3g}", f"{law:.3g}", f"{slip / law:.3f}"])
-    return table(["δ", "slip, R", "C δ³", "ratio"], rows)
+def critical() -> str:
+    """The least friction of the jump without slip, and how far the hoop rolls to it from rest."""
+    body = Body.of(hoops()[LIKE_FILMS])
+    mus = ", ".join(f"{body.least_friction(degrees * DEGREE):.3f}" for degrees in SLOPES)
+    angles = ", ".join(f"{-psi / DEGREE:.0f}°" for degrees in SLOPES for psi in body.releases(degrees * DEGREE))
+    slopes = ", ".join(f"{degrees:g}°" for degrees in SLOPES)
+    return f"$\\mu_c$ = {mus} on slopes of {slopes}, and the release from rest rolls through {angles}"
 
 
 def beside(hoop: lw.Hoop, delta: float) -> float:
@@ -312,66 +272,22 @@ def friction_for(body: Body, slopes: Array, count: int) -> tuple[Array, Array, A
     return psi, (psi - high) * sine, most
 
 
-RATIOS = {"rim": 1.0, "disc": 0.5}
-"""I/(m1 R²) of the families with the particle on the rim."""
-
-
-def body_of(kind: str, h: float) -> Body:
-    """Return the body of a family with this h = 1/(1 + m1/m2)."""
-    ratio = 1.0 / h - 1.0
-    return Body(h, (RATIOS[kind] * ratio + ratio * h * h + (1.0 - h) ** 2) * h)
-
-
-def climbs(kind: str, hs: Array, slopes: Array, count: int, frictions: tuple[float, ...]) -> dict[float, list[Climb]]:
-    """Return, for each friction and h, the highest climb without slip over the slopes and angles of release."""
-    found: dict[float, list[Climb]] = {mu: [] for mu in frictions}
-    for h in map(float, hs):
-        usable = slopes[(slopes > 0.0) & (np.sin(slopes) < h)]
-        psi, height, most = friction_for(body_of(kind, h), usable, count)
-        for mu in frictions:
-            allowed = np.where(most <= mu, height, 0.0)
-            i, k = np.unravel_index(int(np.argmax(allowed)), allowed.shape)
-            found[mu].append(Climb(float(allowed[i, k]), h, float(usable[i]), float(psi[i, k])))
-    return found
-
-
 FRICTIONS = (0.3, 0.5, 0.8, 1.2)
 
 
 @cache
-def grid(kind: str) -> dict[float, list[Climb]]:
-    """Return the highest climbs over h on a grid."""
-    return climbs(kind, np.linspace(0.04, 0.98, 48), np.linspace(0.01, 1.25, 125), 100, FRICTIONS)
-
-
-@cache
-def best_climb(kind: str, mu: float) -> Climb:
-    """Return the highest climb of a family without slip: the best of the grid, refined."""
-    best = max(grid(kind)[mu])
-    for scale in (0.03, 0.015, 0.006, 0.002):
-        hs = np.clip(best.h + scale * np.linspace(-1.0, 1.0, 9), 0.01, 0.999)
-        slopes = best.slope + scale * np.linspace(-1.0, 1.0, 9)
-        best = max(best, *climbs(kind, hs, slopes, 400, (mu,))[mu])
-    return best
-
-
-def highest() -> list[str]:
-    """The highest climbs with a given friction."""
-    rows = []
-    for kind, name in (("rim", "hoop, particle on the rim"), ("disc", "disc, particle on the edge")):
+def climbs() -> dict[float, list[Climb]]:
+    """Return, for each friction, the highest climbs of thin rim hoops without slip over h, on a grid."""
+    found: dict[float, list[Climb]] = {mu: [] for mu in FRICTIONS}
+    slopes = np.linspace(0.01, 1.25, 125)
+    for h in map(float, np.linspace(0.04, 0.98, 48)):
+        usable = slopes[np.sin(slopes) < h]
+        psi, height, most = friction_for(Body(h, 1.0 - h * h), usable, 100)
         for mu in FRICTIONS:
-            best = best_climb(kind, mu)
-            rows.append(
-                [
-                    name,
-                    f"{mu:g}",
-                    f"{best.height:.2f}",
-                    f"{1.0 / best.h - 1.0:.2f}",
-                    f"{best.slope / DEGREE:.0f}",
-                    f"{best.height / best.h:.2f}",
-                ]
-            )
-    return table(["", "μ", "height, R", "m1/m2", "slope, °", "height, h R"], rows)
+            allowed = np.where(most <= mu, height, 0.0)
+            i, k = np.unravel_index(int(np.argmax(allowed)), allowed.shape)
+            found[mu].append(Climb(float(allowed[i, k]), h, float(usable[i]), float(psi[i, k])))
+    return found
 
 
 def best_numbers() -> str:
@@ -381,16 +297,6 @@ def best_numbers() -> str:
         f"$\\chi = {turn / DEGREE:.2f}°$, $\\sin\\alpha = {slope_of(turn):.4f}\\,h$, and the height is "
         f"${climb(turn):.4f}\\,hR$"
     )
-
-
-def gomez() -> str:
-    """The disc with a rod, released from rest at θ = 30°."""
-    parts = []
-    for degrees in SLOPES:
-        found = jump(on(hoops()[LIKE_FILMS], degrees * DEGREE), (30.0 + degrees) * DEGREE)
-        assert found is not None
-        parts.append(f"{found.slip:.2g} $R$ in {found.time:.3f} $\\sqrt{{R/g}}$ at {degrees:g}°")
-    return ", ".join(parts)
 
 
 def picture() -> Figure:
@@ -440,7 +346,7 @@ def heights() -> Figure:
     left.set_ylabel("height / h R")
     left.set_ylim(0, 2)
     for mu, colour, dash in styled(FRICTIONS):
-        found = grid("rim")[mu]
+        found = climbs()[mu]
         heights = [one.height for one in found]
         right.plot([one.h for one in found], heights, color=colour, dashes=dash, linewidth=1.3, label=f"μ = {mu:g}")
     line = np.array([0.0, 1.0])
@@ -456,12 +362,9 @@ def heights() -> Figure:
 STUDY = Study(
     name="slip-before-jump",
     texts={
-        "orbits": orbits,
-        "cubic": cubic,
+        "critical": critical,
         "slips": slips,
-        "gomez": gomez,
         "best": best_numbers,
-        "highest": highest,
     },
     pictures={"slip": picture, "heights": heights},
 )

@@ -1,27 +1,26 @@
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from mpmath import iv, mp
 
 from evidence.studies.axes import DEGREE
-from evidence.studies.hoops import random_hoops
+from evidence.studies.hoops import random_hoops, thin_hoop
 from evidence.studies.slip_before_jump import (
     FRICTIONS,
     LIKE_FILMS,
     Body,
     beside,
-    best_climb,
     best_turn,
-    body_of,
     climb,
+    climbs,
     hoops,
     jump,
     logarithmic_slope,
     on,
     slope_of,
-    without,
 )
 
 
@@ -71,7 +70,10 @@ def test_with_less_friction_it_slips_and_with_more_it_does_not():
         body = Body.of(hoop)
         (release,) = body.releases(slope)
         critical = body.least_friction(slope)
-        assert without(on(hoop, slope, 1.0), release) == "no slip"
+        found = jump(on(hoop, slope, 1.0), release)
+        assert found is not None
+        assert found.slides <= 1
+        assert found.slip < 1e-12
         # From a place next to the end, so that friction holds before.
         psi = -0.2
         rate = math.sqrt(
@@ -153,31 +155,19 @@ def test_there_is_one_highest_climb():
         assert slope == pytest.approx(logarithmic_slope(y), rel=1e-7, abs=1e-8)
 
 
-@pytest.mark.parametrize("kind", ["rim", "disc"])
 @pytest.mark.parametrize("mu", FRICTIONS)
-def test_the_best_hoop_climbs_without_slip_and_slips_with_less_friction(kind, mu):
-    best = best_climb(kind, mu)
+def test_the_highest_climbs_are_without_slip(mu):
+    best = max(climbs()[mu])
     assert best.height < climb(best_turn()) * best.h
-    hoop = hoops()["rim hoop, h = 0.5"]
-    ratio = 1.0 / best.h - 1.0
-    hoop = type(hoop)(
-        mass_ratio=ratio,
-        offset=1.0,
-        inertia=ratio * (1.0 if kind == "rim" else 0.5),
-        mu_s=mu,
-        mu_k=mu,
-        slope=best.slope,
-    )
-    assert Body.of(hoop).kappa == pytest.approx(body_of(kind, best.h).kappa, rel=1e-12)
-    # The best release is next to the saddle, where rest itself is a motion.
-    release = best.psi - 1e-3 - best.slope
-    motion = on(hoop, best.slope, 1.001 * mu).simulate(theta=release, theta_rate=0.0)
+    hoop = replace(thin_hoop(best.h, mu_k=mu), slope=best.slope)
+    motion = hoop.simulate(theta=best.psi - best.slope, theta_rate=0.0)
+    # Rest next to the saddle is a motion, too.
+    if best.psi + math.asin(math.sin(best.slope) / best.h) > 2.0 * math.pi - 1e-9:
+        motion = hoop.simulate(theta=best.psi - 1e-3 - best.slope, theta_rate=0.0)
     assert motion.outcome.kind == "rolls_forever"
     assert not motion.transitions
     reach = motion.outcome.details["theta_max"] - motion.outcome.details["theta_min"]
     assert reach * math.sin(best.slope) == pytest.approx(best.height, abs=2e-3)
-    slippery = on(hoop, best.slope, 0.99 * mu).simulate(theta=release, theta_rate=0.0, max_transitions=1)
-    assert slippery.transitions[0].cause == "slip"
 
 
 def test_no_motion_from_rest_climbs_beyond_twice_h():
