@@ -66,7 +66,7 @@ class Grazing:
     normal : float
         N there.
     rise, fall : float
-        a and ω: with the distance ε of the energy, the excess |F| − μN near θ is 2aε − ωt².
+        a and k: with the distance ε of the energy, the excess |F| − μN near θ is 2aε − kt².
     mobility : float
         D/(mP): slip acceleration over excess.
     """

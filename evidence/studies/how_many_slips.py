@@ -1,9 +1,8 @@
-"""How many slips: a bound, the largest numbers found, and the laws at and near equal coefficients of friction."""
+"""How many slips: the laws at and near equal coefficients of friction."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cache
 
 import littlewood as lw
@@ -31,86 +30,6 @@ def bottom_rate(hoop: lw.Hoop, energy: float) -> float:
     return math.sqrt(2.0 * (energy + contact.m * contact.h) / contact.denominator(math.pi))
 
 
-@dataclass(frozen=True)
-class LeastLoss:
-    """The bound from below on what a slip out of rolling takes off the energy.
-
-    Parameters
-    ----------
-    contact : Contact
-        The hoop.
-    mu_s, mu_k : float
-        Its coefficients of friction.
-    energy : float
-        Energy which the motion has at most, E0.
-    """
-
-    contact: Contact
-    mu_s: float
-    mu_k: float
-    energy: float
-
-    @property
-    def top_energy(self) -> float:
-        """E_Q: that of rolling through the top with hθ′² = 1."""
-        return self.contact.energy(0.0, 1.0 / self.contact.h)
-
-    @property
-    def least_solvability(self) -> float:
-        """A lower bound of P for both directions of a slide."""
-        m, h, inertia = self.contact.m, self.contact.h, self.contact.inertia
-        lever = self.mu_k * (1.0 + h)
-        return inertia - 0.25 * m * lever**2 if lever <= 2.0 * h else inertia + m * h * h - m * h * lever
-
-    @property
-    def applies(self) -> bool:
-        """Whether E0 < E_Q, and P > 0 everywhere."""
-        return 0.0 < self.mu_k < self.mu_s and self.energy < self.top_energy and self.least_solvability > 0.0
-
-    @property
-    def least_pressure(self) -> float:
-        """A lower bound of w at a slip."""
-        return min(0.5, 0.5 * (self.top_energy - self.energy) / self.energy) if self.energy > 0.0 else 0.5
-
-    def most_solvability(self, mu: float) -> float:
-        """Return an upper bound of P."""
-        return self.contact.inertia + self.contact.m * self.contact.h * (self.contact.h + mu * (1.0 + self.contact.h))
-
-    @property
-    def acceleration(self) -> float:
-        """A lower bound of |η″| with which a slip begins."""
-        contact = self.contact
-        change = (self.mu_s - self.mu_k) * contact.denominator(math.pi) * contact.inertia * self.least_pressure
-        return change / (self.most_solvability(self.mu_k) * self.most_solvability(self.mu_s))
-
-    @property
-    def rates(self) -> tuple[float, float]:
-        """Upper bounds of |w′| and |η‴| in a slide."""
-        m, h, inertia, f = self.contact.m, self.contact.h, self.contact.inertia, self.mu_k
-        u = 2.0 * (self.energy + m * h) / inertia
-        rate, w, p = math.sqrt(u), 1.0 + h * u, self.least_solvability
-        q, q1 = h + f * (1.0 + h), h * (1.0 + f)
-        p1 = m * h * (q + q1) * rate
-        theta2 = m * q * w / p
-        w1 = h * rate * (u + 2.0 * theta2)
-        ratio1 = w1 / p + w * p1 / p**2
-        theta3 = m * (q1 * rate * w / p + q * ratio1)
-        return w1, f * inertia * ratio1 + 3.0 * h * rate * theta2 + (1.0 + h) * theta3 + h * rate * u
-
-    @property
-    def loss(self) -> float:
-        """The bound."""
-        w1, jerk = self.rates
-        time = min(self.acceleration / jerk, 0.5 * self.least_pressure / w1)
-        normal = 0.5 * self.contact.m * self.contact.inertia * self.least_pressure / self.most_solvability(self.mu_k)
-        return 0.25 * self.mu_k * normal * self.acceleration * time**2
-
-    @property
-    def slips(self) -> float:
-        """The bound on the number of slips."""
-        return 1.0 + (self.energy + self.contact.m * self.contact.h) / self.loss
-
-
 def counted(hoop: lw.Hoop, energy: float) -> int:
     """Return the number of slips of a motion from the bottom that rolls and slips in turn, and rolls in the end."""
     result = lw.simulate_many(
@@ -123,15 +42,11 @@ def counted(hoop: lw.Hoop, energy: float) -> int:
 
 
 @cache
-def near(h: float, mu: float, gap: float, distance: float) -> tuple[int, float, float]:
-    """Return the number of slips from a distance above E*, that of the formula, and Λ over the gap."""
+def near(h: float, mu: float, gap: float, distance: float) -> tuple[int, float]:
+    """Return the number of slips from a distance above E*, and that of the formula."""
     hoop = thin_hoop(h, mu_k=mu, mu_s=mu + gap)
     orbit = grazing_orbits(Contact.of(hoop), hoop.mu_s, mu)[0]
-    return (
-        counted(hoop, orbit.energy + distance),
-        orbit.slips_from(mu, gap, distance),
-        orbit.slips(mu) / gap,
-    )
+    return counted(hoop, orbit.energy + distance), orbit.slips_from(mu, gap, distance)
 
 
 def example(h: float, mu: float) -> tuple[lw.Hoop, Grazing]:
@@ -172,6 +87,15 @@ def scaled(hoop: lw.Hoop, x: float) -> tuple[float, float]:
     return (slide.energy_start - orbit.energy) / unit, loss
 
 
+def gap_text() -> str:
+    """Numbers of slips for coefficients that are nearly equal."""
+    parts = []
+    for name, h, mu in EXAMPLES:
+        slips, told = near(h, mu, 1e-3 * mu, 0.02 * example(h, mu)[1].energy)
+        parts.append(f"{slips} ({told:.0f}; {name})")
+    return ", ".join(parts)
+
+
 def scaled_loss(x: float) -> float:
     """Return ℓ(x): what a slip takes off the energy, for nearly equal coefficients."""
     v = 0.25 * (3.0 * math.sqrt(x) + math.sqrt(9.0 * x + 12.0)) ** 2
@@ -192,70 +116,12 @@ def rate_table() -> list[str]:
                 f"{h:g}",
                 f"{mu:g}",
                 f"{orbit.energy:.6f}",
-                f"{math.degrees(orbit.theta):.3f}",
-                f"{orbit.rate:.5f}",
                 f"{c:.6f}",
                 *measured,
             ]
         )
-    heads = ["hoop", "h", "μ", "E*, m2 g R", "θ*, °", "θ′*, √(g/R)", "c, 1/(m2 g R)"]
+    heads = ["hoop", "h", "μ", "E*, m2 g R", "c, 1/(m2 g R)"]
     return table([*heads, "n = 10", "n = 100", f"n = {COUNT - 1}"], rows)
-
-
-def gap_table() -> list[str]:
-    """Numbers of slips for coefficients that are nearly equal."""
-    rows = []
-    for name, h, mu in EXAMPLES:
-        _, orbit = example(h, mu)
-        for gap in (1e-1, 1e-2, 1e-3):
-            slips, told, limit = near(h, mu, gap * mu, 0.02 * orbit.energy)
-            rows.append([name, f"{gap:g}", f"{slips}", f"{told:.0f}", f"{slips / told:.3f}", f"{limit:.0f}"])
-    return table(["hoop", "μs/μk − 1", "slips", "formula", "ratio", "Λ/(μs − μk)"], rows)
-
-
-SEARCHED = 2000
-
-
-def drawn() -> dict[str, np.ndarray]:
-    """Return hoops and starts of the search: thin hoops with the particle on the rim, for which P > 0."""
-    random = np.random.default_rng(16)
-    h = random.uniform(0.05, 0.95, SEARCHED)
-    mu = 10.0 ** random.uniform(math.log10(0.05), 0.0, SEARCHED)
-    theta = random.uniform(-math.pi, math.pi, SEARCHED)
-    rate = random.uniform(0.0, 1.5, SEARCHED) / np.sqrt(h)
-    solvable = mu < np.sqrt(1.0 - h * h) / h
-    return {name: values[solvable] for name, values in (("h", h), ("mu", mu), ("theta", theta), ("rate", rate))}
-
-
-RATIOS = (1.0, 0.3, 0.1, 0.03)
-
-
-@cache
-def search() -> dict[float, tuple[np.ndarray, lw.Trajectory]]:
-    """Return, for ratios μs/μk − 1, the numbers of transitions, and the longest motion that rolls in the end."""
-    starts = drawn()
-    mass_ratio = 1.0 / starts["h"] - 1.0
-    found = {}
-    for ratio in RATIOS:
-        result = lw.simulate_many(
-            mass_ratio=mass_ratio,
-            offset=1.0,
-            inertia=mass_ratio,
-            mu_k=starts["mu"],
-            mu_s=starts["mu"] * (1.0 + ratio),
-            theta=starts["theta"],
-            theta_rate=starts["rate"],
-            max_transitions=200_000,
-            threads=1,
-        )
-        numbers = result.transitions.values
-        most = int(np.argmax(np.where(result.outcome.values == ROLLS, numbers, 0)))
-        mu, h = float(starts["mu"][most]), float(starts["h"][most])
-        motion = thin_hoop(h, mu_k=mu, mu_s=mu + ratio * mu).simulate(
-            theta=float(starts["theta"][most]), theta_rate=float(starts["rate"][most]), max_transitions=200_000
-        )
-        found[ratio] = (numbers, motion)
-    return found
 
 
 @cache
@@ -308,41 +174,6 @@ def last_text() -> str:
     )
 
 
-def causes(motion: lw.Trajectory, cause: str) -> int:
-    """Return how many transitions have a cause."""
-    return sum(one.cause == cause for one in motion.transitions)
-
-
-def bound_of(motion: lw.Trajectory) -> str:
-    """Return the bound on the number of slips, or why there is none."""
-    hoop = motion.hoop
-    bound = LeastLoss(Contact.of(hoop), hoop.mu_s, hoop.mu_k, motion.phases[0].energy_start)
-    return f"{bound.slips:.0e}" if bound.applies else "does not apply"
-
-
-def search_table() -> list[str]:
-    """The motions of the search with most slips."""
-    rows = []
-    for ratio, (numbers, motion) in search().items():
-        slips = causes(motion, "slip")
-        start = motion.start
-        rows.append(
-            [
-                f"{ratio:g}",
-                f"{100.0 * np.mean(numbers > 0):.0f} %",
-                f"{100.0 * np.mean(numbers >= 20):.0f} %",
-                f"{slips}",
-                f"{causes(motion, 'reversal')}",
-                f"{motion.hoop.h:.3f}",
-                f"{motion.hoop.mu_k:.3f}",
-                f"{start.theta:.2f}, {start.theta_rate:.2f}",
-                bound_of(motion),
-            ]
-        )
-    heads = ["μs/μk − 1", "any transition", "20 or more", "most slips", "reversals with them", "h", "μk", "θ, θ′"]
-    return table([*heads, "bound on slips"], rows)
-
-
 def picture() -> Figure:
     """The fall of the distance, the number near equal coefficients, and Λ over all thin hoops."""
     figure, (left, map_, middle, right) = panels(4, width=3.7)
@@ -393,6 +224,6 @@ def picture() -> Figure:
 
 STUDY = Study(
     name="how-many-slips",
-    texts={"rate": rate_table, "gap": gap_table, "search": search_table, "last": last_text},
+    texts={"rate": rate_table, "gap": gap_text, "last": last_text},
     pictures={"slips": picture},
 )

@@ -8,66 +8,16 @@ import pytest
 from evidence.studies.contact import Contact
 from evidence.studies.grazing import Margin, grazing_orbits
 from evidence.studies.hoops import random_hoops, thin_hoop
-from evidence.studies.how_many_slips import LeastLoss, bottom_rate, counted, last_slips, scaled
+from evidence.studies.how_many_slips import bottom_rate, counted, last_slips, scaled
 from evidence.studies.roots import zero
-
-
-def slips_of(seed, count):
-    """Yield random hoops with μk < μs, the bound for their motions, and their slides out of rolling."""
-    for drawn, random in random_hoops(seed, count):
-        gap = drawn.mu_k * 10.0 ** random.uniform(-3.0, 0.0)
-        hoop = replace(
-            drawn,
-            mu_s=drawn.mu_k + gap,
-            mu_k=drawn.mu_k,
-        )
-        contact = Contact.of(hoop)
-        theta, rate = random.uniform(-math.pi, math.pi), random.uniform(0.0, 1.2) / math.sqrt(hoop.h)
-        motion = hoop.simulate(theta=theta, theta_rate=rate, max_transitions=30)
-        if not motion.phases:
-            continue
-        bound = LeastLoss(contact, hoop.mu_s, hoop.mu_k, motion.phases[0].energy_start)
-        if not bound.applies:
-            continue
-        for before, slide in zip(motion.phases, motion.phases[1:], strict=False):
-            if before.mode == "rolling" and slide.mode == "sliding":
-                yield hoop, contact, bound, motion, slide
-
-
-def test_a_slip_is_no_cheaper_than_the_bound_and_each_step_of_its_proof_holds():
-    found = 0
-    for hoop, contact, bound, motion, slide in slips_of(3, 1500):
-        found += 1
-        theta, u = slide.start.theta, slide.start.theta_rate**2
-        sigma = slide.direction
-        w = contact.pressure(theta, u)
-        p_k, p_s = (contact.solvability(theta, sigma * mu) for mu in (hoop.mu_k, hoop.mu_s))
-        assert w >= bound.least_pressure * (1.0 - 1e-9)
-        assert p_k >= bound.least_solvability
-        assert p_k <= bound.most_solvability(hoop.mu_k)
-        normal, friction = contact.rolling(theta, u)
-        terms = abs(normal) + abs(friction) + contact.m
-        assert normal == pytest.approx(contact.m * contact.inertia * w / p_s, abs=1e-9 * terms)
-        assert friction == pytest.approx(-sigma * hoop.mu_s * normal, abs=1e-9 * terms)
-        acceleration = (hoop.mu_s - hoop.mu_k) * contact.denominator(theta) * contact.inertia * w / (p_k * p_s)
-        assert acceleration >= bound.acceleration * (1.0 - 1e-9)
-        # η′ over a short time by the acceleration, to the accuracy that the bound of η‴ promises.
-        duration = 0.1 * min(bound.acceleration / bound.rates[1], slide.duration)
-        if math.isfinite(duration) and slide.start.time + duration > slide.start.time * (1.0 + 1e-7):
-            slip = float(motion(slide.start.time + duration)["slip"])
-            rest = 0.5 * bound.rates[1] * duration**2
-            assert abs(abs(slip) - acceleration * duration) <= rest + 1e-6 * acceleration * duration + 1e-14
-        if slide.end is not None:
-            assert slide.energy_lost >= bound.loss
-    assert found > 300
 
 
 def test_the_top_is_where_a_rolling_hoop_comes_nearest_to_leaving_the_plane():
     for drawn, random in random_hoops(4, 300):
         contact = Contact.of(drawn)
-        bound = LeastLoss(contact, drawn.mu_s, drawn.mu_k, 0.0)
+        top = contact.energy(0.0, 1.0 / contact.h)
         c = random.uniform(0.05, 1.0)
-        assert contact.energy(math.acos(c), 1.0 / (contact.h * c)) >= bound.top_energy * (1.0 - 1e-12)
+        assert contact.energy(math.acos(c), 1.0 / (contact.h * c)) >= top * (1.0 - 1e-12)
 
 
 def test_the_margin_and_its_derivatives_are_those_of_the_forces():
