@@ -162,13 +162,6 @@ def errors(step: float) -> tuple[float, float]:
     return abs((above - here) / step / true - 1.0), abs((above - below) / (2.0 * step) / true - 1.0)
 
 
-def differences() -> list[str]:
-    """Errors of differences of the simulation."""
-    steps = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
-    rows = [[f"{step:.0e}", *(f"{error:.0e}" for error in errors(step))] for step in steps]
-    return table(["step of μk", "forward", "central"], rows)
-
-
 def picture() -> Figure:
     """Derivatives at fixed times, which jump at events; errors of differences."""
     figure, (left, right) = panels(2, width=5.0)
@@ -197,6 +190,6 @@ def picture() -> Figure:
 
 STUDY = Study(
     name="gradients-through-contact",
-    texts={"differences": differences, "schemes": schemes, "limit": limit},
+    texts={"schemes": schemes, "limit": limit},
     pictures={"derivatives": picture},
 )
