@@ -50,16 +50,15 @@ def of_faults() -> list[str]:
         lines.append(
             [
                 (film.__doc__ or name).rstrip("."),
-                str(len(rows)),
                 str(sum(map(is_wrong, rows))),
                 str(sum(bool(doubts_of(row)) for row in rows)),
                 str(silent(rows)),
                 str(unsaid(rows)),
-                ", ".join(f"`{doubt}` {count}" for doubt, count in said.most_common(3)),
+                ", ".join(f"`{doubt}` {count}" for doubt, count in said.most_common(1)),
             ]
         )
     return table(
-        ["fault", "films", "wrong", "doubted", "wrong and not doubted", "wrong without any doubt", "doubts"], lines
+        ["fault", "wrong", "doubted", "wrong and not doubted", "wrong without any doubt", "most raised"], lines
     )
 
 

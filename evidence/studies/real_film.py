@@ -4,35 +4,23 @@ from __future__ import annotations
 
 import csv
 import math
-import tempfile
-from functools import cache
-from pathlib import Path
 from statistics import NormalDist
 from typing import TYPE_CHECKING
 
 import numpy as np
-from littlewood import video
 from littlewood.style import FAINT, INK
 
 from .axes import COLOURS, DASHES, panels
-from .film.coverage import line_of
 from .film.throws import FREE
-from .film.videos import Film, film_of, fitted
+from .film.videos import film_of, fitted, track_of
 from .page import table
 from .study import PAGES, Study
 
 if TYPE_CHECKING:
-    import littlewood as lw
     from matplotlib.figure import Figure
 
 LEVELS = (0.5, 0.8, 0.9, 0.95, 0.99)
 NAMES = {"mu_s": "μs", "mu_k": "μk", "inertia": "inertia", "restitution": "e"}
-EXPOSURE = {"exposure_s": "exposure, s"}
-SHOWN = 4
-"""Number of the film that is shown."""
-
-REPEATED = 4
-"""How many of the fits are computed again with the page."""
 
 
 def rows_of(name: str) -> list[dict[str, float]]:
@@ -53,11 +41,11 @@ def part_within(values: list[float], level: float) -> float:
     return sum(abs(value) < half for value in values) / len(values)
 
 
-def coverage(name: str, names: dict[str, str]) -> list[str]:
-    """How often intervals contain the truth."""
-    rows = rows_of(name)
+def coverage() -> list[str]:
+    """How often intervals of videos contain the truth."""
+    rows = rows_of("videos")
     lines = []
-    for key, label in names.items():
+    for key, label in (NAMES | {"exposure_s": "exposure, s"}).items():
         values = pulls(rows, key)
         error = float(np.median([row[f"{key}_error"] for row in rows]))
         parts = [f"{100.0 * part_within(values, level):.0f} %" for level in LEVELS]
@@ -93,122 +81,19 @@ def lost() -> str:
     return f"{sum(value > 6.0 for value in off)} of {len(rows)}"
 
 
-def repeated() -> str:
-    """Whether the first fits come out as they stand in the table."""
-    rows = rows_of("coverage")
-    worst = 0.0
-    for film in range(REPEATED):
-        cells = dict(zip(rows[0], map(float, line_of(film)), strict=True))
-        for key in FREE:
-            if math.isfinite(rows[film][f"{key}_error"]):
-                off = abs(cells[f"{key}_value"] - rows[film][f"{key}_value"]) / rows[film][f"{key}_error"]
-                worst = max(worst, off)
-    return f"{REPEATED} of them, made again, agree" if worst < 1e-2 else f"{REPEATED} of them, made again, differ"
+FILM = 4
+"""Number of the film that is made and fitted."""
 
 
-@cache
-def shown() -> tuple[Film, np.ndarray, video.Circle, video.Marker, lw.Track, lw.Track]:
-    """The film of the pictures: what is found in one of them, its track, and that by the clicked plane."""
-    film = film_of(SHOWN)
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "film.avi"
-        film.write(path)
-        track, clicked = film.track(path, film.plane), film.track(path, film.clicked)
-        picture = list(video.frames(path))[60]
-        finder = video.finder_of(path, film.thrown.hoop, plane=film.plane)
-    circle = finder.circle(picture)
-    assert circle is not None
-    marker = finder.marker(picture, circle)
-    assert marker is not None
-    return film, picture, circle, marker, track, clicked
-
-
-def of_tracker() -> list[str]:
-    """How far the track of a film is from the truth."""
-    film, _, _, _, track, _ = shown()
-    rows = []
-    pixels = film.plane.pixels_per_metre(0.0, 0.3) * film.thrown.hoop.require_units().length_m
-    for name, values in film.errors(track).items():
-        seen = values[np.isfinite(values)]
-        after = float(np.corrcoef(seen[:-1], seen[1:])[0, 1])
-        label, unit = ("θ", "rad") if name == "theta" else (name, "R")
-        scale = "" if name == "theta" else f"{pixels * float(np.sqrt(np.mean(seen**2))):.2g}"
-        mean, root = float(np.mean(seen)), float(np.sqrt(np.mean(seen**2)))
-        rows.append([f"{label}, {unit}", f"{mean:.1e}", f"{root:.1e}", scale, f"{after:.1f}"])
-    heads = ["", "mean error", "root of the mean square", "the same in pixels", "correlation with the next picture"]
-    return table(heads, rows)
-
-
-def of_fits() -> list[str]:
-    """How far fits of the shown film are off, with and without parts of the model of errors."""
-    film, _, _, _, _, track = shown()
-    whole = fitted(film, track)
-    tried = {
-        "all": whole,
-        "errors independent": fitted(film, track, sigma=whole.sigma),
-        "no constants of the camera": fitted(film, track, calibration=()),
-    }
-    rows = []
-    for label, result in tried.items():
-        row = [label]
-        for name in FREE:
-            estimate = result.estimates[name]
-            off = (estimate.value - getattr(film.thrown.hoop, name)) / estimate.std_error
-            row.append(f"{off:+.1f} ({estimate.std_error:.1e})" if estimate.identifiable else "not told")
-        rows.append(row)
-    return table(["", *NAMES.values()], rows)
-
-
-def picture_found() -> Figure:
-    """One picture of the film with the circle and the marker that were found, and all that was found."""
-    film, picture, circle, marker, track, _ = shown()
-    figure, (one,) = panels(1, width=7.2, height=4.2)
-    one.grid(visible=False)
-    one.imshow(picture[:, :, ::-1], interpolation="nearest")
-    angles = np.linspace(0.0, math.tau, 300)
-    around = circle.radius_m
-    one.plot(
-        *film.plane.to_pixels(circle.x_m + around * np.cos(angles), circle.y_m + around * np.sin(angles)),
-        color="#ffb000",
-        lw=1.4,
-        dashes=(4, 2),
-        label="circle that was found",
-    )
-    one.plot(
-        *film.plane.to_pixels([marker.x_m], [marker.y_m]),
-        "+",
-        color="#ffb000",
-        ms=12,
-        mew=1.6,
-        label="marker that was found",
-    )
-    radius = film.thrown.hoop.require_units().length_m
-    assert track.x is not None and track.y is not None
-    one.plot(
-        *film.plane.to_pixels(track.x * radius, track.y * radius),
-        ".",
-        color=COLOURS[1],
-        ms=2.5,
-        label="centre in all pictures",
-    )
-    one.set(xlabel="u, pixels", ylabel="v, pixels")
-    one.legend(fontsize=8, loc="upper left", framealpha=0.9)
-    return figure
-
-
-def residuals() -> Figure:
-    """What the track has too much."""
-    film, _, _, _, track, _ = shown()
-    figure, axes = panels(3, width=3.6, height=3.0)
-    seconds = track.time * film.thrown.hoop.require_units().time_s
-    labels = {"theta": "error of θ, 10⁻³ rad", "x": "error of x, 10⁻³ R", "y": "error of y, 10⁻³ R"}
-    for axis, (name, values) in zip(axes, film.errors(track).items(), strict=True):
-        axis.axhline(0.0, color=INK, lw=0.8)
-        axis.plot(seconds, 1e3 * values, ".", ms=3.5, color=COLOURS[0])
-        for transition in film.thrown.motion.transitions:
-            axis.axvline(transition.time * film.thrown.hoop.require_units().time_s, color=FAINT, lw=0.7, zorder=0)
-        axis.set(xlabel="time t, s", ylabel=labels[name], xlim=(0.0, seconds[-1]))
-    return figure
+def of_fits() -> str:
+    """How far fits of a film are off, with and without the constants of the camera."""
+    film, track = film_of(FILM), track_of(FILM)
+    parts = []
+    for more in ({}, {"calibration": ()}):
+        estimates = fitted(film, track, **more).estimates
+        off = [(estimates[name].value - getattr(film.thrown.hoop, name)) / estimates[name].std_error for name in FREE]
+        parts.append(", ".join(f"{value:+.1f}" for value in off).replace("-", "−"))
+    return f"{parts[0]}, and without the constants of the camera {parts[1]}"
 
 
 def calibration() -> Figure:
@@ -243,19 +128,15 @@ STUDY = Study(
     name="real-film",
     texts={
         "result": result,
-        "tracker": of_tracker,
         "fits": of_fits,
-        "coverage": lambda: coverage("coverage", NAMES),
-        "repeated": repeated,
-        "sequences": lambda: sequences("coverage"),
         "search": lambda: sequences("search"),
         "lost": lost,
-        "videos": lambda: coverage("videos", NAMES | EXPOSURE),
+        "videos": coverage,
         "short": lambda: by_exposure(False),
         "long": lambda: by_exposure(True),
         "astray": lambda: beyond("exposure_s", 6.0),
         "tails": lambda: beyond("restitution", 3.0),
         "sequences of videos": lambda: sequences("videos"),
     },
-    pictures={"found": picture_found, "residuals": residuals, "calibration": calibration},
+    pictures={"calibration": calibration},
 )
