@@ -49,7 +49,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     if args.contours {
         picture = picture.with_contours()?;
     }
-    if at_the_end.iter().any(|(kind, _)| kind.is_drawing()) {
+    if args.width_mm.is_some() || at_the_end.iter().any(|(kind, _)| kind.is_drawing()) {
         picture = picture.in_vectors();
     }
     let mut plane = match at_the_end.iter().find(|(kind, _)| !kind.is_picture()) {
@@ -92,7 +92,11 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
             // Such a file is refused before.
             #[cfg(not(feature = "figures"))]
             (Kind::Pdf, _) => return Ok(()),
-            (Kind::Picture, _) => picture.png().map_err(Error::Drawing)?,
+            (Kind::Picture, _) => match args.width_mm {
+                Some(mm) => picture.figure(Some(mm)).and_then(|figure| figure.png(PRINT_SCALE)),
+                None => picture.png(),
+            }
+            .map_err(Error::Drawing)?,
             // There is a plane where a text is wanted; the others are written chunk by chunk.
             (Kind::Csv | Kind::Json, None) | (Kind::Zarr | Kind::Parquet, _) => return Ok(()),
         };
@@ -118,14 +122,17 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
 }
 
+/// Pixels to 1/96 inch of a PNG with a width in print: 300 to the inch.
+const PRINT_SCALE: f64 = 3.125;
+
 /// Refuses a width in print that no file has, or that nothing is printed in.
 fn check_width(width_mm: Option<f64>, kinds: &[(Kind, &Path)]) -> Result<(), Error> {
     let Some(mm) = width_mm else { return Ok(()) };
-    if let (false, Some((_, path))) = (kinds.iter().any(|(kind, _)| kind.is_drawing()), kinds.first()) {
+    if let (false, Some((_, path))) = (kinds.iter().any(|(kind, _)| kind.is_picture()), kinds.first()) {
         return Err(Error::Out {
             path: path.to_path_buf(),
-            reason: "--width-mm is the width of an SVG or a PDF".to_owned(),
-            hint: "leave out --width-mm, or give --out NAME.svg or --out NAME.pdf".to_owned(),
+            reason: "--width-mm is the width of a picture".to_owned(),
+            hint: "leave out --width-mm, or give --out NAME.svg, NAME.pdf or NAME.png".to_owned(),
         });
     }
     littlewood_draw::check_width(mm).map_err(Error::Drawing)

@@ -295,7 +295,14 @@ fn a_map_in_vectors_does_not_depend_on_threads_and_has_the_width_that_is_asked_f
     let out = path(&folder, "time.svg");
     text(&[&["map", "figure-3"], &SMALL[..], &["--shade", "lift_off_time", "--out", &out]].concat());
     assert!(fs::read_to_string(&out).expect("a drawing").contains("<image"));
-    for (name, width, reason) in [("narrow.svg", "9", "from 60 to 420 mm"), ("map.png", "84", "SVG or a PDF")]
+    // 84 mm with 300 pixels to the inch, which the file says.
+    let out = path(&folder, "map.png");
+    text(&[&["map", "figure-3"], &SMALL[..], &["--width-mm", "84", "--out", &out]].concat());
+    let bytes = fs::read(&out).expect("a picture");
+    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().expect("four bytes"));
+    let density = bytes.windows(4).position(|name| name == b"pHYs").expect("its pixels to a metre") + 4;
+    assert_eq!((number(16), number(density), bytes[density + 8]), (993, 11811, 1));
+    for (name, width, reason) in [("narrow.svg", "9", "from 60 to 420 mm"), ("map.csv", "84", "of a picture")]
     {
         let out = path(&folder, name);
         let asked = [&["map", "figure-3"], &SMALL[..], &["--width-mm", width, "--out", &out]].concat();

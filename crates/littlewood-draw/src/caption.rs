@@ -46,8 +46,15 @@ pub fn latex(text: &str) -> String {
             Script::Line => {
                 let mut rest = run.text.chars().peekable();
                 while let Some(letter) = rest.next() {
-                    let is_decimal = letter == '.' && rest.peek().is_some_and(char::is_ascii_digit);
-                    writer.letter(letter, is_decimal);
+                    let ahead = rest.clone().skip_while(char::is_ascii_digit).next();
+                    let goes_on = match letter {
+                        '.' => rest.peek().is_some_and(char::is_ascii_digit),
+                        // The argument of a function.
+                        '(' => rest.peek().is_some_and(char::is_ascii_digit) && ahead == Some(')'),
+                        ')' => writer.out.ends_with(|before: char| before.is_ascii_digit()),
+                        _ => false,
+                    };
+                    writer.letter(letter, goes_on);
                 }
             }
         }
@@ -72,6 +79,14 @@ impl Writer {
             self.out.push(' ');
         }
         self.has_space = false;
+        // A name of letters ends before another letter.
+        let before = self.out.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
+        if before.len() < self.out.len()
+            && before.ends_with('\\')
+            && piece.starts_with(|letter: char| letter.is_ascii_alphabetic())
+        {
+            self.out.push(' ');
+        }
         self.out += piece;
     }
 
@@ -87,13 +102,14 @@ impl Writer {
         self.out += piece;
     }
 
-    fn letter(&mut self, letter: char, is_decimal: bool) {
+    /// A letter that is upright; one of a formula goes on with it.
+    fn letter(&mut self, letter: char, goes_on: bool) {
         match (letter, symbol(letter)) {
-            (_, Some(symbol)) if symbol.starts_with('\\') => self.formula(&format!("{symbol}{{}}")),
             (_, Some(symbol)) => self.formula(symbol),
-            ('<' | '>' | '|' | '=' | '+' | '/', None) => self.formula(&letter.to_string()),
+            ('<' | '>' | '|' | '=' | '+', None) => self.formula(&letter.to_string()),
+            ('/', None) if self.is_formula && !self.has_space => self.formula("/"),
             (' ', None) if self.is_formula && !self.has_space => self.has_space = true,
-            (digit, None) if self.is_formula && (digit.is_ascii_digit() || is_decimal) => {
+            (digit, None) if self.is_formula && (digit.is_ascii_digit() || goes_on) => {
                 self.formula(&digit.to_string());
             }
             ('%' | '&' | '#' | '$' | '_' | '{' | '}', None) => self.text(&format!("\\{letter}")),
@@ -135,7 +151,11 @@ fn letters_of(text: &str, italic: bool) -> String {
                 out.push(' ');
             }
         } else if letter.is_ascii_alphabetic() && !italic {
-            out += &format!("\\mathrm{{{letter}}}");
+            let mut word = letter.to_string();
+            while let Some(next) = letters.next_if(char::is_ascii_alphabetic) {
+                word.push(next);
+            }
+            out += &format!("\\mathrm{{{word}}}");
         } else {
             out.push(letter);
         }
@@ -188,5 +208,8 @@ mod tests {
         assert_eq!(latex("*μ*_{k} = 0.4. In 2019"), "$\\mu_{\\mathrm{k}} = 0.4$. In 2019");
         assert_eq!(latex("*X̄* moves by *ℓh*"), "$\\bar{X}$ moves by $\\ell h$");
         assert_eq!(latex("*I\u{302}* = 1"), "$\\hat{I} = 1$");
+        // A formula is in one piece, and units are text.
+        assert_eq!(latex("*θ*(0) = π/2, *I*_{zz} = 2"), "$\\theta(0) = \\pi/2$, $I_{\\mathrm{zz}} = 2$");
+        assert_eq!(latex("*g* = 9.8 m/s^{2} (2.9)"), "$g = 9.8$ m/s$^{2}$ (2.9)");
     }
 }

@@ -8,7 +8,7 @@ use crate::markup::plain;
 use crate::raster::POINTS;
 use crate::sheet::{POINTS_TO_A_MM, PRINT_POINTS};
 use crate::space::Space;
-use crate::stroke::{INK, LETTER, SMALL, Stroke};
+use crate::stroke::{INK, LETTER, PAPER, SMALL, Stroke};
 use crate::svg;
 use littlewood_style::width::FINE;
 
@@ -156,7 +156,7 @@ impl Canvas {
             size: LETTER,
             colour: INK,
             upwards,
-            halo: false,
+            ground: None,
         };
         self.words(name(&x.title, [0.5 * pixels(left + right), above + tall - BELOW * LETTER], false));
         self.words(name(&y.title, [outer + TOP * LETTER, 0.5 * pixels(top + bottom)], true));
@@ -218,19 +218,18 @@ impl Canvas {
             }
             let [right, down] = label.shift.map(steps);
             let at = [f64::from(x + right) / STEPS, f64::from(y + down) / STEPS + MIDDLE * label.size];
-            let (text, anchor) = (label.text.clone(), label.anchor);
-            self.words(Words {
-                text,
-                at,
-                anchor,
-                size: label.size,
-                colour: label.colour,
-                upwards: false,
-                halo: true,
-            });
+            let (text, anchor, size) = (label.text.clone(), label.anchor, label.size);
+            let words = Words { text, at, anchor, size, colour: label.colour, upwards: false, ground: None };
+            let ground = self.below(words.frame());
+            let is_seen = (ground.lightness() - label.colour.lightness()).abs() > LEAST_CONTRAST;
+            let colour = if is_seen { label.colour } else { PAPER };
+            self.words(Words { ground: Some(ground), colour, ..words });
         }
     }
 }
+
+/// Least difference in CIE lightness of letters from what is below them; on what is darker they are paper.
+const LEAST_CONTRAST: f64 = 30.0;
 
 /// Where the base line of a text stands below its top, and above its bottom, in parts of its size.
 const TOP: f64 = 0.76;

@@ -66,12 +66,9 @@ pub(crate) struct Words {
     pub(crate) colour: Rgb,
     /// Whether it runs upwards.
     pub(crate) upwards: bool,
-    /// Whether the paper is laid around its letters.
-    pub(crate) halo: bool,
+    /// Colour of a box behind its letters, which hides what is below them.
+    pub(crate) ground: Option<Rgb>,
 }
-
-/// Width of the paper around letters on either side, in pixels.
-pub(crate) const HALO: f64 = 1.75;
 
 /// Distance and width of the lines of a hatch, which rise to the right, in pixels.
 pub(crate) const HATCH: [f64; 2] = [6.0, 0.8];

@@ -30,7 +30,10 @@ pub(crate) struct Letter {
     pub(crate) name: String,
     /// Its outline as an SVG path, in thousandths of the size, upwards positive.
     pub(crate) path: &'static str,
-    advance: f64,
+    /// Its width, in the same unit.
+    pub(crate) advance: f64,
+    /// The letter itself.
+    pub(crate) sign: char,
 }
 
 /// The letters by whether they are italic, and their code.
@@ -42,8 +45,9 @@ fn letters() -> &'static HashMap<(bool, char), Letter> {
 fn letter(line: &'static str) -> Option<((bool, char), Letter)> {
     let mut parts = line.splitn(4, ' ');
     let (face, code, advance) = (parts.next()?, parts.next()?, parts.next()?.parse().ok()?);
-    let key = (face == "i", char::from_u32(u32::from_str_radix(code, 16).ok()?)?);
-    Some((key, Letter { name: format!("{face}{code}"), path: parts.next().unwrap_or_default(), advance }))
+    let sign = char::from_u32(u32::from_str_radix(code, 16).ok()?)?;
+    let path = parts.next().unwrap_or_default();
+    Some(((face == "i", sign), Letter { name: format!("{face}{code}"), path, advance, sign }))
 }
 
 /// The letter of a text: in italics those that have them.
@@ -96,7 +100,7 @@ pub fn width(text: &str, size: f64) -> f64 {
 }
 
 /// The pieces of an outline, in thousandths of the size, upwards positive.
-fn outline(path: &str) -> impl Iterator<Item = Segment> {
+pub(crate) fn outline(path: &str) -> impl Iterator<Item = Segment> {
     let is_kind = |letter: char| letter.is_ascii_uppercase();
     path.match_indices(is_kind).filter_map(move |(at, kind)| {
         let numbers = path[at + kind.len()..].split(is_kind).next()?;

@@ -2,7 +2,7 @@
 //!
 //! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. [`Figure::svg`],
 //! [`Figure::png`] and, with the feature `pdf`, `Figure::pdf` write the same drawing, [`Figure::csv`] the rows that are
-//! drawn. Letters are outlines, so that a figure looks the same everywhere. No file is touched here, and nothing is known
+//! drawn. Letters are outlines, in a PDF a font of them, so that a figure looks the same everywhere. No file is touched here, and nothing is known
 //! of mechanics.
 //!
 //! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the line: [`plain`] takes
@@ -32,6 +32,8 @@ mod csv;
 mod error;
 mod figure;
 mod finish;
+#[cfg(feature = "pdf")]
+mod font;
 mod item;
 mod letters;
 mod marks;

@@ -130,6 +130,17 @@ impl Canvas {
         self.0.push(Item::rectangle(corners, paint));
     }
 
+    /// The colour of the area in which a box lies; the paper, if it is in none or reaches out of it.
+    pub(crate) fn below(&self, [left, top, right, bottom]: [f64; 4]) -> Rgb {
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+        let area = self.0.iter().rev().find_map(|item| {
+            let Item::Path { lines, paint: Paint::Fill(colour) } = item else { return None };
+            let inside = corners.map(|corner| winding(lines, corner) != 0);
+            inside.contains(&true).then(|| if inside == [true; 4] { *colour } else { PAPER })
+        });
+        area.unwrap_or(PAPER)
+    }
+
     pub(crate) fn polygon(&mut self, points: &[Step], paint: Paint) {
         self.0.push(Item::path(&[points.to_vec()], paint));
     }
@@ -145,7 +156,7 @@ impl Canvas {
     /// A text without a halo, by its middle on the vertical.
     pub(crate) fn text(&mut self, text: &str, (x, y): Step, anchor: Anchor, size: f64, colour: Rgb) {
         let at = [f64::from(x) / STEPS, f64::from(y) / STEPS + MIDDLE * size];
-        self.words(Words { text: text.to_owned(), at, anchor, size, colour, upwards: false, halo: false });
+        self.words(Words { text: text.to_owned(), at, anchor, size, colour, upwards: false, ground: None });
     }
 
     pub(crate) fn words(&mut self, words: Words) {
@@ -178,6 +189,19 @@ impl Canvas {
         ];
         self.polygon(&corners, Paint::Fill(colour));
     }
+}
+
+/// How often closed lines wind about a place in pixels.
+fn winding(lines: &[Vec<Step>], place: [f64; 2]) -> i32 {
+    let [x, y] = place.map(|pixels| pixels * STEPS);
+    let edges = lines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+    edges
+        .map(|(a, b)| {
+            let [a, b] = [a, b].map(|&(x, y)| [f64::from(x), f64::from(y)]);
+            let left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+            i32::from(a[1] <= y && b[1] > y && left > 0.0) - i32::from(a[1] > y && b[1] <= y && left < 0.0)
+        })
+        .sum()
 }
 
 /// Narrowest line in pixels.

@@ -58,22 +58,49 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
     runs
 }
 
-/// A letter or digit that stands below or above the line by itself, as it is on the line, and where it stands.
-pub(crate) const fn small(letter: char) -> Option<(char, Script)> {
-    match letter {
-        '₁' => Some(('1', Script::Sub)),
-        '₂' => Some(('2', Script::Sub)),
-        'ₛ' => Some(('s', Script::Sub)),
-        'ₖ' => Some(('k', Script::Sub)),
-        '²' => Some(('2', Script::Super)),
-        _ => None,
-    }
+/// Letters and digits that stand below or above the line by themselves, each as it is on the line, and where it stands.
+const SCRIPTED: [(char, char, Script); 15] = [
+    ('₁', '1', Script::Sub),
+    ('₂', '2', Script::Sub),
+    ('ₛ', 's', Script::Sub),
+    ('ₖ', 'k', Script::Sub),
+    ('⁰', '0', Script::Super),
+    ('¹', '1', Script::Super),
+    ('²', '2', Script::Super),
+    ('³', '3', Script::Super),
+    ('⁴', '4', Script::Super),
+    ('⁵', '5', Script::Super),
+    ('⁶', '6', Script::Super),
+    ('⁷', '7', Script::Super),
+    ('⁸', '8', Script::Super),
+    ('⁹', '9', Script::Super),
+    ('⁻', '−', Script::Super),
+];
+
+/// Such a letter as it is on the line, and where it stands.
+pub(crate) fn small(letter: char) -> Option<(char, Script)> {
+    SCRIPTED.iter().find(|(own, ..)| *own == letter).map(|&(_, plain, script)| (plain, script))
 }
 
-/// The letters alone.
+/// The letter that stands there by itself.
+fn scripted(letter: char, place: Script) -> Option<char> {
+    SCRIPTED.iter().find(|&&(_, plain, script)| (plain, script) == (letter, place)).map(|(own, ..)| *own)
+}
+
+/// The letters alone; what stands below or above the line keeps its place, or a sign before it tells of it.
 #[must_use]
 pub fn plain(text: &str) -> String {
-    runs(text).into_iter().map(|run| run.text).collect()
+    let mut out = String::new();
+    for Run { text, script, .. } in runs(text) {
+        let small: Option<String> = text.chars().map(|letter| scripted(letter, script)).collect();
+        match (script, small) {
+            (Script::Line, _) => out += text,
+            (_, Some(small)) => out += &small,
+            (Script::Sub, None) => out.extend(["_", text]),
+            (Script::Super, None) => out.extend(["^", text]),
+        }
+    }
+    out
 }
 
 /// As Markdown.
@@ -103,12 +130,13 @@ mod tests {
 
     #[test]
     fn marks_are_taken_off() {
-        assert_eq!(plain("|*F*| = *μ*_{s}*N*, *θ*′^{2}"), "|F| = μsN, θ′2");
+        assert_eq!(plain("|*F*| = *μ*_{s}*N*, *θ*′^{2}"), "|F| = μₛN, θ′²");
+        assert_eq!(plain("10^{−7} *I*_{zz}, *W*^{s}"), "10⁻⁷ I_zz, W^s");
         assert_eq!(markdown("*μ*_{s} = ½"), "*μ*<sub>s</sub> = ½");
         assert_eq!(plain("{x}"), "{x}");
         assert_eq!(
             (plain("`E`_{1}"), markdown("`E`_{1}")),
-            ("E1".to_owned(), "**E**<sub>1</sub>".to_owned())
+            ("E₁".to_owned(), "**E**<sub>1</sub>".to_owned())
         );
     }
 

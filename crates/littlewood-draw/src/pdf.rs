@@ -1,19 +1,30 @@
-//! A sheet as PDF of one page, its letters as outlines: no face has to be embedded.
+//! A sheet as PDF of one page, with a font of its letters, in which they can be searched.
 
 use littlewood_style::{Dash, Rgb};
 use miniz_oxide::deflate::compress_to_vec_zlib;
-use pdf_writer::types::{LineCapStyle, LineJoinStyle};
-use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect, Ref, TextStr};
+use pdf_writer::types::{
+    CidFontType, FontFlags, LineCapStyle, LineJoinStyle, SystemInfo, TextRenderingMode, UnicodeCmap,
+};
+use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect, Ref, Str, TextStr};
 
 use crate::figure::{Figure, Image};
-use crate::item::Item;
+use crate::font::Font;
+use crate::item::{Item, Words};
+use crate::letters::glyphs;
 use crate::markup::plain;
 use crate::pencil::{Edge, Path, Pencil, Segment, draw};
 
 /// Level of compression.
 const LEVEL: u8 = 8;
 
-struct Page(Content, Vec<Image>);
+/// What is drawn, with its images and letters.
+struct Page(Content, Vec<Image>, Font);
+
+/// The font on the page, and its name in the file: six letters for a part of a font.
+const FACE: Name<'static> = Name(b"F0");
+const FONT: Name<'static> = Name(b"LWHOOP+STIXTwoMath-Regular");
+const SYSTEM: SystemInfo<'static> =
+    SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"Identity"), supplement: 0 };
 
 /// To a thousandth of a pixel, which keeps the file small.
 fn fine(point: [f64; 2]) -> [f32; 2] {
@@ -108,6 +119,68 @@ impl Pencil for Page {
     fn unclip(&mut self) {
         self.0.restore_state();
     }
+
+    /// Letters of the font, by lines of one size.
+    fn words(&mut self, words: &Words) {
+        let glyphs = glyphs(&words.text, words.size);
+        let (back, [x, y]) = (words.back(), words.at);
+        let [r, g, b] = shares(words.colour);
+        self.0.begin_text().set_fill_rgb(r, g, b).set_stroke_rgb(r, g, b);
+        for line in glyphs.chunk_by(|a, b| (a.at[1], a.unit, a.bold) == (b.at[1], b.unit, b.bold)) {
+            let [right, down] = line[0].at;
+            let (right, size) = (right - back, (1000.0 * line[0].unit) as f32);
+            let at = if words.upwards { [x + down, y - right] } else { [x + right, y + down] };
+            let [a, b] = fine(at);
+            self.0.set_font(FACE, size);
+            // The page grows downwards, letters upwards.
+            self.0.set_text_matrix(if words.upwards {
+                [0.0, -1.0, -1.0, 0.0, a, b]
+            } else {
+                [1.0, 0.0, 0.0, -1.0, a, b]
+            });
+            let bold = line[0].bold as f32;
+            let mode = if bold > 0.0 { TextRenderingMode::FillStroke } else { TextRenderingMode::Fill };
+            self.0.set_line_width(bold).set_text_rendering_mode(mode);
+            let codes: Vec<u8> =
+                line.iter().flat_map(|glyph| self.2.number(glyph.letter).to_be_bytes()).collect();
+            self.0.show(Str(&codes));
+        }
+        self.0.end_text();
+    }
+}
+
+/// Writes a font, of which the file begins at a number.
+fn font(pdf: &mut Pdf, font: &Font, [face, letters, about, file, signs]: [Ref; 5]) {
+    pdf.type0_font(face)
+        .base_font(FONT)
+        .encoding_predefined(Name(b"Identity-H"))
+        .descendant_font(letters)
+        .to_unicode(signs);
+    let mut cid = pdf.cid_font(letters);
+    cid.subtype(CidFontType::Type2).base_font(FONT).system_info(SYSTEM).font_descriptor(about);
+    cid.cid_to_gid_map_predefined(Name(b"Identity"));
+    cid.widths().consecutive(1, font.letters().iter().map(|letter| letter.advance as f32));
+    cid.finish();
+    pdf.font_descriptor(about)
+        .name(FONT)
+        .flags(FontFlags::SYMBOLIC | FontFlags::SERIF)
+        .bbox(Rect::new(-1000.0, -500.0, 2000.0, 1500.0))
+        .italic_angle(0.0)
+        .ascent(762.0)
+        .descent(-238.0)
+        .cap_height(656.0)
+        .stem_v(80.0)
+        .font_file2(file);
+    let bytes = font.file();
+    let packed = compress_to_vec_zlib(&bytes, LEVEL);
+    let mut stream = pdf.stream(file, &packed);
+    stream.filter(Filter::FlateDecode).pair(Name(b"Length1"), bytes.len() as i32);
+    stream.finish();
+    let mut map = UnicodeCmap::new(Name(b"letters"), SYSTEM);
+    for (number, letter) in (1_u16..).zip(font.letters()) {
+        map.pair(number, letter.sign);
+    }
+    pdf.cmap(signs, &map.finish());
 }
 
 /// The name of an image.
@@ -119,20 +192,22 @@ fn name_of(number: usize) -> String {
 pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
     let scale = figure.points();
     let [width, height] = [figure.width, figure.height].map(|side| (side * scale) as f32);
-    let mut page = Page(Content::new(), Vec::new());
+    let mut page = Page(Content::new(), Vec::new(), Font::default());
     page.0.transform([scale as f32, 0.0, 0.0, -scale as f32, 0.0, height]);
     page.0.set_line_join(LineJoinStyle::RoundJoin);
     draw(items, [figure.width, figure.height], &mut page);
 
     let [catalog, pages, sheet, content, about] = [1, 2, 3, 4, 5].map(Ref::new);
+    let of_font = [6, 7, 8, 9, 10].map(Ref::new);
     let mut pdf = Pdf::new();
     pdf.catalog(catalog).pages(pages);
     pdf.pages(pages).kids([sheet]).count(1);
     let mut described = pdf.page(sheet);
     described.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(content);
     let images: Vec<(Ref, Image)> =
-        page.1.into_iter().zip(6..).map(|(image, at)| (Ref::new(at), image)).collect();
+        page.1.into_iter().zip(11..).map(|(image, at)| (Ref::new(at), image)).collect();
     let mut resources = described.resources();
+    resources.fonts().pair(FACE, of_font[0]);
     if !images.is_empty() {
         let mut objects = resources.x_objects();
         for (number, (at, _)) in images.iter().enumerate() {
@@ -150,6 +225,7 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
         object.color_space().device_rgb();
     }
     pdf.stream(content, &compress_to_vec_zlib(&page.0.finish(), LEVEL)).filter(Filter::FlateDecode);
+    font(&mut pdf, &page.2, of_font);
     pdf.document_info(about)
         .title(TextStr(&plain(&figure.title)))
         .subject(TextStr(&plain(&figure.caption)))

@@ -3,7 +3,7 @@
 use littlewood_style::{Dash, Rgb};
 
 use crate::figure::Image;
-use crate::item::{HALO, HATCH, Item, Paint, STEPS, Step, Words};
+use crate::item::{HATCH, Item, Paint, STEPS, Step, Words};
 use crate::letters::outlines;
 use crate::stroke::PAPER;
 
@@ -51,6 +51,13 @@ pub(crate) trait Pencil {
     fn clip(&mut self, path: &Path);
     /// Draws everywhere again.
     fn unclip(&mut self);
+    /// Draws a text: the outlines of its letters, unless there is a better way.
+    fn words(&mut self, words: &Words)
+    where
+        Self: Sized,
+    {
+        written(words, self);
+    }
 }
 
 /// A line.
@@ -81,7 +88,13 @@ pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl 
             Item::Circle { centre, radius, paint } => {
                 painted(&circle(pixels(*centre), f64::from(*radius) / STEPS), *paint, pencil);
             }
-            Item::Words(words) => written(words, pencil),
+            Item::Words(words) => {
+                if let Some(ground) = words.ground {
+                    let [left, top, right, bottom] = words.frame();
+                    pencil.fill(&rectangle([left, top], [right, bottom]), ground);
+                }
+                pencil.words(words);
+            }
         }
     }
 }
@@ -179,9 +192,6 @@ fn written(words: &Words, pencil: &mut impl Pencil) {
         .map(|(path, bold)| (path.into_iter().map(|segment| segment.placed(place)).collect(), bold))
         .collect();
     let path: Vec<Segment> = letters.iter().flat_map(|(path, _)| path).copied().collect();
-    if words.halo {
-        pencil.stroke(&path, Edge { colour: PAPER, width: 2.0 * HALO, dash: Dash::Solid });
-    }
     pencil.fill(&path, words.colour);
     for (path, width) in letters.iter().filter(|(_, bold)| *bold > 0.0) {
         pencil.stroke(path, Edge { colour: words.colour, width: *width, dash: Dash::Solid });

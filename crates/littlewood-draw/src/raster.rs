@@ -134,7 +134,9 @@ impl Figure {
         check_scale(scale)?;
         let scale = scale * self.points() / POINTS;
         let size = [self.width, self.height].map(|side| libm::ceil(side * scale) as u32);
-        Ok(self.pixels(size, scale)?.png())
+        let pixels = self.pixels(size, scale)?;
+        let metres = self.print_mm.map(|mm| mm / 1000.0);
+        Ok(pixels.file(metres.map(|metres| libm::round(scale * self.width / metres) as u32)))
     }
 
     /// The figure in so many pixels to the right and downwards, so many to one of the drawing.
@@ -158,17 +160,27 @@ impl Image {
     /// As a PNG file.
     #[must_use]
     pub fn png(&self) -> Vec<u8> {
+        self.file(None)
+    }
+
+    /// The same, with its pixels to a metre if its width in print is known.
+    fn file(&self, to_a_metre: Option<u32>) -> Vec<u8> {
         // Nothing that a file in memory could fail of: an image without pixels is an empty file.
-        encoded(self).unwrap_or_default()
+        encoded(self, to_a_metre).unwrap_or_default()
     }
 }
 
-fn encoded(image: &Image) -> Result<Vec<u8>, png::EncodingError> {
+fn encoded(image: &Image, to_a_metre: Option<u32>) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let [width, height] = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_pixel_dims(to_a_metre.map(|count| png::PixelDimensions {
+        xppu: count,
+        yppu: count,
+        unit: png::Unit::Meter,
+    }));
     encoder.set_compression(png::Compression::Balanced);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&image.pixels)?;

@@ -30,6 +30,9 @@ const GAP: f64 = 20.0;
 /// Height of a row of keys.
 const ROW: f64 = 20.0;
 
+/// Least width of panels that stand beside each other.
+const NARROWEST: f64 = 300.0;
+
 /// Panels are flatter on a narrow sheet, and not much higher on a wide one.
 const FLATTEST: f64 = 0.7;
 const HIGHEST: f64 = 1.15;
@@ -173,6 +176,31 @@ impl Sheet {
         let mut panel = Self::panel([left, ABOVE + room, inner, height], content);
         panel.keys = keys;
         self.figure(name, title, caption, ABOVE + room + height + BELOW, vec![panel])
+    }
+
+    /// A figure of two panels beside each other, on a narrow sheet one below the other, with its keys above.
+    #[must_use]
+    pub fn pair(
+        &self,
+        name: &'static str,
+        title: &str,
+        caption: String,
+        own_height: f64,
+        contents: [Content; 2],
+        entries: Vec<(Mark, String)>,
+    ) -> Figure {
+        let (keys, room) = self.keys(entries, 6.0);
+        let (top, height) = (ABOVE + room, self.height(own_height));
+        let [left, inner] = self.span();
+        let frames = match self.columns::<2>(NARROWEST) {
+            Some((lefts, each)) => lefts.map(|left| [left, top, each, height]),
+            None => [top, top + height + ABOVE].map(|top| [left, top, inner, height]),
+        };
+        let bottom = frames[1][1] + height + BELOW;
+        let mut panels: Vec<Panel> =
+            frames.into_iter().zip(contents).map(|(frame, content)| Self::panel(frame, content)).collect();
+        panels[0].keys = keys;
+        self.figure(name, title, caption, bottom, panels)
     }
 
     /// A figure of panels.

@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use littlewood_style::{Dash, Rgb};
 
 use crate::figure::Figure;
-use crate::item::{HALO, HATCH, Item, Paint, STEPS, Step, Words};
+use crate::item::{HATCH, Item, Paint, STEPS, Step, Words};
 use crate::letters::{Glyph, glyphs};
 use crate::markup::plain;
 use crate::stroke::PAPER;
@@ -124,6 +124,15 @@ impl Sheet {
 
     /// A text by the outlines of its letters, each of which the file has once.
     fn outlined(&mut self, words: &Words) {
+        if let Some(ground) = words.ground {
+            let [left, top, right, bottom] = words.frame();
+            let [x, y, wide, high] = [left, top, right - left, bottom - top].map(decimal);
+            let colour = ground.hex();
+            let _ = writeln!(
+                self.body,
+                "<rect x=\"{x}\" y=\"{y}\" width=\"{wide}\" height=\"{high}\" fill=\"{colour}\"/>"
+            );
+        }
         let [x, y] = words.at;
         let turn = if words.upwards { " rotate(-90)" } else { "" };
         let _ = writeln!(
@@ -136,16 +145,6 @@ impl Sheet {
         );
         let back = words.back();
         let glyphs = glyphs(&words.text, words.size);
-        if words.halo {
-            for glyph in &glyphs {
-                let around = format!(
-                    " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                    PAPER.hex(),
-                    decimal(2.0 * HALO / glyph.unit)
-                );
-                self.glyph(glyph, back, &around);
-            }
-        }
         for glyph in &glyphs {
             let bold = format!(
                 " stroke=\"{}\" stroke-width=\"{}\"",

@@ -43,6 +43,8 @@ pub fn marked(sign: &str) -> String {
 
 /// Digits of a number for print, and decimals, at least.
 const DIGITS: i32 = 4;
+/// A number that has no more digits than this is printed whole.
+const WHOLE: usize = 6;
 
 /// A number for print, without trailing zeros, with the minus sign of print; with marks.
 #[must_use]
@@ -64,6 +66,11 @@ pub fn short(value: f64) -> String {
             other => format!("{other}×"),
         };
         return ticks::minus(&format!("{factor}10^{{{power}}}"));
+    }
+    let whole = value.to_string();
+    let own = whole.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit).count();
+    if own <= WHOLE {
+        return ticks::minus(&whole);
     }
     let digits = DIGITS.max(DIGITS - 1 - decade) as usize;
     let text = format!("{value:.digits$}");
@@ -103,6 +110,7 @@ mod tests {
         assert_eq!(short(0.000_123_456_7), "0.0001235");
         assert_eq!(short(-12.5), "−12.5");
         assert_eq!(short(53.130_102), "53.1301");
+        assert_eq!((short(9.80665), short(1000.0)), ("9.80665".to_owned(), "1000".to_owned()));
         assert_eq!(short(123_456.7), "123456.7");
         assert_eq!(short(1.5e-9), "1.5×10^{−9}");
         assert_eq!(short(-1e9), "−10^{9}");

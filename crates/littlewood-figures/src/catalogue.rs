@@ -119,7 +119,7 @@ pub const FIGURES: &[FigureEntry] = &[
     entry("phase-path", "a motion in the phase portrait of rolling", "figure-3", paper::phase_path::figure),
     entry("friction-demand", "friction demand of rolling along orbits", "figure-3", paper::demand::figure),
     entry("hodograph", "friction against normal force, in the cone", "figure-3", paper::hodograph::figure),
-    entry("painleve", "where sliding has no solution", "painleve", paper::painleve::figure),
+    entry("painleve", "where sliding has no solution or several", "painleve", paper::painleve::figure),
     entry("impact", "an impact in the plane of impulses", "figure-3-bounces", paper::impact::figure),
     entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", paper::bounces::figure),
     FigureEntry {

@@ -19,6 +19,9 @@ pub(crate) const MU_K: &str = Quantity::MuK.name();
 pub(crate) const NORMAL_IMPULSE: &str = "normal_impulse";
 pub(crate) const FRICTION_IMPULSE: &str = "friction_impulse";
 
+/// Either of them against time.
+pub(crate) const IMPULSE: &str = "impulse";
+
 /// Columns of a curve in the plane (θ, θ′).
 pub(crate) const PLANE: [&str; 2] = [THETA, THETA_RATE];
 
@@ -36,7 +39,7 @@ pub(crate) fn dimension(column: &str) -> Dimension {
     let own = match column {
         Y => Some(Dimension::Length),
         W => Some(Dimension::Energy),
-        NORMAL_IMPULSE | FRICTION_IMPULSE => Some(Dimension::Impulse),
+        IMPULSE | NORMAL_IMPULSE | FRICTION_IMPULSE => Some(Dimension::Impulse),
         _ => None,
     };
     let of_sample = || column.parse().ok().and_then(SampleColumn::dimension);

@@ -147,6 +147,9 @@ pub(crate) fn heads(
 /// How much of a phase passes along an arrow.
 const SOON: f64 = 0.03;
 
+/// What differs by less than this part of it is equal: its digits are those of rounding.
+pub(crate) const NOISE: f64 = 1e-9;
+
 /// The lowest and the highest of some values, a share of the span added on either side.
 pub(crate) fn bounds(values: impl IntoIterator<Item = f64>, share: f64) -> [f64; 2] {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -157,6 +160,8 @@ pub(crate) fn bounds(values: impl IntoIterator<Item = f64>, share: f64) -> [f64;
     if low > high {
         return [-1.0, 1.0];
     }
-    let pad = if high > low { share * (high - low) } else { f64::max(0.5 * share, 1e-3 * high.abs()) };
+    let size = f64::max(low.abs(), high.abs());
+    let pad =
+        if high - low > NOISE * size { share * (high - low) } else { f64::max(0.5 * share, 1e-3 * size) };
     [low - pad, high + pad]
 }

@@ -1,68 +1,59 @@
-//! The impulses of a motion beside its forces.
+//! The impulses of a motion beside its forces, on an axis of their own.
 
 use littlewood::Trajectory;
 use littlewood::impact::Impulse;
 use littlewood::tables::Dimension;
-use littlewood_draw::{IMPULSE, Label, Layer, Mark, SMALL, Series, Stroke};
+use littlewood_draw::{Content, IMPULSE as COLOUR, Label, Layer, Mark, SMALL, Series, Stroke};
 use littlewood_style::Dash;
 use littlewood_style::width::CURVE;
 
-use crate::columns::{DEMAND, TIME};
+use crate::columns::{DEMAND, IMPULSE, TIME};
 use crate::impacts;
 use crate::motion::horizon;
+use crate::timeline::{bare, range_of, transitions, zero};
 use crate::wording::Wording;
 
-/// An impulse beside curves of forces.
-pub(crate) const SPIKE: Stroke = Stroke::solid(IMPULSE, CURVE).dashed(Dash::Short);
+/// An impulse in time.
+pub(crate) const SPIKE: Stroke = Stroke::solid(COLOUR, CURVE).dashed(Dash::Short);
 
-/// The impulses of a motion, and how long they are drawn on an axis of forces.
+/// The normal and the friction impulse: name of the series, letter, end of a spike, value.
+type Part = (&'static str, &'static str, Mark, fn(&Impulse) -> f64);
+const PARTS: [Part; 2] = [
+    ("normal impulse", "*P*", Mark::Dot(COLOUR, 2.6), |impulse| impulse.normal),
+    ("friction impulse", "*J*", Mark::Ring(COLOUR, 3.4), |impulse| impulse.friction),
+];
+
+/// The impulses of a motion.
 pub(crate) struct Spikes {
     pub(crate) impulses: Vec<(f64, Impulse)>,
-    /// Length of the impulse m2 √(gR), in units of m2 g.
-    pub(crate) scale: f64,
 }
 
 impl Spikes {
-    /// The scale is one, two or five times a power of ten; the largest impulse is at most as long as a force.
-    pub(crate) fn new(motion: &Trajectory, force: f64) -> Self {
+    pub(crate) fn new(motion: &Trajectory) -> Self {
         let until = horizon(motion);
-        let impulses: Vec<(f64, Impulse)> = impacts::all(motion)
+        let impulses = impacts::all(motion)
             .map(|(transition, impact)| (transition.time(), impact.impulse))
-            .filter(|(time, _)| *time <= until)
-            .collect();
-        let largest = impulses.iter().map(|(_, impulse)| impulse.normal).fold(0.0, f64::max);
-        let ratio = if largest > 0.0 { force / largest } else { 1.0 };
-        let decade = libm::pow(10.0, libm::floor(libm::log10(ratio)));
-        let factor = [5.0, 2.0].into_iter().find(|factor| factor * decade <= ratio).unwrap_or(1.0);
-        Self { impulses, scale: factor * decade }
+            .filter(|(time, _)| *time <= until);
+        Self { impulses: impulses.collect() }
     }
 
-    pub(crate) fn heights(&self, part: impl Fn(&Impulse) -> f64) -> Vec<f64> {
-        self.impulses.iter().map(|(_, impulse)| self.scale * part(impulse)).collect()
-    }
-
-    /// Lines from zero, with a dot at the end.
-    pub(crate) fn layers(&self, columns: [&'static str; 3], part: impl Fn(&Impulse) -> f64) -> Vec<Layer> {
+    /// Lines from zero with a mark at the end, against time; none without impacts.
+    pub(crate) fn panel(&self, motion: &Trajectory, range: [f64; 2], say: Wording) -> Option<Content> {
         if self.impulses.is_empty() {
-            return Vec::new();
+            return None;
         }
-        let row = |time: f64, value: f64, height: f64| vec![time, height, value];
-        let pieces = self
-            .impulses
-            .iter()
-            .map(|(time, impulse)| {
-                let value = part(impulse);
-                vec![row(*time, value, 0.0), row(*time, value, self.scale * value)]
-            })
-            .collect();
-        let tips = self.impulses.iter().map(|(time, impulse)| {
-            let value = part(impulse);
-            row(*time, value, self.scale * value)
+        let columns = [TIME, IMPULSE];
+        let tips = PARTS.map(|(name, _, _, part)| {
+            let rows = self.impulses.iter().map(|(time, impulse)| vec![*time, part(impulse)]).collect();
+            Series::of_rows(name, &columns, rows)
         });
-        vec![
-            Series::new("impulse", &columns, pieces).drawn(Mark::Line(SPIKE)),
-            Series::of_rows("tip of an impulse", &columns, tips.collect()).drawn(Mark::Dot(IMPULSE, 2.6)),
-        ]
+        let axis = say.axis(IMPULSE, "*P*, *J*", range_of(&[&tips[0], &tips[1]], &[0.0]));
+        let mut layers = vec![transitions(motion, &axis, IMPULSE), zero(range, IMPULSE)];
+        let spikes = tips.iter().flat_map(Series::rows).map(|row| vec![vec![row[0], 0.0], row.to_vec()]);
+        layers.push(Series::new("spike", &columns, spikes.collect()).drawn(Mark::Line(SPIKE)));
+        layers.extend(tips.into_iter().zip(PARTS).map(|(series, (_, _, mark, _))| series.drawn(mark)));
+        let labels = PARTS.into_iter().filter_map(|part| self.label(part, range, say)).collect();
+        Some(Content { name: "impulses", x: bare(say, range), y: axis, layers, labels })
     }
 
     /// |J|/P of each.
@@ -76,39 +67,20 @@ impl Spikes {
             self.impulses.iter().zip(self.shares()).map(|((time, _), share)| vec![*time, share]).collect();
         (!rows.is_empty()).then(|| {
             Series::of_rows("friction over normal impulse", &[TIME, DEMAND], rows)
-                .drawn(Mark::Dot(IMPULSE, 2.6))
+                .drawn(Mark::Dot(COLOUR, 2.6))
         })
     }
 
     /// The name and the value of the largest.
-    pub(crate) fn label(
-        &self,
-        sign: &str,
-        end: f64,
-        say: Wording,
-        part: impl Fn(&Impulse) -> f64,
-    ) -> Option<Label> {
+    fn label(&self, (_, sign, _, part): Part, range: [f64; 2], say: Wording) -> Option<Label> {
         let size = |impulse: &Impulse| part(impulse).abs();
         let (time, largest) =
             self.impulses.iter().rev().max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))?;
         let value = part(largest);
         let text = format!("{sign} = {}", say.value(value, Dimension::Impulse));
-        let label = Label::new(text, &[*time, self.scale * value]);
-        let down = if value < 0.0 { -4.0 } else { 4.0 };
-        let is_late = *time > self.impulses[0].0 + 0.8 * (end - self.impulses[0].0);
-        let label = if is_late { label.right().shifted(-7.0, down) } else { label.left().shifted(7.0, down) };
-        Some(label.sized(SMALL).coloured(IMPULSE))
-    }
-
-    /// What they are, without a full stop.
-    pub(crate) fn in_words(&self, say: Wording) -> String {
-        if self.impulses.is_empty() {
-            return String::new();
-        }
-        format!(
-            " Spikes: the impulses (*J*, *P*) of the impacts, in which the velocities jump; {} as long as {}",
-            say.quantity(1.0, Dimension::Impulse),
-            say.quantity(self.scale, Dimension::Force)
-        )
+        let label = Label::new(text, &[*time, value]);
+        let is_late = *time > range[0] + 0.8 * (range[1] - range[0]);
+        let label = if is_late { label.right().shifted(-8.0, 0.0) } else { label.left().shifted(8.0, 0.0) };
+        Some(label.sized(SMALL).coloured(COLOUR))
     }
 }

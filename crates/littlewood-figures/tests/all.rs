@@ -3,6 +3,7 @@
 mod beyond;
 mod bifurcation;
 mod captions;
+mod facts;
 mod fates;
 mod files;
 mod gallery;

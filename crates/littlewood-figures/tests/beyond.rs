@@ -93,7 +93,7 @@ fn forces_stay_in_the_cone() {
 fn impulses_lie_in_the_cone_too() {
     let input = FigureInput::of_case("figure-3-bounces").expect("a case");
     let figure = find_figure("hodograph").expect("a figure").figure(&input).expect("it can be drawn");
-    let impulses = columns(series(&figure, "impulse")[0], ["normal", "friction"]);
+    let impulses = columns(series(&figure, "impulse")[0], ["normal_impulse", "friction_impulse"]);
     assert!(impulses.len() > 20);
     assert!(impulses.iter().all(|[p, j]| *p > 0.0 && j.abs() <= 0.5 * p * (1.0 + 1e-9)));
 }

@@ -200,7 +200,7 @@ fn energy_falls_in_steps_at_impacts() {
         let is_end = |row: &[f64; 2]| row[0] == time && (row[1] - energy).abs() < 1e-11;
         assert!(rows.iter().any(is_end), "{time} {energy}");
     }
-    assert!(plain(&figure.caption).contains("Sliding costs 0.1777 m2gR, the impacts 3.7973 m2gR"));
+    assert!(plain(&figure.caption).contains("Sliding costs 0.1777 m₂gR, the impacts 3.7973 m₂gR"));
 }
 
 #[test]
@@ -208,13 +208,9 @@ fn impulses_stand_beside_the_forces_and_stay_in_the_cone() {
     let input = figure_3_with(0.5, RestitutionLaw::Energetic);
     let figure = make("forces", &input).expect("the figure");
     let impact = first_impact(&motion(&input));
-    let spikes = series(&figure, "impulse");
-    let first = |column: &str| {
-        let series = spikes.iter().find(|series| series.column(column).is_some()).expect("a column");
-        (series.pieces[0][1][0], series.pieces[0][1][series.column(column).expect("a column")])
-    };
-    assert_eq!(first("normal_impulse"), (impact_time(&input), impact.impulse.normal));
-    assert_eq!(first("friction_impulse"), (impact_time(&input), impact.impulse.friction));
+    let first = |name: &str| columns(series(&figure, name)[0], ["time", "impulse"])[0];
+    assert_eq!(first("normal impulse"), [impact_time(&input), impact.impulse.normal]);
+    assert_eq!(first("friction impulse"), [impact_time(&input), impact.impulse.friction]);
     for [_, demand] in columns(series(&figure, "friction over normal impulse")[0], ["time", "demand"]) {
         assert!(demand <= 0.5 * (1.0 + 1e-12), "{demand}");
     }

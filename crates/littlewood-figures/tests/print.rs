@@ -121,14 +121,15 @@ fn another_program_shows_the_drawing_as_the_picture_has_it() {
     }
 }
 
-/// What a PDF draws, from its one compressed stream.
-fn content(pdf: &[u8]) -> String {
+/// A compressed stream of a PDF, by its number from 0.
+fn stream(pdf: &[u8], number: usize) -> Vec<u8> {
+    let (begin, end) = (&b"\nstream\n"[..], &b"\nendstream"[..]);
     let find = |wanted: &[u8]| {
-        pdf.windows(wanted.len()).position(|part| part == wanted).expect("a part of the file")
+        let places = pdf.windows(wanted.len()).enumerate().filter(|(_, part)| *part == wanted);
+        places.map(|(at, _)| at).nth(number).expect("a stream")
     };
-    let (from, to) = (find(b"stream\n") + 7, find(b"\nendstream"));
-    let bytes = miniz_oxide::inflate::decompress_to_vec_zlib(&pdf[from..to]).expect("a stream");
-    String::from_utf8(bytes).expect("text")
+    let bytes = &pdf[find(begin) + begin.len()..find(end)];
+    miniz_oxide::inflate::decompress_to_vec_zlib(bytes).expect("a compressed stream")
 }
 
 #[test]
@@ -139,13 +140,72 @@ fn a_pdf_has_the_size_of_the_print_and_all_that_is_drawn() {
     let text = String::from_utf8_lossy(&pdf);
     // 84 mm are 238.11 points.
     assert!(text.contains("/MediaBox [0 0 238.11"), "{text}");
-    assert!(!text.contains("/Font"), "letters are outlines");
-    let drawn = content(&pdf);
+    let drawn = String::from_utf8_lossy(&stream(&pdf, 0)).into_owned();
     let ends = |operator: &str| drawn.lines().filter(|line| line.trim_end().ends_with(operator)).count();
-    // A fill for each text at least, a stroke for each halo and line.
-    assert!(ends("f") > figure.texts().len(), "{}", ends("f"));
+    assert_eq!(ends("BT"), figure.texts().len());
     assert!(ends("S") > figure.panels[0].layers.len(), "{}", ends("S"));
     assert!(pdf == figure.pdf(), "the same bytes again");
+}
+
+/// What another program reads in a PDF, if it is installed.
+fn read_by(program: &str, pdf: &[u8]) -> Option<String> {
+    let file = std::env::temp_dir().join(format!("littlewood-{program}-{}.pdf", std::process::id()));
+    std::fs::write(&file, pdf).expect("a file");
+    let mut command = std::process::Command::new(program);
+    let read = command.arg(&file).args((program == "pdftotext").then_some("-")).output();
+    std::fs::remove_file(&file).expect("it is there");
+    let read = read.ok()?;
+    assert!(read.status.success() && read.stderr.is_empty(), "{}", String::from_utf8_lossy(&read.stderr));
+    Some(String::from_utf8(read.stdout).expect("text"))
+}
+
+#[test]
+fn a_pdf_can_be_searched_and_has_its_font() {
+    let figure = printed("figure-2a", 84.0).expect("it can be drawn");
+    let pdf = figure.pdf();
+    let text = String::from_utf8_lossy(&pdf);
+    for part in ["/Subtype /Type0", "/Subtype /CIDFontType2", "/FontFile2", "/ToUnicode", "/Identity-H"] {
+        assert!(text.contains(part), "{part}");
+    }
+    // The font file is TrueType with as many letters as it has widths, and the blank.
+    let font = stream(&pdf, 1);
+    let word = |at: usize| u16::from_be_bytes([font[at], font[at + 1]]);
+    let table = |name: &[u8; 4]| {
+        let entry = (0..usize::from(word(4))).map(|i| 12 + 16 * i).find(|at| font[*at..at + 4] == name[..]);
+        let number =
+            |at: usize| u32::from_be_bytes(font[at..at + 4].try_into().expect("four bytes")) as usize;
+        entry.map(|at| (number(at + 8), number(at + 12))).expect("a table")
+    };
+    let letters: std::collections::BTreeSet<char> =
+        figure.texts().iter().flat_map(|(text, _)| text.chars().collect::<Vec<_>>()).collect();
+    let count = usize::from(word(table(b"maxp").0 + 4));
+    assert!(count > letters.len() && table(b"hmtx").1 == 4 * count, "{count}");
+    // The sum of the words of a font file is a constant of the format.
+    let sum = font
+        .chunks(4)
+        .fold(0_u32, |sum, it| sum.wrapping_add(u32::from_be_bytes(it.try_into().expect("words"))));
+    assert_eq!(sum, 0xb1b0_afba);
+    if let Some(read) = read_by("pdftotext", &pdf) {
+        for words in ["μs = 0.25", "θ (rad)", "N<0", "2π"] {
+            assert!(read.replace(' ', "").contains(&words.replace(' ', "")), "{words}: {read}");
+        }
+    }
+    if let Some(read) = read_by("pdffonts", &pdf) {
+        // Embedded, a subset, with signs.
+        assert!(read.contains("CID TrueType") && read.contains("yes yes yes"), "{read}");
+    }
+}
+
+#[test]
+fn a_png_of_a_width_in_print_says_its_pixels_to_a_metre() {
+    let density = |png: &[u8]| {
+        let at = png.windows(4).position(|name| name == b"pHYs")? + 4;
+        Some(u32::from_be_bytes(png[at..at + 4].try_into().expect("four bytes")))
+    };
+    // 300 to the inch are 11811 to the metre.
+    let print = printed("figure-2b", 84.0).expect("it can be drawn").png(3.125).expect("a picture");
+    assert_eq!(density(&print), Some(11811));
+    assert_eq!(density(&support::figure("figure-2b").png(1.0).expect("a picture")), None);
 }
 
 #[test]

@@ -96,6 +96,6 @@ fn figure_7a_slips_at_ln_5_times_the_unit_of_time() {
     let labels: Vec<String> =
         figure.panels.iter().flat_map(|panel| &panel.labels).map(|label| plain(&label.text)).collect();
     // 0.2 ln 5 = 0.32189.
-    assert!(labels.iter().any(|text| text == "ts = 0.3219 s"), "{labels:?}");
+    assert!(labels.iter().any(|text| text == "tₛ = 0.3219 s"), "{labels:?}");
     assert!(plain(&figure.caption).contains("θ′(0) = 2.5 rad/s"), "{}", figure.caption);
 }

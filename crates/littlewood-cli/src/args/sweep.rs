@@ -110,12 +110,13 @@ pub(crate) struct MapArgs {
     /// Draw lines of constant value at the ticks of the scale
     #[arg(long, help_heading = "Output")]
     pub(crate) contours: bool,
-    /// Width in print of an SVG or a PDF in millimetres, 84 for a column and 178 for a page [default: as wide as a screen wants]
+    /// Width in print in millimetres, 84 for a column and 178 for a page, a PNG with 300 pixels to the inch [default: as wide as a
+    /// screen wants]
     #[arg(long, value_name = "MM", value_parser = number, help_heading = "Output")]
     pub(crate) width_mm: Option<f64>,
     /// Size of a PNG in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1500x1000", value_parser = size,
-          help_heading = "Output")]
+          conflicts_with = "width_mm", help_heading = "Output")]
     pub(crate) size: (u32, u32),
 }
 

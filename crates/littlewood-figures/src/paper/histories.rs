@@ -1,6 +1,5 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::impact::Impulse;
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Hoop, Sample, Trajectory};
 use littlewood_draw::{
@@ -8,7 +7,7 @@ use littlewood_draw::{
     SECOND, SMALL, SOFT, Series, Sheet, Stroke, marked, short,
 };
 
-use crate::columns::{DEMAND, ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
+use crate::columns::{DEMAND, ENERGY, FRICTION, MU_K, MU_S, NORMAL, TIME};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
@@ -31,27 +30,21 @@ const WIDTH: f64 = 640.0;
 /// The demand for friction is shown larger where it is less than this part of μk.
 const SMALL_SHARE: f64 = 0.1;
 
-/// Normal force and normal impulses, with the room that names take above, and what the verticals are.
+/// Normal force, with the room that names take above, and what the verticals are.
 fn normal_panel(
     motion: &Trajectory,
     range: [f64; 2],
     normal: Series,
-    spikes: &Spikes,
     (say, wide): (Wording, f64),
 ) -> (Content, f64, &'static str) {
     let weight = normal_weight(motion.hoop());
-    let part = |impulse: &Impulse| impulse.normal;
-    let mut heights = [vec![0.0], spikes.heights(part)].concat();
-    // A motion that only bounces has no other force to compare with.
-    heights.extend(Some(weight).filter(|_| !spikes.impulses.is_empty()));
-    let axis = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), range_of(&[&normal], &heights));
-    let mut layers = vec![
+    let axis = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), range_of(&[&normal], &[0.0, weight]));
+    let layers = vec![
         transitions(motion, &axis, NORMAL),
         zero(range, NORMAL),
         level(range, NORMAL_WEIGHT, NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
         normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
     ];
-    layers.extend(spikes.layers([TIME, NORMAL, NORMAL_IMPULSE], part));
     let names = names(motion, axis.range[1], wide);
     let (height, words) = (names.height, names.in_words());
     let mut labels = names.labels;
@@ -62,26 +55,22 @@ fn normal_panel(
             .sized(SMALL)
             .coloured(SOFT),
     );
-    labels.extend(spikes.label("*P*", range[1], say, part));
     let name = SampleColumn::Normal.long_name();
     (Content { name, x: bare(say, range), y: axis, layers, labels }, height, words)
 }
 
-/// Friction force and friction impulses.
-fn friction_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes, say: Wording) -> Content {
-    let part = |impulse: &Impulse| impulse.friction;
+/// Friction force.
+fn friction_panel(motion: &Trajectory, range: [f64; 2], say: Wording) -> Content {
     let friction =
         history(motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
-    let heights = [vec![0.0], spikes.heights(part)].concat();
-    let axis = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), range_of(&[&friction], &heights));
-    let mut layers = vec![
+    let axis = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), range_of(&[&friction], &[0.0]));
+    let layers = vec![
         transitions(motion, &axis, FRICTION),
         zero(range, FRICTION),
         friction.drawn(Mark::Line(Stroke::solid(FRICTION_FORCE, 2.0))),
     ];
-    layers.extend(spikes.layers([TIME, FRICTION, FRICTION_IMPULSE], part));
-    let labels = spikes.label("*J*", range[1], say, part).into_iter().collect();
-    Content { name: SampleColumn::Friction.long_name(), x: bare(say, range), y: axis, layers, labels }
+    let name = SampleColumn::Friction.long_name();
+    Content { name, x: bare(say, range), y: axis, layers, labels: Vec::new() }
 }
 
 /// |F|/N, and |J|/P of impacts.
@@ -127,20 +116,21 @@ fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes, say: Word
 pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "forces";
     let motion = input.motion_in_contact(NAME)?;
-    let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
     let normal = history(&motion, SampleColumn::Normal.long_name(), NORMAL, &|_, sample| Some(sample.normal));
-    let spikes = Spikes::new(&motion, normal.rows().map(|row| row[1]).fold(hoop.mass(), f64::max));
+    let spikes = Spikes::new(&motion);
     let say = input.wording();
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
-    let (first, down, verticals) = normal_panel(&motion, range, normal, &spikes, (say, inner - ROOM[0]));
-    let contents =
-        [first, friction_panel(&motion, range, &spikes, say), demand_panel(&motion, range, &spikes, say)];
+    let (first, down, verticals) = normal_panel(&motion, range, normal, (say, inner - ROOM[0]));
+    let mut contents = vec![first, friction_panel(&motion, range, say)];
+    contents.extend(spikes.panel(&motion, range, say));
+    contents.push(demand_panel(&motion, range, &spikes, say));
     // Panels share one axis of times, so that they may be close.
     let height = sheet.height(190.0);
     let tops = |i: usize| 38.0 + down + (height - ROOM[1] + CLOSE) * i as f64;
     let frame = |i: usize| [left, tops(i), inner, height];
+    let last = contents.len() - 1;
     let panels =
         contents.into_iter().enumerate().map(|(i, content)| Sheet::panel(frame(i), content)).collect();
     Ok(sheet.figure(
@@ -149,13 +139,10 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         format!(
             "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; {verticals}. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
              jump where a slide begins or ends.{} {}.",
-            match spikes.in_words(say) {
-                words if words.is_empty() => words,
-                words => words + ", with dots at |*J*|/*P* below.",
-            },
+            if spikes.impulses.is_empty() { "" } else { " Spikes: the impulses *P* and *J* of the impacts; dots: |*J*|/*P*." },
             in_words(input, &motion)
         ) + &remark(&motion, say),
-        tops(2) + height + 6.0,
+        tops(last) + height + 6.0,
         panels,
     ))
 }

@@ -1,16 +1,16 @@
 //! The friction cone: friction against normal force along a motion.
 
-use littlewood::tables::{Dimension, SampleColumn};
-use littlewood::{Mode, Sample, Trajectory};
+use littlewood::tables::SampleColumn;
+use littlewood::{Hoop, Mode, Sample, Trajectory};
 use littlewood_draw::{
     Content, Figure, IMPULSE, Label, Layer, Mark, REGION, SMALL, SOFT, START, Series, Stroke, TRANSITION,
     marked,
 };
 
-use crate::columns::{FRICTION, MU_K, MU_S, NORMAL, TIME};
+use crate::columns::{FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, heads, horizon, remark};
+use crate::motion::{NOISE, bounds, by_mode, heads, horizon, remark};
 use crate::spikes::Spikes;
 use crate::wording::Wording;
 use littlewood::theory::Window;
@@ -33,40 +33,56 @@ fn row(sample: &Sample) -> Vec<f64> {
     vec![sample.state.time, sample.normal, sample.friction]
 }
 
+/// A plane of forces or of impulses: its columns, upright to the plane and along it.
+type Columns = [&'static str; 2];
+const FORCES: Columns = [NORMAL, FRICTION];
+const IMPULSES: Columns = [NORMAL_IMPULSE, FRICTION_IMPULSE];
+
+/// Both cones from their point to the greatest normal force.
+fn whole(most: f64, mu_s: f64) -> Window {
+    let limit = if mu_s > 0.0 { 1.12 * mu_s * most } else { 0.5 * most };
+    Window { x: [-0.13 * most, 1.08 * most], y: [-limit, limit] }
+}
+
 /// The part of the plane of forces in which a motion is seen.
 fn window_of(rows: &[Vec<f64>], mu_s: f64) -> Window {
     let normals = || rows.iter().map(|row| row[1]);
     let frictions = || rows.iter().map(|row| row[2]);
     let most = normals().fold(0.0, f64::max);
     let least = normals().fold(f64::INFINITY, f64::min);
+    let all = whole(most, mu_s);
+    // What changes by rounding alone is a dot.
+    if most - least <= NOISE * most {
+        return all;
+    }
     let is_level = most - least < SMALL_SHARE * most;
-    let x = if is_level { bounds(normals(), 0.15) } else { [-0.13 * most, 1.08 * most] };
-    let limit = mu_s * most;
+    let x = if is_level { bounds(normals(), 0.15) } else { all.x };
     let largest = frictions().map(f64::abs).fold(0.0, f64::max);
-    let is_small = largest < SMALL_SHARE * limit;
-    let y = match (is_level, is_small) {
+    let y = if largest <= NOISE * most {
+        all.y
+    } else if largest < SMALL_SHARE * mu_s * most {
         // Both cones are far away.
-        (_, true) => bounds(frictions().chain([0.0]), 0.15),
-        (true, false) => bounds(frictions(), 0.15),
-        (false, false) => [-1.12 * limit, 1.12 * limit],
+        bounds(frictions().chain([0.0]), 0.15)
+    } else if is_level {
+        bounds(frictions(), 0.15)
+    } else {
+        all.y
     };
-    // Without friction there is none.
-    let y = if y[1] - y[0] > 0.2 * most.min(1.0) || largest > 0.0 { y } else { [-0.5 * most, 0.5 * most] };
     Window { x, y }
 }
 
 /// The two lines |F| = μ N, as far as they are seen.
-fn cone(window: Window, name: &'static str, mu: f64) -> Series {
+fn cone(window: Window, columns: Columns, name: &'static str, mu: f64) -> Series {
     let pieces = [1.0, -1.0].into_iter().flat_map(|sign| {
         let from = f64::max(window.x[0], 0.0);
         window.pieces([from, window.x[1]], 64, &|normal| Some([normal, sign * mu * normal]))
     });
     let rows = pieces.map(|piece| piece.into_iter().map(Vec::from).collect()).collect();
-    Series::new(name, &COLUMNS[1..], rows)
+    Series::new(name, &columns, rows)
 }
 
 /// The inside of the cone |F| ≤ μs N, as far as it is seen.
-fn inside(window: Window, mu: f64) -> Series {
+fn inside(window: Window, columns: Columns, mu: f64) -> Series {
     let Window { x: [left, right], y: [low, high] } = window;
     let left = f64::max(left, 0.0);
     // Where the lines enter and leave the window.
@@ -80,7 +96,7 @@ fn inside(window: Window, mu: f64) -> Series {
     };
     let mut polygon = edge(1.0);
     polygon.extend(edge(-1.0).into_iter().rev());
-    Series::of_rows("inside of the cone", &COLUMNS[1..], polygon)
+    Series::of_rows("inside of the cone", &columns, polygon)
 }
 
 /// From the last forces of a phase to the first of the next, where they jump.
@@ -130,109 +146,129 @@ fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
     (Series::of_rows("transition", &COLUMNS, rows).drawn(TRANSITION), labels)
 }
 
-/// The impulses as dots, which lie in the cones as forces do.
-fn of_impulses(spikes: &Spikes) -> Option<Layer> {
-    let rows: Vec<Vec<f64>> = spikes
-        .impulses
-        .iter()
-        .map(|(time, impulse)| vec![*time, spikes.scale * impulse.normal, spikes.scale * impulse.friction])
-        .collect();
-    (!rows.is_empty()).then(|| Series::of_rows("impulse", &COLUMNS, rows).drawn(Mark::Dot(IMPULSE, 2.8)))
-}
-
-fn in_words(spikes: &Spikes, say: Wording) -> String {
-    if spikes.impulses.is_empty() {
-        return String::new();
-    }
-    format!(
-        " Red dots: the impulses (*P*, *J*) of the impacts, which lie in the same cones, {} as far from the origin as {}.",
-        say.quantity(1.0, Dimension::Impulse),
-        say.quantity(spikes.scale, Dimension::Force)
-    )
-}
-
-/// Friction against normal force.
-pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
-    let motion = input.motion_in_contact(NAME)?;
-    let hoop = motion.hoop();
+/// The cones in a window, with the axes where their point is seen, and what they mean.
+fn cones(
+    hoop: &Hoop,
+    window: Window,
+    columns: Columns,
+    [upright, along]: [&str; 2],
+) -> (Vec<Layer>, Vec<(Mark, String)>) {
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
-    let in_contact: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row)
-        .into_iter()
-        .filter(|(mode, _)| mode.has_normal_force())
-        .collect();
-    let largest = in_contact.iter().flat_map(|(_, series)| series.rows()).map(|row| row[1]);
-    let spikes = Spikes::new(&motion, largest.fold(hoop.mass(), f64::max));
-    let impulses = of_impulses(&spikes);
-    let mut all: Vec<Vec<f64>> =
-        in_contact.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
-    all.extend(impulses.iter().flat_map(|layer| layer.series.rows().map(<[f64]>::to_vec)));
-    if all.iter().all(|row| row[1] <= 0.0) {
-        return Err(FigureError::NoForce { figure: NAME, outcome: motion.outcome().kind() });
-    }
-    let window = window_of(&all, mu_s);
-
     let limit = Stroke::of_curve(Curve::SlipLimit).wide(CURVE);
     let cones = [
-        (cone(window, MU_S, mu_s).drawn(Mark::Line(limit)), "*μ*_{s}"),
-        (cone(window, MU_K, mu_k).drawn(Mark::Line(limit.dashed(Dash::Dotted))), "*μ*_{k}"),
+        (cone(window, columns, MU_S, mu_s).drawn(Mark::Line(limit)), "*μ*_{s}"),
+        (cone(window, columns, MU_K, mu_k).drawn(Mark::Line(limit.dashed(Dash::Dotted))), "*μ*_{k}"),
     ];
-    let mut layers = vec![inside(window, mu_s).drawn(Mark::Fill(REGION))];
+    let mut layers = vec![inside(window, columns, mu_s).drawn(Mark::Fill(REGION))];
     if window.x[0] < 0.0 {
         let axis = [vec![window.x[0], 0.0], vec![window.x[1], 0.0]].to_vec();
         let upright = [vec![0.0, window.y[0]], vec![0.0, window.y[1]]].to_vec();
-        let zero = Series::new("zero", &COLUMNS[1..], vec![axis, upright]);
+        let zero = Series::new("zero", &columns, vec![axis, upright]);
         layers.push(zero.drawn(Mark::Line(Stroke::solid(SOFT, FINE))));
     }
+    let mut keys = Vec::new();
+    // With μs = μk there is one cone.
+    for (layer, letter) in cones.into_iter().take(if mu_k < mu_s { 2 } else { 1 }) {
+        if !layer.series.pieces.is_empty() && mu_s > 0.0 {
+            keys.push((layer.mark, format!("|{along}| = {letter}{upright}")));
+            layers.push(layer);
+        }
+    }
+    (layers, keys)
+}
+
+/// The impulses as dots, which lie in the same cones.
+fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Vec<(Mark, String)>)> {
+    let rows: Vec<Vec<f64>> =
+        spikes.impulses.iter().map(|(_, impulse)| vec![impulse.normal, impulse.friction]).collect();
+    let most = rows.iter().map(|row| row[0]).fold(0.0, f64::max);
+    (most > 0.0).then(|| {
+        let window = whole(most, hoop.mu_s());
+        let (mut layers, mut keys) = cones(hoop, window, IMPULSES, ["*P*", "*J*"]);
+        let mark = Mark::Dot(IMPULSE, 2.8);
+        keys.push((mark, "impulse".to_owned()));
+        layers.push(Series::of_rows("impulse", &IMPULSES, rows).drawn(mark));
+        let [x, y] = [say.axis(NORMAL_IMPULSE, "*P*", window.x), say.axis(FRICTION_IMPULSE, "*J*", window.y)];
+        (Content { name: "plane of impulses", x, y, layers, labels: Vec::new() }, keys)
+    })
+}
+
+/// The forces of a motion in contact, and whether a cone is seen.
+fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Vec<(Mark, String)>, bool)> {
+    let in_contact: Vec<(Mode, Series)> =
+        by_mode(motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| mode.has_normal_force()).collect();
+    let all: Vec<Vec<f64>> =
+        in_contact.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
+    if all.iter().all(|row| row[1] <= 0.0) {
+        return None;
+    }
+    let window = window_of(&all, motion.hoop().mu_s());
+    let (mut layers, of_cones) = cones(motion.hoop(), window, FORCES, ["*N*", "*F*"]);
+    let is_seen = !of_cones.is_empty();
     let mut keys: Vec<(Mark, String)> = in_contact
         .iter()
         .map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), mode.to_string()))
         .collect();
-    let mut is_seen = false;
-    // With μs = μk there is one cone.
-    for (layer, letter) in cones.into_iter().take(if mu_k < mu_s { 2 } else { 1 }) {
-        if !layer.series.pieces.is_empty() && mu_s > 0.0 {
-            is_seen = true;
-            keys.push((layer.mark, format!("|*F*| = {letter}*N*")));
-            layers.push(layer);
-        }
-    }
-    let jumps = jumps(&motion, window);
+    keys.extend(of_cones);
+    let jumps = jumps(motion, window);
     if !jumps.is_empty() {
-        let mark = Mark::Arrow(Stroke::solid(SOFT, FINE).dashed(Dash::Short));
-        keys.push((Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Short)), "jump".to_owned()));
-        layers.push(Series::new("jump", &COLUMNS, jumps).drawn(mark));
+        let stroke = Stroke::solid(SOFT, FINE).dashed(Dash::Short);
+        keys.push((Mark::Line(stroke), "jump".to_owned()));
+        layers.push(Series::new("jump", &COLUMNS, jumps).drawn(Mark::Arrow(stroke)));
     }
     for (mode, series) in in_contact {
         layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
     }
-    for (mode, rows) in heads(&motion, 0.45, &row) {
+    for (mode, rows) in heads(motion, 0.45, &row) {
         if mode.has_normal_force() && length(&rows, window) > LEAST_STEP {
             let mark = Mark::Head(Stroke::of_mode(mode).colour);
             layers.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(mark));
         }
     }
-    if let Some(layer) = impulses {
-        keys.push((layer.mark, "impulse".to_owned()));
-        layers.push(layer);
-    }
-    let (dots, labels) = changes(&motion, window.x[1]);
+    let (dots, labels) = changes(motion, window.x[1]);
     layers.push(dots);
     if let Some(first) = motion.phases().first().filter(|phase| phase.mode().has_normal_force()) {
         let start = Series::of_rows("start", &COLUMNS, vec![row(&first.first())]);
         layers.push(start.drawn(START));
     }
-    let say = input.wording();
+    let x = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), window.x);
+    let y = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), window.y);
+    Some((Content { name: "plane of forces", x, y, layers, labels }, keys, is_seen))
+}
+
+/// Friction against normal force, and of impacts the impulses beside it.
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    let motion = input.motion_in_contact(NAME)?;
+    let (hoop, say) = (motion.hoop(), input.wording());
+    let forces = of_forces(&motion, say);
+    let impulses = of_impulses(hoop, &Spikes::new(&motion), say);
+    let is_far = forces.as_ref().is_some_and(|(_, _, is_seen)| !is_seen && hoop.mu_s() > 0.0);
     let caption = format!(
         "Friction force *F* against normal force *N* along the motion, with the friction cone |*F*| ≤ *μ*_{{s}}*N* (shaded) \
          in which rolling stays; a slide runs along |*F*| = *μ*_{{k}}*N*, and in flight both are zero. Cross: start; \
          diamonds: transitions; arrows: time.{}{} {}; {}.",
-        if is_seen { "" } else { " The cone is far beyond the window." },
-        in_words(&spikes, say),
+        if is_far { " The cone is far beyond the window." } else { "" },
+        if impulses.is_some() {
+            " Dots: the impulses (*P*, *J*) of the impacts, in the same cones."
+        } else {
+            ""
+        },
         say.hoop(hoop),
         say.start(hoop, &input.start)
     ) + &remark(&motion, say);
-    let x = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), window.x);
-    let y = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), window.y);
-    let content = Content { name: "plane of forces", x, y, layers, labels };
-    Ok(input.sheet(580.0)?.plot(NAME, "The friction cone along a motion", caption, 402.0, content, keys))
+    let mut keys: Vec<(Mark, String)> = Vec::new();
+    let mut contents = Vec::new();
+    for (content, own) in forces.map(|(content, keys, _)| (content, keys)).into_iter().chain(impulses) {
+        let is_new = |(mark, _): &(Mark, String)| keys.iter().all(|(known, _)| known != mark);
+        keys.extend(own.into_iter().filter(is_new).collect::<Vec<_>>());
+        contents.push(content);
+    }
+    let title = "The friction cone along a motion";
+    match <[Content; 2]>::try_from(contents) {
+        Ok(contents) => Ok(input.sheet(860.0)?.pair(NAME, title, caption, 362.0, contents, keys)),
+        Err(mut contents) => match contents.pop() {
+            Some(content) => Ok(input.sheet(580.0)?.plot(NAME, title, caption, 402.0, content, keys)),
+            None => Err(FigureError::NoForce { figure: NAME, outcome: motion.outcome().kind() }),
+        },
+    }
 }

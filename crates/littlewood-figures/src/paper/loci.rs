@@ -18,6 +18,19 @@ const NAME: &str = "figure-2a";
 const COEFFICIENTS: [(f64, Dash); 4] =
     [(0.1, Dash::Dotted), (0.25, Dash::Short), (0.5, Dash::Dashed), (1.0, Dash::DashDot)];
 
+/// Heights of the arrow across the curves, in parts of the greatest rate: the first at which it crosses all.
+const HEIGHTS: [f64; 4] = [0.78, 0.9, 0.62, 0.46];
+
+/// The greatest angle of the half turn from the top on at which a locus has this rate.
+fn reach(locus: &Series, rate: f64) -> Option<f64> {
+    let pairs = locus.pieces.iter().flat_map(|piece| piece.windows(2));
+    let crossed = pairs.filter(|pair| (pair[0][1] < rate) != (pair[1][1] < rate)).map(|pair| {
+        let share = (rate - pair[0][1]) / (pair[1][1] - pair[0][1]);
+        pair[0][0] + share * (pair[1][0] - pair[0][0])
+    });
+    crossed.filter(|theta| (0.0..PI).contains(theta)).reduce(f64::max)
+}
+
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
     let portrait = Portrait::new(&input.hoop, plane_window(&input.hoop));
@@ -45,23 +58,19 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
 
     // The arrow crosses the curves at one height, from the least coefficient to the greatest.
-    let height = 0.78 * window.y[1];
-    let reach = |series: &Series| {
-        series
-            .rows()
-            .filter(|row| (row[1] - height).abs() < 0.03 * window.y[1] && (0.0..PI).contains(&row[0]))
-            .map(|row| row[0])
-            .reduce(f64::max)
+    let crossing = |height: f64| {
+        let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(|locus| reach(locus, height)) else {
+            return None;
+        };
+        (least > greatest + 0.3).then_some([[least + 0.14, height], [greatest - 0.1, height]])
     };
+    let arrow = HEIGHTS.into_iter().find_map(|share| crossing(share * window.y[1]));
     let mut labels = portrait.mark_of_unloading();
-    if let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(reach)
-        && least > greatest + 0.3
-    {
-        let ends = [least + 0.14, greatest - 0.1];
-        let rows = ends.iter().map(|theta| vec![*theta, height]).collect();
+    if let Some(ends) = arrow {
+        let rows = ends.map(Vec::from).to_vec();
         let arrow = Series::of_rows("increasing mu_s", &PLANE, rows);
         layers.push(arrow.drawn(Mark::Arrow(Stroke::solid(INK, 1.2))));
-        labels.push(Label::new("*μ*_{s}", &[ends[0], height]).shifted(5.0, 0.0).left());
+        labels.push(Label::new("*μ*_{s}", &ends[0]).shifted(5.0, 0.0).left());
     }
     let beyond = if unloading.pieces.is_empty() { BEYOND } else { "" };
     layers.push(unloading.drawn(mark));
@@ -72,10 +81,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling",
         format!(
             "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
-             *μ*_{{s}} grows (arrow) they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
+             *μ*_{{s}} grows{} they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
              < 0. Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable \
              equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
              rest.{beyond} {}.",
+            if arrow.is_some() { " (arrow)" } else { "" },
             say.body(&input.hoop)
         ),
         402.0,

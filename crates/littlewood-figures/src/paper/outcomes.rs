@@ -179,18 +179,21 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(Mark::Line(BOUNDARY)));
     // A massless hoop does not leave the plane.
     let mut remark = String::new();
-    if !input.is_massless() {
-        let portrait = Portrait::new(hoop, window);
-        for (curve, series) in [
-            (Curve::LiftOff, portrait.lift_off_locus()),
-            (Curve::NormalForceZero, portrait.unloading_locus()),
-        ] {
+    let portrait = Portrait::new(hoop, window);
+    let first = match portrait.massless_limit() {
+        Some((_, limit)) => Some((Curve::SlipLimit, limit)),
+        None => (!input.is_massless()).then(|| (Curve::LiftOff, portrait.lift_off_locus())),
+    };
+    for (curve, series) in first.into_iter().chain([(Curve::NormalForceZero, portrait.unloading_locus())]) {
+        if !series.pieces.is_empty() {
             let stroke = Stroke::of_curve(curve);
             let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);
             layers.push(series.clone().drawn(Mark::Line(under)));
             layers.push(series.drawn(Mark::Line(stroke)));
             legend.push(key_of_curve(curve, hoop.slope()));
         }
+    }
+    if !input.is_massless() {
         remark = format!(
             " The body leaves the plane at once only beyond {}; between *n* and this curve, where the paper lets it \
              leave, it slides first.",

@@ -1,6 +1,5 @@
 //! All quantities of a motion against time, on one sheet.
 
-use littlewood::impact::Impulse;
 use littlewood::tables::SampleColumn;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
@@ -9,7 +8,7 @@ use littlewood_draw::{
 };
 
 use super::histories::{NORMAL_WEIGHT, normal_weight, weight_label};
-use crate::columns::{FRICTION, FRICTION_IMPULSE, NORMAL, NORMAL_IMPULSE, TIME, X, Y};
+use crate::columns::{TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::{all_instants, horizon, remark};
@@ -154,35 +153,17 @@ fn axis_of(column: SampleColumn, name: &'static str, range: [f64; 2], say: Wordi
     }
 }
 
-/// Which part of an impulse belongs to a force.
-type Part = fn(&Impulse) -> f64;
-
-/// The impulses beside a force: their columns, and the letter.
-const fn impulses_of(column: SampleColumn) -> Option<([&'static str; 3], &'static str, Part)> {
-    match column {
-        SampleColumn::Normal => Some(([TIME, NORMAL, NORMAL_IMPULSE], "*P*", |impulse| impulse.normal)),
-        SampleColumn::Friction => {
-            Some(([TIME, FRICTION, FRICTION_IMPULSE], "*J*", |impulse| impulse.friction))
-        }
-        _ => None,
-    }
-}
-
 /// A panel, with the modes that are in it.
 fn panel(
     (motion, samples): (&Trajectory, &Samples),
     column: SampleColumn,
     times: [f64; 2],
-    spikes: &Spikes,
     say: Wording,
 ) -> (Content, Vec<Mode>) {
     let name = column_name(column);
     // It is the geometric centre of a hoop that is balanced.
     let beside = of_mass_centre(samples, column, name).filter(|_| motion.hoop().h() > 0.0);
     let mut others: Vec<f64> = beside.iter().flat_map(|series| series.rows().map(|row| row[1])).collect();
-    if let Some((_, _, part)) = impulses_of(column) {
-        others.extend(spikes.heights(part));
-    }
     let weight = Some(normal_weight(motion.hoop())).filter(|_| column == SampleColumn::Normal);
     others.extend(weight);
     let History { by_mode, range } = History::new(samples, column, name, &others);
@@ -210,10 +191,6 @@ fn panel(
     for (mode, series) in by_mode {
         layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode))));
     }
-    if let Some((columns, letter, part)) = impulses_of(column) {
-        layers.extend(spikes.layers(columns, part));
-        labels.extend(spikes.label(letter, times[1], say, part));
-    }
     (Content { name, x: bare(say, times), y: axis, layers, labels }, modes)
 }
 
@@ -224,15 +201,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let times = [motion.start().time, horizon(&motion)];
     let say = input.wording();
     let samples = Samples::new(&motion);
-    let normals = samples.0.iter().flat_map(|(_, samples)| samples).map(|sample| sample.normal);
-    let spikes = Spikes::new(&motion, normals.fold(hoop.mass(), f64::max));
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
 
     let mut modes: Vec<Mode> = Vec::new();
     let mut contents: Vec<Content> = Vec::new();
     for column in ROWS {
-        let (content, own) = panel((&motion, &samples), column, times, &spikes, say);
+        let (content, own) = panel((&motion, &samples), column, times, say);
         modes.extend(own);
         contents.push(content);
     }
@@ -244,9 +219,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     if hoop.h() > 0.0 {
         entries.push((Mark::Line(OF_MASS_CENTRE), "mass centre *X̄*".to_owned()));
     }
-    if !spikes.impulses.is_empty() {
+    let impulses = Spikes::new(&motion).panel(&motion, times, say);
+    if impulses.is_some() {
         entries.push((Mark::Line(SPIKE), "impulse".to_owned()));
     }
+    contents.extend(impulses);
     let (keys, room) = sheet.keys(entries, 6.0);
     let over = names(&motion, contents[0].y.range[1], inner - ROOM[0]);
     let verticals = over.in_words();
@@ -255,7 +232,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         last.x = say.clock(times);
     }
     let top = room + 42.0 + over.height;
-    let step = f64::max(LEAST, libm::round(TALL * sheet.width / ROWS.len() as f64));
+    let step = f64::max(LEAST, libm::round(TALL * sheet.width / contents.len() as f64));
     let height = step + ROOM[1] - CLOSE;
     let count = contents.len() as f64;
     let mut panels: Vec<Panel> = contents
@@ -264,13 +241,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         .map(|(content, i)| Sheet::panel([left, top + step * f64::from(i), inner, height], content))
         .collect();
     panels[0].keys = keys;
-    let words = match spikes.in_words(say) {
-        words if words.is_empty() => words,
-        words => words + ".",
-    };
     let caption = format!(
         "Angle *θ* and its rate, slip velocity *η*′, position (*x*, *y*) of the geometric centre *C* and of the mass centre \
-         *X̄*, gap under the rim, normal force *N* and friction force *F* against time; {verticals}.{words} {}; {}.",
+         *X̄*, gap under the rim, normal force *N* and friction force *F* against time; {verticals}. {}; {}.",
         say.hoop(hoop),
         say.start(hoop, &input.start)
     ) + &remark(&motion, say);

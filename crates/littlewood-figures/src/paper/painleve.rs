@@ -1,4 +1,4 @@
-//! Painlevé's paradox: where sliding has no solution, in the plane of angle and friction, for a family of hoops.
+//! Painlevé's paradox: where sliding has no solution or several, in the plane of angle and friction, for a family of hoops.
 
 use core::f64::consts::PI;
 
@@ -161,7 +161,7 @@ fn region(pieces: &[Vec<[f64; 2]>], most: f64) -> Series {
         }
         polygon
     });
-    Series::new("no solution", &COLUMNS, rows(above.collect()))
+    Series::new("no solution or several", &COLUMNS, rows(above.collect()))
 }
 
 /// The coefficient of the hoop, with the angles between which sliding has no solution.
@@ -267,7 +267,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         labels,
     };
     let of_hoop = [
-        (Mark::Hatch(HATCH), "no solution".to_owned()),
+        (Mark::Hatch(HATCH), "no solution or several".to_owned()),
         (Mark::Line(Stroke::solid(INK, BOLD)), "this hoop".to_owned()),
     ];
     let of_family = [

@@ -122,6 +122,8 @@ struct Picture {
     y: [f64; 2],
     layers: Vec<Layer>,
     labels: Vec<Label>,
+    /// How many have a hoop.
+    transitions: usize,
 }
 
 impl Picture {
@@ -174,7 +176,8 @@ impl Picture {
         let rows = 1 + taken.iter().map(|(_, row)| *row).max().unwrap_or(0);
         let y = [low - (14.0 + 34.0 * rows as f64) / unit, top + 1.15];
         layers.splice(0..0, ground(x, y, sheet.width, slope));
-        Ok(Self { sheet, say, slope, x, y, layers, labels })
+        let transitions = instants.len().saturating_sub(1);
+        Ok(Self { sheet, say, slope, x, y, layers, labels, transitions })
     }
 
     fn figure(
@@ -184,7 +187,7 @@ impl Picture {
         caption: String,
         entries: Vec<(Mark, String)>,
     ) -> Figure {
-        let Self { sheet, say, slope, x, y, layers, labels } = self;
+        let Self { sheet, say, slope, x, y, layers, labels, .. } = self;
         let [left, inner] = sheet.span();
         // One scale for both axes.
         let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
@@ -209,6 +212,12 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     let hoop = motion.hoop();
     let say = input.wording();
     let mut picture = Picture::new(&motion, input)?;
+    let all = motion.transitions().iter().filter(|transition| transition.from.is_some()).count();
+    let hoops = if picture.transitions == all {
+        "each transition".to_owned()
+    } else {
+        format!("{} of {all} transitions", picture.transitions)
+    };
     let of_centre = by_mode(&motion, "centre, ", &COLUMNS, &|sample| {
         let centre = sample.centre;
         vec![sample.state.time, centre.x, centre.y]
@@ -237,8 +246,7 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let flight = motion.phases().iter().any(|phase| !phase.mode().touches_plane());
     let caption = format!(
-        "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at each \
-         transition. Black dot: particle; ring: mass centre; arrows: time.{}{} {}; {}.{}",
+        "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at {hoops}. Black dot: particle; ring: mass centre; arrows: time.{}{} {}; {}.{}",
         if flight { " In flight the mass centre follows a parabola." } else { "" },
         camera(hoop.slope()),
         say.hoop(hoop),

@@ -43,7 +43,8 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
         nearest(&unloading, [0.45 * PI, high], window)
             .map(|at| Label::new("*n*", &at).shifted(10.0, 0.0).coloured(NORMAL_FORCE)),
     );
-    labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
+    // Without friction it has no area.
+    labels.extend((hoop.mu_s() > 0.0).then(|| Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0)));
     let lift_off = portrait.lift_off_locus();
     labels.extend(nearest(&lift_off, [0.3 * PI, 0.93 * window.y[1]], window).map(|at| {
         Label::new(lift_off_condition(hoop.slope()), &at)

@@ -32,12 +32,10 @@ impl Picture {
                     numbers.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
                         (f64::min(low, value), f64::max(high, value))
                     });
-                // The values of this cell are equal to rounding: a contour would follow noise.
-                if high - low < NOISE * (scale.high - scale.low) {
-                    continue;
-                }
-                let crossed: Vec<f64> =
-                    levels.iter().copied().filter(|level| (low..high).contains(level)).collect();
+                // A line through values that are equal to rounding would follow noise.
+                let noise = NOISE * (scale.high - scale.low);
+                let is_crossed = |level: &f64| low + noise < *level && *level < high - noise;
+                let crossed: Vec<f64> = levels.iter().copied().filter(is_crossed).collect();
                 // A jump, along which all lines would run.
                 if crossed.len() > MOST_LEVELS {
                     continue;
@@ -66,3 +64,36 @@ const MOST_LEVELS: usize = 2;
 
 /// Differences in a cell that mean something, in parts of the scale.
 const NOISE: f64 = 1e-9;
+
+#[cfg(test)]
+mod tests {
+    use littlewood::tables::{Quantity, Setup};
+    use littlewood::{HoopParameters, Limits, Start};
+
+    use super::*;
+    use crate::axis::Axis;
+    use crate::grid::Grid;
+    use crate::picture::scale::Kind;
+    use crate::picture::{PictureSize, Shade};
+
+    #[test]
+    fn no_line_follows_rounding() {
+        let axis = |quantity| Axis::new(quantity, -1.0, 1.0, 3).expect("an axis");
+        let axes = vec![axis(Quantity::Theta), axis(Quantity::ThetaRate)];
+        let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+        let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), axes).expect("a grid");
+        let picture = Picture::new(&grid, Limits::default(), Shade::EnergyLost, PictureSize::default());
+        let mut picture = picture.and_then(Picture::with_contours).expect("a picture");
+        picture.counts = [3, 3];
+        let scale = Scale { kind: Kind::Linear, low: 0.0, high: 1.0, beyond: [false; 2] };
+        let mut lines = |numbers: [f64; 9]| {
+            picture.cells = numbers.map(|number| Cell { key: 0, number }).to_vec();
+            picture.contours(&scale).len()
+        };
+        // Motions that lose nothing, beside some that lose a little: zero is a tick, and their sign is rounding.
+        let e = 1e-16;
+        assert_eq!(lines([e, -e, 0.0, -e, e, -e, 0.0, 0.01, -e]), 0);
+        // The tick 0.1 in two cells, and 0.2 and 0.3 in the two others.
+        assert_eq!(lines([0.0, 0.0, 0.0, 0.15, 0.15, 0.15, 0.32, 0.32, 0.32]), 2 + 4);
+    }
+}

@@ -1,0 +1,176 @@
+//! The letters of a document as a font in it: TrueType, with those letters only.
+
+use crate::letters::{Letter, outline};
+use crate::pencil::Segment;
+
+/// Its units to the size, of which all coordinates of the letters are whole numbers.
+const UNITS: u16 = 2000;
+
+/// The letters of a document, each with its number; zero is a blank.
+#[derive(Debug, Default)]
+pub(crate) struct Font(Vec<&'static Letter>);
+
+/// A glyph of a font file, and the box of its points.
+struct Shape {
+    bytes: Vec<u8>,
+    frame: [i16; 4],
+    points: u16,
+    contours: u16,
+}
+
+impl Font {
+    /// The number of a letter, which belongs to the font from now on.
+    pub(crate) fn number(&mut self, letter: &'static Letter) -> u16 {
+        let known = self.0.iter().position(|own| own.name == letter.name);
+        let place = known.unwrap_or_else(|| {
+            self.0.push(letter);
+            self.0.len() - 1
+        });
+        place as u16 + 1
+    }
+
+    /// The letters in the order of their numbers, from 1.
+    pub(crate) fn letters(&self) -> &[&'static Letter] {
+        &self.0
+    }
+
+    /// The font file.
+    pub(crate) fn file(&self) -> Vec<u8> {
+        let blank = Shape { bytes: Vec::new(), frame: [0; 4], points: 0, contours: 0 };
+        let shapes: Vec<Shape> =
+            core::iter::once(blank).chain(self.0.iter().map(|letter| shape(letter.path))).collect();
+        let widths: Vec<u16> =
+            core::iter::once(0).chain(self.0.iter().map(|it| units(it.advance) as u16)).collect();
+        let frame = shapes.iter().fold([0; 4], |[left, low, right, high]: [i16; 4], shape| {
+            let [a, b, c, d] = shape.frame;
+            [left.min(a), low.min(b), right.max(c), high.max(d)]
+        });
+        let count = shapes.len() as u16;
+        let most = |of: fn(&Shape) -> u16| shapes.iter().map(of).max().unwrap_or(0);
+        let (mut glyf, mut loca) = (Vec::new(), Vec::new());
+        for shape in &shapes {
+            loca.extend((glyf.len() as u32).to_be_bytes());
+            glyf.extend(&shape.bytes);
+        }
+        loca.extend((glyf.len() as u32).to_be_bytes());
+        let hmtx =
+            widths.iter().zip(&shapes).flat_map(|(width, shape)| words([*width as i16, shape.frame[0]]));
+        // The numbers in the order of the tables of the format; what only screens of few pixels need is zero.
+        let head = [
+            &[0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0x5f, 0x0f, 0x3c, 0xf5, 0, 0][..],
+            &UNITS.to_be_bytes(),
+            &[0; 16],
+            &words(frame),
+            &words([0, 8, 2, 1, 0]),
+        ];
+        let widest = widths.iter().copied().max().unwrap_or(0) as i16;
+        let [left, low, right, high] = frame;
+        let hhea = words([1, 0, high, low, 0, widest, left, 0, right, 1, 0, 0, 0, 0, 0, 0, 0, count as i16]);
+        let [points, contours] =
+            [most(|shape| shape.points), most(|shape| shape.contours)].map(|it| it as i16);
+        let maxp = words([1, 0, count as i16, points, contours, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0]);
+        assembled(vec![
+            (*b"glyf", glyf),
+            (*b"head", head.concat()),
+            (*b"hhea", hhea),
+            (*b"hmtx", hmtx.collect()),
+            (*b"loca", loca),
+            (*b"maxp", maxp),
+        ])
+    }
+}
+
+/// In units of the font.
+fn units(thousandths: f64) -> i16 {
+    libm::round(thousandths * f64::from(UNITS) / 1000.0) as i16
+}
+
+fn words(values: impl IntoIterator<Item = i16>) -> Vec<u8> {
+    values.into_iter().flat_map(i16::to_be_bytes).collect()
+}
+
+/// A letter as contours of points on the curve and off it.
+fn shape(path: &str) -> Shape {
+    let mut contours: Vec<Vec<([i16; 2], bool)>> = Vec::new();
+    let place = |[x, y]: [f64; 2]| [units(x), units(y)];
+    for segment in outline(path) {
+        let points = match segment {
+            Segment::Move(to) => {
+                contours.push(vec![(place(to), true)]);
+                continue;
+            }
+            Segment::Line(to) => vec![(place(to), true)],
+            Segment::Quad(handle, to) => vec![(place(handle), false), (place(to), true)],
+            // Letters have no cubic curves.
+            Segment::Curve(_, _, to) => vec![(place(to), true)],
+            Segment::Close => Vec::new(),
+        };
+        if let Some(last) = contours.last_mut() {
+            last.extend(points);
+        }
+    }
+    // A contour closes by itself.
+    for contour in &mut contours {
+        if contour.len() > 1 && contour.first() == contour.last() {
+            contour.pop();
+        }
+    }
+    let points: Vec<([i16; 2], bool)> = contours.iter().flatten().copied().collect();
+    let ends = |k: usize| {
+        let values = || points.iter().map(|(point, _)| point[k]);
+        [values().min().unwrap_or(0), values().max().unwrap_or(0)]
+    };
+    let [[left, right], [low, high]] = [ends(0), ends(1)];
+    let frame = [left, low, right, high];
+    if points.is_empty() {
+        return Shape { bytes: Vec::new(), frame, points: 0, contours: 0 };
+    }
+    let mut bytes = words([contours.len() as i16]);
+    bytes.extend(words(frame));
+    let mut end = -1;
+    for contour in &contours {
+        end += contour.len() as i16;
+        bytes.extend(words([end]));
+    }
+    bytes.extend(words([0]));
+    bytes.extend(points.iter().map(|(_, is_on)| u8::from(*is_on)));
+    for k in 0..2 {
+        let before = core::iter::once(0).chain(points.iter().map(|(point, _)| point[k]));
+        bytes.extend(words(points.iter().zip(before).map(|((point, _), before)| point[k] - before)));
+    }
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    Shape { bytes, frame, points: points.len() as u16, contours: contours.len() as u16 }
+}
+
+/// A font file of tables, in the order of their names.
+fn assembled(tables: Vec<([u8; 4], Vec<u8>)>) -> Vec<u8> {
+    let sum = |bytes: &[u8]| {
+        bytes.chunks(4).fold(0_u32, |sum, chunk| {
+            let mut word = [0; 4];
+            word[..chunk.len()].copy_from_slice(chunk);
+            sum.wrapping_add(u32::from_be_bytes(word))
+        })
+    };
+    let count = tables.len() as u16;
+    let log = count.ilog2() as u16;
+    let search = 16 << log;
+    let mut file = vec![0, 1, 0, 0];
+    file.extend([count, search, log, 16 * count - search].into_iter().flat_map(u16::to_be_bytes));
+    let mut at = 12 + 16 * tables.len();
+    for (name, bytes) in &tables {
+        file.extend(name);
+        file.extend([sum(bytes), at as u32, bytes.len() as u32].into_iter().flat_map(u32::to_be_bytes));
+        at += bytes.len().next_multiple_of(4);
+    }
+    let mut head = 0;
+    for (name, bytes) in tables {
+        if name == *b"head" {
+            head = file.len();
+        }
+        file.extend(&bytes);
+        file.resize(file.len().next_multiple_of(4), 0);
+    }
+    let adjusted = 0xb1b0_afba_u32.wrapping_sub(sum(&file));
+    file[head + 8..head + 12].copy_from_slice(&adjusted.to_be_bytes());
+    file
+}
