@@ -5,6 +5,7 @@ import './style/theme.css';
 import './style/base.css';
 import './style/page.css';
 import './style/panes.css';
+import './style/hoop.css';
 import './style/dialogue.css';
 import './style/screens.css';
 import './style/embed.css';
@@ -68,7 +69,7 @@ function start(cases: NamedCase[]): void {
     clock.pause();
     lab.setTime(time);
   };
-  const hoop = new HoopPane(lab, palette, draw);
+  const hoop = new HoopPane(lab, clock, palette, draw);
   const plane = new PlanePane(lab, palette, draw, showDefect);
   const plots = new Plots(byId('plots', HTMLDivElement), palette, go);
   const fields = new Fields(byId('fields', HTMLDivElement), lab);

@@ -1,5 +1,6 @@
 // The quantities of a problem in either system of units, and what only the page says of them.
 
+import { brief } from '../dom';
 import {
   DIMENSIONLESS,
   type DimensionlessNumber,
@@ -39,6 +40,12 @@ export function valuesOf<S extends System>(system: S, numbers: Float64Array): Va
 export function inOrder<S extends System>(system: S, values: Values<S>): Float64Array {
   return Float64Array.from(numbersOf(system), (name) => values[name]);
 }
+
+/** Units of a problem that had none: a hula hoop with a battery on it. */
+export const HULA_HOOP = { particle_mass_kg: 0.14, radius_m: 0.45, gravity_m_per_s2: QUANTITY_ROWS.gravity_m_per_s2.otherwise };
+
+/** √(R/g) of that hoop, in seconds. */
+export const HULA_SECOND = Math.sqrt(HULA_HOOP.radius_m / HULA_HOOP.gravity_m_per_s2);
 
 /** The time limit in each system. */
 export const LIMIT: Readonly<Record<System, Quantity>> = { dimensionless: 'until', si: 'until_s' };
@@ -98,6 +105,16 @@ export function readField(quantity: Quantity, text: string): number | null {
   const [, sign, factor, part] = turns;
   const value = (Number(factor || 1) * Math.PI) / Number(part ?? 1);
   return Number.isFinite(value) ? (sign === '' || sign === '+' ? value : -value) : null;
+}
+
+/** A start in words, its rate in the units that are shown. */
+export function sayStart(theta: number, rate: number, unit: string): string {
+  const degrees = Math.round((theta * 180) / Math.PI);
+  const side = degrees > 0 ? 'left' : 'right';
+  const place =
+    degrees === 0 ? 'at the top' : Math.abs(degrees) === 180 ? 'at the bottom' : `${Math.abs(degrees)}° to the ${side} of the top`;
+  if (rate === 0) return `${place}, at rest`;
+  return `${place}, turning ${rate > 0 ? 'counterclockwise' : 'clockwise'} at ${brief(Math.abs(rate), 3)} ${unit}`;
 }
 
 /** The label of a field: a limit of time has the symbol of the time. */

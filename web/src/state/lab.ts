@@ -1,6 +1,6 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
-import { inOrder, inSystem, LIMIT, quantityNamed, type Values, valuesOf } from '../core/fields';
+import { HULA_HOOP, inOrder, inSystem, LIMIT, quantityNamed, type Values, valuesOf } from '../core/fields';
 import { type ColumnUnits, type Event, type Ghost, ghostOf, type ImpactEvent, Motion, unitsOf } from '../core/motion';
 import { type Prediction, Problem, Refusal } from '../core/wasm';
 import {
@@ -234,9 +234,6 @@ export class Lab {
     this.state = { ...this.state, view: { ...this.state.view, time: clamped <= this.motion.begin ? null : clamped } };
   }
 }
-
-/** Units of a problem that had none: a hula hoop with a battery on it. */
-const HULA_HOOP = { particle_mass_kg: 0.14, radius_m: 0.45, gravity_m_per_s2: QUANTITY_ROWS.gravity_m_per_s2.otherwise };
 
 /** Throws a refusal of the core. */
 function checked(problem: ProblemState): Problem {

@@ -1,11 +1,13 @@
 // The pane of the hoop, and the handle that tilts its plane.
 
+import { HULA_SECOND, sayStart } from '../core/fields';
 import { brief, byId } from '../dom';
 import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
-import { Sheet, type Size } from '../views/canvas';
-import { cameraOf, drawHoop, type HoopScene, seen } from '../views/hoop';
+import { type Camera, drawHoop, type HoopScene, seen } from '../views/hoop';
+import { HoopWidget } from '../views/hoop-widget';
+import type { Clock } from './clock';
 
 /** Steepest slope of the handle; that of the field is any below π/2. */
 const STEEPEST = 1.5;
@@ -16,20 +18,43 @@ const SNAP = 0.03;
 /** What an arrow key changes the slope by; a tenth of it with Shift. */
 const KEY_STEP = 0.05;
 
+/** A person who wants nothing to move by itself. */
+const STILL = matchMedia('(prefers-reduced-motion: reduce)');
+
 /** Pixels between the handle and the edge of the view. */
 const EDGE = 26;
 
 export class HoopPane {
-  private readonly sheet: Sheet;
+  private readonly widget: HoopWidget;
   private readonly handle = byId('slope-handle', HTMLDivElement);
   private readonly ghost = byId('ghost', HTMLParagraphElement);
 
   constructor(
     private readonly lab: Lab,
+    clock: Clock,
     private palette: Palette,
     draw: () => void,
   ) {
-    this.sheet = new Sheet(byId('hoop', HTMLCanvasElement), draw);
+    this.widget = new HoopWidget(
+      byId('hoop', HTMLCanvasElement),
+      {
+        scene: () => this.scene,
+        start: () => lab.plain,
+        set: (start) => lab.setPlain(start),
+        grabbed: () => clock.pause(),
+        released: () => {
+          if (!STILL.matches) clock.play();
+        },
+        get second() {
+          return lab.state.problem.system === 'si' ? lab.units.time : HULA_SECOND;
+        },
+        say: ({ theta, theta_rate }) => {
+          const { system } = lab.state.problem;
+          return sayStart(theta, theta_rate * lab.units.theta_rate, COLUMN_ROWS.theta_rate.units[system]);
+        },
+      },
+      draw,
+    );
     const follow = byId('follow', HTMLInputElement);
     follow.addEventListener('change', () => lab.setView({ follow: follow.checked }));
     this.listen();
@@ -61,11 +86,8 @@ export class HoopPane {
   }
 
   paint(): void {
-    const { size } = this.sheet;
-    if (size.width === 0) return;
-    const { scene } = this;
-    drawHoop(this.sheet.clear(), size, scene);
-    this.placeHandle(size, scene);
+    this.widget.paint();
+    if (this.widget.size.width > 0) this.placeHandle(this.widget.camera);
     this.showGhost();
   }
 
@@ -97,12 +119,11 @@ export class HoopPane {
   }
 
   /** On the plane, at the right. */
-  private placeHandle(size: Size, scene: HoopScene): void {
-    const camera = cameraOf(size, scene);
-    const [x, y] = camera.at(seen(camera, size, EDGE)[1], 0);
-    const { offsetLeft, offsetTop } = this.sheet.canvas;
+  private placeHandle(camera: Camera): void {
+    const [x, y] = camera.at(seen(camera, this.widget.size, EDGE)[1], 0);
+    const { offsetLeft, offsetTop } = this.widget.canvas;
     this.handle.style.transform = `translate(${offsetLeft + x}px, ${offsetTop + y}px)`;
-    const { slope } = scene;
+    const { slope } = this.lab.plain;
     for (const [name, value] of [
       ['valuemin', String(-STEEPEST)],
       ['valuemax', String(STEEPEST)],
@@ -122,9 +143,8 @@ export class HoopPane {
       event.preventDefault();
       handle.setPointerCapture(event.pointerId);
       handle.focus({ preventScroll: true });
-      const { scene } = this;
-      const box = this.sheet.canvas.getBoundingClientRect();
-      const [x, y] = cameraOf(this.sheet.size, scene).at(scene.sample?.x ?? 0, 0);
+      const box = this.widget.canvas.getBoundingClientRect();
+      const [x, y] = this.widget.camera.at(this.scene.sample?.x ?? 0, 0);
       pivot = [box.left + x, box.top + y];
     });
     handle.addEventListener('pointermove', (event) => {

@@ -56,11 +56,10 @@ export interface Camera {
   moved(from: Place, along: number, into: number): Place;
 }
 
-export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopScene): void {
+export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopScene, camera = cameraOf(size, scene)): void {
   const { motion, sample, palette } = scene;
   c.font = `14px ${FONT}`;
   c.textBaseline = 'middle';
-  const camera = cameraOf(size, scene);
   drawGround(c, size, camera, palette);
   if (!sample) {
     drawStill(c, camera, scene);
