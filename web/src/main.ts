@@ -7,6 +7,7 @@ import './style/page.css';
 import './style/panes.css';
 import './style/hoop.css';
 import './style/dialogue.css';
+import './style/levels.css';
 import './style/screens.css';
 import './style/embed.css';
 import { coreModule } from './core/module';
@@ -16,7 +17,8 @@ import { byId } from './dom';
 import { type Change, Lab } from './state/lab';
 import type { NamedCase, State, Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
-import { Address } from './ui/address';
+import { Address, HAS_ADDRESS } from './ui/address';
+import { Ask } from './ui/ask';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
 import { watchDrags } from './ui/drag';
@@ -26,20 +28,21 @@ import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
 import { Host } from './ui/host';
 import { ImpactPane } from './ui/impact-pane';
+import { Level } from './ui/level';
 import { MovesPane } from './ui/moves-pane';
 import { PhaseTable } from './ui/phase-table';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
 import { Story } from './ui/story';
+import { LESSONS, type LessonName, lessonOf } from './ui/texts';
 import { isDark, onSystemTheme, paletteOf, setTheme } from './ui/theme';
 import { Transport } from './ui/transport';
+import { Words } from './ui/words';
 import { Plots } from './views/plots';
 
 /** How long the address waits, so that a drag does not write it at every step. */
 const ADDRESS_PAUSE = 250;
-
-const HAS_ADDRESS = location.protocol !== 'about:';
 
 watch();
 await startCore(await coreModule(), showDefect);
@@ -53,7 +56,7 @@ function start(cases: NamedCase[]): void {
   const { embed } = parse(location.hash, plain).state.view;
   const first: State = { ...plain, view: { ...plain.view, embed } };
   const lab = new Lab(first, cases);
-  const address = new Address(lab);
+  const address: Address = new Address(lab, () => ask.lesson);
   setTheme(first.view.theme);
 
   let palette = paletteOf(first.view.theme);
@@ -61,10 +64,16 @@ function start(cases: NamedCase[]): void {
   const draw = (): void => {
     if (frame === 0) frame = requestAnimationFrame(paint);
   };
-  const clock = new Clock(lab, () => {
-    transport.showView();
-    if (!clock.playing) writeSoon(lab, host, address);
-  });
+  const level = new Level(lab);
+  const clock: Clock = new Clock(
+    lab,
+    () => lab.state.view.slow || level.isSimple || ask.lesson !== null,
+    () => {
+      transport.showView();
+      ask.showTime();
+      if (!clock.playing) writeSoon(lab, host, address);
+    },
+  );
   const go = (time: number): void => {
     clock.pause();
     lab.setTime(time);
@@ -74,6 +83,8 @@ function start(cases: NamedCase[]): void {
   const plots = new Plots(byId('plots', HTMLDivElement), palette, go);
   const fields = new Fields(byId('fields', HTMLDivElement), lab);
   const bar = new ProblemBar(lab, () => clock.pause());
+  const words = new Words(lab);
+  const ask: Ask = new Ask(lab, clock, (lesson) => openLesson(lesson));
   const transport = new Transport(lab, clock);
   const story = new Story(lab);
   const phases = new PhaseTable(lab, go);
@@ -125,6 +136,8 @@ function start(cases: NamedCase[]): void {
       transport.showMotion();
       story.showMotion();
       phases.showMotion();
+      words.showMotion();
+      ask.showMotion();
       energy.showMotion();
       impact.showMotion();
       moves.showMotion();
@@ -137,6 +150,7 @@ function start(cases: NamedCase[]): void {
     }
     if (changes.has('view')) {
       embedding.showView();
+      level.showView();
       transport.showView();
       hoop.viewChanged();
       plane.viewChanged();
@@ -151,26 +165,48 @@ function start(cases: NamedCase[]): void {
       transport.showTime();
       story.showTime();
       phases.showTime();
+      ask.showTime();
       energy.showTime();
       impact.showTime();
     }
     plane.motionChanged();
     draw();
+    address.changed();
     // While it plays, the time in the address would change at every frame.
     if (!(clock.playing && changes.size === 1 && changes.has('time'))) writeSoon(lab, host, address);
   });
 
+  /** The motion that Reset goes back to: that of the link, the case or the lesson. */
+  let origin = first.problem;
   const read = (fragment: string): void => {
     clock.pause();
-    const { state, fieldErrors } = parse(fragment, lab.state);
+    const { lesson, rest } = lessonOf(fragment);
+    const link = lesson !== null && rest === '' ? LESSONS[lesson].link : rest;
+    const { state, fieldErrors } = parse(link, lab.state);
+    if (lesson !== ask.lesson) ask.open(lesson);
     reading = true;
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
     address.taken();
     showLinkErrors(lab.fieldErrors);
   };
+  const openLesson = (lesson: LessonName | null): void => {
+    clock.pause();
+    ask.open(lesson);
+    if (lesson === null) return;
+    const { problem } = parse(LESSONS[lesson].link, lab.state).state;
+    lab.take(problem);
+    origin = problem;
+  };
+  byId('reset', HTMLButtonElement).addEventListener('click', () => {
+    clock.pause();
+    lab.take(origin);
+  });
   const host = new Host((fragment) => {
-    if (fragment.replace(/^#/, '') !== format(lab.state)) read(fragment);
+    if (fragment.replace(/^#/, '') !== format(lab.state)) {
+      read(fragment);
+      origin = lab.state.problem;
+    }
   });
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
     lab.setView({ theme: isDark(lab.state.view.theme) ? 'light' : 'dark' });
@@ -182,10 +218,13 @@ function start(cases: NamedCase[]): void {
     byId('start-handle', HTMLButtonElement).focus();
   });
   window.addEventListener('hashchange', () => {
-    if (location.hash.slice(1) !== format(lab.state)) read(location.hash);
+    if (location.hash.slice(1) !== address.fragment) read(location.hash);
   });
+  ask.open(null);
   lab.announce();
   if (location.hash.length > 1) read(location.hash);
+  else level.first();
+  origin = lab.state.problem;
   host.ready();
   document.documentElement.dataset.ready = 'true';
   performance.mark('ready');

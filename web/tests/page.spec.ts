@@ -50,7 +50,7 @@ test('every view is drawn, and nothing is wider than the screen', async ({ page 
       ] as const,
   )) {
     await page.setViewportSize({ width, height });
-    await open(page, `case=${name}&at=1.2&theme=${theme}`);
+    await open(page, `case=${name}&at=1.2&theme=${theme}&level=full`);
     await page.reload();
     await ready(page);
     await expect(page.locator('html[data-map=done]')).toBeAttached();
@@ -82,7 +82,7 @@ test('the theme button turns the page, and the link keeps it', async ({ page }) 
 test('on a phone the start is dragged with a finger', async ({ browser, baseURL }) => {
   const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
   const page = await context.newPage();
-  await open(page, 'case=rolls-forever');
+  await open(page, 'case=rolls-forever&level=full');
   await page.locator('#plane').scrollIntoViewIfNeeded();
   const to = await pixelOf(page, Math.PI / 2, 2);
   await page.touchscreen.tap(to.x, to.y);
@@ -94,7 +94,7 @@ test('on a phone the start is dragged with a finger', async ({ browser, baseURL 
 test('a swipe that begins on the plane scrolls the page, and leaves the start', async ({ browser, baseURL }) => {
   const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
   const page = await context.newPage();
-  await open(page, 'case=figure-3&map=0');
+  await open(page, 'case=figure-3&map=0&level=full');
   await page.locator('#plane').scrollIntoViewIfNeeded();
   const { x, y } = await pixelOf(page, 0, 0);
   const session = await context.newCDPSession(page);

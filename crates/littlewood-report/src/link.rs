@@ -19,13 +19,16 @@ const THEME: &str = "theme";
 const FLAG: &[&str] = &["0", "1"];
 
 /// How the page shows a motion: the keys, what each may say, and what the page does at first.
-pub const VIEW: [(&str, &[&str], &str); 8] = [
+pub const VIEW: [(&str, &[&str], &str); 11] = [
     ("rate", &["1", "1.5", "2", "3", "4", "6", "8", "12", "20"], "4"),
     ("speed", &["0.1", "0.25", "0.5", "1", "2", "4"], "0.5"),
+    ("slow", FLAG, "0"),
     ("loop", FLAG, "0"),
     ("map", FLAG, "1"),
     ("shows", &["outcome", "hops"], "outcome"),
     ("follow", FLAG, "1"),
+    ("symbols", FLAG, "1"),
+    ("level", &["auto", "simple", "full"], "auto"),
     ("embed", FLAG, "0"),
     (THEME, &["auto", "light", "dark"], "auto"),
 ];

@@ -82,6 +82,13 @@ export interface Ghost {
   path: Float64Array;
 }
 
+/** A flight. */
+export interface Hop {
+  start: number;
+  end: number;
+  height: number;
+}
+
 /** Where the energy of the start is. What an impact has gained is lost below zero. */
 export type Energies = Readonly<Record<EnergyPart, number>>;
 
@@ -201,6 +208,21 @@ export class Motion {
     const clamped = Math.min(Math.max(time, this.begin), this.end);
     const row = this.core.at(clamped);
     return row.length === 0 ? null : byColumn(row);
+  }
+
+  /** The first flight, as far as it is shown, and how high the rim gets in it; none of a motion that stays on the plane. */
+  get hop(): Hop | null {
+    const flight = this.phases.find(({ mode }) => mode === 'flight');
+    if (flight === undefined) return null;
+    const { start, end } = flight;
+    const { samples } = this;
+    const height = samples.time.reduce((most, time, i) => (time >= start && time <= end ? Math.max(most, samples.gap[i]!) : most), 0);
+    return { start, end: Math.min(end, this.end), height };
+  }
+
+  /** Instants at which the rim leaves the plane. */
+  get liftOffs(): number[] {
+    return this.phases.filter(({ mode, start }) => mode === 'flight' && start > this.begin).map(({ start }) => start);
   }
 
   /** The event that came last at a time. */

@@ -369,10 +369,13 @@ export const IMPULSE_UNITS = {
 export const VIEW_KEYS = [
   'rate',
   'speed',
+  'slow',
   'loop',
   'map',
   'shows',
   'follow',
+  'symbols',
+  'level',
   'embed',
   'theme',
 ] as const;
@@ -382,10 +385,13 @@ export type ViewKey = (typeof VIEW_KEYS)[number];
 export const VIEW_CHOICES = {
   rate: ['1', '1.5', '2', '3', '4', '6', '8', '12', '20'],
   speed: ['0.1', '0.25', '0.5', '1', '2', '4'],
+  slow: ['0', '1'],
   loop: ['0', '1'],
   map: ['0', '1'],
   shows: ['outcome', 'hops'],
   follow: ['0', '1'],
+  symbols: ['0', '1'],
+  level: ['auto', 'simple', 'full'],
   embed: ['0', '1'],
   theme: ['auto', 'light', 'dark'],
 } as const satisfies Record<ViewKey, readonly string[]>;
@@ -394,10 +400,13 @@ export const VIEW_CHOICES = {
 export const VIEW_FIRST = {
   rate: '4',
   speed: '0.5',
+  slow: '0',
   loop: '0',
   map: '1',
   shows: 'outcome',
   follow: '1',
+  symbols: '1',
+  level: 'auto',
   embed: '0',
   theme: 'auto',
 } as const satisfies Record<ViewKey, string>;

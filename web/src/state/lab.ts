@@ -37,6 +37,8 @@ export class Lab {
   /** What dimensionless values are worth in the units that are shown. */
   units: ColumnUnits;
   fieldErrors: FieldError[] = [];
+  /** A motion to compare with, in the units of its problem. */
+  pinned: { problem: ProblemState; motion: Motion } | null = null;
   /** Whether something is being dragged. */
   held = false;
   /** What was known before the drag: of which landing, and what the derivatives say of it. */
@@ -84,6 +86,18 @@ export class Lab {
       motion: { impacts },
     } = this;
     return impacts.findLast((event) => event.time <= time) ?? impacts[0] ?? null;
+  }
+
+  /** Pins a problem, to compare others with it; none takes the pin away. */
+  pin(problem: ProblemState | null): void {
+    this.pinned?.motion.free();
+    this.pinned = null;
+    if (problem !== null) {
+      const core = checked(problem);
+      this.pinned = { problem, motion: Motion.of(core, caseOf(problem)) };
+      core.free();
+    }
+    this.notify('motion');
   }
 
   /** A drag begins: what follows is compared with what was before. */

@@ -5,6 +5,9 @@ import { LAWS, type Law, type Quantity, type System, VIEW_CHOICES, VIEW_FIRST, t
 
 export type Theme = (typeof VIEW_CHOICES.theme)[number];
 
+/** How much of the page is shown; `auto` leaves it to the device, and to what was chosen last. */
+export type Level = (typeof VIEW_CHOICES.level)[number];
+
 /** What a problem may be without. */
 export interface Options {
   /** Coefficient of restitution; none where the motion ends at the landing. */
@@ -30,12 +33,17 @@ export interface ViewState {
   /** Time of the cursor, τ; none at the start. */
   time: number | null;
   speed: number;
+  /** Whether it plays slowly around a lift-off. */
+  slow: boolean;
   loop: boolean;
   /** Largest |θ′| of the plane. */
   rate: number;
   map: boolean;
   shows: Shows;
   follow: boolean;
+  /** Whether symbols stand at what is drawn, and at the fields. */
+  symbols: boolean;
+  level: Level;
   /** Whether the page is a frame in another one: the hoop and its time line alone. */
   embed: boolean;
   theme: Theme;
@@ -51,30 +59,36 @@ export const RATES: readonly number[] = VIEW_CHOICES.rate.map(Number);
 
 /** The view of the texts of a link. */
 export function viewOf(texts: Readonly<Record<ViewKey, string>>): ViewState {
-  const { rate, speed, loop, map, shows, follow, embed, theme } = texts;
+  const { rate, speed, slow, loop, map, shows, follow, symbols, level, embed, theme } = texts;
   return {
     time: null,
     rate: Number(rate),
     speed: Number(speed),
+    slow: slow === '1',
     loop: loop === '1',
     map: map === '1',
     shows: shows as Shows,
     follow: follow === '1',
+    symbols: symbols === '1',
+    level: level as Level,
     embed: embed === '1',
     theme: theme as Theme,
   };
 }
 
 /** The texts of a view in a link. */
-export function textsOf({ rate, speed, loop, map, shows, follow, embed, theme }: ViewState): Record<ViewKey, string> {
+export function textsOf({ rate, speed, slow, loop, map, shows, follow, symbols, level, embed, theme }: ViewState): Record<ViewKey, string> {
   const flag = (it: boolean): string => (it ? '1' : '0');
   return {
     rate: String(rate),
     speed: String(speed),
+    slow: flag(slow),
     loop: flag(loop),
     map: flag(map),
     shows,
     follow: flag(follow),
+    symbols: flag(symbols),
+    level,
     embed: flag(embed),
     theme,
   };

@@ -1,22 +1,32 @@
 // The address of the state, and the history: one entry for each change of the problem that is done, so that going back undoes it.
 
+import { byId } from '../dom';
 import type { Lab } from '../state/lab';
 import type { ProblemState } from '../state/state';
 import { format } from '../state/url';
 
-const HAS_ADDRESS = location.protocol !== 'about:';
+/** As the document of a notebook's frame the page has no address. */
+export const HAS_ADDRESS = location.protocol !== 'about:';
+
+/** Whether no page is around this one. */
+export const IS_ALONE = window.parent === window;
 
 /** A frame leaves the history to the page around it. */
-const HAS_HISTORY = HAS_ADDRESS && window.parent === window;
+const HAS_HISTORY = HAS_ADDRESS && IS_ALONE;
 
 export class Address {
+  private readonly undo = byId('undo', HTMLButtonElement);
   /** The problem of the entry that is shown, and the act that has made the entry. */
   private problem: ProblemState;
   private entry = 0;
   /** Counts what a person does: a press of the pointer, a visit to a control, a value that is confirmed. */
   private act = 1;
 
-  constructor(private readonly lab: Lab) {
+  constructor(
+    private readonly lab: Lab,
+    /** The lesson that is shown, which the address names first. */
+    private readonly lesson: () => string | null,
+  ) {
     this.problem = lab.state.problem;
     const next = (): void => {
       this.act += 1;
@@ -27,11 +37,23 @@ export class Address {
       // A slider confirms each step.
       if (!(target instanceof HTMLInputElement && target.type === 'range')) next();
     });
+    this.undo.hidden = !HAS_HISTORY;
+    this.undo.addEventListener('click', () => {
+      // What has just been changed may not be written yet.
+      this.write();
+      history.back();
+    });
   }
 
-  /** As the document of a notebook's frame the page has no address, and this is the fragment alone. */
+  /** The text after #. */
+  get fragment(): string {
+    const lesson = this.lesson();
+    return `${lesson === null ? '' : `lesson=${lesson}&`}${format(this.lab.state)}`;
+  }
+
+  /** Without an address this is the fragment alone. */
   get text(): string {
-    const fragment = `#${format(this.lab.state)}`;
+    const fragment = `#${this.fragment}`;
     return HAS_ADDRESS ? `${location.origin}${location.pathname}${location.search}${fragment}` : fragment;
   }
 
@@ -39,6 +61,12 @@ export class Address {
   taken(): void {
     this.problem = this.lab.state.problem;
     this.entry = 0;
+    this.undo.disabled = depth() === 0;
+  }
+
+  /** The problem has changed: it can be undone, whether or not it is written yet. */
+  changed(): void {
+    this.undo.disabled = depth() === 0 && this.lab.state.problem === this.problem;
   }
 
   write(): void {
@@ -47,10 +75,17 @@ export class Address {
     const isNew = HAS_HISTORY && problem !== this.problem && this.entry !== this.act;
     if (isNew) {
       this.entry = this.act;
-      history.pushState(null, '', this.text);
+      history.pushState({ depth: depth() + 1 }, '', this.text);
     } else {
-      history.replaceState(null, '', this.text);
+      history.replaceState(history.state, '', this.text);
     }
     this.problem = problem;
+    this.undo.disabled = depth() === 0;
   }
+}
+
+/** How many changes lead to the entry of the history that is shown. */
+function depth(): number {
+  const state: unknown = history.state;
+  return typeof state === 'object' && state !== null && 'depth' in state ? Number(state.depth) : 0;
 }

@@ -2,12 +2,18 @@
 
 import type { Lab } from '../state/lab';
 
+/** How much slower it plays around a lift-off, and from when before it to when after it, τ. */
+const SLOWER = 0.25;
+const BEFORE = 0.25;
+const AFTER = 0.35;
+
 export class Clock {
   playing = false;
   private before = 0;
 
   constructor(
     private readonly lab: Lab,
+    private readonly isSlow: () => boolean,
     private readonly changed: () => void,
   ) {}
 
@@ -36,8 +42,10 @@ export class Clock {
     // A page in the background stops; it does not leap when it comes back.
     const seconds = Math.min(Math.max(now - this.before, 0), 100) / 1000;
     this.before = now;
-    const { motion, state, units } = this.lab;
-    const time = this.lab.time + (seconds * state.view.speed) / units.time;
+    const { motion, state, time: shown, units } = this.lab;
+    const isNear = motion.liftOffs.some((it) => shown > it - BEFORE && shown < it + AFTER);
+    const speed = state.view.speed * (isNear && this.isSlow() ? SLOWER : 1);
+    const time = shown + (seconds * speed) / units.time;
     if (time < motion.end) {
       this.lab.setTime(time);
     } else if (state.view.loop) {

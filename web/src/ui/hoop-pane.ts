@@ -1,6 +1,7 @@
 // The pane of the hoop, and the handle that tilts its plane.
 
 import { HULA_SECOND, sayStart } from '../core/fields';
+import type { Motion, Sample } from '../core/motion';
 import { brief, byId } from '../dom';
 import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
@@ -23,6 +24,12 @@ const STILL = matchMedia('(prefers-reduced-motion: reduce)');
 
 /** Pixels between the handle and the edge of the view. */
 const EDGE = 26;
+
+/** The motion that is pinned at an instant; none where it has ended. */
+function pinnedAt(motion: Motion, time: number): { sample: Sample } | null {
+  const sample = time <= motion.end ? motion.at(time) : null;
+  return sample && { sample };
+}
 
 export class HoopPane {
   private readonly widget: HoopWidget;
@@ -69,8 +76,15 @@ export class HoopPane {
   }
 
   private get scene(): HoopScene {
-    const { motion, time, plain, problem, state, landing } = this.lab;
+    const { motion, time, plain, problem, state, landing, units, pinned } = this.lab;
+    const { system } = state.problem;
+    const force = 1 + plain.mass_ratio;
     return {
+      axis: { radius: units.x, unit: COLUMN_ROWS.x.units[system] },
+      weight: { force, text: `weight: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}` },
+      contact: state.view.embed ? null : plain,
+      symbols: state.view.symbols,
+      pinned: pinned === null ? null : pinnedAt(pinned.motion, time),
       motion,
       sample: motion.at(time),
       offset: plain.offset,

@@ -6,7 +6,7 @@ import { CLASS_LABELS, COLUMN_ROWS } from '../generated/tables';
 import { type HopClass, OutcomePicture } from '../map/client';
 import type { Lab } from '../state/lab';
 import { RATES, SHOWS, type Shows } from '../state/state';
-import { Sheet } from '../views/canvas';
+import { Sheet, type Size } from '../views/canvas';
 import { type Curves, curvesOf, drawMotion, drawPlane, drawStart, FROM, Frame, TO, wrapped } from '../views/plane';
 
 const SIGNS = { theta: COLUMN_ROWS.theta.signs.dimensionless, rate: COLUMN_ROWS.theta_rate.signs.dimensionless };
@@ -27,6 +27,7 @@ export class PlanePane {
   /** What the map has been asked to show of the hoop; none if it has not been asked. */
   private asked: Shows | null = null;
   private stale = { base: true, top: true };
+  private unit = 1;
 
   constructor(
     private readonly lab: Lab,
@@ -54,7 +55,12 @@ export class PlanePane {
   }
 
   private get frame(): Frame {
-    return new Frame(this.base.size, this.lab.state.view.rate);
+    return this.frameOf(this.base.size);
+  }
+
+  private frameOf(size: Size): Frame {
+    const { state, units } = this.lab;
+    return new Frame(size, state.view.rate, units.theta_rate, state.problem.system);
   }
 
   private listen(): void {
@@ -154,6 +160,11 @@ export class PlanePane {
 
   motionChanged(): void {
     this.stale.top = true;
+    // The axis of the rates has the units that are shown.
+    if (this.unit !== this.lab.units.theta_rate) {
+      this.unit = this.lab.units.theta_rate;
+      this.stale.base = true;
+    }
   }
 
   viewChanged(): void {
@@ -223,7 +234,7 @@ export class PlanePane {
   /** The whole pane on another context, for export. */
   drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
     if (!this.curves) return;
-    const frame = new Frame({ width, height }, this.lab.state.view.rate);
+    const frame = this.frameOf({ width, height });
     const map = this.lab.state.view.map ? this.map.picture : null;
     drawPlane(c, frame, { curves: this.curves, map, mapSize: this.map.side, palette: this.palette });
     drawMotion(c, frame, this.lab.motion, this.lab.motion.at(this.lab.time), this.palette);

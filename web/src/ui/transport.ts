@@ -17,6 +17,7 @@ export class Transport {
   private readonly marks = byId('marks', HTMLDivElement);
   private readonly clockText = byId('now', HTMLOutputElement);
   private readonly speed = byId('speed', HTMLSelectElement);
+  private readonly slow = byId('slow', HTMLInputElement);
   private readonly loop = byId('loop', HTMLInputElement);
 
   constructor(
@@ -36,6 +37,7 @@ export class Transport {
       clock.toggle();
     });
     this.speed.addEventListener('change', () => lab.setView({ speed: Number(this.speed.value) }));
+    this.slow.addEventListener('change', () => lab.setView({ slow: this.slow.checked }));
     this.loop.addEventListener('change', () => lab.setView({ loop: this.loop.checked }));
   }
 
@@ -116,6 +118,7 @@ export class Transport {
   showView(): void {
     const { view } = this.lab.state;
     this.speed.value = String(view.speed);
+    this.slow.checked = view.slow;
     this.loop.checked = view.loop;
     const { playing } = this.clock;
     this.play.dataset.state = playing ? 'playing' : 'paused';

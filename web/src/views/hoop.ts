@@ -4,7 +4,7 @@
 import { type Ghost, type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
 import { MODE_DASHES, type Palette } from '../generated/palette';
-import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
+import { COLUMN_ROWS, type Mode, QUANTITY_ROWS } from '../generated/tables';
 import { arrow, label, type Size, setDash } from './canvas';
 import { FONT } from './font';
 
@@ -19,6 +19,16 @@ export interface HoopScene {
   /** The next landing as it was predicted before a drag, and as it is. */
   landing: { predicted: Ghost | null; exact: Sample | null } | null;
   palette: Palette;
+  /** What a radius is worth on the axis, and its unit; R without it. */
+  axis?: { radius: number; unit: string };
+  /** The weight of hoop and particle, m₂g, by which the arrows of forces are scaled, and how it is written. */
+  weight?: { force: number; text: string };
+  /** The coefficients of friction of the inset of the contact; without them there is none. */
+  contact?: { mu_s: number; mu_k: number } | null;
+  /** Whether letters stand at what is drawn. */
+  symbols?: boolean;
+  /** Another motion at the same instant, to compare with. */
+  pinned?: { sample: Sample } | null;
 }
 
 /** Pixels under the plane, for the scale and the slip velocity, and over the highest point. */
@@ -30,6 +40,16 @@ const SLIP = 40;
 
 /** Where no number stands at the right end of the plane, for its handle. */
 const END = 44;
+
+/** Radii that the arrow of the weight is long, whatever the motion, and that an arrow is long at most: a longer one is cut. */
+const WEIGHT = 0.4;
+const LONGEST = 2.3;
+
+/** Radii of the arrow of a slip velocity of √(gR). */
+const SPEED = 0.6;
+
+/** The inset of the contact, in pixels: the arrow of the weight in it, and the longest. */
+const CONTACT = { width: 118, height: 112, weight: 30, longest: 74 };
 
 /** Radii that are seen to the side at least. */
 const WIDE = 3.5;
@@ -60,15 +80,18 @@ export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopSce
   const { motion, sample, palette } = scene;
   c.font = `14px ${FONT}`;
   c.textBaseline = 'middle';
-  drawGround(c, size, camera, palette);
+  drawGround(c, size, camera, scene);
   if (!sample) {
     drawStill(c, camera, scene);
     return;
   }
+  drawPinned(c, camera, scene);
   drawTrails(c, motion.samples, sample.time, camera, palette);
   drawLanding(c, camera, scene);
   drawBody(c, camera, scene, sample);
   drawArrows(c, camera, scene, sample);
+  if (scene.weight) drawBar(c, size, camera, scene.weight.text, palette);
+  if (scene.contact) drawContact(c, scene, sample, scene.contact);
   if (scene.follow) drawInset(c, size, camera, scene);
 }
 
@@ -111,8 +134,9 @@ export function seen({ at, scale, sin, cos }: Camera, { width, height }: Size, e
   return [Math.max(across[0], Math.min(a, b)), Math.min(across[1], Math.max(a, b))];
 }
 
-function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, palette: Palette): void {
+function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, { palette, axis }: HoopScene): void {
   const [from, to] = seen(camera, size);
+  const { radius, unit } = axis ?? { radius: 1, unit: COLUMN_ROWS.x.units.dimensionless };
   c.setLineDash([]);
   c.strokeStyle = palette.ink.ink;
   c.lineWidth = 2;
@@ -125,14 +149,16 @@ function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, pal
   c.strokeStyle = palette.ink.soft;
   c.textAlign = 'center';
   c.lineWidth = 1;
-  for (const { value, label } of roundTicks(from, seen(camera, size, END)[1], 9)) {
-    const at = camera.at(value, 0);
+  const last = seen(camera, size, END)[1];
+  for (const { value, label } of roundTicks(radius * from, radius * last, Math.min(9, Math.max(3, size.width / 55)))) {
+    const at = camera.at(value / radius, 0);
     c.beginPath();
     c.moveTo(...at);
     c.lineTo(...camera.moved(at, 0, 6));
     c.stroke();
     c.fillText(label, ...camera.moved(at, 0, 17));
   }
+  c.fillText(unit, ...camera.moved(camera.at(last, 0), 16, 22));
   c.font = `14px ${FONT}`;
 }
 
@@ -269,7 +295,8 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
     x + ((px - x) / Math.max(1, Math.hypot(px - x, py - y))) * distance,
     y + ((py - y) / Math.max(1, Math.hypot(px - x, py - y))) * distance,
   ];
-  const [lx, ly] = outward(Math.hypot(px - x, py - y) - 22);
+  const [lx, ly] = outward(Math.hypot(px - x, py - y) - Math.max(7, 0.085 * camera.scale) - 15);
+  if (scene.symbols === false) return;
   if (offset > 0.35) label(c, QUANTITY_ROWS.particle_mass_kg.sign, lx, ly, palette.ink.ink, palette.ink.paper);
   const [cx, cy] = offset > 0 ? outward(-16) : [x - 13, y - 10];
   label(c, 'C', cx, cy, palette.ink.ink, palette.ink.paper);
@@ -298,7 +325,7 @@ function massCentre(c: CanvasRenderingContext2D, x: number, y: number, palette: 
 }
 
 function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene, sample: Sample): void {
-  const { palette, motion } = scene;
+  const { palette } = scene;
   const foot = camera.at(sample.x, 0);
   /** An arrow along the plane and out of it. */
   const draw = (from: Place, along: number, out: number, colour: string): void => {
@@ -312,34 +339,168 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
     c.arc(...foot, 4.5, 0, 2 * Math.PI);
     c.fill();
   }
-  let strongest = 1;
-  for (const normal of motion.samples.normal) if (Number.isFinite(normal)) strongest = Math.max(strongest, normal);
-  const unit = (1.25 * camera.scale) / strongest;
-  const normal = sample.normal * unit;
-  const friction = sample.friction * unit;
-  draw(foot, 0, normal, palette.arrow.normal_force);
-  if (normal >= 12) {
+  const isNamed = scene.symbols !== false;
+  const unit = (WEIGHT * camera.scale) / (scene.weight?.force ?? 1);
+  /** An arrow that is cut where it would leave the view: two strokes across it say so. */
+  const force = (from: Place, along: number, out: number, colour: string): Place => {
+    const length = Math.hypot(along, out);
+    const part = Math.min(1, (LONGEST * camera.scale) / length);
+    draw(from, along * part, out * part, colour);
+    if (part < 1) cut(c, camera.moved(from, 0.8 * along * part, -0.8 * out * part), camera, along, palette.ink.paper);
+    return [along * part, out * part];
+  };
+  const [mx, my] = camera.at(sample.mass_centre_x, sample.mass_centre_y);
+  if (scene.weight) {
+    // The view is level: the weight points down whatever the slope.
+    arrow(c, mx, my, 0, WEIGHT * camera.scale, palette.ink.soft);
+    c.font = `13px ${FONT}`;
     c.textAlign = 'left';
-    const [x, y] = camera.moved(foot, 8, -normal);
+    if (isNamed && camera.scale > 45) label(c, 'weight', mx + 7, my + 0.8 * WEIGHT * camera.scale, palette.ink.soft, palette.ink.paper);
+    c.font = `italic bold 15px ${FONT}`;
+  }
+  const normal = Number.isFinite(sample.normal) ? sample.normal * unit : 0;
+  const friction = Number.isFinite(sample.friction) ? sample.friction * unit : 0;
+  const [, up] = force(foot, 0, normal, palette.arrow.normal_force);
+  if (isNamed && up >= 12) {
+    c.textAlign = 'left';
+    const [x, y] = camera.moved(foot, 8, -up);
     label(c, SIGN.normal, x, y + 4, palette.arrow.normal_force, palette.ink.paper);
   }
-  draw(foot, friction, 0, palette.arrow.friction_force);
-  if (Math.abs(friction) >= 12) {
+  const [along] = force(foot, friction, 0, palette.arrow.friction_force);
+  if (isNamed && Math.abs(along) >= 12) {
     c.textAlign = 'center';
-    const at = camera.moved(foot, friction + Math.sign(friction) * 10, -12);
+    const at = camera.moved(foot, along + Math.sign(along) * 10, -12);
     label(c, SIGN.friction, ...at, palette.arrow.friction_force, palette.ink.paper);
   }
   if (sample.slip !== 0 && Number.isFinite(sample.slip)) {
-    let fastest = 1;
-    for (const slip of motion.samples.slip) if (Number.isFinite(slip)) fastest = Math.max(fastest, Math.abs(slip));
     const below = camera.moved(foot, 0, SLIP);
-    const length = (sample.slip / fastest) * 1.2 * camera.scale;
-    draw(below, length, 0, palette.arrow.slip);
+    const [length] = force(below, sample.slip * SPEED * camera.scale, 0, palette.arrow.slip);
     c.textAlign = 'center';
-    if (Math.abs(length) >= 8) {
+    if (isNamed && Math.abs(length) >= 8) {
       label(c, SIGN.slip, ...camera.moved(below, length + Math.sign(length) * 14, 0), palette.arrow.slip, palette.ink.paper);
     }
   }
+}
+
+/** Two strokes across an arrow that is longer than it is drawn. */
+function cut(c: CanvasRenderingContext2D, [x, y]: Place, { moved }: Camera, along: number, paper: string): void {
+  c.strokeStyle = paper;
+  c.lineWidth = 2;
+  for (const by of [-3, 3]) {
+    const at: Place = along === 0 ? moved([x, y], 0, by) : moved([x, y], by, 0);
+    c.beginPath();
+    c.moveTo(...(along === 0 ? moved(at, -5, 2) : moved(at, -2, -5)));
+    c.lineTo(...(along === 0 ? moved(at, 5, -2) : moved(at, 2, 5)));
+    c.stroke();
+  }
+}
+
+/** What the arrows of forces are worth. */
+function drawBar(c: CanvasRenderingContext2D, { height }: Size, { scale }: Camera, text: string, palette: Palette): void {
+  const [x, y, length] = [6, height - 12, WEIGHT * scale];
+  c.strokeStyle = palette.ink.soft;
+  c.lineWidth = 2;
+  c.setLineDash([]);
+  c.beginPath();
+  c.moveTo(x, y - 4);
+  c.lineTo(x, y + 4);
+  c.moveTo(x, y);
+  c.lineTo(x + length, y);
+  c.moveTo(x + length, y - 4);
+  c.lineTo(x + length, y + 4);
+  c.stroke();
+  c.font = `12px ${FONT}`;
+  c.textAlign = 'left';
+  label(c, text, x + length + 8, y, palette.ink.soft, palette.ink.paper);
+}
+
+/** The contact by itself: the force of the ground, and the wedge in which friction can hold it. */
+function drawContact(c: CanvasRenderingContext2D, scene: HoopScene, sample: Sample, { mu_s, mu_k }: { mu_s: number; mu_k: number }): void {
+  const { palette } = scene;
+  const { width, height, weight, longest } = CONTACT;
+  const top = scene.landing === null ? 1 : INSET.top;
+  const [x, ground] = [1 + width / 2, top + height - 10];
+  const mode = modeOf(sample.mode);
+  c.save();
+  c.beginPath();
+  c.rect(1, top, width, height);
+  c.fillStyle = palette.ink.paper;
+  c.strokeStyle = palette.ink.line;
+  c.lineWidth = 1;
+  c.setLineDash([]);
+  c.fill();
+  c.stroke();
+  c.clip();
+  // The sides of the wedge leave the inset.
+  const far = 2 * height;
+  c.fillStyle = palette.region;
+  c.beginPath();
+  c.moveTo(x, ground);
+  c.lineTo(x - mu_s * far, ground - far);
+  c.lineTo(x + mu_s * far, ground - far);
+  c.closePath();
+  c.fill();
+  c.strokeStyle = palette.curve.slip_limit;
+  c.lineWidth = 1.5;
+  for (const [mu, dash] of [
+    [mu_s, []],
+    [mu_k, [4, 3]],
+  ] as const) {
+    c.setLineDash([...dash]);
+    c.beginPath();
+    c.moveTo(x - mu * far, ground - far);
+    c.lineTo(x, ground);
+    c.lineTo(x + mu * far, ground - far);
+    c.stroke();
+  }
+  c.setLineDash([]);
+  c.strokeStyle = palette.ink.ink;
+  c.lineWidth = 2;
+  c.beginPath();
+  c.moveTo(0, ground);
+  c.lineTo(width + 2, ground);
+  c.stroke();
+  const isTouching = sample.gap === 0 && Number.isFinite(sample.normal) && Number.isFinite(sample.friction);
+  if (isTouching) {
+    const unit = weight / (scene.weight?.force ?? 1);
+    const [along, up] = [sample.friction * unit, sample.normal * unit];
+    const part = Math.min(1, longest / Math.hypot(along, up));
+    arrow(c, x, ground, part * along, -part * up, palette.ink.ink);
+    if (part < 1) cut(c, [x + 0.8 * part * along, ground - 0.8 * part * up], UPRIGHT, 0, palette.ink.paper);
+  }
+  c.font = `12px ${FONT}`;
+  c.textAlign = 'center';
+  const force = Math.hypot(sample.normal, sample.friction);
+  label(c, sample.gap > 0 ? 'no contact' : force > 0 ? HOLD[mode] : 'no force', x, top + 11, palette.ink.ink, palette.ink.paper);
+  c.restore();
+}
+
+/** What friction does at the contact. */
+const HOLD: Readonly<Record<Mode, string>> = {
+  rolling: 'the grip holds',
+  sliding: 'the rim slips',
+  gliding: 'no force',
+  flight: 'no contact',
+};
+
+/** The inset's own view: level, whatever the plane is. */
+const UPRIGHT: Camera = { scale: 1, sin: 0, cos: 1, at: (x, y) => [x, -y], moved: ([x, y], along, into) => [x + along, y + into] };
+
+/** The motion that is pinned, at the same instant. */
+function drawPinned(c: CanvasRenderingContext2D, camera: Camera, { pinned, palette }: HoopScene): void {
+  if (!pinned) return;
+  const { sample } = pinned;
+  c.strokeStyle = palette.accent.teal;
+  c.fillStyle = palette.accent.teal;
+  c.lineWidth = 3;
+  c.setLineDash([8, 5]);
+  c.beginPath();
+  c.arc(...camera.at(sample.x, sample.centre_y), camera.scale - 1.5, 0, 2 * Math.PI);
+  c.stroke();
+  c.setLineDash([]);
+  c.beginPath();
+  c.arc(...camera.at(sample.particle_x, sample.particle_y), Math.max(6, 0.07 * camera.scale), 0, 2 * Math.PI);
+  c.fill();
 }
 
 /** Nothing moves: the start as it stands. */

@@ -4,7 +4,7 @@ import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { angularTicks, roundTicks } from '../core/ticks';
 import { Plane, type Problem } from '../core/wasm';
 import { CURVE_ROWS, type Curve, MODE_DASHES, type Palette } from '../generated/palette';
-import { COLUMN_ROWS } from '../generated/tables';
+import { COLUMN_ROWS, type System } from '../generated/tables';
 import { label, type Size, setDash } from './canvas';
 import { FONT } from './font';
 
@@ -22,6 +22,9 @@ export class Frame {
   constructor(
     readonly size: Size,
     readonly rate: number,
+    /** What a rate of 1 is worth on the axis, and in which system of units. */
+    readonly unit = 1,
+    readonly system: System = 'dimensionless',
   ) {}
 
   get width(): number {
@@ -222,15 +225,19 @@ function axes(c: CanvasRenderingContext2D, frame: Frame, palette: Palette): void
   }
   c.textAlign = 'right';
   c.textBaseline = 'middle';
-  for (const { value, label } of roundTicks(-frame.rate, frame.rate, Math.max(4, Math.floor(frame.height / 45)))) {
-    const y = frame.y(value);
+  const most = frame.rate * frame.unit;
+  for (const { value, label } of roundTicks(-most, most, Math.max(4, Math.floor(frame.height / 45)))) {
+    const y = frame.y(value / frame.unit);
     segment(c, left - 5, y, left, y);
     c.fillText(label, left - 8, y);
   }
   c.font = `italic 15px ${FONT}`;
   c.textAlign = 'center';
-  c.fillText(COLUMN_ROWS.theta.signs.dimensionless, 0.5 * (left + right) + 0.1 * frame.width, bottom + 30);
-  c.fillText(COLUMN_ROWS.theta_rate.signs.dimensionless, 12, frame.y(0.12 * frame.rate) - 14);
+  const { theta, theta_rate: rate } = COLUMN_ROWS;
+  c.fillText(theta.signs[frame.system], 0.5 * (left + right) + 0.1 * frame.width, bottom + 30);
+  // Over the axis, where it has room for its unit.
+  c.textAlign = 'left';
+  label(c, `${rate.signs[frame.system]} [${rate.units[frame.system]}]`, left + 6, top + 12, palette.ink.ink, palette.ink.paper);
 }
 
 /** Where an angle is drawn: as it is, or by whole turns into the plane. */

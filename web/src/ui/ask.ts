@@ -1,0 +1,111 @@
+// The question over the hoop: of the simple view and of the lessons. A guess plays the motion; what it does is the answer.
+
+import { brief, byId, make } from '../dom';
+import { COLUMN_ROWS } from '../generated/tables';
+import type { Lab } from '../state/lab';
+import type { Clock } from './clock';
+import { filled, LESSON_NAMES, LESSONS, type LessonName, TEXTS } from './texts';
+
+export class Ask {
+  private readonly pane = byId('question', HTMLHeadingElement);
+  private readonly guesses = byId('guesses', HTMLDivElement);
+  private readonly answer = byId('answer', HTMLParagraphElement);
+  private readonly hop = byId('hop', HTMLParagraphElement);
+  private readonly choice = byId('lesson', HTMLSelectElement);
+  /** The lesson that is shown; none for the question of the simple view. */
+  lesson: LessonName | null = null;
+  private guess: number | null = null;
+
+  constructor(
+    private readonly lab: Lab,
+    private readonly clock: Clock,
+    open: (lesson: LessonName | null) => void,
+  ) {
+    this.choice.append(
+      make('option', { value: '' }, TEXTS.none),
+      ...LESSON_NAMES.map((name) => make('option', { value: name }, LESSONS[name].title)),
+    );
+    this.choice.addEventListener('change', () => open(LESSON_NAMES.find((it) => it === this.choice.value) ?? null));
+  }
+
+  /** Shows a lesson, or the question of the simple view. */
+  open(lesson: LessonName | null): void {
+    this.lesson = lesson;
+    this.guess = null;
+    this.choice.value = lesson ?? '';
+    document.documentElement.toggleAttribute('data-lesson', lesson !== null);
+    const { question, guesses } = lesson === null ? TEXTS.opening : LESSONS[lesson];
+    this.pane.textContent = question;
+    this.guesses.replaceChildren(
+      ...guesses.map((text, i) => {
+        const button = make('button', { type: 'button', 'aria-pressed': 'false' }, text);
+        button.addEventListener('click', () => this.take(i));
+        return button;
+      }),
+    );
+    this.showTime();
+  }
+
+  private take(guess: number): void {
+    this.guess = guess;
+    const { begin } = this.lab.motion;
+    if (this.answerTime > begin) {
+      this.lab.setTime(begin);
+      this.clock.play();
+    }
+    this.showTime();
+  }
+
+  /** Another motion is another question. */
+  showMotion(): void {
+    if (this.lesson === null) this.guess = null;
+    this.showTime();
+  }
+
+  /** When the motion has answered. */
+  private get answerTime(): number {
+    const { motion } = this.lab;
+    if (this.lesson === null) return motion.hop?.end ?? motion.end;
+    const { until } = LESSONS[this.lesson];
+    if (until === 'start') return motion.begin;
+    if (until === 'landing') return motion.hop?.end ?? motion.end;
+    const instant = Number(until);
+    return Math.min(Number.isNaN(instant) ? (motion.events.find(({ name }) => name === until)?.time ?? motion.end) : instant, motion.end);
+  }
+
+  showTime(): void {
+    const {
+      lab: { motion, time },
+      clock,
+      lesson,
+      guess,
+    } = this;
+    const isTold = time >= this.answerTime && (time > motion.begin || guess !== null);
+    this.answer.textContent = isTold ? this.verdict : clock.playing ? TEXTS.opening.watch : '';
+    this.answer.dataset.told = String(isTold);
+    for (const [i, button] of [...this.guesses.children].entries()) button.setAttribute('aria-pressed', String(i === guess));
+    const { hop } = motion;
+    // What leaves the plane is seen to do so.
+    const isUp = hop !== null && time >= hop.start && time < hop.end && (clock.playing || lesson !== null);
+    this.hop.hidden = !isUp;
+  }
+
+  private get verdict(): string {
+    const {
+      lab: {
+        motion: { hop },
+        units,
+        state: {
+          problem: { system },
+        },
+      },
+      lesson,
+      guess,
+    } = this;
+    const said = (right: number): string => (guess === null ? '' : guess === right ? TEXTS.right : TEXTS.wrong);
+    if (lesson !== null) return [said(LESSONS[lesson].right), LESSONS[lesson].answer].join(' ').trim();
+    const { hops, stays, again } = TEXTS.opening;
+    const found = hop === null ? stays : filled(hops, { height: `${brief(hop.height * units.gap, 2)} ${COLUMN_ROWS.gap.units[system]}` });
+    return [found, said(hop === null ? 1 : 0), again].filter((it) => it !== '').join(' ');
+  }
+}

@@ -1,0 +1,66 @@
+// How much of the page is shown: simple, for who meets the hoop for the first time, or full.
+
+import { byId } from '../dom';
+import type { Lab } from '../state/lab';
+import { HAS_ADDRESS, IS_ALONE } from './address';
+
+/** Where the browser keeps what was chosen last. */
+const KEY = 'littlewood-level';
+
+/** Screens on which the full view does not fit. */
+const SMALL = matchMedia('(max-width: 760px), (max-height: 500px)');
+
+type Shown = 'simple' | 'full';
+
+export class Level {
+  private readonly button = byId('level', HTMLButtonElement);
+
+  constructor(private readonly lab: Lab) {
+    this.button.addEventListener('click', () => {
+      const level: Shown = this.isSimple ? 'full' : 'simple';
+      remember(level);
+      lab.setView({ level });
+    });
+    SMALL.addEventListener('change', () => lab.setView({}));
+    this.showView();
+  }
+
+  /** Of a page that was opened without a link: a first visit begins simple, and says so in its link. */
+  first(): void {
+    if (HAS_ADDRESS && IS_ALONE && recall() === null) this.lab.setView({ level: 'simple' });
+  }
+
+  get isSimple(): boolean {
+    return this.shown === 'simple';
+  }
+
+  private get shown(): Shown {
+    const { level, embed } = this.lab.state.view;
+    if (embed) return 'full';
+    if (level !== 'auto') return level;
+    return recall() ?? (IS_ALONE && SMALL.matches ? 'simple' : 'full');
+  }
+
+  showView(): void {
+    document.documentElement.dataset.level = this.shown;
+    this.button.textContent = this.isSimple ? 'Full view' : 'Simple view';
+  }
+}
+
+function recall(): Shown | null {
+  try {
+    const level = localStorage.getItem(KEY);
+    return level === 'simple' || level === 'full' ? level : null;
+  } catch {
+    // A frame without an origin keeps nothing.
+    return null;
+  }
+}
+
+function remember(level: Shown): void {
+  try {
+    localStorage.setItem(KEY, level);
+  } catch {
+    // It is chosen anew at the next visit.
+  }
+}
