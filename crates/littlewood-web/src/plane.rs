@@ -74,6 +74,13 @@ impl Plane {
         self.law.energy(theta, theta_rate)
     }
 
+    /// Normal and friction force that rolling would need at a point (2.12), be it possible or not.
+    #[must_use]
+    pub fn forces(&self, theta: f64, theta_rate: f64) -> Vec<f64> {
+        let forces = self.law.forces(theta, theta_rate);
+        vec![forces.normal, forces.friction]
+    }
+
     /// Angles of the equilibria in (−π, π], each followed by 1 if it is stable, −1 if unstable, 0 if neutral.
     #[must_use]
     pub fn equilibria(&self) -> Vec<f64> {
@@ -89,5 +96,27 @@ impl Plane {
                 [equilibrium.theta, stability]
             })
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use littlewood::{Hoop, HoopParameters, Limits, Start};
+
+    use super::*;
+
+    /// (3.8) of the paper.
+    #[test]
+    fn the_forces_of_littlewoods_hoop_are_those_of_the_paper() {
+        let hoop = Hoop::new(HoopParameters::thin(0.0).with_friction(0.5, 0.4)).unwrap();
+        let problem = Problem { hoop, start: Start::default(), limits: Limits::default(), units: None };
+        let plane = Plane::new(&problem, -1.0, 3.0, 2.0);
+        for (theta, rate) in [(0.3_f64, 0.2_f64), (1.5, 0.9), (2.0, 1.4), (-0.7, -1.2)] {
+            let (cos, sin) = ((0.5 * theta).cos(), (0.5 * theta).sin());
+            let expected = [cos * cos * (1.0 - rate * rate), (rate * rate - 1.0) * cos * sin];
+            for (computed, expected) in plane.forces(theta, rate).into_iter().zip(expected) {
+                assert!((computed - expected).abs() < 1e-14, "{theta} {rate}: {computed} {expected}");
+            }
+        }
     }
 }
