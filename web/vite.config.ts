@@ -34,6 +34,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     reportCompressedSize: false,
+    rolldownOptions: { input: ['index.html', 'story.html', 'sheet.html'] },
   },
   worker: { format: 'es' },
   plugins: [offline()],

@@ -17,6 +17,7 @@ export async function startCore(module: WebAssembly.Module, panicked: (message: 
 export {
   boundary,
   cases,
+  classOf,
   MapSubject,
   Motion,
   OutcomeMap,

@@ -1,0 +1,85 @@
+// The story: its text, with the numbers that the library computes, and its live pictures.
+
+import '../generated/palette.css';
+import '../style/theme.css';
+import '../style/base.css';
+import '../style/story.css';
+import { coreModule } from '../core/module';
+import { namesAgree } from '../core/motion';
+import { startCore } from '../core/wasm';
+import { byId, make } from '../dom';
+import type { Theme } from '../state/state';
+import { isDark, onSystemTheme, paletteOf, setTheme } from '../ui/theme';
+import { addressOf } from './addresses';
+import type { Picture } from './kit';
+import { numbersOfText } from './numbers';
+import { pictureOf } from './pictures';
+import { type Filling, rich } from './rich';
+import { COMMON, type Part, SOURCES, STORY } from './text';
+
+let theme: Theme = 'auto';
+const main = byId('story', HTMLElement);
+
+try {
+  await startCore(await coreModule(), (message) => show(message));
+  if (!namesAgree()) throw new Error('page and core have different versions');
+  tell(numbersOfText());
+  document.documentElement.dataset.ready = 'true';
+} catch (error) {
+  show(String(error));
+}
+
+/** What happened where the pictures cannot be computed. */
+function show(message: string): void {
+  main.prepend(make('p', { class: 'defect', role: 'alert' }, COMMON.defect.replace('{reason}', message)));
+}
+
+function tell(numbers: Filling): void {
+  const paragraph = (text: string): HTMLParagraphElement => make('p', {}, ...rich(text, numbers, addressOf));
+  const pictures: Picture[] = [];
+  const section = ({ id, heading, body }: Part): HTMLElement => {
+    const parts = body.map((it) => {
+      if (typeof it === 'string') return paragraph(it);
+      if ('quote' in it) {
+        const source = make('footer', {}, ...rich(it.source, numbers, addressOf));
+        return make('blockquote', {}, paragraph(it.quote), source);
+      }
+      const picture = pictureOf(it.picture, COMMON, paletteOf(theme));
+      pictures.push(picture);
+      return picture.figure;
+    });
+    return make('section', { id, 'aria-labelledby': `${id}-heading` }, make('h2', { id: `${id}-heading` }, heading), ...parts);
+  };
+  const lede = make('div', { class: 'lede' }, ...STORY.lede.map(paragraph));
+  main.append(make('h1', {}, STORY.title), lede, ...STORY.parts.map(section));
+  const sources = Object.entries(SOURCES.list).map(([name, text]) =>
+    make('li', { id: `source-${name}` }, ...rich(text, numbers, addressOf)),
+  );
+  main.append(
+    make(
+      'section',
+      { 'aria-labelledby': 'sources' },
+      make('h2', { id: 'sources' }, SOURCES.heading),
+      make('ul', { class: 'sources' }, ...sources),
+    ),
+  );
+
+  const showTheme = (): void => {
+    setTheme(theme);
+    for (const picture of pictures) picture.setPalette(paletteOf(theme));
+  };
+  byId('theme', HTMLButtonElement).addEventListener('click', () => {
+    theme = isDark(theme) ? 'light' : 'dark';
+    showTheme();
+  });
+  onSystemTheme(showTheme);
+  // The text has come after the address: its place is found only now.
+  const place = location.hash.length > 1 ? document.getElementById(location.hash.slice(1)) : null;
+  place?.scrollIntoView();
+}
+
+if ('serviceWorker' in navigator && import.meta.env.PROD) {
+  void navigator.serviceWorker.register('./sw.js').catch(() => {
+    // Without it the page needs the network; that is all.
+  });
+}

@@ -1,0 +1,62 @@
+// A motion that changes with its controls, and is drawn as in the laboratory.
+
+import type { Motion, Sample } from '../../core/motion';
+import type { Palette } from '../../generated/palette';
+import type { Size } from '../../views/canvas';
+import { drawHoop } from '../../views/hoop';
+import { type Hoop, motionOf, type Run } from '../hoops';
+import type { Course } from '../kit';
+import { plain } from '../numbers';
+
+/** The time at which motions without end, or with a long one, are shown no further. */
+const LONG = 14;
+
+/** Time for a second of the screen: half of what it is for a hula hoop. */
+const SPEED = 2.2;
+
+export class Showing {
+  hoop!: Hoop;
+  run!: Run;
+  motion!: Motion;
+  h = 0;
+
+  /** `longest` is the time up to which the motion is shown. */
+  constructor(
+    hoop: Hoop,
+    run: Run = {},
+    private readonly longest = LONG,
+    private readonly speed = SPEED,
+  ) {
+    this.take(hoop, run);
+  }
+
+  take(hoop: Hoop, run: Run = {}): void {
+    if (this.motion !== undefined) this.motion.free();
+    this.hoop = hoop;
+    this.run = run;
+    let { motion, h } = motionOf(hoop, run);
+    if (motion.end - motion.begin > this.longest) {
+      // Its samples are then those of what is shown.
+      motion.free();
+      ({ motion, h } = motionOf(hoop, { ...run, until: this.longest }));
+    }
+    this.motion = motion;
+    this.h = h;
+  }
+
+  readonly course = (): Course => ({
+    from: this.motion.begin,
+    to: this.motion.end,
+    stops: this.motion.events.map(({ time }) => time),
+    speed: this.speed,
+  });
+
+  readonly timeText = (time: number): string => `${plain(time)} √(R/g)`;
+
+  draw(c: CanvasRenderingContext2D, size: Size, time: number, palette: Palette, follow = true): Sample | null {
+    const sample = this.motion.at(time);
+    const { offset, slope } = this.hoop;
+    drawHoop(c, size, { motion: this.motion, sample, offset, h: this.h, slope, follow, landing: null, palette });
+    return sample;
+  }
+}
