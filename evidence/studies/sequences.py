@@ -13,7 +13,7 @@ from littlewood.style import FAINT, INK, PAPER
 from matplotlib.figure import Figure
 
 from .axes import COLOURS, dressed
-from .boundaries import Boundary, boundaries, rate_of
+from .boundaries import boundaries, rate_of
 from .contact import Contact
 from .frictionless import degenerate_rates
 from .page import table
@@ -38,43 +38,9 @@ SMOOTH = 0.02
 
 
 @cache
-def family(count: int = SCAN, every: int = 1) -> Grid:
-    """Return the boundaries on all lines of all planes, or on every other of both."""
-    gammas, parts = GAMMAS[every - 1 :: every], PARTS[every - 1 :: every]
-    return Grid(gammas, parts, boundaries([(gamma, part) for gamma in gammas for part in parts], LEAST, MOST, count))
-
-
-def part_of(grid: Grid, every: int) -> list[Boundary]:
-    """Return the boundaries on every other line of every other plane."""
-    gammas, parts = grid.gammas[every - 1 :: every], grid.parts[every - 1 :: every]
-    return [one for one in grid.found if one.gamma in gammas and one.part in parts]
-
-
-def names(found: Iterable[Boundary]) -> set[str]:
-    """Return the sequences with stops on both sides of all boundaries."""
-    return {name for one in found for name in one.sides}
-
-
-def counts(found: Iterable[Boundary]) -> list[str]:
-    """Return the numbers of sequences with stops and of sequences, and the length of the longest."""
-    both = names(found)
-    words = {name.split()[0] for name in both}
-    return [str(len(both)), str(len(words)), str(max(map(len, words), default=0))]
-
-
-def scan_table() -> list[str]:
-    """Whether a finer scan finds more, of μ and of lines."""
-    rows = []
-    grid = family()
-    for planes, lines, count, found in (
-        (len(GAMMAS) // 2, len(PARTS) // 2, SCAN // 2, family(SCAN // 2, 2).found),
-        (len(GAMMAS) // 2, len(PARTS) // 2, SCAN, part_of(grid, 2)),
-        (len(GAMMAS), len(PARTS), SCAN, grid.found),
-    ):
-        rough = names(one for one in found if one.low > SMOOTH)
-        rows.append([str(planes), str(lines), str(count), str(len(found)), *counts(found), str(len(rough))])
-    heads = ["planes", "lines of each", "values of μ", "boundaries", "sequences with stops", "sequences", "longest"]
-    return table([*heads, f"with stops, μ > {SMOOTH:g}"], rows)
+def family() -> Grid:
+    """Return the boundaries on all lines of all planes."""
+    return Grid(GAMMAS, PARTS, boundaries([(gamma, part) for gamma in GAMMAS for part in PARTS], LEAST, MOST, SCAN))
 
 
 def kind_table() -> list[str]:
@@ -84,9 +50,8 @@ def kind_table() -> list[str]:
     rows = []
     for kind, count in number.most_common():
         one = next(one for one in found if one.kind == kind)
-        line = f"{one.gamma:g}, {one.rate:.5g}, {one.mu:.10g}"
-        rows.append([kind, str(count), f"`{one.below}`", f"`{one.above}`", line])
-    return table(["coincidence", "boundaries", "for example below", "and above", "γ, θ′, μ"], rows)
+        rows.append([kind, str(count), f"`{one.below}`, `{one.above}`"])
+    return table(["coincidence", "boundaries", "for example between"], rows)
 
 
 @dataclass(frozen=True)
@@ -138,6 +103,11 @@ def distance_to_degenerate(name: str) -> float:
     return max(min(abs(one.part - part) for part in degenerate_parts(one.gamma)) for one in found)
 
 
+def listed_text() -> str:
+    """How many sequences with stops the lines have."""
+    return str(len(extents()))
+
+
 def smooth_text() -> str:
     """How many sequences only a nearly smooth plane has."""
     return str(len(smooth_sequences()))
@@ -146,42 +116,6 @@ def smooth_text() -> str:
 def distance_text() -> str:
     """How far they are from the degenerate rates."""
     return f"{max(map(distance_to_degenerate, smooth_sequences())):.2f}"
-
-
-FRICTIONS = (0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 1e-3, 1e-4, 1e-5)
-"""Frictions of which each is taken by itself."""
-
-SWEPT = (0.2, 0.25, 0.3, 0.4, 0.5, 0.6)
-"""Values of γ for which the rates are swept."""
-
-
-def swept_parts(gamma: float) -> Floats:
-    """Return values of θ′√γ at the top, closer and closer to the degenerate ones."""
-    distances = np.geomspace(1e-6, 0.1, 40)
-    parts = [np.linspace(0.0, 1.0, 302)[1:-1]]
-    parts += [part + sign * distances for part in degenerate_parts(gamma) for sign in (-1.0, 1.0)]
-    every: Floats = np.concatenate(parts)
-    return every[(every > 0.0) & (every < 1.0)]
-
-
-@cache
-def swept(gamma: float, mu: float) -> Counter[str]:
-    """Return the sequences of one hoop with one friction, for all rates."""
-    parts = swept_parts(gamma)
-    gammas = np.full(len(parts), gamma)
-    return Counter(names_of(gammas, np.full(len(parts), mu), rate_of(gammas, parts)).tolist())
-
-
-def sweep_table() -> list[str]:
-    """How many sequences each friction has by itself, and the longest."""
-    rows = []
-    for mu in FRICTIONS:
-        cells = []
-        for gamma in SWEPT:
-            words = [name.split()[0] for name in swept(gamma, mu)]
-            cells.append(f"{len(words)}, {max(map(len, words))}")
-        rows.append([f"{mu:g}", *cells])
-    return table(["μ", *(f"γ = {gamma:g}" for gamma in SWEPT)], rows)
 
 
 DRAWN = 20_000
@@ -332,43 +266,6 @@ def slides_text() -> str:
     return f"{most} slides or {phases} phases"
 
 
-@dataclass(frozen=True)
-class Halfway:
-    """A plane between two planes, scanned afresh, and what the links between those say of it.
-
-    Parameters
-    ----------
-    links, met : int
-        Links, and those that meet a boundary of the scan with the same sequences.
-    boundaries : int
-        Boundaries of the scan.
-    """
-
-    links: int
-    met: int
-    boundaries: int
-
-
-@cache
-def halfway(gamma: float) -> Halfway:
-    """Scan the plane between one of the planes and the next."""
-    grid = family()
-    links = [one for one in grid.links if grid.found[one.start].gamma == gamma != grid.found[one.end].gamma]
-    found = boundaries([(links[0].gamma, part) for part in PARTS], LEAST, MOST, SCAN)
-    met = 0
-    for link in links:
-        sides = grid.found[link.start].sides
-        on_line = (one for one in found if one.sides == sides and math.isclose(one.part, link.part))
-        met += any(math.isclose(one.mu, link.mu, rel_tol=1e-4) for one in on_line)
-    return Halfway(len(links), met, len(found))
-
-
-def halfway_text() -> str:
-    """What a plane between two has."""
-    one = halfway(0.5)
-    return f"{one.met} of the {one.links} links that cross it, and {one.boundaries} boundaries in all"
-
-
 def listed() -> str:
     """Return the sequences of all searches as CSV, each with one start."""
     (gamma, mu, rate), _ = drawn()
@@ -439,12 +336,10 @@ def picture() -> Figure:
 STUDY = Study(
     name="sequences",
     texts={
+        "listed": listed_text,
         "kinds": kind_table,
-        "scan": scan_table,
-        "sweep": sweep_table,
         "smooth": smooth_text,
         "distance": distance_text,
-        "halfway": halfway_text,
         "drawn": drawn_text,
         "corner": corner_text,
         "above": corner_above_text,

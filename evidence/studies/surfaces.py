@@ -108,23 +108,6 @@ class Grid:
         found = zip(pairs, gamma, part, mu, strict=True)
         return [Link(i, j, float(a), float(b), float(c)) for (i, j), a, b, c in found if math.isfinite(c)]
 
-    @cached_property
-    def surfaces(self) -> list[list[int]]:
-        """Places of the boundaries of each surface, the largest first: what links join."""
-        root = list(range(len(self.found)))
-
-        def of(place: int) -> int:
-            while root[place] != place:
-                place = root[place]
-            return place
-
-        for link in self.links:
-            root[of(link.end)] = of(link.start)
-        joined = defaultdict(list)
-        for place in range(len(self.found)):
-            joined[of(place)].append(place)
-        return sorted(joined.values(), key=len, reverse=True)
-
     def curves(self, gamma: float) -> list[tuple[list[int], list[tuple[float, float]]]]:
         """Return the curves of a plane: places of boundaries and the points (part, μ) through them and halfway."""
         onwards = {link.start: link for link in self.links if self._in_plane(link, gamma)}

@@ -1,5 +1,5 @@
 //! The sequences of phases of the first turn, in the set-up of Theron and Maritz: from the top, rolling, μs = μk, over
-//! eccentricity, friction and angular velocity. `docs/atlas.md` has what it prints.
+//! eccentricity, friction and angular velocity. `docs/atlas.md` has its counts.
 //!
 //! ```sh
 //! cargo run --release -p littlewood-sweep --example theron_maritz -- 40 shift 1 0.02

@@ -27,9 +27,7 @@ from evidence.studies.sequences import (
     distance_to_degenerate,
     extents,
     family,
-    halfway,
     smooth_sequences,
-    swept,
 )
 from evidence.studies.study import load
 from evidence.studies.turns import first_turn, hoop_of, names_of
@@ -176,12 +174,6 @@ def test_turns_of_a_batch_of_rim_hoops_are_those_of_single_motions():
 # Surfaces.
 
 
-def test_a_plane_between_two_has_all_boundaries_that_their_links_say():
-    one = halfway(0.3)
-    assert one.met == one.links > 70
-    assert one.links > 0.6 * one.boundaries
-
-
 def test_lines_that_links_do_not_know_have_the_boundaries_of_the_surfaces():
     grid = family()
     random = np.random.default_rng(5)
@@ -198,13 +190,6 @@ def test_lines_that_links_do_not_know_have_the_boundaries_of_the_surfaces():
         sides = grid.found[link.start].sides
         near = [abs(math.log(one.mu / guess)) for one in found if (one.gamma, one.part) == line and one.sides == sides]
         assert min(near, default=math.inf) < 0.01
-
-
-def test_large_surfaces_have_one_coincidence():
-    grid = family()
-    for places in grid.surfaces[:20]:
-        kinds = [grid.found[place].kind for place in places]
-        assert max(map(kinds.count, set(kinds))) >= 0.95 * len(kinds)
 
 
 # The theorem.
@@ -462,14 +447,6 @@ def test_the_longest_sequences_are_where_the_degenerate_rates_are_close_together
         rates = degenerate_rates(Contact.of(hoop_of(0.0, gamma)))
         assert len(rates) == 3
         assert (max(rates) - min(rates)) * math.sqrt(gamma) < 0.1
-
-
-def test_the_number_of_sequences_falls_again_towards_no_friction():
-    for gamma in (0.25, 0.3):
-        few, many, rough = (len(swept(gamma, mu)) for mu in (1e-5, 0.01, 0.1))
-        assert many > 1.4 * few
-        assert many > 1.4 * rough
-        assert max(len(name.split()[0]) for name in swept(gamma, 1e-5)) == 7
 
 
 def test_a_hoop_that_glides_without_turning_loses_its_slip_with_friction_and_parts_from_its_neighbours():
