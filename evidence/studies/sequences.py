@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import math
 from collections import Counter, defaultdict
 from collections.abc import Iterable
@@ -17,9 +18,9 @@ from .boundaries import boundaries, rate_of
 from .contact import Contact
 from .frictionless import degenerate_rates
 from .page import table
-from .study import Study
+from .study import PAGES, Study
 from .surfaces import Grid
-from .turns import Floats, Turn, first_turn, hoop_of, names_of
+from .turns import Floats, Turn, first_turn, hoop_of, names_of, slides_of
 
 LEAST, MOST = 0.005, 2.0
 """Range of the friction."""
@@ -249,21 +250,34 @@ def rim_text() -> str:
     return Recapture.of(RIM).told
 
 
-def slides(name: str) -> int:
-    """Return the number of slides of a sequence."""
-    return sum(mark in "+-" for mark in name.split()[0])
-
-
 def most_slides() -> tuple[int, int]:
     """Return the largest number of slides of all starts of the searches, and their phases at most."""
     every = {*extents(), *drawn()[1], *Recapture.of(CORNER).found, *Recapture.of(RIM).found}
-    return max(map(slides, every)), max(len(name.split()[0]) for name in every)
+    return max(map(slides_of, every)), max(len(name.split()[0]) for name in every)
 
 
 def slides_text() -> str:
     """The largest numbers of slides and of phases."""
     most, phases = most_slides()
     return f"{most} slides or {phases} phases"
+
+
+def longest_rows() -> list[dict[str, str]]:
+    """Return the lines of the search for many slides."""
+    with (PAGES / "sequences" / "longest.csv").open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def longest_text() -> str:
+    """How many turns the search has, and how many of these the most slides."""
+    told = []
+    for family_of, hoops in (("shift", "of these hoops"), ("rim", "of thin hoops with the particle on the rim")):
+        rows = [row for row in longest_rows() if row["family"] == family_of]
+        counts = [sum(int(row[f"slides_{count}"]) for row in rows) for count in range(10)]
+        most = max(count for count, number in enumerate(counts) if number)
+        share = f"{counts[most] / 1e6:.1f} million with {most} slides and none with more"
+        told.append(f"{sum(counts) / 1e6:g} million turns {hoops}, {share}")
+    return "; ".join(told)
 
 
 def listed() -> str:
@@ -346,6 +360,7 @@ STUDY = Study(
         "unfound": unfound_text,
         "rim": rim_text,
         "most": slides_text,
+        "longest": longest_text,
     },
     pictures={"planes": picture},
     files={"list.csv": listed},

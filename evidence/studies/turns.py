@@ -135,6 +135,11 @@ def names_of(gamma: Floats, mu: Floats, rate: Floats, *, rim: bool = False) -> T
     return names
 
 
+def slides_of(name: str) -> int:
+    """Return the number of slides of a sequence."""
+    return sum(mark in "+-" for mark in name.split()[0])
+
+
 def _stops(
     words: Texts, state: xr.Dataset, rest: Floats, theta: Floats, time: Floats, swing: Floats
 ) -> tuple[Texts, npt.NDArray[np.bool_]]:

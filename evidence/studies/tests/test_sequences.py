@@ -12,6 +12,7 @@ from evidence.studies.boundaries import boundaries, rate_of
 from evidence.studies.contact import Contact
 from evidence.studies.frictionless import degenerate_rates, quadratic
 from evidence.studies.grazing import Margin
+from evidence.studies.longest_turns import search
 from evidence.studies.roots import zero
 from evidence.studies.sequences import (
     CORNER,
@@ -27,6 +28,7 @@ from evidence.studies.sequences import (
     distance_to_degenerate,
     extents,
     family,
+    longest_rows,
     smooth_sequences,
 )
 from evidence.studies.study import load
@@ -466,3 +468,13 @@ def test_a_hoop_that_glides_without_turning_loses_its_slip_with_friction_and_par
             ahead, behind = (slide(contact, mu, sigma, theta + one, 0.0)[0] for one in (step, -step))
             assert (ahead - behind) / (2.0 * step) == pytest.approx(squared, rel=1e-6, abs=1e-6)
             assert squared > 0.0
+
+
+@pytest.mark.parametrize("family_of", ["shift", "rim"])
+def test_the_search_moves_towards_many_slides_and_finds_no_more_than_the_table(family_of):
+    rows = [row for row in longest_rows() if row["family"] == family_of]
+    most = max(count for row in rows for count in range(10) if int(row[f"slides_{count}"]))
+    assert all(sum(int(row[f"slides_{count}"]) for count in range(10)) == int(row["turns"]) for row in rows)
+    counts = search(family_of, 9, 12_000)
+    assert counts[most] > sum(counts) / 5
+    assert not any(counts[most + 1 :])
