@@ -17,7 +17,6 @@ from .axes import COLOURS, dressed
 from .boundaries import boundaries, rate_of
 from .contact import Contact
 from .frictionless import degenerate_rates
-from .page import table
 from .study import PAGES, Study
 from .surfaces import Grid
 from .turns import Floats, Turn, first_turn, hoop_of, names_of, slides_of
@@ -34,9 +33,6 @@ PARTS = tuple((k + 0.5) / 32 for k in range(32))
 SCAN = 30
 """Values of the friction on a line, between which boundaries are looked for."""
 
-SMOOTH = 0.02
-"""Friction below which a plane is called nearly smooth."""
-
 
 @cache
 def family() -> Grid:
@@ -44,48 +40,25 @@ def family() -> Grid:
     return Grid(GAMMAS, PARTS, boundaries([(gamma, part) for gamma in GAMMAS for part in PARTS], LEAST, MOST, SCAN))
 
 
-def kind_table() -> list[str]:
+def kinds_text() -> str:
     """What coincides at the boundaries."""
-    found = family().found
-    number = Counter(one.kind for one in found)
-    rows = []
-    for kind, count in number.most_common():
-        one = next(one for one in found if one.kind == kind)
-        rows.append([kind, str(count), f"`{one.below}`, `{one.above}`"])
-    return table(["coincidence", "boundaries", "for example between"], rows)
-
-
-@dataclass(frozen=True)
-class Extent:
-    """Where a sequence occurs: the ranges of γ, of the part and of μ, and a start in its widest interval."""
-
-    gamma: tuple[float, float]
-    part: tuple[float, float]
-    mu: tuple[float, float]
-    start: tuple[float, float, float]
-
-    @classmethod
-    def of(cls, places: Iterable[tuple[float, float, float, float]]) -> Extent:
-        """Return that of intervals of μ, each with its γ and part."""
-        gamma, part, low, high = zip(*places, strict=True)
-        wide = max(range(len(low)), key=lambda k: high[k] / low[k])
-        start = gamma[wide], part[wide], math.sqrt(low[wide] * high[wide])
-        return cls((min(gamma), max(gamma)), (min(part), max(part)), (min(low), max(high)), start)
+    return ", ".join(f"{count} {kind}" for kind, count in Counter(one.kind for one in family().found).most_common())
 
 
 @cache
-def extents() -> dict[str, Extent]:
-    """Return where each sequence with its stop occurs, by the intervals of the lines."""
+def listed_starts() -> dict[str, tuple[float, float, float]]:
+    """Return γ, the part and the middle of the widest interval of μ of each sequence with its stop on the lines."""
     grid = family()
-    places: defaultdict[str, list[tuple[float, float, float, float]]] = defaultdict(list)
+    widest: dict[str, tuple[float, tuple[float, float, float]]] = {}
     for (gamma, part), line in grid.lines.items():
         found = [grid.found[place] for place in line]
         if not found:
             continue
         ends = [LEAST, *(one.mu for one in found), MOST]
         for name, low, high in zip([found[0].below, *(one.above for one in found)], ends, ends[1:], strict=False):
-            places[name].append((gamma, part, low, high))
-    return {name: Extent.of(one) for name, one in places.items()}
+            if high / low > widest.get(name, (0.0,))[0]:
+                widest[name] = high / low, (gamma, part, math.sqrt(low * high))
+    return {name: start for name, (_, start) in widest.items()}
 
 
 def degenerate_parts(gamma: float) -> list[float]:
@@ -93,30 +66,9 @@ def degenerate_parts(gamma: float) -> list[float]:
     return [one * math.sqrt(gamma) for one in degenerate_rates(Contact.of(hoop_of(0.0, gamma)))]
 
 
-def smooth_sequences() -> list[str]:
-    """Return the sequences that occur on nearly smooth planes only."""
-    return [name for name, one in extents().items() if one.mu[1] < SMOOTH]
-
-
-def distance_to_degenerate(name: str) -> float:
-    """Return the largest distance of θ′√γ, at boundaries of a sequence, from a degenerate rate."""
-    found = [one for one in family().found if name in one.sides]
-    return max(min(abs(one.part - part) for part in degenerate_parts(one.gamma)) for one in found)
-
-
 def listed_text() -> str:
     """How many sequences with stops the lines have."""
-    return str(len(extents()))
-
-
-def smooth_text() -> str:
-    """How many sequences only a nearly smooth plane has."""
-    return str(len(smooth_sequences()))
-
-
-def distance_text() -> str:
-    """How far they are from the degenerate rates."""
-    return f"{max(map(distance_to_degenerate, smooth_sequences())):.2f}"
+    return str(len(listed_starts()))
 
 
 DRAWN = 20_000
@@ -135,7 +87,7 @@ def drawn() -> tuple[tuple[Floats, Floats, Floats], Counter[str]]:
 def drawn_text() -> str:
     """How many random starts have a sequence that the list has not."""
     number = drawn()[1]
-    missing = {name: count for name, count in number.items() if name not in extents()}
+    missing = {name: count for name, count in number.items() if name not in listed_starts()}
     return f"{sum(missing.values())} of {DRAWN:,} starts, with {len(missing)} sequences"
 
 
@@ -184,20 +136,16 @@ class Recapture:
     ----------
     first, second : set of str
         Sequences that each has found.
-    above : set of str
-        Those of both with μ ≥ 0.005.
     """
 
     first: set[str]
     second: set[str]
-    above: set[str]
 
     @classmethod
     def of(cls, region: Region, known: Iterable[str] = ()) -> Recapture:
         """Search a region twice for sequences that are not known."""
         one, two = (searched(region, seed) for seed in (1, 2))
-        above = {name for found in (one, two) for name, start in found.items() if start[2] >= LEAST}
-        return cls(*(set(names) - set(known) for names in (one, two, above)))
+        return cls(set(one) - set(known), set(two) - set(known))
 
     @property
     def found(self) -> set[str]:
@@ -221,12 +169,7 @@ class Recapture:
 
 def corner_text() -> str:
     """What two searches find in the corner."""
-    return Recapture.of(CORNER, extents()).told
-
-
-def corner_above_text() -> str:
-    """How many of these are in the range of the lines."""
-    return str(len(Recapture.of(CORNER, extents()).above))
+    return Recapture.of(CORNER, listed_starts()).told
 
 
 UNFOUND = (0.249967916028383, 0.007794611384076971, 0.7063085869522819)
@@ -252,7 +195,7 @@ def rim_text() -> str:
 
 def most_slides() -> tuple[int, int]:
     """Return the largest number of slides of all starts of the searches, and their phases at most."""
-    every = {*extents(), *drawn()[1], *Recapture.of(CORNER).found, *Recapture.of(RIM).found}
+    every = {*listed_starts(), *drawn()[1], *Recapture.of(CORNER).found, *Recapture.of(RIM).found}
     return max(map(slides_of, every)), max(len(name.split()[0]) for name in every)
 
 
@@ -287,7 +230,7 @@ def listed() -> str:
     parts = (rate * np.sqrt(gamma)).tolist()
     rows: dict[tuple[str, str], tuple[str, tuple[float, float, float]]] = {}
     for family_of, source, starts in (
-        ("shift", "lines", {name: one.start for name, one in extents().items()}),
+        ("shift", "lines", listed_starts()),
         ("shift", "random", dict(zip(names_drawn, zip(gamma.tolist(), parts, mu.tolist(), strict=True), strict=True))),
         ("shift", "corner", {**searched(CORNER, 1), **searched(CORNER, 2)}),
         ("shift", "other", {unfound().name: (UNFOUND[0], UNFOUND[2], UNFOUND[1])}),
@@ -351,12 +294,9 @@ STUDY = Study(
     name="sequences",
     texts={
         "listed": listed_text,
-        "kinds": kind_table,
-        "smooth": smooth_text,
-        "distance": distance_text,
+        "kinds": kinds_text,
         "drawn": drawn_text,
         "corner": corner_text,
-        "above": corner_above_text,
         "unfound": unfound_text,
         "rim": rim_text,
         "most": slides_text,
