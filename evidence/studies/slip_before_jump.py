@@ -190,7 +190,7 @@ def slips() -> list[str]:
             apart = np.array([one.psi - one.unloaded for one in jumps]) / DEGREE
             cells = [f"{np.median(slip):.2g}", f"{slip.max():.2g}", f"{time.max() * FRAMES:.1f}"]
             rows.append([name, f"{degrees:g}", f"{len(jumps)}", *cells, f"{np.nanmax(np.abs(apart)):.1f}"])
-    heads = ["", "slope, °", "jump", "median, mm", "most, mm", "pictures", "off by, °"]
+    heads = ["", "slope, °", "jump", "median, mm", "most, mm", "frames", "off by, °"]
     return table(heads, rows)
 
 
