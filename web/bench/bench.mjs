@@ -15,6 +15,8 @@ import { PORT } from '../tests/port.mjs';
 const ADDRESS = `http://127.0.0.1:${PORT}/lab/`;
 const RUNS = 7;
 const FRAMES = 240;
+/** Seconds for which a slider moves. */
+const SLIDE = 3;
 
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 const at = (values, part) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
@@ -80,6 +82,39 @@ async function map(browser, hoop, last) {
   );
   await page.close();
   return levels;
+}
+
+/**
+ * Moves the slider of μs once a frame for a while: maps of 256 × 256 a second meanwhile, those of any level, and how long
+ * after the last movement the map of that hoop is there.
+ */
+async function slide(browser, hoop) {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  await page.goto(`${ADDRESS}#${hoop}`);
+  await page.waitForFunction(() => performance.getEntriesByName('map-16').length > 0);
+  const found = await page.evaluate(async (seconds) => {
+    const slider = document.querySelector('#slider-mu_s');
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    const marks = (name, from) => performance.getEntriesByName(name).filter((it) => it.startTime > from).length;
+    const first = Number(slider.value);
+    const begin = await frame();
+    let now = begin;
+    for (let k = 0; now < begin + 1000 * seconds; k++) {
+      slider.value = String(first + 0.01 + 0.2 * Math.abs(Math.sin(k / 40)));
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+      now = await frame();
+    }
+    const fine = marks('map-2', begin);
+    const any = ['map-16', 'map-8', 'map-4', 'map-2', 'map-1'].reduce((sum, name) => sum + marks(name, begin), 0);
+    slider.value = String(first + 0.123);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    const last = performance.now();
+    const isThere = () => ['2', '1', 'done'].includes(document.documentElement.dataset.map);
+    while (!isThere() && performance.now() < last + 30_000) await frame();
+    return { fine: fine / seconds, any: any / seconds, last: performance.now() - last };
+  }, SLIDE);
+  await page.close();
+  return found;
 }
 
 /** Drags the start along a circle for a number of frames: the times between frames. */
@@ -175,6 +210,8 @@ try {
   for (let run = 0; run < RUNS; run++) maps.push(await map(browser, 'case=figure-3', 'map-1'));
   const regimes = {};
   for (const [name, hoop] of Object.entries(REGIMES)) regimes[name] = await map(browser, hoop, 'map-2');
+  const slides = {};
+  for (const [name, hoop] of Object.entries({ 'Figure 2': 'case=figure-3', ...REGIMES })) slides[name] = await slide(browser, hoop);
   const { gaps, work } = await drag(browser);
   const plots = await plot(browser, 100_000);
   const ms = (value) => `${Math.round(value)} ms`;
@@ -198,6 +235,12 @@ ${Object.entries(regimes)
     ([name, levels]) =>
       `| outcome map, 256 × 256, ${name} | < 500 ms | ${levels['map-2'] === undefined ? '> 30 s' : ms(levels['map-2'])} |`,
   )
+  .join('\n')}
+
+| while μs moves | maps of 256 × 256 a second | of any level | the last after |
+|---|---|---|---|
+${Object.entries(slides)
+  .map(([name, { fine, any, last }]) => `| ${name} | ${fine.toFixed(1)} | ${any.toFixed(0)} | ${ms(last)} |`)
   .join('\n')}`);
 } finally {
   await browser.close();

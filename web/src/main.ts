@@ -15,11 +15,12 @@ import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { byId } from './dom';
 import { type Change, Lab } from './state/lab';
-import type { NamedCase, State, Theme } from './state/state';
+import { type NamedCase, numberOf, rateFor, type State, type Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
 import { Address, HAS_ADDRESS } from './ui/address';
 import { Ask } from './ui/ask';
 import { Clock } from './ui/clock';
+import { Compare } from './ui/compare';
 import { showDefect, watch } from './ui/defect';
 import { watchDrags } from './ui/drag';
 import { Embedding } from './ui/embedding';
@@ -77,13 +78,19 @@ function start(cases: NamedCase[]): void {
   const go = (time: number): void => {
     clock.pause();
     lab.setTime(time);
+    // What is shown of the instant may be out of view.
+    byId('hoop', HTMLCanvasElement).scrollIntoView({ block: 'nearest' });
   };
   const hoop = new HoopPane(lab, clock, palette, draw);
   const plane = new PlanePane(lab, palette, draw, showDefect);
-  const plots = new Plots(byId('plots', HTMLDivElement), palette, go);
+  const plots = new Plots(byId('plots', HTMLDivElement), palette, (time) => {
+    clock.pause();
+    lab.setTime(time);
+  });
   const fields = new Fields(byId('fields', HTMLDivElement), lab);
   const bar = new ProblemBar(lab, () => clock.pause());
   const words = new Words(lab);
+  const compare = new Compare(lab);
   const ask: Ask = new Ask(lab, clock, (lesson) => openLesson(lesson));
   const transport = new Transport(lab, clock);
   const story = new Story(lab);
@@ -109,7 +116,10 @@ function start(cases: NamedCase[]): void {
     frame = 0;
     hoop.paint();
     if (lab.state.view.embed) return;
-    if (stale.motion) plots.setMotion({ motion: lab.motion, units: lab.units, system: lab.state.problem.system });
+    if (stale.motion) {
+      const { motion, units, pinned, state } = lab;
+      plots.setMotion({ motion, units, system: state.problem.system, pinned: pinned?.motion ?? null });
+    }
     if (stale.motion || stale.time) plots.setTime(lab.time);
     stale.motion = false;
     stale.time = false;
@@ -137,6 +147,7 @@ function start(cases: NamedCase[]): void {
       story.showMotion();
       phases.showMotion();
       words.showMotion();
+      compare.showMotion();
       ask.showMotion();
       energy.showMotion();
       impact.showMotion();
@@ -183,7 +194,11 @@ function start(cases: NamedCase[]): void {
     const { lesson, rest } = lessonOf(fragment);
     const link = lesson !== null && rest === '' ? LESSONS[lesson].link : rest;
     const { state, fieldErrors } = parse(link, lab.state);
-    if (lesson !== ask.lesson) ask.open(lesson);
+    if (lesson !== ask.lesson) {
+      ask.open(lesson);
+      const pin = lesson === null ? undefined : LESSONS[lesson].pin;
+      lab.pin(pin === undefined ? null : parse(pin).state.problem);
+    }
     reading = true;
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
@@ -193,9 +208,14 @@ function start(cases: NamedCase[]): void {
   const openLesson = (lesson: LessonName | null): void => {
     clock.pause();
     ask.open(lesson);
-    if (lesson === null) return;
-    const { problem } = parse(LESSONS[lesson].link, lab.state).state;
-    lab.take(problem);
+    if (lesson === null) {
+      lab.pin(null);
+      return;
+    }
+    const { link, pin } = LESSONS[lesson];
+    const { problem } = parse(link, lab.state).state;
+    lab.take(problem, { rate: rateFor(false, numberOf(problem, 'theta_rate') ?? 0) });
+    lab.pin(pin === undefined ? null : parse(pin).state.problem);
     origin = problem;
   };
   byId('reset', HTMLButtonElement).addEventListener('click', () => {
@@ -216,6 +236,9 @@ function start(cases: NamedCase[]): void {
     // The part after # is the state, not a place on the page.
     event.preventDefault();
     byId('start-handle', HTMLButtonElement).focus();
+  });
+  window.addEventListener('beforeprint', () => {
+    byId('sheet-link', HTMLParagraphElement).textContent = address.text;
   });
   window.addEventListener('hashchange', () => {
     if (location.hash.slice(1) !== address.fragment) read(location.hash);

@@ -35,6 +35,9 @@ test('every control can be reached and used', async ({ page }) => {
     'material',
     'field-restitution',
     'field-gap_rate',
+    'level',
+    'reset',
+    'pin',
     'follow',
     'slope-handle',
     'map',
@@ -49,7 +52,7 @@ test('every control can be reached and used', async ({ page }) => {
     'loop',
   ];
   const reached = new Set<string>();
-  for (let i = 0; i < 80 && wanted.some((id) => !reached.has(id)); i++) {
+  for (let i = 0; i < 120 && wanted.some((id) => !reached.has(id)); i++) {
     await page.keyboard.press('Tab');
     reached.add(await page.evaluate(() => document.activeElement?.id ?? ''));
   }

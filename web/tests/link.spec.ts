@@ -27,7 +27,12 @@ test('a link shows the same motion', async ({ page, context }) => {
   await expect(other.locator('#loop')).toBeChecked();
   await expect(other.locator('#follow')).not.toBeChecked();
   await expect(other.locator('#speed')).toHaveValue('0.25');
+  // A field has room for seven digits; who wants to change it sees them all.
+  await expect(field(other, 'theta')).toHaveValue('1.234568');
+  await field(other, 'theta').focus();
   await expect(field(other, 'theta')).toHaveValue('1.234567890123456');
+  await field(other, 'mu_k').focus();
+  expect(await phases(other)).toEqual(shown.phases);
   expect(new URL(other.url()).hash).toBe(new URL(link).hash);
 });
 
@@ -118,15 +123,15 @@ test('a field takes a comma, and one of an angle degrees and parts of π', async
 });
 
 const BAD: [string, string, RegExp][] = [
-  ['mu_k=7', 'mu_k', /mu_k = 7 must not exceed mu_s = 0.5/],
+  ['mu_k=7', 'mu_k', /μₖ = 7 must not exceed μₛ = 0.5/],
   ['theta=nonsense', 'theta', /'nonsense' is not a number/],
-  ['offset=1.5', 'offset', /offset = 1.5 must not exceed 1/],
+  ['offset=1.5', 'offset', /ℓ\/R = 1.5 must not exceed 1/],
   ['theta_rate=1e9', 'theta_rate', /must lie between -1e6 and 1e6/],
   ['mass_ratio=-1', 'mass_ratio', /must not be negative/],
   ['theta=NaN', 'theta', /'NaN' is not a number/],
   ['mu_s=%', 'mu_s', /'%' is not a number/],
   ['mass_ratio=0&offset=0&inertia=0', 'offset', /no equation of motion/],
-  ['restitution=1.5', 'restitution', /restitution = 1.5 must not exceed 1/],
+  ['restitution=1.5', 'restitution', /e = 1.5 must not exceed 1/],
   ['restitution=NaN', 'restitution', /'NaN' is not a number/],
   ['restitution_law=newton', 'restitution', /restitution_law = newton without restitution/],
   ['mass_ratio=0&inertia=0&restitution=0.5', 'restitution', /massless/],
@@ -146,7 +151,9 @@ for (const [state, name, message] of BAD) {
 
 test('a link with keys or values that are not known says so', async ({ page }) => {
   await open(page, 'case=no-such-case&colour=red&at=soon');
-  await expect(page.locator('#case-message')).toHaveText("there is no case named 'no-such-case'");
+  // Once.
+  await expect(page.getByText("there is no case named 'no-such-case'")).toHaveCount(1);
+  await expect(page.locator('#case')).toHaveAttribute('aria-invalid', 'true');
   await expect(page.locator('#banner')).toContainText('colour=red');
   await expect(page.locator('#banner')).toContainText('at=soon');
   await expect(page.locator('#phases tr')).toHaveCount(4);
@@ -156,7 +163,7 @@ test('a bad number in a field leaves the last good motion and its address', asyn
   await open(page, 'case=figure-3');
   const before = await phases(page);
   for (const [text, message] of [
-    ['0.6', /must not exceed mu_s/],
+    ['0.6', /must not exceed μₛ/],
     ['', /missing/],
     ['0,4,', /not a number/],
     ['pi/2', /not a number/],
@@ -170,7 +177,7 @@ test('a bad number in a field leaves the last good motion and its address', asyn
   await expect(page.locator('#message-mu_k')).toBeEmpty();
   await page.locator('summary').click();
   await type(page, 'until', '-1');
-  await expect(page.locator('#message-until')).toHaveText(/until = -1/);
+  await expect(page.locator('#message-until')).toHaveText(/τ = -1/);
   await type(page, 'until', '1');
   expect((await phases(page)).at(-1)!.end).toBe('time limit');
 });

@@ -45,7 +45,7 @@ test('figure 7 has the times of its closed form', async ({ page }) => {
 });
 
 test('every named case is in the menu and shows its motion', async ({ page }) => {
-  await open(page);
+  await open(page, 'level=full');
   const names = await page.locator('#case option:not([value=""])').evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
   expect(names).toHaveLength(23);
   // What the titles of the cases say.

@@ -20,6 +20,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
       'case=jam&map=0',
       'case=ramp-jump&map=0',
       'mu_s=0.6&mu_k=0.3&restitution=0.6&map=0',
+      'level=simple',
+      'lesson=grip',
+      'case=figure-3&map=0&symbols=0',
     ]) {
       await open(page, state);
       await page.reload();
@@ -186,7 +189,7 @@ test('a core that does not load is no blank page', async ({ page }) => {
 test('the outcome map follows the hoop', async ({ page }) => {
   await open(page, 'case=figure-3');
   await expect(page.locator('html[data-map=done]')).toBeAttached();
-  await expect(page.locator('#legend li')).toHaveText(['rolls for ever', 'lifts off later', 'leaves at once'], { useInnerText: true });
+  await expect(page.locator('#legend li')).toHaveText(['leaves at once', 'lifts off later', 'rolls for ever'], { useInnerText: true });
   await page.locator('#massless').check();
   await expect(page.locator('#legend')).toContainText('particle at the plane');
   await page.locator('#map').uncheck();
@@ -195,7 +198,7 @@ test('the outcome map follows the hoop', async ({ page }) => {
 
 test('every quantity of the tables has a field with its unit, and every curve its place in the legend', async ({ page }) => {
   await open(page, 'case=figure-3');
-  await expect(page.locator('#curves li')).toHaveText([...CURVES.map((it) => CURVE_ROWS[it].label), '𝓡: can roll']);
+  await expect(page.locator('#curves li')).toHaveText([...CURVES.map((it) => CURVE_ROWS[it].label), '𝓡, hatched: it can roll here']);
   const shown = async (): Promise<string[][]> =>
     page
       .locator('#fields .row')

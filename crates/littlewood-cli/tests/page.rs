@@ -133,5 +133,5 @@ fn titles_say_what_is_new() {
 fn the_end_of_a_massless_hoop_says_why_there_is_no_impact() {
     let page = text(&["simulate", "figure-7"]);
     let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("there is no impact: an impulse would accelerate a rim"), "{page}");
+    assert!(words.contains("A rim without mass cannot be struck."), "{page}");
 }

@@ -19,8 +19,8 @@ fn figure_3_begins_with_too_little_friction() {
     let told: Vec<String> = (0..4).map(|i| sentence::transition(&motion, i, PLAIN).unwrap()).collect();
     for (text, begin) in told.iter().zip([
         "Sticks and rolls",
-        "Slips: rolling would need a friction coefficient above 0.5",
-        "Jumps",
+        "Slips: it needs more friction than the ground has (μₛ = 0.5).",
+        "Jumps. The ground no longer pushes (N = 0), and the mass centre still rises at ",
         "Lands",
     ]) {
         assert!(text.starts_with(begin), "{text}");
@@ -42,6 +42,43 @@ fn lengths_and_times_have_the_units_that_are_asked_for() {
     let si = sentence::outcome(&motion, Scale::new(Some(&units)));
     assert!(plain.contains(" R to the left after ") && plain.contains(" √(R/g) in the air"), "{plain}");
     assert!(si.contains(" m to the left after ") && si.contains(" s in the air"), "{si}");
+}
+
+#[test]
+fn what_a_start_says_is_what_the_equations_say_there() {
+    let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+    let first = |theta, rate| {
+        sentence::start(&hoop.simulate(Start::at(theta, rate), Limits::default()).unwrap(), PLAIN)
+    };
+    // At rest at the bottom F = 0. At θ = 0 it is left at once if h θ′² > 1, θ′ > √2.
+    assert_eq!(first(core::f64::consts::PI, 0.0), "Rolls: no friction is needed here.");
+    assert_eq!(
+        first(0.0, 1.5),
+        "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > 1."
+    );
+    let told = |name: &str| sentence::start(&find_case(name).unwrap().simulate().unwrap(), PLAIN);
+    assert_eq!(
+        told("sliding-band"),
+        "Slips: to roll, the ground would have to pull it down, and it can only push."
+    );
+    assert!(told("painleve").starts_with("Rigid bodies have no answer here (Painlevé's paradox): "));
+    let massless = find_case("figure-7").unwrap().simulate().unwrap();
+    assert_eq!(
+        sentence::outcome(&massless, PLAIN),
+        "The particle reaches the ground; the model ends here. A rim without mass cannot be struck."
+    );
+}
+
+#[test]
+fn a_slip_that_is_rounding_is_none() {
+    // Bounces that never slip: before each impact the contact point is at rest, up to rounding.
+    let motion = find_case("bounces-forever").unwrap().simulate().unwrap();
+    let impacts = motion.transitions().iter().filter(|event| event.impact.is_some()).count();
+    assert!(impacts > 10);
+    for index in 0..motion.transitions().len() {
+        let text = sentence::transition(&motion, index, PLAIN).unwrap();
+        assert!(!text.contains("slips"), "{index}: {text}");
+    }
 }
 
 #[test]

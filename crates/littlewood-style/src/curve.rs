@@ -76,6 +76,17 @@ impl Curve {
         }
     }
 
+    /// What it means to the hoop, in a sentence; none of those that the label explains.
+    #[must_use]
+    pub const fn meaning(self) -> Option<&'static str> {
+        match self {
+            Self::SlipLimit => Some("rolling uses up all friction: beyond it, it slips"),
+            Self::NormalForceZero => Some("a rolling hoop would no longer press on the ground"),
+            Self::LiftOff => Some("above it: it leaves the ground at once"),
+            Self::Separatrix | Self::ReverseChatter | Self::Level => None,
+        }
+    }
+
     /// What holds on it, as the label says.
     #[must_use]
     pub fn condition(self, slope: f64) -> &'static str {

@@ -114,13 +114,13 @@ impl OutcomeMap {
         }
     }
 
-    /// The classes of landings of a level: the least and the largest number of each, in turn.
+    /// The classes of the numbers of landings of a map: the least and the largest number of each, in turn.
     #[wasm_bindgen(js_name = hopClasses)]
     #[must_use]
-    pub fn hop_classes(&self, stride: usize) -> Vec<u8> {
+    pub fn hop_classes(codes: &[u8]) -> Vec<u8> {
         let mut frequencies = [0; 256];
-        for code in self.classes(stride) {
-            frequencies[usize::from(code)] += 1;
+        for code in codes {
+            frequencies[usize::from(*code)] += 1;
         }
         hops::classes(&frequencies).concat()
     }

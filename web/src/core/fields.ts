@@ -117,6 +117,15 @@ export function sayStart(theta: number, rate: number, unit: string): string {
   return `${place}, turning ${rate > 0 ? 'counterclockwise' : 'clockwise'} at ${brief(Math.abs(rate), 3)} ${unit}`;
 }
 
+/** A message of the core with the signs of quantities instead of the names that flags have. */
+export function inSigns(message: string): string {
+  return QUANTITIES.reduce(
+    // Names of one word are also words: they are names where a value follows.
+    (text, name) => text.replaceAll(new RegExp(`\\b${name}${name.includes('_') ? '\\b' : '(?= = )'}`, 'g'), QUANTITY_ROWS[name].sign),
+    message,
+  ).replaceAll('m2 R^2', 'm₂R²');
+}
+
 /** The label of a field: a limit of time has the symbol of the time. */
 export function labelOf(quantity: Quantity): string {
   const { group, sign } = QUANTITY_ROWS[quantity];

@@ -158,6 +158,12 @@ const COUNT = 400;
 const PER_PHASE = 40;
 const MOST = 8000;
 
+/** Thirds by which the highest point of a flight is found: to a part of 10⁷ of the time between two samples. */
+const SEARCH = 40;
+
+/** Events of one instant that are told. */
+const MOST_TOGETHER = 3;
+
 /** A part of the energy of the start that is less than this is rounding. */
 export const ROUNDING = 1e-12;
 
@@ -172,6 +178,8 @@ export class Motion {
   /** Until when the motion is shown. */
   readonly end: number;
   readonly samples: Samples;
+  /** Found when it is first asked for. */
+  private firstHop: [Hop | null] | null = null;
 
   private constructor(private readonly core: CoreMotion) {
     const document = JSON.parse(core.json()) as Document;
@@ -212,12 +220,26 @@ export class Motion {
 
   /** The first flight, as far as it is shown, and how high the rim gets in it; none of a motion that stays on the plane. */
   get hop(): Hop | null {
+    this.firstHop ??= [this.findHop()];
+    return this.firstHop[0];
+  }
+
+  private findHop(): Hop | null {
     const flight = this.phases.find(({ mode }) => mode === 'flight');
     if (flight === undefined) return null;
     const { start, end } = flight;
-    const { samples } = this;
-    const height = samples.time.reduce((most, time, i) => (time >= start && time <= end ? Math.max(most, samples.gap[i]!) : most), 0);
-    return { start, end: Math.min(end, this.end), height };
+    const { time, gap, length } = this.samples;
+    let highest = 0;
+    for (let i = 0; i < length; i++) if (time[i]! >= start && time[i]! <= end && gap[i]! > gap[highest]!) highest = i;
+    // Between the samples beside the highest one.
+    let [low, high] = [Math.max(start, time[highest - 1] ?? start), Math.min(end, time[highest + 1] ?? end)];
+    const at = (instant: number): number => this.at(instant)?.gap ?? 0;
+    for (let step = 0; step < SEARCH; step++) {
+      const third = (high - low) / 3;
+      if (at(low + third) < at(high - third)) low += third;
+      else high -= third;
+    }
+    return { start, end: Math.min(end, this.end), height: at(0.5 * (low + high)) };
   }
 
   /** Instants at which the rim leaves the plane. */
@@ -230,6 +252,13 @@ export class Motion {
     let last = this.events[0]!;
     for (const event of this.events) if (event.time <= time) last = event;
     return last;
+  }
+
+  /** What there is to say at a time: of the event that came last, and of those at the same instant before it. */
+  sentencesAt(time: number): string[] {
+    const last = this.eventAt(time);
+    const together = this.events.filter((event) => event.time === last.time && event.time <= time);
+    return [...new Set(together.slice(-MOST_TOGETHER).map(({ sentence }) => sentence))];
   }
 
   /** Where the energy of the start is at a time; none where nothing moves. */

@@ -238,16 +238,18 @@ export interface CurveRow extends LineRow {
   labelOnSlope: string;
   /** The letter of the paper. */
   letter: string | null;
+  /** What it means to the hoop. */
+  meaning: string | null;
 }
 
 /** The table of curves. */
 export const CURVE_ROWS = {
-  slip_limit: { label: 'f: |F| = μₛ N in rolling', labelOnSlope: 'f: |F| = μₛ N in rolling', letter: 'f', dash: [5.0, 2.5], width: 2.4 },
-  normal_force_zero: { label: 'n: N = 0 in rolling', labelOnSlope: 'n: N = 0 in rolling', letter: 'n', dash: [], width: 2.4 },
-  separatrix: { label: 'separatrix', labelOnSlope: 'separatrix', letter: null, dash: [], width: 1.6 },
-  lift_off: { label: 'lift-off: h cos θ θ′² = 1', labelOnSlope: 'lift-off: h cos θ θ′² = cos α', letter: null, dash: [2.5, 1.8], width: 1.6 },
-  chatter: { label: 'bounces grow out of rolling', labelOnSlope: 'bounces grow out of rolling', letter: null, dash: [1.0, 1.8], width: 1.6 },
-  level: { label: 'constant energy', labelOnSlope: 'constant energy', letter: null, dash: [], width: 0.8 },
+  slip_limit: { label: 'f: |F| = μₛ N in rolling', labelOnSlope: 'f: |F| = μₛ N in rolling', letter: 'f', meaning: 'rolling uses up all friction: beyond it, it slips', dash: [5.0, 2.5], width: 2.4 },
+  normal_force_zero: { label: 'n: N = 0 in rolling', labelOnSlope: 'n: N = 0 in rolling', letter: 'n', meaning: 'a rolling hoop would no longer press on the ground', dash: [], width: 2.4 },
+  separatrix: { label: 'separatrix', labelOnSlope: 'separatrix', letter: null, meaning: null, dash: [], width: 1.6 },
+  lift_off: { label: 'lift-off: h cos θ θ′² = 1', labelOnSlope: 'lift-off: h cos θ θ′² = cos α', letter: null, meaning: 'above it: it leaves the ground at once', dash: [2.5, 1.8], width: 1.6 },
+  chatter: { label: 'bounces grow out of rolling', labelOnSlope: 'bounces grow out of rolling', letter: null, meaning: null, dash: [1.0, 1.8], width: 1.6 },
+  level: { label: 'constant energy', labelOnSlope: 'constant energy', letter: null, meaning: null, dash: [], width: 0.8 },
 } as const satisfies Record<Curve, CurveRow>;
 
 /** The table of lines of the plane of impulses. */

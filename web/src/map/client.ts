@@ -1,10 +1,11 @@
-// The outcome map as a picture, refined by a worker while nothing else happens.
+// The outcome map as a picture, refined by workers while nothing else happens.
 
 import { coreModule } from '../core/module';
+import { OutcomeMap } from '../core/wasm';
 import type { Palette } from '../generated/palette';
 import { CLASSES, type Class } from '../generated/tables';
 import type { Shows } from '../state/state';
-import type { MapAnswer, MapQuestion, MapRequest } from './messages';
+import { type MapAnswer, type MapQuestion, type MapRequest, partOf } from './messages';
 import { spawn } from './spawn';
 
 /** Starts each way of the finest level. */
@@ -17,18 +18,36 @@ export interface HopClass {
   colour: number;
 }
 
-/** How long a hoop must stand before its map is computed, so that a slider that is dragged does not compute many. */
-const PAUSE = 40;
+/** Workers at most; one processor is left to the page. */
+const MOST = 16;
+const WORKERS = Math.min(Math.max(navigator.hardwareConcurrency - 1, 1), MOST);
+
+/**
+ * Milliseconds for which a newer hoop waits for the map of an older one to be as fine as it is while a slider moves. One worker is
+ * slower than a hand, and is interrupted sooner.
+ */
+const PATIENCE = WORKERS > 1 ? 100 : 40;
+
+/** The level that is fine enough. */
+const FINE = 2;
+
+type LevelAnswer = Extract<MapAnswer, { kind: 'level' }>;
 
 export class OutcomePicture {
   readonly picture = document.createElement('canvas');
   readonly side = SIDE;
-  /** The classes of outcomes in the picture, the most frequent first. */
+  /** The classes of outcomes in the picture, in the order of their table. */
   present: Class[] = [];
   /** The classes of landings in the picture, the fewest first. */
   hops: HopClass[] = [];
   /** Made when a map is first asked for. */
-  private worker: Worker | null = null;
+  private workers: Worker[] = [];
+  /** The levels of the map that is computed, until all workers have sent them. */
+  private levels = new Map<number, LevelAnswer[]>();
+  /** When the work on it began; none where it is fine enough. */
+  private begun: number | null = null;
+  /** What is asked for next. */
+  private wanted: Omit<MapRequest, 'side' | 'id' | 'part' | 'of'> | null = null;
   private classes: Uint8Array | null = null;
   private shows: Shows = 'outcome';
   private palette: Palette;
@@ -45,38 +64,73 @@ export class OutcomePicture {
     this.palette = palette;
   }
 
-  private start(): Worker {
-    const worker = spawn();
-    worker.onmessage = ({ data }: MessageEvent<MapAnswer>) => {
-      if (data.kind === 'failed') this.failed(data.message);
-      else if (data.kind === 'level' && data.id === this.id) {
-        this.classes = data.classes;
-        this.shows = data.shows;
-        this.hops = hopClassesOf(data.hopClasses, this.palette.hops.length);
-        this.paint();
-        // For the benchmark, which reads them from outside.
-        performance.mark(`map-${data.stride}`, { detail: data.milliseconds });
-        document.documentElement.dataset.map = data.last ? 'done' : String(data.stride);
-      }
-    };
-    worker.onerror = (event) => this.failed(event.message);
+  private start(): Worker[] {
+    const workers = Array.from({ length: WORKERS }, () => spawn());
+    for (const worker of workers) {
+      worker.onmessage = ({ data }: MessageEvent<MapAnswer>) => {
+        if (data.kind === 'failed') this.failed(data.message);
+        else if (data.kind === 'level' && data.id === this.id) this.take(data);
+      };
+      worker.onerror = (event) => this.failed(event.message);
+    }
     coreModule().then(
-      (module) => worker.postMessage({ kind: 'core', module } satisfies MapQuestion),
+      (module) => {
+        for (const worker of workers) worker.postMessage({ kind: 'core', module } satisfies MapQuestion);
+      },
       (error: unknown) => this.failed(String(error)),
     );
-    return worker;
+    return workers;
+  }
+
+  /** Takes a level of a worker, and shows it with those of the others. */
+  private take(answer: LevelAnswer): void {
+    const { stride, shows, isFolded, last } = answer;
+    const parts = [...(this.levels.get(stride) ?? []), answer];
+    this.levels.set(stride, parts);
+    if (parts.length < this.workers.length) return;
+    this.levels.delete(stride);
+    const classes = parts[0]!.classes;
+    for (let row = 0; row < SIDE && parts.length > 1; row++) {
+      const wanted = partOf(row, SIDE, isFolded, parts.length);
+      const from = parts.find(({ part }) => part === wanted)!.classes;
+      if (from !== classes) classes.set(from.subarray(row * SIDE, (row + 1) * SIDE), row * SIDE);
+    }
+    this.classes = classes;
+    this.shows = shows;
+    this.hops = shows === 'hops' ? hopClassesOf(OutcomeMap.hopClasses(classes), this.palette.hops.length) : [];
+    this.paint();
+    // For the benchmark, which reads them from outside.
+    performance.mark(`map-${stride}`, { detail: Math.max(...parts.map(({ milliseconds }) => milliseconds)) });
+    if (this.wanted === null) document.documentElement.dataset.map = last ? 'done' : String(stride);
+    if (stride > FINE) return;
+    this.begun = null;
+    this.send();
   }
 
   /** Asks for a map. The old one stays until the first level of the new one is there. */
-  ask(wanted: Omit<MapRequest, 'side' | 'id'>): void {
-    window.clearTimeout(this.timer);
+  ask(wanted: Omit<MapRequest, 'side' | 'id' | 'part' | 'of'>): void {
     document.documentElement.dataset.map = 'asked';
+    this.wanted = wanted;
+    window.clearTimeout(this.timer);
+    const wait = this.begun === null ? 0 : this.begun + PATIENCE - performance.now();
+    if (wait > 0) this.timer = window.setTimeout(() => this.send(), wait);
+    else this.send();
+  }
+
+  private send(): void {
+    const { wanted } = this;
+    if (wanted === null) return;
+    window.clearTimeout(this.timer);
+    this.wanted = null;
+    this.begun = performance.now();
+    this.levels.clear();
     this.id += 1;
-    const request: MapRequest = { ...wanted, side: SIDE, id: this.id };
-    this.timer = window.setTimeout(() => {
-      this.worker ??= this.start();
-      this.worker.postMessage({ kind: 'map', request } satisfies MapQuestion);
-    }, PAUSE);
+    if (this.workers.length === 0) this.workers = this.start();
+    const of = this.workers.length;
+    this.workers.forEach((worker, part) => {
+      const request: MapRequest = { ...wanted, side: SIDE, id: this.id, part, of };
+      worker.postMessage({ kind: 'map', request } satisfies MapQuestion);
+    });
   }
 
   setPalette(palette: Palette): void {
@@ -97,10 +151,7 @@ export class OutcomePicture {
       counts[it]! += 1;
     }
     context.putImageData(image, 0, 0);
-    const order = CLASSES.map((_, i) => i)
-      .filter((i) => counts[i]! > 0)
-      .sort((a, b) => counts[b]! - counts[a]!);
-    this.present = this.shows === 'outcome' ? order.map((i) => CLASSES[i]!) : [];
+    this.present = this.shows === 'outcome' ? CLASSES.filter((_, i) => counts[i]! > 0) : [];
     this.drawn();
   }
 

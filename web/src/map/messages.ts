@@ -10,8 +10,20 @@ export interface MapRequest {
   shows: Shows;
   rate: number;
   side: number;
+  /** Which of the blocks of rows the worker computes: every `of`-th from `part`. */
+  part: number;
+  of: number;
   /** Tells the answers to one request from those to an older one. */
   id: number;
+}
+
+/** Rows of a block, those of the coarsest level: a block is computed by one worker at every level. */
+export const BLOCK = 16;
+
+/** The worker that computes a row of a map. */
+export function partOf(row: number, side: number, isFolded: boolean, of: number): number {
+  const computed = isFolded && row >= side / 2 ? side - 1 - row : row;
+  return Math.floor(computed / BLOCK) % of;
 }
 
 export type MapQuestion = { kind: 'core'; module: WebAssembly.Module } | { kind: 'map'; request: MapRequest };
@@ -23,8 +35,9 @@ export type MapAnswer =
       id: number;
       shows: Shows;
       classes: Uint8Array;
-      hopClasses: Uint8Array;
-      side: number;
+      part: number;
+      /** Whether the lower half of the map is the upper one turned by half a turn. */
+      isFolded: boolean;
       stride: number;
       milliseconds: number;
       last: boolean;

@@ -2,11 +2,11 @@
 
 import { MapSubject, OutcomeMap, Problem, startCore } from '../core/wasm';
 import type { Shows } from '../state/state';
-import type { MapAnswer, MapQuestion, MapRequest } from './messages';
+import { BLOCK, type MapAnswer, type MapQuestion, type MapRequest, partOf } from './messages';
 
 const SUBJECT: Readonly<Record<Shows, MapSubject>> = { outcome: MapSubject.Outcome, hops: MapSubject.Hops };
 
-const STRIDES = [16, 8, 4, 2, 1];
+const STRIDES = [BLOCK, 8, 4, 2, 1];
 
 /** Milliseconds of work between two looks at the messages. */
 const SLICE = 12;
@@ -31,23 +31,27 @@ async function work(request: MapRequest): Promise<void> {
   const problem = Problem.dimensionless(request.numbers, request.restitution, request.law);
   const map = new OutcomeMap(problem, request.rate, request.side, SUBJECT[request.shows]);
   problem.free();
+  const { id, side, shows, part, of } = request;
+  const isFolded = map.rows(1) < side;
+  const isOurs =
+    (stride: number) =>
+    (row: number): boolean =>
+      partOf(row * stride, side, isFolded, of) === part;
   try {
     let spent = 0;
     for (const stride of STRIDES) {
-      const rows = map.rows(stride);
-      for (let row = 0; row < rows; ) {
+      const rows = Array.from({ length: map.rows(stride) }, (_, row) => row).filter(isOurs(stride));
+      for (let next = 0; next < rows.length; ) {
         const begin = performance.now();
-        do map.compute(stride, row, ++row);
-        while (row < rows && performance.now() - begin < SLICE);
+        do map.compute(stride, rows[next]!, rows[next++]! + 1);
+        while (next < rows.length && performance.now() - begin < SLICE);
         spent += performance.now() - begin;
         await yieldToMessages();
         if (latest !== request) return;
       }
       const classes = map.classes(stride);
       const last = stride === STRIDES[STRIDES.length - 1];
-      const { id, side, shows } = request;
-      const hopClasses = shows === 'hops' ? map.hopClasses(stride) : new Uint8Array();
-      answer({ kind: 'level', id, shows, classes, hopClasses, side, stride, milliseconds: spent, last }, [classes.buffer]);
+      answer({ kind: 'level', id, shows, classes, part, isFolded, stride, milliseconds: spent, last }, [classes.buffer]);
     }
   } finally {
     map.free();

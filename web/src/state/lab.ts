@@ -1,6 +1,6 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
-import { HULA_HOOP, inOrder, inSystem, LIMIT, quantityNamed, type Values, valuesOf } from '../core/fields';
+import { HULA_HOOP, inOrder, inSigns, inSystem, LIMIT, quantityNamed, type Values, valuesOf } from '../core/fields';
 import { type ColumnUnits, type Event, type Ghost, ghostOf, type ImpactEvent, Motion, unitsOf } from '../core/motion';
 import { type Prediction, Problem, Refusal } from '../core/wasm';
 import {
@@ -261,7 +261,7 @@ function fieldErrorOf(refusal: Refusal, problem: ProblemState): FieldError {
   const field = inSystem(problem.system, quantityNamed(refusal.quantity));
   const { message, hint } = refusal;
   refusal.free();
-  return { field, given: String(numberOf(problem, field) ?? ''), message: `${message}: ${hint}` };
+  return { field, given: String(numberOf(problem, field) ?? ''), message: inSigns(`${message}: ${hint}`) };
 }
 
 /** Whether two problems have the same curves and the same map: all is the same but angle, rate, place and time. */

@@ -31,11 +31,13 @@ export function painterOfPlots(lab: Lab, palette: Palette): Painter {
     motion,
     time,
     units,
+    pinned,
     state: {
       problem: { system },
     },
   } = lab;
-  return (c, width, height) => drawPlots(c, { width, height }, { motion, samples, palette, time, units, system });
+  return (c, width, height) =>
+    drawPlots(c, { width, height }, { motion, samples, palette, time, units, system, pinned: pinned?.motion ?? null });
 }
 
 /** A view as SVG: drawn by the code that draws it on the screen. */

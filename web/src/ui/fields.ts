@@ -35,6 +35,11 @@ function partOf(quantity: Quantity): (typeof PARTS)[number]['title'] {
   return quantity === 'restitution' ? 'Impact' : PART[QUANTITY_ROWS[quantity].group];
 }
 
+/** As many digits as a field has room for. */
+function short(value: number): string {
+  return String(Number(value.toPrecision(7)));
+}
+
 export class Fields {
   private rows: Row[] = [];
   private system: System | null = null;
@@ -60,7 +65,7 @@ export class Fields {
       if (fieldError) {
         if (document.activeElement !== row.input && fieldError.given !== '') row.input.value = fieldError.given;
       } else if (document.activeElement !== row.input || readField(row.quantity, row.input.value) !== value) {
-        row.input.value = value === null ? '' : String(value);
+        row.input.value = value === null ? '' : document.activeElement === row.input ? String(value) : short(value);
       }
       if (row.slider && value !== null) {
         row.slider.value = String(value);
@@ -111,7 +116,8 @@ export class Fields {
       spellcheck: 'false',
       'aria-describedby': `tip-${quantity} message-${quantity}`,
     });
-    const text = make('label', { for: `field-${quantity}` }, make('i', {}, label));
+    const words = make('span', { class: 'in-words' }, QUANTITY_ROWS[quantity].longName);
+    const text = make('label', { for: `field-${quantity}` }, make('i', {}, label), words);
     if (quantity === 'restitution') input.placeholder = 'off';
     const row = make('div', { class: 'row' }, text, input, make('span', { class: 'unit' }, QUANTITY_ROWS[quantity].unit));
     const range = sliderOf(quantity);
@@ -131,6 +137,12 @@ export class Fields {
     }
     row.append(tip, message);
     this.rows.push({ quantity, input, slider, message });
+    // The last digits are there for who wants to change them.
+    input.addEventListener('focus', () => {
+      const value = numberOf(this.lab.state.problem, quantity);
+      if (value !== null && input.getAttribute('aria-invalid') !== 'true') input.value = String(value);
+    });
+    input.addEventListener('blur', () => this.show());
     input.addEventListener('input', () => this.typed(quantity, input.value));
     input.addEventListener('change', () => this.typed(quantity, input.value));
     input.addEventListener('keydown', (event) => this.stepped(event, quantity, input));

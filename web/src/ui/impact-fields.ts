@@ -32,7 +32,7 @@ export class ImpactFields {
       ...MATERIALS.map(({ name, label }) => make('option', { value: name }, label)),
     );
     this.before = [
-      make('label', { class: 'switch' }, this.bounces, ' continues after a landing'),
+      make('label', { class: 'switch' }, this.bounces, ' Let it bounce (otherwise it stops at the landing)'),
       this.reason,
       make('div', { class: 'row choice' }, make('label', { for: 'material' }, 'Material'), this.material),
       this.source,

@@ -1,6 +1,6 @@
 // The impact that is shown: what happens in it, Routh's diagram, and its numbers.
 
-import { type ImpactEvent, type Routh, VELOCITIES } from '../core/motion';
+import { type ImpactEvent, ROUNDING, type Routh, VELOCITIES } from '../core/motion';
 import { brief, byId, line, make } from '../dom';
 import { IMPULSE_LINE_ROWS, type ImpulseLine, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, IMPULSE_UNITS } from '../generated/tables';
@@ -10,6 +10,11 @@ import { drawRouth } from '../views/routh';
 
 /** The lines of the legend. */
 const LINES = ['sticking', 'greatest_compression'] as const satisfies readonly ImpulseLine[];
+
+/** A part of a vector; one that is rounding beside the whole is none. */
+function seen(part: number, whole: number): number {
+  return Math.abs(part) < ROUNDING * whole ? 0 : part;
+}
 
 export class ImpactPane {
   private readonly pane = byId('impact', HTMLElement);
@@ -125,6 +130,8 @@ export class ImpactPane {
     }
     const { before, after, normal, friction, label } = shown.impact;
     const lost = motion.lostIn(shown.impact);
+    const fastest = Math.max(...VELOCITIES.flatMap((name) => [Math.abs(before[name]), Math.abs(after[name])]).filter(Number.isFinite));
+    const least = ROUNDING * fastest;
     const row = (name: string, sign: string, unit: string, ...values: number[]): HTMLElement =>
       make(
         'tr',
@@ -138,10 +145,15 @@ export class ImpactPane {
     this.rows.replaceChildren(
       make('tr', {}, make('th', { scope: 'row' }, 'course'), make('td', { colspan: '2' }, label)),
       ...VELOCITIES.map((name) =>
-        row(name, COLUMN_ROWS[name].signs[system], COLUMN_ROWS[name].units[system], before[name] * units[name], after[name] * units[name]),
+        row(
+          name,
+          COLUMN_ROWS[name].signs[system],
+          COLUMN_ROWS[name].units[system],
+          ...[before[name], after[name]].map((it) => (Math.abs(it) < least ? 0 : it * units[name])),
+        ),
       ),
-      row('normal_impulse', 'P', unit, normal * problem.impulseUnit),
-      row('friction_impulse', 'J', unit, friction * problem.impulseUnit),
+      row('normal_impulse', 'P', unit, seen(normal, Math.hypot(normal, friction)) * problem.impulseUnit),
+      row('friction_impulse', 'J', unit, seen(friction, Math.hypot(normal, friction)) * problem.impulseUnit),
       row('energy_lost', lost < 0 ? 'energy gained' : 'energy lost', COLUMN_ROWS.energy.units[system], Math.abs(lost) * units.energy),
     );
   }

@@ -14,6 +14,7 @@ type Shown = 'simple' | 'full';
 
 export class Level {
   private readonly button = byId('level', HTMLButtonElement);
+  private readonly symbols = byId('symbols', HTMLInputElement);
 
   constructor(private readonly lab: Lab) {
     this.button.addEventListener('click', () => {
@@ -21,6 +22,7 @@ export class Level {
       remember(level);
       lab.setView({ level });
     });
+    this.symbols.addEventListener('change', () => lab.setView({ symbols: this.symbols.checked }));
     SMALL.addEventListener('change', () => lab.setView({}));
     this.showView();
   }
@@ -38,11 +40,15 @@ export class Level {
     const { level, embed } = this.lab.state.view;
     if (embed) return 'full';
     if (level !== 'auto') return level;
-    return recall() ?? (IS_ALONE && SMALL.matches ? 'simple' : 'full');
+    const isLesson = document.documentElement.hasAttribute('data-lesson');
+    return recall() ?? (IS_ALONE && (SMALL.matches || isLesson) ? 'simple' : 'full');
   }
 
   showView(): void {
     document.documentElement.dataset.level = this.shown;
+    const { symbols } = this.lab.state.view;
+    document.documentElement.toggleAttribute('data-words', !symbols);
+    this.symbols.checked = symbols;
     this.button.textContent = this.isSimple ? 'Full view' : 'Simple view';
   }
 }

@@ -52,7 +52,9 @@ export class PhaseTable {
     const parts = cells.map((text, i) => {
       const cell = make('td', numbers.includes(i) ? { class: 'number' } : {});
       if (i === TIME && time !== null) {
-        cell.append(this.button(text, () => this.go(time), { 'data-time': String(time) }));
+        cell.append(
+          this.button(text, () => this.go(time), { 'data-time': String(time), 'aria-label': `${cells[MOTION] ?? ''} from ${text}` }),
+        );
       } else if (i === MOTION && folds !== null) {
         cell.append(this.button(text, () => this.unfold(), { title: 'Show all rows' }));
       } else {

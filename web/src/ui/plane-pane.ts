@@ -14,6 +14,9 @@ const SIGNS = { theta: COLUMN_ROWS.theta.signs.dimensionless, rate: COLUMN_ROWS.
 /** Names of the maps. */
 const SHOWN: Readonly<Record<Shows, string>> = { outcome: 'outcomes', hops: 'hops' };
 
+/** What is in contact as far as the map follows it may roll for ever. */
+const FOLLOWED = ' as far as it is followed';
+
 /** What an arrow key moves the start by; a tenth of it with Shift. */
 const KEY_STEP = 0.05;
 
@@ -28,6 +31,7 @@ export class PlanePane {
   private asked: Shows | null = null;
   private stale = { base: true, top: true };
   private unit = 1;
+  private symbols = true;
 
   constructor(
     private readonly lab: Lab,
@@ -120,7 +124,9 @@ export class PlanePane {
   private moveTo(theta: number, rate: number): void {
     const most = this.lab.state.view.rate;
     const within = (value: number, least: number, last: number): number => Math.min(Math.max(value, least), last);
-    this.lab.setPlain({ theta: within(theta, FROM, TO), theta_rate: within(rate, -most, most) });
+    // A pixel is coarser than the third decimal.
+    const rounded = (value: number): number => Number(value.toFixed(3));
+    this.lab.setPlain({ theta: within(rounded(theta), FROM, TO), theta_rate: within(rounded(rate), -most, most) });
   }
 
   private zoom(way: number): void {
@@ -138,8 +144,10 @@ export class PlanePane {
     } = this.lab;
     this.curves = curvesOf(problem, rate);
     this.showCurves();
-    const chatter = byId('curves', HTMLUListElement).querySelector<HTMLElement>('[data-curve="chatter"]');
-    if (chatter) chatter.hidden = this.curves.lines.chatter.every((points) => points.length === 0);
+    for (const entry of byId('curves', HTMLUListElement).querySelectorAll<HTMLElement>('[data-curve]')) {
+      const curve = CURVES.find((it) => it === entry.dataset.curve);
+      entry.hidden = curve === undefined ? this.curves.region.length === 0 : this.curves.lines[curve].every((it) => it.length === 0);
+    }
     this.asked = null;
     this.askMap();
     this.stale = { base: true, top: true };
@@ -177,6 +185,10 @@ export class PlanePane {
     byId('zoom-out', HTMLButtonElement).disabled = place >= RATES.length - 1;
     if (rateChanged) this.hoopChanged();
     else this.askMap();
+    if (this.symbols !== view.symbols) {
+      this.symbols = view.symbols;
+      this.stale.base = true;
+    }
     if (this.legend.hidden === view.map) {
       this.legend.hidden = !view.map;
       this.stale.base = true;
@@ -191,10 +203,16 @@ export class PlanePane {
 
   private showCurves(): void {
     const curves = CURVES.map((name) => {
-      const { label, labelOnSlope, dash, width } = CURVE_ROWS[name];
-      return make('li', { 'data-curve': name }, line(width, dash), this.lab.plain.slope === 0 ? label : labelOnSlope);
+      const { label, labelOnSlope, meaning, dash, width } = CURVE_ROWS[name];
+      const shown = this.lab.plain.slope === 0 ? label : labelOnSlope;
+      return make('li', { 'data-curve': name, ...(meaning === null ? {} : { title: meaning }) }, line(width, dash), shown);
     });
-    const region = make('li', {}, make('span', { class: 'swatch region', 'aria-hidden': 'true' }), '𝓡: can roll');
+    const region = make(
+      'li',
+      { 'data-curve': 'region' },
+      make('span', { class: 'swatch region', 'aria-hidden': 'true' }),
+      '𝓡, hatched: it can roll here',
+    );
     byId('curves', HTMLUListElement).replaceChildren(...curves, region);
   }
 
@@ -202,7 +220,10 @@ export class PlanePane {
     const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
     const computed = this.map.present.filter((name) => name !== 'not_computed');
     const hops = this.map.hops.map((it) => make('li', { 'data-hops': String(it.colour) }, swatch(), labelOfHops(it)));
-    this.legend.replaceChildren(...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...hops);
+    this.legend.replaceChildren(
+      ...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name], name === 'in_contact' ? FOLLOWED : '')),
+      ...hops,
+    );
     this.legend.setAttribute('aria-label', hops.length > 0 ? 'Colours of the map: number of landings' : 'Colours of the outcome map');
   }
 
@@ -211,8 +232,9 @@ export class PlanePane {
     if (!this.curves || this.base.size.width === 0) return;
     const { frame, palette } = this;
     if (this.stale.base) {
-      const map = this.lab.state.view.map ? this.map.picture : null;
-      drawPlane(this.base.clear(), frame, { curves: this.curves, map, mapSize: this.map.side, palette });
+      const { map: isMapped, symbols } = this.lab.state.view;
+      const map = isMapped ? this.map.picture : null;
+      drawPlane(this.base.clear(), frame, { curves: this.curves, map, mapSize: this.map.side, palette, symbols });
     }
     if (this.stale.top) {
       drawMotion(this.top.clear(), frame, this.lab.motion, this.lab.motion.at(this.lab.time), palette);
@@ -236,7 +258,7 @@ export class PlanePane {
     if (!this.curves) return;
     const frame = this.frameOf({ width, height });
     const map = this.lab.state.view.map ? this.map.picture : null;
-    drawPlane(c, frame, { curves: this.curves, map, mapSize: this.map.side, palette: this.palette });
+    drawPlane(c, frame, { curves: this.curves, map, mapSize: this.map.side, palette: this.palette, symbols: this.lab.state.view.symbols });
     drawMotion(c, frame, this.lab.motion, this.lab.motion.at(this.lab.time), this.palette);
     // On the screen the start is a button.
     const [theta, rate] = this.start;

@@ -2,7 +2,7 @@
 
 import { inSystem } from '../core/fields';
 import { byId, make } from '../dom';
-import type { Quantity } from '../generated/tables';
+import { DIMENSIONLESS, QUANTITY_ROWS, type Quantity } from '../generated/tables';
 import type { Given, Lab } from '../state/lab';
 
 import { numberOf, rateFor } from '../state/state';
@@ -15,11 +15,16 @@ export class ProblemBar {
   /** What a massless hoop has not, as it was before the hoop was made massless, in the units of that time. */
   private heavy: Given = {};
 
+  /** What is shown where no case is. */
+  private readonly own = make('option', { value: '', disabled: '' });
+  /** The case that was shown last, and its numbers. */
+  private last: { name: string; problem: Float64Array } | null = null;
+
   constructor(
     private readonly lab: Lab,
     before: () => void,
   ) {
-    this.cases.append(make('option', { value: '', disabled: '' }, 'custom hoop'));
+    this.cases.append(this.own);
     for (const named of lab.cases) {
       this.cases.append(make('option', { value: named.name }, `${named.name}: ${named.title}`));
     }
@@ -43,23 +48,31 @@ export class ProblemBar {
       Object.fromEntries(names.map((name) => [name, value(name)]));
     if (this.massless.checked) {
       this.heavy = { ...withValues((name) => numberOf(problem, name) ?? NaN), restitution: problem.restitution };
-      this.lab.set({ ...withValues(() => 0), restitution: null }, { rate: rateFor(true, 0) });
+      this.lab.set({ ...withValues(() => 0), restitution: null }, { rate: rateFor(true, this.lab.plain.theta_rate) });
     } else if (names.every((name) => name in this.heavy)) {
-      this.lab.set(this.heavy, { rate: rateFor(false, 0) });
+      this.lab.set(this.heavy, { rate: rateFor(false, this.lab.plain.theta_rate) });
     } else {
       // A thin hoop as heavy as its particle.
-      this.lab.setPlain({ mass_ratio: 1, inertia: 1 }, { rate: rateFor(false, 0) });
+      this.lab.setPlain({ mass_ratio: 1, inertia: 1 }, { rate: rateFor(false, this.lab.plain.theta_rate) });
     }
     // A refusal leaves things as they were.
     this.show();
   }
 
+  /** Whether the hoop is that of the last case, from another start. */
+  private get isAnotherStart(): boolean {
+    const { last, lab } = this;
+    const numbers = lab.problem.toDimensionless();
+    return last !== null && DIMENSIONLESS.every((name, i) => QUANTITY_ROWS[name].group !== 'hoop' || last.problem[i] === numbers[i]);
+  }
+
   show(): void {
     const { lab } = this;
     this.cases.value = lab.named ?? '';
-    const fieldError = lab.fieldErrors.find((it) => it.field === 'case');
-    byId('case-message', HTMLSpanElement).textContent = fieldError?.message ?? '';
-    this.cases.setAttribute('aria-invalid', String(fieldError !== undefined));
+    // A link alone names a case that there is not: the message stands over the page.
+    this.cases.setAttribute('aria-invalid', String(lab.fieldErrors.some((it) => it.field === 'case')));
+    if (lab.named !== null) this.last = { name: lab.named, problem: lab.problem.toDimensionless() };
+    this.own.textContent = this.isAnotherStart ? `${this.last?.name}, another start` : 'custom hoop';
     this.si.checked = lab.state.problem.system === 'si';
     this.massless.checked = lab.problem.isMassless;
     const named = lab.cases.find((it) => it.name === lab.named);

@@ -7,6 +7,8 @@ import type { Lab } from '../state/lab';
 export class Story {
   private readonly mode = byId('mode', HTMLSpanElement);
   private readonly sentence = byId('sentence', HTMLSpanElement);
+  private readonly numbers = byId('numbers', HTMLDetailsElement);
+  private readonly numberText = byId('number-text', HTMLParagraphElement);
   /** The event whose sentence is shown. */
   private shown: Event | null = null;
 
@@ -15,6 +17,14 @@ export class Story {
   showMotion(): void {
     this.shown = null;
     this.showTime();
+  }
+
+  /** Numbers that only explain are folded away. */
+  private say(text: string, hasNumbers: boolean): void {
+    const [, head, numbers] = hasNumbers ? (/^(.*?): (.*)$/.exec(text) ?? []) : [];
+    this.sentence.textContent = head === undefined ? text : `${head}.`;
+    this.numbers.hidden = numbers === undefined;
+    this.numberText.textContent = numbers ?? '';
   }
 
   showTime(): void {
@@ -27,6 +37,6 @@ export class Story {
     this.mode.textContent = mode === null ? 'no motion' : event.to === null ? `${mode}, ends` : mode;
     if (mode === null) delete this.mode.dataset.mode;
     else this.mode.dataset.mode = mode;
-    this.sentence.textContent = event.sentence;
+    this.say(motion.sentencesAt(time).join(' '), event.name === 'inconsistent' || event.name === 'ambiguous');
   }
 }

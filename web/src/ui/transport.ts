@@ -10,6 +10,12 @@ import type { Clock } from './clock';
 /** Energy over m2 g R that no mark tells from none. */
 const LEAST_LOSS = 1e-6;
 
+/** The part of the motion by which an arrow key moves the time; a tenth of it with Shift. */
+const KEY_STEP = 0.01;
+
+/** What does something itself where the space bar is pressed. */
+const TAKES_SPACE = 'button, a, input, select, textarea, summary, [contenteditable]';
+
 export class Transport {
   private readonly play = byId('play', HTMLButtonElement);
   private readonly range = byId('time', HTMLInputElement);
@@ -32,7 +38,19 @@ export class Transport {
     byId('last', HTMLButtonElement).addEventListener('click', () => this.go(lab.motion.end));
     this.range.addEventListener('input', () => this.go(this.timeOf(Number(this.range.value))));
     this.range.addEventListener('keydown', (event) => {
-      if (event.key !== ' ') return;
+      const step = (event.shiftKey ? KEY_STEP / 10 : KEY_STEP) * (lab.motion.end - lab.motion.begin);
+      const { key } = event;
+      if (key === 'ArrowLeft' || key === 'ArrowDown') this.go(lab.time - step);
+      else if (key === 'ArrowRight' || key === 'ArrowUp') this.go(lab.time + step);
+      else if (key === 'PageDown') this.step(-1);
+      else if (key === 'PageUp') this.step(1);
+      else return;
+      event.preventDefault();
+    });
+    document.addEventListener('keydown', (event) => {
+      const { target, key } = event;
+      // A button or a field that has the focus takes the key for itself.
+      if (key !== ' ' || (target instanceof Element && target.matches(TAKES_SPACE) && target !== this.range)) return;
       event.preventDefault();
       clock.toggle();
     });

@@ -117,6 +117,8 @@ export interface PlaneScene {
   map: CanvasImageSource | null;
   mapSize: number;
   palette: Palette;
+  /** Whether letters stand at the curves. */
+  symbols: boolean;
 }
 
 /** Everything that does not move. */
@@ -131,9 +133,7 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
     c.drawImage(map, 0, 0, mapSize, mapSize, left, top, turn, frame.height);
     c.drawImage(map, 0, 0, mapSize / 2, mapSize, left + turn, top, turn / 2, frame.height);
   }
-  c.fillStyle = palette.region;
-  trace(c, frame, curves.region);
-  c.fill();
+  hatchRegion(c, frame, curves.region, palette);
   for (const curve of UPWARDS) {
     setPen(c, curve, palette);
     for (const points of curves.lines[curve]) {
@@ -147,7 +147,7 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
       equilibrium(c, frame.x(curves.equilibria[i]! + turn), frame.y(0), curves.equilibria[i + 1]!, palette);
     }
   }
-  curveLabels(c, frame, curves, palette);
+  if (scene.symbols) curveLabels(c, frame, curves, palette);
   c.restore();
   axes(c, frame, palette);
 }
@@ -182,6 +182,29 @@ function segment(c: CanvasRenderingContext2D, x0: number, y0: number, x1: number
   c.moveTo(x0, y0);
   c.lineTo(x1, y1);
   c.stroke();
+}
+
+/** Pixels between the strokes of 𝓡. */
+const HATCH = 9;
+
+/** 𝓡 is hatched: a shade would change the colours of the map. */
+function hatchRegion(c: CanvasRenderingContext2D, frame: Frame, region: Float64Array, palette: Palette): void {
+  if (region.length === 0) return;
+  c.save();
+  trace(c, frame, region);
+  c.clip();
+  c.strokeStyle = palette.ink.soft;
+  c.globalAlpha = 0.35;
+  c.lineWidth = 1;
+  c.setLineDash([]);
+  const { width, height } = frame.size;
+  c.beginPath();
+  for (let x = -height; x < width; x += HATCH) {
+    c.moveTo(x, height);
+    c.lineTo(x + height, 0);
+  }
+  c.stroke();
+  c.restore();
 }
 
 function equilibrium(c: CanvasRenderingContext2D, x: number, y: number, stability: number, palette: Palette): void {

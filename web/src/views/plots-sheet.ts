@@ -7,7 +7,7 @@ import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS } from '../generated/tables';
 import { label, type Size } from './canvas';
 import { FONT } from './font';
-import { rangeOf, type Shown, SUBJECTS } from './plots';
+import { rangeOf, type Shown, SUBJECTS, valuesOfPinned } from './plots';
 
 const LEFT = 70;
 const RIGHT = 20;
@@ -29,8 +29,9 @@ export function drawPlots(c: CanvasRenderingContext2D, { width, height }: Size, 
   c.font = `13px ${FONT}`;
   SUBJECTS.forEach((subject, i) => {
     const top = TOP + i * (each + GAP);
-    const values = subject.values(samples, units);
-    const known = values.filter((it) => it !== null);
+    const values = subject.values(samples, units, motion);
+    const others = scene.pinned === null ? [] : valuesOfPinned(scene.pinned, subject, samples.time, units);
+    const known = [...values, ...others].filter((it) => it !== null);
     const [least, most] = rangeOf(
       known.reduce((a, b) => Math.min(a, b), Infinity),
       known.reduce((a, b) => Math.max(a, b), -Infinity),
@@ -47,20 +48,26 @@ export function drawPlots(c: CanvasRenderingContext2D, { width, height }: Size, 
     c.strokeStyle = palette.ink.soft;
     c.lineWidth = 1;
     c.strokeRect(LEFT, top, width - LEFT - RIGHT, each);
-    c.strokeStyle = palette.ink.ink;
     c.lineWidth = 2;
     c.lineJoin = 'round';
-    c.beginPath();
-    let open = false;
-    values.forEach((value, k) => {
-      if (value === null) open = false;
-      else {
-        if (open) c.lineTo(x(samples.time[k]!), y(value));
-        else c.moveTo(x(samples.time[k]!), y(value));
-        open = true;
-      }
-    });
-    c.stroke();
+    for (const [curve, colour, dash] of [
+      [others, palette.accent.teal, [6, 4]],
+      [values, palette.ink.ink, []],
+    ] as const) {
+      c.strokeStyle = colour;
+      c.setLineDash([...dash]);
+      c.beginPath();
+      let open = false;
+      curve.forEach((value, k) => {
+        if (value === null) open = false;
+        else {
+          if (open) c.lineTo(x(samples.time[k]!), y(value));
+          else c.moveTo(x(samples.time[k]!), y(value));
+          open = true;
+        }
+      });
+      c.stroke();
+    }
     c.strokeStyle = palette.accent.violet;
     c.lineWidth = 1.5;
     c.beginPath();

@@ -14,7 +14,7 @@ export interface Subject {
   signs: Readonly<Record<System, string>>;
   meaning: string;
   units: Readonly<Record<System, string>>;
-  values(samples: Samples, units: ColumnUnits): (number | null)[];
+  values(samples: Samples, units: ColumnUnits, motion: Motion): (number | null)[];
 }
 
 /** Pixels of an axis beside its numbers, and of one of their digits. */
@@ -26,6 +26,8 @@ export interface Shown {
   motion: Motion;
   units: ColumnUnits;
   system: System;
+  /** A motion to compare with. */
+  pinned: Motion | null;
 }
 
 function column(name: SampleColumn): Subject {
@@ -48,7 +50,22 @@ const demand: Subject = {
     }),
 };
 
-export const SUBJECTS: readonly Subject[] = [column('theta_rate'), column('slip'), column('normal'), demand, column('energy')];
+/** The energy from the zero of the bar that divides it: its least potential energy. */
+const energy: Subject = {
+  ...column('energy'),
+  values: (samples, units, motion) => {
+    const zero = (motion.energy ?? 0) - (motion.energy === null ? 0 : motion.samples.energy[0]!);
+    return Array.from(samples.energy, (value) => (Number.isFinite(value) ? (value + zero) * units.energy : null));
+  },
+};
+
+export const SUBJECTS: readonly Subject[] = [column('theta_rate'), column('slip'), column('normal'), demand, energy];
+
+/** What a subject of the pinned motion is at the times of another one; none after its end. */
+export function valuesOfPinned(pinned: Motion, subject: Subject, times: Float64Array, units: ColumnUnits): (number | null)[] {
+  const values = subject.values(pinned.samples, units, pinned);
+  return Array.from(times, (time) => (time > pinned.end ? null : interpolate(pinned.samples.time, values, time)));
+}
 
 interface Plot {
   subject: Subject;
@@ -126,12 +143,22 @@ export class Plots {
             spanGaps: false,
             pxAlign: 0,
           },
+          {
+            label: 'pinned',
+            width: 2,
+            dash: [6, 4],
+            stroke: () => this.palette.accent.teal,
+            points: { show: false },
+            spanGaps: false,
+            pxAlign: 0,
+          },
         ],
         hooks: { drawClear: [(chart) => this.bands(chart)] },
       },
       [
         [0, 1],
         [0, 0],
+        [null, null],
       ],
       box,
     );
@@ -185,12 +212,18 @@ export class Plots {
   setMotion(shown: Shown): void {
     this.shown = shown;
     const {
+      motion,
       motion: { samples },
+      pinned,
       units,
       system,
     } = shown;
     const time = Array.from(samples.time, (it) => it * units.time);
-    this.columns = this.plots.map(({ subject }) => [time, subject.values(samples, units)]);
+    this.columns = this.plots.map(({ subject }) => [
+      time,
+      subject.values(samples, units, motion),
+      pinned === null ? time.map(() => null) : valuesOfPinned(pinned, subject, samples.time, units),
+    ]);
     this.plots.forEach(({ chart, sign, unit, subject }, i) => {
       sign.textContent = subject.signs[system];
       unit.textContent = subject.units[system];
@@ -225,7 +258,7 @@ export function rangeOf(least: number | null, most: number | null): [number, num
   return [least - air, most + air];
 }
 
-function interpolate(times: number[], values: (number | null)[], time: number): number | null {
+function interpolate(times: ArrayLike<number>, values: (number | null)[], time: number): number | null {
   let [low, high] = [0, times.length - 1];
   if (high < 0) return null;
   while (high - low > 1) {

@@ -12,9 +12,18 @@ use crate::scale::Scale;
 /// Smaller parts of an energy are rounding.
 const ROUNDING: f64 = 1e-12;
 
+/// Rounding of the slip in a flight, beside θ′ and the rate of the gap: it is a sum of four terms, none of which is more than twice these,
+/// and each bounce passes on what those before it have left.
+const SLIP_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// A landing with an impact.
-pub(super) fn landing(hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale<'_>) -> String {
-    format!("Lands: {}.", whole(course(impact), hoop, event, impact, scale))
+pub(super) fn landing(
+    hoop: &Hoop,
+    (index, event): (usize, &Transition),
+    impact: &Impact,
+    scale: Scale<'_>,
+) -> String {
+    format!("Lands: {}.", whole(course(impact, index), hoop, event, impact, scale))
 }
 
 /// An impact without a collision.
@@ -49,9 +58,10 @@ fn whole(course: String, hoop: &Hoop, event: &Transition, impact: &Impact, scale
     format!("{course}{loss}{}", then(event, scale))
 }
 
-/// What the contact point does.
-fn course(impact: &Impact) -> String {
-    let slips = impact.before.slip != 0.0;
+/// What the contact point does in transition `index`.
+fn course(impact: &Impact, index: usize) -> String {
+    let speed = impact.before.theta_rate.abs() + impact.before.gap_rate.abs();
+    let slips = impact.before.slip.abs() > SLIP_ROUNDING * (index + 1) as f64 * speed;
     match impact.case {
         ImpactCase::None => "touches the plane without an impulse",
         ImpactCase::Slides => "slips throughout",

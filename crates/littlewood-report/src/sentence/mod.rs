@@ -13,7 +13,14 @@ use crate::number::{brief, three};
 use crate::scale::Scale;
 
 /// Why the motion of a massless hoop ends at the plane.
-const NO_IMPACT: &str = "there is no impact: an impulse would accelerate a rim without inertia without bound";
+const NO_IMPACT: &str = "the model ends here. A rim without mass cannot be struck";
+
+/// A demand for friction that is rounding: an angle up to 2π is rounded by two units of ε, and F, which is of the size of its sine
+/// beside the weight, by two more.
+const FRICTIONLESS: f64 = 4.0 * f64::EPSILON;
+
+/// Where the laws have no motion, or several.
+const NO_ANSWER: &str = "Rigid bodies have no answer here (Painlevé's paradox)";
 
 /// The first phase, and why it begins.
 #[must_use]
@@ -49,8 +56,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             format!("Slips, and glides without any force from the plane: {}.", gives_way(&forces, mu_s))
         }
         Mode::Flight => {
-            "Leaves the plane at once: the mass centre would have to be pulled down, h cos θ θ′² > 1."
-                .to_owned()
+            "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > 1.".to_owned()
         }
     }
 }
@@ -79,19 +85,19 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
             let rise = -trajectory.hoop().h() * libm::sin(event.before.theta) * event.before.theta_rate;
             let rises = if hoop.slope() == 0.0 { "rises" } else { "rises from the plane" };
             format!(
-                "Jumps: the normal force has vanished while the mass centre {rises} at {}.",
+                "Jumps. The ground no longer pushes (N = 0), and the mass centre still {rises} at {}.",
                 scale.show_with_unit(Dimension::Velocity, three(rise))
             )
         }
         Cause::Landing => match &event.impact {
-            Some(impact) => impact::landing(hoop, event, impact, scale),
+            Some(impact) => impact::landing(hoop, (index, event), impact, scale),
             None => landing(ended_by(trajectory, index), scale),
         },
         Cause::ParticleAtPlane => {
-            format!("The particle reaches the plane: the glide ends (3.20), and {NO_IMPACT}.")
+            format!("The particle reaches the ground; {NO_IMPACT}.")
         }
         Cause::ParticleAtBottom => {
-            format!("The particle reaches its lowest place: the glide ends (3.20), and {NO_IMPACT}.")
+            format!("The particle reaches its lowest place; {NO_IMPACT}.")
         }
         Cause::ParticleAtTop => {
             "The particle reaches its highest place with velocity to spare: it would lift the hoop."
@@ -144,12 +150,12 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             format!("Stopped after {transitions} transitions: {endless}.")
         }
         Outcome::Inconsistent { candidates, .. } => {
-            format!("No motion is consistent here (Painlevé): {}.", examined(&candidates).join("; "))
+            format!("{NO_ANSWER}: no motion is consistent; {}.", examined(&candidates).join("; "))
         }
         Outcome::Ambiguous { candidates, .. } => {
             let [rolling, sliding] = examined(&candidates);
             let found = consistent(&candidates, ", ");
-            format!("Several motions are consistent here (Painlevé): {found}; {rolling}; {sliding}.")
+            format!("{NO_ANSWER}: several motions are consistent, {found}; {rolling}; {sliding}.")
         }
         Outcome::StepLimit { limit: SlideLimit::All { slides }, .. } => {
             format!(
@@ -176,6 +182,9 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 
 /// Static friction suffices.
 fn holds(forces: &ContactForces, mu_s: f64) -> String {
+    if forces.demand() < FRICTIONLESS {
+        return "no friction is needed here".to_owned();
+    }
     format!("rolling needs a friction coefficient of {}; there is {}", demand(forces), brief(mu_s))
 }
 
@@ -184,7 +193,7 @@ fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
     if forces.normal > 0.0 {
         format!("rolling would need a friction coefficient of {}; there is {}", demand(forces), brief(mu_s))
     } else {
-        "rolling would need a tensile normal force".to_owned()
+        "to roll, the ground would have to pull it down, and it can only push".to_owned()
     }
 }
 
@@ -194,11 +203,11 @@ fn demand(forces: &ContactForces) -> String {
 }
 
 fn slip(event: &Transition, mu_s: f64) -> String {
-    let beyond = format!("rolling would need a friction coefficient above {}", brief(mu_s));
+    let beyond = format!("it needs more friction than the ground has (μₛ = {})", brief(mu_s));
     if event.to == Some(Mode::Gliding) {
         format!("Slips and glides: {beyond}; without inertia a slip bears no force.")
     } else {
-        format!("Slips: {beyond}, the static limit.")
+        format!("Slips: {beyond}.")
     }
 }
 

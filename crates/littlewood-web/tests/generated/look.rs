@@ -71,6 +71,8 @@ pub(crate) fn typescript() -> String {
   labelOnSlope: string;
   /** The letter of the paper. */
   letter: string | null;
+  /** What it means to the hoop. */
+  meaning: string | null;
 }",
     );
     let curves = Curve::ALL.map(|curve| {
@@ -78,6 +80,7 @@ pub(crate) fn typescript() -> String {
             ("label", quoted(curve.label(0.0))),
             ("labelOnSlope", quoted(curve.label(1.0))),
             ("letter", quoted_or_null(curve.letter())),
+            ("meaning", quoted_or_null(curve.meaning())),
             ("dash", pattern(curve.dash())),
             ("width", curve.width().to_string()),
         ];

@@ -1,0 +1,77 @@
+// Lessons: a question, a guess, an answer; and two motions side by side.
+
+import { expect, test } from '@playwright/test';
+import texts from '../src/texts.json' with { type: 'json' };
+import { field, open, phases } from './lab';
+
+/** What the paper, its equations and the reference motions say: how each lesson's motion goes on, and which guess is right. */
+const TRUTH = {
+  hop: { modes: ['sliding', 'rolling', 'sliding', 'flight'], right: 'It hops' },
+  // Section 2(f): rolls, slips once, then jumps.
+  slip: { modes: ['rolling', 'sliding', 'flight'], right: 'It slips' },
+  grip: { modes: ['sliding', 'rolling', 'sliding', 'flight'], right: 'More grip, lower' },
+  // With h = 1/2 the pull is needed above θ′ = √2; 1.3 is below.
+  spin: { modes: ['rolling'], right: 'About 1.4' },
+  weight: { modes: ['rolling'], right: 'Only the pale one' },
+  // Figure 7: it rolls, and glides until the particle reaches the plane.
+  massless: { modes: ['rolling', 'gliding'], right: 'It stays down' },
+} as const;
+
+for (const [name, { modes, right }] of Object.entries(TRUTH)) {
+  test(`the lesson ${name} asks, and answers after a guess`, async ({ page }) => {
+    await open(page, `lesson=${name}`);
+    const lesson = texts.lessons[name as keyof typeof texts.lessons];
+    await expect(page.locator('#question')).toHaveText(lesson.question);
+    await expect(page.locator('#answer')).toBeEmpty();
+    expect((await phases(page)).map((it) => it.mode).slice(0, modes.length)).toEqual(modes);
+    await page.getByRole('button', { name: right }).click();
+    // Not waiting for the film: to its end.
+    if (lesson.until !== 'start') await page.locator('#last').click();
+    await expect(page.locator('#answer')).toHaveText(`${texts.right} ${lesson.answer}`);
+    // The address has the lesson and the motion, and shows both again.
+    await expect(page).toHaveURL(new RegExp(`#lesson=${name}&`));
+    await page.reload();
+    await expect(page.locator('#question')).toHaveText(lesson.question);
+    await page.getByRole('combobox', { name: 'Lesson' }).selectOption('');
+    await expect(page).not.toHaveURL(/lesson=/);
+  });
+}
+
+test('every lesson is tested', () => {
+  expect(Object.keys(texts.lessons)).toEqual(Object.keys(TRUTH));
+});
+
+test('a wrong guess is told so', async ({ page }) => {
+  await open(page, 'lesson=hop');
+  await page.getByRole('button', { name: 'It stays down' }).click();
+  await page.locator('#last').click();
+  await expect(page.locator('#answer')).toHaveText(new RegExp(`^${texts.wrong} It hops`));
+});
+
+test('a lesson that there is not is reported', async ({ page }) => {
+  await open(page, 'lesson=no-such-lesson');
+  await expect(page.locator('#banner')).toContainText('lesson=no-such-lesson');
+});
+
+test('a pinned motion is compared in numbers, at the hoop and in the plots', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  const hash = (): Promise<string> => page.locator('#hoop').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+  const plot = (): Promise<string> =>
+    page
+      .locator('.chart canvas')
+      .first()
+      .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+  await page.locator('#pin').click();
+  await expect(page.locator('#pin')).toHaveAttribute('aria-pressed', 'true');
+  await field(page, 'mu_s').fill('1');
+  await field(page, 'mu_k').fill('0.8');
+  await page.locator('#next').click();
+  // The numbers of the two motions, as `littlewood simulate` prints them.
+  await expect(page.locator('#compared')).toHaveText('Pinned: hops 0.631 R high. Now: hops 0.486 R high. μₛ 0.5 → 1, μₖ 0.4 → 0.8.');
+  await page.waitForTimeout(200);
+  const [both, curves] = [await hash(), await plot()];
+  await page.locator('#pin').click();
+  await expect(page.locator('#compared')).toBeHidden();
+  await expect.poll(hash).not.toBe(both);
+  await expect.poll(plot).not.toBe(curves);
+});

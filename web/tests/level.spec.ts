@@ -1,0 +1,133 @@
+// Two levels: a page that asks, and the full one.
+
+import { expect, type Page, test } from '@playwright/test';
+import { open, phases, ready } from './lab';
+
+const question = (page: Page) => page.getByRole('heading', { name: 'Does it hop? Guess.' });
+
+test('a first visit is asked a question, and the motion answers it', async ({ page }) => {
+  await open(page);
+  await expect(question(page)).toBeVisible();
+  for (const id of ['plane', 'fields', 'phases', 'plots']) await expect(page.locator(`#${id}`)).toBeHidden();
+  await page.getByRole('button', { name: 'It hops' }).click();
+  await expect(page.locator('#play')).toHaveAttribute('data-state', 'playing');
+  await expect(page.locator('#hop')).toBeVisible({ timeout: 30_000 });
+  // The rim gets 0.631 R high (evidence/reference), told where it lands.
+  await expect(page.locator('#answer')).toHaveText(/^HOP: 0\.63 R high\. You were right\. Drag the weight/, { timeout: 30_000 });
+  await page.locator('#first').click();
+  await expect(page.locator('#answer')).toBeEmpty();
+});
+
+test('it plays at a quarter of the speed around the lift-off', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0&slow=1&speed=1');
+  /** How far the time goes in half a second from an instant. */
+  const pace = async (from: number): Promise<number> => {
+    await page.evaluate((at) => (location.hash = `case=figure-3&map=0&slow=1&speed=1&at=${at}`), from);
+    await expect(page.locator('#now')).toHaveText(`τ = ${from.toFixed(3)}`);
+    return page.evaluate(async () => {
+      const now = (): number => Number(document.querySelector('#now')!.textContent!.slice(4));
+      const frame = (): Promise<number> => new Promise((resolve) => requestAnimationFrame(resolve));
+      document.querySelector<HTMLElement>('#play')!.click();
+      await frame();
+      const [begin, before] = [await frame(), now()];
+      let end = begin;
+      while (end < begin + 250) end = await frame();
+      const moved = now() - before;
+      document.querySelector<HTMLElement>('#play')!.click();
+      return (1000 * moved) / (end - begin);
+    });
+  };
+  // The lift-off is at 1.519: a second is a unit of time long before it, and a quarter of one beside it.
+  const [far, near] = [await pace(0.2), await pace(1.4)];
+  expect(near / far).toBeGreaterThan(0.15);
+  expect(near / far).toBeLessThan(0.4);
+});
+
+test('the full view is one click away, and is remembered; links keep their meaning', async ({ page, context }) => {
+  await open(page);
+  await page.getByRole('button', { name: 'Full view' }).click();
+  await expect(page.locator('#plane')).toBeVisible();
+  await expect(question(page)).toBeHidden();
+  const again = await context.newPage();
+  await again.goto('./');
+  await ready(again);
+  await expect(again.locator('#plane')).toBeVisible();
+});
+
+test('a link without a level is full on a desk and simple on a phone, with the same motion', async ({ page, browser, baseURL }) => {
+  await open(page, 'case=slip-then-jump');
+  await expect(page.locator('#plane')).toBeVisible();
+  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  const phone = await context.newPage();
+  await open(phone, 'case=slip-then-jump');
+  await expect(question(phone)).toBeVisible();
+  await expect(phone.locator('#plane')).toBeHidden();
+  expect((await phases(phone)).map((it) => it.time)).toEqual((await phases(page)).map((it) => it.time));
+  await phone.getByRole('button', { name: 'Full view' }).click();
+  await expect(phone.locator('#plane')).toBeVisible();
+  await context.close();
+});
+
+for (const level of ['simple', 'full'] as const) {
+  test(`on a phone the hoop and the play button stay in sight while a slider moves, ${level}`, async ({ browser, baseURL }) => {
+    const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+    const page = await context.newPage();
+    await open(page, `case=figure-3&map=0&level=${level}`);
+    const last = page.locator(level === 'simple' ? '#word-bounce' : '#slider-theta_rate');
+    await last.evaluate((it) => it.scrollIntoView({ block: 'end' }));
+    for (const it of [page.locator('#hoop'), page.locator('#play'), last]) await expect(it).toBeInViewport({ ratio: 0.9 });
+    await context.close();
+  });
+}
+
+test('a swipe that begins on a slider scrolls the page, and leaves the value', async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  const page = await context.newPage();
+  await open(page, 'case=figure-3&map=0&level=full');
+  await page.locator('#slider-mu_s').evaluate((it) => it.scrollIntoView({ block: 'end' }));
+  const box = (await page.locator('#slider-mu_s').boundingBox())!;
+  const session = await context.newCDPSession(page);
+  const before = await page.evaluate(() => window.scrollY);
+  const [x, y] = [box.x + 0.8 * box.width, box.y + box.height / 2];
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', to: number): Promise<unknown> =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: to }] });
+  await touch('touchStart', y);
+  for (let step = 1; step <= 8; step++) await touch('touchMove', y - 15 * step);
+  await touch('touchEnd', y);
+  await expect.poll(() => page.evaluate(() => window.scrollY)).toBeGreaterThan(before + 50);
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+  await context.close();
+});
+
+test('the sliders in words change the motion, and say how', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0&level=simple');
+  const slider = (name: string) => page.getByRole('slider', { name });
+  await expect(slider('Weight').last()).toHaveAttribute('aria-valuetext', 'as heavy as the hoop');
+  await expect(slider('Spin')).toHaveAttribute('aria-valuetext', '2, to the left');
+  await slider('Grip').fill('1');
+  // μk keeps its part of μs.
+  await expect(page).toHaveURL(/mu_s=1&mu_k=0\.8&/);
+  // Ten times the hoop: m1/m2 = 0.1, and the inertia with it.
+  await page.locator('#word-weight').fill('1');
+  await expect(page).toHaveURL(/mass_ratio=0\.1&offset=1&inertia=0\.1&/);
+  await page.locator('#word-bounce').fill('0.5');
+  await expect(page).toHaveURL(/restitution=0\.5/);
+  await page.locator('#word-bounce').fill('-0.05');
+  await expect(page).not.toHaveURL(/restitution/);
+  await page.locator('#word-spin').fill('0');
+  await expect(slider('Spin')).toHaveAttribute('aria-valuetext', 'none');
+});
+
+test('undo takes back one change, and reset all of them', async ({ page }) => {
+  await open(page, 'case=slip-then-jump&map=0&level=simple');
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  await page.locator('#word-grip').fill('1');
+  await page.locator('#word-spin').focus();
+  await page.locator('#word-spin').fill('1');
+  await expect(page).toHaveURL(/theta_rate=1&/);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page).toHaveURL(/theta_rate=3&/);
+  await expect(page).toHaveURL(/mu_s=1&/);
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await expect(page).toHaveURL(/case=slip-then-jump/);
+});
