@@ -235,7 +235,8 @@ function start(cases: NamedCase[]): void {
   byId('skip', HTMLAnchorElement).addEventListener('click', (event) => {
     // The part after # is the state, not a place on the page.
     event.preventDefault();
-    byId('start-handle', HTMLButtonElement).focus();
+    const target = level.isSimple ? hoop.weight : byId('start-handle', HTMLButtonElement);
+    target.focus();
   });
   window.addEventListener('beforeprint', () => {
     byId('sheet-link', HTMLParagraphElement).textContent = address.text;

@@ -118,6 +118,20 @@ test('the sliders in words change the motion, and say how', async ({ page }) => 
   await expect(slider('Spin')).toHaveAttribute('aria-valuetext', 'none');
 });
 
+test('without a mouse: the first stop leads to the weight, and a guess is a button', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0&level=simple');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.weight')).toBeFocused();
+  await page.keyboard.press('ArrowLeft');
+  await expect(page).toHaveURL(/theta=1\.62/);
+  // The question is asked anew.
+  await expect(page.locator('#answer')).toBeEmpty();
+  await page.getByRole('button', { name: 'It stays down' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#play')).toHaveAttribute('data-state', 'playing');
+});
+
 test('undo takes back one change, and reset all of them', async ({ page }) => {
   await open(page, 'case=slip-then-jump&map=0&level=simple');
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();

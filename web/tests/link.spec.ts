@@ -175,7 +175,7 @@ test('a bad number in a field leaves the last good motion and its address', asyn
   }
   await type(page, 'mu_k', '0.4');
   await expect(page.locator('#message-mu_k')).toBeEmpty();
-  await page.locator('summary').click();
+  await page.locator('#fields summary').click();
   await type(page, 'until', '-1');
   await expect(page.locator('#message-until')).toHaveText(/τ = -1/);
   await type(page, 'until', '1');

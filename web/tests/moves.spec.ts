@@ -62,7 +62,7 @@ test('an event without derivatives says why', async ({ page }) => {
   await open(page, 'case=painleve&map=0');
   await expect(page.locator('#moves')).toBeHidden();
   await page.setViewportSize({ width: 390, height: 844 });
-  await open(page, 'case=figure-3&map=0');
+  await open(page, 'case=figure-3&map=0&level=full');
   await expect(page.locator('#moves')).toBeVisible();
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
 });

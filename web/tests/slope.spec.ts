@@ -91,3 +91,18 @@ for (const slope of [0, 0.2617993877991494, -0.9, 1.4]) {
     expect(Math.abs(-distance - r - 2.5)).toBeLessThan(0.2);
   });
 }
+
+test('the plane itself is dragged, too, on either side of the hoop', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  const box = (await handle(page).boundingBox())!;
+  const view = (await page.locator('#hoop').boundingBox())!;
+  const [x, y] = [view.x + view.width / 2, box.y + box.height / 2];
+  for (const side of [1, -1]) {
+    await page.mouse.move(x + side * 0.42 * view.width - 20, y);
+    await page.mouse.down();
+    await page.mouse.move(x + side * 120 * Math.cos(0.2), y - side * 120 * Math.sin(0.2), { steps: 4 });
+    await page.mouse.up();
+    expect(Math.abs(Number(await field(page, 'slope').inputValue()) - 0.2)).toBeLessThan(0.01);
+    await field(page, 'slope').fill('0');
+  }
+});

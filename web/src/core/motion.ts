@@ -257,7 +257,8 @@ export class Motion {
   /** What there is to say at a time: of the event that came last, and of those at the same instant before it. */
   sentencesAt(time: number): string[] {
     const last = this.eventAt(time);
-    const together = this.events.filter((event) => event.time === last.time && event.time <= time);
+    // What goes on as it has begun is told once.
+    const together = this.events.filter((event) => event.time === last.time && (event === last || event.transition !== null));
     return [...new Set(together.slice(-MOST_TOGETHER).map(({ sentence }) => sentence))];
   }
 

@@ -140,7 +140,10 @@ export class Fields {
     // The last digits are there for who wants to change them.
     input.addEventListener('focus', () => {
       const value = numberOf(this.lab.state.problem, quantity);
-      if (value !== null && input.getAttribute('aria-invalid') !== 'true') input.value = String(value);
+      if (value === null || input.value === String(value) || input.getAttribute('aria-invalid') === 'true') return;
+      input.value = String(value);
+      // As a field is entered with the tabulator: what is typed replaces it.
+      input.select();
     });
     input.addEventListener('blur', () => this.show());
     input.addEventListener('input', () => this.typed(quantity, input.value));

@@ -22,6 +22,9 @@ const KEY_STEP = 0.05;
 /** A person who wants nothing to move by itself. */
 const STILL = matchMedia('(prefers-reduced-motion: reduce)');
 
+/** Pixels about the line of the plane where a mouse takes it. */
+const REACH = 9;
+
 /** Pixels between the handle and the edge of the view. */
 const EDGE = 26;
 
@@ -48,6 +51,7 @@ export class HoopPane {
         scene: () => this.scene,
         start: () => lab.plain,
         set: (start) => lab.setPlain(start),
+        isFree: () => !lab.state.view.embed,
         grabbed: () => clock.pause(),
         released: () => {
           if (!STILL.matches) clock.play();
@@ -65,6 +69,11 @@ export class HoopPane {
     const follow = byId('follow', HTMLInputElement);
     follow.addEventListener('change', () => lab.setView({ follow: follow.checked }));
     this.listen();
+  }
+
+  /** The handle of the weight. */
+  get weight(): HTMLElement {
+    return this.widget.handle;
   }
 
   setPalette(palette: Palette): void {
@@ -150,21 +159,37 @@ export class HoopPane {
 
   private listen(): void {
     const { handle } = this;
-    /** The point about which the plane is turned: that under the hoop when the drag begins. */
-    let pivot: readonly [number, number] = [0, 0];
-    handle.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0) return;
+    const { canvas } = this.widget;
+    const begin = (event: PointerEvent, target: HTMLElement): void => {
       event.preventDefault();
-      handle.setPointerCapture(event.pointerId);
       handle.focus({ preventScroll: true });
-      const box = this.widget.canvas.getBoundingClientRect();
+      const box = canvas.getBoundingClientRect();
       const [x, y] = this.widget.camera.at(this.scene.sample?.x ?? 0, 0);
-      pivot = [box.left + x, box.top + y];
+      /** The point about which the plane is turned: that under the hoop when the drag begins, from the side of the pointer. */
+      const pivot = [box.left + x, box.top + y] as const;
+      const side = event.clientX < pivot[0] ? -1 : 1;
+      const move = (next: PointerEvent): void => {
+        const slope = Math.atan2(side * (pivot[1] - next.clientY), Math.max(side * (next.clientX - pivot[0]), 0));
+        this.tilt(Math.abs(slope) < SNAP ? 0 : Number(slope.toFixed(3)));
+      };
+      const end = (): void => {
+        target.removeEventListener('pointermove', move);
+        target.removeEventListener('pointerup', end);
+        target.removeEventListener('pointercancel', end);
+      };
+      target.setPointerCapture(event.pointerId);
+      target.addEventListener('pointermove', move);
+      target.addEventListener('pointerup', end);
+      target.addEventListener('pointercancel', end);
+    };
+    handle.addEventListener('pointerdown', (event) => {
+      if (event.button === 0) begin(event, handle);
     });
-    handle.addEventListener('pointermove', (event) => {
-      if (!handle.hasPointerCapture(event.pointerId)) return;
-      const slope = Math.atan2(pivot[1] - event.clientY, Math.max(event.clientX - pivot[0], 0));
-      this.tilt(Math.abs(slope) < SNAP ? 0 : Number(slope.toFixed(3)));
+    canvas.addEventListener('pointerdown', (event) => {
+      if (event.button === 0 && !event.defaultPrevented && this.isOnPlane(event)) begin(event, canvas);
+    });
+    canvas.addEventListener('pointermove', (event) => {
+      if (canvas.style.cursor === '' && this.isOnPlane(event)) canvas.style.cursor = 'ns-resize';
     });
     handle.addEventListener('keydown', (event) => {
       const before = this.lab.plain.slope;
@@ -175,6 +200,15 @@ export class HoopPane {
       event.preventDefault();
       this.tilt(before * to < 0 && by !== undefined ? 0 : to);
     });
+  }
+
+  /** Whether a mouse is on the line of the plane. A finger there may be about to scroll the page: it takes the handle. */
+  private isOnPlane({ clientX, clientY, pointerType }: PointerEvent): boolean {
+    if (pointerType === 'touch' || this.lab.state.view.embed) return false;
+    const box = this.widget.canvas.getBoundingClientRect();
+    const { at, sin, cos } = this.widget.camera;
+    const [x, y] = at(0, 0);
+    return Math.abs((clientX - box.left - x) * sin + (clientY - box.top - y) * cos) < REACH;
   }
 
   private tilt(slope: number): void {

@@ -1,8 +1,9 @@
 // Case, units and the massless hoop: what changes several numbers at once.
 
 import { inSystem } from '../core/fields';
+import { ROUNDING } from '../core/motion';
 import { byId, make } from '../dom';
-import { DIMENSIONLESS, QUANTITY_ROWS, type Quantity } from '../generated/tables';
+import { DIMENSIONLESS, type DimensionlessNumber, QUANTITY_ROWS, type Quantity } from '../generated/tables';
 import type { Given, Lab } from '../state/lab';
 
 import { numberOf, rateFor } from '../state/state';
@@ -59,11 +60,18 @@ export class ProblemBar {
     this.show();
   }
 
-  /** Whether the hoop is that of the last case, from another start. */
-  private get isAnotherStart(): boolean {
+  /** What is shown: the last case in SI units, its hoop from another start, or a hoop of one's own. */
+  private get title(): string {
     const { last, lab } = this;
     const numbers = lab.problem.toDimensionless();
-    return last !== null && DIMENSIONLESS.every((name, i) => QUANTITY_ROWS[name].group !== 'hoop' || last.problem[i] === numbers[i]);
+    const isSame = (of: readonly DimensionlessNumber[]): boolean =>
+      last !== null &&
+      of.every((name) => {
+        const place = DIMENSIONLESS.indexOf(name);
+        return Math.abs(last.problem[place]! - numbers[place]!) <= ROUNDING * Math.max(1, Math.abs(numbers[place]!));
+      });
+    if (isSame(DIMENSIONLESS) && lab.state.problem.system === 'si') return `${last?.name}, in SI units`;
+    return isSame(DIMENSIONLESS.filter((name) => QUANTITY_ROWS[name].group === 'hoop')) ? `${last?.name}, another start` : 'custom hoop';
   }
 
   show(): void {
@@ -72,7 +80,7 @@ export class ProblemBar {
     // A link alone names a case that there is not: the message stands over the page.
     this.cases.setAttribute('aria-invalid', String(lab.fieldErrors.some((it) => it.field === 'case')));
     if (lab.named !== null) this.last = { name: lab.named, problem: lab.problem.toDimensionless() };
-    this.own.textContent = this.isAnotherStart ? `${this.last?.name}, another start` : 'custom hoop';
+    this.own.textContent = this.title;
     this.si.checked = lab.state.problem.system === 'si';
     this.massless.checked = lab.problem.isMassless;
     const named = lab.cases.find((it) => it.name === lab.named);

@@ -23,6 +23,8 @@ export interface HoopHost {
   released?(flung: boolean): void;
   /** θ′ of a hand that turns the hoop by a radian in a second: √(R/g) in seconds. */
   second: number;
+  /** Whether the hand may take the hoop; it may where there is no such function. */
+  isFree?(): boolean;
   /** A start in words. */
   say(start: HandStart): string;
 }
@@ -85,6 +87,7 @@ export class HoopWidget {
         ? camera.at(-offset * Math.sin(theta), 1 + offset * Math.cos(theta))
         : camera.at(sample.particle_x, sample.particle_y);
     const { offsetLeft, offsetTop } = this.canvas;
+    this.handle.hidden = this.host.isFree?.() === false;
     this.handle.style.transform = `translate(${offsetLeft + place[0]}px, ${offsetTop + place[1]}px)`;
     const start = this.host.start();
     const text = this.host.say(start);
@@ -129,7 +132,7 @@ export class HoopWidget {
 
   /** Whether a mouse is on the hoop. A finger there may be about to scroll the page: it takes the weight itself. */
   private isOnHoop(event: PointerEvent): boolean {
-    if (event.pointerType === 'touch') return false;
+    if (event.pointerType === 'touch' || this.host.isFree?.() === false) return false;
     const [x, y] = this.centre(this.host.scene());
     const box = this.canvas.getBoundingClientRect();
     return Math.hypot(event.clientX - box.left - x, event.clientY - box.top - y) < this.camera.scale + REACH;

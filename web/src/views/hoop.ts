@@ -297,7 +297,8 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
   ];
   const [lx, ly] = outward(Math.hypot(px - x, py - y) - Math.max(7, 0.085 * camera.scale) - 15);
   if (scene.symbols === false) return;
-  if (offset > 0.35) label(c, QUANTITY_ROWS.particle_mass_kg.sign, lx, ly, palette.ink.ink, palette.ink.paper);
+  const isClear = scene.h >= offset || Math.hypot(lx - mx, ly - my) > 24;
+  if (offset > 0.35 && isClear) label(c, QUANTITY_ROWS.particle_mass_kg.sign, lx, ly, palette.ink.ink, palette.ink.paper);
   const [cx, cy] = offset > 0 ? outward(-16) : [x - 13, y - 10];
   label(c, 'C', cx, cy, palette.ink.ink, palette.ink.paper);
 }
