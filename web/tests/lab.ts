@@ -2,7 +2,7 @@
 
 import { expect, type Locator, type Page } from '@playwright/test';
 
-/** Opens the page with a state. Any error on the page, and any request to another host, fails the test. */
+/** Opens the page with a state, watched. */
 export async function open(page: Page, state = ''): Promise<void> {
   watch(page);
   await page.goto(`./${state === '' ? '' : `#${state}`}`);
@@ -15,7 +15,8 @@ export async function ready(page: Page): Promise<void> {
 
 const watched = new WeakSet<Page>();
 
-function watch(page: Page): void {
+/** Any error on a page, and any request to another host, fails the test. */
+export function watch(page: Page): void {
   if (watched.has(page)) return;
   watched.add(page);
   page.on('pageerror', (error) => {

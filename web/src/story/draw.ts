@@ -69,7 +69,7 @@ export function ring(c: CanvasRenderingContext2D, it: Ring, palette: Palette): v
     disc(c, [x, y], 2.5);
   }
   c.fillStyle = isFaint ? colour : palette.ink.ink;
-  disc(c, [wx, wy], isFaint ? 3 : Math.max(5, 0.09 * radius));
+  disc(c, [wx, wy], isFaint ? 3 : Math.max(5, 0.075 * radius));
 }
 
 export function disc(c: CanvasRenderingContext2D, [x, y]: Point, radius: number): void {
@@ -164,7 +164,7 @@ export function plot(c: CanvasRenderingContext2D, it: Plot, palette: Palette): (
     c.setLineDash([]);
     c.textAlign = place([x, 0])[0] > left + 0.7 * width ? 'right' : 'left';
     const [tx] = place([x, 0]);
-    label(c, name, tx + (c.textAlign === 'right' ? -5 : 5), top + height - 8, palette.ink.soft, palette.ink.paper);
+    label(c, name, tx + (c.textAlign === 'right' ? -5 : 5), top + 16, palette.ink.soft, palette.ink.paper);
   }
   c.save();
   c.beginPath();

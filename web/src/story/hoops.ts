@@ -115,11 +115,13 @@ export function most(motion: Motion, column: keyof Sample): number {
   return largest;
 }
 
-/** How far the rim slips along the plane up to a time, over R: η = x + θ stays as it is while it rolls. */
-export function slipped(motion: Motion, until: number): number {
+/** How far the rim slips along the plane from one time to another, over R: η = x + θ stays as it is while it rolls. */
+export function slipped(motion: Motion, from: number, to: number): number {
   const { samples } = motion;
   const slip = (i: number): number => samples.x[i]! + samples.theta[i]!;
   let sum = 0;
-  for (let i = 1; i < samples.length && samples.time[i]! <= until; i++) sum += Math.abs(slip(i) - slip(i - 1));
+  for (let i = 1; i < samples.length; i++) {
+    if (samples.time[i - 1]! >= from && samples.time[i]! <= to) sum += Math.abs(slip(i) - slip(i - 1));
+  }
   return sum;
 }

@@ -5,6 +5,7 @@
 import { make } from '../dom';
 import type { Palette } from '../generated/palette';
 import { Sheet, type Size } from '../views/canvas';
+import { type HoopHost, HoopWidget } from '../views/hoop-widget';
 
 /** What a text file says of a picture. */
 export interface Words {
@@ -29,7 +30,8 @@ export type Draw = (c: CanvasRenderingContext2D, size: Size, palette: Palette) =
 /** Milliseconds for which an event is shown where nothing may move by itself. */
 const STEP = 900;
 
-const CALM = matchMedia('(prefers-reduced-motion: reduce)');
+/** A reader who wants nothing to move by itself. */
+export const CALM = matchMedia('(prefers-reduced-motion: reduce)');
 
 export interface SliderOptions {
   min: number;
@@ -42,24 +44,25 @@ export interface SliderOptions {
 
 export class Slider {
   readonly input: HTMLInputElement;
-  private readonly output = make('output');
+  readonly row: HTMLDivElement;
+  private readonly output: HTMLOutputElement;
 
   constructor(
+    id: string,
     name: string,
     private readonly options: SliderOptions,
     changed: () => void,
   ) {
     const { min, max, step, first } = options;
-    this.input = make('input', { type: 'range', min: String(min), max: String(max), step: String(step), value: String(first) });
-    this.row = make('label', { class: 'slider' }, make('span', {}, name), this.output, this.input);
+    this.input = make('input', { id, type: 'range', min: String(min), max: String(max), step: String(step), value: String(first) });
+    this.output = make('output', { for: id });
+    this.row = make('div', { class: 'slider' }, make('label', { for: id }, name), this.output, this.input);
     this.input.addEventListener('input', () => {
       this.tell();
       changed();
     });
     this.tell();
   }
-
-  readonly row: HTMLLabelElement;
 
   get value(): number {
     return this.input.valueAsNumber;
@@ -71,6 +74,12 @@ export class Slider {
     const before = this.input.value;
     this.input.value = String(Math.min(Math.max(value, min), max));
     if (this.input.value !== before) this.input.dispatchEvent(new Event('input', { bubbles: true }));
+  }
+
+  /** Shows a value that has come in another way. */
+  show(value: number): void {
+    this.input.value = String(value);
+    this.tell();
   }
 
   /** Says the value again: it may mean something else now. */
@@ -101,6 +110,7 @@ export class Player {
   private now: number;
 
   constructor(
+    id: string,
     private readonly common: Common,
     private readonly course: () => Course,
     text: (time: number) => string,
@@ -112,7 +122,7 @@ export class Player {
     this.now = first ?? from;
     this.button = make('button', { type: 'button', class: 'play' }, common.play);
     // The slider has the part of the course that has passed, so that its steps are the same for short and long ones.
-    this.slider = new Slider(common.time, { min: 0, max: 1, step: 0.001, first: this.part, text: () => text(this.time) }, () => {
+    this.slider = new Slider(id, common.time, { min: 0, max: 1, step: 0.001, first: this.part, text: () => text(this.time) }, () => {
       this.pause();
       const { from, to } = this.course();
       this.now = from + this.slider.value * (to - from);
@@ -186,8 +196,7 @@ export class Player {
   };
 
   private show(): void {
-    this.slider.input.value = String(this.part);
-    this.slider.tell();
+    this.slider.show(this.part);
     this.changed();
   }
 }
@@ -197,7 +206,8 @@ export class Picture {
   readonly controls = make('div', { class: 'controls' });
   private readonly stage = make('div', { class: 'stage' });
   private readonly canvas: HTMLCanvasElement;
-  private readonly sheet: Sheet;
+  private sheet: Sheet | null = null;
+  private widget: HoopWidget | null = null;
   private readonly sentence = make('p', { class: 'says', 'aria-live': 'polite' });
   private readonly laboratory: HTMLAnchorElement;
   private readonly handles: { element: HTMLElement; place: () => readonly [number, number] }[] = [];
@@ -223,7 +233,6 @@ export class Picture {
     const caption = make('figcaption', {}, words.title);
     this.figure = make('figure', { id, class: 'picture' }, this.stage, this.sentence, this.controls, caption);
     caption.append(' ', this.laboratory);
-    this.sheet = new Sheet(this.canvas, () => this.changed());
     new IntersectionObserver(
       ([entry]) => {
         this.inSight = entry?.isIntersecting === true;
@@ -236,7 +245,22 @@ export class Picture {
 
   /** What is drawn and said; `link` is the address of the same motion in the laboratory. */
   live(draw: Draw, says: () => string, link: (() => string) | null = null): void {
+    this.sheet = new Sheet(this.canvas, this.changed);
     this.draw = draw;
+    this.begin(says, link);
+  }
+
+  /** The same of a hoop to take hold of. */
+  hold(host: (palette: () => Palette) => HoopHost, says: () => string, link: () => string): void {
+    this.widget = new HoopWidget(
+      this.canvas,
+      host(() => this.palette),
+      this.changed,
+    );
+    this.begin(says, link);
+  }
+
+  private begin(says: () => string, link: (() => string) | null): void {
     this.says = says;
     this.link = link;
     this.laboratory.hidden = link === null;
@@ -244,7 +268,7 @@ export class Picture {
   }
 
   slider(name: string, options: SliderOptions, changed: (value: number) => void = () => undefined): Slider {
-    const slider: Slider = new Slider(this.word(name), options, () => {
+    const slider: Slider = new Slider(`${this.id}-${name}`, this.word(name), options, () => {
       changed(slider.value);
       this.changed();
     });
@@ -254,6 +278,7 @@ export class Picture {
 
   player(course: () => Course, text: (time: number) => string, first: number | null = null): Player {
     const player = new Player(
+      `${this.id}-time`,
       this.common,
       course,
       text,
@@ -290,7 +315,7 @@ export class Picture {
   }
 
   get size(): Size {
-    return this.sheet.size;
+    return this.widget?.size ?? this.sheet?.size ?? { width: 0, height: 0 };
   }
 
   setPalette(palette: Palette): void {
@@ -311,7 +336,8 @@ export class Picture {
   private paint(): void {
     this.stale = false;
     if (this.size.width === 0) return;
-    this.draw(this.sheet.clear(), this.size, this.palette);
+    if (this.sheet) this.draw(this.sheet.clear(), this.size, this.palette);
+    this.widget?.paint();
     const sentence = this.says();
     if (this.sentence.textContent !== sentence) this.sentence.textContent = sentence;
     if (this.link !== null) this.laboratory.href = this.link();

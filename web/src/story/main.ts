@@ -3,6 +3,7 @@
 import '../generated/palette.css';
 import '../style/theme.css';
 import '../style/base.css';
+import '../style/hoop.css';
 import '../style/story.css';
 import { coreModule } from '../core/module';
 import { namesAgree } from '../core/motion';

@@ -1,5 +1,6 @@
 // The numbers of the text, computed by the library when the page begins.
 
+import { HULA_SECOND } from '../core/fields';
 import type { Motion } from '../core/motion';
 import { classOf } from '../core/wasm';
 import { brief } from '../dom';
@@ -34,14 +35,16 @@ export function degrees(angle: number, digits = DIGITS): string {
 
 /** A part of one, in per cent where that is short. */
 export function percent(part: number, digits = 2): string {
-  return `${brief(100 * part, digits)} %`;
+  return `${brief(100 * part, digits)}\u00a0%`;
 }
 
 export function millimetres(metres: number): string {
-  return `${brief(1000 * metres, 2)} mm`;
+  return `${brief(1000 * metres, 2)}\u00a0mm`;
 }
 
+/** The radius of the disc on the ramp, in metres and in words. */
 export const RAMP_RADIUS_M = 0.05;
+export const RAMP_RADIUS = `${plain(100 * RAMP_RADIUS_M)}\u00a0cm`;
 
 /** A class of the motion of a hoop. */
 export function fateOf(hoop: Hoop): Class {
@@ -54,7 +57,8 @@ export function fateOf(hoop: Hoop): Class {
 /** Where a condition that holds at `yes` and fails at `no` ends. */
 export function boundary(yes: number, no: number, holds: (value: number) => boolean): number {
   let [inside, outside] = [yes, no];
-  for (let i = 0; i < 60; i++) {
+  // Far below the digits that are shown.
+  for (let i = 0; i < 18; i++) {
     const middle = 0.5 * (inside + outside);
     if (holds(middle)) inside = middle;
     else outside = middle;
@@ -129,20 +133,17 @@ export const BOUNCE = 0.5;
 
 export const RAMP = { slope: Math.PI / 6, theta: Math.PI / 6 } as const;
 
-export const CLIMB = { slope: 0.15, theta: -1 } as const;
+export const CLIMB = { slope: (8.5 * Math.PI) / 180, theta: (-57 * Math.PI) / 180 } as const;
+
+/** The slips of a motion, in the order of its slides, over R. */
+export function slipsOf(motion: Motion): number[] {
+  return motion.phases.filter(({ mode }) => mode === 'sliding').map(({ start, end }) => slipped(motion, start, end));
+}
 
 /** By how much the centre of a disc rises on its slope, over R. */
 export function climbOf(motion: Motion, slope: number): number {
   return Math.max(0, most(motion, 'x')) * Math.sin(slope);
 }
-
-/** The unit of time of a hula hoop, √(R/g), in seconds. */
-export function secondsOf(radius: number, gravity: number): number {
-  return Math.sqrt(radius / gravity);
-}
-
-export const HULA_RADIUS_M = 0.45;
-export const GRAVITY = 9.80665;
 
 export function numbersOfText(): Filling {
   const found: Record<string, string> = {};
@@ -179,10 +180,9 @@ export function numbersOfText(): Filling {
   found['push.most'] = plain(boundary(PUSH, 2, hops));
 
   const { from, to } = jumpOf(motion)!;
-  const unit = secondsOf(HULA_RADIUS_M, GRAVITY);
   found['film.rate'] = plain(FILM_RATE);
-  found['film.time'] = plain((to - from) * unit, 2);
-  found['film.count'] = plain(Math.floor((to - from) * unit * FILM_RATE));
+  found['film.time'] = plain((to - from) * HULA_SECOND, 2);
+  found['film.count'] = plain(Math.floor((to - from) * HULA_SECOND * FILM_RATE));
   motion.free();
 
   const eighth = Math.PI / 4;
@@ -202,11 +202,12 @@ export function numbersOfText(): Filling {
   found['jam.mu'] = plain(boundary(0.9, 0.2, jams), 2);
 
   const ramp = motionOf(rampDisc(RAMP.slope, RAMP.theta)).motion;
-  const leaves = ramp.events.find(({ name }) => name === 'lift_off')!;
-  found['ramp.radius'] = `${plain(100 * RAMP_RADIUS_M)} cm`;
+  const before = slipsOf(ramp);
+  found['ramp.radius'] = RAMP_RADIUS;
   found['ramp.release'] = degrees(RAMP.theta);
   found['ramp.slope'] = degrees(RAMP.slope);
-  found['ramp.slip'] = millimetres(slipped(ramp, leaves.time) * RAMP_RADIUS_M);
+  found['ramp.slip'] = millimetres(before.at(-1)! * RAMP_RADIUS_M);
+  found['ramp.earlier'] = millimetres(before.at(-2)! * RAMP_RADIUS_M);
   ramp.free();
 
   const climb = motionOf(climbingDisc(CLIMB.slope, CLIMB.theta)).motion;

@@ -34,7 +34,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       id: 'question',
       heading: 'The question',
       body: [
-        'Guess first. Then choose a push, and play. The weight of this hoop has {story.ratio} times the mass of the rim.',
+        'Guess first. Then choose a push and play, or drag the weight and fling it. The weight of this hoop has {story.ratio} times the mass of the rim.',
         { picture: 'question' },
         'With a weak push it rolls. With a strong one it leaves the ground at the very first moment, which is no surprise: a car flies over a humpback bridge for the same reason. In between it rolls almost a whole turn, and then, by itself, it jumps. That is the puzzle. Nothing strikes it, nothing pulls it up, and the ground can only push. Why does it leave?',
       ],
@@ -121,7 +121,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       body: [
         'Films of discs on ramps seem to contradict all this. [Gómez, Hernández-Gómez and Marquina](#source-ramp) let a disc with a rod roll down and saw it jump: it rolls, then jumps. [Arroyo and Aparicio Alcalde](#source-cylinder) find jumps without any slip, in a part of the parameters. On a ramp that is possible: *N* and *F* can vanish together with the weight at the top.',
         { picture: 'ramp' },
-        'But it happens in at most one motion for each hoop and ramp, unless the ground is so rough that Painlevé’s paradox returns. All others slip first. For a disc of {ramp.radius} released at {ramp.release} on a slope of {ramp.slope} the slip is {ramp.slip}. No film of the whole jump shows that. So the films are right, as far as a camera can see, and so is “it skids first”.',
+        'But it happens in at most one motion for each hoop and ramp, unless the ground is so rough that Painlevé’s paradox returns. All others slip first. A disc of {ramp.radius} radius, released at {ramp.release} on a slope of {ramp.slope}, slips by {ramp.slip} just before it jumps. No film of the whole jump shows that. (A turn earlier it slips by {ramp.earlier}, and grips again.) So the films are right, as far as a camera can see, and so is “it skids first”.',
         'A last surprise needs no push at all. Release a loaded disc on a slope with its weight on the uphill side, and it rolls *up*.',
         { picture: 'climb' },
         'It climbs because the weight falls further than the disc rises. From rest no disc can lift its centre by more than twice the distance of its mass centre from the middle.',
@@ -144,10 +144,10 @@ export const PICTURES = {
   question: {
     title: 'A hoop with a weight, pushed with the weight at the top.',
     shows: 'A hoop with a weight on its rim rolls to the right along the ground; arrows show the force of the ground and the slip.',
-    controls: { push: 'push, √(g/R)' },
+    controls: { push: 'push, √(g/R)', where: '{angle} to the right of the top, turning at {rate} √(g/R)' },
     says: {
       hops: 'It hops. It turns by {turned} along the ground, lifts off, rises by {height} of its radius, and turns by {air} in the air.',
-      atOnce: 'It leaves the ground at once: its weight is too fast at the top to be held down.',
+      atOnce: 'It leaves the ground at once: its weight is too fast to be held down.',
       rolls: 'It never hops. It rolls for ever and never slips.',
       slips: 'It never hops. It rolls and slips in turn, and leaves the ground nowhere.',
     },
@@ -247,7 +247,7 @@ export const PICTURES = {
     shows: 'A disc with a weight inside rolls down a slope, and jumps.',
     controls: { slope: 'slope', release: 'weight from the top, at the release' },
     says: {
-      jumps: 'It rolls, slips, and jumps. With a radius of {radius} it has slipped by {slip} before.',
+      jumps: 'It rolls, slips, and jumps. With a radius of {radius} its last slip before the jump is {slip}.',
       stays: 'It never leaves this slope.',
     },
   },

@@ -7,7 +7,7 @@ use super::assets::Asset;
 /// What the page may do: run its own code and WebAssembly, draw, and load from this server only. The page has the same
 /// line for other hosts, without `frame-ancestors`, which only a header can have.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
-                      img-src 'self' data: blob:; connect-src 'self'; worker-src 'self'; manifest-src 'self'; \
+                      img-src 'self' data: blob:; media-src blob:; connect-src 'self'; worker-src 'self'; manifest-src 'self'; \
                       base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// Headers of every answer.
@@ -88,8 +88,10 @@ pub(super) fn answer(question: &Question<'_>, port: u16, find: impl Fn(&str) -> 
         Some(name) => name,
         None => "",
     };
-    // The service worker would stay in the browser, with its files, for every port that was ever taken.
-    let Some(Asset { content, kind }) = find(name).filter(|_| name != "sw.js") else {
+    // The service worker would stay in the browser, with its files, for every port that was ever taken. A page is found without its
+    // ending, too.
+    let file = find(name).filter(|_| name != "sw.js").or_else(|| find(&format!("{name}.html")));
+    let Some(Asset { content, kind }) = file else {
         return NO_FILE.answer();
     };
     // The names of assets change with their content; the other files keep theirs.
@@ -108,7 +110,7 @@ mod tests {
 
     fn page(name: &str) -> Option<Asset> {
         let (content, kind) = match name {
-            "index.html" => ("<!doctype html>", "text/html; charset=utf-8"),
+            "index.html" | "story.html" => ("<!doctype html>", "text/html; charset=utf-8"),
             "sw.js" | "assets/a.js" => ("1", "text/javascript; charset=utf-8"),
             _ => return None,
         };
@@ -133,6 +135,18 @@ mod tests {
         assert_eq!(header(&page, "Cache-Control"), Some("no-cache"));
         let script = ask(Some("localhost:4000"), "/assets/a.js");
         assert_eq!(header(&script, "Cache-Control"), Some("max-age=31536000, immutable"));
+    }
+
+    #[test]
+    fn the_story_has_an_address_without_its_ending() {
+        for path in ["/story", "/story.html", "/story?x=1"] {
+            let story = ask(Some("127.0.0.1:4000"), path);
+            assert_eq!(
+                (story.status, header(&story, "Content-Type")),
+                (200, Some("text/html; charset=utf-8"))
+            );
+        }
+        assert_eq!(ask(Some("127.0.0.1:4000"), "/sheet").status, 404);
     }
 
     #[test]

@@ -6,7 +6,7 @@ import { setDash } from '../../views/canvas';
 import { line, ring, words } from '../draw';
 import { linkTo, motionOf } from '../hoops';
 import type { Picture } from '../kit';
-import { jumpOf, liftingOff, plain, THREE } from '../numbers';
+import { jumpOf, liftingOff, percent, plain, THREE } from '../numbers';
 import { fill } from '../rich';
 import { PICTURES } from '../text';
 
@@ -32,7 +32,7 @@ export function angle(picture: Picture): void {
   // Its time is the part of the flight that has passed, the same for all three.
   const player = picture.player(
     () => ({ from: 0, to: 1, stops: [0.5], speed: 0.25 }),
-    (time) => `${plain(100 * time, 2)} %`,
+    (time) => percent(time),
     1,
   );
   const one = (c: CanvasRenderingContext2D, place: number, width: number, height: number, palette: Palette): void => {

@@ -6,7 +6,7 @@ import type { Class } from '../../generated/tables';
 import { type Point, words } from '../draw';
 import { type Hoop, linkTo, most, motionOf, thinHoop } from '../hoops';
 import type { Picture } from '../kit';
-import { fateOf, PUSH, plain } from '../numbers';
+import { fateOf, PUSH, percent, plain } from '../numbers';
 import { fill } from '../rich';
 import { PICTURES } from '../text';
 
@@ -39,7 +39,7 @@ export function answer(picture: Picture): void {
   const hoopOf = (push: number, share: number): Hoop =>
     thinHoop((1 - share) / share, { theta_rate: -push, mu_s: mu.value, mu_k: KINETIC * mu.value });
   const [share, push, mu] = [
-    picture.slider('share', { min: 10, max: 98, step: 1, first: 80, text: (value) => `${plain(value)} %` }),
+    picture.slider('share', { min: 10, max: 98, step: 1, first: 80, text: (value) => percent(value / 100) }),
     picture.slider('push', { min: 0, max: 2, step: 0.01, first: PUSH, text: (value) => plain(value) }),
     picture.slider('mu', { min: 0.1, max: 1.5, step: 0.05, first: 0.5, text: (value) => plain(value) }, () => {
       cells.fill(-1);

@@ -3,7 +3,7 @@
 import type { Motion, Sample } from '../../core/motion';
 import type { Palette } from '../../generated/palette';
 import type { Size } from '../../views/canvas';
-import { drawHoop } from '../../views/hoop';
+import { drawHoop, type HoopScene } from '../../views/hoop';
 import { type Hoop, motionOf, type Run } from '../hoops';
 import type { Course } from '../kit';
 import { plain } from '../numbers';
@@ -53,10 +53,14 @@ export class Showing {
 
   readonly timeText = (time: number): string => `${plain(time)} √(R/g)`;
 
-  draw(c: CanvasRenderingContext2D, size: Size, time: number, palette: Palette, follow = true): Sample | null {
-    const sample = this.motion.at(time);
+  scene(time: number, palette: Palette, follow = true): HoopScene {
     const { offset, slope } = this.hoop;
-    drawHoop(c, size, { motion: this.motion, sample, offset, h: this.h, slope, follow, landing: null, palette });
-    return sample;
+    return { motion: this.motion, sample: this.motion.at(time), offset, h: this.h, slope, follow, landing: null, palette };
+  }
+
+  draw(c: CanvasRenderingContext2D, size: Size, time: number, palette: Palette, follow = true): Sample | null {
+    const scene = this.scene(time, palette, follow);
+    drawHoop(c, size, scene);
+    return scene.sample;
   }
 }

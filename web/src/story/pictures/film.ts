@@ -1,10 +1,11 @@
 // What a telephone films of a hop, and a film of one's own beside it.
 
+import { HULA_SECOND } from '../../core/fields';
 import { make } from '../../dom';
 import { ground, ring } from '../draw';
 import { linkTo, most, motionOf, storyHoop } from '../hoops';
 import type { Picture } from '../kit';
-import { degrees, FILM_RATE, GRAVITY, HULA_RADIUS_M, jumpOf, PUSH, plain, secondsOf } from '../numbers';
+import { degrees, FILM_RATE, jumpOf, PUSH, plain } from '../numbers';
 import { fill } from '../rich';
 import { PICTURES } from '../text';
 
@@ -17,7 +18,7 @@ const RIMS = 14;
 export function film(picture: Picture): void {
   const hoop = storyHoop(PUSH);
   const { motion } = motionOf(hoop);
-  const unit = secondsOf(HULA_RADIUS_M, GRAVITY);
+  const unit = HULA_SECOND;
   const jump = jumpOf(motion)!;
   const slide = motion.phases.findLast(({ mode, end }) => mode === 'sliding' && end <= jump.from + 1e-9)!;
   const rate = picture.slider('rate', { min: 0, max: RATES.length - 1, step: 1, first: 1, text: (value) => plain(RATES[value]!) });

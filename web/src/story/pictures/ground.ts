@@ -183,7 +183,7 @@ export function cone(picture: Picture): void {
       if (kind !== 'pulls') force(c, foot, dx * length, dy * length, palette.arrow.normal_force, '', palette);
       c.fillStyle = palette.ink.ink;
       disc(c, foot, 4);
-      words(c, picture.word(kind === 'grips' ? 'grips' : 'slips'), [foot[0] + 1.12 * radius, floor - 0.35 * radius], palette, 'left', 17);
+      words(c, picture.word(kind === 'grips' ? 'grips' : 'slips'), [size.width - 8, 20], palette, 'right', 17);
     },
     () => {
       const { ratio, kind } = state();

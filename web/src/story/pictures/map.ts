@@ -17,7 +17,7 @@ const RATE = 4;
 export function map(picture: Picture): void {
   const says = PICTURES.map.says;
   const base = storyHoop(0);
-  const showing = new Showing({ ...base, theta: 1.2, theta_rate: -2.4 });
+  const showing = new Showing({ ...base, theta: 1, theta_rate: -1.2 });
   const legend = make('ul', { class: 'legend' });
   const problem = problemOf(base);
   const curves: Curves = curvesOf(problem, RATE);
@@ -28,8 +28,8 @@ export function map(picture: Picture): void {
     fate = fateOf(showing.hoop);
     player.go(0);
   };
-  const angle = picture.slider('angle', { min: -3.1, max: 6.2, step: 0.05, first: 1.2, text: (value) => degrees(value) }, take);
-  const rate = picture.slider('rate', { min: -RATE, max: RATE, step: 0.05, first: -2.4, text: (value) => plain(value) }, take);
+  const angle = picture.slider('angle', { min: -3.1, max: 6.2, step: 0.05, first: 1, text: (value) => degrees(value) }, take);
+  const rate = picture.slider('rate', { min: -RATE, max: RATE, step: 0.05, first: -1.2, text: (value) => plain(value) }, take);
   const player = picture.player(showing.course, showing.timeText);
   picture.controls.before(legend);
 

@@ -1,8 +1,8 @@
 // Slopes: the disc that jumps on a ramp, and the one that climbs.
 
-import { climbingDisc, linkTo, rampDisc, slipped } from '../hoops';
+import { climbingDisc, linkTo, rampDisc } from '../hoops';
 import type { Picture } from '../kit';
-import { CLIMB, climbOf, millimetres, plain, RAMP, RAMP_RADIUS_M } from '../numbers';
+import { CLIMB, climbOf, millimetres, plain, RAMP, RAMP_RADIUS, RAMP_RADIUS_M, slipsOf } from '../numbers';
 import { fill } from '../rich';
 import { PICTURES } from '../text';
 import { Showing } from './course';
@@ -27,10 +27,9 @@ export function ramp(picture: Picture): void {
   picture.live(
     (c, size, palette) => showing.draw(c, size, player.time, palette),
     () => {
-      const lift = showing.motion.events.find(({ name }) => name === 'lift_off');
-      if (lift === undefined) return says.stays;
-      const slip = millimetres(slipped(showing.motion, lift.time) * RAMP_RADIUS_M);
-      return fill(says.jumps, { radius: `${plain(100 * RAMP_RADIUS_M)} cm`, slip });
+      if (!showing.motion.events.some(({ name }) => name === 'lift_off')) return says.stays;
+      const slip = millimetres(slipsOf(showing.motion).at(-1)! * RAMP_RADIUS_M);
+      return fill(says.jumps, { radius: RAMP_RADIUS, slip });
     },
     () => linkTo(showing.hoop),
   );

@@ -1,0 +1,288 @@
+// The story: each picture is live, each number is computed, and everything can be read, reached and printed.
+
+import { readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+import AxeBuilder from '@axe-core/playwright';
+import { expect, type Page, test } from '@playwright/test';
+import { PICTURES, SHEET, SOURCES, STORY } from '../src/story/text';
+import { ready, watch } from './lab';
+
+test.describe.configure({ mode: 'parallel' });
+
+const NAMES = Object.keys(PICTURES) as (keyof typeof PICTURES)[];
+
+async function open(page: Page, name = 'story'): Promise<void> {
+  watch(page);
+  await page.goto(`./${name}.html`);
+  await ready(page);
+}
+
+const figure = (page: Page, name: string) => page.locator(`#picture-${name}`);
+
+/** A sum of the pixels of the picture that is drawn. */
+async function drawn(page: Page, name: string): Promise<number> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return figure(page, name)
+    .locator('canvas')
+    .evaluate((it) => {
+      let sum = 0;
+      for (const character of (it as HTMLCanvasElement).toDataURL()) sum = (31 * sum + character.charCodeAt(0)) | 0;
+      return sum;
+    });
+}
+
+async function numberOf(page: Page, name: string): Promise<number> {
+  const text = await page.locator(`[data-number="${name}"]`).first().textContent();
+  return Number(/[\d.]+/.exec(text!)![0]);
+}
+
+test('every control of every picture changes what is drawn', async ({ page }) => {
+  await open(page);
+  for (const name of NAMES) {
+    const picture = figure(page, name);
+    await picture.scrollIntoViewIfNeeded();
+    await expect(picture).toHaveAttribute('data-drawn', /./);
+    const sliders = picture.locator('input[type=range]');
+    for (let i = 0; i < (await sliders.count()); i++) {
+      const slider = sliders.nth(i);
+      await slider.focus();
+      await page.keyboard.press('Home');
+      const least = await drawn(page, name);
+      await page.keyboard.press('PageUp');
+      expect(await drawn(page, name), `${name}, slider ${i}`).not.toBe(least);
+      await expect(slider).toHaveAttribute('aria-valuetext', /\S/);
+    }
+    await expect(picture.locator('.says')).toHaveText(/\S/);
+  }
+});
+
+test('what is said follows the controls', async ({ page }) => {
+  await open(page);
+  const says = (name: string) => figure(page, name).locator('.says');
+  const set = (name: string, label: string, value: number): Promise<void> =>
+    figure(page, name)
+      .getByRole('slider', { name: label })
+      .evaluate((it, to) => {
+        (it as HTMLInputElement).value = String(to);
+        it.dispatchEvent(new Event('input', { bubbles: true }));
+      }, value);
+  const at = async (name: keyof typeof PICTURES): Promise<void> => figure(page, name).scrollIntoViewIfNeeded();
+
+  await at('question');
+  await set('question', 'push', 0.2);
+  await expect(says('question')).toHaveText(PICTURES.question.says.slips);
+  await set('question', 'push', 1.3);
+  await expect(says('question')).toHaveText(PICTURES.question.says.atOnce);
+
+  // N is the cosine of the angle.
+  await at('forces');
+  await set('forces', 'angle', 60);
+  await expect(says('forces')).toContainText('50 %');
+  await set('forces', 'angle', 120);
+  await expect(says('forces')).toContainText('pull with 50 %');
+
+  // tan 30° is 0.577.
+  await at('cone');
+  await set('cone', 'angle', 60);
+  await expect(says('cone')).toContainText('0.58 times N');
+  await expect(says('cone')).toContainText('has slipped at 53.1°');
+  await set('cone', 'μ', 0.6);
+  await expect(says('cone')).toContainText('it grips');
+
+  await at('inertia');
+  await set('inertia', 'inertia', 50);
+  await expect(says('inertia')).toContainText('glides, and the ground pushes with 0 %');
+
+  await at('angle');
+  await set('angle', 'lift-off', 60);
+  // The law: (cos φ − 1 + φ²/2)/(φ − sin φ) = tan 60°.
+  const turned = [...(await says('angle').textContent())!.matchAll(/by ([\d.]+)°/g)].map(([, it]) => (Number(it) * Math.PI) / 180);
+  expect(turned).toHaveLength(3);
+  for (const phi of turned) expect((Math.cos(phi) - 1 + phi ** 2 / 2) / (phi - Math.sin(phi))).toBeCloseTo(Math.tan(Math.PI / 3), 4);
+
+  await at('jam');
+  await set('jam', 'μ', 0.9);
+  await expect(says('jam')).toHaveText(PICTURES.jam.says.jams);
+
+  await at('bounce');
+  await set('bounce', 'restitution', 0);
+  await expect(says('bounce')).toContainText('comes down once');
+
+  await at('climb');
+  await set('climb', 'slope', 30);
+  await expect(says('climb')).toHaveText(PICTURES.climb.says.falls);
+
+  await at('answer');
+  await set('answer', 'push', 2);
+  await expect(says('answer')).toHaveText(PICTURES.answer.says.atOnce);
+  await set('answer', 'push', 0);
+  await expect(says('answer')).toHaveText(PICTURES.answer.says.stays);
+  await expect(figure(page, 'answer')).toHaveAttribute('data-cells', String(54 * 36));
+});
+
+test('the weight is dragged, and its slider follows', async ({ page }) => {
+  await open(page);
+  await figure(page, 'cone').scrollIntoViewIfNeeded();
+  await drawn(page, 'cone');
+  const grip = (await figure(page, 'cone').locator('.grip').boundingBox())!;
+  const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y + 60, { steps: 4 });
+  await page.mouse.up();
+  expect(await figure(page, 'cone').getByRole('slider', { name: 'angle' }).inputValue()).not.toBe('30');
+});
+
+test('no number is typed in the text', () => {
+  const { list, ...heading } = SOURCES;
+  const text = JSON.stringify([STORY, PICTURES, SHEET, heading]);
+  const left = text.replace(/\b(19|20)\d\d\b/g, '').replace(/"id":"[^"]*"|\(\d\.\d+\)|N = 0|= 0|Figure \d/g, '');
+  expect(left.match(/.{0,30}\d.{0,10}/g)).toBeNull();
+  expect(Object.keys(list).length).toBeGreaterThan(5);
+});
+
+test('the numbers are those of the theory', async ({ page }) => {
+  await open(page);
+  const degrees = (angle: number): number => (angle * 180) / Math.PI;
+  for (const [name, expected, digits] of [
+    // Littlewood's place: N = cos θ.
+    ['rolling.zero', 90, 1],
+    ['rolling.friction', 1, 2],
+    // (3.9) of the paper.
+    ['cone.angle', degrees(2 * Math.atan(0.5)), 1],
+    // The law of the jump: a whole turn at tan θ = π, four times a small angle.
+    ['angle.whole', degrees(Math.atan(Math.PI)), 1],
+    ['angle.small', 4, 1],
+    ['angle.example', 45, 0],
+    // θ′² = 1/h at the top, h = 0.8.
+    ['push.most', Math.sqrt(1 / 0.8), 2],
+    // P = 0 at θ = 0.5 for m₁ = m₂/8: μ = (ϱ + h²s²)/(hs(1 + hc)), ϱ = 1 − h², h = 8/9.
+    ['jam.mu', (1 - (8 / 9) ** 2 + ((8 / 9) * Math.sin(0.5)) ** 2) / ((8 / 9) * Math.sin(0.5) * (1 + (8 / 9) * Math.cos(0.5))), 2],
+  ] as const) {
+    expect(Math.abs((await numberOf(page, name)) - expected), name).toBeLessThanOrEqual(0.5001 * 10 ** -digits);
+  }
+  // A push that is too weak by energy: θ′² > (1 − h)/2h.
+  expect(await numberOf(page, 'push.least')).toBeGreaterThan(Math.sqrt(0.2 / 1.6));
+  // The disc of the ramp: the study of it has 0.15 mm.
+  expect(Math.abs((await numberOf(page, 'ramp.slip')) - 0.15)).toBeLessThanOrEqual(0.011);
+  await expect(page.locator('#story')).not.toContainText(/NaN|undefined|\{|∞/);
+});
+
+test('its links lead into the laboratory, and back', async ({ page }) => {
+  await open(page);
+  await figure(page, 'ramp').scrollIntoViewIfNeeded();
+  await figure(page, 'ramp').getByRole('link').click();
+  await ready(page);
+  await expect(page.locator('#outcome')).toContainText('Lands');
+  await expect(page.locator('#banner')).toBeHidden();
+  await page.getByRole('link', { name: 'The story' }).click();
+  await ready(page);
+  // Places of the page, and pages beside it.
+  const targets = await page.locator('a[href]').evaluateAll((all) => all.map((it) => it.getAttribute('href')!));
+  for (const target of new Set(targets)) {
+    if (target.startsWith('#')) await expect(page.locator(target), target).toHaveCount(1);
+    else expect(target).toMatch(/^\.\/(index|sheet)\.html(#[^\s]*)?$/);
+  }
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    for (const name of ['story', 'sheet']) {
+      await open(page, name);
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map((it) => `${it.id}: ${it.nodes[0]?.html}`)).toEqual([]);
+    }
+  });
+}
+
+test('who wants no motion gets steps, and nothing moves by itself', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page);
+  const picture = figure(page, 'question');
+  await picture.scrollIntoViewIfNeeded();
+  await drawn(page, 'question');
+  const count = async (): Promise<number> => Number(await picture.getAttribute('data-drawn'));
+  const before = await count();
+  await page.waitForTimeout(300);
+  expect(await count()).toBe(before);
+  await picture.getByRole('button', { name: 'Play' }).click();
+  // At once at the next event, and still until the one after.
+  await expect(picture.getByRole('slider', { name: 'time' })).not.toHaveValue('0');
+  await drawn(page, 'question');
+  const stepped = await count();
+  await page.waitForTimeout(300);
+  expect(await count()).toBe(stepped);
+  await picture.getByRole('button', { name: 'Pause' }).click();
+});
+
+test('it plays, is paused, and stops out of sight', async ({ page }) => {
+  await open(page);
+  const picture = figure(page, 'question');
+  await picture.scrollIntoViewIfNeeded();
+  await picture.getByRole('button', { name: 'Play' }).click();
+  await expect(picture.locator('.says')).toHaveAttribute('aria-busy', 'true');
+  await expect.poll(() => picture.getByRole('slider', { name: 'time' }).inputValue().then(Number)).toBeGreaterThan(0.05);
+  await page.evaluate(() => window.scrollTo(0, document.body.scrollHeight));
+  await expect(picture.locator('.play')).toHaveText('Play');
+  await expect(picture.locator('.says')).toHaveAttribute('aria-busy', 'false');
+});
+
+for (const width of [390, 320]) {
+  test(`nothing is wider than ${width} pixels`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 844 });
+    for (const name of ['story', 'sheet']) {
+      await open(page, name);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth), name).toBeLessThanOrEqual(width);
+    }
+  });
+}
+
+test('it is fetched in at most 700 kB', async ({ page }) => {
+  const fetched = new Set<string>();
+  page.on('request', (request) => fetched.add(new URL(request.url()).pathname.replace('/courses/mechanics/hoop/', '')));
+  await open(page);
+  for (const name of NAMES) await figure(page, name).scrollIntoViewIfNeeded();
+  await expect(page.locator('html[data-map=done]')).toBeAttached();
+  expect([...fetched].some((it) => it.endsWith('.wasm'))).toBe(true);
+  const files = [...fetched].filter((it) => it !== 'sw.js');
+  const sizes = files.map((it) => gzipSync(readFileSync(new URL(`../dist/${it}`, import.meta.url)), { level: 9 }).length);
+  expect(sizes.reduce((sum, it) => sum + it, 0)).toBeLessThanOrEqual(700_000);
+});
+
+test('it works without a network once it has been there', async ({ page, context }) => {
+  await open(page);
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+  });
+  await page.reload();
+  await ready(page);
+  await context.setOffline(true);
+  await page.reload();
+  await ready(page);
+  await figure(page, 'angle').scrollIntoViewIfNeeded();
+  await expect(figure(page, 'angle').locator('.says')).toContainText('189.085°');
+  await page.goto('./sheet.html');
+  await ready(page);
+});
+
+test('the sheet is one page of paper', async ({ page }) => {
+  await open(page, 'sheet');
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.getByRole('button')).toBeHidden();
+  for (const format of ['A4', 'Letter']) {
+    const pdf = await page.pdf({ format });
+    expect(pdf.toString('latin1').match(/\/Type\s*\/Page\b/g), format).toHaveLength(1);
+  }
+});
+
+test('title and description are those of the text', async ({ page }) => {
+  for (const [name, title] of [
+    ['story', STORY.title],
+    ['sheet', SHEET.title],
+  ] as const) {
+    await open(page, name);
+    await expect(page).toHaveTitle(title);
+    await expect(page.locator('h1')).toHaveText(title);
+  }
+});
