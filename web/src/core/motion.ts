@@ -181,7 +181,10 @@ export class Motion {
   /** Found when it is first asked for. */
   private firstHop: [Hop | null] | null = null;
 
-  private constructor(private readonly core: CoreMotion) {
+  private constructor(
+    private readonly core: CoreMotion,
+    count: number,
+  ) {
     const document = JSON.parse(core.json()) as Document;
     this.outcomeSentence = core.outcomeSentence();
     this.begin = document.start.time;
@@ -195,12 +198,12 @@ export class Motion {
       }));
     this.events = eventsOf(document, core.startSentence(), core.transitionSentences(), this.outcomeSentence);
     this.impacts = this.events.filter((event) => isImpact(event)).filter((event) => event.time <= this.end);
-    this.samples = this.sample(Math.min(Math.max(COUNT, PER_PHASE * this.phases.length), MOST));
+    this.samples = this.sample(Math.min(Math.max(count, PER_PHASE * this.phases.length), MOST));
   }
 
-  /** Simulates. Throws a refusal of the core. */
-  static of(problem: Problem, name: string | null): Motion {
-    return new Motion(new CoreMotion(problem, name));
+  /** Simulates, with at least so many samples for the views. Throws a refusal of the core. */
+  static of(problem: Problem, name: string | null, count = COUNT): Motion {
+    return new Motion(new CoreMotion(problem, name), count);
   }
 
   /** Samples evenly spaced in time, and every transition twice. */

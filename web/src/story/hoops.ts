@@ -64,6 +64,9 @@ export function jammingHoop(mu: number): Hoop {
   return thinHoop(0.125, { mu_s: mu, mu_k: mu, theta: 0.5, theta_rate: -0.5, slip: 1 });
 }
 
+/** Samples of a motion on a slope. */
+const SLOPE_SAMPLES = 120;
+
 export function problemOf(hoop: Hoop, { restitution, until }: Run = {}): Problem {
   return Problem.dimensionless(inOrder('dimensionless', hoop), restitution, undefined, until);
 }
@@ -71,7 +74,8 @@ export function problemOf(hoop: Hoop, { restitution, until }: Run = {}): Problem
 /** The motion of a problem, and its h. */
 export function motionOf(hoop: Hoop, run: Run = {}): { motion: Motion; h: number } {
   const problem = problemOf(hoop, run);
-  const found = { motion: Motion.of(problem, null), h: problem.h };
+  // Rolling on a slope is followed from its beginning for each sample.
+  const found = { motion: Motion.of(problem, null, hoop.slope === 0 ? undefined : SLOPE_SAMPLES), h: problem.h };
   problem.free();
   return found;
 }

@@ -194,7 +194,13 @@ export const PICTURES = {
   map: {
     title: 'What becomes of every start of this hoop: weight’s angle across, rate of turning upwards.',
     shows: 'A map of starts, coloured by what becomes of them, and the path of one motion over it.',
-    controls: { angle: 'angle of the weight', rate: 'rate of turning, √(g/R)', drop: 'start' },
+    controls: {
+      angle: 'angle of the weight',
+      rate: 'rate of turning, √(g/R)',
+      leaves_at_once: 'leaves at once',
+      lifts_off_later: 'hops later',
+      in_contact: 'never leaves the ground',
+    },
     says: {
       leaves_at_once: 'From here it leaves the ground at once.',
       lifts_off_later: 'From here it stays on the ground for a while, and then hops.',
@@ -344,7 +350,7 @@ export const SHEET = {
       ['Can a hoop hop without slipping first?', 'Out of rolling on level ground never; on a ramp in one motion out of all.'],
       [
         'Why does a loaded disc climb a slope?',
-        'Its weight falls further than its centre rises: by {climb.height} of the radius in the story’s picture.',
+        'Its weight falls further than the disc rises. In the story’s picture the disc climbs by {climb.height} of its radius.',
       ],
     ],
   },

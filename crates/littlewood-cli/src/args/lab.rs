@@ -6,7 +6,7 @@ use clap::Args;
 
 pub(super) const LAB: &str = "\
 Serve the laboratory on 127.0.0.1 and open it in the browser: drag a start on the phase plane, and watch the hoop roll, \
-slide and jump. The story, "Does the hoop hop?", is at /story.
+slide and jump. The story, 'Does the hoop hop?', is at /story.
 
 Nothing leaves this machine, and no other machine can ask: requests for another host name are refused. Ctrl-C ends it. \
 The page is part of a released program, and of one that was built after the page. Another is given its page with --page, or builds \

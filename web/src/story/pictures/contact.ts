@@ -63,9 +63,9 @@ const JAM_SHOWN = 1;
 export function jam(picture: Picture): void {
   const says = PICTURES.jam.says;
   const first = 0.4;
-  const showing = new Showing(jammingHoop(first), { restitution: 0, until: JAM_SHOWN }, JAM_SHOWN, 0.25);
+  const showing = new Showing(jammingHoop(first), { restitution: 0 }, JAM_SHOWN, 0.25);
   const slider = picture.slider('mu', { min: 0.1, max: 1, step: 0.02, first, text: (value) => plain(value) }, (value) => {
-    showing.take(jammingHoop(value), { restitution: 0, until: JAM_SHOWN });
+    showing.take(jammingHoop(value), { restitution: 0 });
     player.go(0);
   });
   const player = picture.player(showing.course, showing.timeText);

@@ -8,7 +8,7 @@ import { type Hoop, motionOf, type Run } from '../hoops';
 import type { Course } from '../kit';
 import { plain } from '../numbers';
 
-/** The time at which motions without end, or with a long one, are shown no further. */
+/** Time up to which motions are shown, if no other is given: many go on for ever. */
 const LONG = 14;
 
 /** Time for a second of the screen: half of what it is for a hula hoop. */
@@ -34,14 +34,7 @@ export class Showing {
     if (this.motion !== undefined) this.motion.free();
     this.hoop = hoop;
     this.run = run;
-    let { motion, h } = motionOf(hoop, run);
-    if (motion.end - motion.begin > this.longest) {
-      // Its samples are then those of what is shown.
-      motion.free();
-      ({ motion, h } = motionOf(hoop, { ...run, until: this.longest }));
-    }
-    this.motion = motion;
-    this.h = h;
+    ({ motion: this.motion, h: this.h } = motionOf(hoop, { ...run, until: this.longest }));
   }
 
   readonly course = (): Course => ({

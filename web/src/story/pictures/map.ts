@@ -33,6 +33,9 @@ export function map(picture: Picture): void {
   const player = picture.player(showing.course, showing.timeText);
   picture.controls.before(legend);
 
+  /** In the words of the story, where it has some. */
+  const labelOf = (name: Class): string => (name in PICTURES.map.controls ? picture.word(name) : CLASS_LABELS[name]);
+
   let outcomes: OutcomePicture | null = null;
   const frame = (): Frame => new Frame(picture.size, RATE);
   picture.handle(
@@ -52,7 +55,7 @@ export function map(picture: Picture): void {
           () => {
             const present = outcomes?.present.filter((name) => name !== 'not_computed') ?? [];
             const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
-            legend.replaceChildren(...present.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])));
+            legend.replaceChildren(...present.map((name) => make('li', { 'data-class': name }, swatch(), labelOf(name))));
             picture.changed();
           },
           (message) => {

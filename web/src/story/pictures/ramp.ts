@@ -11,8 +11,8 @@ const radians = (value: number): number => (value * Math.PI) / 180;
 
 const inDegrees = (value: number): string => `${plain(value)}°`;
 
-/** Long enough for a jump on a slope of five degrees. */
-const LONG = 40;
+/** Long enough for a jump on the gentlest slope. */
+const LONG = 20;
 
 export function ramp(picture: Picture): void {
   const says = PICTURES.ramp.says;
@@ -21,7 +21,7 @@ export function ramp(picture: Picture): void {
     showing.take(rampDisc(radians(slope.value), radians(release.value)));
     player.go(0);
   };
-  const slope = picture.slider('slope', { min: 5, max: 45, step: 1, first: 30, text: inDegrees }, take);
+  const slope = picture.slider('slope', { min: 10, max: 45, step: 1, first: 30, text: inDegrees }, take);
   const release = picture.slider('release', { min: -180, max: 180, step: 5, first: 30, text: inDegrees }, take);
   const player = picture.player(showing.course, showing.timeText);
   picture.live(
