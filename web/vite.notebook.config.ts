@@ -32,6 +32,8 @@ function oneFile(): Plugin {
         .replace(/<script type="module"[^>]*><\/script>/, '')
         .replace(/<link rel="(stylesheet|icon|manifest|modulepreload)"[^>]*>/g, '')
         .replace(/(http-equiv="Content-Security-Policy" content=")[^"]*/, (_, head: string) => head + POLICY)
+        // There is no other page beside a notebook.
+        .replace(/<a href="\.\/story\.html">.*?<\/a>\. /, '')
         .replace('</head>', () => `<style>${style}</style></head>`)
         .replace('</body>', () => `<script type="module">${safe}</script></body>`);
       const widget = readFileSync(place('./notebook/widget.js'), 'utf8');

@@ -27,7 +27,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
   title: 'Does the hoop hop?',
   lede: [
     'Fix a weight to the rim of a hoop. Put the weight at the top, give the hoop a push, and let it roll. Does it hop?',
-    'Mathematicians have argued about this since 1953, and a [film of 2023](#source-film) made the argument famous. This page tells it with pictures that you can drag. Each is computed while you drag it, by [the same library](laboratory) that computes the motions of the laboratory, and so is every number in the text.',
+    'Mathematicians and physicists have argued about this since 1953, and a [film of 2023](#source-film) made the argument famous. This page tells it with pictures that you can drag. Each is computed while you drag it, by [the same library](laboratory) that computes the motions of the laboratory, and so is every number in the text.',
   ],
   parts: [
     {
@@ -36,7 +36,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       body: [
         'Guess first. Then choose a push and play, or drag the weight and fling it. The weight of this hoop has {story.ratio} times the mass of the rim.',
         { picture: 'question' },
-        'With a weak push it rolls. With a strong one it leaves the ground at the very first moment, which is no surprise: a car flies over a humpback bridge for the same reason. In between it rolls almost a whole turn, and then, by itself, it jumps. That is the puzzle. Nothing strikes it, nothing pulls it up, and the ground can only push. Why does it leave?',
+        'With a weak push it rolls. With a strong one it leaves the ground at the very first moment, which is no surprise: a car flies over a humpback bridge for the same reason. In between it goes almost a whole turn along the ground, and then, by itself, it jumps. That is the puzzle. Nothing strikes it, nothing pulls it up, and the ground can only push. Why does it leave?',
       ],
     },
     {
@@ -83,7 +83,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       id: 'hop',
       heading: 'A real hoop',
       body: [
-        'Why, then, do hula hoops with batteries hop? Because a rim with mass can be pushed. Our hoop from the beginning, with a push of {hop.push} (in units of √(g/R)), first slips after {hop.slip}. It grips again, rolls through the bottom, slips once more, and now, as the weight is hurled *upwards*, the ground’s force fades away. It lifts off {hop.before} before the weight is at the top again. The rim rises by {hop.height} of its radius.',
+        'Why, then, do hula hoops with batteries hop? Because their rims have inertia, and something with inertia can be pushed. Our hoop from the beginning, with a push of {hop.push} (in units of √(g/R)), first slips after {hop.slip}. It grips again, rolls through the bottom, slips once more, and now, as the weight is hurled *upwards*, the ground’s force fades away. It lifts off {hop.before} before the weight is at the top again. The rim rises by {hop.height} of its radius.',
         'Look at that moment in slow motion.',
         { picture: 'liftoff' },
         'Nothing jerks. *N* sinks to zero while the hoop slides, and then the gap opens like the third power of time: for a while it is too small to see. At the instant of lift-off the mass centre circles the middle of the hoop just fast enough to balance gravity. Friction does not enter that balance.',
