@@ -25,6 +25,7 @@ __all__ = [
     "AXES",
     "CAUSES",
     "CLASSES",
+    "FRICTION",
     "HOOP",
     "IMPACT_CASES",
     "MAX_SLIDES",
@@ -103,6 +104,7 @@ __version__: str
 AXES: list[str]
 CAUSES: list[tuple[int, str, str]]
 CLASSES: list[tuple[int, str, str]]
+FRICTION: tuple[str, str, str]
 HOOP: list[str]
 IMPACT_CASES: list[tuple[int, str, str]]
 MAX_SLIDES: int
@@ -142,6 +144,7 @@ class Trajectory:
     ) -> list[tuple[list[float], list[float], _Impact | None, str | None, str | None, int, str]]: ...
     def outcome(self) -> tuple[str, list[float], dict[str, Any], str]: ...
     def text(self) -> str: ...
+    def json(self, samples: int | None, scales: _Scales | None) -> str: ...
     def blocks(self) -> list[tuple[str, list[str], list[tuple[str | None, list[str]]], list[int]]]: ...
     def end_time(self) -> float: ...
     def shown_until(self) -> float: ...

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
+from .elementwise import reals
 from .extras import require
 from .tables import SAMPLE_COLUMNS
 
@@ -63,7 +64,7 @@ def of_motion(core: _core.Trajectory, quantities: Sequence[str] | None) -> xarra
 
 def at_times(core: _core.Trajectory, times: npt.ArrayLike, quantities: Sequence[str] | None) -> xarray.Dataset:
     """Return the derivatives of the state at fixed times."""
-    instants = np.asarray(times, dtype=np.float64)
+    instants = reals(times)
     if instants.ndim > 1:
         raise ValueError(f"times of shape {instants.shape} must be one time or of shape (n,)")
     names, rows = core.derivatives_at(instants.reshape(-1), quantities)

@@ -13,8 +13,15 @@ if TYPE_CHECKING:
     Reals = npt.NDArray[np.float64]
 
 
-def reals(values: Any) -> npt.NDArray[np.float64]:
+def reals(values: Any, name: str | None = None) -> npt.NDArray[np.float64]:
     """Return numbers as an array; NaN where they are masked.
+
+    Parameters
+    ----------
+    values : array_like
+        The numbers.
+    name : str, optional
+        Of what they are, for the error.
 
     Raises
     ------
@@ -22,14 +29,17 @@ def reals(values: Any) -> npt.NDArray[np.float64]:
         For dates, texts and complex numbers, which are no real numbers.
     """
     array = np.asanyarray(values)
+    owner = "" if name is None else f"{name} must hold real numbers: "
     if array.dtype.kind not in "biufO":
-        raise TypeError(f"{array.dtype} is not a type of real numbers")
+        raise TypeError(f"{owner}{array.dtype} is not a type of real numbers")
     if np.ma.isMaskedArray(array):
         array = np.ma.filled(array.astype(np.float64), np.nan)
     try:
         return np.asarray(array, dtype=np.float64)
     except OverflowError:
-        raise TypeError("a number is beyond the range of doubles") from None
+        raise TypeError(f"{owner}a number is beyond the range of doubles") from None
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{owner}{error}") from None
 
 
 def flat(values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
@@ -71,7 +81,7 @@ def broadcast(
             output_dtypes=[dtype] * outputs,
             keep_attrs=False,
         )
-    arrays = np.broadcast_arrays(*(np.asarray(a, dtype=np.float64) for a in arguments))
+    arrays = np.broadcast_arrays(*(reals(a) for a in arguments))
     shape = arrays[0].shape
     result = function(*(flat(a) for a in arrays))
     if outputs == 1:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 _EXTRA_OF = {
@@ -46,3 +48,28 @@ def require(module: str) -> Any:
             raise
         message = f'this needs {package}, which is not installed: pip install "littlewood[{_EXTRA_OF[package]}]"'
         raise ImportError(message, name=error.name) from error
+
+
+@contextmanager
+def progress_bar(total: int, unit: str, wanted: bool) -> Iterator[Callable[[int], object]]:
+    """Show a bar (tqdm) while something is computed.
+
+    Parameters
+    ----------
+    total : int
+        How much there is to do.
+    unit : str
+        Of what.
+    wanted : bool
+        Whether to show it.
+
+    Yields
+    ------
+    callable
+        To be called with how much is done.
+    """
+    if not wanted:
+        yield lambda done: None
+        return
+    with require("tqdm.auto").tqdm(total=total, unit=f" {unit}", unit_scale=True) as bar:
+        yield lambda done: bar.update(done - bar.n)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
@@ -13,7 +12,7 @@ import numpy.typing as npt
 from . import _core
 from .block import Limits, compute
 from .elementwise import flat
-from .extras import require
+from .extras import progress_bar, require
 from .hoop import Hoop
 from .lazy import lazy_columns
 from .points import Points, broadcast, check_hoop, fill, grid
@@ -39,6 +38,7 @@ class Quantities(TypedDict, total=False):
     inertia: Any
     mu_s: Any
     mu_k: Any
+    mu: Any
     slope: Any
     restitution: Any
 
@@ -74,9 +74,9 @@ def simulate_many(
         Slip velocity η′, √(gR); 0 by default.
     gap_rate : array_like, optional
         Rate at which the gap under the rim opens, √(gR); 0 by default.
-    mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution : array_like, optional
-        Parameters of the hoop, as in :class:`Hoop`. Without a coefficient of restitution motions end where the
-        rim lands; NaN is not allowed.
+    mass_ratio, offset, inertia, mu_s, mu_k, mu, slope, restitution : array_like, optional
+        Parameters of the hoop, as in :class:`Hoop`; `mu` is both coefficients of friction. Without a coefficient of
+        restitution motions end where the rim lands; NaN is not allowed.
     until : float, optional
         Time τ at which to stop, √(R/g). By default to the end of each motion.
     max_transitions : int, optional
@@ -157,8 +157,8 @@ def outcome_map(
         As in :func:`simulate_many`.
     theta, theta_rate, slip, gap_rate : array_like, optional
         Axes of the start, of shape (n,), in the given order, or numbers. `theta` and `theta_rate` are required.
-    mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution : array_like, optional
-        Axes of the hoop, likewise.
+    mass_ratio, offset, inertia, mu_s, mu_k, mu, slope, restitution : array_like, optional
+        Axes of the hoop, likewise; `mu` is both coefficients of friction.
 
     Returns
     -------
@@ -181,7 +181,7 @@ def outcome_map(
     """
     values = fill(hoop, quantities)
     law = _law(hoop, restitution_law, values)
-    points = grid(values, law, [*quantities])
+    points = grid(values, law, [name for name, value in quantities.items() if value is not None])
     return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives)
 
 
@@ -235,8 +235,10 @@ def _simulate(
         data = lazy_columns(points, limits, names)
     else:
         arrays = {name: variable.data for name, variable in points.variables.items()}
-        with _bar(points.count, progress) as show:
-            data = compute(arrays, points.axes, points.law, limits, points.starts, threads or 0, show, names)
+        with progress_bar(points.count, "starts", progress) as show:
+            data = compute(
+                arrays, points.axes, points.law, limits, points.starts, threads or 0, show if progress else None, names
+            )
     dimensions = tuple(points.sizes)
     dataset: xarray.Dataset = require("xarray").Dataset(
         {name: (dimensions, data[name], result_attributes(name)) for name in (*RESULTS, *names)},
@@ -253,12 +255,3 @@ def _simulate(
         },
     )
     return dataset
-
-
-@contextmanager
-def _bar(total: int, wanted: bool) -> Iterator[Callable[[int], object] | None]:
-    if not wanted:
-        yield None
-        return
-    with require("tqdm.auto").tqdm(total=total, unit=" starts", unit_scale=True) as bar:
-        yield lambda done: bar.update(done - bar.n)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ import numpy as np
 from .elementwise import reals
 from .extras import require
 from .hoop import Hoop
-from .tables import AXES, HOOP, QUANTITIES
+from .tables import AXES, FRICTION, HOOP, QUANTITIES
 from .variables import quantity_attributes
 
 if TYPE_CHECKING:
@@ -102,10 +102,7 @@ def is_lazy(data: Any) -> bool:
 def _real(name: str, value: Any) -> Any:
     if is_lazy(value):
         return value.astype(np.float64)
-    try:
-        return reals(value)
-    except (TypeError, ValueError) as error:
-        raise type(error)(f"{name} must hold real numbers: {error}") from None
+    return reals(value, name)
 
 
 def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
@@ -121,22 +118,31 @@ def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
     if hoop is not None and not isinstance(hoop, Hoop):
         hint = f": littlewood.case({hoop!r}).hoop is one" if isinstance(hoop, str) else ""
         raise TypeError(f"hoop = {hoop!r} must be a Hoop{hint}")
-    unknown = [name for name in given if name not in AXES]
+    unknown = [name for name in given if name not in (*AXES, FRICTION)]
     if unknown:
-        raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join(AXES)}")
+        raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join((*AXES, FRICTION))}")
+    given = {name: value for name, value in given.items() if value is not None}
+    if FRICTION in given:
+        twice = [name for name in COEFFICIENTS if name in given]
+        if twice:
+            raise TypeError(f"{FRICTION} and {', '.join(twice)}: {FRICTION} gives both coefficients of friction")
+        given |= dict.fromkeys(COEFFICIENTS, given.pop(FRICTION))
     values: dict[str, Any] = {name: QUANTITIES[name].default for name in AXES if QUANTITIES[name].default is not None}
     if hoop is not None:
         values.update((name, getattr(hoop, name)) for name in HOOP if getattr(hoop, name) is not None)
-    values.update((name, value) for name, value in given.items() if value is not None)
+    values.update(given)
     missing = [name for name in AXES if name not in values and not QUANTITIES[name].is_optional]
     if missing:
         raise TypeError(f"missing: {', '.join(missing)}" + ("; give a hoop" if hoop is None else ""))
     return values
 
 
+COEFFICIENTS = ("mu_s", "mu_k")
+"""What the axis of friction gives."""
+
 # Quantities that can contradict each other.
 _BODY = ("mass_ratio", "offset", "inertia")
-_RELATED = (("mu_s", "mu_k"), _BODY, (*_BODY, "restitution"), (*_BODY, "gap_rate"))
+_RELATED = (COEFFICIENTS, _BODY, (*_BODY, "restitution"), (*_BODY, "gap_rate"))
 
 
 def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
@@ -221,7 +227,7 @@ def broadcast(values: Mapping[str, Any], law: str | None) -> Points:
     return _with_coordinates(dict(zip(dimensions, shape, strict=True)), variables, {}, law)
 
 
-def grid(values: Mapping[str, Any], law: str | None, order: Iterable[str]) -> Points:
+def grid(values: Mapping[str, Any], law: str | None, order: Sequence[str]) -> Points:
     """Make a grid: each one-dimensional quantity is an axis of its own, in this order; scalars are fixed."""
     xr = require("xarray")
     sizes: dict[str, int] = {}
@@ -230,11 +236,17 @@ def grid(values: Mapping[str, Any], law: str | None, order: Iterable[str]) -> Po
         array = _real(name, value.data if isinstance(value, xr.DataArray) else value)
         if array.ndim > 1:
             raise ValueError(f"{name} has {array.ndim} dimensions: an axis has one, a fixed value none")
-        variables[name] = xr.Variable((name,) if array.ndim else (), array)
+        axis = FRICTION if FRICTION in order and name in COEFFICIENTS else name
+        variables[name] = xr.Variable((axis,) if array.ndim else (), array)
+    coordinates = {}
     for name in order:
-        if name in variables and variables[name].ndim:
-            sizes[name] = variables[name].size
-    return _with_coordinates(sizes, variables, {}, law)
+        one = variables["mu_s" if name == FRICTION else name]
+        if one.ndim:
+            sizes[name] = one.size
+            if name == FRICTION:
+                coordinates[name] = one.compute()
+                coordinates[name].attrs = quantity_attributes(name)
+    return _with_coordinates(sizes, variables, coordinates, law)
 
 
 def _with_coordinates(

@@ -76,6 +76,9 @@ HOOP: tuple[str, ...] = tuple(_core.HOOP)
 START: tuple[str, ...] = tuple(_core.START)
 """Names of the numbers of a start."""
 
+FRICTION: str = _core.FRICTION[0]
+"""Name of the axis that both coefficients of friction share."""
+
 AXES: tuple[str, ...] = tuple(_core.AXES)
 """Names of what a sweep can vary."""
 

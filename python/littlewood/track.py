@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .calibration import checked
+from .elementwise import reals
 from .text_table import TrackFileError
 from .track_file import read_track
 
@@ -28,7 +29,7 @@ def _column(name: str, values: npt.ArrayLike | None, count: int) -> _Reals | Non
     if values is None:
         return None
     # A masked value was not seen.
-    column = np.array(np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan))
+    column = np.array(reals(values, name))
     if column.shape != (count,):
         raise ValueError(f"{name} has shape {column.shape}, time has ({count},): they must be the same")
     return column
@@ -76,7 +77,7 @@ class Track:
     level: bool = False
 
     def __post_init__(self) -> None:
-        time = np.array(self.time, dtype=np.float64)
+        time = np.array(reals(self.time, "time"))
         if time.ndim != 1 or not np.all(np.isfinite(time)):
             raise ValueError("time must be a list of finite numbers")
         falls = np.flatnonzero(np.diff(time) <= 0.0)
@@ -165,14 +166,14 @@ class Track:
         Track
         """
 
-        def lengths(values: npt.ArrayLike | None) -> _Reals | None:
-            return None if values is None else np.asarray(values, dtype=np.float64) / units.length_m
+        def over(name: str, values: npt.ArrayLike | None, unit: float) -> _Reals | None:
+            return None if values is None else reals(values, name) / unit
 
         return cls(
-            np.asarray(time_s, dtype=np.float64) / units.time_s,
-            None if theta_rad is None else np.asarray(theta_rad, dtype=np.float64),
-            lengths(x_m),
-            lengths(y_m),
+            reals(time_s, "time_s") / units.time_s,
+            over("theta_rad", theta_rad, 1.0),
+            over("x_m", x_m, units.length_m),
+            over("y_m", y_m, units.length_m),
             level=level,
         )
 

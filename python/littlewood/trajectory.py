@@ -236,7 +236,7 @@ class Trajectory:
         return self._core.shown_until()
 
     def _instants(self, times: npt.ArrayLike | None, count: int) -> Samples:
-        return self.sample(count) if times is None else self(np.atleast_1d(np.asarray(times)))
+        return self.sample(count) if times is None else self(np.atleast_1d(reals(times)))
 
     def to_xarray(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> xarray.Dataset:
         """Return instants of the motion as a data set with units and long names.
@@ -317,6 +317,31 @@ class Trajectory:
         """
         text: str | None = self.to_pandas(times, count=count, si=si).to_csv(path, index=False)
         return text
+
+    def to_json(self, path: str | Path | None = None, *, samples: int | None = None) -> str | None:
+        """Write the motion as JSON: as ``littlewood simulate --format json`` does.
+
+        Parameters
+        ----------
+        path : str or Path, optional
+            The file; without one the text is returned.
+        samples : int, optional
+            Number of evenly spaced instants, 2 to 10⁷, that follow the phases; none by default.
+
+        Returns
+        -------
+        str or None
+
+        Notes
+        -----
+        A number reads back as the same number; what is not finite is null. Of a hoop with units it has SI values, too.
+        """
+        count = None if samples is None else checked_count("samples", samples, *_core.SAMPLE_COUNTS)
+        text = self._core.json(count, None if self.hoop.units is None else self.hoop.units.scales)
+        if path is None:
+            return text
+        Path(path).write_text(text, encoding="utf-8")
+        return None
 
     def derivatives(self, quantities: Sequence[str] | None = None) -> xarray.Dataset:
         r"""Return the exact derivatives of each transition and of the outcome.

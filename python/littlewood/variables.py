@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from .tables import OUTCOMES, QUANTITIES, SUMMARY_COLUMNS
+from .tables import FRICTION, OUTCOMES, QUANTITIES, SUMMARY_COLUMNS
 
 CONVENTIONS = "CF-1.11"
 """Conventions that the attributes of data sets follow."""
@@ -19,6 +19,8 @@ RESULTS: tuple[str, ...] = tuple(SUMMARY_COLUMNS)
 
 def quantity_attributes(name: str) -> dict[str, Any]:
     """Return the attributes of a coordinate."""
+    if name == FRICTION:
+        return {**quantity_attributes("mu_s"), "long_name": _core.FRICTION[2]}
     quantity = QUANTITIES[name]
     return {"long_name": quantity.long_name, "units": quantity.cf_unit, "scale": quantity.scale}
 

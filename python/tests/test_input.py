@@ -6,6 +6,8 @@ import pickle
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import xarray
+from conftest import flags
 
 import littlewood as lw
 
@@ -73,13 +75,33 @@ def test_chunks_are_checked(hoop):
 def test_what_is_no_number_is_refused(hoop, motion, values):
     with pytest.raises(TypeError, match=r"theta must hold real numbers: .* is not a type of real numbers"):
         lw.simulate_many(hoop, theta=values, theta_rate=1.0)
-    with pytest.raises(TypeError, match="is not a type of real numbers"):
-        motion(values)
+    plane = motion.hoop.phase_plane
+    for take in (
+        motion,
+        motion.to_pandas,
+        motion.derivatives_at,
+        lambda values: plane.normal(values, 1.0),
+        lambda values: lw.closed_form.slip_angle(values),
+        lambda values: lw.Track([0.0], theta=values[:1]),
+        lambda values: lw.Track(values[:1], theta=[0.0]),
+        lambda values: lw.Track.from_si(lw.Units(1.0, 1.0, 1.0, 1.0), time_s=[0.0], theta_rad=values[:1]),
+        lambda values: lw.scoring.Record(np.arange(3.0), np.zeros(3), np.ones(3), [values[0]] * 3),
+    ):
+        with pytest.raises(TypeError, match="is not a type of real numbers"):
+            take(values)
 
 
 def test_masked_values_are_missing(hoop, motion):
     masked = np.ma.masked_array([0.0, 1.0], mask=[False, True])
     assert np.isnan(motion(masked).theta).tolist() == [False, True]
+    assert np.isnan(motion.to_pandas(masked).theta).tolist() == [False, True]
+    assert np.isnan(motion.derivatives_at(masked, ["mu_k"]).theta).to_numpy().ravel().tolist() == [False, True]
+    assert np.isnan(motion.hoop.phase_plane.normal(masked, 1.0)).tolist() == [False, True]
+    units = lw.Units(1.0, 2.0, 1.0, 1.0)
+    track = lw.Track.from_si(units, time_s=[0.0, 1.0], theta_rad=[0.0, 1.0], x_m=masked)
+    assert np.isnan(track.x).tolist() == [False, True]
+    with pytest.raises(ValueError, match=r"x\[1\] = nan must be finite"):
+        lw.scoring.Record(np.arange(3.0), np.ma.masked_array(np.zeros(3), mask=[0, 1, 0]), np.ones(3), np.zeros(3))
     with pytest.raises(lw.ParameterError, match="theta"):
         lw.simulate_many(hoop, theta=masked, theta_rate=1.0)
 
@@ -95,6 +117,56 @@ def test_a_motion_as_comma_separated_values(motion, tmp_path):
     assert len(rows) + 1 == len(motion.to_pandas(count=5)) and first.startswith("0.0,")
     assert motion.to_csv(tmp_path / "motion.csv", [0.0, 0.5]) is None
     assert (tmp_path / "motion.csv").read_text().count("\n") == 3
+
+
+def test_a_motion_as_json_is_that_of_the_command_line(command, tmp_path):
+    for name in ("figure-3", "figure-3-bounces", "ramp-jump"):
+        motion = lw.case(name).simulate(until=20.0)
+        for samples in (None, 7):
+            more = [] if samples is None else [f"--samples={samples}"]
+            said = command("simulate", name, "--until", "20", *more, "--format", "json").stdout
+            # The name of the case is all that a motion does not know.
+            assert motion.to_json(samples=samples) == said.replace(f'  "case": "{name}",\n', "")
+    hula = {"disc_mass_kg": 0.4, "particle_mass_kg": 0.14, "radius_m": 0.45, "offset_m": 0.45, "inertia_kg_m2": 0.081}
+    hoop = lw.Hoop.from_si(**hula, mu_s=0.5, mu_k=0.4)
+    motion = hoop.simulate_si(theta_rad=1.5, theta_rate_rad_per_s=9.0)
+    given = flags(**hula, mu_s=0.5, mu_k=0.4, theta=1.5, theta_rate_rad_per_s=9.0)
+    said = command("simulate", "--si", *given, "--samples=5", "--format", "json").stdout
+    assert motion.to_json(samples=5) == said
+    assert motion.to_json(tmp_path / "motion.json", samples=5) is None
+    assert (tmp_path / "motion.json").read_text(encoding="utf-8") == said
+    for count in (1, 10**7 + 1):
+        with pytest.raises(ValueError, match=f"samples = {count} must not"):
+            motion.to_json(samples=count)
+
+
+def test_both_coefficients_of_friction_as_one_axis(hoop, command, tmp_path):
+    rates = np.linspace(0.5, 3.0, 6)
+    plane = lw.outcome_map(hoop, mu=np.linspace(0.1, 0.9, 5), theta_rate=rates, theta=1.5, until=20.0)
+    assert plane.outcome.dims == ("mu", "theta_rate")
+    assert plane.mu.attrs["long_name"] == "coefficient of static and kinetic friction"
+    for name in ("mu_s", "mu_k"):
+        assert (plane[name].dims, plane[name].to_numpy().tolist()) == (("mu",), plane.mu.to_numpy().tolist())
+    many = lw.simulate_many(hoop, mu=plane.mu.to_numpy()[:, None], theta_rate=rates, theta=1.5, until=20.0)
+    np.testing.assert_array_equal(many.end_time, plane.end_time)
+    path = tmp_path / "map.zarr"
+    axes = ("--x", "mu=0.1:0.9:5", "--y", "theta_rate=0.5:3.0:6")
+    assert command("map", "figure-3", *axes, "--theta=1.5", "--until=20", "--out", str(path)).returncode == 0
+    said = xarray.open_zarr(path, consolidated=False, mask_and_scale=False).load()
+    for name, variable in said.data_vars.items():
+        assert plane[name].to_numpy().tobytes() == variable.to_numpy().tobytes(), name
+    assert plane.mu.attrs == said.mu.attrs
+    number = lw.outcome_map(hoop, mu=float(plane.mu[1]), theta=1.5, theta_rate=rates, until=20.0)
+    np.testing.assert_array_equal(number.end_time, plane.end_time[1])
+    lazy = lw.outcome_map(hoop, mu=plane.mu.to_numpy(), theta_rate=rates, theta=1.5, until=20.0, chunks={"mu": 2})
+    assert lazy.chunks["mu"] == (2, 2, 1)
+    np.testing.assert_array_equal(lazy.end_time, plane.end_time)
+    axes = lw.plot.outcomes(plane)
+    assert axes.get_xlabel() == "μ"
+    with pytest.raises(TypeError, match="mu and mu_k: mu gives both coefficients of friction"):
+        lw.outcome_map(hoop, mu=[0.1, 0.2], mu_k=0.1, theta=0.0, theta_rate=1.0)
+    with pytest.raises(lw.ParameterError, match="must not be negative"):
+        lw.outcome_map(hoop, mu=[-0.1, 0.2], theta=0.0, theta_rate=1.0)
 
 
 def test_axes_of_equal_factors_are_logarithmic(hoop):

@@ -37,10 +37,10 @@ def test_arguments_are_those_of_the_table(function, names):
 
 
 def test_a_sweep_takes_the_axes_of_the_table():
-    assert sorted(Quantities.__annotations__) == sorted(tables.AXES)
+    assert sorted(Quantities.__annotations__) == sorted((*tables.AXES, tables.FRICTION))
     for function in (lw.simulate_many, lw.outcome_map):
         assert list(arguments(function))[-1] == "quantities"
-        for name in tables.AXES:
+        for name in (*tables.AXES, tables.FRICTION):
             assert re.search(rf"^    .*\b{name}\b.* : ", function.__doc__, re.MULTILINE), name
 
 

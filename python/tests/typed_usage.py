@@ -25,11 +25,12 @@ times: list[float] = [transition.time for transition in motion.transitions]
 kind: str = motion.outcome.kind
 samples: lw.Samples = motion(np.linspace(0.0, 1.0, 5))
 largest: float = float(np.max(samples.normal))
+text: str | None = motion.to_json(samples=11)
 dataset: xarray.Dataset = motion.to_xarray(si=False)
 gradient: xarray.Dataset = motion.derivatives(["mu_k", "theta_rate"])
 at_times: xarray.Dataset = motion.derivatives_at([0.5, 1.0])
 many: xarray.Dataset = lw.simulate_many(hoop, theta=[0.0, 1.0], theta_rate=1.0, mu_k=np.array([0.1, 0.2]))
-plane: xarray.Dataset = lw.outcome_map(theta=np.zeros(2), theta_rate=np.ones(3), mu_s=0.5, mu_k=0.4, chunks="auto")
+plane: xarray.Dataset = lw.outcome_map(hoop, theta=np.zeros(2), mu=[0.4, 0.5], theta_rate=1.0, chunks="auto")
 angle: float = float(closed_form.slip_angle(0.5))
 inside: bool = bool(hoop.phase_plane.in_rolling_region(0.5, 0.2))
 result: lw.FitResult = lw.fit(lw.Track(np.arange(9.0), theta=np.zeros(9)), hoop, free=("mu_k",), sigma={"theta": 0.01})

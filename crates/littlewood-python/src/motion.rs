@@ -1,6 +1,7 @@
 //! One hoop, one start, one motion.
 
 use std::collections::TryReserveError;
+use std::io;
 
 use littlewood::impact::{BouncingOrbit, ContactVelocities, Impact};
 use littlewood::tables::Detail;
@@ -11,8 +12,9 @@ use littlewood::{
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
 use littlewood_report::sheet::{Block, Row, Sheet, Table};
-use littlewood_report::{Instant, Sampling, Subject, instants, sentence};
+use littlewood_report::{Instant, Sampling, Subject, instants, json, sentence};
 use numpy::PyReadonlyArray1;
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -20,6 +22,7 @@ use crate::derivatives::{self, All, Rows};
 use crate::error::{refuse, too_large};
 use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, limits, start, start_numbers};
 use crate::samples::Samples;
+use crate::units::{Scales, units};
 
 /// Checks the parameters of a hoop; returns its mass m, h, its moment of inertia about the mass centre, and its law of
 /// restitution.
@@ -185,6 +188,20 @@ impl Trajectory {
         String::from_utf8(text).unwrap_or_default()
     }
 
+    /// The motion as the command line writes it in JSON, with so many evenly spaced instants, if any, and in SI units, too,
+    /// if it has some.
+    fn json(&self, py: Python<'_>, samples: Option<usize>, scales: Option<Scales>) -> PyResult<String> {
+        let units = scales.map(|scales| units(py, scales)).transpose()?;
+        let subject = Subject { units: units.as_ref(), ..self.subject() };
+        let sampling = samples.map(|count| Sampling::of(&self.0, count));
+        py.detach(|| {
+            let mut text = Room(Vec::new());
+            json::motion(&mut text, &subject, &self.0, sampling)?;
+            String::from_utf8(text.0).map_err(io::Error::other)
+        })
+        .map_err(|error| PyMemoryError::new_err(error.to_string()))
+    }
+
     /// The same in parts: facts, tables and notes.
     fn blocks(&self) -> Vec<BlockRow> {
         let plain = |cells: &[String]| cells.iter().map(|cell| (None, vec![cell.clone()])).collect();
@@ -276,16 +293,27 @@ impl Trajectory {
 impl Trajectory {
     fn page(&self) -> Sheet {
         let mut sheet = Sheet::default();
-        let subject = Subject {
-            case: None,
-            start: self.1,
-            units: None,
-            digits: None,
-            derivatives: None,
-            uncertainty: None,
-        };
-        page::motion(&mut sheet, &subject, &self.0, Look::default());
+        page::motion(&mut sheet, &self.subject(), &self.0, Look::default());
         sheet
+    }
+
+    const fn subject(&self) -> Subject<'static> {
+        Subject { case: None, start: self.1, units: None, digits: None, derivatives: None, uncertainty: None }
+    }
+}
+
+/// A text in memory; more of it than there is room for is an error and not the end of the process.
+struct Room(Vec<u8>);
+
+impl io::Write for Room {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.try_reserve(bytes.len()).map_err(io::Error::other)?;
+        self.0.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }
 

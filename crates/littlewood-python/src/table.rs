@@ -10,6 +10,7 @@ use littlewood::tables::{
 use littlewood::theory::{EDGES, RollingType, StartRegion};
 use littlewood::{Cause, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, State};
 use littlewood_report::Sampling;
+use littlewood_sweep::Varies;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -149,6 +150,8 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("HOOP", names(Quantity::HOOP))?;
     module.add("START", names(Quantity::START))?;
     module.add("AXES", names(Quantity::AXES))?;
+    let friction = Varies::Friction;
+    module.add("FRICTION", (friction.name(), friction.sign(), friction.long_name()))?;
     module.add("SI_HOOP", names(Quantity::SI_HOOP))?;
     module.add("SI_START", names(Quantity::SI_START))?;
     module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;

@@ -12,9 +12,9 @@ use crate::record::{
 };
 
 /// m2, R and g in SI units.
-type Scales = (f64, f64, f64);
+pub(crate) type Scales = (f64, f64, f64);
 
-fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyResult<Units> {
+pub(crate) fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyResult<Units> {
     SiParameters {
         particle_mass_kg: mass_kg,
         radius_m: length_m,

@@ -13,7 +13,7 @@ from .. import _core
 from ..extras import require
 from ..samples import Samples
 from ..style import FAINT, INK, PAPER
-from ..tables import MODES, QUANTITIES, SAMPLE_COLUMNS
+from ..tables import FRICTION, MODES, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,6 +25,8 @@ def sign(name: str) -> str:
     """Return the symbol of a quantity or a column of samples; a name that is neither stands for itself."""
     if name in SAMPLE_COLUMNS:
         return SAMPLE_COLUMNS[name].sign
+    if name == FRICTION:
+        return _core.FRICTION[1]
     return QUANTITIES[name].sign if name in QUANTITIES else name
 
 

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ..elementwise import reals
+
 if TYPE_CHECKING:
     from ..units import Units
 
@@ -93,7 +95,7 @@ class Record:
         if 0 < len(given) < len(_RATES):
             raise ValueError(f"{', '.join(given)} without the others: the rates are {', '.join(_RATES)}, or none")
         for name in (*_COLUMNS, *given):
-            object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
+            object.__setattr__(self, name, np.array(reals(getattr(self, name), name)))
         if self.contact is not None:
             object.__setattr__(self, _CONTACT, np.array(self.contact, dtype=np.bool_))
         if self.time.ndim != 1 or self.time.size < _FEWEST:
@@ -172,13 +174,13 @@ class Record:
         """
 
         def over(values: npt.ArrayLike | None, unit: float) -> _Reals | None:
-            return None if values is None else np.asarray(values, dtype=np.float64) / unit
+            return None if values is None else reals(values) / unit
 
         return cls(
-            np.asarray(time_s, dtype=np.float64) / units.time_s,
-            np.asarray(x_m, dtype=np.float64) / units.length_m,
-            np.asarray(y_m, dtype=np.float64) / units.length_m,
-            np.asarray(theta_rad, dtype=np.float64),
+            reals(time_s) / units.time_s,
+            reals(x_m) / units.length_m,
+            reals(y_m) / units.length_m,
+            reals(theta_rad),
             None if contact is None else np.asarray(contact, dtype=np.bool_),
             over(x_rate_m_per_s, units.velocity_m_per_s),
             over(y_rate_m_per_s, units.velocity_m_per_s),
