@@ -24,10 +24,10 @@ Derivatives are those of JAX in forward mode, through all steps.
 import importlib
 import math
 
-import jax
 import jax.numpy as jnp
-from adapter import main, rows_of
+from adapter import main
 from brax.io import mjcf
+from jax_steps import Run
 
 SCENE = """
 <mujoco>
@@ -45,61 +45,33 @@ SCENE = """
 """
 
 
-def recorded(case, step, setting):
-    """A program that returns the coordinates of all rows from (coordinates, rates, friction) at the start."""
-    jax.config.update("jax_platforms", "cpu")
-    jax.config.update("jax_enable_x64", True)
+def run_of(case, step, setting):
+    """All steps of a run."""
     case.without_restitution()
     along, away = case.gravity
     given = {"step": step, "along": along, "away": away, "mu": case.one_coefficient(), "h": case.h}
     system = mjcf.loads(SCENE.format(**given, mass=case.mass, inertia=case.inertia))
     pipeline = importlib.import_module(f"brax.{setting}.pipeline")
-    count, each = rows_of(case, step)
     none = jnp.zeros(system.act_size())
 
-    def record(coordinates, rates, friction):
+    def begin(coordinates, rates, friction):
         rubbing = system.replace(geom_friction=system.geom_friction.at[:, 0].set(friction))
-        state = pipeline.init(rubbing, coordinates, rates)
+        return pipeline.init(rubbing, coordinates, rates), lambda state: pipeline.step(rubbing, state, none)
 
-        def advance(state, _):
-            return pipeline.step(rubbing, state, none), None
-
-        def next_row(state, _):
-            state, _ = jax.lax.scan(advance, state, length=each)
-            return state, state.q
-
-        return jax.lax.scan(next_row, state, length=count)[1]
-
-    start = jnp.array([0.0, 0.0, case.theta]), jnp.array([case.x_rate, case.gap_rate, case.theta_rate])
-    return record, (*start, jnp.array(case.mu_k)), each
+    start = [0.0, 0.0, case.theta], [case.x_rate, case.gap_rate, case.theta_rate]
+    return Run(case, step, start, begin, lambda state: state.q)
 
 
 def simulate(case, step, setting):
     """Yield rows."""
-    record, start, each = recorded(case, step, setting)
-    ready = jax.jit(record).lower(*start).compile()
+    rows = run_of(case, step, setting).ready()
     yield 0.0, 0.0, 1.0, case.theta
     turns = case.theta
-    for i, (x, height, theta) in enumerate(ready(*start).tolist(), start=1):
+    for time, (x, height, theta) in rows():
         # Two of the pipelines know an angle up to whole turns.
         turns += math.remainder(theta - turns, math.tau)
-        yield i * each * step, x, 1.0 + height, turns
-
-
-TANGENTS = {"theta_rate": ([-1.0, 0.0, 1.0], 0.0), "slip": ([1.0, 0.0, 0.0], 0.0), "mu_k": ([0.0, 0.0, 0.0], 1.0)}
-"""Derivatives of the rates at the start, and of friction."""
-
-
-def gradient(case, step, setting):
-    """Yield rows of derivatives, in forward mode."""
-    record, start, each = recorded(case, step, setting)
-    rates, friction = TANGENTS[case.gradient]
-    tangents = jnp.zeros(3), jnp.array(rates), jnp.array(friction)
-    ready = jax.jit(lambda *at: jax.jvp(record, at, tangents)[1]).lower(*start).compile()
-    yield 0.0, 0.0, 0.0
-    for i, (x, _, theta) in enumerate(ready(*start).tolist(), start=1):
-        yield i * each * step, x, theta
+        yield time, x, 1.0 + height, turns
 
 
 if __name__ == "__main__":
-    main(simulate, gradient)
+    main(simulate, lambda *run: run_of(*run).gradient())

@@ -1,0 +1,53 @@
+"""What adapters of engines in JAX share: all steps of a run as one program, and its derivatives in forward mode.
+
+A call from Python costs far more than a step, so that a run is a scan over the rows of the record, and in it a scan
+over the steps between two rows. It is translated before the first row, which takes some seconds.
+"""
+
+import jax
+import jax.numpy as jnp
+from adapter import rows_of
+
+jax.config.update("jax_platforms", "cpu")
+jax.config.update("jax_enable_x64", True)
+
+TANGENTS = {"theta_rate": ([-1.0, 0.0, 1.0], 0.0), "slip": ([1.0, 0.0, 0.0], 0.0), "mu_k": ([0.0, 0.0, 0.0], 1.0)}
+"""Derivatives of the rates (x', y', theta') at the start, and of friction."""
+
+
+class Run:
+    """A run from coordinates and rates (x, y, theta) at the start.
+
+    `begin(coordinates, rates, friction)` returns a state and what makes the next one of it, `coordinates_of(state)`
+    those of a row.
+    """
+
+    def __init__(self, case, step, start, begin, coordinates_of):
+        count, each = rows_of(case, step)
+
+        def record(coordinates, rates, friction):
+            first, advance = begin(coordinates, rates, friction)
+
+            def next_row(state, _):
+                state, _ = jax.lax.scan(lambda state, _: (advance(state), None), state, length=each)
+                return state, coordinates_of(state)
+
+            return jax.lax.scan(next_row, first, length=count)[1]
+
+        self.record, self.start = record, (*map(jnp.array, start), jnp.array(case.mu_k))
+        self.quantity = case.gradient
+        self.times = [i * each * step for i in range(1, count + 1)]
+
+    def ready(self):
+        """Translate it; what is returned yields times and coordinates."""
+        program = jax.jit(self.record).lower(*self.start).compile()
+        return lambda: zip(self.times, program(*self.start).tolist(), strict=True)
+
+    def gradient(self):
+        """Yield rows of derivatives."""
+        rates, friction = TANGENTS[self.quantity]
+        tangents = jnp.zeros(3), jnp.array(rates), jnp.array(friction)
+        ready = jax.jit(lambda *at: jax.jvp(self.record, at, tangents)[1]).lower(*self.start).compile()
+        yield 0.0, 0.0, 0.0
+        for time, (x, _, theta) in zip(self.times, ready(*self.start).tolist(), strict=True):
+            yield time, x, theta
