@@ -31,7 +31,7 @@ pub use boundary::boundary;
 pub use cases::cases;
 pub use digest::digest_line;
 pub use link::{read_link, read_number, write_link};
-pub use map::{MapSubject, OutcomeMap};
+pub use map::{MapSubject, OutcomeMap, class_of};
 pub use motion::Motion;
 pub use moves::Moves;
 pub use panic::{begin, provoke_panic};
