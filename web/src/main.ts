@@ -30,6 +30,7 @@ import { HoopPane } from './ui/hoop-pane';
 import { Host } from './ui/host';
 import { ImpactPane } from './ui/impact-pane';
 import { Level } from './ui/level';
+import { Mark } from './ui/mark';
 import { MovesPane } from './ui/moves-pane';
 import { PhaseTable } from './ui/phase-table';
 import { PlanePane } from './ui/plane-pane';
@@ -91,6 +92,7 @@ function start(cases: NamedCase[]): void {
   const bar = new ProblemBar(lab, () => clock.pause());
   const words = new Words(lab);
   const compare = new Compare(lab);
+  const mark = new Mark(lab);
   const ask: Ask = new Ask(lab, clock, (lesson) => openLesson(lesson));
   const transport = new Transport(lab, clock);
   const story = new Story(lab);
@@ -177,6 +179,7 @@ function start(cases: NamedCase[]): void {
       story.showTime();
       phases.showTime();
       ask.showTime();
+      mark.showTime();
       energy.showTime();
       impact.showTime();
     }

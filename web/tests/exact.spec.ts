@@ -167,6 +167,18 @@ test('a curve that there is not has no place in the legend, and words can stand 
   await expect(page.locator('label[for=field-mu_s]')).toHaveText('coefficient of static friction', { useInnerText: true });
 });
 
+test('a mark measures time and way from an instant', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0');
+  // From the lift-off to the landing: 2.329 √(R/g), 4.2 R to the left, as the sentence has it.
+  for (let i = 0; i < 3; i++) await page.locator('#next').click();
+  await page.locator('#mark').click();
+  await page.locator('#next').click();
+  await expect(page.locator('#sentence')).toContainText('Lands 4.2 R to the left after 2.33 √(R/g)');
+  await expect(page.locator('#since')).toHaveText(/^Δτ = 2\.329 √\(R\/g\), Δx = −4\.(19|20)\d* R, Δθ = 4\.654$/);
+  await page.locator('#mark').click();
+  await expect(page.locator('#since')).toBeHidden();
+});
+
 test('the case says what is changed', async ({ page }) => {
   await open(page, 'case=figure-3&map=0');
   const shown = page.locator('#case option:checked');
@@ -181,6 +193,7 @@ test('the case says what is changed', async ({ page }) => {
 });
 
 test('the map of several workers is that of one', async ({ browser, baseURL }) => {
+  test.slow();
   const pictures: string[] = [];
   for (const cores of [2, 4]) {
     const context = await browser.newContext({ baseURL: baseURL!, viewport: { width: 1440, height: 900 } });

@@ -2,7 +2,7 @@
 
 import { byId } from '../dom';
 import type { Lab } from '../state/lab';
-import type { ProblemState } from '../state/state';
+import { VIEW } from '../state/state';
 import { format } from '../state/url';
 
 /** As the document of a notebook's frame the page has no address. */
@@ -16,8 +16,8 @@ const HAS_HISTORY = HAS_ADDRESS && IS_ALONE;
 
 export class Address {
   private readonly undo = byId('undo', HTMLButtonElement);
-  /** The problem of the entry that is shown, and the act that has made the entry. */
-  private problem: ProblemState;
+  /** The problem of the entry that is shown, as a link, and the act that has made the entry. */
+  private problem: string;
   private entry = 0;
   /** Counts what a person does: a press of the pointer, a visit to a control, a value that is confirmed. */
   private act = 1;
@@ -27,8 +27,10 @@ export class Address {
     /** The lesson that is shown, which the address names first. */
     private readonly lesson: () => string | null,
   ) {
-    this.problem = lab.state.problem;
+    this.problem = this.said;
     const next = (): void => {
+      // What has been changed before is an entry of its own.
+      if (HAS_HISTORY && this.said !== this.problem && lab.fieldErrors.length === 0) this.write();
       this.act += 1;
     };
     document.addEventListener('pointerdown', next, true);
@@ -45,6 +47,10 @@ export class Address {
     });
   }
 
+  private get said(): string {
+    return format({ problem: this.lab.state.problem, view: VIEW });
+  }
+
   /** The text after #. */
   get fragment(): string {
     const lesson = this.lesson();
@@ -59,19 +65,19 @@ export class Address {
 
   /** The entry of the history is that of the state: it has been read from there. */
   taken(): void {
-    this.problem = this.lab.state.problem;
+    this.problem = this.said;
     this.entry = 0;
     this.undo.disabled = depth() === 0;
   }
 
   /** The problem has changed: it can be undone, whether or not it is written yet. */
   changed(): void {
-    this.undo.disabled = depth() === 0 && this.lab.state.problem === this.problem;
+    this.undo.disabled = depth() === 0 && this.said === this.problem;
   }
 
   write(): void {
     if (!HAS_ADDRESS) return;
-    const { problem } = this.lab.state;
+    const problem = this.said;
     const isNew = HAS_HISTORY && problem !== this.problem && this.entry !== this.act;
     if (isNew) {
       this.entry = this.act;

@@ -48,7 +48,8 @@ const LONGEST = 2.3;
 /** Radii of the arrow of a slip velocity of √(gR). */
 const SPEED = 0.6;
 
-/** The inset of the contact, in pixels: the arrow of the weight in it, and the longest. */
+/** The inset of the contact, in pixels: the arrow of the weight in it, and the longest; smaller in a view that is narrower than this. */
+const NARROW = 420;
 const CONTACT = { width: 118, height: 112, weight: 30, longest: 74 };
 
 /** Radii that are seen to the side at least. */
@@ -91,7 +92,7 @@ export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopSce
   drawBody(c, camera, scene, sample);
   drawArrows(c, camera, scene, sample);
   if (scene.weight) drawBar(c, size, camera, scene.weight.text, palette);
-  if (scene.contact) drawContact(c, scene, sample, scene.contact);
+  if (scene.contact) drawContact(c, size, scene, sample, scene.contact);
   if (scene.follow) drawInset(c, size, camera, scene);
 }
 
@@ -416,9 +417,17 @@ function drawBar(c: CanvasRenderingContext2D, { height }: Size, { scale }: Camer
 }
 
 /** The contact by itself: the force of the ground, and the wedge in which friction can hold it. */
-function drawContact(c: CanvasRenderingContext2D, scene: HoopScene, sample: Sample, { mu_s, mu_k }: { mu_s: number; mu_k: number }): void {
+function drawContact(
+  c: CanvasRenderingContext2D,
+  size: Size,
+  scene: HoopScene,
+  sample: Sample,
+  { mu_s, mu_k }: { mu_s: number; mu_k: number },
+): void {
   const { palette } = scene;
-  const { width, height, weight, longest } = CONTACT;
+  // On a phone it would hide the hoop.
+  const part = size.width < NARROW ? 0.7 : 1;
+  const [width, height] = [CONTACT.width * part, CONTACT.height * part];
   const top = scene.landing === null ? 1 : INSET.top;
   const [x, ground] = [1 + width / 2, top + height - 10];
   const mode = modeOf(sample.mode);
@@ -463,11 +472,11 @@ function drawContact(c: CanvasRenderingContext2D, scene: HoopScene, sample: Samp
   c.stroke();
   const isTouching = sample.gap === 0 && Number.isFinite(sample.normal) && Number.isFinite(sample.friction);
   if (isTouching) {
-    const unit = weight / (scene.weight?.force ?? 1);
+    const unit = (part * CONTACT.weight) / (scene.weight?.force ?? 1);
     const [along, up] = [sample.friction * unit, sample.normal * unit];
-    const part = Math.min(1, longest / Math.hypot(along, up));
-    arrow(c, x, ground, part * along, -part * up, palette.ink.ink);
-    if (part < 1) cut(c, [x + 0.8 * part * along, ground - 0.8 * part * up], UPRIGHT, 0, palette.ink.paper);
+    const shown = Math.min(1, (part * CONTACT.longest) / Math.hypot(along, up));
+    arrow(c, x, ground, shown * along, -shown * up, palette.ink.ink);
+    if (shown < 1) cut(c, [x + 0.8 * shown * along, ground - 0.8 * shown * up], UPRIGHT, 0, palette.ink.paper);
   }
   c.font = `12px ${FONT}`;
   c.textAlign = 'center';

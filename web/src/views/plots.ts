@@ -82,6 +82,7 @@ export class Plots {
   private palette: Palette;
   private columns: uPlot.AlignedData[] = [];
   private shown: Shown | null = null;
+  private time = 0;
 
   constructor(
     holder: HTMLElement,
@@ -202,6 +203,7 @@ export class Plots {
     for (const { chart, box } of this.plots) {
       if (box.clientWidth > 0) chart.setSize({ width: box.clientWidth, height: box.clientHeight });
     }
+    this.setTime(this.time);
   }
 
   setPalette(palette: Palette): void {
@@ -233,6 +235,7 @@ export class Plots {
 
   /** Puts the cursor of every plot to a time. */
   setTime(time: number): void {
+    this.time = time;
     if (!this.shown) return;
     const {
       motion: { begin, end },
