@@ -133,6 +133,55 @@ test('the weight is dragged, and its slider follows', async ({ page }) => {
   expect(await figure(page, 'cone').getByRole('slider', { name: 'angle' }).inputValue()).not.toBe('30');
 });
 
+test('a start is dropped where one clicks', async ({ page }) => {
+  await open(page);
+  await figure(page, 'map').scrollIntoViewIfNeeded();
+  await expect(page.locator('html[data-map=done]')).toBeAttached();
+  const canvas = figure(page, 'map').locator('canvas');
+  const { width, height } = (await canvas.boundingBox())!;
+  // At the top, fast: it leaves at once. In the margins of the plane there is a third of the turn and a half to the left of it.
+  await canvas.click({ position: { x: 46 + (width - 60) / 3, y: 14 } });
+  await expect(figure(page, 'map').locator('.says')).toHaveText(PICTURES.map.says.leaves_at_once);
+  await canvas.click({ position: { x: 46 + (width - 60) / 3, y: height / 2 - 14 } });
+  await expect(figure(page, 'map').locator('.says')).toHaveText(PICTURES.map.says.stays);
+});
+
+test('a film of the reader follows the time of the picture, and is sent nowhere', async ({ page }) => {
+  await open(page);
+  const picture = figure(page, 'film');
+  await picture.scrollIntoViewIfNeeded();
+  // A film of a second, made here.
+  const film = await page.evaluate(async () => {
+    const canvas = Object.assign(document.createElement('canvas'), { width: 64, height: 48 });
+    const context = canvas.getContext('2d')!;
+    const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: 'video/webm' });
+    const chunks: Blob[] = [];
+    recorder.ondataavailable = ({ data }) => chunks.push(data);
+    const stopped = new Promise((done) => {
+      recorder.onstop = done;
+    });
+    recorder.start();
+    for (let i = 0; i < 30; i++) {
+      context.fillRect(i, i, 9, 9);
+      await new Promise((done) => setTimeout(done, 33));
+    }
+    recorder.stop();
+    await stopped;
+    return Array.from(new Uint8Array(await new Blob(chunks).arrayBuffer()));
+  });
+  await picture.locator('input[type=file]').setInputFiles({ name: 'hop.webm', mimeType: 'video/webm', buffer: Buffer.from(film) });
+  const video = picture.locator('video');
+  await expect(video).toBeVisible();
+  await expect.poll(() => video.evaluate((it) => (it as HTMLVideoElement).readyState)).toBeGreaterThan(0);
+  const time = picture.getByRole('slider', { name: 'time' });
+  await time.focus();
+  await page.keyboard.press('Home');
+  await picture.getByRole('button', { name: PICTURES.film.controls.mark }).click();
+  await time.focus();
+  await page.keyboard.press('End');
+  await expect.poll(() => video.evaluate((it) => (it as HTMLVideoElement).currentTime)).toBeGreaterThan(0.2);
+});
+
 test('no number is typed in the text', () => {
   const { list, ...heading } = SOURCES;
   const text = JSON.stringify([STORY, PICTURES, SHEET, heading]);

@@ -291,8 +291,11 @@ export class Picture {
     return player;
   }
 
-  /** A point of the canvas that is dragged; the sliders that it sets are its controls for the keyboard. */
-  handle(place: () => readonly [number, number], drag: (x: number, y: number) => void): void {
+  /**
+   * A point of the canvas that is dragged, and on a map also put where one clicks; the sliders that it sets are its controls for the
+   * keyboard.
+   */
+  handle(place: () => readonly [number, number], drag: (x: number, y: number) => void, isMap = false): void {
     const element = make('div', { class: 'grip', 'aria-hidden': 'true' });
     element.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
@@ -304,6 +307,10 @@ export class Picture {
       const box = this.canvas.getBoundingClientRect();
       drag(event.clientX - box.left, event.clientY - box.top);
     });
+    if (isMap) {
+      this.canvas.addEventListener('click', ({ offsetX, offsetY }) => drag(offsetX, offsetY));
+      this.canvas.classList.add('map');
+    }
     this.stage.append(element);
     this.handles.push({ element, place });
   }

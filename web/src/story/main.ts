@@ -16,10 +16,17 @@ import type { Picture } from './kit';
 import { numbersOfText } from './numbers';
 import { pictureOf } from './pictures';
 import { type Filling, rich } from './rich';
-import { COMMON, type Part, SOURCES, STORY } from './text';
+import { COMMON, LANGUAGE, type Part, SOURCES, STORY } from './text';
 
 let theme: Theme = 'auto';
 const main = byId('story', HTMLElement);
+const themeButton = byId('theme', HTMLButtonElement);
+
+document.documentElement.lang = LANGUAGE;
+byId('skip', HTMLAnchorElement).textContent = COMMON.skip;
+themeButton.title = COMMON.theme;
+themeButton.setAttribute('aria-label', COMMON.theme);
+byId('nav', HTMLElement).setAttribute('aria-label', COMMON.nav);
 
 try {
   await startCore(await coreModule(), (message) => show(message));
@@ -37,6 +44,7 @@ function show(message: string): void {
 
 function tell(numbers: Filling): void {
   const paragraph = (text: string): HTMLParagraphElement => make('p', {}, ...rich(text, numbers, addressOf));
+  for (const [name, words] of Object.entries(COMMON.links)) themeButton.before(make('a', { href: addressOf(name) }, words), ' ');
   const pictures: Picture[] = [];
   const section = ({ id, heading, body }: Part): HTMLElement => {
     const parts = body.map((it) => {
@@ -69,7 +77,7 @@ function tell(numbers: Filling): void {
     setTheme(theme);
     for (const picture of pictures) picture.setPalette(paletteOf(theme));
   };
-  byId('theme', HTMLButtonElement).addEventListener('click', () => {
+  themeButton.addEventListener('click', () => {
     theme = isDark(theme) ? 'light' : 'dark';
     showTheme();
   });

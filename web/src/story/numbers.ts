@@ -1,7 +1,7 @@
 // The numbers of the text, computed by the library when the page begins.
 
 import { HULA_SECOND } from '../core/fields';
-import type { Motion } from '../core/motion';
+import type { Event, Motion } from '../core/motion';
 import { classOf } from '../core/wasm';
 import { brief } from '../dom';
 import { CLASSES, type Class } from '../generated/tables';
@@ -168,11 +168,16 @@ export function numbersOfText(): Filling {
 
   const story = storyHoop(PUSH);
   const { motion } = motionOf(story);
-  const slip = motion.events.find(({ name }) => name === 'slip')!;
-  const lift = motion.events.find(({ name }) => name === 'lift_off')!;
+  const [slip, stick, again, lift] = (['slip', 'stick', 'slip', 'lift_off'] as const).map((name, i) => {
+    const event = motion.events[i + 1];
+    if (event?.name !== name) throw new Error(`the hoop of the story has no ${name} there`);
+    return event;
+  }) as [Event, Event, Event, Event];
   found['story.ratio'] = plain(1 / story.mass_ratio);
   found['hop.push'] = plain(PUSH);
   found['hop.slip'] = degrees(Math.abs(slip.theta));
+  found['hop.stick'] = degrees(Math.abs(stick.theta));
+  found['hop.again'] = degrees(Math.abs(again.theta));
   found['hop.before'] = degrees(2 * Math.PI - Math.abs(lift.theta));
   found['hop.height'] = plain(most(motion, 'gap'), 2);
   const hops = (push: number): boolean => fateOf(storyHoop(push)) === 'lifts_off_later';

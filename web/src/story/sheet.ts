@@ -10,9 +10,10 @@ import { byId, make } from '../dom';
 import { addressOf } from './addresses';
 import { numbersOfText } from './numbers';
 import { rich } from './rich';
-import { COMMON, SHEET } from './text';
+import { COMMON, LANGUAGE, SHEET } from './text';
 
 const main = byId('sheet', HTMLElement);
+document.documentElement.lang = LANGUAGE;
 
 try {
   await startCore(await coreModule(), (message) => show(message));

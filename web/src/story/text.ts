@@ -1,4 +1,5 @@
 // All words of the story and of the sheet for teachers, for whoever translates them: copy this file and say the same in another language.
+// Only titles and descriptions stand in the heads of story.html and sheet.html, too, for those who look for the pages.
 //
 // *emphasis*; [words](address), an address being a name of `addresses.ts` or a place of the page; {name} is a number, which the library
 // computes (`numbers.ts`, and each picture its own). No number is typed here but years and equations of the paper.
@@ -11,6 +12,9 @@ export const COMMON = {
   time: 'time',
   laboratory: 'Open it in the laboratory.',
   theme: 'Light or dark',
+  skip: 'To the question',
+  nav: 'Beside the story',
+  links: { laboratory: 'The laboratory', sheet: 'For teachers' },
   defect: 'The pictures cannot be computed here: {reason}',
 } as const;
 
@@ -27,7 +31,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
   title: 'Does the hoop hop?',
   lede: [
     'Fix a weight to the rim of a hoop. Put the weight at the top, give the hoop a push, and let it roll. Does it hop?',
-    'Mathematicians and physicists have argued about this since 1953, and a [film of 2023](#source-film) made the argument famous. This page tells it with pictures that you can drag. Each is computed while you drag it, by [the same library](laboratory) that computes the motions of the laboratory, and so is every number in the text.',
+    'Mathematicians and physicists have argued about this since 1953, and a [film of 2023](#source-film) made the argument known to many. This page tells it with pictures that you can drag. Each is computed while you drag it, by [the same library](laboratory) that computes the motions of the laboratory, and so is every number in the text.',
   ],
   parts: [
     {
@@ -63,7 +67,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
         'A weightless hoop has no freedom here. It cannot be turned by a force without spinning infinitely fast, so the force must point from the ground straight at the weight. When the weight moves out of the wedge, the hoop slips.',
         { picture: 'cone' },
         'With μ = {cone.mu} it slips after {cone.angle}. To come as far as Littlewood’s {rolling.zero} it needs a coefficient of {rolling.friction} or more. Rubber on a dry road can do that; most pairs of things cannot. Littlewood knew: “in actual practice the hoop skids first”.',
-        'Two answers followed. Butler and Pritchett showed that Littlewood’s hoop does not jump, [as later authors report](#source-gliding). [Pritchett](#source-revisited) also proved it for hoops that weigh something: on a level ground a hoop must slip before it can take off. That is exact. A hoop that rolls is held by *N* and *F* together, and both would have to vanish at once. On a level ground they do so only with the weight at the very top, and there the hoop has already begun to slip.',
+        'Two answers followed. Butler and Pritchett showed that Littlewood’s hoop does not jump, [as later authors report](#source-gliding). [Pritchett](#source-revisited) proved more: on level ground any loaded hoop that rolls must slip before it can take off. That is exact. A hoop that rolls is held by *N* and *F* together, and both would have to vanish at once. On level ground they do so only with the weight at the very top, and there the hoop has already begun to slip.',
       ],
     },
     {
@@ -74,7 +78,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
         'In 2024 [Aglaev and Kovaldzhi](#source-rough) objected: the skimming phase “is not derived, but wrongly postulated”. They have a point. A body without inertia needs no torque to be turned, so the laws of motion hardly speak about it. Why should the rim stay on the ground? It might as well hover.',
         'A computer can settle this, because a hoop that weighs *nearly* nothing obeys the laws of motion like everything else. Give the rim its inertia back, watch it, and then take the inertia away, step by step.',
         { picture: 'inertia' },
-        'With an inertia of one thousandth the weight strays from the parabola by {light.thousandth} of the radius at most. With ten times less inertia it strays {light.ratio} times less. The limit exists, and it is gliding. So gliding need not be postulated: light hoops do it. That is a theorem, in the study *Where the massless hoop comes from* of the documentation. It also says where gliding is *not* the limit: where the rim slips away from a weight that is inside the friction cone, a light hoop loses its slip at once. The objection was fair; the motion is real.',
+        'With an inertia of one thousandth the weight strays from the path without inertia by {light.thousandth} of the radius at most. With ten times less inertia it strays {light.ratio} times less. The limit exists, and it is gliding. So gliding need not be postulated: light hoops do it. That is a theorem, in the study *Where the massless hoop comes from* of the documentation. It also says where gliding is *not* the limit: where the rim slips away from a weight that is inside the friction cone, a light hoop loses its slip at once. The objection was fair; the motion is real.',
         'The same authors find a contradiction in the rolling of a hoop on an “absolutely rough” ground. That is real, too: there are speeds at which rolling would need a pull, and at which the hoop cannot leave the ground either. The exact motion there is a slide, however large the friction.',
         'So Littlewood’s own hoop never hops. It skids, and then it skims.',
       ],
@@ -83,7 +87,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       id: 'hop',
       heading: 'A real hoop',
       body: [
-        'Why, then, do hula hoops with batteries hop? Because their rims have inertia, and something with inertia can be pushed. Our hoop from the beginning, with a push of {hop.push} (in units of √(g/R)), first slips after {hop.slip}. It grips again, rolls through the bottom, slips once more, and now, as the weight is hurled *upwards*, the ground’s force fades away. It lifts off {hop.before} before the weight is at the top again. The rim rises by {hop.height} of its radius.',
+        'Why, then, do hula hoops with batteries hop? Because their rims have inertia, and something with inertia can be pushed. Our hoop from the beginning, with a push of {hop.push} (in units of √(g/R)), first slips after {hop.slip}. Just beyond the bottom, after {hop.stick}, it grips again; after {hop.again} it slips once more, and now, as the weight is hurled *upwards*, the ground’s force fades away. It lifts off {hop.before} before the weight is at the top again. The rim rises by {hop.height} of its radius.',
         'Look at that moment in slow motion.',
         { picture: 'liftoff' },
         'Nothing jerks. *N* sinks to zero while the hoop slides, and then the gap opens like the third power of time: for a while it is too small to see. At the instant of lift-off the mass centre circles the middle of the hoop just fast enough to balance gravity. Friction does not enter that balance.',
@@ -110,7 +114,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
         'The paper of 2019 ends where the rim comes down. What follows depends on how rim and ground bounce. Their *coefficient of restitution* says how much of the speed a collision gives back: nothing at zero, everything at one.',
         { picture: 'bounce' },
         'A real hoop loses its bounces in a moment: with {bounce.e} it strikes the ground so often, each time sooner, that the library adds the last bounces up as a series. Then it slides, rolls, and may hop again. Ivanov found motions of a loaded cylinder that roll, jump and land for ever, [as Bronars and O’Reilly recall](#source-gliding).',
-        'And there is something stranger than a hop. Let a very light hoop slip on a very rough ground, with the weight high and to the side. More friction means more force, which turns the hoop harder into the ground, which means more friction. Beyond {jam.mu} there is no finite force that would do. This is Painlevé’s paradox, and even a hoop has it.',
+        'And there is something stranger than a hop. Let a very light hoop slip on a very rough ground, with the weight high and to the side. More friction means more force, which turns the hoop harder into the ground, which means more friction. In the picture, beyond a coefficient of {jam.mu}, no finite force would do. This is Painlevé’s paradox, and even a hoop has it.',
         { picture: 'jam' },
         'The rim stops dead, without a collision: it *jams*. The usual continuation, the limit of a very stiff contact, is an impulse that ends the slip in no time at all. If a slide runs into such a jam, it throws the hoop off the ground.',
       ],
@@ -217,7 +221,8 @@ export const PICTURES = {
     },
   },
   film: {
-    title: 'What a telephone sees of the hop of a hula hoop: one picture after the other. A film of your own stays on your device.',
+    title:
+      'What a telephone sees of the hop, if our hoop is as large as a hula hoop: one picture after the other. A film of your own stays on your device.',
     shows: 'The hoop and its weight as a camera catches them at equal times, from the last slide to the landing.',
     controls: {
       rate: 'pictures a second',
@@ -321,7 +326,7 @@ export const SHEET = {
     },
     {
       heading: 'Lesson two: when it leaves',
-      text: 'Weak pushes roll, strong ones fly at once, and in between the hoop hops: with a weight of {story.ratio} times the rim’s mass between {push.least} and {push.most} √(g/R). Try it on a table. At lift-off the weight’s circling balances gravity. Watch the gap: why can nobody see the moment?',
+      text: 'Weak pushes roll, strong ones fly at once, and in between the hoop hops: with a weight of {story.ratio} times the rim’s mass between {push.least} and {push.most} √(g/R). Try it on a table. At lift-off the mass centre’s circling balances gravity. Watch the gap: why can nobody see the moment?',
     },
     {
       heading: 'Lesson three: one angle',
@@ -334,7 +339,7 @@ export const SHEET = {
       'Stand the telephone still, at the height of the hoop, and film along its axis with {film.rate} pictures a second or more. In good light the pictures are sharp.',
       'Put a bright spot on the weight, another one opposite. The angle of the line between them needs no ruler.',
       'The last picture in which the rim touches the ground is a little too late: the gap opens with the third power of time. Fit the angle’s straight line in the air and go back along it.',
-      'A hula hoop as in the story’s film picture is in the air for {film.time} s: {film.count} pictures.',
+      'The hoop of the story’s film, as large as a hula hoop, is in the air for {film.time} s: {film.count} pictures.',
     ],
   },
   questions: {

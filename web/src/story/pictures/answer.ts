@@ -83,11 +83,15 @@ export function answer(picture: Picture): void {
     const part = ([from, to]: readonly [number, number], value: number): number => (value - from) / (to - from);
     return [left + part(PUSHES, push.value) * width, top + (1 - part(SHARES, share.value / 100)) * height];
   };
-  picture.handle(place, (x, y) => {
-    const { left, top, width, height } = frame();
-    push.set(between(PUSHES, (x - left) / width));
-    share.set(100 * between(SHARES, 1 - (y - top) / height));
-  });
+  picture.handle(
+    place,
+    (x, y) => {
+      const { left, top, width, height } = frame();
+      push.set(between(PUSHES, (x - left) / width));
+      share.set(100 * between(SHARES, 1 - (y - top) / height));
+    },
+    true,
+  );
 
   picture.live(
     (c, _, palette: Palette) => {

@@ -45,6 +45,7 @@ export function map(picture: Picture): void {
       angle.set(Math.min(Math.max(theta, FROM), TO));
       rate.set(rateAt);
     },
+    true,
   );
   picture.live(
     (c, size, palette) => {
