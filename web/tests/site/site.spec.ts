@@ -91,18 +91,11 @@ test('a frame plays, and follows the theme of the page', async ({ page }) => {
   await expect(frame.locator('html')).toHaveAttribute('data-theme', 'light');
 });
 
-test('the story has its place in the documentation, and works there without a network', async ({ page, context }) => {
+test('the story has its place in the documentation', async ({ page }) => {
   await open(page, 'docs/story');
   await expect(page).toHaveURL(/lab\/story\.html$/);
   await expect(page.locator('html[data-ready=true]')).toBeAttached();
   await expect(page.locator('[data-number="cone.angle"]').first()).toHaveText('53.1°');
-  await page.evaluate(async () => {
-    await navigator.serviceWorker.ready;
-  });
-  await page.reload();
-  await context.setOffline(true);
-  await page.reload();
-  await expect(page.locator('html[data-ready=true]')).toBeAttached();
 });
 
 test('the first address leads to the first page', async ({ page }) => {
