@@ -26,6 +26,7 @@ NAMES = (
     "gradients-through-contact",
     "real-film",
     "doubted-fits",
+    "telephone",
     "sequences",
 )
 """All studies, in the order of their index; each is a module of this package."""

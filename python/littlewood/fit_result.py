@@ -210,8 +210,13 @@ class FitResult:
 
         return profile_interval(self._problem, self._unknowns, self.covariance, name, self.estimates[name], confidence)
 
-    def plot(self) -> Figure:
+    def plot(self, *, with_doubts: bool = True) -> Figure:
         """Draw data, fitted motion and residuals.
+
+        Parameters
+        ----------
+        with_doubts : bool, optional
+            Whether to write the doubts below.
 
         Returns
         -------
@@ -255,7 +260,7 @@ class FitResult:
         handles, labels = axes[0, 0].get_legend_handles_labels()
         unique = dict(zip(labels, handles, strict=True))
         figure.legend(unique.values(), unique.keys(), loc="outside upper center", ncols=5, frameon=False)
-        if self.doubts:
+        if self.doubts and with_doubts:
             words = "\n".join(textwrap.fill(f"Doubt: {doubt}", 62 * max(2, len(channels))) for doubt in self.doubts)
             figure.supxlabel(words, fontsize=8, color=MODE_COLOURS["sliding"], ha="left", x=0.02)
         figure.align_ylabels()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from .calibration import checked
 from .doubts import Doubt, doubts_of_residuals
+from .extras import progress_bar
 from .fit_problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
 from .fit_result import Estimate, FitResult, FitWarning, IdentifiabilityWarning
 from .hoop import Hoop
@@ -76,6 +77,7 @@ def fit(
     loss: str = "linear",
     search: bool = True,
     calibration: Iterable[str] | None = None,
+    progress: bool = False,
 ) -> FitResult:
     r"""Estimate friction, inertia and restitution of a hoop from a tracked motion.
 
@@ -116,6 +118,8 @@ def fit(
         the frame, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and "exposure"
         (exposure time). By default all for a track of :func:`track_video`,
         none for others. Those that no channel determines are omitted.
+    progress : bool, optional
+        Whether to show a progress bar (tqdm).
 
     Returns
     -------
@@ -189,29 +193,38 @@ def fit(
     known = {name: Noise(float(value)) for name, value in (sigma or {}).items()}
     noise = dict.fromkeys(track.channels, Noise(1.0)) | known
     problem = Problem(track, hoop, tuple(names), first, noise, slips_at_start)
-    others: list[_Reals] = []
-    if search:
-        unknowns, *others = _search(problem, loss, track.theta is None, start or {})
-    elif camera:
-        # Without its constants the fit would leave the sequence of phases of a good guess.
-        unknowns = problem.guess()
-    else:
-        unknowns = problem.refine(problem.guess(), loss).x
-    if camera:
-        problem, unknowns = problem.with_camera(camera, unknowns)
-        # A hundred times as large as the errors, at first they would be taken for them.
-        unknowns = problem.camera_of(unknowns)
-    # Weights from residuals, and again with those weights.
-    for turn in range(_TURNS):
-        noise = problem.noise_of(unknowns, known, loss, turn > 0)
-        problem = replace(problem, noise=noise)
-        last = turn == _TURNS - 1
-        best = problem.refine(unknowns, loss, FINE, 50) if last else problem.refine(unknowns, loss, ROUGH, 30)
-        unknowns = best.x
-    if loss == "linear":
-        best, sequences = _compared(problem, best, others)
-    else:
-        sequences = {problem.motion(best.x).sequence: 1.0}
+    parts, best_of_part = (_PARTS, _BEST_OF_PART) if "restitution" in names else ((1.0,), _BEST)
+    with progress_bar(len(parts) * best_of_part * search + _TURNS + 1, "steps", progress) as show:
+        done = itertools.count(1)
+
+        def step() -> None:
+            show(next(done))
+
+        others: list[_Reals] = []
+        if search:
+            unknowns, *others = _search(problem, loss, track.theta is None, start or {}, parts, best_of_part, step)
+        elif camera:
+            # Without its constants the fit would leave the sequence of phases of a good guess.
+            unknowns = problem.guess()
+        else:
+            unknowns = problem.refine(problem.guess(), loss).x
+        if camera:
+            problem, unknowns = problem.with_camera(camera, unknowns)
+            # A hundred times as large as the errors, at first they would be taken for them.
+            unknowns = problem.camera_of(unknowns)
+        # Weights from residuals, and again with those weights.
+        for turn in range(_TURNS):
+            noise = problem.noise_of(unknowns, known, loss, turn > 0)
+            problem = replace(problem, noise=noise)
+            last = turn == _TURNS - 1
+            best = problem.refine(unknowns, loss, FINE, 50) if last else problem.refine(unknowns, loss, ROUGH, 30)
+            unknowns = best.x
+            step()
+        if loss == "linear":
+            best, sequences = _compared(problem, best, others)
+        else:
+            sequences = {problem.motion(best.x).sequence: 1.0}
+        step()
     return _result(problem, best, sequences, known, loss)
 
 
@@ -278,14 +291,21 @@ def _guesses(problem: Problem, any_angle: bool, given: Mapping[str, float]) -> l
     return guesses
 
 
-def _search(problem: Problem, loss: str, any_angle: bool, given: Mapping[str, float]) -> list[_Reals]:
+def _search(
+    problem: Problem,
+    loss: str,
+    any_angle: bool,
+    given: Mapping[str, float],
+    parts: Iterable[float],
+    best: int,
+    step: Callable[[], None],
+) -> list[_Reals]:
     """Refine the best of many guesses; return where they end, the best first.
 
     Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track, and sought anew
     where what fits one part does not foretell the next.
     """
     guesses = _guesses(problem, any_angle, given)
-    parts, best = (_PARTS, _BEST_OF_PART) if "restitution" in problem.names else ((1.0,), _BEST)
     foretold = 0.0
     for part in parts:
         shorter = problem.part(part)
@@ -293,7 +313,10 @@ def _search(problem: Problem, loss: str, any_angle: bool, given: Mapping[str, fl
             guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
         order = np.argsort([shorter.misfit(guess) for guess in guesses], kind="stable")[:best]
         tolerance = FINE if shorter is problem else ROUGH
-        found = [shorter.refine(guesses[i], loss, tolerance) for i in order]
+        found = []
+        for i in order:
+            found.append(shorter.refine(guesses[i], loss, tolerance))
+            step()
         found.sort(key=lambda result: float(result.cost))
         guesses = _distinct([result.x for result in found])
         foretold = _FORETELLS * shorter.misfit(guesses[0])

@@ -92,6 +92,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Poster(args) => poster::run(&args),
         #[cfg(not(feature = "figures"))]
         Command::Poster(_) => Err(not_built("littlewood poster", Feature::Figures)),
+        Command::Fit(_) => Err(error::Error::InPackage { command: "fit" }),
         Command::Score(_) => Err(error::Error::InPackage { command: "score" }),
         Command::Certify(_) => Err(error::Error::InPackage { command: "certify" }),
     };

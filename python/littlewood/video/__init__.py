@@ -8,6 +8,7 @@ motion whose coefficients are known. All of it needs OpenCV, the extra ``video``
 from .camera import Camera
 from .errors import (
     NoHoopError,
+    NoMarkerError,
     TooFewFramesError,
     UnreadableVideoError,
     UnwritableVideoError,
@@ -16,8 +17,10 @@ from .errors import (
 )
 from .files import codecs, frames, rate_of
 from .finder import Circle, Finder, Marker
-from .overlay import draw_motion, overlay_video
+from .hoop_as_ruler import find_plane
+from .overlay import draw_motion, overlay_picture, overlay_video
 from .plane import Plane
+from .sheet import marker_sheet
 from .synthetic import Look, synthetic_frames, synthetic_video
 from .tracking import finder_of, track_video
 
@@ -28,6 +31,7 @@ __all__ = [
     "Look",
     "Marker",
     "NoHoopError",
+    "NoMarkerError",
     "Plane",
     "TooFewFramesError",
     "UnreadableVideoError",
@@ -36,8 +40,11 @@ __all__ = [
     "VideoFileError",
     "codecs",
     "draw_motion",
+    "find_plane",
     "finder_of",
     "frames",
+    "marker_sheet",
+    "overlay_picture",
     "overlay_video",
     "rate_of",
     "synthetic_frames",

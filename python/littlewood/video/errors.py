@@ -4,6 +4,7 @@ from __future__ import annotations
 
 __all__ = [
     "NoHoopError",
+    "NoMarkerError",
     "TooFewFramesError",
     "UnreadableVideoError",
     "UnwritableVideoError",
@@ -68,5 +69,25 @@ class NoHoopError(VideoError):
 
     def __init__(self, frames: int, found: int, least: int, reason: str) -> None:
         super().__init__(f"the hoop was found in {found} of {frames} frames, {least} are needed: {reason}")
+        self.frames = frames
+        self.found = found
+
+
+class NoMarkerError(VideoError):
+    """A video in which the marker is not to be seen in enough of the frames with a hoop.
+
+    Attributes
+    ----------
+    frames : int
+        In how many frames the hoop was found.
+    found : int
+        In how many of them the marker was.
+    """
+
+    def __init__(self, frames: int, found: int, marker: str | tuple[int, int, int]) -> None:
+        super().__init__(
+            f"the marker was found in {found} of {frames} frames with a hoop, half of them are needed: "
+            f"is it {marker}, and at the distance from the centre that was given?"
+        )
         self.frames = frames
         self.found = found

@@ -55,6 +55,8 @@ _OUTLIER = 0.02
 _SIGNAL = 6.0
 # Least part of the largest signal that belongs to the marker: its blurred ends count.
 _FLOOR = 0.1
+# Least part of the colour of a marker that the background there does not have.
+_APART = 0.2
 # What levels are of light.
 _GAMMA = 2.2
 _LIGHT = ((np.arange(256) / 255.0) ** _GAMMA).astype(np.float32)
@@ -94,11 +96,14 @@ class Marker:
         Its middle, m.
     error_m : float
         Standard error of a coordinate, m.
+    light : float
+        How much light of its colour there is, over all pixels: the same however it is blurred.
     """
 
     x_m: float
     y_m: float
     error_m: float
+    light: float
 
 
 class Finder:
@@ -192,6 +197,15 @@ class Finder:
         found = self._outline(frame)
         line = None if found is None else self._line(frame, found[0], found[1])
         return None if found is None or line is None else (found[1][:2], *line)
+
+    def rim(self, frame: Frame) -> tuple[_Reals, _Reals, float] | None:
+        """Return points of the mean line of the rim in pixels, and its outer radius over theirs; None if unseen."""
+        found = self._outline(frame)
+        line = None if found is None else self._line(frame, found[0], found[1])
+        if found is None or line is None:
+            return None
+        circle, _, _ = _fit_circle(*line, found[1], self._radius)
+        return (*self._plane.to_pixels(*line), found[1][2] / circle[2])
 
     def rounded(self, frames: Iterable[Frame]) -> Finder:
         """Return a finder that also fits the deviation of the rim from a circle, by errors of the plane.
@@ -342,20 +356,25 @@ class Finder:
         down = np.abs(np.mod(_ANGLES + 0.5 * math.pi + math.pi, math.tau) - math.pi)
         return np.asarray(marked | (down < _SHADOW))
 
-    def _guess(self, difference: npt.NDArray[np.uint8]) -> tuple[float, float] | None:
-        """Find where a circle of the known radius has most of the outlines of what differs from the background."""
+    def outlines(self, difference: npt.NDArray[np.uint8]) -> tuple[_Reals, _Reals] | None:
+        """Return the points of the outlines of what differs from the background, m."""
         cv2 = require("cv2")
         level = max(_SIGNAL * self._noise, 0.25 * float(np.percentile(difference, 99.9)))
         mask = (difference > level).astype(np.uint8)
         mask = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
-        outlines, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-        outlines = [one[:, 0, :] for one in outlines if len(one) >= 8]
-        if not outlines:
+        contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+        long = [one[:, 0, :] for one in contours if len(one) >= 8]
+        if not long:
             return None
-        pixels = np.concatenate(outlines).astype(np.float64)
-        x, y = self._plane.to_metres(pixels[:, 0], pixels[:, 1])
-        if x.size < 20:
+        pixels = np.concatenate(long).astype(np.float64)
+        return self._plane.to_metres(pixels[:, 0], pixels[:, 1])
+
+    def _guess(self, difference: npt.NDArray[np.uint8]) -> tuple[float, float] | None:
+        """Find where a circle of the known radius has most of the outlines of what differs from the background."""
+        found = self.outlines(difference)
+        if found is None or found[0].size < 20:
             return None
+        x, y = found
         # Two points and the radius make two circles. The draws are the same for every frame.
         random = np.random.default_rng(0)
         some = random.integers(0, x.size, 200)
@@ -399,9 +418,13 @@ class Finder:
         spot = labels == int(np.argmax(sums))
         weights = np.where(spot, smooth, 0.0)
         total = float(weights.sum())
+        # What has the colour in the background, too, is no marker.
+        apart = 255.0 * (_light(frame[cut]) - self._background[cut]) @ self._hue
+        if float((weights * apart).sum()) < _APART * float((weights * score).sum()):
+            return None
         mean_x, mean_y = float((weights * x).sum()) / total, float((weights * y).sum()) / total
         spread = float((((x - mean_x) ** 2 + (y - mean_y) ** 2) * spot).sum()) / 2.0
-        return Marker(mean_x, mean_y, self._noise * math.sqrt(spread) / total)
+        return Marker(mean_x, mean_y, self._noise * math.sqrt(spread) / total, total)
 
 
 def _light(frame: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:

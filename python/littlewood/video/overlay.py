@@ -10,17 +10,20 @@ import numpy as np
 
 from ..extras import require
 from ..fit_result import FitResult
-from ..style import MODE_COLOURS
+from ..style import ACCENTS, MODE_COLOURS
+from ..track import Track
 from ..trajectory import Trajectory
+from .errors import UnreadableVideoError
 from .files import Frame, FrameWriter, frames
 from .plane import Plane
+from .tracking import background_of
 
-__all__ = ["draw_motion", "overlay_video"]
+__all__ = ["draw_motion", "overlay_picture", "overlay_video"]
 
 
-def _colour(mode: str) -> tuple[int, int, int]:
-    """Return the colour of a mode of motion as OpenCV takes it."""
-    text = MODE_COLOURS[mode].lstrip("#")
+def _colour(text: str) -> tuple[int, int, int]:
+    """Return a colour as OpenCV takes it."""
+    text = text.lstrip("#")
     return int(text[4:6], 16), int(text[2:4], 16), int(text[0:2], 16)
 
 
@@ -44,30 +47,11 @@ def draw_motion(frame: Frame, motion: Trajectory, plane: Plane, time: float) -> 
         A copy; without a hoop before the start and after the end of the motion.
     """
     cv2 = require("cv2")
-    units = motion.hoop.require_units()
     drawn = frame.copy()
-    sample: Any = motion(np.array([time]))
-    if bool(sample.is_outside[0]) or time < motion.start.time:
+    mode = _draw_hoop(drawn, motion, plane, time)
+    if mode is None:
         return drawn
-    x, y, theta = (float(values[0]) for values in (sample.x, sample.centre_y, sample.theta))
-    mode = str(sample.mode_names[0])
-    angles = np.linspace(0.0, math.tau, 181)
-    r = units.length_m
-
-    def points(at_x: Any, at_y: Any) -> Any:
-        u, v = plane.to_pixels(np.asarray(at_x) * r, np.asarray(at_y) * r)
-        # Sixteenths of a pixel.
-        return np.rint(16.0 * np.column_stack([u, v])).astype(np.int32).reshape(-1, 1, 2)
-
-    offset = motion.hoop.offset
-    particle = (x - offset * math.sin(theta), y + offset * math.cos(theta))
-    style = {"lineType": cv2.LINE_AA, "shift": 4}
-    colour = _colour(mode)
-    cv2.polylines(drawn, [points(x + np.cos(angles), y + np.sin(angles))], False, colour, 2, **style)
-    cv2.polylines(drawn, [points([x, particle[0]], [y, particle[1]])], False, colour, 2, **style)
-    small = 0.06 * np.array([np.cos(angles), np.sin(angles)])
-    cv2.polylines(drawn, [points(particle[0] + small[0], particle[1] + small[1])], False, colour, 2, **style)
-    seconds = (time - motion.start.time) * units.time_s
+    seconds = (time - motion.start.time) * motion.hoop.require_units().time_s
     size = frame.shape[0] / 540.0
     at = (round(16 * size), round(32 * size))
     for ink, width in (((255, 255, 255), 4), ((20, 20, 20), 1)):
@@ -75,6 +59,107 @@ def draw_motion(frame: Frame, motion: Trajectory, plane: Plane, time: float) -> 
         cv2.putText(
             drawn, words, at, cv2.FONT_HERSHEY_SIMPLEX, 0.7 * size, ink, max(1, round(width * size)), cv2.LINE_AA
         )
+    return drawn
+
+
+def _points(plane: Plane, x: Any, y: Any) -> Any:
+    """Return points of the plane, m, as OpenCV draws them: in sixteenths of a pixel."""
+    u, v = plane.to_pixels(x, y)
+    return np.rint(16.0 * np.column_stack([u, v])).astype(np.int32).reshape(-1, 1, 2)
+
+
+def _draw_hoop(drawn: Frame, motion: Trajectory, plane: Plane, time: float) -> str | None:
+    """Draw the simulated hoop into a frame, and return its mode of motion; None outside of the motion."""
+    cv2 = require("cv2")
+    r = motion.hoop.require_units().length_m
+    sample: Any = motion(np.array([time]))
+    if bool(sample.is_outside[0]) or time < motion.start.time:
+        return None
+    x, y, theta = (float(values[0]) for values in (sample.x, sample.centre_y, sample.theta))
+    mode = str(sample.mode_names[0])
+    angles = np.linspace(0.0, math.tau, 181)
+    offset = motion.hoop.offset
+    particle = (x - offset * math.sin(theta), y + offset * math.cos(theta))
+    small = 0.06 * np.array([np.cos(angles), np.sin(angles)])
+    for at_x, at_y in (
+        (x + np.cos(angles), y + np.sin(angles)),
+        (np.array([x, particle[0]]), np.array([y, particle[1]])),
+        (particle[0] + small[0], particle[1] + small[1]),
+    ):
+        line = _points(plane, at_x * r, at_y * r)
+        cv2.polylines(drawn, [line], False, _colour(MODE_COLOURS[mode]), 2, lineType=cv2.LINE_AA, shift=4)
+    return mode
+
+
+def overlay_picture(
+    video: str | Path,
+    fitted: FitResult | Trajectory,
+    *,
+    plane: Plane,
+    fps: float,
+    track: Track | None = None,
+    count: int = 5,
+) -> Frame:
+    """Return several instants of a video in one picture, with the simulated hoop over each.
+
+    Parameters
+    ----------
+    video : str or Path
+        The video.
+    fitted : FitResult or Trajectory
+        The motion; its time counts from the first frame of the video.
+    plane : Plane
+        The plane of the motion in a frame, whose floor is drawn, too.
+    fps : float
+        Rate at which the frames were taken.
+    track : Track, optional
+        What was found: the centres and the markers of all frames are dots.
+    count : int, optional
+        How many instants, evenly spread over the motion.
+
+    Returns
+    -------
+    ndarray
+        Rows, columns, and blue, green, red.
+
+    Raises
+    ------
+    UnreadableVideoError
+        If the video is missing or cannot be decoded.
+    """
+    cv2 = require("cv2")
+    motion = fitted.motion if isinstance(fitted, FitResult) else fitted
+    r, time_s = motion.hoop.require_units().length_m, motion.hoop.require_units().time_s
+    first, end = motion.start.time * time_s * fps, motion.shown_until * time_s * fps
+    if track is not None:
+        end = min(end, float(track.time[-1]) * time_s * fps)
+    numbers = sorted({math.ceil(first - 1e-6), *np.linspace(first, end - 1e-6, count).astype(int).tolist()[1:]})
+    some = list(frames(video, numbers))
+    if not some:
+        raise UnreadableVideoError(str(video), "it has no frame of the motion")
+    still, _ = background_of(video)
+    picture, farthest = still, np.zeros(still.shape[:2])
+    for frame in some:
+        # What differs most from the background is a hoop.
+        apart = np.abs(frame - still).sum(axis=2)
+        picture = np.where((apart > farthest)[:, :, None], frame, picture)
+        farthest = np.maximum(apart, farthest)
+    drawn = np.ascontiguousarray(picture, dtype=np.uint8)
+    for number in numbers:
+        _draw_hoop(drawn, motion, plane, number / fps / time_s)
+    style = {"lineType": cv2.LINE_AA, "shift": 4}
+    x, _ = plane.to_metres([0.0, drawn.shape[1] - 1.0], plane.to_pixels([0.0, 0.0], [0.0, 0.0])[1])
+    cv2.polylines(drawn, [_points(plane, x, np.zeros(2))], False, _colour(ACCENTS["violet"]), 1, **style)
+    if track is not None and track.x is not None:
+        y = np.ones_like(track.x) if track.y is None else track.y
+        dots = [(track.x, y)]
+        if track.theta is not None:
+            offset = motion.hoop.offset
+            dots.append((track.x - offset * np.sin(track.theta), y + offset * np.cos(track.theta)))
+        for at_x, at_y in dots:
+            seen = np.isfinite(at_x) & np.isfinite(at_y)
+            for point in _points(plane, at_x[seen] * r, at_y[seen] * r)[:, 0]:
+                cv2.circle(drawn, tuple(int(value) for value in point), 20, _colour(ACCENTS["violet"]), -1, **style)
     return drawn
 
 

@@ -10,16 +10,29 @@ import numpy as np
 import numpy.typing as npt
 
 from ..calibration import CALIBRATION
+from ..extras import progress_bar
 from ..hoop import Hoop
 from ..track import Track
-from .errors import NoHoopError, TooFewFramesError, UnreadableVideoError
+from .errors import NoHoopError, NoMarkerError, TooFewFramesError, UnreadableVideoError
 from .files import Frame, count_of, frames
 from .finder import MARKERS, Finder
 from .plane import Plane
 
-__all__ = ["background_of", "finder_of", "track_video"]
+__all__ = [
+    "LEAST_PICTURES",
+    "background_of",
+    "colour_of",
+    "finder_of",
+    "frames_all_over",
+    "median_and_noise",
+    "track_video",
+]
 
-_LEAST_PICTURES = 10
+LEAST_PICTURES = 10
+# Least part of the frames with a hoop in which the marker has to be seen.
+_LEAST_MARKED = 0.5
+# By which factor the light of a marker may differ from the usual one.
+_OTHER_LIGHT = 4.0
 # Frames of which the background is the median, and in which the shape of the rim is measured.
 _SPREAD = 41
 
@@ -37,6 +50,7 @@ def track_video(
     last: int | None = None,
     background: npt.ArrayLike | None = None,
     exposure_s: float | None = None,
+    progress: bool = False,
 ) -> Track:
     """Find the hoop and its marker in every frame of a video.
 
@@ -67,6 +81,8 @@ def track_video(
         than its width.
     exposure_s : float, optional
         How long a frame was exposed, s. By default it is not known, and the fit estimates it.
+    progress : bool, optional
+        Whether to show a progress bar (tqdm).
 
     Returns
     -------
@@ -84,6 +100,8 @@ def track_video(
         If there are fewer than ten frames.
     NoHoopError
         If the hoop is found in fewer than ten.
+    NoMarkerError
+        If the marker is found in fewer than half of the frames in which the hoop is.
 
     Notes
     -----
@@ -107,17 +125,22 @@ def track_video(
         last=last,
         background=background,
     )
+    numbers = range(first, count_of(path) if last is None else last)
     rows = []
-    for number, frame in enumerate(frames(path)):
-        if number < first or (last is not None and number >= last):
-            continue
-        rows.append((number, *_in_frame(finder, frame)))
+    with progress_bar(len(numbers), "frames", progress) as show:
+        for number, frame in zip(numbers, frames(path, numbers), strict=False):
+            rows.append((number, *_in_frame(finder, frame)))
+            show(len(rows))
     found = np.array(rows)
+    _without_others(found)
     theta = np.mod(found[:, 3] - marker_angle + math.pi, math.tau) - math.pi
     count = int(np.isfinite(found[:, 1]).sum())
-    if count < _LEAST_PICTURES:
+    if count < LEAST_PICTURES:
         reason = "is its radius right, does it move, and does it differ from the background?"
-        raise NoHoopError(len(rows), count, _LEAST_PICTURES, reason)
+        raise NoHoopError(len(rows), count, LEAST_PICTURES, reason)
+    marked = int(np.isfinite(theta).sum())
+    if marked < _LEAST_MARKED * count:
+        raise NoMarkerError(count, marked, marker)
     length = units.length_m
     return Track(
         found[:, 0] / fps / units.time_s,
@@ -130,17 +153,27 @@ def track_video(
     )
 
 
-def _in_frame(finder: Finder, frame: Frame) -> tuple[float, float, float, float, float]:
-    """Return x, y, θ of the marker, and the errors of a coordinate and of θ; NaN for what is not found."""
+def _without_others(found: npt.NDArray[np.float64]) -> None:
+    """Forget the markers with far more or far less light than is usual: something else has their colour."""
+    light = found[:, 6]
+    seen = np.isfinite(light)
+    if seen.any():
+        ratio = light / float(np.median(light[seen]))
+        other = seen & ~((ratio > 1.0 / _OTHER_LIGHT) & (ratio < _OTHER_LIGHT))
+        found[other, 3] = found[other, 5] = math.nan
+
+
+def _in_frame(finder: Finder, frame: Frame) -> tuple[float, float, float, float, float, float]:
+    """Return x, y, θ of the marker, the errors of a coordinate and of θ, and its light; NaN for what is not found."""
     circle = finder.circle(frame)
     if circle is None:
-        return (math.nan,) * 5
+        return (math.nan,) * 6
     marker = finder.marker(frame, circle)
     if marker is None:
-        return circle.x_m, circle.y_m, math.nan, circle.error_m, math.nan
+        return circle.x_m, circle.y_m, math.nan, circle.error_m, math.nan, math.nan
     x, y = marker.x_m - circle.x_m, marker.y_m - circle.y_m
     error = math.hypot(marker.error_m, circle.error_m) / math.hypot(x, y)
-    return circle.x_m, circle.y_m, math.atan2(-x, y), circle.error_m, error
+    return circle.x_m, circle.y_m, math.atan2(-x, y), circle.error_m, error, marker.light
 
 
 def finder_of(
@@ -160,12 +193,9 @@ def finder_of(
     -------
     Finder
     """
-    if isinstance(marker, str):
-        if marker not in MARKERS:
-            raise ValueError(f"marker = {marker!r} must be one of {', '.join(MARKERS)}, or three numbers")
-        marker = MARKERS[marker]
-    some = _spread(path, first, last)
-    still, noise = _still(some)
+    colour = colour_of(marker)
+    some = frames_all_over(path, first, last)
+    still, noise = median_and_noise(some)
     if background is not None:
         given = np.asarray(background)
         if given.shape != still.shape:
@@ -173,18 +203,27 @@ def finder_of(
         still = given
     radius = hoop.require_units().length_m
     offset = hoop.offset if marker_offset is None else marker_offset
-    finder = Finder(plane, still, noise, radius, offset * radius, marker)
+    finder = Finder(plane, still, noise, radius, offset * radius, colour)
     return finder.rounded(some)
 
 
-def _spread(path: str | Path, first: int, last: int | None) -> list[Frame]:
+def colour_of(marker: str | tuple[int, int, int]) -> tuple[int, int, int]:
+    """Return the colour of a marker: red, green, blue."""
+    if not isinstance(marker, str):
+        return marker
+    if marker not in MARKERS:
+        raise ValueError(f"marker = {marker!r} must be one of {', '.join(MARKERS)}, or three numbers")
+    return MARKERS[marker]
+
+
+def frames_all_over(path: str | Path, first: int, last: int | None) -> list[Frame]:
     """Return frames all over a video."""
     count = count_of(path)
     if count == 0:
         raise UnreadableVideoError(str(path), "it has no frames")
     end = count if last is None else min(count, last)
-    if end - first < _LEAST_PICTURES:
-        raise TooFewFramesError(max(0, end - first), _LEAST_PICTURES)
+    if end - first < LEAST_PICTURES:
+        raise TooFewFramesError(max(0, end - first), LEAST_PICTURES)
     return list(frames(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist())))
 
 
@@ -205,10 +244,10 @@ def background_of(path: str | Path, first: int = 0, last: int | None = None) -> 
     TooFewFramesError
         If there are fewer than ten frames.
     """
-    return _still(_spread(path, first, last))
+    return median_and_noise(frames_all_over(path, first, last))
 
 
-def _still(some: list[Frame]) -> tuple[npt.NDArray[Any], float]:
+def median_and_noise(some: list[Frame]) -> tuple[npt.NDArray[Any], float]:
     """Return the median of frames, and the standard deviation of the noise of a pixel."""
     kept = np.stack(some)
     still = np.median(kept, axis=0)

@@ -140,6 +140,9 @@ pub(crate) enum Command {
     #[cfg(not(feature = "lab"))]
     #[command(disable_help_flag = true)]
     Lab(ElsewhereArgs),
+    /// Measure friction, inertia and restitution from a film or a track (in the Python package)
+    #[command(disable_help_flag = true)]
+    Fit(ElsewhereArgs),
     /// Score a solver against the exact motion (in the Python package)
     #[command(disable_help_flag = true)]
     Score(ElsewhereArgs),

@@ -1,0 +1,266 @@
+"""`littlewood fit`: from the file of a film, or of a tracker, to the report."""
+
+import base64
+import builtins
+import dataclasses
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import warnings
+
+import cv2
+import numpy as np
+import pytest
+
+import littlewood as lw
+from littlewood import video
+from littlewood.fit_command import MissingAnswerError, WrongClockError, _check_clock, main
+from littlewood.fit_report import report_html
+from littlewood.fit_result import Doubt
+
+CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
+RATE = 120.0
+KNOWN = {"disc_mass_kg": 0.25, "particle_mass_kg": 0.25, "radius_m": 0.3, "offset_m": 0.27}
+TRUE = {"mu_s": 0.5, "mu_k": 0.4, "inertia": 0.9344, "restitution": 0.5}
+CAMERA = video.Camera((-1.0, 0.8, 3.4), (-1.2, 0.35, 0.0), focal_px=330.0, width=360, height=200, roll_rad=0.03)
+FLAGS = [f"--{name.replace('_', '-')}={value}" for name, value in KNOWN.items()]
+
+
+@pytest.fixture(scope="module")
+def motion():
+    true = lw.Hoop.from_si(**KNOWN, inertia_kg_m2=0.25 * 0.29**2, mu_s=0.5, mu_k=0.4, restitution=0.5)
+    assert true.inertia == pytest.approx(TRUE["inertia"], abs=1e-4)
+    return true.simulate(theta=math.pi / 2, theta_rate=2.0)
+
+
+@pytest.fixture(scope="module")
+def film(motion, tmp_path_factory):
+    path = tmp_path_factory.mktemp("films") / "film.avi"
+    video.synthetic_video(path, motion, CAMERA, fps=RATE, exposure_s=1 / 500, seconds=0.75)
+    return path
+
+
+def estimates(text):
+    """Values and standard errors of a printed table, or of the text of a page."""
+    found = re.findall(r"^(\w+) +(-?[\d.]+) ± ([\d.]+)$", text, re.MULTILINE)
+    return {name: (float(value), float(error)) for name, value, error in found}
+
+
+def test_a_film_becomes_a_report(film, tmp_path, capsys):
+    out = tmp_path / "page.html"
+    assert main([str(film), f"--rate={RATE}", "--slope=0", *FLAGS, f"--out={out}"]) == 0
+    said = capsys.readouterr()
+    found = estimates(said.out)
+    for name, true in TRUE.items():
+        value, error = found[name]
+        # Four standard errors, and those are small.
+        assert abs(value - true) < 4.0 * error < 0.08, name
+    assert "doubt" not in said.out
+    assert str(out) in said.err and str(out.with_suffix(".jpg")) in said.err
+    page = out.read_text(encoding="utf-8")
+    # It holds all that it shows: no other file, no script.
+    assert not re.findall(r'(?:src|href)="(?!data:)', page) and "<script" not in page
+    pictures = re.findall(r'src="data:image/(jpeg|svg\+xml);base64,([^"]*)"', page)
+    assert [kind for kind, _ in pictures] == ["jpeg", "svg+xml", "svg+xml", "svg+xml"]
+    assert base64.b64decode(pictures[0][1]) == out.with_suffix(".jpg").read_bytes()
+    assert "@page { size: A4" in page and "What your hoop would do with more friction" in page
+    assert "The fit has no doubts" in page
+
+
+def test_the_picture_shows_hoop_track_and_floor(film, motion):
+    plane = video.Plane.from_camera(CAMERA)
+    track = lw.track_video(film, motion.hoop, plane=plane, fps=RATE)
+    picture = video.overlay_picture(film, motion, plane=plane, fps=RATE, track=track, count=4)
+    still, _ = video.tracking.background_of(film)
+    assert picture.shape == still.shape
+    violet = np.array([int(lw.style.ACCENTS["violet"].lstrip("#")[k : k + 2], 16) for k in (4, 2, 0)])
+    is_violet = np.abs(picture.astype(int) - violet).max(axis=2) < 40
+    for k in range(0, 60, 7):
+        sample = motion(track.time[k])
+        u, v = plane.to_pixels(0.3 * float(sample.x), 0.3 * float(sample.centre_y))
+        assert is_violet[round(float(v)) - 1 : round(float(v)) + 2, round(float(u)) - 1 : round(float(u)) + 2].any()
+    # The floor, where no hoop is.
+    u, v = plane.to_pixels(0.45, 0.0)
+    assert is_violet[round(float(v)) - 1 : round(float(v)) + 2, round(float(u))].any()
+
+
+def test_the_hoop_is_the_ruler(film, motion):
+    true, found = video.Plane.from_camera(CAMERA), video.find_plane(film, 0.3)
+    x, y = np.meshgrid(np.linspace(-2.2, 0.2, 9), np.linspace(0.05, 0.6, 4))
+    across, up = found.to_metres(*true.to_pixels(x.ravel(), y.ravel()))
+    # The size of the rim, 32 pixels, is told to a third of a pixel, and with it the scale to a per cent.
+    scale = float(across @ x.ravel() / (x.ravel() @ x.ravel()))
+    assert abs(scale - 1.0) < 0.01
+    # But for the scale it is the true plane, to a pixel: x = 0 is the first place of the hoop, y = 0 the floor.
+    there, here = true.to_pixels(across / scale, up / scale), true.to_pixels(x.ravel(), y.ravel())
+    assert np.max(np.hypot(there[0] - here[0], there[1] - here[1])) < 1.0
+
+
+def test_points_may_be_measured_instead(film, tmp_path, capsys):
+    plane = video.Plane.from_camera(CAMERA)
+    points = []
+    for x, y in [(-2.2, 0.0), (0.2, 0.0), (0.2, 0.8), (-2.2, 0.8)]:
+        u, v = plane.to_pixels(x, y)
+        points += ["--point", f"{float(u)}", f"{float(v)}", f"{x}", f"{y}"]
+    out = tmp_path / "page.html"
+    free = ["--free", "mu_k", "--mu-s=0.5", "--inertia-kg-m2=0.021025", "--restitution=0.5", "--last=60"]
+    assert main([str(film), f"--rate={RATE}", "--slope=0", *FLAGS, *points, *free, f"--out={out}"]) == 0
+    value, error = estimates(capsys.readouterr().out)["mu_k"]
+    assert abs(value - 0.4) < 4.0 * error < 0.02
+
+
+def test_a_table_of_a_tracker_makes_the_same_report(motion, tmp_path, capsys):
+    units = motion.hoop.units
+    seconds = np.arange(0.0, 0.6, 1 / RATE)
+    seen = motion(seconds / units.time_s).in_si(units)
+    random = np.random.default_rng(3)
+    table = tmp_path / "track.csv"
+    columns = [seconds, np.degrees(seen["theta_rad"]) + random.normal(0, 0.3, seconds.size)]
+    columns.append(seen["x_m"] + random.normal(0, 0.001, seconds.size))
+    np.savetxt(table, np.column_stack(columns), delimiter=",", header="time_s,theta_deg,x_m", comments="")
+    free = ["--free", "mu_k", "--mu-s=0.5", "--inertia-kg-m2=0.021025", "--slope-deg=0"]
+    assert main([str(table), *FLAGS, *free]) == 0
+    value, error = estimates(capsys.readouterr().out)["mu_k"]
+    assert abs(value - 0.4) < 4.0 * error < 0.1
+    page = (tmp_path / "track-report.html").read_text(encoding="utf-8")
+    assert page.count("<img") == 3 and not (tmp_path / "track-report.jpg").exists()
+
+
+def refused(capsys, *arguments):
+    """The last line of what it says where it ends with 2."""
+    assert main([str(one) for one in arguments]) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    return said.err.splitlines()[-1]
+
+
+def test_without_a_terminal_nothing_is_asked(film, capsys):
+    slope = "--slope=0"
+    assert refused(capsys, film, slope, *FLAGS).startswith("error: --rate is missing: Frames a second at which")
+    assert "it is played at 30" in refused(capsys, film, slope, *FLAGS)
+    for k, name in enumerate(KNOWN):
+        rest = [*FLAGS[:k], *FLAGS[k + 1 :]]
+        flag = "--" + name.replace("_", "-")
+        assert refused(capsys, film, slope, f"--rate={RATE}", *rest).startswith(f"error: {flag} is missing: ")
+    assert "--slope-deg is missing" in refused(capsys, film, f"--rate={RATE}", *FLAGS)
+
+
+def test_at_a_terminal_it_asks(monkeypatch, capsys):
+    from littlewood import fit_command
+
+    class Terminal:
+        def isatty(self):
+            return True
+
+    asked, answers = [], iter(["", "two", "0,25", "0.25", "0.3", "0.27", "5"])
+
+    def answer(question):
+        asked.append(question)
+        return next(answers)
+
+    monkeypatch.setattr(sys, "stdin", Terminal())
+    monkeypatch.setattr(builtins, "input", answer)
+    assert fit_command._ask("Rate", "--rate", 30.0) == 30.0
+    hoop = fit_command._hoop_of(fit_command._parser().parse_args(["film.mp4"]))
+    assert (hoop.mass_ratio, hoop.offset, hoop.units.length_m) == (1.0, pytest.approx(0.9), 0.3)
+    assert hoop.slope == pytest.approx(math.radians(5.0))
+    # A thin rim, until the fit says what it is.
+    assert hoop.inertia == pytest.approx(1.0)
+    assert asked[0] == "Rate [30]: " and asked[1].startswith("Mass m1 of the disc or hoop, kg")
+    assert "'two' is not a number" in capsys.readouterr().err
+    monkeypatch.setattr(builtins, "input", lambda question: "x")
+    with pytest.raises(MissingAnswerError) as caught:
+        fit_command._ask("Rate", "--rate")
+    assert caught.value.flag == "--rate"
+
+
+def test_a_slow_motion_film_with_the_rate_of_its_file(film, motion, capsys):
+    said = refused(capsys, film, "--rate=30", "--slope=0", *FLAGS)
+    fall = re.search(r"falls with (\S+) g: was the film taken at about (\d+) frames a second", said)
+    # A sixteenth, to the errors of the places.
+    assert float(fall[1]) == pytest.approx((30 / RATE) ** 2, rel=0.05)
+    assert int(fall[2]) == pytest.approx(RATE, abs=3)
+    time = np.linspace(0.0, 4.0, 100)
+    seen = motion(time)
+    for factor in (1.0, 0.9, 1.1):
+        _check_clock(lw.Track(factor * time, theta=seen.theta, x=seen.x, y=seen.centre_y), motion.hoop, RATE)
+    with pytest.raises(WrongClockError) as caught:
+        _check_clock(lw.Track(0.5 * time, theta=seen.theta, x=seen.x, y=seen.centre_y), motion.hoop, None)
+    assert caught.value.gravity == pytest.approx(4.0, rel=0.01)
+
+
+def written(path, frames):
+    frames = iter(frames)
+    first = next(frames)
+    with video.files.FrameWriter(path, (first.shape[1], first.shape[0])) as writer:
+        writer.write(first)
+        for frame in frames:
+            writer.write(frame)
+    return path
+
+
+def test_films_that_cannot_be_used(film, motion, tmp_path, capsys):
+    given = [f"--rate={RATE}", "--slope=0", *FLAGS]
+    random = np.random.default_rng(1)
+    empty = (random.integers(120, 136, (200, 360, 3)).astype(np.uint8) for _ in range(30))
+    said = refused(capsys, written(tmp_path / "empty.avi", empty), *given)
+    assert "the hoop was found in 0 of" in said
+    # A marker of another colour than was said; and one that hides after the first frames.
+    assert "the marker was found in" in refused(capsys, film, *given, "--marker=green")
+    look = video.Look(marker=video.Look().hoop)
+    shown = video.synthetic_frames(motion, CAMERA, fps=RATE, seconds=0.1)
+    hidden = list(video.synthetic_frames(motion, CAMERA, fps=RATE, seconds=0.75, look=look))
+    said = refused(capsys, written(tmp_path / "lost.avi", [*shown, *hidden[13:]]), *given)
+    found = re.search(r"the marker was found in (\d+) of (\d+) frames", said)
+    assert 10 <= int(found[1]) <= 20 and int(found[2]) > 60
+    broken = tmp_path / "broken.mp4"
+    broken.write_bytes(b"no film" * 100)
+    assert "cannot decode" in refused(capsys, broken, *given)
+    assert "no such file" in refused(capsys, tmp_path / "none.mp4", *given)
+    assert "none.csv" in refused(capsys, tmp_path / "none.csv", *given)
+    assert "no such folder" in refused(capsys, film, *given, f"--out={tmp_path / 'nowhere' / 'page.html'}")
+    assert "radius_m = -1 m must be greater than 0" in refused(capsys, film, *given, "--radius-m=-1")
+    for flags in (["--rate=0"], ["--rate=inf"], ["--free", "colour"]):
+        with pytest.raises(SystemExit) as caught:
+            main([str(film), *given, *flags])
+        assert caught.value.code == 2
+    assert "must be one of red" in refused(capsys, film, *given, "--marker=beige")
+    assert "8 frames are too few" in refused(capsys, film, *given, "--last=8")
+
+
+def test_a_report_with_all_doubts_names_them(motion):
+    time = np.linspace(0.0, 2.0, 150)
+    seen = motion(time)
+    track = lw.Track(time, theta=seen.theta, x=1.05 * seen.x + 0.02 * np.sin(6 * time))
+    with pytest.warns(lw.fit_result.FitWarning):
+        result = lw.fit(track, motion.hoop, free=("mu_k",), search=False)
+    assert result.doubts
+    page = report_html(result, title="A <hoop>")
+    for doubt in result.doubts:
+        assert f"Doubt: {doubt.name}." in page
+    assert "A &lt;hoop&gt;" in page and "The fit has no doubts" not in page
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium, which prints")
+def test_a_report_prints_on_one_sheet_with_any_number_of_doubts(motion, tmp_path):
+    time = np.linspace(0.0, 4.0, 120)
+    seen = motion(time)
+    track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        free = ("mu_s", "mu_k", "inertia", "restitution")
+        result = lw.fit(track, motion.hoop, free=free, search=False, sigma=dict.fromkeys(track.channels, 0.01))
+    frame = next(iter(video.synthetic_frames(motion, CAMERA)))
+    photo = cv2.imencode(".jpg", frame)[1].tobytes()
+    for count in (0, 12):
+        doubt = Doubt("structure", "residuals of theta come in waves, and this is said in more words than usual. " * 3)
+        page = tmp_path / f"{count}.html"
+        doubted = dataclasses.replace(result, doubts=(doubt,) * count)
+        page.write_text(report_html(doubted, title="A hoop", photo=photo), encoding="utf-8")
+        printed = page.with_suffix(".pdf")
+        flags = ["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", f"--print-to-pdf={printed}"]
+        subprocess.run([CHROMIUM, *flags, page.as_uri()], check=True, capture_output=True, timeout=120)
+        assert len(re.findall(rb"/Type\s*/Page\b", printed.read_bytes())) == 1
