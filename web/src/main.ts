@@ -93,7 +93,12 @@ function start(cases: NamedCase[]): void {
   const words = new Words(lab);
   const compare = new Compare(lab);
   const mark = new Mark(lab);
-  const ask: Ask = new Ask(lab, clock, (lesson) => openLesson(lesson));
+  const ask: Ask = new Ask(
+    lab,
+    clock,
+    () => level.isSimple,
+    (lesson) => openLesson(lesson),
+  );
   const transport = new Transport(lab, clock);
   const story = new Story(lab);
   const phases = new PhaseTable(lab, go);
@@ -164,6 +169,7 @@ function start(cases: NamedCase[]): void {
     if (changes.has('view')) {
       embedding.showView();
       level.showView();
+      ask.showSecret();
       transport.showView();
       hoop.viewChanged();
       plane.viewChanged();

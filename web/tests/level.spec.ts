@@ -9,11 +9,15 @@ test('a first visit is asked a question, and the motion answers it', async ({ pa
   await open(page);
   await expect(question(page)).toBeVisible();
   for (const id of ['plane', 'fields', 'phases', 'plots']) await expect(page.locator(`#${id}`)).toBeHidden();
+  // The colours of the time line would give it away.
+  const flight = page.locator('#track [data-mode=flight]');
+  await expect(flight).toBeHidden();
   await page.getByRole('button', { name: 'It hops' }).click();
   await expect(page.locator('#play')).toHaveAttribute('data-state', 'playing');
   await expect(page.locator('#hop')).toBeVisible({ timeout: 30_000 });
   // The rim gets 0.631 R high (evidence/reference), told where it lands.
   await expect(page.locator('#answer')).toHaveText(/^HOP: 0\.63 R high\. You were right\. Drag the weight/, { timeout: 30_000 });
+  await expect(flight).toBeVisible();
   await page.locator('#first').click();
   await expect(page.locator('#answer')).toBeEmpty();
 });

@@ -39,6 +39,8 @@ export class Lab {
   fieldErrors: FieldError[] = [];
   /** A motion to compare with, in the units of its problem. */
   pinned: { problem: ProblemState; motion: Motion } | null = null;
+  /** Whether what comes is to be guessed, and is not shown. */
+  isSecret = false;
   /** Whether something is being dragged. */
   held = false;
   /** What was known before the drag: of which landing, and what the derivatives say of it. */

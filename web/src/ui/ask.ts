@@ -15,10 +15,13 @@ export class Ask {
   /** The lesson that is shown; none for the question of the simple view. */
   lesson: LessonName | null = null;
   private guess: number | null = null;
+  /** Whether the motion has answered since the question was asked: what comes is no secret any more. */
+  private isKnown = false;
 
   constructor(
     private readonly lab: Lab,
     private readonly clock: Clock,
+    private readonly isAsking: () => boolean,
     open: (lesson: LessonName | null) => void,
   ) {
     this.choice.append(
@@ -32,6 +35,7 @@ export class Ask {
   open(lesson: LessonName | null): void {
     this.lesson = lesson;
     this.guess = null;
+    this.isKnown = false;
     this.choice.value = lesson ?? '';
     document.documentElement.toggleAttribute('data-lesson', lesson !== null);
     const { question, guesses } = lesson === null ? TEXTS.opening : LESSONS[lesson];
@@ -81,6 +85,8 @@ export class Ask {
       guess,
     } = this;
     const isTold = time >= this.answerTime && (time > motion.begin || guess !== null);
+    this.isKnown ||= isTold;
+    this.showSecret();
     this.answer.textContent = isTold ? this.verdict : clock.playing ? TEXTS.opening.watch : '';
     this.answer.dataset.told = String(isTold);
     for (const [i, button] of [...this.guesses.children].entries()) button.setAttribute('aria-pressed', String(i === guess));
@@ -88,6 +94,13 @@ export class Ask {
     // What leaves the plane is seen to do so.
     const isUp = hop !== null && time >= hop.start && time < hop.end && (clock.playing || lesson !== null);
     this.hop.hidden = !isUp;
+  }
+
+  /** Until the motion has answered, neither the time line nor the path of the hoop gives it away. */
+  showSecret(): void {
+    const isSecret = !this.isKnown && (this.lesson !== null || this.isAsking());
+    this.lab.isSecret = isSecret;
+    document.documentElement.toggleAttribute('data-secret', isSecret);
   }
 
   private get verdict(): string {

@@ -93,6 +93,7 @@ export class HoopPane {
       weight: { force, text: `weight: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}` },
       contact: state.view.embed ? null : plain,
       symbols: state.view.symbols,
+      isSecret: this.lab.isSecret,
       pinned: pinned === null ? null : pinnedAt(pinned.motion, time),
       motion,
       sample: motion.at(time),

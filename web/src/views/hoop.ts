@@ -27,6 +27,8 @@ export interface HoopScene {
   contact?: { mu_s: number; mu_k: number } | null;
   /** Whether letters stand at what is drawn. */
   symbols?: boolean;
+  /** Whether what comes is not shown. */
+  isSecret?: boolean;
   /** Another motion at the same instant, to compare with. */
   pinned?: { sample: Sample } | null;
 }
@@ -87,10 +89,11 @@ export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopSce
     return;
   }
   drawPinned(c, camera, scene);
-  drawTrails(c, motion.samples, sample.time, camera, palette);
+  drawTrails(c, motion.samples, sample.time, camera, scene);
   drawLanding(c, camera, scene);
   drawBody(c, camera, scene, sample);
   drawArrows(c, camera, scene, sample);
+  if (sample.time <= motion.begin) drawSpin(c, camera, scene, sample);
   if (scene.weight) drawBar(c, size, camera, scene.weight.text, palette);
   if (scene.contact) drawContact(c, size, scene, sample, scene.contact);
   if (scene.follow) drawInset(c, size, camera, scene);
@@ -163,7 +166,7 @@ function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, { p
   c.font = `14px ${FONT}`;
 }
 
-function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera: Camera, palette: Palette): void {
+function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera: Camera, { palette, isSecret }: HoopScene): void {
   const trail = (xs: Float64Array, ys: Float64Array, width: number): void => {
     c.lineWidth = width;
     for (let from = 0; from < s.length; ) {
@@ -171,7 +174,7 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
       let to = from;
       while (to + 1 < s.length && s.mode[to + 1] === s.mode[from]) to++;
       c.strokeStyle = palette.mode[mode];
-      for (const past of [false, true]) {
+      for (const past of isSecret ? [true] : [false, true]) {
         setDash(c, past ? MODE_DASHES[mode] : []);
         c.globalAlpha = past ? 1 : 0.3;
         c.beginPath();
@@ -357,7 +360,7 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
     arrow(c, mx, my, 0, WEIGHT * camera.scale, palette.ink.soft);
     c.font = `13px ${FONT}`;
     c.textAlign = 'left';
-    if (isNamed && camera.scale > 45) label(c, 'weight', mx + 7, my + 0.8 * WEIGHT * camera.scale, palette.ink.soft, palette.ink.paper);
+    if (camera.scale > 45) label(c, 'weight', mx + 7, my + 0.8 * WEIGHT * camera.scale, palette.ink.soft, palette.ink.paper);
     c.font = `italic bold 15px ${FONT}`;
   }
   const normal = Number.isFinite(sample.normal) ? sample.normal * unit : 0;
@@ -382,6 +385,36 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
       label(c, SIGN.slip, ...camera.moved(below, length + Math.sign(length) * 14, 0), palette.arrow.slip, palette.ink.paper);
     }
   }
+}
+
+/** Radians of the arc that shows a rate of 1, and the longest. */
+const SPIN = 0.35;
+const LONGEST_SPIN = 2.4;
+
+/** Which way the hoop is turned at the start, and how fast: an arc within the rim, from the top. */
+function drawSpin(c: CanvasRenderingContext2D, camera: Camera, { palette }: HoopScene, sample: Sample): void {
+  const turn = Math.max(-LONGEST_SPIN, Math.min(LONGEST_SPIN, SPIN * sample.theta_rate));
+  const radius = camera.scale - 22;
+  if (Math.abs(turn) * radius < 12) return;
+  const [x, y] = camera.at(sample.x, sample.centre_y);
+  c.strokeStyle = palette.ink.soft;
+  c.lineWidth = 3;
+  c.setLineDash([]);
+  c.beginPath();
+  // Counterclockwise is positive, and on the screen the other way.
+  const [from, to] = turn > 0 ? [-turn, 0] : [0, -turn];
+  c.arc(x, y, radius, from - Math.PI / 2, to - Math.PI / 2);
+  c.stroke();
+  const end = -turn - Math.PI / 2;
+  const way = -Math.sign(turn) * 14;
+  arrow(
+    c,
+    x + radius * Math.cos(end) + 0.4 * way * Math.sin(end),
+    y + radius * Math.sin(end) - 0.4 * way * Math.cos(end),
+    -way * Math.sin(end),
+    way * Math.cos(end),
+    palette.ink.soft,
+  );
 }
 
 /** Two strokes across an arrow that is longer than it is drawn. */
