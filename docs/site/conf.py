@@ -132,6 +132,7 @@ html_short_title = "littlewood"
 html_static_path = ["static"]
 templates_path = ["templates"]
 html_css_files = ["site.css"]
+html_search_scorer = "scorer.js"
 html_js_files = [(name, {"defer": "defer"}) for name in ("frames.js", "scroll.js", "sort.js")]
 html_favicon = "../../web/public/icon.svg"
 html_copy_source = False

@@ -115,6 +115,14 @@ for (const [word, found] of [
   });
 }
 
+test('what names everything is found last', async ({ page }) => {
+  const site = resolve(process.env.LITTLEWOOD_SITE ?? '../target/site');
+  await page.goto(`${pathToFileURL(site).href}/search.html?q=hoop%20jump`);
+  const found = page.locator('#search-results li > a');
+  await expect(found.filter({ hasText: 'Changelog' })).toBeVisible();
+  await expect(found.first()).not.toHaveText('Changelog');
+});
+
 test('the documentation of Rust is there, and is searched', async ({ page }) => {
   await page.goto('./docs/reference/rust.html');
   await page.locator('article a[href$="rust/littlewood/index.html"]').click();
