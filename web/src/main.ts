@@ -15,7 +15,7 @@ import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { byId } from './dom';
 import { type Change, Lab } from './state/lab';
-import { type NamedCase, numberOf, rateFor, type State, type Theme } from './state/state';
+import { type NamedCase, rateOf, type State, type Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
 import { Address, HAS_ADDRESS } from './ui/address';
 import { Ask } from './ui/ask';
@@ -89,7 +89,10 @@ function start(cases: NamedCase[]): void {
     lab.setTime(time);
   });
   const fields = new Fields(byId('fields', HTMLDivElement), lab);
-  const bar = new ProblemBar(lab, () => clock.pause());
+  const bar = new ProblemBar(lab, (problem) => {
+    clock.pause();
+    origin = problem;
+  });
   const words = new Words(lab);
   const compare = new Compare(lab);
   const mark = new Mark(lab);
@@ -203,28 +206,25 @@ function start(cases: NamedCase[]): void {
     const { lesson, rest } = lessonOf(fragment);
     const link = lesson !== null && rest === '' ? LESSONS[lesson].link : rest;
     const { state, fieldErrors } = parse(link, lab.state);
-    if (lesson !== ask.lesson) {
-      ask.open(lesson);
-      const pin = lesson === null ? undefined : LESSONS[lesson].pin;
-      lab.pin(pin === undefined ? null : parse(pin).state.problem);
-    }
+    if (lesson !== ask.lesson) openQuestion(lesson);
     reading = true;
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
     address.taken();
     showLinkErrors(lab.fieldErrors);
   };
+  /** The question of a lesson, and the motion that is pinned for it. */
+  const openQuestion = (lesson: LessonName | null): void => {
+    ask.open(lesson);
+    const pin = lesson === null ? undefined : LESSONS[lesson].pin;
+    lab.pin(pin === undefined ? null : parse(pin).state.problem);
+  };
   const openLesson = (lesson: LessonName | null): void => {
     clock.pause();
-    ask.open(lesson);
-    if (lesson === null) {
-      lab.pin(null);
-      return;
-    }
-    const { link, pin } = LESSONS[lesson];
-    const { problem } = parse(link, lab.state).state;
-    lab.take(problem, { rate: rateFor(false, numberOf(problem, 'theta_rate') ?? 0) });
-    lab.pin(pin === undefined ? null : parse(pin).state.problem);
+    openQuestion(lesson);
+    if (lesson === null) return;
+    const { problem } = parse(LESSONS[lesson].link).state;
+    lab.take(problem, { rate: rateOf(problem) });
     origin = problem;
   };
   byId('reset', HTMLButtonElement).addEventListener('click', () => {

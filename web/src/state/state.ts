@@ -133,3 +133,9 @@ export function rateFor(massless: boolean, rate: number): number {
   const least = massless ? 1.5 : 4;
   return RATES.find((it) => it >= least && it >= 1.1 * Math.abs(rate)) ?? RATES[RATES.length - 1]!;
 }
+
+/** The rate that shows a problem without dimension. */
+export function rateOf(problem: ProblemState): number {
+  const isMassless = numberOf(problem, 'inertia') === 0 && numberOf(problem, 'mass_ratio') === 0;
+  return rateFor(isMassless, numberOf(problem, 'theta_rate') ?? 0);
+}

@@ -6,7 +6,7 @@ import { byId, make } from '../dom';
 import { DIMENSIONLESS, type DimensionlessNumber, QUANTITY_ROWS, type Quantity } from '../generated/tables';
 import type { Given, Lab } from '../state/lab';
 
-import { numberOf, rateFor } from '../state/state';
+import { numberOf, type ProblemState, rateFor, rateOf } from '../state/state';
 import { parse } from '../state/url';
 
 export class ProblemBar {
@@ -23,7 +23,8 @@ export class ProblemBar {
 
   constructor(
     private readonly lab: Lab,
-    before: () => void,
+    /** A case is chosen. */
+    chosen: (problem: ProblemState) => void,
   ) {
     this.cases.append(this.own);
     for (const named of lab.cases) {
@@ -32,10 +33,9 @@ export class ProblemBar {
     this.cases.addEventListener('change', () => {
       const named = lab.cases.find((it) => it.name === this.cases.value);
       if (!named) return;
-      before();
       const { problem } = parse(`case=${named.name}`).state;
-      const massless = numberOf(problem, 'inertia') === 0 && numberOf(problem, 'mass_ratio') === 0;
-      lab.take(problem, { rate: rateFor(massless, numberOf(problem, 'theta_rate') ?? 0) });
+      chosen(problem);
+      lab.take(problem, { rate: rateOf(problem) });
     });
     this.si.addEventListener('change', () => lab.setSystem(this.si.checked ? 'si' : 'dimensionless'));
     this.massless.addEventListener('change', () => this.switchMass());

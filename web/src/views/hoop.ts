@@ -359,8 +359,10 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
     // The view is level: the weight points down whatever the slope.
     arrow(c, mx, my, 0, WEIGHT * camera.scale, palette.ink.soft);
     c.font = `13px ${FONT}`;
-    c.textAlign = 'left';
-    if (camera.scale > 45) label(c, 'weight', mx + 7, my + 0.8 * WEIGHT * camera.scale, palette.ink.soft, palette.ink.paper);
+    // On the side where the particle is not.
+    const side = camera.at(sample.particle_x, 0)[0] > mx ? -1 : 1;
+    c.textAlign = side > 0 ? 'left' : 'right';
+    if (camera.scale > 45) label(c, 'weight', mx + 7 * side, my + 0.8 * WEIGHT * camera.scale, palette.ink.soft, palette.ink.paper);
     c.font = `italic bold 15px ${FONT}`;
   }
   const normal = Number.isFinite(sample.normal) ? sample.normal * unit : 0;
