@@ -167,6 +167,18 @@ test('a curve that there is not has no place in the legend, and words can stand 
   await expect(page.locator('label[for=field-mu_s]')).toHaveText('coefficient of static friction', { useInnerText: true });
 });
 
+test('the tip of a field does not hide the next one', async ({ page }) => {
+  await open(page, 'case=figure-3&map=0&level=full');
+  for (const width of [1440, 820, 390]) {
+    await page.setViewportSize({ width, height: 900 });
+    await field(page, 'mu_s').hover();
+    const tip = page.locator('#tip-mu_s');
+    await expect(tip).toBeVisible();
+    const [a, b] = [(await tip.boundingBox())!, (await field(page, 'mu_k').boundingBox())!];
+    expect(a.y + a.height <= b.y || a.x >= b.x + b.width, `${width}`).toBe(true);
+  }
+});
+
 test('a mark measures time and way from an instant', async ({ page }) => {
   await open(page, 'case=figure-3&map=0');
   // From the lift-off to the landing: 2.329 √(R/g), 4.2 R to the left, as the sentence has it.
