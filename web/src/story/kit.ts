@@ -4,6 +4,7 @@
 
 import { make } from '../dom';
 import type { Palette } from '../generated/palette';
+import { CAUSE_LABELS, CLASS_LABELS, QUANTITY_ROWS } from '../generated/tables';
 import { Sheet, type Size } from '../views/canvas';
 import { type HoopHost, HoopWidget } from '../views/hoop-widget';
 
@@ -26,6 +27,13 @@ export interface Common {
 }
 
 export type Draw = (c: CanvasRenderingContext2D, size: Size, palette: Palette) => void;
+
+/** Names of the library, by theirs. */
+const OF_THE_LIBRARY: Readonly<Record<string, string>> = {
+  ...CLASS_LABELS,
+  ...CAUSE_LABELS,
+  restitution: QUANTITY_ROWS.restitution.longName,
+};
 
 /** Milliseconds for which an event is shown where nothing may move by itself. */
 const STEP = 900;
@@ -315,8 +323,9 @@ export class Picture {
     this.handles.push({ element, place });
   }
 
+  /** A word of the text, or the library's. */
   word(name: string): string {
-    const word = this.words.controls[name];
+    const word = this.words.controls[name] ?? OF_THE_LIBRARY[name];
     if (word === undefined) throw new Error(`the picture ${this.id} has no word for ${name}`);
     return word;
   }

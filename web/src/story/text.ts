@@ -1,6 +1,8 @@
 // All words of the story and of the sheet for teachers, for whoever translates them: copy this file and say the same in another language.
 // Only titles and descriptions stand in the heads of story.html and sheet.html, too, for those who look for the pages.
 //
+// Controls that are not named here have the library's names.
+//
 // *emphasis*; [words](address), an address being a name of `addresses.ts` or a place of the page; {name} is a number, which the library
 // computes (`numbers.ts`, and each picture its own). No number is typed here but years and equations of the paper.
 
@@ -159,7 +161,7 @@ export const PICTURES = {
   forces: {
     title: 'Littlewood’s hoop, rolling from rest at the top, with the forces that this needs, and the cycloid of its weight.',
     shows: 'A weightless hoop on the ground with arrows for the normal force and friction, and a curve of the normal force over the angle.',
-    controls: { angle: 'angle of the weight from the top', pull: 'pull', needed: 'N that rolling needs', of: 'angle', zero: 'N = 0' },
+    controls: { angle: 'angle of the weight from the top', pull: 'pull', needed: 'N that rolling needs', of: 'angle' },
     says: {
       pushes: 'At {angle} the ground pushes with {normal} of the weight, and holds the rim with a friction of {friction}.',
       nothing: 'At {angle} the ground does not push at all.',
@@ -201,7 +203,6 @@ export const PICTURES = {
     controls: {
       angle: 'angle of the weight',
       rate: 'rate of turning, √(g/R)',
-      leaves_at_once: 'leaves at once',
       lifts_off_later: 'hops later',
       in_contact: 'never leaves the ground',
     },
@@ -237,7 +238,7 @@ export const PICTURES = {
   bounce: {
     title: 'The motion of Figure 3 of the paper, which lands and goes on.',
     shows: 'A hoop that has landed bounces along the ground; a curve of the gap under the rim over time.',
-    controls: { restitution: 'coefficient of restitution', gap: 'gap', of: 'time' },
+    controls: { gap: 'gap', of: 'time' },
     says: {
       bounces: 'The rim strikes the ground {count} times, and the last bounces are too many to count. Then it {mode}.',
       counted: 'The rim strikes the ground {count} times in the time that is shown.',
@@ -278,9 +279,8 @@ export const PICTURES = {
       share: 'part of the mass in the weight',
       push: 'push at the top, √(g/R)',
       mu: 'coefficient of friction μ',
-      hops: 'hops',
-      atOnce: 'leaves at once',
-      stays: 'stays on the ground',
+      lifts_off_later: 'hops',
+      rolls_forever: 'stays on the ground',
     },
     says: {
       hops: 'It hops: it rises by {height} of its radius.',

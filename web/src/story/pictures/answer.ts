@@ -68,7 +68,7 @@ export function answer(picture: Picture): void {
   const legend = make('ul', { class: 'legend' });
   for (const fate of FATES) {
     legend.append(
-      make('li', { 'data-class': CLASS_OF[fate] }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), picture.word(fate)),
+      make('li', { 'data-class': CLASS_OF[fate] }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), picture.word(CLASS_OF[fate])),
     );
   }
   picture.controls.before(legend);

@@ -86,7 +86,7 @@ export function forces(picture: Picture): void {
         xName: picture.word('of'),
         yName: picture.word('needed'),
         levels: [0],
-        uprights: zero < 0 ? [] : [{ x: points[zero]![0], name: picture.word('zero') }],
+        uprights: zero < 0 ? [] : [{ x: points[zero]![0], name: picture.word('normal_force_zero') }],
         curves: [
           { points: points.filter(([, n]) => n >= 0), colour: palette.arrow.normal_force },
           { points: points.filter(([, n]) => n <= 0.01), colour: palette.arrow.impulse, dash: [3, 2] },

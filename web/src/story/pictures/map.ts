@@ -2,7 +2,7 @@
 
 import { inOrder } from '../../core/fields';
 import { make } from '../../dom';
-import { CLASS_LABELS, type Class } from '../../generated/tables';
+import type { Class } from '../../generated/tables';
 import { OutcomePicture } from '../../map/client';
 import { type Curves, curvesOf, drawMotion, drawPlane, FROM, Frame, TO, wrapped } from '../../views/plane';
 import { hoopWith, linkTo, problemOf, storyHoop } from '../hoops';
@@ -33,9 +33,6 @@ export function map(picture: Picture): void {
   const player = picture.player(showing.course, showing.timeText);
   picture.controls.before(legend);
 
-  /** In the words of the story, where it has some. */
-  const labelOf = (name: Class): string => (name in PICTURES.map.controls ? picture.word(name) : CLASS_LABELS[name]);
-
   let outcomes: OutcomePicture | null = null;
   const frame = (): Frame => new Frame(picture.size, RATE);
   picture.handle(
@@ -56,7 +53,7 @@ export function map(picture: Picture): void {
           () => {
             const present = outcomes?.present.filter((name) => name !== 'not_computed') ?? [];
             const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
-            legend.replaceChildren(...present.map((name) => make('li', { 'data-class': name }, swatch(), labelOf(name))));
+            legend.replaceChildren(...present.map((name) => make('li', { 'data-class': name }, swatch(), picture.word(name))));
             picture.changed();
           },
           (message) => {
