@@ -101,6 +101,8 @@ impl Plane {
 
 #[cfg(test)]
 mod tests {
+    use core::f64::consts::{FRAC_PI_2, TAU};
+
     use littlewood::{Hoop, HoopParameters, Limits, Start};
 
     use super::*;
@@ -111,9 +113,15 @@ mod tests {
         let hoop = Hoop::new(HoopParameters::thin(0.0).with_friction(0.5, 0.4)).unwrap();
         let problem = Problem { hoop, start: Start::default(), limits: Limits::default(), units: None };
         let plane = Plane::new(&problem, -1.0, 3.0, 2.0);
-        for (theta, rate) in [(0.3_f64, 0.2_f64), (1.5, 0.9), (2.0, 1.4), (-0.7, -1.2)] {
-            let (cos, sin) = (libm::cos(0.5 * theta), libm::sin(0.5 * theta));
-            let expected = [cos * cos * (1.0 - rate * rate), (rate * rate - 1.0) * cos * sin];
+        // The square of cos θ/2, and cos θ/2 sin θ/2.
+        let places = [
+            (0.0, 1.0, 0.0),
+            (FRAC_PI_2, 0.5, 0.5),
+            (-FRAC_PI_2, 0.5, -0.5),
+            (TAU / 3.0, 0.25, 0.1875_f64.sqrt()),
+        ];
+        for ((theta, square, product), rate) in places.into_iter().zip([0.2, 0.9, -1.2, 1.4]) {
+            let expected = [square * (1.0 - rate * rate), (rate * rate - 1.0) * product];
             for (computed, expected) in plane.forces(theta, rate).into_iter().zip(expected) {
                 assert!((computed - expected).abs() < 1e-14, "{theta} {rate}: {computed} {expected}");
             }
