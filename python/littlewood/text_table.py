@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import csv
+import itertools
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-__all__ = ["TextTable", "TrackFileError", "read_text_table"]
+__all__ = ["NUMBER", "TableFileError", "TextTable", "read_text_table"]
 
 _SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas"}
-_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
+NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
 _MISSING = ("", "nan", "na")
 _KINOVEA = "#Kinovea Trajectory data export"
 # What the first bytes say of files that look like tables to their owners.
@@ -21,8 +23,8 @@ _OTHER_FILES = {
 }
 
 
-class TrackFileError(ValueError):
-    """A file of a track that cannot be read.
+class TableFileError(ValueError):
+    """A table that cannot be read.
 
     Attributes
     ----------
@@ -86,6 +88,19 @@ class TextTable:
         kept = [k for k, row in enumerate(self.rows) if any(row[place] for place in places)]
         return replace(self, lines=[self.lines[k] for k in kept], rows=[self.rows[k] for k in kept])
 
+    def check_growing(self, place: int, numbers: Sequence[float]) -> None:
+        """Refuse times, as they were read of a column, that do not grow."""
+        for i, (before, after) in enumerate(itertools.pairwise(numbers)):
+            if after <= before:
+                raise TableFileError(
+                    self.path,
+                    f"must be greater than {self.rows[i][place]} of line {self.lines[i]}",
+                    line=self.lines[i + 1],
+                    column=self.names[place],
+                    value=self.rows[i + 1][place],
+                    hint="times must grow",
+                )
+
     def numbers(self, place: int, required: bool) -> list[float]:
         """Return a column as numbers; NaN where a cell is empty.
 
@@ -100,12 +115,12 @@ class TextTable:
         marks: dict[str, int] = {}
         for line, cell in zip(self.lines, cells, strict=True):
             for mark in ".,":
-                if mark in cell and _NUMBER.fullmatch(cell):
+                if mark in cell and NUMBER.fullmatch(cell):
                     marks.setdefault(mark, line)
         if len(marks) == 2:
             mark = max(marks, key=lambda one: marks[one])
             line = marks[mark]
-            raise TrackFileError(
+            raise TableFileError(
                 self.path,
                 "has another decimal mark than the cells before",
                 line=line,
@@ -117,11 +132,11 @@ class TextTable:
         for line, cell in zip(self.lines, cells, strict=True):
             if cell.lower() in _MISSING and not required:
                 found.append(float("nan"))
-            elif _NUMBER.fullmatch(cell):
+            elif NUMBER.fullmatch(cell):
                 found.append(float(cell.replace(",", ".")))
             else:
                 hint = None if required else "leave a cell empty where the point was not seen"
-                raise TrackFileError(
+                raise TableFileError(
                     self.path, "is not a finite number", line=line, column=self.names[place], value=cell, hint=hint
                 )
         return found
@@ -135,7 +150,7 @@ def read_text_table(path: str | Path) -> TextTable:
 
     Raises
     ------
-    TrackFileError
+    TableFileError
         If the file is not such a table.
     OSError
         If it cannot be opened.
@@ -146,12 +161,12 @@ def read_text_table(path: str | Path) -> TextTable:
         return _kinovea(file, lines)
     head = next((k for k, line in enumerate(lines) if line.strip() and not line.startswith(("#", "sep="))), None)
     if head is None:
-        raise TrackFileError(file, "is empty", hint="a table has a line of names, such as time_s,theta_deg,x_m")
+        raise TableFileError(file, "is empty", hint="a table has a line of names, such as time_s,theta_deg,x_m")
     # The line of names decides: numbers may have decimal commas.
     named_points = lines[head][:1] in ("\t", ";", ",")
     names_at = head + 1 if named_points else head
     if names_at >= len(lines):
-        raise TrackFileError(file, "has no line of names", line=head + 1)
+        raise TableFileError(file, "has no line of names", line=head + 1)
     separator = lines[head][0] if named_points else _separator(lines[names_at])
     split = [_cells(line, separator) for line in lines]
     names = split[names_at]
@@ -172,29 +187,29 @@ def read_text_table(path: str | Path) -> TextTable:
         if len(row) < len(names) or any(row[len(names) :]):
             reason = f"has {len(row)} cells, the line of names has {len(names)}"
             hint = f"cells are separated by {_SEPARATORS.get(separator, 'spaces')} here"
-            raise TrackFileError(file, reason, line=k + 1, hint=hint)
+            raise TableFileError(file, reason, line=k + 1, hint=hint)
         numbers.append(k + 1)
         rows.append(row[: len(names)])
     if not rows:
-        raise TrackFileError(file, "has no rows after its line of names", line=names_at + 1)
+        raise TableFileError(file, "has no rows after its line of names", line=names_at + 1)
     return TextTable(file, names_at + 1, names, points, numbers, rows)
 
 
 def _text(file: str, content: bytes) -> str:
     for start, reason in _OTHER_FILES.items():
         if content.startswith(start):
-            raise TrackFileError(file, f"is {reason}")
+            raise TableFileError(file, f"is {reason}")
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         encoding = "utf-16"
     elif b"\0" in content:
-        raise TrackFileError(file, f"is not text: byte {content.index(0)} is 0", hint="export the track as CSV")
+        raise TableFileError(file, f"is not text: byte {content.index(0)} is 0", hint="export the track as CSV")
     else:
         encoding = "utf-8-sig"
     try:
         return content.decode(encoding)
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
-        raise TrackFileError(
+        raise TableFileError(
             file, f"byte {content[error.start]:#04x} is not UTF-8", line=line, hint="save the file as UTF-8"
         ) from None
 
@@ -232,14 +247,14 @@ def _kinovea(file: str, lines: list[str]) -> TextTable:
             fresh = False
             row = line.split()
             if len(row) != 3:
-                raise TrackFileError(file, f"has {len(row)} cells, not the three T X Y", line=k)
+                raise TableFileError(file, f"has {len(row)} cells, not the three T X Y", line=k)
             if row[0] in cells[point]:
                 hint = "choose milliseconds as the time code of Kinovea"
-                raise TrackFileError(file, "occurs twice", line=k, column="T", value=row[0], hint=hint)
+                raise TableFileError(file, "occurs twice", line=k, column="T", value=row[0], hint=hint)
             cells[point][row[0]] = row[1:]
             numbers.setdefault(row[0], k)
     if not numbers:
-        raise TrackFileError(file, "has no trajectory")
+        raise TableFileError(file, "has no trajectory")
     names, points = ["T"], [""]
     for point in cells:
         names += ["X", "Y"]

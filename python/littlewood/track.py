@@ -13,14 +13,14 @@ import numpy.typing as npt
 
 from .calibration import checked
 from .elementwise import reals
-from .text_table import TrackFileError
+from .text_table import TableFileError
 from .track_file import read_track
 
 if TYPE_CHECKING:
     from .units import Units
     from .video.plane import Plane
 
-__all__ = ["Track", "TrackFileError"]
+__all__ = ["TableFileError", "Track"]
 
 _Reals = npt.NDArray[np.float64]
 
@@ -225,7 +225,7 @@ class Track:
 
         Raises
         ------
-        littlewood.track.TrackFileError
+        littlewood.track.TableFileError
             With file, line, column, value and hint, for what cannot be read: nothing is left out in silence.
         """
         found = read_track(

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .tables import SAMPLE_COLUMNS
-from .text_table import TextTable, TrackFileError, read_text_table
+from .text_table import TableFileError, TextTable, read_text_table
 
 if TYPE_CHECKING:
     from .units import Units
@@ -136,7 +136,7 @@ def read_track(
     by_channel = {(one.channel, _OF_MARKER if one.point and one.point == marker else ""): one for one in columns}
     used = [one for one in columns if one.channel in ("theta", "x", "y")]
     if not used:
-        raise TrackFileError(
+        raise TableFileError(
             table.path, "has neither an angle nor a position", line=table.head, hint="columns are theta_deg, x_m, y_m"
         )
     # Exports that name points, or call the time t, have units that do not stand in the file.
@@ -145,7 +145,7 @@ def read_track(
     if not is_si:
         odd = next((one for one in used if one.unit is not None), None)
         if odd is not None:
-            raise TrackFileError(
+            raise TableFileError(
                 table.path,
                 f"is in SI units, {time.name} has no dimension",
                 line=table.head,
@@ -159,7 +159,7 @@ def read_track(
         if channel in ("theta", "x", "y"):
             values = _values(table, one, is_si, is_foreign, plane, length_unit)
             if not np.any(np.isfinite(values)):
-                raise TrackFileError(
+                raise TableFileError(
                     table.path, "has no number", column=one.name, hint="remove the column if it was not tracked"
                 )
             found[channel + owner] = values
@@ -169,18 +169,18 @@ def read_track(
         numbers = numbers / fps
     elif is_si:
         numbers = numbers * (_UNITS[time.unit][1] if time.unit else 1.0)
-    _growing(table, time, numbers)
+    table.check_growing(time.place, numbers.tolist())
     if plane is not None:
         _to_metres(table, found, plane)
     elif not is_si:
         _not_pixels(table, by_channel, found)
     if "x" + _OF_MARKER in found or "y" + _OF_MARKER in found:
         if "theta" in found or not {"x", "y", "x" + _OF_MARKER, "y" + _OF_MARKER} <= set(found):
-            raise TrackFileError(table.path, "needs x and y of both points, and no angle beside them", line=table.head)
+            raise TableFileError(table.path, "needs x and y of both points, and no angle beside them", line=table.head)
         across, up = (found[name + _OF_MARKER] - found[name] for name in ("x", "y"))
         found["theta"] = np.arctan2(-across, up)
     if is_si and units is None:
-        raise TrackFileError(table.path, "is in SI units", hint="make the hoop by Hoop.from_si, and give its units")
+        raise TableFileError(table.path, "is in SI units", hint="make the hoop by Hoop.from_si, and give its units")
     return TrackFile(is_si, numbers, found.get("theta"), found.get("x"), found.get("y"))
 
 
@@ -199,7 +199,7 @@ def _recognised(table: TextTable, ignored: set[str]) -> list[_Column]:
             known = [*_CHANNELS, *(spelling for key in COLUMN_OF.values() for spelling in _spellings(key))]
             close = difflib.get_close_matches(name.lower(), known, 1)
             meant = f"is it {close[0]}? " if close else ""
-            raise TrackFileError(
+            raise TableFileError(
                 table.path,
                 "is not a column of a track",
                 line=table.head,
@@ -209,7 +209,7 @@ def _recognised(table: TextTable, ignored: set[str]) -> list[_Column]:
             )
     if unused:
         missing = ", ".join(sorted(unused))
-        raise TrackFileError(table.path, f"has no column {missing}, which ignore names", line=table.head)
+        raise TableFileError(table.path, f"has no column {missing}, which ignore names", line=table.head)
     return found
 
 
@@ -259,9 +259,9 @@ def _of_run(table: TextTable, columns: list[_Column], run: int | None) -> list[_
     runs = sorted({one.run for one in columns if one.run is not None})
     if run is not None and run not in runs:
         there = f"has runs {', '.join(map(str, runs))}" if runs else "has no runs"
-        raise TrackFileError(table.path, f"{there}, run = {run} is none of them", line=table.head)
+        raise TableFileError(table.path, f"{there}, run = {run} is none of them", line=table.head)
     if run is None and len(runs) > 1:
-        raise TrackFileError(
+        raise TableFileError(
             table.path, f"has runs {', '.join(map(str, runs))}", line=table.head, hint=f"choose one: run={runs[0]}"
         )
     chosen = [one for one in columns if one.run is None or run is None or one.run == run]
@@ -270,7 +270,7 @@ def _of_run(table: TextTable, columns: list[_Column], run: int | None) -> list[_
         before = seen.setdefault((one.channel, one.point), one)
         if before is not one:
             names = before.name if before.name == one.name else f"{before.name} and {one.name}"
-            raise TrackFileError(
+            raise TableFileError(
                 table.path,
                 f"{names}: two columns of one quantity",
                 line=table.head,
@@ -285,7 +285,7 @@ def _time_column(table: TextTable, columns: list[_Column], fps: float | None) ->
         found = next((one for one in columns if one.channel == channel), None)
         if found is not None:
             if channel == _FRAME and fps is None:
-                raise TrackFileError(
+                raise TableFileError(
                     table.path,
                     "has numbers of frames and no time",
                     line=table.head,
@@ -293,7 +293,7 @@ def _time_column(table: TextTable, columns: list[_Column], fps: float | None) ->
                     hint="give the rate at which they were taken: fps=240",
                 )
             return found
-    raise TrackFileError(
+    raise TableFileError(
         table.path,
         f"no column time or time_s among {', '.join(table.names)}",
         line=table.head,
@@ -307,7 +307,7 @@ def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, mar
     for given in (centre, marker):
         if given is not None and given not in names:
             there = ", ".join(names) or "none with a name"
-            raise TrackFileError(table.path, f"has no point {given!r}", line=table.head, hint=f"its points are {there}")
+            raise TableFileError(table.path, f"has no point {given!r}", line=table.head, hint=f"its points are {there}")
     if len(names) == 2 and marker is None:
         if centre is None:
             tells = [name for name in names if any(word in name.lower() for word in _CENTRE)]
@@ -316,14 +316,14 @@ def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, mar
             centre = tells[0] if len(tells) == 1 else rest[0] if len(rest) == 1 else None
         marker = next((name for name in names if centre is not None and name != centre), None)
     if {centre, marker} - {None} != set(names) and not (len(names) == 1 and marker is None):
-        raise TrackFileError(
+        raise TableFileError(
             table.path,
             f"has the points {', '.join(names)}",
             line=table.head,
             hint='say which are the centre of the hoop and its marker: centre="…", marker="…"; export only these',
         )
     if marker is not None and len(names) == 1:
-        raise TrackFileError(table.path, "has the marker alone", line=table.head, hint="track the centre, too")
+        raise TableFileError(table.path, "has the marker alone", line=table.head, hint="track the centre, too")
     return marker
 
 
@@ -336,7 +336,7 @@ def _values(
         return values
     if one.channel == "theta":
         if one.unit is None:
-            raise TrackFileError(
+            raise TableFileError(
                 table.path,
                 "has no unit",
                 line=table.head,
@@ -347,7 +347,7 @@ def _values(
     unit = one.unit
     if unit is None and plane is None:
         if not is_foreign:
-            raise TrackFileError(
+            raise TableFileError(
                 table.path,
                 "has no dimension, the time is in SI units",
                 line=table.head,
@@ -359,28 +359,14 @@ def _values(
     if in_pixels != (plane is not None):
         reason = "is in pixels" if in_pixels else "is not in pixels, which a plane is for"
         hint = "give the plane of the motion: plane=video.Plane.from_points(…)" if in_pixels else "leave plane out"
-        raise TrackFileError(table.path, reason, line=table.head, column=one.name, hint=hint)
+        raise TableFileError(table.path, reason, line=table.head, column=one.name, hint=hint)
     return values if in_pixels else np.asarray(values * _UNITS[unit or length_unit][1])
-
-
-def _growing(table: TextTable, time: _Column, numbers: _Reals) -> None:
-    falls = np.flatnonzero(np.diff(numbers) <= 0.0)
-    if falls.size:
-        i = int(falls[0])
-        raise TrackFileError(
-            table.path,
-            f"must be greater than {table.rows[i][time.place]} of line {table.lines[i]}",
-            line=table.lines[i + 1],
-            column=time.name,
-            value=table.rows[i + 1][time.place],
-            hint="times must grow",
-        )
 
 
 def _to_metres(table: TextTable, found: dict[str, _Reals], plane: Plane) -> None:
     for owner in ("", _OF_MARKER):
         if ("x" + owner in found) != ("y" + owner in found):
-            raise TrackFileError(table.path, "has one coordinate in pixels: a plane needs x and y", line=table.head)
+            raise TableFileError(table.path, "has one coordinate in pixels: a plane needs x and y", line=table.head)
         if "x" + owner in found:
             found["x" + owner], found["y" + owner] = plane.to_metres(found["x" + owner], found["y" + owner])
 
@@ -391,7 +377,7 @@ def _not_pixels(table: TextTable, columns: dict[tuple[str, str], _Column], found
         if channel in found:
             seen = found[channel][np.isfinite(found[channel])]
             if np.ptp(seen) > 10.0 and np.all(seen == np.round(seen)):
-                raise TrackFileError(
+                raise TableFileError(
                     table.path,
                     "has whole numbers without a unit, as pixels are",
                     line=table.head,

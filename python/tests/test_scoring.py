@@ -387,14 +387,13 @@ def write(path, header, rows):
 @pytest.mark.parametrize(
     ("header", "rows", "line", "column", "reason"),
     [
-        ("time,x,y,theta", ["0,0,1,0", "1,0,1,zero", "2,0,1,0"], 3, "theta", "'zero' is not a number"),
-        ("time,x,y,theta", ["0,0,1,0", "1,nan,1,0", "2,0,1,0"], 3, "x", "must be finite"),
-        ("time,x,y,theta", ["0,0,1,0", "", "1,0,1", "2,0,1,0"], 4, None, "3 fields, the first line has 4"),
-        ("time,x,y,theta", ["0,0,1,0", "1,0,1,0", "1,0,1,0"], 4, "time", "must be greater than 1.0"),
+        ("time,x,y,theta", ["0,0,1,0", "1,0,1,zero", "2,0,1,0"], 3, "theta", "'zero' is not a finite number"),
+        ("time,x,y,theta", ["0,0,1,0", "1,nan,1,0", "2,0,1,0"], 3, "x", "'nan' is not a finite number"),
+        ("time,x,y,theta", ["0,0,1,0", "", "1,0,1", "2,0,1,0"], 4, None, "has 3 cells, the line of names has 4"),
+        ("time,x,y,theta", ["0,0,1,0", "1,0,1,0", "1,0,1,0"], 4, "time", "must be greater than 1 of line 3"),
         ("time,x,theta", ["0,0,0"], 1, "y", "is missing among time, x, theta"),
         ("t,x,y,theta", ["0,0,1,0"], 1, "time", "is missing among t, x, y, theta; is t meant?"),
         ("time,X,y,theta", ["0,0,1,0"], 1, "x", "is X meant?"),
-        ("time x y theta", ["0 0 1 0"], 1, "time", "separated by commas"),
         ("0,0.5,1,2", ["1,0,1,0"], 1, "time", "the first line must have the names time,x,y,theta"),
         ("time,x,y,theta,x_rate", ["0,0,1,0,0"], 1, "y_rate", "is missing among"),
         ("time,x,y,theta,x", ["0,0,1,0,0"], 1, "x", "occurs twice"),
@@ -402,12 +401,13 @@ def write(path, header, rows):
         ("time_s,x_m,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "the hoop has none"),
         ("time,x,y,theta,contact", ["0,0,1,0,1", "1,0,1,0,2", "2,0,1,0,1"], 3, "contact", "must be 0 or 1"),
         ("time,x,y,theta", ["0,0,1,0"], None, None, "at least 3"),
-        ("", [], 1, "time", "is missing among none"),
+        ("", [], None, None, "is empty"),
+        ("time,x,y,theta", [], 1, None, "has no rows"),
     ],
 )
 def test_a_bad_file_is_refused_with_line_and_column(tmp_path, header, rows, line, column, reason):
     path = write(tmp_path / "bad.csv", header, rows)
-    with pytest.raises(lw.scoring.RecordError) as caught:
+    with pytest.raises(lw.scoring.TableFileError) as caught:
         lw.scoring.Record.from_csv(path)
     assert (caught.value.line, caught.value.column) == (line, column)
     assert reason in str(caught.value) and str(path) in str(caught.value)
@@ -430,6 +430,9 @@ def test_a_mark_at_the_begin_of_a_file_is_no_name(tmp_path):
     path = tmp_path / "marked.csv"
     path.write_text("time,x,y,theta\n0,0,1,0\n1,0,1,0\n2,0,1,0\n", encoding="utf-8-sig")
     assert lw.scoring.Record.from_csv(path).time.tolist() == [0.0, 1.0, 2.0]
+    # Other separators and decimal marks are those of the tracks.
+    path.write_text("time;x;y;theta\n0;0,5;1;0\n1;0;1;0\n2;0;1;0\n", encoding="utf-8")
+    assert lw.scoring.Record.from_csv(path).x.tolist() == [0.5, 0.0, 0.0]
 
 
 def test_what_the_command_line_simulates_is_read(binary, tmp_path, motion):
@@ -521,7 +524,7 @@ def test_a_certificate_names_a_case(tmp_path, capsys):
 def test_the_command_refuses_with_the_reason(tmp_path, capsys):
     path = write(tmp_path / "bad.csv", "time,x,y,theta", ["0,0,1,0", "1,0,1,?"])
     assert main(["figure-3", str(path)]) == 2
-    assert "line 3, column theta: '?' is not a number" in capsys.readouterr().err
+    assert "line 3, column theta: '?' is not a finite number" in capsys.readouterr().err
     assert main(["figure-33", str(path)]) == 2
     assert "did you mean 'figure-3'" in capsys.readouterr().err
     assert main(["figure-3", str(path), "--steps", "0.1", "0.2"]) == 2

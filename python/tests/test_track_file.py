@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood.track import TrackFileError
+from littlewood.track import TableFileError
 
 TRACKS = Path(__file__).parent / "tracks"
 RADIUS, OFFSET = 0.3, 0.27
@@ -62,7 +62,7 @@ def test_kinovea_exports_trajectories(units):
 
 
 def test_capstone_exports_runs(units):
-    with pytest.raises(TrackFileError, match=r"has runs 1, 2; choose one: run=1"):
+    with pytest.raises(TableFileError, match=r"has runs 1, 2; choose one: run=1"):
         lw.Track.from_csv(TRACKS / "capstone.csv", units)
     assert_rolls(lw.Track.from_csv(TRACKS / "capstone.csv", units, run=1), units, ("theta", "x"))
     second = lw.Track.from_csv(TRACKS / "capstone.csv", units, run=2)
@@ -168,7 +168,7 @@ REFUSED = {
 def test_what_cannot_be_read_is_refused_with_its_place(tmp_path, units, text, message):
     path = tmp_path / "bad.csv"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(TrackFileError, match=message) as caught:
+    with pytest.raises(TableFileError, match=message) as caught:
         lw.Track.from_csv(path, units)
     assert str(caught.value).startswith(str(path))
 
@@ -184,14 +184,14 @@ def test_what_cannot_be_read_is_refused_with_its_place(tmp_path, units, text, me
 )
 def test_files_that_are_no_text_are_refused(tmp_path, units, content, message):
     (tmp_path / "bad").write_bytes(content)
-    with pytest.raises(TrackFileError, match=message):
+    with pytest.raises(TableFileError, match=message):
         lw.Track.from_csv(tmp_path / "bad", units)
 
 
 def test_errors_have_their_parts(tmp_path, units):
     path = tmp_path / "bad.csv"
     path.write_text("time_s,x_m\n0,1\n0.1,two\n")
-    with pytest.raises(TrackFileError) as caught:
+    with pytest.raises(TableFileError) as caught:
         lw.Track.from_csv(path, units)
     error = caught.value
     assert (error.path, error.line, error.column, error.value) == (str(path), 3, "x_m", "two")
@@ -199,9 +199,9 @@ def test_errors_have_their_parts(tmp_path, units):
     # A column is passed over by name only.
     path.write_text("time_s,x_m,mood\n0,1,good\n0.1,1,bad\n")
     assert lw.Track.from_csv(path, units, ignore=("mood",)).time.size == 2
-    with pytest.raises(TrackFileError, match="has no column mud"):
+    with pytest.raises(TableFileError, match="has no column mud"):
         lw.Track.from_csv(path, units, ignore=("mood", "mud"))
-    with pytest.raises(TrackFileError, match="from_si"):
+    with pytest.raises(TableFileError, match="from_si"):
         lw.Track.from_csv(path, ignore=("mood",))
 
 

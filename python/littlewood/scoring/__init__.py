@@ -4,11 +4,12 @@
 from the command line.
 """
 
+from ..text_table import TableFileError
 from .cases import BENCHMARK, CASES, BenchmarkCase
 from .convergence import Convergence, convergence
 from .episodes import Tolerances
 from .gradient import GradientScore, PhaseGradient, score_gradient
-from .record import Record, RecordError
+from .record import Record
 from .score import EventScore, Score, score
 
 __all__ = [
@@ -20,8 +21,8 @@ __all__ = [
     "GradientScore",
     "PhaseGradient",
     "Record",
-    "RecordError",
     "Score",
+    "TableFileError",
     "Tolerances",
     "convergence",
     "score",

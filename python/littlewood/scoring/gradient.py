@@ -156,7 +156,7 @@ def read_gradient(path: str | Path) -> tuple[_Reals, _Reals, _Reals]:
     Parameters
     ----------
     path : str or Path
-        A table of comma-separated values with a line of names.
+        A table with a line of names.
 
     Returns
     -------
@@ -164,8 +164,8 @@ def read_gradient(path: str | Path) -> tuple[_Reals, _Reals, _Reals]:
 
     Raises
     ------
-    RecordError
+    TableFileError
         With the line and the column that cannot be read.
     """
-    columns = read_table(Path(path), lambda _: _COLUMNS)
+    columns = read_table(path, lambda *_: _COLUMNS)
     return columns["time"], columns["x"], columns["theta"]

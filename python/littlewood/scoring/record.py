@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import difflib
-import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +12,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ..elementwise import reals
+from ..text_table import NUMBER, TableFileError, TextTable, read_text_table
 
 if TYPE_CHECKING:
     from ..units import Units
 
-__all__ = ["Record", "RecordError"]
+__all__ = ["Record", "read_table"]
 
 _Reals = npt.NDArray[np.float64]
 
@@ -32,27 +31,6 @@ _SI_RATES = ("x_rate_m_per_s", "y_rate_m_per_s", "theta_rate_rad_per_s")
 _CONTACT = "contact"
 _ALSO = {"centre_y": "y", "centre_y_m": "y_m"}
 """Names that `littlewood simulate --format csv` gives columns."""
-
-
-class RecordError(ValueError):
-    """A record cannot be read.
-
-    Attributes
-    ----------
-    path : Path
-        The file.
-    line : int or None
-        Line of the file, from 1; None where the whole file is meant.
-    column : str or None
-        Name of the column; None where a whole line is meant.
-    """
-
-    def __init__(self, path: Path, line: int | None, column: str | None, reason: str) -> None:
-        place = "".join((f", line {line}" if line else "", f", column {column}" if column else ""))
-        super().__init__(f"{path}{place}: {reason}")
-        self.path = path
-        self.line = line
-        self.column = column
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,7 +167,7 @@ class Record:
 
     @classmethod
     def from_csv(cls, path: str | Path, units: Units | None = None) -> Record:
-        """Read a record from a table of comma-separated values with a line of names.
+        """Read a record from a table with a line of names.
 
         Parameters
         ----------
@@ -206,102 +184,72 @@ class Record:
 
         Raises
         ------
-        RecordError
+        TableFileError
             With the line and the column that cannot be read.
         """
-        columns: dict[str, Any] = read_table(Path(path), lambda names: _header(Path(path), names, units))
+        columns: dict[str, Any] = read_table(path, lambda table, names: _wanted(table, names, units))
         if _CONTACT in columns:
             columns[_CONTACT] = columns[_CONTACT] == 1.0
         return cls(**columns) if "time" in columns or units is None else cls.from_si(units, **columns)
 
 
-def read_table(file: Path, wanted_of: Callable[[list[str]], Sequence[str]]) -> dict[str, _Reals]:
-    """Return columns of a table of comma-separated values by name; `wanted_of` chooses from its names."""
-    # Spreadsheets begin a file with a mark of its encoding.
-    with file.open(encoding="utf-8-sig", newline="") as lines:
-        rows = csv.reader(lines)
-        names = [_ALSO.get(name.strip(), name.strip()) for name in next(rows, [])]
-        wanted = wanted_of(names)
-        missing = next((name for name in wanted if name not in names), None)
-        if missing is not None:
-            raise RecordError(file, 1, missing, f"is missing among {', '.join(names) or 'none'}{_hint(missing, names)}")
-        table: list[list[float]] = []
-        last: list[str] = []
-        for row in rows:
-            if not row:
-                continue
-            # `littlewood simulate` gives both sides of an event.
-            if "event" in names and table and row[names.index(wanted[0])] == last[names.index(wanted[0])]:
-                continue
-            last = row
-            table.append(_numbers(file, rows.line_num, names, row, wanted, table))
-    if len(table) < _FEWEST:
-        raise RecordError(file, None, None, f"{len(table)} instants: a record needs at least {_FEWEST}")
-    return dict(zip(wanted, np.array(table).T, strict=True))
-
-
-def _header(file: Path, names: list[str], units: Units | None) -> list[str]:
-    """Names of the columns that are read."""
+def read_table(path: str | Path, wanted_of: Callable[[TextTable, list[str]], Sequence[str]]) -> dict[str, _Reals]:
+    """Return columns of a table by name; `wanted_of` chooses from its names."""
+    table = read_text_table(path)
+    names = [_ALSO.get(name, name) for name in table.names]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise RecordError(file, 1, twice, "occurs twice")
+        raise TableFileError(table.path, "occurs twice", line=table.head, column=twice)
+    wanted = wanted_of(table, names)
+    missing = next((name for name in wanted if name not in names), None)
+    if missing is not None:
+        reason = f"is missing among {', '.join(names)}"
+        raise TableFileError(table.path, reason, line=table.head, column=missing, hint=_hint(missing, names))
+    places = {name: names.index(name) for name in wanted}
+    time = places[wanted[0]]
+    if "event" in names:
+        # `littlewood simulate` gives both sides of an event.
+        kept = [k for k, row in enumerate(table.rows) if k == 0 or row[time] != table.rows[k - 1][time]]
+        table = replace(table, lines=[table.lines[k] for k in kept], rows=[table.rows[k] for k in kept])
+    columns = {name: np.array(table.numbers(place, True)) for name, place in places.items()}
+    table.check_growing(time, columns[wanted[0]].tolist())
+    odd = np.flatnonzero(~np.isin(columns.get(_CONTACT, 0.0), (0.0, 1.0)))
+    if odd.size:
+        cell = table.rows[odd[0]][places[_CONTACT]]
+        raise TableFileError(table.path, "must be 0 or 1", line=table.lines[odd[0]], column=_CONTACT, value=cell)
+    if len(table.rows) < _FEWEST:
+        raise TableFileError(table.path, f"has {len(table.rows)} instants: a record needs at least {_FEWEST}")
+    return columns
+
+
+def _wanted(table: TextTable, names: list[str], units: Units | None) -> list[str]:
+    """Names of the columns that are read."""
     has_plain = [name for name in _COLUMNS if name in names]
     has_si = [name for name in _SI_COLUMNS if name in names]
     if set(has_plain) == set(_COLUMNS):
         # A motion of `littlewood simulate` has columns of both kinds.
         has_si = []
     if has_plain and has_si:
-        raise RecordError(
-            file, 1, has_si[0], f"is in SI units, {has_plain[0]} has no dimension: all must be of one kind"
-        )
-    wanted = _SI_COLUMNS if has_si else _COLUMNS
-    rates = _SI_RATES if has_si else _RATES
-    wanted = (*wanted, *(rates if any(name in names for name in rates[:2]) else ()))
+        reason = f"is in SI units, {has_plain[0]} has no dimension"
+        hint = "all must be of one kind"
+        raise TableFileError(table.path, reason, line=table.head, column=has_si[0], hint=hint)
     if has_si and units is None:
-        raise RecordError(file, 1, has_si[0], "is in SI units, and the hoop has none: make it by Hoop.from_si")
+        hint = "make the hoop by Hoop.from_si"
+        raise TableFileError(
+            table.path, "is in SI units, and the hoop has none", line=table.head, column=has_si[0], hint=hint
+        )
+    rates = _SI_RATES if has_si else _RATES
+    wanted = [*(_SI_COLUMNS if has_si else _COLUMNS), *(rates if any(name in names for name in rates[:2]) else ())]
     return [*wanted, *([_CONTACT] if _CONTACT in names else [])]
 
 
-def _hint(missing: str, names: list[str]) -> str:
+def _hint(missing: str, names: list[str]) -> str | None:
     """Which of the names may be meant."""
     by_lower = {name.lower(): name for name in names}
     likely = [name for name in names if name and missing.startswith(name.lower())]
     likely += [by_lower[near] for near in difflib.get_close_matches(missing, by_lower)]
     if likely:
-        return f"; is {likely[0]} meant?"
-    if names and all(_is_number(name) for name in names):
-        return f"; the first line must have the names {','.join(_COLUMNS)}"
-    return "; columns are separated by commas" if len(names) == 1 and len(names[0].split()) > 1 else ""
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-def _numbers(
-    file: Path, line: int, names: list[str], row: list[str], wanted: Sequence[str], before: list[list[float]]
-) -> list[float]:
-    """The numbers of a line."""
-    if len(row) != len(names):
-        raise RecordError(file, line, None, f"{len(row)} fields, the first line has {len(names)}")
-    numbers = []
-    for name in wanted:
-        field = row[names.index(name)].strip()
-        try:
-            number = float(field)
-        except ValueError:
-            raise RecordError(file, line, name, f"{field!r} is not a number") from None
-        if not math.isfinite(number):
-            raise RecordError(file, line, name, f"{field} must be finite")
-        if name == _CONTACT and number not in (0.0, 1.0):
-            raise RecordError(file, line, name, f"{field} must be 0 or 1")
-        numbers.append(number)
-    if before and numbers[0] <= before[-1][0]:
-        raise RecordError(
-            file, line, wanted[0], f"{numbers[0]} must be greater than {before[-1][0]} of the line before"
-        )
-    return numbers
+        return f"is {likely[0]} meant?"
+    if all(NUMBER.fullmatch(name) for name in names):
+        return f"the first line must have the names {','.join(_COLUMNS)}"
+    return None
