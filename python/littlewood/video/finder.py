@@ -404,27 +404,34 @@ class Finder:
         x, y = self._plane.to_metres(columns, rows)
         on_ring = np.abs(np.hypot(x - circle.x_m, y - circle.y_m) - self._marker) < 0.22 * self._radius
         # As light and not as levels, in which the parts of a blurred marker do not add up.
-        score = 255.0 * _light(frame[cut]) @ self._hue
-        score -= np.median(score[on_ring]) if np.any(on_ring) else 0.0
-        cv2 = require("cv2")
-        smooth = np.where(on_ring, cv2.GaussianBlur(score, (0, 0), 1.0), 0.0)
+        hue, behind = (255.0 * light @ self._hue for light in (_light(frame[cut]), self._background[cut]))
+        usual = float(np.median(hue[on_ring])) if np.any(on_ring) else 0.0
+        for ground in (usual, np.maximum(usual, behind)):
+            score = hue - ground
+            smooth = np.where(on_ring, require("cv2").GaussianBlur(score, (0, 0), 1.0), 0.0)
+            spot = self._spot(smooth)
+            if spot is None:
+                return None
+            weights = np.where(spot, smooth, 0.0)
+            # What has the colour in the background, too, is no marker: only what is more of it than the background.
+            if float((weights * (hue - behind)).sum()) > _APART * float((weights * score).sum()):
+                total = float(weights.sum())
+                mean_x, mean_y = float((weights * x).sum()) / total, float((weights * y).sum()) / total
+                spread = float((((x - mean_x) ** 2 + (y - mean_y) ** 2) * spot).sum()) / 2.0
+                return Marker(mean_x, mean_y, self._noise * math.sqrt(spread) / total, total)
+        return None
+
+    def _spot(self, smooth: npt.NDArray[Any]) -> npt.NDArray[np.bool_] | None:
+        """Return the pixels of the connected spot with the largest sum; None if all is noise."""
         largest = float(smooth.max())
         if largest < _SIGNAL * self._noise:
             return None
         least = max(_FLOOR * largest, 2.0 * self._noise)
-        count, labels = cv2.connectedComponents((smooth > least).astype(np.uint8))
+        count, labels = require("cv2").connectedComponents((smooth > least).astype(np.uint8))
         sums = np.bincount(labels.ravel(), weights=smooth.ravel(), minlength=count)
         sums[0] = 0.0
-        spot = labels == int(np.argmax(sums))
-        weights = np.where(spot, smooth, 0.0)
-        total = float(weights.sum())
-        # What has the colour in the background, too, is no marker.
-        apart = 255.0 * (_light(frame[cut]) - self._background[cut]) @ self._hue
-        if float((weights * apart).sum()) < _APART * float((weights * score).sum()):
-            return None
-        mean_x, mean_y = float((weights * x).sum()) / total, float((weights * y).sum()) / total
-        spread = float((((x - mean_x) ** 2 + (y - mean_y) ** 2) * spot).sum()) / 2.0
-        return Marker(mean_x, mean_y, self._noise * math.sqrt(spread) / total, total)
+        found: npt.NDArray[np.bool_] = labels == int(np.argmax(sums))
+        return found
 
 
 def _light(frame: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
