@@ -19,6 +19,7 @@ test('a frame shows the hoop, what happens, and the time line, and nothing to se
   for (const id of ['case', 'open-share', 'theme', 'fields', 'plane', 'plots', 'phases', 'speed', 'loop', 'follow', 'next']) {
     await expect(page.locator(`#${id}`)).toBeHidden();
   }
+  for (const it of ['.weight', '#pin', '.ask', '.words']) await expect(page.locator(it)).toBeHidden();
   // Everything is in sight: neither is there a bar to scroll.
   const { width, height } = await page.evaluate(() => ({
     width: document.documentElement.scrollWidth,
