@@ -122,6 +122,13 @@ test('the sliders in words change the motion, and say how', async ({ page }) => 
   await expect(slider('Spin')).toHaveAttribute('aria-valuetext', 'none');
 });
 
+test('of a hoop without mass the sliders say what there is', async ({ page }) => {
+  await open(page, 'case=figure-7&map=0&level=simple');
+  await expect(page.locator('#word-weight')).toBeDisabled();
+  await expect(page.locator('#word-weight')).toHaveAttribute('aria-valuetext', 'all there is: the hoop weighs nothing');
+  await expect(page.locator('#words-legend')).toContainText('glides');
+});
+
 test('without a mouse: the first stop leads to the weight, and a guess is a button', async ({ page }) => {
   await open(page, 'case=figure-3&map=0&level=simple');
   await page.keyboard.press('Tab');

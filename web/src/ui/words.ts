@@ -10,8 +10,9 @@ interface Slider {
   least: number;
   most: number;
   step: number;
-  /** Where the slider stands; none for a hoop that has no such thing. */
+  /** Where the slider stands; none for a hoop that has no such thing, and then what there is instead. */
   read(lab: Lab): number | null;
+  absent?: string;
   write(lab: Lab, value: number): void;
   say(value: number): string;
 }
@@ -56,6 +57,7 @@ const SLIDERS: readonly Slider[] = [
   },
   {
     name: 'weight',
+    absent: TEXTS.sliders.weight.absent,
     least: -1,
     most: 1,
     step: 0.05,
@@ -74,6 +76,7 @@ const SLIDERS: readonly Slider[] = [
   },
   {
     name: 'bounce',
+    absent: TEXTS.sliders.bounce.absent,
     least: OFF,
     most: 1,
     step: 0.05,
@@ -114,7 +117,7 @@ export class Words {
     for (const { slider, range, said } of this.rows) {
       const value = slider.read(lab);
       range.disabled = value === null;
-      const text = value === null ? TEXTS.none : slider.say(value);
+      const text = value === null ? (slider.absent ?? '') : slider.say(value);
       if (value !== null) range.value = String(value);
       said.textContent = text;
       range.setAttribute('aria-valuetext', text);
