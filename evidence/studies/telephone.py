@@ -38,7 +38,7 @@ START = {"theta": math.pi / 2, "theta_rate": 2.0}
 @cache
 def motion() -> lw.Trajectory:
     """The throw of the lesson."""
-    return HOOP.simulate(**START)
+    return HOOP.simulate(theta=START["theta"], theta_rate=START["theta_rate"])
 
 
 def lift_off() -> float:
