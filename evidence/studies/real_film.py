@@ -11,6 +11,7 @@ import numpy as np
 from littlewood.style import FAINT, INK
 
 from .axes import COLOURS, DASHES, panels
+from .film.hard import HARD
 from .film.throws import FREE
 from .film.videos import film_of, fitted, track_of
 from .page import table
@@ -123,10 +124,42 @@ def sequences(name: str) -> str:
     return f"{sum(int(row['sequence_found']) for row in rows)} of {len(rows)}"
 
 
+def hard_rows() -> list[dict[str, str]]:
+    """Return the lines of the table of harder films."""
+    with (PAGES / "real-film" / "hard.csv").open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def harder() -> list[str]:
+    """How far tracks of harder films are off: medians over the films of a condition."""
+    all_rows = hard_rows()
+    lines = []
+    for name, hard in HARD.items():
+        rows = [row for row in all_rows if row["condition"] == name]
+        tracked = [row for row in rows if row["centre_px"]]
+
+        def part(key: str, over: str, rows: list[dict[str, str]] = tracked) -> str:
+            return f"{100.0 * sum(float(row[key]) for row in rows) / sum(float(row[over]) for row in rows):.0f} %"
+
+        cells = [hard.words]
+        if tracked:
+            cells += [part("hoops", "frames"), part("markers", "frames")]
+            cells += [f"{np.median([float(row[key]) for row in tracked]):.2g}" for key in ("centre_px", "marker_px")]
+        else:
+            cells += ["", "", "", ""]
+        fitted_ones = [float(row["worst_pull"]) for row in rows if row["worst_pull"]]
+        doubted = sum(bool(row["doubts"]) for row in rows)
+        cells += [f"{len(fitted_ones)} of {len(rows)}", f"{max(fitted_ones):.1f}" if fitted_ones else "", str(doubted)]
+        lines.append(cells)
+    heads = ["film", "hoop found", "marker found", "centre, pixels", "marker, pixels", "fitted", "worst", "doubted"]
+    return table(heads, lines)
+
+
 STUDY = Study(
     name="real-film",
     texts={
         "result": result,
+        "harder": harder,
         "fits": of_fits,
         "search": lambda: sequences("search"),
         "lost": lost,

@@ -80,6 +80,16 @@ class Film:
         """Track the film by somebody who takes the plane to be there, and does not know the exposure."""
         return lw.track_video(path, self.thrown.hoop, plane=plane, fps=self.rate)
 
+    def errors(self, track: lw.Track) -> dict[str, np.ndarray]:
+        """Return what a track has too much, against the mean of the exact motion over the exposures."""
+        time_s = self.thrown.hoop.require_units().time_s
+        instants = self.exposure_s / time_s * (np.arange(64) + 0.5) / 64
+        exact = self.thrown.motion((track.time[:, None] + instants).ravel())
+        means = {"theta": exact.theta, "x": exact.x, "y": exact.centre_y}
+        found = {name: track.channels[name] - values.reshape(-1, 64).mean(axis=1) for name, values in means.items()}
+        found["theta"] = np.mod(found["theta"] + np.pi, 2.0 * np.pi) - np.pi
+        return found
+
 
 def film_of(number: int, size: tuple[int, int] = SIZE) -> Film:
     """Draw a throw, a camera that stands to the side and above, and a shutter."""

@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 
 from evidence.studies.film.coverage import line_of
+from evidence.studies.film.hard import FILMS, HARD
+from evidence.studies.film.hard import line_of as of_hard
 from evidence.studies.film.throws import FREE, throw
 from evidence.studies.film.videos import film_of, track_of
 from evidence.studies.film.videos import line_of as of_video
-from evidence.studies.real_film import part_within, pulls, rows_of
+from evidence.studies.real_film import hard_rows, part_within, pulls, rows_of
 
 
 def test_intervals_of_independent_noise_contain_the_truth_as_often_as_they_say():
@@ -85,3 +87,20 @@ def test_a_throw_slips_out_of_rolling_and_lands_twice():
         causes = [transition.cause for transition in motion.transitions]
         assert "slip" in causes and "lift_off" in causes
         assert sum(transition.impact is not None for transition in motion.transitions) >= 2
+
+
+def test_harder_films_are_those_of_the_page():
+    rows = hard_rows()
+    assert [(row["condition"], int(row["film"])) for row in rows] == [(name, film) for name in HARD for film in FILMS]
+    for row in rows:
+        # The rim is found to a twentieth of a pixel, and a wrong fit is doubted.
+        assert float(row["centre_px"]) < 1.0 / 20.0
+        assert float(row["worst_pull"]) < 4.0 or "structure" in row["doubts"]
+
+
+def test_a_harder_film_comes_out_again():
+    row = next(row for row in hard_rows() if (row["condition"], row["film"]) == ("noise", "2"))
+    cells = dict(zip(row, of_hard("noise", 2), strict=True))
+    assert (cells["hoops"], cells["markers"], cells["by_hoop"]) == (row["hoops"], row["markers"], row["by_hoop"])
+    for name in ("centre_px", "marker_px", "worst_pull"):
+        assert float(cells[name]) == pytest.approx(float(row[name]), rel=0.02)
