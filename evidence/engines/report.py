@@ -18,6 +18,7 @@ from run import HERE, RESULTS, Engine, engines, read, read_rows
 
 PAGE = HERE.parents[1] / "docs" / "engines.md"
 PICTURE = PAGE.parent / "engines" / "work.svg"
+TITLE = "Error against processor time, a panel for each engine"
 
 FIRST = next(iter(BENCHMARK))
 TABLE_STEP = 1e-3
@@ -220,7 +221,7 @@ def main() -> None:
     every, runs = engines(), read(RESULTS)
     mpl.rcParams["svg.hashsalt"] = "littlewood"
     PICTURE.parent.mkdir(exist_ok=True)
-    picture(every, runs).savefig(PICTURE, metadata={"Date": None})
+    picture(every, runs).savefig(PICTURE, metadata={"Date": None, "Title": TITLE})
     text = PAGE.read_text(encoding="utf-8")
     tables = {"summary": summary(every, runs), "gradients": gradients(every), "settings": settings(every, runs)}
     for name in CATEGORIES:

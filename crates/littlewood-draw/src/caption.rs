@@ -46,7 +46,7 @@ pub fn latex(text: &str) -> String {
             Script::Line => {
                 let mut rest = run.text.chars().peekable();
                 while let Some(letter) = rest.next() {
-                    let ahead = rest.clone().skip_while(char::is_ascii_digit).next();
+                    let ahead = rest.clone().find(|letter| !letter.is_ascii_digit());
                     let goes_on = match letter {
                         '.' => rest.peek().is_some_and(char::is_ascii_digit),
                         // The argument of a function.

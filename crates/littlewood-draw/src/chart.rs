@@ -2,7 +2,7 @@
 
 use crate::clip;
 use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View, tilted};
-use crate::item::{Item, Paint, STEPS, Step, Words, steps};
+use crate::item::{Item, Paint, STEPS, Step, Words, outline, steps};
 use crate::marks::{Canvas, MIDDLE, edge};
 use crate::markup::plain;
 use crate::raster::POINTS;
@@ -63,8 +63,10 @@ const FAR: f64 = 1e3;
 impl PlotAxis {
     /// Which part of the axis lies before a value. What lies far off the sheet need not be told from what lies farther off.
     pub(crate) fn share(&self, value: f64) -> f64 {
-        let [low, high] = self.range;
-        ((value - low) / (high - low)).clamp(-FAR, FAR)
+        let bent =
+            |value: f64| if self.linear.is_finite() { libm::asinh(value / self.linear) } else { value };
+        let [low, high] = self.range.map(bent);
+        ((bent(value) - low) / (high - low)).clamp(-FAR, FAR)
     }
 }
 
@@ -76,7 +78,7 @@ impl Canvas {
                 let space = Space::new(panel.frame, [x, y, z], [*yaw, *pitch]);
                 space.axes(self);
                 self.layers(panel, &[x, y, z], |at| space.place(at), (1.0, 0.0), None);
-                self.labels(panel, |at| space.place(at), None);
+                self.labels(panel, |at| space.place(at));
             }
         }
         for key in &panel.keys {
@@ -88,10 +90,11 @@ impl Canvas {
                 | Mark::HatchedRegion(colour) => {
                     let corners = [(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))];
                     let is_hatch = matches!(key.mark, Mark::Hatch(_) | Mark::HatchedRegion(_));
-                    self.rectangle(
-                        corners,
-                        if is_hatch { Paint::Hatch(colour) } else { Paint::Fill(colour) },
-                    );
+                    if is_hatch {
+                        self.hatch(&[outline(corners)], colour);
+                    } else {
+                        self.rectangle(corners, Paint::Fill(colour));
+                    }
                     self.rectangle(corners, edge(Stroke::solid(INK, 0.6)));
                 }
                 Mark::Line(_) => self.mark(key.mark, &[vec![(x, y), (x + steps(26.0), y)]], 1.0),
@@ -124,7 +127,7 @@ impl Canvas {
         // Hoops are drawn only where both axes have one scale.
         let unit = wide / (x.range[1] - x.range[0]);
         self.layers(panel, &[x, y], place, (unit, tilt), axes.then_some(corners));
-        self.labels(panel, place, axes.then_some(corners));
+        self.labels(panel, place);
         if !axes {
             return;
         }
@@ -209,13 +212,9 @@ impl Canvas {
         }
     }
 
-    /// The texts whose places are within bounds, where there are any.
-    fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step, bounds: Option<[Step; 2]>) {
+    fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step) {
         for label in &panel.labels {
             let (x, y) = place(&label.at);
-            if bounds.is_some_and(|bounds| !clip::holds(bounds, (x, y))) {
-                continue;
-            }
             let [right, down] = label.shift.map(steps);
             let at = [f64::from(x + right) / STEPS, f64::from(y + down) / STEPS + MIDDLE * label.size];
             let (text, anchor, size) = (label.text.clone(), label.anchor, label.size);

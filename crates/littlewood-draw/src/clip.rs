@@ -22,7 +22,7 @@ pub(crate) fn item(item: Item, bounds: [Step; 2]) -> Option<Item> {
     let bounds = bounds.map(|(x, y)| [f64::from(x), f64::from(y)]);
     let kept: Vec<Vec<Place>> = match paint {
         Paint::Edge { .. } => lines.iter().flat_map(|points| line(&places(points), bounds)).collect(),
-        Paint::Fill(_) | Paint::Hatch(_) => lines.iter().map(|line| polygon(&places(line), bounds)).collect(),
+        Paint::Fill(_) => lines.iter().map(|line| polygon(&places(line), bounds)).collect(),
     };
     let step = |[x, y]: Place| (libm::round(x) as i32, libm::round(y) as i32);
     let kept = kept.into_iter().filter(|line| line.len() > 1);

@@ -94,6 +94,8 @@ pub struct PlotAxis {
     pub title: String,
     /// Lowest and highest value.
     pub range: [f64; 2],
+    /// Where it begins to be logarithmic, on either side of zero; infinite for a linear axis.
+    pub linear: f64,
     /// Which ticks it has.
     pub scale: Scale,
     /// Ticks.
@@ -195,6 +197,8 @@ pub struct Label {
     pub size: f64,
     /// Colour.
     pub colour: Rgb,
+    /// Whether it stands where it is asked for: the figure has made room for it.
+    pub is_fixed: bool,
 }
 
 /// Which part of a text stands at its place; its middle in the vertical.
@@ -220,10 +224,15 @@ pub struct Key {
 }
 
 impl PlotAxis {
+    fn has_words(&self) -> bool {
+        self.scale != Scale::Nothing || !self.title.is_empty()
+    }
+
     /// An axis with round ticks.
     #[must_use]
     pub fn new(column: impl Into<Cow<'static, str>>, title: impl Into<String>, range: [f64; 2]) -> Self {
-        Self { column: column.into(), title: title.into(), range, scale: Scale::Round, ticks: Vec::new() }
+        let (column, title) = (column.into(), title.into());
+        Self { column, title, range, linear: f64::INFINITY, scale: Scale::Round, ticks: Vec::new() }
     }
 }
 
@@ -238,10 +247,23 @@ pub fn tilted(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 impl Panel {
+    /// Its axes: to the right, upwards, to the back.
+    #[must_use]
+    pub fn axes(&self) -> Vec<&PlotAxis> {
+        match &self.view {
+            View::Plane { x, y, .. } => vec![x, y],
+            View::Space { x, y, z, .. } => vec![x, y, z],
+        }
+    }
+
     /// Where the axes of a plane stand: left upper and right lower corner in pixels.
     #[must_use]
     pub fn axes_frame(&self) -> [[f64; 2]; 2] {
-        let has_axes = matches!(self.view, View::Plane { axes: true, .. });
+        // Axes without a word on them take no room.
+        let has_axes = match &self.view {
+            View::Plane { x, y, axes, .. } => *axes && [x, y].iter().any(|axis| axis.has_words()),
+            View::Space { .. } => false,
+        };
         let [left, below] = if has_axes { ROOM } else { [0.0; 2] };
         let [x, y, width, height] = self.frame;
         [[x + left, y], [x + width, y + height - below]]
@@ -318,7 +340,14 @@ impl Label {
             anchor: Anchor::Middle,
             size: LETTER,
             colour: INK,
+            is_fixed: false,
         }
+    }
+
+    /// Where it is asked for.
+    #[must_use]
+    pub fn fixed(self) -> Self {
+        Self { is_fixed: true, ..self }
     }
 
     /// So far from the place, in pixels.

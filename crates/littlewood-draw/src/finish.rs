@@ -2,8 +2,10 @@
 
 use littlewood_style::ticks::{self, Tick};
 
-use crate::figure::{Figure, Label, Panel, PlotAxis, Scale, View};
+use crate::figure::{Figure, PlotAxis, Scale, View};
 use crate::letters::width;
+use crate::place::place;
+use crate::space::length_of;
 use crate::stroke::SMALL;
 use crate::words::short;
 
@@ -11,43 +13,53 @@ use crate::words::short;
 const MOST: usize = 9;
 const BESIDE: f64 = 12.0;
 const ABOVE: f64 = 12.0;
+/// Widest label of an axis upwards.
+const UPRIGHT: f64 = 40.0;
 /// Pixels to a tick of an axis to the right, and of one upwards.
 const EACH: [f64; 2] = [60.0, 30.0];
+/// The same of three axes, which are shorter.
+const IN_SPACE: f64 = 36.0;
 
 impl Figure {
-    /// Completes a figure: ticks as many as there is room for, labels moved off each other.
+    /// Completes a figure: ticks as many as there is room for, labels where they hide nothing. The caption names those for which there
+    /// is no room.
     #[must_use]
     pub fn fitted(mut self) -> Self {
         let sheet = [self.width, self.height];
+        let mut left_out: Vec<String> = Vec::new();
         for panel in &mut self.panels {
             let [_, _, across, upwards] = panel.frame;
             let [[left, top], [right, bottom]] = panel.axes_frame();
             match &mut panel.view {
                 View::Plane { x, y, .. } => {
-                    fit(x, right - left, true);
-                    fit(y, bottom - top, false);
+                    fit(x, right - left, true, EACH[0]);
+                    fit(y, bottom - top, false, EACH[1]);
                 }
-                View::Space { x, y, z, .. } => {
-                    fit(x, 0.6 * across, true);
-                    fit(y, 0.5 * upwards, false);
-                    fit(z, 0.25 * across, true);
+                View::Space { x, y, z, yaw, pitch } => {
+                    let length = length_of([across, upwards]);
+                    fit(x, length * libm::cos(*yaw).abs(), true, IN_SPACE);
+                    fit(y, length * libm::cos(*pitch).abs(), false, IN_SPACE);
+                    fit(z, length * libm::sin(*yaw).abs(), true, IN_SPACE);
                 }
             }
-            arrange(panel, sheet);
+            left_out.extend(place(panel, sheet).into_iter().map(|label| label.text));
+        }
+        if !left_out.is_empty() {
+            self.caption += &format!(" Without room for their names: {}.", left_out.join(", "));
         }
         self
     }
 }
 
 /// As many ticks as an axis of so many pixels has room for.
-fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool) {
-    let [from, to] = axis.range;
-    let each = EACH[usize::from(!to_the_right)];
+fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool, each: f64) {
     // A low panel may have room for more than one beside its end.
     let fewest = if to_the_right { 2 } else { 4 };
     let most = (libm::floor(pixels / each) as usize).clamp(fewest, MOST);
+    let bent = axis.clone();
+    let place = |value: f64| bent.share(value);
     let apart = |a: &Tick, b: &Tick| {
-        let distance = (b.value - a.value) / (to - from) * pixels;
+        let distance = (place(b.value) - place(a.value)) * pixels;
         let needed = if to_the_right {
             0.5 * (width(&a.label, SMALL) + width(&b.label, SMALL)) + BESIDE
         } else {
@@ -56,8 +68,21 @@ fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool) {
         distance.abs() >= needed
     };
     let fits = |ticks: &[Tick]| ticks.windows(2).all(|pair| apart(&pair[0], &pair[1]));
-    let candidates = (1..=most).rev().map(|count| choices(axis, count));
-    let Some(mut found) = candidates.into_iter().find(|ticks| fits(ticks)) else { return };
+    let candidates: Vec<Vec<Tick>> =
+        (1..=most).rev().map(|count| choices(axis, count)).filter(|ticks| fits(ticks)).collect();
+    let is_short =
+        |ticks: &&Vec<Tick>| to_the_right || ticks.iter().all(|it| width(&it.label, SMALL) <= UPRIGHT);
+    let Some(found) = candidates.iter().find(is_short).or(candidates.first()) else { return };
+    let mut found = found.clone();
+    if !is_short(&&found) {
+        // Numbers that hardly differ are told from one of them.
+        let base = found[found.len() / 2].value;
+        found.iter_mut().for_each(|tick| tick.label = short(tick.value - base));
+        let sign = if base < 0.0 { "+" } else { "−" };
+        let from = format!(" {sign} {}", ticks::minus(&base.abs().to_string()));
+        let at = axis.title.find("  (").unwrap_or(axis.title.len());
+        axis.title.insert_str(at, &from);
+    }
     if let Scale::Angle(own) = &axis.scale {
         found.retain(|tick| own.iter().all(|other| apart(tick, other)));
         found.extend(own.iter().cloned());
@@ -70,6 +95,7 @@ fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool) {
 fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
     let [from, to] = axis.range;
     match &axis.scale {
+        Scale::Round if axis.linear.is_finite() => symmetric(axis, count),
         Scale::Round => ticks::round(from, to, count),
         Scale::NotNegative => {
             let mut ticks = ticks::round(from, to, count);
@@ -91,6 +117,21 @@ fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
     }
 }
 
+/// Zero, and on either side of it so many powers of ten, from the largest on.
+fn symmetric(axis: &PlotAxis, most: usize) -> Vec<Tick> {
+    let [from, to] = axis.range;
+    let least = libm::ceil(libm::log10(axis.linear)) as i32;
+    let last = libm::floor(libm::log10(f64::max(from.abs(), to.abs()))) as i32;
+    let sides = (most.saturating_sub(1) / 2).max(1);
+    let each = (last - least + 1).max(1) as usize / sides.max(1);
+    let sizes = (least..=last).rev().step_by(each.max(1)).take(sides);
+    let sizes = sizes.map(|power| libm::pow(10.0, f64::from(power)));
+    let mut values: Vec<f64> = sizes.flat_map(|size| [-size, size]).chain([0.0]).collect();
+    values.sort_by(f64::total_cmp);
+    let seen = values.into_iter().filter(|value| (from..=to).contains(value));
+    seen.map(|value| Tick { value, label: short(value) }).collect()
+}
+
 /// Powers of ten; within few of them their double and five times as much, too.
 fn decades([from, to]: [f64; 2], most: usize) -> Vec<Tick> {
     let (first, last) = (libm::ceil(from) as i32, libm::floor(to) as i32);
@@ -110,41 +151,4 @@ fn decades([from, to]: [f64; 2], most: usize) -> Vec<Tick> {
             Tick { value: f64::from(power), label }
         })
         .collect()
-}
-
-type Frame = [f64; 4];
-
-/// Least distance of a label from the edge of the sheet and from others.
-const EDGE: f64 = 3.0;
-
-/// The box of a label whose place is known.
-fn frame(label: &Label, [x, y]: [f64; 2]) -> Frame {
-    let wide = width(&label.text, label.size);
-    let left = x + label.shift[0] - label.anchor.share() * wide;
-    let middle = y + label.shift[1];
-    [left, middle - 0.45 * label.size, left + wide, middle + 0.45 * label.size]
-}
-
-fn overlap(a: Frame, b: Frame) -> bool {
-    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
-}
-
-/// Moves labels of a plane onto the sheet, and up or down where another one stands.
-fn arrange(panel: &mut Panel, [sheet, _]: [f64; 2]) {
-    let places: Option<Vec<[f64; 2]>> =
-        panel.labels.iter().map(|label| panel.place([label.at[0], label.at[1]])).collect();
-    let mut taken: Vec<Frame> = Vec::new();
-    for (label, at) in panel.labels.iter_mut().zip(places.unwrap_or_default()) {
-        let there = frame(label, at);
-        label.shift[0] += (EDGE - there[0]).max(0.0) - (there[2] - (sheet - EDGE)).max(0.0);
-        let own = label.shift;
-        let step = label.size;
-        let tries = [0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0].map(|count| own[1] + count * step);
-        let free = tries.into_iter().find(|down| {
-            let moved = Label { shift: [own[0], *down], ..label.clone() };
-            taken.iter().all(|other| !overlap(frame(&moved, at), *other))
-        });
-        label.shift[1] = free.unwrap_or(own[1]);
-        taken.push(frame(label, at));
-    }
 }

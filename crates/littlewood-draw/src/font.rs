@@ -99,10 +99,9 @@ fn shape(path: &str) -> Shape {
                 contours.push(vec![(place(to), true)]);
                 continue;
             }
-            Segment::Line(to) => vec![(place(to), true)],
-            Segment::Quad(handle, to) => vec![(place(handle), false), (place(to), true)],
             // Letters have no cubic curves.
-            Segment::Curve(_, _, to) => vec![(place(to), true)],
+            Segment::Line(to) | Segment::Curve(_, _, to) => vec![(place(to), true)],
+            Segment::Quad(handle, to) => vec![(place(handle), false), (place(to), true)],
             Segment::Close => Vec::new(),
         };
         if let Some(last) = contours.last_mut() {

@@ -38,10 +38,14 @@ impl Item {
     }
 
     /// A rectangle by its left upper and its right lower corner.
-    pub(crate) fn rectangle([(left, top), (right, bottom)]: [Step; 2], paint: Paint) -> Self {
-        let corners = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-        Self::path(&[corners], paint)
+    pub(crate) fn rectangle(corners: [Step; 2], paint: Paint) -> Self {
+        Self::path(&[outline(corners)], paint)
     }
+}
+
+/// The outline of a rectangle by its left upper and its right lower corner.
+pub(crate) fn outline([(left, top), (right, bottom)]: [Step; 2]) -> Vec<Step> {
+    vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)]
 }
 
 /// How a shape is painted.
@@ -49,8 +53,6 @@ impl Item {
 pub(crate) enum Paint {
     /// Its inside.
     Fill(Rgb),
-    /// Hatching on its inside.
-    Hatch(Rgb),
     /// Its edge, of a width in pixels.
     Edge { colour: Rgb, width: f64, dash: Dash },
 }
@@ -69,9 +71,6 @@ pub(crate) struct Words {
     /// Colour of a box behind its letters, which hides what is below them.
     pub(crate) ground: Option<Rgb>,
 }
-
-/// Distance and width of the lines of a hatch, which rise to the right, in pixels.
-pub(crate) const HATCH: [f64; 2] = [6.0, 0.8];
 
 impl Words {
     /// How far the text is moved back from its place.
@@ -93,8 +92,8 @@ impl Words {
 }
 
 /// Height of letters above and below the base line in parts of their size.
-const ASCENT: f64 = 0.7;
-const DESCENT: f64 = 0.2;
+pub(crate) const ASCENT: f64 = 0.7;
+pub(crate) const DESCENT: f64 = 0.2;
 
 #[cfg(test)]
 mod tests {

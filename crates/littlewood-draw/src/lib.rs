@@ -34,6 +34,7 @@ mod figure;
 mod finish;
 #[cfg(feature = "pdf")]
 mod font;
+mod hatch;
 mod item;
 mod letters;
 mod marks;
@@ -41,6 +42,7 @@ mod markup;
 #[cfg(feature = "pdf")]
 mod pdf;
 mod pencil;
+mod place;
 mod raster;
 mod sheet;
 mod space;

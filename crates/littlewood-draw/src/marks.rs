@@ -3,6 +3,7 @@
 use littlewood_style::{Curve, Rgb};
 
 use crate::figure::{Anchor, Mark};
+use crate::hatch;
 use crate::item::{Item, Paint, STEPS, Step, Words, steps};
 use crate::stroke::{INK, PAPER, Stroke};
 use crate::words::marked;
@@ -37,6 +38,9 @@ pub fn lift_off_condition(slope: f64) -> String {
 /// Length and half width of a head of an arrow in pixels.
 const HEAD: [f64; 2] = [9.0, 3.4];
 
+/// Radius of a hoop whose particle has its full size, in pixels.
+const LARGE: f64 = 36.0;
+
 /// How far the edge of a diamond reaches.
 const EDGE: f64 = 1.4;
 
@@ -69,9 +73,11 @@ impl Canvas {
                 }
             }
             Mark::Fill(colour) => pieces.iter().for_each(|piece| self.polygon(piece, Paint::Fill(colour))),
-            Mark::Hatch(colour) => pieces.iter().for_each(|piece| self.polygon(piece, Paint::Hatch(colour))),
+            Mark::Hatch(colour) => {
+                pieces.iter().for_each(|piece| self.hatch(core::slice::from_ref(piece), colour));
+            }
             Mark::Region(colour) => self.0.push(Item::path(pieces, Paint::Fill(colour))),
-            Mark::HatchedRegion(colour) => self.0.push(Item::path(pieces, Paint::Hatch(colour))),
+            Mark::HatchedRegion(colour) => self.hatch(pieces, colour),
             Mark::Dot(colour, radius) => points().for_each(|point| self.dot(point, colour, radius)),
             Mark::Ring(colour, radius) => {
                 for point in points() {
@@ -111,11 +117,13 @@ impl Canvas {
         };
         self.circle(centre, libm::round(unit) as i32, edge(rim));
         self.line(&[centre, along(offset)], Stroke { width: 1.0, ..rim });
-        self.dot(along(offset), INK, 5.0);
+        // In a small picture as small as the hoop.
+        let size = f64::clamp(unit / STEPS / LARGE, 0.5, 1.0);
+        self.dot(along(offset), INK, 5.0 * size);
         if h < offset {
-            self.mark(Mark::Ring(INK, 3.0), &[vec![along(h)]], unit);
+            self.mark(Mark::Ring(INK, 3.0 * size), &[vec![along(h)]], unit);
         }
-        self.dot(centre, INK, 1.8);
+        self.dot(centre, INK, 1.8 * size);
     }
 
     /// A line from point to point.
@@ -139,6 +147,14 @@ impl Canvas {
             inside.contains(&true).then(|| if inside == [true; 4] { *colour } else { PAPER })
         });
         area.unwrap_or(PAPER)
+    }
+
+    /// Hatches the area that closed lines bound together.
+    pub(crate) fn hatch(&mut self, outlines: &[Vec<Step>], colour: Rgb) {
+        let lines = hatch::lines(outlines);
+        if !lines.is_empty() {
+            self.0.push(Item::path(&lines, edge(Stroke::solid(colour, hatch::WIDTH))));
+        }
     }
 
     pub(crate) fn polygon(&mut self, points: &[Step], paint: Paint) {

@@ -110,16 +110,6 @@ impl Pencil for Page {
         self.1.push(image.clone());
     }
 
-    fn clip(&mut self, path: &Path) {
-        self.0.save_state();
-        self.path(path);
-        self.0.clip_nonzero().end_path();
-    }
-
-    fn unclip(&mut self) {
-        self.0.restore_state();
-    }
-
     /// Letters of the font, by lines of one size.
     fn words(&mut self, words: &Words) {
         let glyphs = glyphs(&words.text, words.size);

@@ -3,7 +3,7 @@
 use littlewood_style::{Dash, Rgb};
 
 use crate::figure::Image;
-use crate::item::{HATCH, Item, Paint, STEPS, Step, Words};
+use crate::item::{Item, Paint, STEPS, Step, Words};
 use crate::letters::outlines;
 use crate::stroke::PAPER;
 
@@ -47,10 +47,6 @@ pub(crate) trait Pencil {
     fn stroke(&mut self, path: &Path, edge: Edge);
     /// Draws pixels in a rectangle by its left upper and its right lower corner.
     fn image(&mut self, corners: [[f64; 2]; 2], image: &Image);
-    /// Draws inside a path only, until [`Pencil::unclip`].
-    fn clip(&mut self, path: &Path);
-    /// Draws everywhere again.
-    fn unclip(&mut self);
     /// Draws a text: the outlines of its letters, unless there is a better way.
     fn words(&mut self, words: &Words)
     where
@@ -103,11 +99,6 @@ fn painted(path: &Path, paint: Paint, pencil: &mut impl Pencil) {
     match paint {
         Paint::Fill(colour) => pencil.fill(path, colour),
         Paint::Edge { colour, width, dash } => pencil.stroke(path, Edge { colour, width, dash }),
-        Paint::Hatch(colour) => {
-            pencil.clip(path);
-            pencil.stroke(&hatch(path), Edge { colour, width: HATCH[1], dash: Dash::Solid });
-            pencil.unclip();
-        }
     }
 }
 
@@ -156,31 +147,6 @@ fn circle([x, y]: [f64; 2], radius: f64) -> Vec<Segment> {
     path
 }
 
-/// The lines of a hatch over the box of a polygon: those of the pattern of an SVG.
-fn hatch(path: &Path) -> Vec<Segment> {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for stroke in path {
-        if let Segment::Move(point) | Segment::Line(point) = stroke {
-            for i in 0..2 {
-                low[i] = low[i].min(point[i]);
-                high[i] = high[i].max(point[i]);
-            }
-        }
-    }
-    let apart = HATCH[0] * core::f64::consts::SQRT_2;
-    let [first, last] = [low, high].map(|corner| (corner[0] + corner[1]) / apart - 0.5);
-    let (first, last) = (libm::ceil(first), libm::floor(last));
-    let count = if last >= first { (last - first) as u32 + 1 } else { 0 };
-    (0..count)
-        .flat_map(|i| {
-            let sum = (first + f64::from(i) + 0.5) * apart;
-            let right = high[0].min(sum - low[1]);
-            let left = low[0].max(sum - high[1]);
-            [Segment::Move([left, sum - left]), Segment::Line([right, sum - right])]
-        })
-        .collect()
-}
-
 /// A text by the outlines of its letters.
 fn written(words: &Words, pencil: &mut impl Pencil) {
     let (back, [x, y]) = (words.back(), words.at);
@@ -195,21 +161,5 @@ fn written(words: &Words, pencil: &mut impl Pencil) {
     pencil.fill(&path, words.colour);
     for (path, width) in letters.iter().filter(|(_, bold)| *bold > 0.0) {
         pencil.stroke(path, Edge { colour: words.colour, width: *width, dash: Dash::Solid });
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_hatch_covers_the_box_and_stays_in_it() {
-        let lines = hatch(&rectangle([0.0, 0.0], [30.0, 20.0]));
-        // The sums of the coordinates go from 0 to 50, and the lines are 6√2 apart.
-        assert_eq!(lines.len(), 2 * 6);
-        for segment in lines {
-            let (Segment::Move([x, y]) | Segment::Line([x, y])) = segment else { panic!("{segment:?}") };
-            assert!((-1e-9..=30.0 + 1e-9).contains(&x) && (-1e-9..=20.0 + 1e-9).contains(&y));
-        }
     }
 }

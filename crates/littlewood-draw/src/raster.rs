@@ -2,8 +2,8 @@
 
 use littlewood_style::{Dash, Rgb};
 use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, Shader, Stroke,
-    StrokeDash, Transform,
+    Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, PixmapPaint, Shader, Stroke, StrokeDash,
+    Transform,
 };
 
 use crate::error::DrawError;
@@ -31,7 +31,6 @@ pub fn check_scale(scale: f64) -> Result<(), DrawError> {
 struct Picture {
     pixels: Pixmap,
     transform: Transform,
-    mask: Option<Mask>,
 }
 
 /// A path for tiny-skia; none if nothing is to be seen.
@@ -78,8 +77,7 @@ impl Pencil for Picture {
     fn fill(&mut self, path: &Path, colour: Rgb) {
         if let Some(path) = skia(path) {
             let paint = paint(colour);
-            let mask = self.mask.as_ref();
-            self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
+            self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, None);
         }
     }
 
@@ -94,8 +92,7 @@ impl Pencil for Picture {
             ..Stroke::default()
         };
         if let Some(path) = skia(path) {
-            let mask = self.mask.as_ref();
-            self.pixels.stroke_path(&path, &paint(edge.colour), &stroke, self.transform, mask);
+            self.pixels.stroke_path(&path, &paint(edge.colour), &stroke, self.transform, None);
         }
     }
 
@@ -109,19 +106,7 @@ impl Pencil for Picture {
         let [x, y] = single([(right - left) / f64::from(width), (bottom - top) / f64::from(height)]);
         let [left, top] = single([left, top]);
         let transform = self.transform.pre_translate(left, top).pre_scale(x, y);
-        self.pixels.draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, self.mask.as_ref());
-    }
-
-    fn clip(&mut self, path: &Path) {
-        let mut mask = Mask::new(self.pixels.width(), self.pixels.height());
-        if let (Some(mask), Some(path)) = (&mut mask, skia(path)) {
-            mask.fill_path(&path, FillRule::Winding, true, self.transform);
-        }
-        self.mask = mask;
-    }
-
-    fn unclip(&mut self) {
-        self.mask = None;
+        self.pixels.draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, None);
     }
 }
 
@@ -148,7 +133,7 @@ impl Figure {
         let Rgb([r, g, b]) = PAPER;
         pixels.fill(Color::from_rgba8(r, g, b, 255));
         let transform = Transform::from_scale(scale as f32, scale as f32);
-        let mut picture = Picture { pixels, transform, mask: None };
+        let mut picture = Picture { pixels, transform };
         // To the last pixel, which is not always covered whole.
         let sides = [width, height].map(|side| f64::from(side) / scale);
         draw(&self.items(), sides, &mut picture);

@@ -10,6 +10,11 @@ use crate::stroke::{GRID, INK, PAPER, SMALL, Stroke};
 const MARGIN: f64 = 16.0;
 const LENGTH: f64 = 0.624;
 
+/// Length of an axis across the view, in a frame of these sides.
+pub(crate) fn length_of([width, height]: [f64; 2]) -> f64 {
+    LENGTH * (width.min(height) - 2.0 * MARGIN)
+}
+
 /// A corner of the box: which end of each axis.
 type Corner = [f64; 3];
 
@@ -29,7 +34,7 @@ impl<'a> Space<'a> {
         Self {
             axes,
             centre: [left + 0.5 * width, top + 0.5 * height],
-            length: LENGTH * (width.min(height) - 2.0 * MARGIN),
+            length: length_of([width, height]),
             yaw: libm::sincos(yaw),
             pitch: libm::sincos(pitch),
         }

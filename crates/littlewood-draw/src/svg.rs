@@ -5,17 +5,17 @@ use std::fmt::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use littlewood_style::{Dash, Rgb};
+use littlewood_style::Dash;
 
 use crate::figure::Figure;
-use crate::item::{HATCH, Item, Paint, STEPS, Step, Words};
+use crate::item::{Item, Paint, STEPS, Step, Words};
 use crate::letters::{Glyph, glyphs};
 use crate::markup::plain;
 use crate::stroke::PAPER;
 
 /// A drawing.
 pub(crate) fn document(figure: &Figure, items: &[Item]) -> String {
-    let mut sheet = Sheet { body: String::new(), hatches: BTreeMap::new(), outlines: BTreeMap::new() };
+    let mut sheet = Sheet { body: String::new(), outlines: BTreeMap::new() };
     for item in items {
         sheet.add(item);
     }
@@ -32,15 +32,6 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> String {
         escape(&plain(&figure.title)),
         escape(&plain(&figure.caption)),
     );
-    let [apart, wide, middle] = [HATCH[0], HATCH[1], 0.5 * HATCH[0]].map(decimal);
-    for (id, colour) in sheet.hatches {
-        let _ = writeln!(
-            out,
-            "<pattern id=\"{id}\" width=\"{apart}\" height=\"{apart}\" patternUnits=\"userSpaceOnUse\" \
-             patternTransform=\"rotate(45)\"><path d=\"M{middle} 0V{apart}\" stroke=\"{}\" stroke-width=\"{wide}\"/></pattern>",
-            colour.hex()
-        );
-    }
     for (id, outline) in sheet.outlines {
         let _ = writeln!(out, "<path id=\"{id}\" d=\"{outline}\"/>");
     }
@@ -56,7 +47,6 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> String {
 struct Sheet {
     body: String,
     /// By identifiers that mean the same in every drawing, so that several can stand in one page.
-    hatches: BTreeMap<String, Rgb>,
     outlines: BTreeMap<&'static str, &'static str>,
 }
 
@@ -66,7 +56,7 @@ impl Sheet {
             Item::Path { lines, paint } => {
                 let close = if matches!(paint, Paint::Edge { .. }) { "" } else { "z" };
                 let lines: Vec<String> = lines.iter().map(|line| data(line) + close).collect();
-                let paint = self.paint(*paint);
+                let paint = Self::paint(*paint);
                 let _ = writeln!(self.body, "<path d=\"{}\" {paint}/>", lines.concat());
             }
             Item::Image { corners: [(left, top), (right, bottom)], image } => {
@@ -82,7 +72,7 @@ impl Sheet {
                 );
             }
             Item::Circle { centre: (x, y), radius, paint } => {
-                let paint = self.paint(*paint);
+                let paint = Self::paint(*paint);
                 let _ = writeln!(
                     self.body,
                     "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {paint}/>",
@@ -95,15 +85,9 @@ impl Sheet {
         }
     }
 
-    fn paint(&mut self, paint: Paint) -> String {
+    fn paint(paint: Paint) -> String {
         match paint {
             Paint::Fill(colour) => format!("fill=\"{}\"", colour.hex()),
-            Paint::Hatch(colour) => {
-                let id = format!("hatch-{}", &colour.hex()[1..]);
-                let paint = format!("fill=\"url(#{id})\"");
-                self.hatches.insert(id, colour);
-                paint
-            }
             Paint::Edge { colour, width, dash } => {
                 let mut out = format!(
                     "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",

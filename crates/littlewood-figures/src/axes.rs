@@ -1,8 +1,6 @@
 //! Axes of the quantities that figures show.
 
 use core::f64::consts::{PI, TAU};
-use std::borrow::Cow;
-
 use littlewood::Hoop;
 use littlewood::tables::Quantity;
 use littlewood::theory::{PhasePlane, Stability, Window};
@@ -45,34 +43,38 @@ impl Wording {
     /// Any column, with its symbol and round ticks.
     pub(crate) fn axis(self, column: &'static str, symbol: &str, range: [f64; 2]) -> PlotAxis {
         let title = self.title(symbol, dimension(column));
-        PlotAxis { column: Cow::Borrowed(column), title, range, scale: Scale::Round, ticks: Vec::new() }
+        PlotAxis::new(column, title, range)
     }
 }
 
 /// The window of the plane of rolling: a turn about the stable equilibrium, half a quarter more on either side; rates
-/// to well above the separatrix and, where that is not far above it, the least rate at which N = 0.
+/// to well above the separatrix and the least rate at which N = 0.
 pub(crate) fn plane_window(hoop: &Hoop) -> Window {
+    let [separatrix, unloading] = rates(hoop);
+    // A light hoop is fast at the bottom, and loses the plane long before.
+    let most = if unloading > 0.0 { f64::max(FASTEST, unloading) } else { f64::INFINITY };
+    let rate = f64::max(f64::min(separatrix, most), unloading);
+    window_to(if rate > 0.0 { rate } else { PhasePlane::new(hoop).lift_off_rate(0.0).unwrap_or(1.0) })
+}
+
+/// The rate of the separatrix at the stable equilibrium, and the least rate at which N = 0; zero where there is none.
+fn rates(hoop: &Hoop) -> [f64; 2] {
     let plane = PhasePlane::new(hoop);
     let stable = plane.equilibria().into_iter().find(|it| matches!(it.stability, Stability::Stable { .. }));
     let separatrix = plane.separatrix_rate(stable.map_or(PI, |it| it.theta.rem_euclid(TAU)));
-    let is_level = hoop.slope() == 0.0;
-    // On a slope wells are shallow or absent, and rolling downhill goes on to the loss of the normal force.
-    let unloading = plane.normal_force_rate(0.0).filter(|rate| !is_level || *rate <= FAR * separatrix);
-    // A light hoop is fast at the bottom, and loses the plane long before.
-    let most = unloading.map_or(f64::INFINITY, |rate| f64::max(FASTEST, rate));
-    let rate = f64::max(f64::min(separatrix, most), unloading.unwrap_or(0.0));
-    window_to(if rate > 0.0 { rate } else { plane.lift_off_rate(0.0).unwrap_or(1.0) })
+    [separatrix, plane.normal_force_rate(0.0).unwrap_or(0.0)]
 }
 
-/// The same with the least rate at which N = 0 in any case.
-pub(crate) fn outcome_window(hoop: &Hoop) -> Window {
-    let unloading = PhasePlane::new(hoop).normal_force_rate(0.0);
-    let narrow = plane_window(hoop);
-    unloading.map(window_to).filter(|wide| wide.y[1] > narrow.y[1]).unwrap_or(narrow)
+/// Where an axis of rates up to this one begins to be logarithmic: at the less of both rates, if that would be small on it.
+pub(crate) fn linear_to(hoop: &Hoop, most: f64) -> f64 {
+    let [separatrix, unloading] = rates(hoop);
+    let least = f64::min(separatrix, unloading);
+    // On a slope wells are shallow, and rolling downhill goes on far beyond them.
+    if least > 0.0 && most > FAR * least && hoop.slope() == 0.0 { least } else { f64::INFINITY }
 }
 
-/// How far above the separatrix N = 0 is still shown.
-const FAR: f64 = 8.0;
+/// How far a linear axis goes beyond a rate that matters.
+const FAR: f64 = 20.0;
 /// Separatrices up to this rate are shown whole.
 const FASTEST: f64 = 10.0 / 3.0;
 

@@ -122,6 +122,21 @@ pub const FIGURES: &[FigureEntry] = &[
     entry("painleve", "where sliding has no solution or several", "painleve", paper::painleve::figure),
     entry("impact", "an impact in the plane of impulses", "figure-3-bounces", paper::impact::figure),
     entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", paper::bounces::figure),
+    entry("wall", "motions through the surface where they lift off", "figure-3", paper::wall::figure),
+    entry("inertia", "lighter and lighter hoops, and the massless one", "figure-7", paper::inertia::figure),
+    entry(
+        "paper",
+        "orbits and lift-off as the paper prints them, and exactly",
+        "figure-3",
+        paper::printed::figure,
+    ),
+    entry("cases", "all named cases on one page", "figure-3", paper::cases::figure),
+    FigureEntry {
+        name: "atlas",
+        title: "outcomes of the starts, and what becomes of some of them",
+        case: "figure-3",
+        make: Make::OfStarts(paper::atlas::figure),
+    },
     FigureEntry {
         name: "outcomes",
         title: "outcomes of the starts in the phase plane",

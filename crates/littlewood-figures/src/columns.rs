@@ -27,6 +27,8 @@ pub(crate) const PLANE: [&str; 2] = [THETA, THETA_RATE];
 
 /// The coordinates of a point, which may be that of the centre, the mass centre or the particle.
 pub(crate) const Y: &str = "y";
+/// What a motion has lost.
+pub(crate) const LOST: &str = "energy_lost";
 /// |F|/N.
 pub(crate) const DEMAND: &str = "demand";
 /// The constant of gliding, an energy of the particle.
@@ -38,7 +40,7 @@ pub(crate) const LOG_GAP_RATE: &str = "log10_gap_rate";
 pub(crate) fn dimension(column: &str) -> Dimension {
     let own = match column {
         Y => Some(Dimension::Length),
-        W => Some(Dimension::Energy),
+        W | LOST => Some(Dimension::Energy),
         IMPULSE | NORMAL_IMPULSE | FRICTION_IMPULSE => Some(Dimension::Impulse),
         _ => None,
     };

@@ -3,7 +3,7 @@
 use littlewood::theory::Body;
 use littlewood::{Engine, Hoop, Limits, Mode, Start, Summary};
 
-use crate::axes::outcome_window;
+use crate::axes::plane_window;
 
 /// How many of the motions that tell how long motions are do not matter.
 const FEW: usize = 1;
@@ -89,7 +89,7 @@ fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> (usize, usize) 
         summary.sequence.codes().skip(IN_CHAIN).flatten().any(|code| code.mode().0 == Mode::Rolling)
     };
     let long = engine
-        .long_motions(outcome_window(hoop), Start::default(), limits, LONG)
+        .long_motions(plane_window(hoop), Start::default(), limits, LONG)
         .filter(|summary| summary.lift_off_time.is_nan());
     long.fold((0, 0), |(all, rolling), summary| (all + 1, rolling + usize::from(rolls(&summary))))
 }
@@ -101,7 +101,7 @@ fn bouncing_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> usize {
     }
     let many = if engine.is_exact() { LONG } else { BOUNCES };
     engine
-        .long_motions(outcome_window(hoop), Start::default(), limits, many)
+        .long_motions(plane_window(hoop), Start::default(), limits, many)
         .filter(|summary| !summary.lift_off_time.is_nan())
         .count()
 }

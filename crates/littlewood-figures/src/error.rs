@@ -140,6 +140,14 @@ pub enum FigureError {
         /// How many impacts there are, without those by which the hoop settles.
         impacts: usize,
     },
+    /// A figure of §3 asked for a slope, on which its lines are others.
+    #[error("{figure} shows a level plane, as the paper; this one has the slope {slope} rad")]
+    NeedsLevel {
+        /// Name of the figure.
+        figure: &'static str,
+        /// α.
+        slope: f64,
+    },
     /// A width or a scale out of bounds.
     #[error(transparent)]
     Draw(#[from] DrawError),

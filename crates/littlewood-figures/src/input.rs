@@ -101,6 +101,7 @@ impl FigureInput {
     /// Refuses all but Littlewood's hoop with static friction.
     pub(crate) fn littlewood_that_rolls(&self, figure: &'static str) -> Result<(), FigureError> {
         self.littlewood(figure)?;
+        self.level(figure)?;
         if self.hoop.mu_s() > 0.0 { Ok(()) } else { Err(FigureError::NeedsStaticFriction { figure }) }
     }
 
@@ -114,6 +115,14 @@ impl FigureInput {
             mass_ratio: self.hoop.mass_ratio(),
             inertia: self.hoop.inertia(),
         })
+    }
+
+    /// Refuses a slope.
+    pub(crate) fn level(&self, figure: &'static str) -> Result<(), FigureError> {
+        match self.hoop.slope() {
+            0.0 => Ok(()),
+            slope => Err(FigureError::NeedsLevel { figure, slope }),
+        }
     }
 
     /// Refuses all but Littlewood's hoop.

@@ -40,6 +40,7 @@ mod error;
 mod fate;
 mod impacts;
 mod input;
+mod miniature;
 mod motion;
 mod paper;
 mod plane;

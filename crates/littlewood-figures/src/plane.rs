@@ -5,10 +5,12 @@ use core::f64::consts::{PI, TAU};
 use littlewood::theory::closed_form::slip_angle;
 use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
 use littlewood::{Hoop, ParameterError};
-use littlewood_draw::{INK, Label, Layer, Mark, STABLE, Series, UNSTABLE};
+use littlewood_draw::{INK, Label, Layer, Mark, PlotAxis, STABLE, Series, UNSTABLE};
 use littlewood_style::Curve;
 
+use crate::axes::linear_to;
 use crate::columns::{ENERGY, MU_S, PLANE, THETA, THETA_RATE};
+use crate::wording::Wording;
 
 /// Intervals in which a curve is looked for.
 const CELLS: u32 = 480;
@@ -20,11 +22,12 @@ pub(crate) struct Portrait {
     pub(crate) plane: PhasePlane,
     pub(crate) law: RollingLaw,
     pub(crate) window: Window,
+    /// Where the axis of rates begins to be logarithmic.
+    pub(crate) linear: f64,
 }
 
-/// Of a heavy hoop.
-pub(crate) const BEYOND: &str =
-    " What is not seen of *f* and *n* lies beyond the window, at far greater rates.";
+/// What fits into so many times the rate at which the axis begins to be logarithmic is traced there.
+const INNER: f64 = 4.0;
 
 /// Rows of the two coordinates.
 pub(crate) fn rows(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Vec<Vec<f64>>> {
@@ -38,7 +41,35 @@ fn rows_with(pieces: Vec<Vec<[f64; 2]>>, last: f64) -> Vec<Vec<Vec<f64>>> {
 
 impl Portrait {
     pub(crate) fn new(hoop: &Hoop, window: Window) -> Self {
-        Self { hoop: *hoop, plane: PhasePlane::new(hoop), law: RollingLaw::new(hoop), window }
+        let linear = linear_to(hoop, window.y[1]);
+        Self { hoop: *hoop, plane: PhasePlane::new(hoop), law: RollingLaw::new(hoop), window, linear }
+    }
+
+    /// The axes of the plane.
+    pub(crate) fn axes(&self, say: Wording) -> [PlotAxis; 2] {
+        [say.angle(self.window.x), PlotAxis { linear: self.linear, ..say.rate(self.window.y) }]
+    }
+
+    /// What a caption says of the axis of rates.
+    pub(crate) fn remark(&self) -> &'static str {
+        if self.linear.is_finite() { " The axis of rates is logarithmic on either side of zero." } else { "" }
+    }
+
+    /// A rate at a part of the upper half of the window, as it is seen.
+    fn rate_at(&self, share: f64) -> f64 {
+        let most = self.window.y[1];
+        if !self.linear.is_finite() {
+            return share * most;
+        }
+        self.linear * libm::sinh(share * libm::asinh(most / self.linear))
+    }
+
+    /// The window in which an orbit is traced: one that is small in the whole one has a window of its own.
+    fn window_of(&self, energy: f64) -> Window {
+        let inner = INNER * self.linear;
+        let is_small =
+            inner < self.window.y[1] && self.plane.level_rate(PI, energy).is_some_and(|it| it < inner);
+        if is_small { Window { y: [-inner, inner], ..self.window } } else { self.window }
     }
 
     /// The locus |F| = μs N of (2.13) for a coefficient of friction.
@@ -101,14 +132,14 @@ impl Portrait {
         Series::new(
             format!("orbit E={}", rounded(energy)),
             &[THETA, THETA_RATE, ENERGY],
-            rows_with(self.plane.level_curve(energy, &self.window), energy),
+            rows_with(self.plane.level_curve(energy, &self.window_of(energy)), energy),
         )
     }
 
     /// The separatrix through the unstable equilibrium.
     pub(crate) fn separatrix(&self) -> Series {
         let energy = self.law.separatrix_energy();
-        let pieces = self.plane.separatrix_curve(&self.window);
+        let pieces = self.plane.separatrix_curve(&self.window_of(energy));
         Series::new(Curve::Separatrix.name(), &[THETA, THETA_RATE, ENERGY], rows_with(pieces, energy))
     }
 
@@ -116,7 +147,7 @@ impl Portrait {
     pub(crate) fn energies(&self, librations: u32, rotations: u32) -> Vec<f64> {
         let most = self.plane.separatrix_rate(PI);
         let within = (1..=librations).map(|i| most * f64::from(i) / f64::from(librations + 1));
-        let beyond = (1..=rotations).map(|i| self.window.y[1] * (f64::from(i) - 0.35) / f64::from(rotations));
+        let beyond = (1..=rotations).map(|i| self.rate_at((f64::from(i) - 0.35) / f64::from(rotations)));
         within
             .map(|rate| self.law.energy(PI, rate))
             .chain(beyond.map(|rate| self.law.energy(0.0, rate)))
@@ -132,7 +163,7 @@ impl Portrait {
                 let here = self.plane.level_rate(theta, *energy)?;
                 let next = self.plane.level_rate(theta + step, *energy)?;
                 let before = self.plane.level_rate(theta - step, *energy)?;
-                let seen = here <= 0.93 * self.window.y[1] && here > 0.0;
+                let seen = here <= self.rate_at(0.93) && here > 0.0;
                 seen.then(|| {
                     [
                         vec![vec![theta, here], vec![theta + step, next]],
@@ -179,7 +210,6 @@ impl Portrait {
             .collect()
     }
 
-    /// Arrowheads on the separatrix of a level plane, which goes over the tops.
     /// Arrowheads on the separatrix of a level plane, which goes over the tops.
     pub(crate) fn separatrix_heads(&self) -> Vec<Layer> {
         let angles = if self.hoop.slope() == 0.0 { &[0.62 * PI, 1.38 * PI][..] } else { &[] };

@@ -10,6 +10,7 @@ use littlewood_draw::{
 use crate::catalogue::{FigureEntry, Watch, find_figure};
 use crate::error::FigureError;
 use crate::input::FigureInput;
+use crate::paper::atlas;
 
 /// Sides of a poster in millimetres: A3.
 pub const POSTER_MM: [f64; 2] = [297.0, 420.0];
@@ -35,10 +36,9 @@ const LINES: usize = 3;
 type Slot = &'static [&'static str];
 
 /// The figures of a poster in rows, from top to bottom.
-const ROWS: [[Slot; 2]; 3] = [
+const ROWS: [[Slot; 2]; 2] = [
     [&["figure-1", "figure-2a"], &["figure-3b", "figure-7b"]],
-    [&["figure-2b", "figure-4", "figure-2a"], &["outcomes", "figure-6a"]],
-    [&["forces", "figure-6b", "figure-5b"], &["friction-demand", "figure-5a", "figure-2a"]],
+    [&["figure-2b", "figure-4", "figure-2a"], &["forces", "figure-6b", "figure-5b"]],
 ];
 
 /// Beside the equations, at the bottom.
@@ -47,7 +47,7 @@ const LAST: Slot = &["bounces", "energy", "figure-7b", "figure-5b"];
 /// What may stand where nothing else does.
 const OTHERS: Slot = &["energy", "figure-3a", "figure-2a", "impact", "bounces"];
 
-/// A poster of a hoop and a motion: body, path, phase portrait, outcomes, forces, friction, energy, equations. What does not
+/// A poster of a hoop and a motion: an atlas of fates, body, path, phase portrait, forces, energy, equations. What does not
 /// apply to the hoop is replaced by another figure, or by the reason in words.
 ///
 /// # Errors
@@ -57,7 +57,8 @@ pub fn poster(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, Figu
     let mut taken: Vec<&'static str> = Vec::new();
     let rows = ROWS.map(|row| row.map(|slot| choose(slot, input, &mut taken, watch)));
     let last = choose(LAST, input, &mut taken, watch);
-    let content = Content { input, motion, rows, last };
+    let hero = atlas::wide(input, NARROWEST - 2.0 * MARGIN, watch).ok().map(Figure::fitted);
+    let content = Content { input, motion, hero, rows, last };
     // The page has the proportions of A3. A full one is larger, and all on it smaller in print.
     let height = content.on_page(NARROWEST).1;
     let width = NARROWEST.max(height * POSTER_MM[0] / POSTER_MM[1]);
@@ -72,7 +73,9 @@ const COLUMNS: [&str; 2] = ["right", "up"];
 struct Content<'a> {
     input: &'a FigureInput,
     motion: Trajectory,
-    rows: [[Result<Figure, String>; 2]; 3],
+    /// The atlas, from side to side; none of a hoop that has none.
+    hero: Option<Figure>,
+    rows: [[Result<Figure, String>; 2]; 2],
     last: Result<Figure, String>,
 }
 
@@ -80,14 +83,17 @@ impl Content<'_> {
     /// The page of a width, and how high it is.
     fn on_page(&self, width: f64) -> (Page, f64) {
         let mut page = Page { width, panels: Vec::new(), labels: Vec::new(), lines: Vec::new() };
-        let top = page.head(self.input, &self.motion);
+        let mut top = page.head(self.input, &self.motion);
+        if let Some(hero) = &self.hero {
+            top = page.block(hero, [MARGIN, top], width - 2.0 * MARGIN) + GAP;
+        }
         // Each part goes where there is more room, so that no place stays blank for a figure that this hoop has not.
         let mut ends = [top; 2];
         let next = |ends: &[f64; 2]| usize::from(ends[1] < ends[0]);
         let all = || self.rows.iter().flatten().chain([&self.last]);
         for figure in all().filter_map(|figure| figure.as_ref().ok()) {
             let column = next(&ends);
-            ends[column] = page.block(figure, [page.left(column), ends[column]]) + GAP;
+            ends[column] = page.block(figure, [page.left(column), ends[column]], page.column()) + GAP;
         }
         let column = next(&ends);
         ends[column] = page.equations(self.input, [page.left(column), ends[column]]);
@@ -155,7 +161,9 @@ impl Page {
     /// Title, the numbers of the hoop, and what happens; returns where the rest begins.
     fn head(&mut self, input: &FigureInput, motion: &Trajectory) -> f64 {
         self.text("Littlewood's hoop", [MARGIN, 58.0], 54.0);
-        let subtitle = if input.is_massless() {
+        let subtitle = if motion.phases().is_empty() {
+            "A hoop with a particle on it, on a rough plane, and a start from which no motion is determined."
+        } else if input.is_massless() {
             "A hoop without mass, and a particle on it, on a rough plane: it rolls, then glides without any force."
         } else if input.hoop.offset() == 0.0 {
             "A hoop with a particle at its centre, on a rough plane: balanced, it never jumps by itself."
@@ -191,10 +199,10 @@ impl Page {
     }
 
     /// A figure with its title above and its caption below; returns its lower end.
-    fn block(&mut self, figure: &Figure, [left, top]: [f64; 2]) -> f64 {
+    fn block(&mut self, figure: &Figure, [left, top]: [f64; 2], wide: f64) -> f64 {
         let heading = figure.title.split_once(": ").map_or(&*figure.title, |(_, title)| title);
         self.text(capitalised(heading), [left, top + 0.5 * HEADING], 20.0);
-        let from = [left + 0.5 * (self.column() - figure.width).max(0.0), top + HEADING + 6.0];
+        let from = [left + 0.5 * (wide - figure.width).max(0.0), top + HEADING + 6.0];
         for panel in &figure.panels {
             let mut panel = panel.clone();
             panel.frame[0] += from[0];
@@ -205,7 +213,7 @@ impl Page {
             self.panels.push(panel);
         }
         let mut y = from[1] + figure.height + 16.0;
-        for line in wrapped(&figure.caption, self.letters(), LINES) {
+        for line in wrapped(&figure.caption, (DENSITY * wide) as usize, LINES) {
             self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
             y += LINE;
         }
@@ -261,8 +269,8 @@ impl Page {
         Figure {
             name: "poster",
             title: "Littlewood's hoop".to_owned(),
-            caption: "A hoop with a particle on it, on a rough plane: the body, its path, phase portrait, outcomes, forces, \
-                      friction, energy and laws."
+            caption: "A hoop with a particle on it, on a rough plane: an atlas of its fates, the body, its path, phase portrait, \
+                      forces, energy and laws."
                 .to_owned(),
             width,
             print_mm: Some(POSTER_MM[0]),

@@ -33,6 +33,7 @@ fn convert(panel: &mut Panel, units: &Units) {
     let radius = units.unit(Dimension::Length);
     for axis in axes {
         axis.range = axis.range.map(|value| in_si(units, &axis.column, value));
+        axis.linear = in_si(units, &axis.column, axis.linear);
         axis.column = si_name(&axis.column);
     }
     for layer in &mut panel.layers {

@@ -1,7 +1,7 @@
 //! Motions against time: histories of a quantity, verticals at the transitions, names of phases and transitions.
 
 use littlewood::{Phase, Sample, Trajectory, Transition};
-use littlewood_draw::{FAINT, Label, Layer, Mark, PlotAxis, SMALL, SOFT, Scale, Series, Stroke};
+use littlewood_draw::{FAINT, Label, Layer, Mark, PlotAxis, SMALL, SOFT, Scale, Series, Stroke, width};
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
 
@@ -9,8 +9,9 @@ use crate::columns::TIME;
 use crate::motion::{bounds, horizon, instants};
 use crate::wording::Wording;
 
-/// Room for the name of a transition.
+/// Room for the name of a transition, and between two names.
 const NAME: f64 = 40.0;
+const BETWEEN: f64 = 6.0;
 /// Verticals that are closer together than this part of the time are one.
 const APART: f64 = 1.0 / 150.0;
 /// Distance of panels that share the axis below them.
@@ -71,8 +72,8 @@ pub(crate) struct Names {
     pub(crate) labels: Vec<Label>,
     /// Room that they take beyond one row of transitions.
     pub(crate) height: f64,
-    /// Whether there was no room for some.
-    are_all: bool,
+    /// Whether all phases have one, and all transitions.
+    are_all: [bool; 2],
 }
 
 /// Rows of names of transitions above each other, and their distance.
@@ -80,16 +81,19 @@ const ROWS: usize = 3;
 const ROW: f64 = 13.0;
 
 /// The names of the phases over a panel, and of the transitions above them, in as many rows as it takes.
-pub(crate) fn names(motion: &Trajectory, top: f64, width: f64) -> Names {
+pub(crate) fn names(motion: &Trajectory, top: f64, wide: f64) -> Names {
     let (from, until) = (motion.start().time, horizon(motion));
-    let pixels = |time: f64| (time - from) / (until - from) * width;
+    let pixels = |time: f64| (time - from) / (until - from) * wide;
+    let name = |text: &str, at: f64| Label::new(text, &[at, top]).sized(SMALL).fixed();
     let mut labels: Vec<Label> = Vec::new();
+    let mut are_all = [true; 2];
     for phase in motion.phases() {
         let (begin, end) = (phase.start().time, f64::min(phase.end_time(), until));
-        if pixels(end) - pixels(begin) > 46.0 {
-            labels.push(
-                Label::new(phase.mode().name(), &[0.5 * (begin + end), top]).shifted(0.0, -11.0).sized(SMALL),
-            );
+        let text = phase.mode().name();
+        if pixels(end) - pixels(begin) > width(text, SMALL) + BETWEEN {
+            labels.push(name(text, 0.5 * (begin + end)).shifted(0.0, -11.0));
+        } else {
+            are_all[0] &= begin >= until;
         }
     }
     // Bounces have a name only where there is room beside all others.
@@ -97,24 +101,26 @@ pub(crate) fn names(motion: &Trajectory, top: f64, width: f64) -> Names {
         motion.transitions().iter().partition(|transition| transition.is_bounce());
     // More than these cannot be told apart in any number of rows.
     let count = motion.transitions().iter().filter(|transition| transition.time() <= until).count();
-    let rows = if count as f64 > ROWS as f64 * width / NAME { 1 } else { ROWS };
-    let mut taken = vec![Vec::new(); rows];
-    let mut are_all = true;
+    let rows = if count as f64 > ROWS as f64 * wide / NAME { 1 } else { ROWS };
+    let mut taken: Vec<Vec<[f64; 2]>> = vec![Vec::new(); rows];
     for transition in others.into_iter().chain(bounces) {
         let at = transition.time();
-        let room = if transition.is_bounce() { 1.4 * NAME } else { NAME };
         if at > until {
             continue;
         }
-        let is_free = |row: &Vec<f64>| row.iter().all(|place| (pixels(at) - place).abs() > room);
+        let text = transition.cause.label();
+        let room = width(text, SMALL);
+        // A name does not reach out of the panel.
+        let middle = f64::max(pixels(at).min(wide - 0.5 * room), 0.5 * room);
+        let ends = [middle - 0.5 * room - BETWEEN, middle + 0.5 * room + BETWEEN];
+        let is_free = |row: &Vec<[f64; 2]>| row.iter().all(|other| ends[1] < other[0] || other[1] < ends[0]);
         let Some(row) = taken.iter().position(is_free) else {
-            are_all = false;
+            are_all[1] = false;
             continue;
         };
-        taken[row].push(pixels(at));
-        let label = Label::new(transition.cause.label(), &[at, top]).sized(SMALL).coloured(SOFT);
-        let label = label.shifted(0.0, -27.0 - ROW * row as f64);
-        labels.push(if width - pixels(at) < 24.0 { label.right() } else { label });
+        taken[row].push([middle - 0.5 * room, middle + 0.5 * room]);
+        let label = name(text, at).coloured(SOFT);
+        labels.push(label.shifted(middle - pixels(at), -27.0 - ROW * row as f64));
     }
     let rows = taken.iter().filter(|row| !row.is_empty()).count();
     Names { labels, height: ROW * rows.saturating_sub(1) as f64, are_all }
@@ -122,10 +128,13 @@ pub(crate) fn names(motion: &Trajectory, top: f64, width: f64) -> Names {
 
 impl Names {
     pub(crate) fn in_words(&self) -> &'static str {
-        if self.are_all {
-            "dashed verticals: transitions"
-        } else {
-            "dashed verticals: transitions, named where there is room"
+        match self.are_all {
+            [true, true] => "dashed verticals: transitions",
+            [false, true] => "dashed verticals: transitions; phases are named where there is room",
+            [true, false] => "dashed verticals: transitions, named where there is room",
+            [false, false] => {
+                "dashed verticals: transitions; both they and phases are named where there is room"
+            }
         }
     }
 }

@@ -151,7 +151,7 @@ impl Wording {
         let title = if unit.is_empty() { sign } else { format!("{sign}  ({unit})") };
         let is_angle = varies.dimension() == Dimension::Angle;
         let scale = if is_angle { Scale::Angle(Vec::new()) } else { Scale::Round };
-        PlotAxis { column: varies.name().into(), title, range, scale, ticks: Vec::new() }
+        PlotAxis { scale, ..PlotAxis::new(varies.name(), title, range) }
     }
 
     /// What varies along a line, in words and with its sign.

@@ -51,7 +51,7 @@ fn captions_have_nothing_that_latex_does_not_take() {
         for units in [None, Some(units)] {
             let input = FigureInput { limits, units, ..input };
             // Slow figures are set for their own case only: other cases change just the numbers in their captions.
-            let slow = |name| ["outcomes", "bifurcation"].contains(&name);
+            let slow = |name| ["outcomes", "atlas", "bifurcation", "cases"].contains(&name);
             for entry in FIGURES.iter().filter(|entry| entry.case == case.name || !slow(entry.name)) {
                 if let Ok(figure) = entry.figure(&input) {
                     let tex = figure.caption_tex();

@@ -137,3 +137,17 @@ fn a_number_of_the_input_is_printed_whole() {
     let caption = of("figure-3b", &input).caption;
     assert!(plain(&caption).contains("g = 9.80665 m/s²") && plain(&caption).contains("I_zz = 0.009 kg m²"));
 }
+
+#[test]
+fn figures_of_a_level_plane_refuse_a_slope_and_the_others_have_its_curves() {
+    let hoop = Hoop::new(HoopParameters::thin(0.0).with_friction(0.5, 0.4).with_slope(0.3)).expect("a hoop");
+    let input = FigureInput::new(hoop, Start::at(0.0, 0.5), Limits::default());
+    for name in ["figure-4", "figure-5a", "figure-5b", "figure-6a", "figure-6b", "figure-7a"] {
+        let refused = find_figure(name).expect("a name").figure(&input).expect_err("a slope");
+        assert!(refused.to_string().contains("the slope 0.3 rad"), "{refused}");
+    }
+    let plane = littlewood::theory::PhasePlane::new(&hoop);
+    for [theta, rate] in columns(series(&of("outcomes", &input), "n")[0], ["theta", "theta_rate"]) {
+        assert!(plane.forces(theta, rate).normal.abs() < 1e-9 * (1.0 + rate * rate), "{theta} {rate}");
+    }
+}

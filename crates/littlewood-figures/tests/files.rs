@@ -126,7 +126,7 @@ fn other_hoops_have_the_same_figures() {
     ];
     let massless = [input(0.0, 1.0, 0.0, 0.2, 0.1), input(0.0, 1.0, 0.0, 2.5, 1.0)];
     for input in heavy.iter().chain(&massless) {
-        for entry in FIGURES.iter().filter(|entry| entry.name != "outcomes") {
+        for entry in FIGURES.iter().filter(|entry| !["outcomes", "atlas", "cases"].contains(&entry.name)) {
             match entry.figure(input) {
                 Ok(figure) => {
                     Document::parse(&figure.svg()).expect("well-formed XML");

@@ -42,3 +42,22 @@ fn the_page_has_all_captions() {
     let page = fs::read_to_string(docs().join("gallery.md")).expect("the page");
     assert!(page == gallery_page().expect("captions"), "docs/gallery.md differs");
 }
+
+#[test]
+fn every_drawing_of_the_documentation_has_a_title() {
+    let mut folders = vec![docs()];
+    let mut drawings = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("a file").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "svg") {
+                let text = fs::read_to_string(&path).expect("a drawing");
+                assert!(text.contains("<title>"), "{}", path.display());
+                drawings += 1;
+            }
+        }
+    }
+    assert!(drawings > FIGURES.len(), "{drawings}");
+}

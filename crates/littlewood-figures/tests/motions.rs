@@ -213,7 +213,7 @@ fn the_names_of_transitions_stand_beside_or_above_each_other() {
         .iter()
         .filter(|label| Cause::ALL.iter().any(|cause| cause.label() == label.text));
     assert_eq!(named.count(), motion.transitions().len());
-    assert!(!figure.caption.contains("where there is room"));
+    assert!(figure.caption.contains("transitions; phases are named where there is room"));
 }
 
 /// The hoops of a figure on a ramp: their circles touch the line of the plane, which rises by the slope, and the particle is drawn where

@@ -32,7 +32,7 @@ impl Draw {
         libm::pow(10.0, self.between(-3.0, 3.0))
     }
 
-    fn input(&mut self) -> FigureInput {
+    pub(crate) fn input(&mut self) -> FigureInput {
         let is_massless = self.comes(0.2);
         let (mass_ratio, inertia) = if is_massless {
             (0.0, 0.0)
@@ -167,7 +167,9 @@ fn no_figure_of_a_random_hoop_is_empty() {
         let input = draw.input();
         for entry in FIGURES {
             // The figure of thousands of motions of some hoops only, none of which slides for thousands of turns.
-            if entry.name == "outcomes" && (hoop % 20 != 1 || input.hoop.mu_k() < 0.05) {
+            if ["outcomes", "atlas", "cases"].contains(&entry.name)
+                && (hoop % 20 != 1 || input.hoop.mu_k() < 0.05)
+            {
                 continue;
             }
             let clock = Instant::now();

@@ -21,9 +21,9 @@ fn unit(column: &str) -> Option<(f64, &'static str)> {
         "slip" | "gap_rate" => (2.0, "_m_per_s"),
         "x" | "y" | "gap" => (0.4, "_m"),
         "normal_force" | "friction_force" | "normal" | "friction" => (5.0, "_n"),
-        "energy" | "w" => (2.0, "_j"),
-        "normal_impulse" | "friction_impulse" => (1.0, "_n_s"),
-        "mu_s" | "mu_k" | "demand" | "landing" | "share" => (1.0, ""),
+        "energy" | "energy_lost" | "w" => (2.0, "_j"),
+        "impulse" | "normal_impulse" | "friction_impulse" => (1.0, "_n_s"),
+        "mu_s" | "mu_k" | "demand" | "landing" | "share" | "right" | "up" => (1.0, ""),
         _ => return None,
     })
 }
@@ -72,7 +72,7 @@ fn axes_and_labels_have_si_units_and_none_of_the_paper() {
             };
             for axis in axes {
                 let title = plain(&axis.title);
-                assert!(!title.contains('√') && !title.contains("(R)") && !title.contains("m2g"), "{title}");
+                assert!(!title.contains('√') && !title.contains("(R)") && !title.contains("m₂g"), "{title}");
                 let suffix = SampleColumn::Time.dimension().map(littlewood::tables::Dimension::si_suffix);
                 if suffix.is_some_and(|suffix| axis.column == format!("time{suffix}")) {
                     assert!(title.is_empty() || title == "t  (s)", "{title}");

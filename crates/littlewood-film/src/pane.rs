@@ -285,7 +285,8 @@ impl Shown<'_> {
             // One over, the other under its line, so that they never meet.
             let down = if quantity == Quantity::MuS { -8.0 } else { 8.0 };
             let at = [self.worth()[0] * self.ranges[0][1], limit];
-            let label = Label::new(marked(quantity.sign()), &at).right().shifted(-5.0, down);
+            // At one place in the first and in the last picture.
+            let label = Label::new(marked(quantity.sign()), &at).right().shifted(-5.0, down).fixed();
             label.sized(SMALL).coloured(FRICTION_FORCE)
         };
         self.friction().map(label).to_vec()

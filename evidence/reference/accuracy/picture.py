@@ -14,6 +14,8 @@ QUANTITIES = {
     "events": "number of the event",
 }
 
+TITLE = "Errors of printed numbers against the rate, the angle, the inertia, the friction and the number of the event"
+
 
 def edges(rows):
     """Edges of neighbouring bins."""
@@ -73,4 +75,5 @@ def draw(data):
 
 def save(data, path=PICTURE):
     """The picture as a file that depends on the data alone."""
-    draw(data).savefig(path, metadata={"Date": None, "Description": fingerprint(data)} if path == PICTURE else None)
+    about = {"Date": None, "Title": TITLE, "Description": fingerprint(data)}
+    draw(data).savefig(path, metadata=about if path == PICTURE else None)

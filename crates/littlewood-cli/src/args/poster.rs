@@ -7,7 +7,7 @@ use clap::Args;
 use super::{ProblemArgs, RunArgs, number};
 
 pub(super) const POSTER: &str = "\
-Draw an A3 poster of a hoop: its body, path, phase portrait, outcomes, forces, friction, energy and laws of motion.
+Draw an A3 poster of a hoop: an atlas of its fates, its body, path, phase portrait, forces, energy and laws of motion.
 
 The motion is given as in `simulate`. A figure that does not apply to the hoop is replaced by another, or by the reason. \
 The extension of --out chooses the format: .pdf, .svg or .png.";

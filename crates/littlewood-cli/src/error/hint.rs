@@ -74,6 +74,7 @@ fn of_figure(error: &FigureError) -> String {
         FigureError::NoContact { .. } | FigureError::NoForce { .. } => {
             "give a start at which the hoop stays on the plane, or leave the figure out"
         }
+        FigureError::NeedsLevel { .. } => "leave out --slope, or the figure",
         FigureError::NoMotion { .. } => {
             "give another start; `littlewood classify` says what there is at this one"
         }

@@ -5,14 +5,14 @@ use core::f64::consts::PI;
 use littlewood::tables::{Class, PhaseCode, Quantity, Setup};
 use littlewood::{Engine, Hoop, Limits, Mode, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Figure, HATCH, Label, Layer, Mark, PAPER, Panel, PlotAxis, ROOM, SMALL, Scale, Series,
-    Sheet, Stroke, THEME, width,
+    BOUNDARY, Content, Figure, HATCH, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, Scale, Series, Sheet,
+    THEME, width,
 };
 use littlewood_style::ticks::minus;
 use littlewood_style::{of_class, of_mode};
 use littlewood_sweep::{Axis, Band, Grid, Workers};
 
-use crate::axes::outcome_window;
+use crate::axes::plane_window;
 use crate::catalogue::Watch;
 use crate::columns::TIME;
 use crate::effort::Effort;
@@ -21,7 +21,6 @@ use crate::fate::{Fate, Fates};
 use crate::input::FigureInput;
 use crate::timeline::CLOSE;
 use crate::wording::Wording;
-use littlewood_style::width::CURVE;
 
 const NAME: &str = "bifurcation";
 /// Motions along the line that are compared first.
@@ -37,6 +36,9 @@ const MOST_BANDS: usize = 400;
 const SAID: usize = 8;
 /// Part of the bands whose transitions are all within the picture.
 const SHOWN: f64 = 0.95;
+/// Room beside the first and the last boundary, in parts of what is between them, and the least part of a line.
+const BESIDE: f64 = 0.2;
+const LEAST_PART: f64 = 0.05;
 /// Greatest rate that is shown of a massless hoop.
 const MASSLESS: f64 = 2.0;
 /// The time goes so far beyond the last transition.
@@ -59,13 +61,20 @@ impl Line {
         let asked = match input.along {
             Some(axis) => axis,
             None => {
-                let most = if input.is_massless() { MASSLESS } else { outcome_window(&input.hoop).y[1] };
+                let most = if input.is_massless() { MASSLESS } else { plane_window(&input.hoop).y[1] };
                 Axis::new(Quantity::ThetaRate, 0.0, most, MOTIONS)?
             }
         };
         let axis = Axis::new(asked.varies(), asked.from(), asked.to(), MOTIONS)?;
         let grid = Grid::new(Setup::new(input.hoop.parameters(), input.start), vec![axis])?;
         Ok(Self { grid, axis, column: axis.varies().name() })
+    }
+
+    /// The part between two fractions, as far as there is such.
+    fn part(&self, ends: [f64; 2]) -> Result<Self, FigureError> {
+        let [from, to] = ends.map(|end| self.axis.between(end.clamp(0.0, 1.0)));
+        let axis = Axis::new(self.axis.varies(), from, to, MOTIONS)?;
+        Ok(Self { grid: Grid::new(*self.grid.base(), vec![axis])?, axis, column: self.column })
     }
 
     fn setup(&self, fraction: f64) -> Setup {
@@ -325,13 +334,7 @@ fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Cont
     });
     let labels = labels.collect();
     let x = PlotAxis { title: String::new(), scale: Scale::Nothing, ..x };
-    let y = PlotAxis {
-        column: "share".into(),
-        title: String::new(),
-        range: [0.0, 1.0],
-        scale: Scale::Nothing,
-        ticks: Vec::new(),
-    };
+    let y = PlotAxis { scale: Scale::Nothing, ..PlotAxis::new("share", "", [0.0, 1.0]) };
     Content { name: "bands", x, y, layers, labels }
 }
 
@@ -364,8 +367,19 @@ fn panel_of_times(
         entries.push((Mark::Hatch(HATCH), "further phases".to_owned()));
         layers.push(Series::new("further phases", &columns, beyond).drawn(Mark::Hatch(HATCH)));
     }
+    let undone = drawn.iter().map(|drawn| &drawn.band).filter(|band| Fate::of(band.kind).no_phase.is_some());
+    for own in Class::ALL {
+        let areas = undone.clone().filter(|band| class(band) == own).map(|band| {
+            let [from, to] = band.range.map(|fraction| line.axis.between(fraction));
+            vec![vec![from, 0.0], vec![to, 0.0], vec![to, until], vec![from, until]]
+        });
+        let areas: Vec<Vec<Vec<f64>>> = areas.collect();
+        if !areas.is_empty() {
+            layers.push(Series::new("no phase", &columns, areas).drawn(Mark::Fill(of_class(own, THEME))));
+        }
+    }
     let lines = drawn.iter().flat_map(|drawn| drawn.lines(line, until)).collect();
-    let transition = Mark::Line(Stroke::solid(PAPER, CURVE));
+    let transition = Mark::Line(BOUNDARY);
     layers.push(Series::new("transition", &columns, lines).drawn(transition));
     let boundaries = drawn[1..].iter().map(|drawn| {
         let at = line.axis.between(drawn.band.range[0]);
@@ -378,7 +392,7 @@ fn panel_of_times(
 /// How a motion changes along a line.
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
-    let line = Line::new(input)?;
+    let mut line = Line::new(input)?;
     let total = 2 * MOTIONS as u64;
     let mut workers = Workers::new(None)?;
     let mut told = |followed: u64| watch(followed.min(total), total);
@@ -387,7 +401,14 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let limits = Effort::of(&input.hoop, input.limits, &engine).cut(input.limits, &engine);
     let fates = Fates::of(&input.hoop);
     let kind = |summary: &Summary| Fate::new(fates, summary).kind();
-    let bands = Band::along(&line.grid, &kind, limits, WIDTH, &workers, &mut told)?;
+    let mut bands = Band::along(&line.grid, &kind, limits, WIDTH, &workers, &mut told)?;
+    // Of the line that nobody has asked for the part in which motions change.
+    if let (None, [_, second, ..], Some(last)) = (input.along, &bands[..], bands.last()) {
+        let [from, to] = [second.range[0], last.range[0]];
+        let beside = BESIDE * f64::max(to - from, LEAST_PART);
+        line = line.part([from - beside, to + beside])?;
+        bands = Band::along(&line.grid, &kind, limits, WIDTH, &workers, &mut told)?;
+    }
     let [from, to] = line.range();
     let varies = line.axis.varies();
     if bands.len() > MOST_BANDS {
@@ -417,7 +438,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let top = room + 14.0;
     let (band_height, height) = (34.0, sheet.height(360.0));
     let mut panels: Vec<Panel> = vec![
-        Sheet::panel([left, top, inner, band_height + ROOM[1]], upper),
+        Sheet::panel([left + ROOM[0], top, inner - ROOM[0], band_height], upper),
         Sheet::panel([left, top + band_height + CLOSE, inner, height], lower),
     ];
     panels[0].keys = keys;
@@ -438,8 +459,8 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         String::new()
     };
     let caption = format!(
-        "Motions{} that differ in {}. Above: the sequence of phases ({}) and the outcome. Below: the mode at each time; white \
-         curves are transitions, and where two meet the sequence changes. {}{finer} {}.",
+        "Motions{} that differ in {}. Above: the sequence of phases ({}) and the outcome. Below: the mode at each time, white where the motion has ended, in the \
+         colour of its outcome where none begins; where two transitions meet the sequence changes. {}{finer} {}.",
         if cut { format!(", followed to {} transitions,", limits.transitions) } else { String::new() },
         say.varied_in_words(varies),
         letters.join(", "),

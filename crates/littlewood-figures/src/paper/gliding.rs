@@ -16,16 +16,16 @@ use littlewood::theory::Window;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
-const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
+pub(super) const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
 /// Many lines side by side, told from rolling by where they are: dashes would only disturb.
-const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
+pub(super) const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
 /// Lines that run side by side.
 const THIN: f64 = 1.2;
 const COLUMNS: [&str; 3] = [THETA, THETA_RATE, W];
 
 /// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical velocity V as the
 /// parameter, ℓ̂ cos θ = w − ½ V² and θ′ = −V/(ℓ̂ sin θ).
-fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) -> Vec<Vec<Vec<f64>>> {
+pub(super) fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) -> Vec<Vec<Vec<f64>>> {
     let l = body.offset;
     WINDOW
         .pieces(velocities, 600, &|v| {
@@ -43,7 +43,7 @@ fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) -> Vec<Vec<
 }
 
 /// The greatest speed of a fall with this w: to the lowest place.
-fn fastest(body: &Massless, w: f64) -> f64 {
+pub(super) fn fastest(body: &Massless, w: f64) -> f64 {
     (2.0 * (w + body.offset)).sqrt()
 }
 
@@ -72,6 +72,7 @@ fn heads(pieces: &[Vec<Vec<f64>>], rates: &[f64]) -> Vec<Vec<Vec<f64>>> {
 pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-6a";
     input.littlewood(NAME)?;
+    input.level(NAME)?;
     let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
     let mut layers: Vec<Layer> = Vec::new();
     let mut flow = Vec::new();
@@ -182,6 +183,12 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
             changes.push(vec![a * end.theta, b * end.theta_rate]);
         }
     }
+    // Rolling goes to the right where θ′ > 0.
+    let flow_r = rolling.iter().filter_map(|piece: &Vec<Vec<f64>>| {
+        let [a, b] = [piece.get(piece.len() / 2)?.clone(), piece.get(piece.len() / 2 + 1)?.clone()];
+        Some(if (b[0] - a[0]) * a[1] > 0.0 { vec![a, b] } else { vec![b, a] })
+    });
+    let flow_r = flow_r.collect();
     let flow_g = gliding
         .iter()
         .filter_map(|piece: &Vec<Vec<f64>>| {
@@ -221,6 +228,8 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     layers.push(Series::new("n", &PLANE, edges).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
     layers.push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(GLIDING.colour)));
+    let of_rolling = Mark::Head(Stroke::of_mode(Mode::Rolling).colour);
+    layers.push(Series::new("flow of rolling", &PLANE, flow_r).drawn(of_rolling));
     layers.push(Series::of_rows("transition", &PLANE, changes).drawn(TRANSITION));
     layers.extend(portrait.equilibria());
     let labels = vec![

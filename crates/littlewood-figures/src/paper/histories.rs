@@ -1,17 +1,17 @@
 //! Forces and energy of a motion against time, with its transitions.
 
 use littlewood::tables::{Dimension, SampleColumn};
-use littlewood::{Hoop, Sample, Trajectory};
+use littlewood::{Hoop, Sample, Trajectory, Transition};
 use littlewood_draw::{
     Content, FIRST, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
     SECOND, SMALL, SOFT, Series, Sheet, Stroke, marked, short,
 };
 
-use crate::columns::{DEMAND, ENERGY, FRICTION, MU_K, MU_S, NORMAL, TIME};
+use crate::columns::{DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
-use crate::motion::{horizon, remark};
+use crate::motion::{NOISE, horizon, instants, remark};
 use crate::spikes::Spikes;
 use crate::timeline::{CLOSE, bare, history, level, names, range_of, transitions, zero};
 use crate::wording::Wording;
@@ -222,20 +222,54 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(drops);
     let (keys, room) = sheet.keys(entries, 6.0);
     let (top, height) = (room + 42.0 + names.height, sheet.height(340.0));
-    let content = Content { name: "energy", x: say.clock(range), y: axis, layers, labels: names.labels };
+    let content = Content { name: "energy", x: bare(say, range), y: axis, layers, labels: names.labels };
     let panel = Panel { keys, ..Sheet::panel([left, top, inner, height], content) };
+    let (below, low) = (top + height - ROOM[1] + CLOSE, sheet.height(150.0));
+    let lost = Sheet::panel([left, below, inner, low], lost_panel(&motion, range, say));
     Ok(sheet.figure(
         NAME,
         "Energy of a motion",
         format!(
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
-             against time; {verticals}. {}. {}.",
+             against time, and below what has been lost; {verticals}. {}. {}.",
             losses(&motion, say),
             in_words(input, &motion)
         ) + &remark(&motion, say),
-        top + height + 6.0,
-        vec![panel],
+        below + low + 6.0,
+        vec![panel, lost],
     ))
+}
+
+/// What has been lost since the start, on an axis of its own.
+fn lost_panel(motion: &Trajectory, range: [f64; 2], say: Wording) -> Content {
+    let drop = |transition: Option<&Transition>| {
+        transition.and_then(|it| it.impact).map_or(0.0, |it| it.energy_lost())
+    };
+    let first = motion.transitions().first().filter(|transition| transition.from.is_none());
+    let mut rows = vec![vec![range[0], 0.0]];
+    let mut before = drop(first);
+    for phase in motion.phases() {
+        let begin = phase.first().energy;
+        let own = instants(motion, phase, range[1])
+            .iter()
+            .map(|sample| vec![sample.state.time, before + begin - sample.energy])
+            .collect::<Vec<_>>();
+        rows.extend(own);
+        before += phase.energy_lost() + drop(motion.end_of(phase));
+        rows.push(vec![phase.end_time().min(range[1]), before]);
+    }
+    rows.retain(|row| row[0] <= range[1] && row[1].is_finite());
+    let most = rows.iter().map(|row| row[1]).fold(0.0, f64::max);
+    let size = motion.phases().first().map_or(1.0, |phase| phase.first().energy.abs().max(1.0));
+    // A motion that loses nothing has a flat line.
+    let most = if most > NOISE * size { 1.12 * most } else { 0.1 * size };
+    let axis = say.axis(LOST, "*E*_{0} − *E*", [-0.08 * most, most]);
+    let layers = vec![
+        transitions(motion, &axis, LOST),
+        zero(range, LOST),
+        Series::of_rows("lost", &[TIME, LOST], rows).drawn(Mark::Line(Stroke::solid(INK, CURVE))),
+    ];
+    Content { name: "energy lost", x: say.clock(range), y: axis, layers, labels: Vec::new() }
 }
 
 /// What has cost energy.

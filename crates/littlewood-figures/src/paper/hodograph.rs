@@ -33,6 +33,9 @@ fn row(sample: &Sample) -> Vec<f64> {
     vec![sample.state.time, sample.normal, sample.friction]
 }
 
+/// What marks mean.
+type Keys = Vec<(Mark, String)>;
+
 /// A plane of forces or of impulses: its columns, upright to the plane and along it.
 type Columns = [&'static str; 2];
 const FORCES: Columns = [NORMAL, FRICTION];
@@ -147,12 +150,7 @@ fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
 }
 
 /// The cones in a window, with the axes where their point is seen, and what they mean.
-fn cones(
-    hoop: &Hoop,
-    window: Window,
-    columns: Columns,
-    [upright, along]: [&str; 2],
-) -> (Vec<Layer>, Vec<(Mark, String)>) {
+fn cones(hoop: &Hoop, window: Window, columns: Columns, [upright, along]: [&str; 2]) -> (Vec<Layer>, Keys) {
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
     let limit = Stroke::of_curve(Curve::SlipLimit).wide(CURVE);
     let cones = [
@@ -178,7 +176,7 @@ fn cones(
 }
 
 /// The impulses as dots, which lie in the same cones.
-fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Vec<(Mark, String)>)> {
+fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Keys)> {
     let rows: Vec<Vec<f64>> =
         spikes.impulses.iter().map(|(_, impulse)| vec![impulse.normal, impulse.friction]).collect();
     let most = rows.iter().map(|row| row[0]).fold(0.0, f64::max);
@@ -194,7 +192,7 @@ fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, V
 }
 
 /// The forces of a motion in contact, and whether a cone is seen.
-fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Vec<(Mark, String)>, bool)> {
+fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Keys, bool)> {
     let in_contact: Vec<(Mode, Series)> =
         by_mode(motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| mode.has_normal_force()).collect();
     let all: Vec<Vec<f64>> =
@@ -205,7 +203,7 @@ fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Vec<(Mark, S
     let window = window_of(&all, motion.hoop().mu_s());
     let (mut layers, of_cones) = cones(motion.hoop(), window, FORCES, ["*N*", "*F*"]);
     let is_seen = !of_cones.is_empty();
-    let mut keys: Vec<(Mark, String)> = in_contact
+    let mut keys: Keys = in_contact
         .iter()
         .map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), mode.to_string()))
         .collect();
@@ -256,7 +254,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         say.hoop(hoop),
         say.start(hoop, &input.start)
     ) + &remark(&motion, say);
-    let mut keys: Vec<(Mark, String)> = Vec::new();
+    let mut keys: Keys = Vec::new();
     let mut contents = Vec::new();
     for (content, own) in forces.map(|(content, keys, _)| (content, keys)).into_iter().chain(impulses) {
         let is_new = |(mark, _): &(Mark, String)| keys.iter().all(|(known, _)| known != mark);

@@ -6,7 +6,7 @@ use crate::axes::plane_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::{BEYOND, Portrait};
+use crate::plane::Portrait;
 use littlewood::tables::Quantity;
 use littlewood_draw::{Content, Figure, HATCH, INK, Label, Mark, Series, Stroke, marked, short};
 use littlewood_style::width::CURVE;
@@ -72,10 +72,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         layers.push(arrow.drawn(Mark::Arrow(Stroke::solid(INK, 1.2))));
         labels.push(Label::new("*μ*_{s}", &ends[0]).shifted(5.0, 0.0).left());
     }
-    let beyond = if unloading.pieces.is_empty() { BEYOND } else { "" };
     layers.push(unloading.drawn(mark));
     layers.extend(portrait.equilibria());
     let say = input.wording();
+    let [x, y] = portrait.axes(say);
     Ok(input.sheet(580.0)?.plot(
         NAME,
         "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling",
@@ -84,12 +84,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
              *μ*_{{s}} grows{} they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
              < 0. Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable \
              equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
-             rest.{beyond} {}.",
+             rest.{} {}.",
             if arrow.is_some() { " (arrow)" } else { "" },
+            portrait.remark(),
             say.body(&input.hoop)
         ),
         402.0,
-        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        Content { name: "plane", x, y, layers, labels },
         keys,
     ))
 }

@@ -1,12 +1,15 @@
 //! The figures: those of the paper, one after the other, then more of the same hoop.
 
+pub(crate) mod atlas;
 pub(crate) mod bifurcation;
 pub(crate) mod bounces;
+pub(crate) mod cases;
 pub(crate) mod demand;
 pub(crate) mod gliding;
 pub(crate) mod histories;
 pub(crate) mod hodograph;
 pub(crate) mod impact;
+pub(crate) mod inertia;
 pub(crate) mod loci;
 pub(crate) mod outcomes;
 pub(crate) mod overview;
@@ -14,7 +17,9 @@ pub(crate) mod painleve;
 pub(crate) mod paths;
 pub(crate) mod phase_path;
 pub(crate) mod portrait;
+pub(crate) mod printed;
 pub(crate) mod schematic;
 pub(crate) mod state_space;
 pub(crate) mod stroboscope;
 pub(crate) mod types;
+pub(crate) mod wall;

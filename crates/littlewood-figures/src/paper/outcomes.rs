@@ -11,7 +11,7 @@ use littlewood_draw::{
 use littlewood_style::{Curve, of_class};
 use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
 
-use crate::axes::outcome_window;
+use crate::axes::plane_window;
 use crate::catalogue::Watch;
 use crate::columns::PLANE;
 use crate::effort::Effort;
@@ -144,7 +144,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     input.loaded(NAME)?;
     let hoop = &input.hoop;
     let window =
-        if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { outcome_window(hoop) };
+        if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { plane_window(hoop) };
     let plan = Plan::new(input);
     let Regions { regions, boundaries } = regions_of(input, &plan, within(window), watch)?;
     let fates = Fates::of(hoop);

@@ -192,11 +192,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let caption = format!(
         "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows an orbit, a line of constant energy (grey). Sliding and \
          flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; dots and \
-         rings: stable and unstable equilibria.{} {}; {}.",
+         rings: stable and unstable equilibria.{}{} {}; {}.",
         if is_short { " Shown are the first turns." } else { "" },
+        portrait.remark(),
         say.hoop(hoop),
         say.start(hoop, &input.start)
     ) + &remark(&motion, say);
-    let content = Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels };
+    let [x, y] = portrait.axes(say);
+    let content = Content { name: "plane", x, y, layers, labels };
     Ok(input.sheet(580.0)?.plot(NAME, "A motion in the phase portrait", caption, 402.0, content, keys))
 }

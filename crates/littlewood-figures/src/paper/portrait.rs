@@ -10,7 +10,7 @@ use littlewood_draw::{
 use crate::axes::plane_window;
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::{BEYOND, Portrait, nearest};
+use crate::plane::{Portrait, nearest};
 use littlewood::theory::Window;
 use littlewood_style::Curve;
 
@@ -53,7 +53,6 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
             .sized(SMALL)
             .coloured(NORMAL_FORCE)
     }));
-    let is_beyond = unloading.pieces.is_empty();
     layers.push(slip.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
     layers.push(lift_off.drawn(Mark::Line(Stroke::of_curve(Curve::LiftOff))));
     layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
@@ -66,6 +65,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
+    let [x, y] = portrait.axes(say);
     Ok(input.sheet(580.0)?.plot(
         NAME,
         "Figure 2(b): phase portrait of rolling",
@@ -77,13 +77,13 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
              between *n* and the curve {} it slides.{}{} {}{}.",
             if hoop.slope() == 0.0 { ", the particle on top" } else { "" },
             lift_off_condition(hoop.slope()),
-            if is_beyond { BEYOND } else { "" },
+            portrait.remark(),
             if chatters { " Within the dotted curves bounces grow out of rolling (reverse chatter)." } else { "" },
             if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
             say.rolling(hoop)
         ),
         402.0,
-        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        Content { name: "plane", x, y, layers, labels },
         Vec::new(),
     ))
 }
@@ -97,6 +97,9 @@ pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
 
 /// Where arrows stand on the manifolds, away from the lines n, which they cross at ±π/2.
 const HEADS: f64 = 0.63 * PI;
+
+/// How far from where an orbit turns its arrows stand.
+const AFTER: f64 = 0.05 * PI;
 
 const FIGURE_4: &str = "figure-4";
 
@@ -134,6 +137,7 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
+    let [x, y] = portrait.axes(say);
     let friction = if always {
         "Static friction always holds, for *μ*_{s} is not less than *ℓ*/√(1 − *ℓ*^{2}); *ℓ* in radii."
     } else {
@@ -150,7 +154,7 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
             say.rolling(hoop)
         ),
         402.0,
-        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        Content { name: "plane", x, y, layers, labels },
         Vec::new(),
     ))
 }
@@ -159,14 +163,18 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
 pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = FIGURE_4;
     input.massless(NAME)?;
+    input.level(NAME)?;
     if input.hoop.offset() < 1.0 {
         return massless_inside(input);
     }
     let window = Window { x: [-PI, PI], y: [-2.0, 2.0] };
     let portrait = Portrait::new(&input.hoop, window);
-    let energies =
-        massless_energies(&[0.25, 0.5, 0.75, 1.2, 1.5, 1.8], &[0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI]);
-    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
+    let turns = [0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI];
+    let energies = massless_energies(&[0.25, 0.5, 0.75, 1.2, 1.5, 1.8], &turns);
+    let mut layers = vec![
+        portrait.rolling_region().drawn(Mark::Fill(REGION)),
+        portrait.unloaded().drawn(Mark::Hatch(HATCH)),
+    ];
     for energy in &energies {
         layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
     }
@@ -176,6 +184,7 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0).coloured(NORMAL_FORCE),
         Label::new("*n*", &[0.8 * PI, -1.0]).shifted(0.0, 11.0).coloured(NORMAL_FORCE),
     ];
+    labels.extend([1.75, -1.75].map(|rate| Label::new("*N* < 0", &[-0.25 * PI, rate])));
     layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
     if let Some((theta, limit)) = portrait.massless_limit() {
         layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
@@ -195,8 +204,15 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         }
     }
     layers.push(portrait.flow(&energies[..6], 0.0).drawn(Mark::Head(FAINT)));
+    for (energy, turn) in energies[6..].iter().zip(turns) {
+        // A little after they have turned, where they go outwards.
+        for side in [1.0, -1.0] {
+            layers.push(portrait.flow(&[*energy], side * (turn + AFTER)).drawn(Mark::Head(FAINT)));
+        }
+    }
     layers.extend(portrait.equilibria());
     let say = input.wording();
+    let [x, y] = portrait.axes(say);
     Ok(input.sheet(580.0)?.plot(
         NAME,
         "Figure 4: phase portrait of the rolling massless hoop",
@@ -204,12 +220,12 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
             "Phase portrait of the rolling massless hoop (3.1), lines of constant *e* (3.2). There is no equilibrium at \
              *θ* = ±π, where the equation is singular. Shaded: region 𝓡 (3.10), bounded by *f*, where static friction \
              gives way (*θ* = ±*θ*_{{s}}, *θ*_{{s}} = 2 atan *μ*_{{s}}), and by *n*, where the normal force vanishes \
-             (*θ*′ = ±1). 𝓡 shrinks to nothing as *μ*_{{s}} → 0. Black: stable and unstable manifolds of the \
+             (*θ*′ = ±1; hatched: *N* < 0). 𝓡 shrinks to nothing as *μ*_{{s}} → 0. Black: stable and unstable manifolds of the \
              equilibrium. *μ*_{{s}} = {}.",
             short(input.hoop.mu_s())
         ),
         402.0,
-        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        Content { name: "plane", x, y, layers, labels },
         Vec::new(),
     ))
 }

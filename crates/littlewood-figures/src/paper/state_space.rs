@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, State, Transition};
 use littlewood_draw::{
-    Content, FAINT, Figure, IMPULSE, Label, Mark, PAPER, Panel, REGION, SMALL, SOFT, START, Series, Sheet,
-    Stroke, TRANSITION, View, short,
+    Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Mark, NORMAL_FORCE, PAPER, Panel, REGION, SMALL,
+    SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
 };
 
 use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
@@ -21,13 +21,13 @@ use littlewood_style::{Curve, Dash};
 
 /// Arrows of time stand where the motion goes this part of the axes.
 const LEAST_STEP: f64 = 0.006;
-const COLUMNS: [&str; 4] = [TIME, THETA, THETA_RATE, SLIP];
+pub(super) const COLUMNS: [&str; 4] = [TIME, THETA, THETA_RATE, SLIP];
 
-fn of_state(state: State) -> Vec<f64> {
+pub(super) fn of_state(state: State) -> Vec<f64> {
     vec![state.time, state.theta, state.theta_rate, state.slip]
 }
 
-fn row(sample: &Sample) -> Vec<f64> {
+pub(super) fn row(sample: &Sample) -> Vec<f64> {
     of_state(sample.state)
 }
 
@@ -188,6 +188,7 @@ fn instant(transition: &Transition, say: Wording) -> String {
 pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-7a";
     input.littlewood(NAME)?;
+    input.level(NAME)?;
     let motion = input.motion(NAME)?;
     let window = Window { x: [-PI, PI], y: [-2.5, 2.5] };
     let portrait = Portrait::new(&input.hoop, window);
@@ -209,7 +210,13 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
         )
         .drawn(Mark::Line(Stroke::solid(SOFT, FINE))),
     ];
-    let mut labels = vec![Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0)];
+    let mut labels = vec![
+        Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0),
+        Label::new("*n*", &[-0.4 * theta_s, 1.0]).shifted(0.0, -11.0).coloured(NORMAL_FORCE),
+    ];
+    if portrait.massless_limit().is_some() {
+        labels.push(Label::new("*f*", &[-theta_s, 0.0]).shifted(-10.0, 0.0).coloured(FRICTION_FORCE));
+    }
     for (mode, series) in &modes {
         let mark = Mark::Line(Stroke::of_mode(*mode).wide(BOLD));
         let inside = Series {
@@ -255,7 +262,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
                 .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
         );
         // Above the panel, where no curve is, in rows.
-        let label = Label::new(instant(transition, say), &[time, range[1]]).sized(SMALL);
+        let label = Label::new(instant(transition, say), &[time, range[1]]).sized(SMALL).fixed();
         let label = label.shifted(0.0, -10.0 - 16.0 * f64::from(row));
         let part = (time - motion.start().time) / (until - motion.start().time);
         trace_labels.push(match part {
@@ -270,6 +277,10 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
         .map(|transition| of_state(transition.before))
         .filter(|row| row[2].is_finite())
         .collect();
+    for (mode, rows) in heads(&motion, 0.5, &row) {
+        let head = Mark::Head(Stroke::of_mode(mode).colour);
+        plane.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(head));
+    }
     plane.push(Series::of_rows("transition", &COLUMNS, changes.clone()).drawn(TRANSITION));
     let start = motion.start();
     plane.push(

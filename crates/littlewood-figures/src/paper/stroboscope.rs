@@ -3,7 +3,8 @@
 use littlewood::tables::Dimension;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, FAINT, FRICTION_FORCE, Figure, Layer, Mark, NORMAL_FORCE, Panel, ROOM, Series, Sheet, Stroke,
+    Content, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM, SMALL,
+    Series, Sheet, Stroke, tilted,
 };
 
 use super::paths::{axes, beneath, camera, extent, ground};
@@ -111,7 +112,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let beside = f64::max(1.0 + LONGEST * 0.6, 0.5 * (0.9 * (top - low + 1.6) - (right - left)));
     let x = [left - beside, right + beside];
     let unit = (inner - ROOM[0]) / (x[1] - x[0]);
-    let y = [low - 34.0 / unit, top + 1.15];
+    let y = [low - 34.0 / unit, top + 1.65];
     let mut layers = ground(x, y, sheet.width, slope);
     let particle = path.iter().map(|sample| vec![sample.state.time, sample.particle.x, sample.particle.y]);
     let particle: Vec<Vec<f64>> = particle.filter(|row| row.iter().all(|value| value.is_finite())).collect();
@@ -127,7 +128,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         if rows.is_empty() {
             continue;
         }
-        let rim = Stroke::of_mode(mode).dashed(Dash::Solid).wide(1.0);
+        let rim = Stroke::of_mode(mode).wide(1.0);
         keys.push((Mark::Line(rim), mode.to_string()));
         layers.push(Series::of_rows(format!("hoop, {mode}"), &[TIME, X, Y, THETA], rows).drawn(Mark::Hoop {
             offset: hoop.offset(),
@@ -138,6 +139,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let largest = samples.iter().map(|sample| sample.normal.max(sample.friction.abs())).fold(0.0, f64::max);
     let say = input.wording();
+    let mut bar_label = None;
     let mut scale = " The plane exerts no force.".to_owned();
     if largest > 0.0 {
         let force = force_of_a_radius(largest);
@@ -154,16 +156,21 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             keys.extend((!arrows.is_empty()).then(|| (Mark::Line(stroke), letter.to_owned())));
             layers.extend(arrows);
         }
-        scale = format!(
-            " Arrows at the point of contact: normal force *N* and friction force *F*; the radius as a length is {}.",
-            say.quantity(force, Dimension::Force)
-        );
+        scale = " Arrows at the point of contact: normal force *N* and friction force *F*.".to_owned();
+        // As long as a radius, where a camera has its right upper corner.
+        let ends = [x[1] - 1.2, x[1] - 0.2].map(|right| tilted(-slope, [right, y[1] - 0.25]).to_vec());
+        let bar = Series::of_rows("scale of forces", &[X, Y], ends.to_vec());
+        layers.push(bar.drawn(Mark::Line(Stroke::solid(INK, BOLD))));
+        let [right, up] = tilted(-slope, [x[1] - 1.2, y[1] - 0.25]);
+        let label =
+            Label::new(say.quantity(force, Dimension::Force), &[right, up]).right().shifted(-6.0, 0.0);
+        bar_label = Some(label.sized(SMALL));
     }
     let labels = [samples.first(), samples.last()].into_iter().flatten().map(|sample| {
         let time = format!("{} = {}", say.time(), say.value(sample.state.time, Dimension::Time));
         beneath(time, sample.centre.x, 22.0, slope)
     });
-    let labels = labels.collect();
+    let labels = labels.chain(bar_label).collect();
     let caption = format!(
         "The hoop at {count} instants, {} apart.{}{scale}{} Grey: path of the particle. {}; {}.",
         say.quantity(step, Dimension::Time),

@@ -80,7 +80,9 @@ mod tests {
         let heavy = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
         let massless = HoopParameters::thin(0.0).with_friction(0.5, 0.5);
         let tilted = heavy.with_slope(0.4);
-        let cases = [(heavy, true), (heavy, false), (tilted, true), (massless, true)];
+        let tilted_massless = massless.with_slope(0.3);
+        let cases =
+            [(heavy, true), (heavy, false), (tilted, true), (massless, true), (tilted_massless, true)];
         for (parameters, theta_first) in cases {
             let hoop = Hoop::new(parameters).expect("a hoop");
             let plane = PhasePlane::new(&hoop);

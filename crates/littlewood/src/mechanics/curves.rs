@@ -197,7 +197,8 @@ impl PhasePlane {
     /// The curve n, N = 0 in rolling.
     #[must_use]
     pub fn normal_force_curve(&self, window: &Window) -> Vec<Vec<Point>> {
-        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {
+        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) && self.hoop.slope() == 0.0
+        {
             // N = cos²(θ/2) (1 − θ′²) (3.8).
             let lines = [1.0, -1.0].into_iter().filter(|rate| (window.y[0]..=window.y[1]).contains(rate));
             return lines.map(|rate| window.x.map(|theta| [theta, rate]).to_vec()).collect();
