@@ -67,7 +67,7 @@ export function map(picture: Picture): void {
         outcomes.setPalette(palette);
       }
       const now = showing.motion.at(player.time);
-      drawPlane(c, new Frame(size, RATE), { curves, map: outcomes.picture, mapSize: outcomes.side, palette });
+      drawPlane(c, new Frame(size, RATE), { curves, symbols: false, map: outcomes.picture, mapSize: outcomes.side, palette });
       drawMotion(c, new Frame(size, RATE), showing.motion, now, palette);
     },
     () => (fate === 'leaves_at_once' || fate === 'lifts_off_later' || fate === 'rolls_forever' ? says[fate] : says.stays),
