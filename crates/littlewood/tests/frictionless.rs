@@ -39,6 +39,19 @@ fn a_slide_comes_back_to_the_limit_of_static_friction_to_the_last_digits() {
     assert!((to.time - from.time - time).abs() < 1e-12, "{} {time}", to.time - from.time);
 }
 
+/// A time after the turning point on the other side of the bottom. The angle and the rate are those of ∫ dθ/θ′ with 30 digits.
+#[test]
+fn a_slide_is_known_behind_a_turning_point() {
+    let hoop = HoopParameters::thin(4.279_724_030_550_52).with_friction(0.0, 0.0).with_slope(-0.497_437_103_729_231_67);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let start = Start::at(-0.301_803_837_171_314_4, 0.0);
+    let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
+    let end = motion.summary().end;
+    let (theta, rate) = (-5.475_480_700_992_735, 0.298_825_653_936_029_36);
+    assert!((end.theta - theta).abs() < 16.0 * f64::EPSILON * theta.abs(), "{end:?}");
+    assert!((end.theta_rate - rate).abs() < 16.0 * f64::EPSILON, "{end:?}");
+}
+
 /// Without any friction η′ is largest at the bottom, where η″ vanishes and rounding tells its sign: it falls behind, through zero, and rises again.
 #[test]
 fn a_slip_that_is_least_behind_the_bottom_reverses_there() {

@@ -386,7 +386,8 @@ impl Sliding {
     }
 
     /// A place of a slide without kinetic friction with the rate from the energy D θ′²/2 + m h cos θ, D = Î + m h² sin²θ, where its terms
-    /// hardly cancel. The rate of a light hoop at the top is otherwise known to the rounding of its energy at the bottom.
+    /// hardly cancel and the rounding of θ hardly changes them. The rate of a light hoop at the top is otherwise known to the rounding of its
+    /// energy at the bottom.
     fn with_energy(&self, place: PhasePoint) -> PhasePoint {
         let (Heavy { mass, h, inertia, .. }, from) = (self.law.body, self.start);
         if self.law.friction != 0.0 {
@@ -401,7 +402,9 @@ impl Sliding {
             [place.theta + from.theta, place.theta - from.theta].map(|sum| libm::sin(0.5 * sum));
         let fallen = 2.0 * mass * h * mean * half;
         let energy = kinetic + fallen;
-        if energy < 0.5 * (kinetic + fallen.abs()) {
+        // The angle is rounded by ε|θ|/2, and the rate from the energy E by ε/4 times this over E: less than its own rounding where 4 E is larger.
+        let of_angle = mass * h * (libm::sin(place.theta) * place.theta).abs();
+        if energy < 0.5 * (kinetic + fallen.abs()) || 4.0 * energy < of_angle {
             return place;
         }
         PhasePoint { rate: (2.0 * energy / now).sqrt().copysign(place.rate), ..place }
