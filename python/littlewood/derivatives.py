@@ -62,6 +62,13 @@ def of_motion(core: _core.Trajectory, quantities: Sequence[str] | None) -> xarra
     return _dataset(variables, {"transition": place}, names, "derivatives of the events of a motion")
 
 
+def columns_at(core: _core.Trajectory, times: npt.NDArray[np.float64], quantities: Sequence[str]) -> dict[str, Any]:
+    """Return the derivatives of the state at fixed times as arrays, of times by quantities."""
+    _, (values, _) = core.derivatives_at(times, quantities)
+    numbers = values.reshape(times.size, len(quantities), len(_core.STATE))
+    return {name: numbers[..., i] for i, name in enumerate(_core.STATE)}
+
+
 def at_times(core: _core.Trajectory, times: npt.ArrayLike, quantities: Sequence[str] | None) -> xarray.Dataset:
     """Return the derivatives of the state at fixed times."""
     instants = reals(times)

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .calibration import means, shown
+from .derivatives import columns_at
 from .extras import require
 from .hoop import Hoop
 from .noise import Noise, Whitening, estimate_noise
@@ -272,8 +273,8 @@ class Problem:
             # Those of the height of a flight are not among the derivatives of a state.
             return None
         names = [name for name in self.names if not name.startswith(_CAMERA)]
-        found = motion.derivatives_at(self.track.time, [name.removeprefix("start_") for name in names])
-        exact = {"theta": found.theta.to_numpy(), "x": found.x.to_numpy()}
+        found = columns_at(motion._core, self.track.time, [name.removeprefix("start_") for name in names])
+        exact = {name: np.array(found[name]) for name in ("theta", "x")}
         if not all(np.isfinite(rows).all() for rows in exact.values()):
             return None
         if "mu_s" in names and "mu_k" in names:

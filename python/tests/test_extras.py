@@ -45,3 +45,21 @@ def test_numpy_is_enough():
     script = f"import sys, littlewood; print(*[m for m in {heavy.split()!r} if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert done.stdout.split() == []
+
+
+def test_scipy_is_enough_for_a_fit():
+    # A motion that slides, without heights: the fit takes its exact derivatives.
+    script = """
+import sys
+for module in "xarray pandas matplotlib tqdm cv2".split():
+    sys.modules[module] = None
+import numpy as np
+import littlewood as lw
+motion = lw.case("figure-3").simulate(until=0.5)
+time = np.linspace(0.0, 0.5, 60)
+track = lw.Track(time, theta=motion(time).theta, x=motion(time).x)
+result = lw.fit(track, motion.hoop, free=["mu_k"], search=False, sigma={"theta": 0.01, "x": 0.01})
+print(abs(result.hoop.mu_k - motion.hoop.mu_k) < 1e-6)
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert done.stdout.split() == ["True"], done.stderr

@@ -12,6 +12,8 @@ from littlewood.noise import Noise
 # A throw with backspin: it slides, rolls, slips, and lifts off. Few starts tell as much about both coefficients.
 THROW = {"theta": -1.7, "theta_rate": 1.0, "slip": -1.6}
 NOISE = 0.005
+# As a track has it, whose angles begin between 0 and 2π.
+TRUTH = THROW | {"theta": THROW["theta"] % (2 * math.pi), "x": 0.0}
 
 
 @pytest.fixture
@@ -31,12 +33,19 @@ def tracked(motion, seed, *, count=300, end=None, channels=("theta", "x")):
     return lw.Track(time, **noisy)
 
 
+def searched(seed):
+    """Whether a fit of many searches for the minimum. The others begin in it: what they test is its width."""
+    return seed < 2
+
+
 def test_it_recovers_what_was_put_in(hoop, guess):
     motion = hoop.simulate(**THROW)
     assert motion.sequence == "-R+F"
     pulls = []
     for seed in range(16):
-        result = lw.fit(tracked(motion, seed), guess, slips_at_start=True)
+        first, start = (guess, {}) if searched(seed) else (hoop, TRUTH)
+        track = tracked(motion, seed)
+        result = lw.fit(track, first, slips_at_start=True, start=start, search=searched(seed))
         assert result.motion.sequence == "-R+F"
         for name in ("mu_s", "mu_k", "inertia"):
             estimate = result.estimates[name]
@@ -64,7 +73,8 @@ def test_it_recovers_the_restitution_from_bounces(hoop, guess):
     for seed in range(6):
         track = tracked(motion, seed, end=8.5, channels=("theta", "x", "y"))
         # Nothing is known of the coefficient at first, not even that there is one.
-        result = lw.fit(track, guess, free=RESTITUTION)
+        first, start = (guess, {}) if searched(seed) else (motion.hoop, BOUNCES)
+        result = lw.fit(track, first, free=RESTITUTION, start=start, search=searched(seed))
         assert result.motion.sequence == motion.sequence
         assert result.hoop.restitution_law == "energetic"
         assert result.reduced_chi_square == pytest.approx(1.0, abs=0.1)
@@ -195,7 +205,8 @@ def test_a_track_on_a_ramp_of_a_known_slope(hoop, guess, level):
     pulls = []
     for seed in range(4):
         track = on_ramp(motion, seed, level=level)
-        result = lw.fit(track, dataclasses.replace(guess, slope=SLOPE), slips_at_start=True)
+        first, start = (dataclasses.replace(guess, slope=SLOPE), {}) if seed == 0 else (ramp, TRUTH)
+        result = lw.fit(track, first, slips_at_start=True, start=start, search=seed == 0)
         assert (result.motion.sequence, result.hoop.slope) == ("-R+F", SLOPE)
         assert result.reduced_chi_square == pytest.approx(1.0, abs=0.15)
         for name in ("mu_s", "mu_k", "inertia"):
@@ -216,8 +227,9 @@ def test_the_slope_of_a_ramp_is_found(hoop, guess, level):
     pulls, inside = [], 0
     for seed in range(8):
         track = on_ramp(motion, seed, level=level)
-        first = dataclasses.replace(guess, slope=0.12)
-        result = lw.fit(track, first, free=("mu_s", "mu_k", "inertia", "slope"), slips_at_start=True)
+        free = ("mu_s", "mu_k", "inertia", "slope")
+        first, start = (dataclasses.replace(guess, slope=0.12), {}) if searched(seed) else (motion.hoop, TRUTH)
+        result = lw.fit(track, first, free=free, slips_at_start=True, start=start, search=searched(seed))
         assert result.motion.sequence == "-R+F"
         estimate = result.estimates["slope"]
         assert estimate.identifiable and result.hoop.slope == estimate.value
