@@ -36,7 +36,7 @@ def marker_sheet(path: str | Path | None = None) -> str:
         f'viewBox="0 0 {_WIDTH} {_HEIGHT}" font-family="sans-serif" font-size="3.8">',
         "<title>Markers for a hoop</title>",
         f"<style>@page {{ size: {_WIDTH}mm {_HEIGHT}mm; margin: 0 }}</style>",
-        f'<rect width="{_WIDTH}" height="{_HEIGHT}" fill="#fff"/>',
+        f'<rect width="{_WIDTH}" height="{_HEIGHT}" fill="white"/>',
         *_text(_MARGIN, 20, "Markers for a hoop", size=7),
         *_text(
             _MARGIN,
@@ -66,7 +66,7 @@ def _text(x: float, y: float, words: str, *, size: float = 3.8, middle: bool = F
 
 
 def _ruler(left: float, top: float) -> Iterator[str]:
-    yield f'<g id="ruler" stroke="#000" stroke-width="0.2"><path d="M{left} {top}H{left + _RULER}"/>'
+    yield f'<g id="ruler" stroke="black" stroke-width="0.2"><path d="M{left} {top}H{left + _RULER}"/>'
     for mm in range(_RULER + 1):
         length = 7 if mm % 10 == 0 else 5 if mm % 5 == 0 else 3
         yield f'<path d="M{left + mm} {top}v{length}"/>'
@@ -83,7 +83,7 @@ def _spots(top: float) -> Iterator[str]:
         for diameter in _DIAMETERS:
             y += diameter / 2 + 2
             yield f'<circle cx="{x:g}" cy="{y:g}" r="{diameter / 2:g}" fill="{colour}"/>'
-            yield f'<path d="M{x - 2:g} {y:g}h4m-2 -2v4" stroke="#fff" stroke-width="0.3"/>'
+            yield f'<path d="M{x - 2:g} {y:g}h4m-2 -2v4" stroke="white" stroke-width="0.3"/>'
             y += diameter / 2 + 6
             yield from _text(x, y - 1, f"{name}, {diameter} mm", size=3.2, middle=True)
 
@@ -92,5 +92,5 @@ def _targets(y: float) -> Iterator[str]:
     step, r = (_WIDTH - 2 * _MARGIN) / _TARGETS, _TARGET_RADIUS
     for k in range(_TARGETS):
         x = _MARGIN + (k + 0.5) * step
-        yield f'<circle cx="{x:g}" cy="{y:g}" r="{r}" fill="none" stroke="#000" stroke-width="0.3"/>'
+        yield f'<circle cx="{x:g}" cy="{y:g}" r="{r}" fill="none" stroke="black" stroke-width="0.3"/>'
         yield f'<path d="M{x:g} {y:g}v{-r}a{r} {r} 0 0 1 {r} {r}zm0 0v{r}a{r} {r} 0 0 1 {-r} {-r}z"/>'
