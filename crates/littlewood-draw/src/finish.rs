@@ -40,6 +40,11 @@ impl Figure {
                     fit(x, length * libm::cos(*yaw).abs(), true, IN_SPACE);
                     fit(y, length * libm::cos(*pitch).abs(), false, IN_SPACE);
                     fit(z, length * libm::sin(*yaw).abs(), true, IN_SPACE);
+                    // Two edges meet in a corner, which has no room for the ticks of both.
+                    for (axis, end) in [(x, 0.08), (z, 0.12)] {
+                        let own = axis.clone();
+                        axis.ticks.retain(|tick| (end..=1.0 - end).contains(&own.share(tick.value)));
+                    }
                 }
             }
             left_out.extend(place(panel, sheet).into_iter().map(|label| label.text));

@@ -11,6 +11,8 @@ pub(crate) type Frame = [f64; 4];
 
 /// Least distance of a label from others and from the edge of what it stands in.
 const EDGE: f64 = 3.0;
+/// What rounding to the steps of the sheet may move a label by, twice.
+const STEP: f64 = 2.0 / STEPS;
 /// Distances at which there may be room beside a place, and directions, in pixels.
 const DISTANCES: [f64; 4] = [5.0, 11.0, 20.0, 32.0];
 const DIRECTIONS: [[f64; 2]; 8] =
@@ -103,7 +105,7 @@ fn frame(label: &Label, [x, y]: [f64; 2]) -> Frame {
 
 /// Whether two boxes are closer than they may be.
 fn overlap(a: Frame, b: Frame) -> bool {
-    a[0] < b[2] + EDGE && b[0] < a[2] + EDGE && a[1] < b[3] && b[1] < a[3]
+    a[0] < b[2] + EDGE && b[0] < a[2] + EDGE && a[1] < b[3] + STEP && b[1] < a[3] + STEP
 }
 
 fn is_within(inner: Frame, outer: Frame) -> bool {
@@ -168,7 +170,7 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
         };
         let is_free = |choice: &Label| {
             let own = frame(choice, here);
-            is_within(own, room) && taken.iter().all(|other| !overlap(own, *other))
+            is_within(grown(own, STEP), room) && taken.iter().all(|other| !overlap(own, *other))
         };
         // The figure has made room for it.
         let choices = if label.is_fixed { vec![label.clone()] } else { choices(label) };

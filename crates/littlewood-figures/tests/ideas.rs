@@ -84,7 +84,10 @@ fn the_band_is_where_rolling_needs_a_pull_and_sliding_does_not() {
         assert!(normal < 0.0 && 0.5 * libm::cos(middle[0]) * middle[1] * middle[1] < 1.0, "{middle:?}");
     }
     for piece in &series(&figure, "exact")[0].pieces {
-        let w = |row: &Vec<f64>| 0.5 * (libm::sin(row[0]) * row[1]).powi(2) + libm::cos(row[0]);
+        let w = |row: &Vec<f64>| {
+            let falling = libm::sin(row[0]) * row[1];
+            0.5 * falling * falling + libm::cos(row[0])
+        };
         assert!(piece.iter().all(|row| (w(row) - w(&piece[0])).abs() < 1e-9 * (1.0 + row[1] * row[1])));
     }
     for piece in &series(&figure, "printed")[0].pieces {

@@ -94,7 +94,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             labels: Vec::new(),
         },
         Content {
-            name: "normal force",
+            name: SampleColumn::Normal.long_name(),
             x: say.clock(times),
             y: PlotAxis { linear: 1.0, ..normal },
             layers: forces,
