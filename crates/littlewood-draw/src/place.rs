@@ -1,9 +1,9 @@
 //! Where labels stand: inside their panel, beside each other, off the curves.
 
 use crate::figure::{Anchor, Label, Mark, Panel, View};
-use crate::item::{ASCENT, DESCENT, STEPS};
+use crate::item::{ASCENT, DESCENT, Item, STEPS};
 use crate::letters::width;
-use crate::marks::MIDDLE;
+use crate::marks::{Canvas, MIDDLE};
 use crate::space::Space;
 
 /// Left, top, right and bottom in pixels.
@@ -156,6 +156,15 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
     };
     let drawn = Drawn::new(panel, sheet, &at);
     let (mut kept, mut left_out, mut taken): (Vec<Label>, Vec<Label>, Vec<Frame>) = Default::default();
+    if let Some(space) = &space {
+        // The numbers of three axes stand among what is drawn.
+        let mut canvas = Canvas::default();
+        space.axes(&mut canvas);
+        taken.extend(canvas.0.iter().filter_map(|item| match item {
+            Item::Words(words) => Some(words.frame()),
+            Item::Path { .. } | Item::Image { .. } | Item::Circle { .. } => None,
+        }));
+    }
     for label in &panel.labels {
         let Some(here) = at(&label.at) else { continue };
         let is_seen = !has_axes || is_within([here[0], here[1], here[0], here[1]], grown(room, 1.0));
