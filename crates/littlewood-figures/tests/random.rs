@@ -165,11 +165,10 @@ fn no_figure_of_a_random_hoop_is_empty() {
     let mut made: BTreeMap<&str, u32> = BTreeMap::new();
     for hoop in 0..hoops {
         let input = draw.input();
-        for entry in FIGURES {
+        // The page of cases shows them whatever the hoop.
+        for entry in FIGURES.iter().filter(|entry| entry.name != "cases") {
             // The figure of thousands of motions of some hoops only, none of which slides for thousands of turns.
-            if ["outcomes", "atlas", "cases"].contains(&entry.name)
-                && (hoop % 20 != 1 || input.hoop.mu_k() < 0.05)
-            {
+            if ["outcomes", "atlas"].contains(&entry.name) && (hoop % 20 != 1 || input.hoop.mu_k() < 0.05) {
                 continue;
             }
             let clock = Instant::now();
@@ -197,7 +196,7 @@ fn no_figure_of_a_random_hoop_is_empty() {
         println!("{name}: {} made, slowest {taken:.3?} of {of}", made.get(name).copied().unwrap_or(0));
     }
     // Few hoops may have no impact among them.
-    for entry in FIGURES.iter().filter(|_| hoops >= 200) {
+    for entry in FIGURES.iter().filter(|entry| hoops >= 200 && entry.name != "cases") {
         assert!(made.contains_key(entry.name), "no random hoop has {}", entry.name);
     }
 }
