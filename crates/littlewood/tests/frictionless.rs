@@ -42,7 +42,9 @@ fn a_slide_comes_back_to_the_limit_of_static_friction_to_the_last_digits() {
 /// A time after the turning point on the other side of the bottom. The angle and the rate are those of ∫ dθ/θ′ with 30 digits.
 #[test]
 fn a_slide_is_known_behind_a_turning_point() {
-    let hoop = HoopParameters::thin(4.279_724_030_550_52).with_friction(0.0, 0.0).with_slope(-0.497_437_103_729_231_67);
+    let hoop = HoopParameters::thin(4.279_724_030_550_52)
+        .with_friction(0.0, 0.0)
+        .with_slope(-0.497_437_103_729_231_67);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
     let start = Start::at(-0.301_803_837_171_314_4, 0.0);
     let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
