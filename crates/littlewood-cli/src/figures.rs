@@ -162,6 +162,7 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
         FigureError::NeedsInertia { .. }
             | FigureError::NeedsMassless { .. }
             | FigureError::NeedsRim { .. }
+            | FigureError::NeedsStartOnPlane { .. }
             | FigureError::NeedsOffset { .. }
             | FigureError::NeedsRestitution { .. }
             | FigureError::NeedsStaticFriction { .. }

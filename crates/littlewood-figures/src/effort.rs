@@ -99,9 +99,8 @@ fn bouncing_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> usize {
     if hoop.restitution().is_none() {
         return 0;
     }
-    let many = if engine.is_exact() { LONG } else { BOUNCES };
     engine
-        .long_motions(plane_window(hoop), Start::default(), limits, many)
+        .long_motions(plane_window(hoop), Start::default(), limits, LONG)
         .filter(|summary| !summary.lift_off_time.is_nan())
         .count()
 }

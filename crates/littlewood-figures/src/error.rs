@@ -40,6 +40,14 @@ pub enum FigureError {
         /// ℓ̂.
         offset: f64,
     },
+    /// A figure that switches inertia off asked for a start above the plane: the rotation of a massless hoop in the air is not determined.
+    #[error("{figure} switches inertia off, which a start on the plane needs; this one has the gap rate {gap_rate}")]
+    NeedsStartOnPlane {
+        /// Name of the figure.
+        figure: &'static str,
+        /// Gap rate of the start, √(gR).
+        gap_rate: f64,
+    },
     /// A figure of angles asked for a body whose mass centre is the geometric centre.
     #[error("{figure} shows a loaded hoop; this one has offset 0, and nothing depends on the angle")]
     NeedsOffset {

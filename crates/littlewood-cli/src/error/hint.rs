@@ -68,6 +68,7 @@ fn of_figure(error: &FigureError) -> String {
     match error {
         FigureError::NeedsInertia { .. } => "give --mass-ratio or --inertia above 0, or leave the figure out",
         FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
+        FigureError::NeedsStartOnPlane { .. } => "leave --gap-rate out, or leave the figure out",
         FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
         FigureError::NeedsOffset { .. } => "give --offset above 0",
         FigureError::NeedsStaticFriction { .. } => "give --mu-s above 0, or leave the figure out",

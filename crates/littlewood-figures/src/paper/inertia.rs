@@ -36,6 +36,10 @@ fn lightened(hoop: &Hoop, inertia: f64) -> Result<Hoop, FigureError> {
 /// Lighter and lighter hoops.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
+    let gap_rate = input.start.gap_rate;
+    if gap_rate != 0.0 {
+        return Err(FigureError::NeedsStartOnPlane { figure: NAME, gap_rate });
+    }
     let motions: Vec<(Stroke, f64, Trajectory)> = HOOPS
         .into_iter()
         .map(|(inertia, dash)| {
