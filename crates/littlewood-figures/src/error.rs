@@ -41,7 +41,9 @@ pub enum FigureError {
         offset: f64,
     },
     /// A figure that switches inertia off asked for a start above the plane: the rotation of a massless hoop in the air is not determined.
-    #[error("{figure} switches inertia off, which a start on the plane needs; this one has the gap rate {gap_rate}")]
+    #[error(
+        "{figure} switches inertia off, which a start on the plane needs; this one has the gap rate {gap_rate}"
+    )]
     NeedsStartOnPlane {
         /// Name of the figure.
         figure: &'static str,
