@@ -24,7 +24,7 @@ test('a first visit is asked a question, and the motion answers it', async ({ pa
 
 test('it plays at a quarter of the speed around the lift-off', async ({ page }) => {
   await open(page, 'case=figure-3&map=0&slow=1&speed=1');
-  /** How far the time goes in half a second from an instant. */
+  /** How fast the time goes from an instant, by the median of frames: on a busy machine some are late. */
   const pace = async (from: number): Promise<number> => {
     await page.evaluate((at) => (location.hash = `case=figure-3&map=0&slow=1&speed=1&at=${at}`), from);
     await expect(page.locator('#now')).toHaveText(`τ = ${from.toFixed(3)}`);
@@ -33,12 +33,15 @@ test('it plays at a quarter of the speed around the lift-off', async ({ page }) 
       const frame = (): Promise<number> => new Promise((resolve) => requestAnimationFrame(resolve));
       document.querySelector<HTMLElement>('#play')!.click();
       await frame();
-      const [begin, before] = [await frame(), now()];
-      let end = begin;
-      while (end < begin + 250) end = await frame();
-      const moved = now() - before;
+      let [at, shown] = [await frame(), now()];
+      const paces: number[] = [];
+      while (paces.length < 15) {
+        const [later, moved] = [await frame(), now()];
+        if (later > at) paces.push((1000 * (moved - shown)) / (later - at));
+        [at, shown] = [later, moved];
+      }
       document.querySelector<HTMLElement>('#play')!.click();
-      return (1000 * moved) / (end - begin);
+      return paces.sort((a, b) => a - b)[7]!;
     });
   };
   // The lift-off is at 1.519: a second is a unit of time long before it, and a quarter of one beside it.

@@ -95,6 +95,7 @@ test('what is said follows the controls', async ({ page }) => {
 
   await at('angle');
   await set('angle', 'lift-off', 60);
+  await expect(says('angle')).toContainText('lift off 60°');
   // The law: (cos φ − 1 + φ²/2)/(φ − sin φ) = tan 60°.
   const turned = [...(await says('angle').textContent())!.matchAll(/by ([\d.]+)°/g)].map(([, it]) => (Number(it) * Math.PI) / 180);
   expect(turned).toHaveLength(3);
