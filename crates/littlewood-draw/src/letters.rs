@@ -33,6 +33,10 @@ pub(crate) struct Letter {
     /// Its width, in the same unit.
     pub(crate) advance: f64,
     /// The letter itself.
+    #[cfg_attr(
+        not(feature = "pdf"),
+        expect(dead_code, reason = "a PDF alone says which letters its outlines are")
+    )]
     pub(crate) sign: char,
 }
 
