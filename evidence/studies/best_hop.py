@@ -141,12 +141,6 @@ def rolled(body: Body, energy: float, mu: float) -> Any:
     return found.jump_height.to_numpy()
 
 
-def free_energy(body: Body, energy: Any) -> Any:
-    """Return the energy without that of the speed along the plane, which little friction leaves as at the bottom."""
-    square = (1.0 - body.h) ** 2
-    return (energy * body.gyration - body.h * square) / (body.gyration + square)
-
-
 def searched(energy: float, mu: float, share: float) -> tuple[Any, Any]:
     """Return offsets, and the heights of the jumps of hoops with a share of the inertia of thin ones."""
     offsets = np.linspace(0.02, 0.99, 98)
@@ -298,11 +292,6 @@ def highest() -> str:
         f"In {edge} of {count} searches over thin hoops the highest jump was that of the largest h that was tried, "
         f"0.99, and in {least} of {count} the least inertia that was tried, a tenth of a thin hoop's, jumped highest"
     )
-
-
-def too_hard(h: float, rate: float) -> float:
-    """Return the height, to the leading order, of the flight of a hoop that a hard push makes fly at the top."""
-    return 1.5 * h * (h * rate * rate - 1.0) ** 2
 
 
 MUS = (0.2, 0.4, 0.6, 1.0)

@@ -385,40 +385,6 @@ def expected_turns(h: float, begin: float, end: float) -> Callable[[float], floa
     return lambda angle: float(np.interp(angle, angles[order], sums[order]))
 
 
-@dataclass(frozen=True)
-class Kicked:
-    """What a motion that bounces for ever does after a kick, with e = 1.
-
-    Parameters
-    ----------
-    lost : float
-        Energy that has been lost, over m g R.
-    angle : float
-        Half the angle between the last impacts.
-    slip : float
-        Largest slip at the last ten impacts.
-    """
-
-    lost: float
-    angle: float
-    slip: float
-
-
-def kicked(h: float, angle: float, kick: float, turns: int = 150) -> Kicked:
-    """Return what a kick to θ′ does to a motion of a thin hoop."""
-    hoop = thin_hoop(h, mu_k=0.5, restitution=1.0)
-    begin = orbit(h, thin(h), angle)
-    assert begin is not None
-    motion = hoop.simulate(
-        theta=-angle, theta_rate=begin.rate + kick, gap_rate=begin.gap_rate, max_transitions=2 * turns
-    )
-    impacts = [one.impact for one in motion.transitions[-10:] if one.impact is not None]
-    over_top = motion.transitions[-2].state.theta - motion.transitions[-3].state.theta
-    return Kicked(
-        motion.impact_energy_lost / hoop.mass, 0.5 * over_top, max(abs(impact.before.slip) for impact in impacts)
-    )
-
-
 def agreement() -> str:
     """How well the derivative agrees with differences of simulated motions."""
     errors = np.sort(derivative_error(2026, 400))

@@ -1,6 +1,5 @@
 import math
 
-import littlewood as lw
 import numpy as np
 import pytest
 
@@ -9,7 +8,6 @@ from evidence.studies.best_hop import (
     build,
     farthest,
     flight,
-    free_energy,
     height,
     hops,
     jump_from_top,
@@ -18,26 +16,9 @@ from evidence.studies.best_hop import (
     reach,
     rolled,
     thrown,
-    too_hard,
 )
 from evidence.studies.hoops import random_hoops
 from evidence.studies.one_angle import before_top, jumps_of, rise, turned_at_top, turned_in_air
-
-
-def test_little_friction_leaves_the_speed_along_the_plane_as_it_was_at_the_bottom():
-    for h, energy in ((0.3, 6.0), (0.5, 4.0), (0.7, 3.0), (0.9, 2.0)):
-        body = Body.thin(h)
-        left = free_energy(body, energy)
-        assert left == pytest.approx(0.5 * energy * (1.0 + h) - 0.5 * h * (1.0 - h), rel=1e-12)
-        told = math.acos((left - math.sqrt(left * left - 1.0)) / h)
-        rate = math.sqrt(2.0 * (energy + h) / body.about_contact(math.pi))
-        off = []
-        for mu in (1e-4, 1e-5):
-            motion = body.hoop(mu).simulate(theta=math.pi, theta_rate=rate, proof="contact", max_transitions=1000)
-            lift = next(one for one in motion.transitions if one.cause == "lift_off")
-            off.append(abs(before_top(lift.state.theta) - told))
-        # Friction moves it in the first order.
-        assert off[0] < 1e-2 and off[1] == pytest.approx(0.1 * off[0], rel=0.05)
 
 
 def test_the_body_of_two_numbers_has_them():
@@ -127,15 +108,6 @@ def test_the_bound_of_the_push_is_the_energy_of_a_lift_off():
         assert energy == pytest.approx(body.least_energy, rel=1e-12)
         if abs(body.gyration - 1.0 + body.h**2) < 1e-12:
             assert push == pytest.approx(math.sqrt(0.5 * (1.0 - body.h) / body.h), rel=1e-9)
-
-
-def test_a_push_that_is_too_hard_makes_a_small_hop_at_once():
-    for h in (0.2, 0.5, 0.8):
-        rate = 1.01 / math.sqrt(h)
-        found = lw.simulate_many(
-            theta=0.0, theta_rate=[rate], mass_ratio=1 / h - 1, offset=1.0, inertia=1 / h - 1, mu_s=0.3, mu_k=0.3
-        )
-        assert float(found.jump_height[0]) == pytest.approx(too_hard(h, rate), rel=0.1)
 
 
 def test_rolled_hoops_stay_below_the_bound():

@@ -14,7 +14,6 @@ from evidence.studies.bouncing_for_ever import (
     drift,
     expected_turns,
     family,
-    kicked,
     orbit,
     product,
     random_orbits,
@@ -161,15 +160,6 @@ def test_a_slip_that_kinetic_friction_does_not_stop_makes_a_jump_however_small_i
         assert towards.after.theta_rate == pytest.approx(slid, rel=1e-5)
         assert against.after.theta_rate == pytest.approx(one.second_rate, rel=1e-5)
     assert found > 30
-
-
-def test_a_stable_motion_comes_to_a_neighbour_and_loses_the_square_of_the_kick():
-    for h in (0.2, 0.3, 0.5):
-        (low, high), *_ = stable(h)
-        middle = 0.5 * (low + high)
-        small, large = kicked(h, middle, 1e-4, 400), kicked(h, middle, 2e-4, 400)
-        assert small.slip < 1e-6 and low < small.angle < high
-        assert large.lost / small.lost == pytest.approx(4.0, rel=0.05)
 
 
 def test_an_unstable_motion_is_left_at_the_pace_of_its_multiplier():
