@@ -1,6 +1,6 @@
 // What the tests do with the page.
 
-import { expect, type Locator, type Page } from '@playwright/test';
+import { type Browser, expect, type Locator, type Page } from '@playwright/test';
 
 /** Opens the page with a state, watched. */
 export async function open(page: Page, state = ''): Promise<void> {
@@ -99,3 +99,25 @@ export const FIGURE_3 = [
   { cause: 'lift-off', time: 1.518670213819437, theta: 5.23673577087816789, rate: 1.99870593711413988, slip: 0.607696268534750732 },
 ];
 export const FIGURE_3_LANDING = { time: 3.8473955566868942, theta: 9.89117293957551564 };
+
+/** Swipes up on a telephone, from what `place` finds, and expects the page to scroll and the motion to stay that of the case. */
+export async function swipe(
+  [browser, baseURL]: [Browser, string],
+  state: string,
+  place: (page: Page) => Promise<{ x: number; y: number }>,
+): Promise<void> {
+  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL });
+  const page = await context.newPage();
+  await open(page, `case=figure-3&${state}`);
+  const { x, y } = await place(page);
+  const session = await context.newCDPSession(page);
+  const before = await page.evaluate(() => window.scrollY);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', to: number): Promise<unknown> =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: to }] });
+  await touch('touchStart', y);
+  for (let step = 1; step <= 8; step++) await touch('touchMove', y - 15 * step);
+  await touch('touchEnd', y);
+  await expect.poll(() => page.evaluate(() => window.scrollY)).toBeGreaterThan(before + 50);
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+  await context.close();
+}

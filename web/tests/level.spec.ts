@@ -1,7 +1,7 @@
 // Two levels: a page that asks, and the full one.
 
 import { expect, type Page, test } from '@playwright/test';
-import { open, phases, ready } from './lab';
+import { open, phases, ready, swipe } from './lab';
 
 const question = (page: Page) => page.getByRole('heading', { name: 'Does it hop? Guess.' });
 
@@ -87,24 +87,13 @@ for (const level of ['simple', 'full'] as const) {
   });
 }
 
-test('a swipe that begins on a slider scrolls the page, and leaves the value', async ({ browser, baseURL }) => {
-  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
-  const page = await context.newPage();
-  await open(page, 'case=figure-3&map=0&level=full');
-  await page.locator('#slider-mu_s').evaluate((it) => it.scrollIntoView({ block: 'end' }));
-  const box = (await page.locator('#slider-mu_s').boundingBox())!;
-  const session = await context.newCDPSession(page);
-  const before = await page.evaluate(() => window.scrollY);
-  const [x, y] = [box.x + 0.8 * box.width, box.y + box.height / 2];
-  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', to: number): Promise<unknown> =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: to }] });
-  await touch('touchStart', y);
-  for (let step = 1; step <= 8; step++) await touch('touchMove', y - 15 * step);
-  await touch('touchEnd', y);
-  await expect.poll(() => page.evaluate(() => window.scrollY)).toBeGreaterThan(before + 50);
-  await expect(page.locator('#case')).toHaveValue('figure-3');
-  await context.close();
-});
+test('a swipe that begins on a slider scrolls the page, and leaves the value', ({ browser, baseURL }) =>
+  swipe([browser, baseURL!], 'map=0&level=full', async (page) => {
+    const slider = page.locator('#slider-mu_s');
+    await slider.evaluate((it) => it.scrollIntoView({ block: 'end' }));
+    const box = (await slider.boundingBox())!;
+    return { x: box.x + 0.8 * box.width, y: box.y + box.height / 2 };
+  }));
 
 test('the sliders in words change the motion, and say how', async ({ page }) => {
   await open(page, 'case=figure-3&map=0&level=simple');

@@ -6,7 +6,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { CURVE_ROWS, CURVES } from '../src/generated/palette';
 import { DIMENSIONLESS, QUANTITY_ROWS, SI } from '../src/generated/tables';
-import { open, phases, pixelOf, ready } from './lab';
+import { open, phases, pixelOf, ready, swipe } from './lab';
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
@@ -106,23 +106,11 @@ test('on a phone the start is dragged with a finger', async ({ browser, baseURL 
   await context.close();
 });
 
-test('a swipe that begins on the plane scrolls the page, and leaves the start', async ({ browser, baseURL }) => {
-  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
-  const page = await context.newPage();
-  await open(page, 'case=figure-3&map=0&level=full');
-  await page.locator('#plane').scrollIntoViewIfNeeded();
-  const { x, y } = await pixelOf(page, 0, 0);
-  const session = await context.newCDPSession(page);
-  const before = await page.evaluate(() => window.scrollY);
-  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', to: number): Promise<unknown> =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: to }] });
-  await touch('touchStart', y);
-  for (let step = 1; step <= 8; step++) await touch('touchMove', y - 15 * step);
-  await touch('touchEnd', y);
-  await expect.poll(() => page.evaluate(() => window.scrollY)).toBeGreaterThan(before + 50);
-  await expect(page.locator('#case')).toHaveValue('figure-3');
-  await context.close();
-});
+test('a swipe that begins on the plane scrolls the page, and leaves the start', ({ browser, baseURL }) =>
+  swipe([browser, baseURL!], 'map=0&level=full', async (page) => {
+    await page.locator('#plane').scrollIntoViewIfNeeded();
+    return pixelOf(page, 0, 0);
+  }));
 
 test('the numbers of an axis have the room that they need', async ({ page }) => {
   await open(page, 'case=figure-3&map=0');
