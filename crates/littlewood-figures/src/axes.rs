@@ -57,7 +57,7 @@ pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     window_to(if rate > 0.0 { rate } else { PhasePlane::new(hoop).lift_off_rate(0.0).unwrap_or(1.0) })
 }
 
-/// The rate of the separatrix at the stable equilibrium, and the least rate at which N = 0; zero where there is none.
+/// θ′ of the separatrix at the stable equilibrium, and the least θ′ of rolling with N = 0; each is 0 if it does not exist.
 fn rates(hoop: &Hoop) -> [f64; 2] {
     let plane = PhasePlane::new(hoop);
     let stable = plane.equilibria().into_iter().find(|it| matches!(it.stability, Stability::Stable { .. }));

@@ -133,7 +133,7 @@ pub const FIGURES: &[FigureEntry] = &[
     entry("cases", "all named cases on one page", "figure-3", paper::cases::figure),
     FigureEntry {
         name: "atlas",
-        title: "outcomes of the starts, and what becomes of some of them",
+        title: "the outcome of each start, and the motions of some",
         case: "figure-3",
         make: Make::OfStarts(paper::atlas::figure),
     },

@@ -1,4 +1,4 @@
-//! An atlas of fates: the plane of starts, and around it what becomes of some of them.
+//! An atlas of fates: the outcome of each start in the phase plane, and around it the motions of some.
 
 use littlewood::tables::{PhaseCode, Setup};
 use littlewood::theory::Window;
@@ -40,13 +40,13 @@ const SLOW: usize = 2;
 /// Columns of places on the sheet.
 const COLUMNS: [&str; 2] = ["right", "up"];
 
-/// A start of the atlas, and what becomes of it.
+/// A start of the atlas, and its phases and outcome in words.
 struct Chosen {
     start: Start,
     words: String,
 }
 
-/// What becomes of a start, in words.
+/// The phases and the outcome of a motion, in words.
 fn words(fates: Fates, summary: &Summary) -> String {
     let class = fates.class(summary);
     let letters: Vec<&str> = summary.sequence.codes().filter_map(Result::ok).map(PhaseCode::name).collect();
@@ -208,7 +208,7 @@ pub(crate) fn wide(input: &FigureInput, width: f64, watch: &mut Watch<'_>) -> Re
     let letters: Vec<String> =
         letters.map(|code| format!("{} {}", minus(code.name()), code.meaning())).collect();
     let caption = format!(
-        "The outcome of each start with *η*′ = 0, and what becomes of some (crosses; diamond: the start of the other figures): the path of the mass centre, and the hoop at \
+        "The outcome of each start with *η*′ = 0, and the motions of some (crosses; diamond: the start of the other figures): the path of the mass centre, and the hoop at \
          some instants, all on one scale{}. Above each motion its sequence of phases: {}. {}.",
         if input.hoop.slope() == 0.0 { "" } else { ", along the plane" },
         letters.join(", "),

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, State, Transition};
 use littlewood_draw::{
-    Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Mark, NORMAL_FORCE, PAPER, Panel, REGION, SMALL,
-    SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
+    Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Layer, Mark, NORMAL_FORCE, PAPER, Panel, REGION,
+    SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
 };
 
 use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
@@ -66,7 +66,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             layers.push(Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(stroke)));
         }
     }
-    let mut labels = vec![Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(SOFT)];
+    let mut labels = Vec::new();
     for (mode, series) in on_ground {
         layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
     }
@@ -124,11 +124,6 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(TRANSITION));
     layers.push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(START));
     let say = input.wording();
-    let axes = [say.angle(x), say.slip(y), say.rate(z)];
-    let [across, upwards, back] = &axes;
-    labels.push(Label::new(&across.title, &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
-    labels.push(Label::new(&back.title, &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
-    labels.push(Label::new(&upwards.title, &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
     let caption = format!(
         "The motion in the space of *θ*, *θ*′ and the slip velocity *η*′: sliding (*s*), rolling (*r*) in the plane \
          *η*′ = 0, lift-off (*L*).{} Arrows: time; cross: start; diamonds: transitions; grey: shadow of the sliding parts on the plane of \
@@ -143,6 +138,24 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
         say.hoop(motion.hoop()),
         say.start(motion.hoop(), &input.start)
     ) + &remark(&motion, say);
+    let title = "Figure 3(a): the motion in the space of states";
+    in_space(input, [x, y, z], (NAME, title, caption), (layers, labels))
+}
+
+/// A figure of the space of states: θ across, η′ upwards, θ′ to the back.
+pub(super) fn in_space(
+    input: &FigureInput,
+    [x, y, z]: [[f64; 2]; 3],
+    (name, title, caption): (&'static str, &'static str, String),
+    (layers, mut labels): (Vec<Layer>, Vec<Label>),
+) -> Result<Figure, FigureError> {
+    let say = input.wording();
+    let axes = [say.angle(x), say.slip(y), say.rate(z)];
+    let [across, upwards, back] = &axes;
+    labels.insert(0, Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(SOFT));
+    labels.push(Label::new(&across.title, &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
+    labels.push(Label::new(&back.title, &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
+    labels.push(Label::new(&upwards.title, &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
     let sheet = input.sheet(620.0)?;
     let height = sheet.height(480.0);
     let [x, y, z] = axes;
@@ -155,7 +168,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
         labels,
         keys: Vec::new(),
     };
-    Ok(sheet.figure(NAME, "Figure 3(a): the motion in the space of states", caption, height, vec![panel]))
+    Ok(sheet.figure(name, title, caption, height, vec![panel]))
 }
 
 /// Rows of the names of transitions.

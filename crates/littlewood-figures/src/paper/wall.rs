@@ -5,13 +5,12 @@ use core::f64::consts::TAU;
 use littlewood::theory::{PhasePlane, Window};
 use littlewood::{Cause, Mode, Trajectory, Transition};
 use littlewood_draw::{
-    Figure, Label, Mark, NORMAL_FORCE, PAPER, Panel, REGION, SOFT, START, Series, Stroke, TRANSITION, View,
-    lift_off_condition,
+    Figure, Mark, NORMAL_FORCE, PAPER, REGION, SOFT, START, Series, Stroke, TRANSITION, lift_off_condition,
 };
 use littlewood_style::Curve;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 
-use super::state_space::{COLUMNS, of_state, row};
+use super::state_space::{COLUMNS, in_space, of_state, row};
 use crate::columns::{SLIP, THETA, THETA_RATE};
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -131,14 +130,6 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(Series::of_rows("lift-off", &COLUMNS, jumps).drawn(TRANSITION));
     layers.push(Series::of_rows("start", &COLUMNS, starts).drawn(START));
     let say = input.wording();
-    let axes = [say.angle(x), say.slip(y), say.rate(z)];
-    let [across, upwards, back] = &axes;
-    let labels = vec![
-        Label::new(&across.title, &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0),
-        Label::new(&back.title, &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0),
-        Label::new(&upwards.title, &[x[0], y[1], z[0]]).shifted(0.0, -18.0),
-        Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(SOFT),
-    ];
     let caption = format!(
         "Lift-off is a wall: {}, a surface in the space of states upright to the plane of rolling, whatever the friction and the slip. \
          In the plane of rolling, *η*′ = 0, the region 𝓡 (shaded). {} motions with the rate of the start times {} (crosses): sliding is \
@@ -149,17 +140,5 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         say.hoop(hoop),
         say.start(hoop, &input.start)
     );
-    let sheet = input.sheet(620.0)?;
-    let height = sheet.height(480.0);
-    let [x, y, z] = axes;
-    let panel = Panel {
-        image: None,
-        name: "space of states",
-        frame: [0.0, 0.0, sheet.width, height],
-        view: View::Space { x, y, z, yaw: 0.55, pitch: 0.32 },
-        layers,
-        labels,
-        keys: Vec::new(),
-    };
-    Ok(sheet.figure(NAME, "Lift-off is a wall", caption, height, vec![panel]))
+    in_space(input, [x, y, z], (NAME, "Lift-off is a wall", caption), (layers, Vec::new()))
 }
