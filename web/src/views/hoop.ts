@@ -369,8 +369,10 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
   const friction = Number.isFinite(sample.friction) ? sample.friction * unit : 0;
   const [, up] = force(foot, 0, normal, palette.arrow.normal_force);
   if (isNamed && up >= 12) {
-    c.textAlign = 'left';
-    const [x, y] = camera.moved(foot, 8, -up);
+    // On the side where friction is not.
+    const side = friction > 0 ? -1 : 1;
+    c.textAlign = side > 0 ? 'left' : 'right';
+    const [x, y] = camera.moved(foot, 8 * side, -up);
     label(c, SIGN.normal, x, y + 4, palette.arrow.normal_force, palette.ink.paper);
   }
   const [along] = force(foot, friction, 0, palette.arrow.friction_force);
