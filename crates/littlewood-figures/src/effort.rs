@@ -42,14 +42,15 @@ pub(crate) enum Effort {
 impl Effort {
     /// Of a hoop, whose motions are stopped at limits and followed by an engine.
     pub(crate) fn of(hoop: &Hoop, limits: Limits, engine: &Engine) -> Self {
+        let bounces = || bouncing_motions(hoop, limits, engine) > FEW;
         if matches!(hoop.body(), Body::Massless(_)) {
-            return Self::Tables;
+            return if bounces() { Self::Bounces } else { Self::Tables };
         }
         if engine.is_exact() && hoop.h() > BALANCED && hoop.mu_k() > 0.0 {
             return Self::Slow;
         }
         let (long, rolls) = long_motions(hoop, limits, engine);
-        let bounces = bouncing_motions(hoop, limits, engine) > FEW;
+        let bounces = bounces();
         if long <= FEW {
             return match (engine.is_prepared(), engine.is_exact()) {
                 _ if bounces => Self::Bounces,
@@ -73,9 +74,8 @@ impl Effort {
     pub(crate) fn cut(self, limits: Limits, engine: &Engine) -> Limits {
         let most = match self {
             // Next to a boundary there may be a few that go on and on.
-            Self::Tables | Self::Direct if limits.until.is_none() => BOUNCES,
-            Self::Tables | Self::Direct | Self::Chains => usize::MAX,
-            Self::Bounces => BOUNCES,
+            Self::Tables | Self::Direct | Self::Bounces => BOUNCES,
+            Self::Chains => usize::MAX,
             Self::Slow if engine.is_exact() => 24,
             Self::Simulated | Self::Long | Self::Slow => LONG,
         };

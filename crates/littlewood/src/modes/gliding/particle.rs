@@ -46,7 +46,13 @@ pub(super) struct ParticleState {
 impl ParticleState {
     /// |ℓ̂ sin θ|.
     pub(super) fn arm(&self) -> f64 {
-        (self.below_top * self.above_bottom).sqrt()
+        let square = self.below_top * self.above_bottom;
+        // Of a tiny ℓ̂ the square underflows.
+        if square < f64::MIN_POSITIVE {
+            self.below_top.sqrt() * self.above_bottom.sqrt()
+        } else {
+            square.sqrt()
+        }
     }
 
     /// The place at this time before.
