@@ -42,15 +42,14 @@ pub(crate) enum Effort {
 impl Effort {
     /// Of a hoop, whose motions are stopped at limits and followed by an engine.
     pub(crate) fn of(hoop: &Hoop, limits: Limits, engine: &Engine) -> Self {
-        let bounces = || bouncing_motions(hoop, limits, engine) > FEW;
         if matches!(hoop.body(), Body::Massless(_)) {
-            return if bounces() { Self::Bounces } else { Self::Tables };
+            return Self::Tables;
         }
         if engine.is_exact() && hoop.h() > BALANCED && hoop.mu_k() > 0.0 {
             return Self::Slow;
         }
         let (long, rolls) = long_motions(hoop, limits, engine);
-        let bounces = bounces();
+        let bounces = bouncing_motions(hoop, limits, engine) > FEW;
         if long <= FEW {
             return match (engine.is_prepared(), engine.is_exact()) {
                 _ if bounces => Self::Bounces,

@@ -247,7 +247,7 @@ impl Draw {
     pub fn limits(&mut self, start: Start) -> Limits {
         let until = match self.below(4) {
             0 | 1 => None,
-            2 => Some(start.time + self.one_of(&[0.0, 1e-300, 1e-9, 1.0, 50.0, 1e5, 1e9, 1e300])),
+            2 => Some(start.time + self.one_of(&[0.0, 1e-300, 1e-9, 1.0, 50.0, 1e5, 1e9, 1e150])),
             _ => Some(start.time + self.of_any_size([-3.0, 4.0])),
         };
         let limits = Limits::default().with_until(until);

@@ -2,6 +2,7 @@
 #![allow(clippy::panic)] // a failed expectation
 
 use littlewood::modes::{Recurrence, SlideLimit};
+use littlewood::theory::{Body, Heavy};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Proof, RestitutionLaw,
     Start, Transition,
@@ -283,4 +284,30 @@ fn an_impact_at_an_angle_that_is_not_resolved_is_none() {
     assert!(state.theta > 1e9);
     let landing = motion.transitions().last().expect("lands");
     assert_eq!((landing.cause, landing.to, landing.impact), (Cause::Landing, None, None));
+}
+
+/// Without friction the momentum η′ − θ′(1 + h c) and the energy D θ′²/2 + m h c, D = Î + m h² s², are those of the start however many
+/// periods have passed. Far from the start the angle is rounded by more than a turn, so its cosine is taken from the momentum.
+#[test]
+fn a_slide_for_ever_stays_on_its_orbit_when_its_angle_has_no_digits_left() {
+    let parameters = HoopParameters::thin(1.0).with_offset(0.5).with_inertia(1.0).with_friction(0.0, 0.0);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let Body::Heavy(Heavy { mass, h, inertia, .. }) = hoop.body() else { panic!("it has inertia") };
+    let energy = |rate: f64, cos: f64| {
+        0.5 * (inertia + mass * h * h * (1.0 - cos * cos)) * rate * rate + mass * h * cos
+    };
+    let momentum = -h * 1.0_f64.cos();
+    let start = Start::at(1.0, 1.0).with_slip(1.0);
+    for until in [1e3, 1e9, 1e15, 1e18, 1e40, 1e150] {
+        let motion = hoop.simulate(start, Limits::until(until)).expect("a valid start");
+        let state = motion.at(until).expect("within the motion").state;
+        let cos = ((state.slip - momentum) / state.theta_rate - 1.0) / h;
+        assert!(cos.abs() < 1.0 + 1e-12, "{until} {state:?}");
+        let drift = energy(state.theta_rate, cos) - energy(1.0, 1.0_f64.cos());
+        assert!(drift.abs() < 1e-12, "{until} {drift}");
+        // The mass centre moves steadily, h at most from the centre.
+        assert!((state.x - momentum * until).abs() < 2.0 * h + 1e-14 * until, "{until} {}", state.x);
+    }
+    let error = hoop.simulate(start, Limits::until(1e151)).expect_err("refused");
+    assert!(error.to_string().contains("1e150"), "{error}");
 }

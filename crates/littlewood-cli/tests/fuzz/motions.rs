@@ -87,9 +87,10 @@ fn in_order(motion: &Trajectory, limits: Limits) -> Result<(), String> {
             time = state.time;
         }
     }
-    // A motion that slides for ever is followed for a period to prove it; its state is that before.
+    // A motion that slides or repeats itself for ever is followed for a period to prove it; its state is that before.
     let end = outcome.state().time;
-    if end.is_nan() || end < time && outcome.kind() != OutcomeKind::SlidesForever {
+    let is_before = matches!(outcome.kind(), OutcomeKind::SlidesForever | OutcomeKind::RepeatsForever);
+    if end.is_nan() || end < time && !is_before {
         return Err(format!("the end is at {end} after {time}"));
     }
     if let Some(until) = limits.until

@@ -1,6 +1,7 @@
 //! The rows of a Parquet file.
 
 use std::fs::File;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use half::f16;
@@ -57,7 +58,10 @@ impl ParquetRows {
         columns: &[Quantity],
     ) -> Result<Option<(u64, Setup)>, ListError> {
         while self.batch.first().is_none_or(|values| self.next >= values.len()) {
-            if !self.next_batch().map_err(|error| bad_parquet(path, &error))? {
+            // The decoder panics at some damaged pages.
+            let more = catch_unwind(AssertUnwindSafe(|| self.next_batch()))
+                .unwrap_or_else(|_| Err("one of its pages is damaged".to_owned()));
+            if !more.map_err(|error| bad_parquet(path, &error))? {
                 return Ok(None);
             }
         }

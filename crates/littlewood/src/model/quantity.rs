@@ -61,9 +61,9 @@ named! {
             "Time of the start, tau, in sqrt(R/g)");
         /// Time limit of a simulation.
         Until = 10, "until" => row((DIMENSIONLESS, Group::Run, D::Time, Some(Self::UntilS)), ["tau", "τ"],
-            (FINITE, Presence::Optional, [0.0, 50.0]), "time limit",
+            (TIME_LIMIT, Presence::Optional, [0.0, 50.0]), "time limit",
             "Stop at this time tau, in sqrt(R/g) [default: run to a final outcome]")
-            .with_hint("the time limit is absolute: it lies at or after the start");
+            .with_hint("the time limit is absolute, at or after the start, and its square is a number");
         /// Mass m1 of the disc or hoop in kilograms.
         DiscMassKg = 11, "disc_mass_kg" => row((SI, Group::Hoop, D::Mass, Some(Self::MassRatio)), ["m1", "m₁"],
             (NON_NEGATIVE, Presence::Required, [0.0, 2.0]), "mass of the disc or hoop",
@@ -296,6 +296,8 @@ const MAX_RATE: f64 = 1e6;
 
 const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_PARAMETER)];
 const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_COORDINATE)];
+/// The position of a slide grows with the square of the time.
+const TIME_LIMIT: &[Bound] = &[Bound::MagnitudeAtMost(1e150)];
 const RATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_RATE)];
 /// |slope| < π/2, up to the last double below: the plane is not vertical.
 const SLOPE: &[Bound] = &[Bound::MagnitudeBelow(core::f64::consts::FRAC_PI_2)];

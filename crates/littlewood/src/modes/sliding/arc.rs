@@ -489,8 +489,10 @@ impl Sliding {
     pub fn state(&self, elapsed: f64) -> State {
         let (within, gained) = match self.cycle {
             Some(Cycle { from, period, advance }) if elapsed > from => {
-                let periods = ((elapsed - from) / period).floor();
-                (elapsed - period * periods, advance * periods)
+                let later = elapsed - from;
+                // Exact, so that the state is on the orbit however many periods have passed.
+                let rest = libm::fmod(later, period);
+                (from + rest, advance * ((later - rest) / period).round())
             }
             _ => (elapsed, 0.0),
         };
