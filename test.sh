@@ -3,7 +3,7 @@
 #
 #   ./test.sh                   the product: format, lints, documentation, tests of the crates (the certified motions among them), of the Python
 #                               package, of the page and of the site; 33 minutes of one core
-#   ./test.sh --all             everything, the evidence too, and the fuzzers for longer
+#   ./test.sh --all             everything, the evidence too
 #   ./test.sh STAGE ARGUMENT…   one stage; `./test.sh --list` has all of them
 #
 # At its end it counts, and says what took how long.
@@ -32,8 +32,6 @@ case "${1:-}" in
     ;;
 esac
 
-# The fuzzers, for longer than the moment that they take in `cargo test`.
-export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-$([ "${1:-}" = --all ] && echo 60 || echo 15)}"
 logs="$(mktemp -d)"
 beside=()
 trap 'rm -rf "$logs"; [ "${#beside[@]}" = 0 ] || kill "${beside[@]}" 2>/dev/null' EXIT

@@ -77,11 +77,11 @@ struct Kind {
 }
 
 const KINDS: [Kind; 5] = [
-    Kind { name: "motions", run: motions::run, cases: 100 },
-    Kind { name: "commands", run: commands::run, cases: 120 },
-    Kind { name: "scenarios", run: scenarios::run, cases: 60 },
-    Kind { name: "lists", run: lists::run, cases: 300 },
-    Kind { name: "stores", run: stores::run, cases: 30 },
+    Kind { name: "motions", run: motions::run, cases: 300 },
+    Kind { name: "commands", run: commands::run, cases: 200 },
+    Kind { name: "scenarios", run: scenarios::run, cases: 100 },
+    Kind { name: "lists", run: lists::run, cases: 500 },
+    Kind { name: "stores", run: stores::run, cases: 50 },
 ];
 
 #[derive(Default)]
