@@ -71,9 +71,9 @@ fn a_slide_without_end_in_sight_says_how_much_is_left() {
 }
 
 /// With ℓ = 0 and P = Î the slip loses μk (1 + m/Î) in each time unit. With the least coefficients that are numbers it takes longer than
-/// the largest number says.
+/// motions are followed, and than the largest number says.
 #[test]
-fn a_balanced_hoop_slips_for_a_time_that_is_no_number() {
+fn a_balanced_hoop_slips_for_longer_than_motions_are_followed() {
     let (mass, inertia, slip) = (4.0, 4.234, 0.4725);
     for exponent in 10..=324 {
         for digits in [1.0, 2.5, 5.0, 9.0] {
@@ -88,19 +88,22 @@ fn a_balanced_hoop_slips_for_a_time_that_is_no_number() {
             let follow = |limits: Limits| hoop.simulate(start, limits).expect("a valid start");
             let rest = slip / (1.0 + mass / inertia) / mu;
             let motion = follow(Limits::default());
-            if rest.is_finite() && matches!(motion.outcome(), Outcome::RollsForever { .. }) {
+            let rounding = 1e-12 + 2.0 * f64::from_bits(1) / mu;
+            if rest <= 1e150 {
+                assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }), "{:?}", motion.outcome());
                 let stick = motion.transitions()[0];
-                let rounding = 1e-12 + 2.0 * f64::from_bits(1) / mu;
                 assert!((stick.before.time / rest - 1.0).abs() < rounding, "{mu} {}", stick.before.time);
             } else {
-                assert!(rest > f64::MAX / 4.0, "{mu} {rest} {:?}", motion.outcome());
                 assert!(matches!(motion.outcome(), Outcome::StaysInContact { .. }), "{:?}", motion.outcome());
                 let unproved = follow(Limits::default().with_proof(Proof::None));
                 let Outcome::StepLimit { limit: SlideLimit::One { time_left, .. }, .. } = unproved.outcome()
                 else {
                     panic!("{:?}", unproved.outcome())
                 };
-                assert!(time_left == f64::INFINITY);
+                assert!(
+                    rest > f64::MAX / 4.0 || (time_left / rest - 1.0).abs() < rounding,
+                    "{mu} {time_left} {rest}"
+                );
             }
             let cut = follow(Limits::until(1e6));
             let Outcome::TimeLimit { state } = cut.outcome() else { panic!("{:?}", cut.outcome()) };

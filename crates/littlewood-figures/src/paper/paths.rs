@@ -138,9 +138,11 @@ impl Picture {
         let goes_on = motion.hoop().restitution().is_some();
         let mut beside = if goes_on { f64::max(1.2, 0.06 * (right - left)) } else { 1.2 };
         if slope != 0.0 {
-            // Names stand beside the plane, and the picture is not much higher than wide.
-            beside = beside.max(0.15 * (right - left)).max(0.5 * (0.9 * (top + 2.3 - low) - (right - left)));
+            // Names stand beside the plane.
+            beside = beside.max(0.15 * (right - left));
         }
+        // The picture is not much higher than wide.
+        beside = beside.max(0.5 * (0.9 * (top + 2.3 - low) - (right - left)));
         let x = [left - beside, right + beside];
         let mut layers = Vec::new();
         let instants = instants(motion);

@@ -19,7 +19,9 @@ pub(crate) use self::hoop::{Body, Heavy, Hoop, HoopParameters, Massless};
 pub(crate) use self::limits::{Limits, Proof, length_of_slide, weight_of_slides};
 pub(crate) use self::mode::{Direction, Mode};
 pub(crate) use self::named::{getters, named, setters};
-pub(crate) use self::quantity::{Bound, MAX_COORDINATE, Number, Quantity, Reading, STANDARD_GRAVITY};
+pub(crate) use self::quantity::{
+    Bound, MAX_COORDINATE, MAX_TIME, Number, Quantity, Reading, STANDARD_GRAVITY,
+};
 pub(crate) use self::restitution::{Restitution, RestitutionLaw};
 pub(crate) use self::setup::Setup;
 pub(crate) use self::state::{Start, State};

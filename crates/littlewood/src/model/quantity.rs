@@ -296,8 +296,9 @@ const MAX_RATE: f64 = 1e6;
 
 const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_PARAMETER)];
 const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_COORDINATE)];
-/// The position of a slide grows with the square of the time.
-const TIME_LIMIT: &[Bound] = &[Bound::MagnitudeAtMost(1e150)];
+/// Longest time that is followed: the position of a slide grows with its square, which is a number.
+pub(crate) const MAX_TIME: f64 = 1e150;
+const TIME_LIMIT: &[Bound] = &[Bound::MagnitudeAtMost(MAX_TIME)];
 const RATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_RATE)];
 /// |slope| < π/2, up to the last double below: the plane is not vertical.
 const SLOPE: &[Bound] = &[Bound::MagnitudeBelow(core::f64::consts::FRAC_PI_2)];

@@ -6,7 +6,7 @@ use crate::ablation::{Part, is_on};
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::without_turns;
 use crate::mechanics::{SlidePath, SlidingLaw};
-use crate::model::{Direction, Heavy, Hoop, Mode, State};
+use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
@@ -217,9 +217,10 @@ impl Sliding {
                 };
             }
             let last = allowed.is_some_and(|allowed| here.elapsed + reach >= allowed);
-            if !last && !reach.is_finite() {
-                // With very small friction the slip of a balanced hoop ends at a time that overflows.
-                return SlidingEnd::StepLimit { state: self.state_from(here), time_left: f64::INFINITY };
+            let time_left = (series.slip[0] / series.slip[1]).abs();
+            if !last && self.law.body.h == 0.0 && series.slip[1] != 0.0 && time_left > MAX_TIME {
+                // The slip of a balanced hoop, with very small friction.
+                return SlidingEnd::StepLimit { state: self.state_from(here), time_left };
             }
             let width = match allowed {
                 Some(allowed) if last => allowed - here.elapsed,
