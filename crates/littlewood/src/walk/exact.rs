@@ -106,6 +106,10 @@ impl Solver for Exact<'_> {
         let allowed = self.allowed(state);
         let end = if on_limit { rolling.orbit().end_from_limit() } else { rolling.orbit().end() };
         let ending = match end {
+            // A massless hoop whose particle is at the plane, but for rounding.
+            Some(end) if !end.theta_rate.is_finite() => {
+                Self::without_event(*state, Outcome::Unresolved { state: *state })
+            }
             Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => Ending::Event {
                 place: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
                 cause: end.limit.cause(),
