@@ -37,7 +37,7 @@ import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
 import { Story } from './ui/story';
-import { LESSONS, type LessonName, lessonOf } from './ui/texts';
+import { LESSONS, type LessonName, partsOf } from './ui/texts';
 import { isDark, onSystemTheme, paletteOf, setTheme } from './ui/theme';
 import { Transport } from './ui/transport';
 import { Words } from './ui/words';
@@ -203,15 +203,22 @@ function start(cases: NamedCase[]): void {
   let origin = first.problem;
   const read = (fragment: string): void => {
     clock.pause();
-    const { lesson, rest } = lessonOf(fragment);
+    const { lesson, pin, rest } = partsOf(fragment);
     const link = lesson !== null && rest === '' ? LESSONS[lesson].link : rest;
     const { state, fieldErrors } = parse(link, lab.state);
     if (lesson !== ask.lesson) openQuestion(lesson);
     reading = true;
+    if (pin !== null || lesson === null) fieldErrors.push(...pinned(pin));
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
     address.taken();
     showLinkErrors(lab.fieldErrors);
+  };
+  /** Pins the motion of a link, if there is one; what is wrong with it. */
+  const pinned = (link: string | null): FieldError[] => {
+    const { state, fieldErrors } = link === null ? { state: null, fieldErrors: [] } : parse(link);
+    const errors = [...fieldErrors, ...lab.pin(state?.problem ?? null)];
+    return errors.map((it) => ({ ...it, field: `pin: ${it.field}` }));
   };
   /** The question of a lesson, and the motion that is pinned for it. */
   const openQuestion = (lesson: LessonName | null): void => {

@@ -68,6 +68,15 @@ test('a pinned motion is compared in numbers, at the hoop and in the plots', asy
   await page.locator('#next').click();
   // The numbers of the two motions, as `littlewood simulate` prints them.
   await expect(page.locator('#compared')).toHaveText('Pinned: hops 0.631 R high. Now: hops 0.486 R high. μₛ 0.5 → 1, μₖ 0.4 → 0.8.');
+  // The link has both; another page that opens it compares the same.
+  await expect.poll(() => page.url()).toContain('#pin=case%3Dfigure-3&mass_ratio=');
+  const other = await page.context().newPage();
+  await other.goto(page.url());
+  await expect(other.locator('#compared')).toContainText('μₛ 0.5 → 1, μₖ 0.4 → 0.8.');
+  await other.goto(page.url().replace(/pin=[^&]*/, 'pin=mu_s%3D0.1%26mu_k%3D0.2'));
+  await other.reload();
+  await expect(other.locator('#banner')).toContainText('pin: mu_k');
+  await other.close();
   await page.waitForTimeout(200);
   const [both, curves] = [await hash(), await plot()];
   await page.locator('#pin').click();

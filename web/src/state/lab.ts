@@ -90,16 +90,23 @@ export class Lab {
     return impacts.findLast((event) => event.time <= time) ?? impacts[0] ?? null;
   }
 
-  /** Pins a problem, to compare others with it; none takes the pin away. */
-  pin(problem: ProblemState | null): void {
+  /** Pins a problem, to compare others with it; none takes the pin away. Returns what is wrong with it. */
+  pin(problem: ProblemState | null): FieldError[] {
     this.pinned?.motion.free();
     this.pinned = null;
-    if (problem !== null) {
-      const core = checked(problem);
-      this.pinned = { problem, motion: Motion.of(core, caseOf(problem)) };
-      core.free();
+    const errors: FieldError[] = [];
+    try {
+      if (problem !== null) {
+        const core = checked(problem);
+        this.pinned = { problem, motion: Motion.of(core, caseOf(problem)) };
+        core.free();
+      }
+    } catch (refusal) {
+      if (!(refusal instanceof Refusal) || problem === null) throw refusal;
+      errors.push(fieldErrorOf(refusal, problem));
     }
     this.notify('motion');
+    return errors;
   }
 
   /** A drag begins: what follows is compared with what was before. */

@@ -51,10 +51,12 @@ export class Address {
     return format({ problem: this.lab.state.problem, view: VIEW });
   }
 
-  /** The text after #. */
+  /** The text after #. A motion that is pinned is a link in it. */
   get fragment(): string {
-    const lesson = this.lesson();
-    return `${lesson === null ? '' : `lesson=${lesson}&`}${format(this.lab.state)}`;
+    const [lesson, { pinned, state }] = [this.lesson(), this.lab];
+    const pin = pinned === null ? null : encodeURIComponent(format({ problem: pinned.problem, view: VIEW }));
+    const head = Object.entries({ lesson, pin }).flatMap(([key, text]) => (text === null ? [] : [`${key}=${text}`]));
+    return [...head, format(state)].join('&');
   }
 
   /** Without an address this is the fragment alone. */

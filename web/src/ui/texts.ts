@@ -25,13 +25,29 @@ export const TEXTS = texts;
 export const LESSONS: Readonly<Record<LessonName, Lesson>> = texts.lessons;
 export const LESSON_NAMES = Object.keys(texts.lessons) as LessonName[];
 
-/** The lesson that a link names, and the rest of the link. */
-export function lessonOf(fragment: string): { lesson: LessonName | null; rest: string } {
-  const parts = fragment.replace(/^#/, '').split('&');
-  const named = parts.find((it) => it.startsWith('lesson='))?.slice('lesson='.length);
-  const lesson = LESSON_NAMES.find((it) => it === named) ?? null;
+/** The lesson that a link names, the link of the motion that it pins, and the rest of the link. */
+export function partsOf(fragment: string): { lesson: LessonName | null; pin: string | null; rest: string } {
+  const parts = new Map(
+    fragment
+      .replace(/^#/, '')
+      .split('&')
+      .map((part) => [part.split('=', 1)[0]!, part]),
+  );
+  const said = (key: string): string | null => parts.get(key)?.slice(key.length + 1) ?? null;
+  const lesson = LESSON_NAMES.find((it) => it === said('lesson')) ?? null;
+  const pin = said('pin');
   // A name that is not known stays, to be reported.
-  return lesson === null ? { lesson, rest: fragment } : { lesson, rest: parts.filter((it) => it !== `lesson=${lesson}`).join('&') };
+  if (lesson !== null) parts.delete('lesson');
+  parts.delete('pin');
+  return { lesson, pin: pin === null ? null : unescaped(pin), rest: [...parts.values()].join('&') };
+}
+
+function unescaped(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
 }
 
 /** A text with its values. */
