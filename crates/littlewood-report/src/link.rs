@@ -15,6 +15,8 @@ use crate::record::RESTITUTION_LAW;
 const CASE: &str = "case";
 const AT: &str = "at";
 const THEME: &str = "theme";
+/// The link of a motion that the page compares this one with: it reads that by itself.
+const PIN: &str = "pin";
 
 const FLAG: &[&str] = &["0", "1"];
 
@@ -163,6 +165,7 @@ impl Link {
             let first = if key == THEME { shown.view.last().copied().unwrap_or(first) } else { first };
             given.choice(key, choices).unwrap_or(first)
         });
+        let _ = given.take(PIN);
         for (key, text) in core::mem::take(&mut given.pairs) {
             let known = Quantity::ALL.iter().any(|quantity| quantity.name() == key);
             let reason = if known {

@@ -163,6 +163,9 @@ fn what_has_no_meaning_is_refused_with_its_key() {
     }
     let mixed = Link::read("radius_m=0.3&slip=1", "").refusals;
     assert!(mixed.iter().any(|it| it.key == "slip" && it.reason.contains("not in SI units")));
+    // The motion that the page compares with is another link.
+    let pinned = Link::read("pin=case%3Dfigure-7%26mu_s%3D2&case=two-hops", "");
+    assert!(pinned.refusals.is_empty() && pinned.link.to_string() == "case=two-hops");
     // What a link does not say of the page is as it is at first; numbers may be written otherwise.
     assert_eq!(
         Link::read("rate=4.0&speed=.25&shows=hops", "").link.to_string(),
