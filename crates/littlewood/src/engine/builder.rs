@@ -3,10 +3,7 @@
 use thiserror::Error;
 
 use super::Engine;
-use crate::model::error::ParameterError;
-use crate::model::hoop::Hoop;
-use crate::model::limits::Limits;
-use crate::model::state::Start;
+use crate::model::{Hoop, Limits, ParameterError, Start};
 use crate::motion::summary::Summary;
 
 /// Starts of one hoop from which on motions share what is kept of it from their first phase on.

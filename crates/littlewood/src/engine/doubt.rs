@@ -2,7 +2,7 @@
 
 use core::sync::atomic::{AtomicU64, Ordering};
 
-use crate::model::named::named;
+use crate::model::named;
 
 named! {
     /// Why the engine leaves a phase, or a whole motion, to the solvers of [`crate::Hoop::simulate`].

@@ -5,9 +5,8 @@
 use core::cell::Cell;
 
 use crate::math::trig::sincos;
-use crate::model::hoop::Heavy;
-use crate::model::state::State;
-use crate::modes::flight::Flight;
+use crate::model::{Heavy, State};
+use crate::modes::Flight;
 
 /// Rounding of the evidence at a state, as a part of its terms: a few products and sums of numbers that are known to the last digit.
 const SIGN_ROUNDING: f64 = 64.0 * f64::EPSILON;

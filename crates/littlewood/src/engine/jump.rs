@@ -9,9 +9,9 @@ use std::sync::LazyLock;
 
 use crate::ablation::{Part, is_on};
 use crate::math::trig::without_turns;
-use crate::model::hoop::Heavy;
-use crate::model::state::State;
-use crate::modes::flight::{Flight, TakeOff, sine_follows_from_rate};
+use crate::model::{Heavy, State};
+use crate::modes::flight::sine_follows_from_rate;
+use crate::modes::{Flight, TakeOff};
 
 use super::interpolant::{Basis, Interpolant, Tolerance};
 

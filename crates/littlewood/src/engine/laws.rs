@@ -1,9 +1,8 @@
 //! The equations of one hoop, and its phases from them.
 
-use crate::mechanics::equations::{RollingLaw, SlidingLaw};
 use crate::mechanics::solvability::is_solvable;
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::mode::Direction;
+use crate::mechanics::{RollingLaw, SlidingLaw};
+use crate::model::{Body, Direction, Heavy, Hoop};
 use crate::modes::rolling::margin_forms;
 
 use super::doubt::{Doubt, Tally};

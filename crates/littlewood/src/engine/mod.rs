@@ -23,16 +23,10 @@ mod slope;
 mod solver;
 
 use crate::ablation::{Part, is_on};
-use crate::mechanics::lift_off::ContactProof;
-use crate::model::error::ParameterError;
-use crate::model::hoop::{Heavy, Hoop};
-use crate::model::limits::Limits;
-use crate::model::state::{Start, State};
+use crate::mechanics::ContactProof;
+use crate::model::{Heavy, Hoop, Limits, ParameterError, Start, State};
 use crate::motion::summary::{Summary, SummaryRecorder};
-use crate::walk::exact::Exact;
-use crate::walk::follow::walk;
-use crate::walk::origin::Origin;
-use crate::walk::proofs::Known;
+use crate::walk::{Exact, Known, Origin, walk};
 
 pub use builder::{EngineBuilder, StartError};
 use chain::Chains;
@@ -197,9 +191,9 @@ impl Engine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::hoop::HoopParameters;
-    use crate::walk::automaton::Cause;
-    use crate::walk::follow::{ChainBudget, Solver};
+    use crate::model::HoopParameters;
+    use crate::walk::follow::ChainBudget;
+    use crate::walk::{Cause, Solver};
 
     /// Whatever is left to the simulation has the same answer, only later, which no test of answers would notice.
     #[test]

@@ -6,7 +6,7 @@
 use core::f64::consts::TAU;
 
 use crate::math::trig::sincos;
-use crate::mechanics::equations::RollingLaw;
+use crate::mechanics::RollingLaw;
 use crate::modes::rolling::time_from_bottom;
 
 use super::duration::{duration, slowness};
@@ -171,9 +171,8 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::model::hoop::{Hoop, HoopParameters};
-    use crate::model::state::State;
-    use crate::modes::rolling::Rolling;
+    use crate::model::{Hoop, HoopParameters, State};
+    use crate::modes::Rolling;
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]

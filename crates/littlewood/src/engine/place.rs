@@ -1,7 +1,7 @@
 //! A state on the way of a motion.
 
 use crate::math::trig::sincos;
-use crate::model::state::State;
+use crate::model::State;
 
 /// A state with the sine and cosine of its angle.
 #[derive(Clone, Copy, Debug)]

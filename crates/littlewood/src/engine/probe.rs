@@ -2,8 +2,7 @@
 
 use super::Engine;
 use crate::mechanics::curves::Window;
-use crate::model::limits::Limits;
-use crate::model::state::Start;
+use crate::model::{Limits, Start};
 use crate::motion::summary::Summary;
 
 /// Starts to either side of the plane.

@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 
 use crate::math::bracket::Bracket;
 use crate::math::form::{Form, HalfAngle, on_arc};
-use crate::model::mode::Direction;
+use crate::model::Direction;
 
 use super::doubt::Doubt;
 use super::orbit::{Orbit, Pass};
@@ -419,10 +419,10 @@ fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, D
 mod tests {
     use super::*;
     use crate::engine::chain::SlipCurves;
-    use crate::mechanics::equations::RollingLaw;
-    use crate::model::hoop::{Hoop, HoopParameters};
-    use crate::model::state::State;
-    use crate::modes::rolling::{Rolling, margin_forms};
+    use crate::mechanics::RollingLaw;
+    use crate::model::{Hoop, HoopParameters, State};
+    use crate::modes::Rolling;
+    use crate::modes::rolling::margin_forms;
 
     fn half_angle(theta: f64) -> HalfAngle {
         let (y, x) = libm::sincos(0.5 * theta);

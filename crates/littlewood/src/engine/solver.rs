@@ -3,24 +3,15 @@
 use core::cell::Cell;
 
 use crate::ablation::{Part, is_on};
-use crate::mechanics::equations::contact;
-use crate::mechanics::frictionless::FrictionlessIntegrals;
-use crate::mechanics::settling::Settling;
-use crate::model::hoop::{Heavy, Hoop, Massless};
-use crate::model::limits::Limits;
-use crate::model::mode::Direction;
-use crate::model::state::State;
-use crate::modes::flight::{Flight, TakeOff};
-use crate::modes::gliding::GlideEntry;
-use crate::modes::rolling::{Hold, RollingLimit};
-use crate::walk::automaton::Cause;
-use crate::walk::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
-use crate::walk::exact::Exact;
-use crate::walk::follow::{
-    ChainBudget, ChainSegment, Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_slip,
+use crate::mechanics::{FrictionlessIntegrals, Settling, contact};
+use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
+use crate::modes::{Flight, GlideEntry, Hold, RollingLimit, TakeOff};
+use crate::walk::candidates::{Evidence, SlipEvidence, weigh};
+use crate::walk::follow::{ChainBudget, ChainSegment, next_slip};
+use crate::walk::{
+    Arrival, Cause, Ending, Exact, MaybeFlight, Next, Outcome, OutcomeKind, PhaseSequence, Solution, Solved,
+    SolvedBy, Solver, next_motion,
 };
-use crate::walk::outcome::{Outcome, OutcomeKind};
-use crate::walk::sequence::PhaseSequence;
 
 use super::chain::{Chains, Follow, Passage, SlipPoint};
 use super::doubt::Doubt;

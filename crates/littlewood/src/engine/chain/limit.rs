@@ -11,9 +11,8 @@ use core::f64::consts::{PI, TAU};
 use crate::engine::roll::{Margins, side_of};
 use crate::math::bracket::Bracket;
 use crate::math::form::Trigonometric;
-use crate::mechanics::equations::RollingLaw;
-use crate::model::mode::Direction;
-use crate::model::state::State;
+use crate::mechanics::RollingLaw;
+use crate::model::{Direction, State};
 
 /// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,7 +139,7 @@ impl SlipCurves {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::hoop::{Hoop, HoopParameters};
+    use crate::model::{Hoop, HoopParameters};
     use crate::modes::rolling::margin_forms;
 
     #[test]

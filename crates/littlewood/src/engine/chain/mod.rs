@@ -13,11 +13,10 @@ mod limit;
 mod passage;
 mod tree;
 
-use crate::model::hoop::{Heavy, Hoop};
-use crate::model::mode::Direction;
-use crate::model::state::State;
-use crate::modes::rolling::{Levels, margin_forms};
-use crate::walk::sequence::PhaseSequence;
+use crate::model::{Direction, Heavy, Hoop, State};
+use crate::modes::Levels;
+use crate::modes::rolling::margin_forms;
+use crate::walk::PhaseSequence;
 
 use super::interpolant::Basis;
 use super::laws::Laws;

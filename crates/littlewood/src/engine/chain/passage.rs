@@ -2,8 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use crate::model::state::State;
-use crate::walk::sequence::PhaseSequence;
+use crate::model::State;
+use crate::walk::PhaseSequence;
 
 use super::curve::Point;
 

@@ -6,7 +6,7 @@
 
 use std::sync::OnceLock;
 
-use crate::walk::sequence::PhaseSequence;
+use crate::walk::PhaseSequence;
 
 use super::super::interpolant::{Basis, Interpolant, NODES, Tolerance};
 use super::passage::{Passage, Route};

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
 use crate::math::trig::sincos;
-use crate::mechanics::equations::SlidingLaw;
+use crate::mechanics::SlidingLaw;
 
 use super::piece::{LawAt, Waypoint};
 use super::series::{
@@ -323,8 +323,7 @@ mod tests {
     use crate::engine::slide::piece::Piece;
     use crate::engine::slide::piece::check::is_a_slide;
     use crate::engine::slide::series::Expansion;
-    use crate::model::hoop::{Body, Hoop, HoopParameters};
-    use crate::model::mode::Direction;
+    use crate::model::{Body, Direction, Hoop, HoopParameters};
 
     /// All cells of a hoop whose tiles are halved so often, with their laws and signs.
     fn cells(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, Tile, Cell)> {

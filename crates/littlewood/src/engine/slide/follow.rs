@@ -14,7 +14,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::engine::doubt::Doubt;
-use crate::mechanics::equations::{SlidingLaw, contact};
+use crate::mechanics::{SlidingLaw, contact};
 
 use super::cell::{Cells, HALVINGS, TILES, edge_near};
 use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint, size_of_slip};

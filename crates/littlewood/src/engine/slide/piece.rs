@@ -2,8 +2,8 @@
 
 use crate::engine::doubt::Doubt;
 use crate::math::bracket::{Bracket, Step, last_digit};
-use crate::mechanics::equations::{SlidingLaw, contact};
-use crate::model::hoop::Heavy;
+use crate::mechanics::{SlidingLaw, contact};
+use crate::model::Heavy;
 
 /// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
 /// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.

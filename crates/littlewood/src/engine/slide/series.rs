@@ -11,8 +11,8 @@
 //! Its coefficients are polynomials: each coefficient of u follows from the six before it. The series converges up to the nearest
 //! zero of P, or to z = ± i.
 
-use crate::mechanics::equations::SlidingLaw;
-use crate::model::hoop::Heavy;
+use crate::mechanics::SlidingLaw;
+use crate::model::Heavy;
 
 /// Degree of the series.
 pub(super) const DEGREE: usize = 32;
@@ -409,8 +409,7 @@ pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::hoop::{Body, Hoop};
-    use crate::model::mode::Direction;
+    use crate::model::{Body, Direction, Hoop};
 
     /// The pattern of coefficients that are these multiples of the band.
     fn seen(coefficients: [f64; SIGN_DEGREE + 1]) -> Signs {

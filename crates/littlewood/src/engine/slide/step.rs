@@ -4,7 +4,7 @@ use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDD
 
 use crate::engine::doubt::Doubt;
 
-use crate::mechanics::equations::SlidingLaw;
+use crate::mechanics::SlidingLaw;
 
 use super::piece::{LawAt, Piece};
 use super::series::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes, value};
@@ -218,9 +218,8 @@ impl Piece for Step {
 mod tests {
     use super::*;
     use crate::engine::slide::piece::check::{finds_places, is_a_slide};
-    use crate::mechanics::equations::SlidingLaw;
-    use crate::model::hoop::{Body, Hoop};
-    use crate::model::mode::Direction;
+    use crate::mechanics::SlidingLaw;
+    use crate::model::{Body, Direction, Hoop};
 
     #[test]
     fn a_step_is_a_slide() {

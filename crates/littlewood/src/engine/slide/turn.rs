@@ -96,9 +96,8 @@ impl Piece for Turn {
 mod tests {
     use super::*;
     use crate::engine::slide::piece::check::{finds_places, is_a_slide};
-    use crate::mechanics::equations::SlidingLaw;
-    use crate::model::hoop::{Body, Hoop};
-    use crate::model::mode::Direction;
+    use crate::mechanics::SlidingLaw;
+    use crate::model::{Body, Direction, Hoop};
 
     #[test]
     fn a_turn_is_a_slide_that_comes_back() {

@@ -16,8 +16,8 @@ use std::sync::OnceLock;
 use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::series::value;
 use crate::math::trig::without_turns;
-use crate::mechanics::equations::RollingLaw;
-use crate::model::hoop::Hoop;
+use crate::mechanics::RollingLaw;
+use crate::model::Hoop;
 use crate::modes::rolling::Limits;
 
 use super::doubt::Doubt;
@@ -452,9 +452,8 @@ mod tests {
     use super::*;
     use crate::engine::roll::direction_of;
     use crate::math::trig::sincos;
-    use crate::model::hoop::HoopParameters;
-    use crate::model::state::State;
-    use crate::modes::rolling::{Rolling, RollingLimit};
+    use crate::model::{HoopParameters, State};
+    use crate::modes::{Rolling, RollingLimit};
 
     fn ramps(hoop: &Hoop) -> [Ramp; 2] {
         [1.0, -1.0].map(|travel| Ramp::new(hoop, travel))

@@ -9,7 +9,7 @@ use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::math::series::{DEGREE, Series, convolve, crossing, value};
 use crate::math::trig::{sincos, taylor};
-use crate::mechanics::equations::RollingLaw;
+use crate::mechanics::RollingLaw;
 use crate::modes::rolling::Limits;
 
 /// Tiles of a turn, and the angle of one.

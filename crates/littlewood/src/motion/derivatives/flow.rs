@@ -8,8 +8,7 @@ use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::math::trig::TruncatedSeries;
 use crate::mechanics::{Accelerations, RollingLaw, SlidingLaw};
 use crate::model::{Direction, Heavy, State};
-use crate::modes::gliding;
-use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
+use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE, gliding};
 
 use super::NoDerivative;
 
