@@ -32,9 +32,6 @@ enum Kind {
 }
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
     let AnimateArgs {
         problem,

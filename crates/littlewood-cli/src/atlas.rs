@@ -3,9 +3,8 @@
 use core::f64::consts::PI;
 use std::path::Path;
 
-use littlewood::Limits;
 use littlewood::tables::{Quantity, Setup};
-use littlewood_sweep::{Atlas, Grid, Options, Progress, StartList, Workers};
+use littlewood_sweep::{Atlas, Grid, Progress, StartList, Workers};
 
 use crate::args::{AtlasArgs, ShortFormat};
 use crate::axis::TypedAxis;
@@ -19,9 +18,6 @@ use crate::values::Given;
 use crate::work::{self, Varied};
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     let axes = if args.axis.is_empty() { default_axes(args.first_turn) } else { args.axis.clone() };
     let mut varied = Varied::by(&axes);
@@ -52,7 +48,7 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
         grids.push((line, grid));
     }
 
-    let workers = work::workers(&args.work)?;
+    let workers = Workers::new(args.work.threads)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
     let total: u64 = grids.iter().map(|(_, grid)| grid.len()).sum();
@@ -64,7 +60,11 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
             bar.show(work::STARTS, Count { done: before + progress.followed, total });
         };
         let options = work::options(&args.work, false, cancel, &show);
-        let atlas = follow(grid, args.first_turn, base.limits, &workers, &options)?;
+        let atlas = if args.first_turn {
+            Atlas::of_first_turns(grid, &workers, &options)?
+        } else {
+            Atlas::of_motions(grid, base.limits, &workers, &options)?
+        };
         whole.absorb(atlas.clone());
         of_hoops.push(OfHoop { line: *line, setup: *grid.base(), atlas });
         if whole.points < whole.total {
@@ -91,28 +91,11 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     Ok(())
 }
 
-fn follow(
-    grid: &Grid,
-    first_turn: bool,
-    limits: Limits,
-    workers: &Workers,
-    options: &Options<'_>,
-) -> Result<Atlas, Error> {
-    Ok(if first_turn {
-        Atlas::of_first_turns(grid, workers, options)?
-    } else {
-        Atlas::of_motions(grid, limits, workers, options)?
-    })
-}
-
 /// The hoops of a list, each with its line.
 fn read_hoops(path: &Path, base: Setup) -> Result<Vec<(Option<u64>, Setup)>, Error> {
-    let mut hoops = Vec::new();
-    for row in StartList::open(path, base)?.points()? {
-        let (line, setup) = row?;
-        hoops.push((Some(line), setup));
-    }
-    Ok(hoops)
+    let hoops =
+        StartList::open(path, base)?.points()?.map(|row| row.map(|(line, setup)| (Some(line), setup)));
+    Ok(hoops.collect::<Result<_, _>>()?)
 }
 
 fn default_axes(first_turn: bool) -> Vec<TypedAxis> {

@@ -48,9 +48,6 @@ impl TypedAxis {
     }
 
     /// The axis without dimension. Ends that were given so are taken as they are, to the last bit.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub(crate) fn resolve(&self, units: Option<&Units>) -> Result<Axis, AxisError> {
         let end = |value| match units {
             Some(units) if self.is_si() => units.from_si(self.varies.dimension(), value),

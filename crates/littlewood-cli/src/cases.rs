@@ -11,9 +11,6 @@ fn width() -> usize {
 }
 
 /// Runs the command.
-///
-/// # Errors
-/// A failure to write.
 pub(crate) fn run(args: &CasesArgs) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();

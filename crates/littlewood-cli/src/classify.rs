@@ -8,9 +8,6 @@ use crate::report;
 use crate::request::Request;
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, or a failure to write.
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Error> {
     let problem = Problem::resolve(Request::new(&args.problem, None)?)?;
     let found = problem.classify()?;

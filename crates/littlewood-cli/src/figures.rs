@@ -16,9 +16,6 @@ use crate::request::{Overrides, Request};
 use crate::work::STARTS;
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, a hoop that a figure cannot show, or a failure to write.
 pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     if args.list {
         return list();
@@ -49,7 +46,8 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         match entry.figure_with(&input, &mut watch) {
             Ok(figure) => {
                 for format in &args.format {
-                    files.push((folder.join(file_name(entry, *format)), content(&figure, *format, args)?));
+                    let (ending, bytes) = file(&figure, *format, args)?;
+                    files.push((folder.join(format!("{}.{ending}", entry.name)), bytes));
                 }
             }
             // Without names all figures are meant that this hoop has.
@@ -176,27 +174,15 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
     )
 }
 
-fn file_name(entry: &FigureEntry, format: FigureFormat) -> String {
-    let ending = match format {
-        FigureFormat::Svg => "svg",
-        FigureFormat::Png => "png",
-        FigureFormat::Csv => "csv",
-        FigureFormat::Txt => "txt",
-        FigureFormat::Pdf => "pdf",
-        FigureFormat::Md => "md",
-        FigureFormat::Tex => "tex",
-    };
-    format!("{}.{ending}", entry.name)
-}
-
-fn content(figure: &Figure, format: FigureFormat, args: &FiguresArgs) -> Result<Vec<u8>, Error> {
+/// The ending of a file in this format, and what is in it.
+fn file(figure: &Figure, format: FigureFormat, args: &FiguresArgs) -> Result<(&'static str, Vec<u8>), Error> {
     Ok(match format {
-        FigureFormat::Svg => figure.svg().into_bytes(),
-        FigureFormat::Png => figure.png(args.scale).map_err(Error::Drawing)?,
-        FigureFormat::Pdf => figure.pdf(),
-        FigureFormat::Csv => figure.csv().into_bytes(),
-        FigureFormat::Txt => figure.caption_txt().into_bytes(),
-        FigureFormat::Md => figure.caption_md().into_bytes(),
-        FigureFormat::Tex => figure.caption_tex().into_bytes(),
+        FigureFormat::Svg => ("svg", figure.svg().into_bytes()),
+        FigureFormat::Png => ("png", figure.png(args.scale).map_err(Error::Drawing)?),
+        FigureFormat::Pdf => ("pdf", figure.pdf()),
+        FigureFormat::Csv => ("csv", figure.csv().into_bytes()),
+        FigureFormat::Txt => ("txt", figure.caption_txt().into_bytes()),
+        FigureFormat::Md => ("md", figure.caption_md().into_bytes()),
+        FigureFormat::Tex => ("tex", figure.caption_tex().into_bytes()),
     })
 }

@@ -10,7 +10,6 @@ mod axis;
 mod cases;
 mod classify;
 mod error;
-mod feature;
 #[cfg(feature = "figures")]
 mod figures;
 mod interrupt;
@@ -42,8 +41,6 @@ use std::ffi::OsString;
 use clap::{CommandFactory, Parser};
 
 use crate::args::{Cli, Command, join_negative_numbers};
-#[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
-use crate::feature::Feature;
 
 /// Exit code of bad input.
 const BAD_INPUT: u8 = 2;
@@ -70,28 +67,28 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Map(args) => map::run(&args),
         #[cfg(feature = "sweep")]
         Command::Sweep(args) => sweep::run(&args),
-        #[cfg(not(feature = "sweep"))]
-        Command::Sweep(_) => Err(not_built("littlewood sweep", Feature::Sweep)),
         #[cfg(feature = "sweep")]
         Command::Atlas(args) => atlas::run(&args),
-        #[cfg(not(feature = "sweep"))]
-        Command::Atlas(_) => Err(not_built("littlewood atlas", Feature::Sweep)),
         #[cfg(feature = "lab")]
         Command::Lab(args) => lab::run(&args),
-        #[cfg(not(feature = "lab"))]
-        Command::Lab(_) => Err(not_built("littlewood lab", Feature::Lab)),
         #[cfg(feature = "film")]
         Command::Animate(args) => animate::run(*args),
-        #[cfg(not(feature = "film"))]
-        Command::Animate(_) => Err(not_built("littlewood animate", Feature::Film)),
         #[cfg(feature = "figures")]
         Command::Figures(args) => figures::run(&args),
-        #[cfg(not(feature = "figures"))]
-        Command::Figures(_) => Err(not_built("littlewood figures", Feature::Figures)),
         #[cfg(feature = "figures")]
         Command::Poster(args) => poster::run(&args),
+        #[cfg(not(feature = "sweep"))]
+        Command::Sweep(_) => Err(not_built("sweep", "sweep")),
+        #[cfg(not(feature = "sweep"))]
+        Command::Atlas(_) => Err(not_built("atlas", "sweep")),
+        #[cfg(not(feature = "lab"))]
+        Command::Lab(_) => Err(not_built("lab", "lab")),
+        #[cfg(not(feature = "film"))]
+        Command::Animate(_) => Err(not_built("animate", "film")),
         #[cfg(not(feature = "figures"))]
-        Command::Poster(_) => Err(not_built("littlewood poster", Feature::Figures)),
+        Command::Figures(_) => Err(not_built("figures", "figures")),
+        #[cfg(not(feature = "figures"))]
+        Command::Poster(_) => Err(not_built("poster", "figures")),
         Command::Fit(_) => Err(error::Error::InPackage { command: "fit" }),
         Command::Score(_) => Err(error::Error::InPackage { command: "score" }),
         Command::Certify(_) => Err(error::Error::InPackage { command: "certify" }),
@@ -107,8 +104,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 
 /// The error about a command that is not in this program.
 #[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
-fn not_built(command: &str, feature: Feature) -> error::Error {
-    error::Error::NotBuilt { what: format!("`{command}`"), feature }
+fn not_built(command: &str, feature: &'static str) -> error::Error {
+    error::Error::NotBuilt { what: format!("`littlewood {command}`"), feature }
 }
 
 /// The command line as it is defined: commands, flags and their help, from which completions and manual pages are made.

@@ -10,17 +10,11 @@ use crate::error::Error;
 use crate::work::STAND_IN;
 
 /// The columns of a list.
-///
-/// # Errors
-/// As [`StartList::open`].
 pub(crate) fn columns(path: &Path) -> Result<Vec<Quantity>, Error> {
     Ok(StartList::open(path, STAND_IN)?.columns().to_vec())
 }
 
-/// The columns of a list of hoops.
-///
-/// # Errors
-/// As [`StartList::open`]; a column that is not of the hoop, or that an axis has already.
+/// The columns of a list of hoops, all of them of the hoop and none on an axis, too.
 pub(crate) fn hoop_columns(
     path: &Path,
     axes: &[TypedAxis],

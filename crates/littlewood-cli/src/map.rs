@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Progress, Shade, sweep_grid};
+use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Progress, Shade, Workers, sweep_grid};
 
 use crate::args::MapArgs;
 use crate::error::Error;
@@ -18,9 +18,6 @@ use crate::store::{self, Kind};
 use crate::work::{self, Base};
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
     let size = PictureSize { width: args.size.0, height: args.size.1 };
@@ -58,7 +55,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     };
     let files =
         at_the_end.iter().map(|(_, path)| Output::open(Some(path))).collect::<Result<Vec<_>, Error>>()?;
-    let workers = work::workers(&args.work)?;
+    let workers = Workers::new(args.work.threads)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
     let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));

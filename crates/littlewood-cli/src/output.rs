@@ -12,27 +12,14 @@ use crate::unfinished::{Temporary, folder_of};
 pub(crate) enum Output {
     /// The standard output.
     Stdout,
-    /// A regular file, written under another name in the same folder.
-    File {
-        /// The file that is written.
-        temporary: Temporary,
-        /// The name that it gets.
-        path: PathBuf,
-    },
+    /// A regular file of this path, written under another name in the same folder.
+    File { temporary: Temporary, path: PathBuf },
     /// A pipe or a device, which cannot be replaced.
-    Device {
-        /// The open device.
-        file: File,
-        /// Its name.
-        path: PathBuf,
-    },
+    Device { file: File, path: PathBuf },
 }
 
 impl Output {
     /// Opens the output before the work begins, so that a wrong path is known at once.
-    ///
-    /// # Errors
-    /// The file cannot be written to.
     pub(crate) fn open(path: Option<&Path>) -> Result<Self, Error> {
         let Some(path) = path else {
             return Ok(Self::Stdout);
@@ -49,9 +36,6 @@ impl Output {
     }
 
     /// Writes everything, and puts a file in its place at the end.
-    ///
-    /// # Errors
-    /// Writing fails, or the reader of a pipe has left.
     pub(crate) fn write(self, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
         let (result, target, replaces) = match self {
             Self::Stdout => (fill(io::stdout().lock(), body), "the standard output".to_owned(), false),
@@ -120,9 +104,6 @@ pub(crate) fn place_of(path: &Path) -> PathBuf {
 }
 
 /// Refuses an output whose folder is not there: no command makes it, for it may be a mistake.
-///
-/// # Errors
-/// There is no such folder.
 pub(crate) fn check_folder(path: &Path) -> Result<(), Error> {
     let refused = |source| Error::Unwritable { path: path.to_owned(), source };
     let folder = fs::metadata(folder_of(path)).map_err(refused)?;

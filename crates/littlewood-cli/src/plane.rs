@@ -26,10 +26,7 @@ pub(crate) struct Plane<'a> {
 }
 
 impl<'a> Plane<'a> {
-    /// Without results.
-    ///
-    /// # Errors
-    /// The grid is too large for the text at `path`.
+    /// Without results; refused if the grid is too large for the text at `path`.
     pub(crate) fn new(grid: &'a Grid, path: &Path) -> Result<Self, Error> {
         let len = usize::try_from(grid.len()).ok().filter(|_| grid.len() <= MOST);
         let len = len.ok_or_else(|| Error::Out {

@@ -21,9 +21,6 @@ enum Kind {
 }
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, or a failure to write.
 pub(crate) fn run(args: &PosterArgs) -> Result<(), Error> {
     let kind = kind_of(&args.out)?;
     check_scale(args.scale).map_err(Error::Drawing)?;

@@ -6,8 +6,7 @@ use littlewood::si::{SiParameters, SiSetup, Units};
 use littlewood::tables::{Group, Presence, Quantity, Setup};
 use littlewood::theory::Classification;
 use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Start, Trajectory};
-use littlewood_report::{RESTITUTION_LAW, Subject};
-use littlewood_report::{SAMPLE, Uncertainty};
+use littlewood_report::{RESTITUTION_LAW, SAMPLE, Subject, Uncertainty};
 
 use crate::error::{Error, mixed};
 use crate::nearest;
@@ -23,11 +22,8 @@ pub(crate) struct Problem {
     pub(crate) case: Option<&'static NamedCase>,
     /// What differs from the case.
     pub(crate) changes: Changes,
-    /// Hoop.
     pub(crate) hoop: Hoop,
-    /// Start.
     pub(crate) start: Start,
-    /// Limits.
     pub(crate) limits: Limits,
     /// Units, if results are wanted in SI units too.
     pub(crate) units: Option<Units>,
@@ -53,33 +49,31 @@ struct Inputs {
 
 impl Problem {
     /// Puts the layers together and checks the result.
-    ///
-    /// # Errors
-    /// An unknown case, a missing value, a value out of bounds, or a mixture of units.
     pub(crate) fn resolve(request: Request) -> Result<Self, Error> {
         let Request { case, scenario, flags, law, si, max_transitions, max_slides, proof, overrides } =
             request;
         let case = find(case.as_deref(), scenario.as_ref())?;
         let mut values = case.map(|case| Values::of_case(&case.setup)).unwrap_or_default();
         if let Some(scenario) = &scenario {
-            let layer = scenario.given();
-            if let Some((plain, si)) = find_mixture(&layer) {
+            if let Some((plain, si)) = find_mixture(&scenario.given) {
                 return Err(mixed_in_file(scenario, plain, si));
             }
-            values.cover(layer);
+            values.cover(scenario.given.clone());
         }
         refuse_mixture(&flags, si)?;
         values.cover(flags);
         values.cover(overrides.given);
 
-        let max_transitions = max_transitions.or(scenario.as_ref().and_then(Scenario::max_transitions));
-        let max_slides = max_slides.or(scenario.as_ref().and_then(Scenario::max_slides));
-        let proof = proof.or(scenario.as_ref().and_then(Scenario::proof)).unwrap_or(Limits::default().proof);
-        let is_si = overrides.si || si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
+        let in_file = scenario.as_ref().map(|scenario| &scenario.run);
+        let max_transitions = max_transitions.or(in_file.and_then(|run| run.max_transitions));
+        let max_slides = max_slides.or(in_file.and_then(|run| run.max_slides));
+        let proof = proof.or(in_file.and_then(|run| run.proof)).unwrap_or(Limits::default().proof);
+        let is_si =
+            overrides.si || si || values.any_si() || scenario.as_ref().is_some_and(|scenario| scenario.is_si);
         let of_case = || case.and_then(|case| case.setup.hoop.restitution_law);
         let law = law
             .map(|law| GivenLaw { law, origin: Origin::Flag })
-            .or_else(|| scenario.as_ref().and_then(Scenario::law))
+            .or_else(|| scenario.as_ref().and_then(|scenario| scenario.law.clone()))
             .or_else(|| of_case().map(|law| GivenLaw { law, origin: Origin::Case }));
         let inputs = Inputs { values, law, scenario };
         inputs.refuse_gaps(is_si)?;
@@ -97,25 +91,16 @@ impl Problem {
     }
 
     /// Follows the motion.
-    ///
-    /// # Errors
-    /// A start or a time limit that is out of bounds.
     pub(crate) fn simulate(&self) -> Result<Trajectory, Error> {
         self.hoop.simulate(self.start, self.limits).map_err(|error| self.inputs.blame(error))
     }
 
     /// Estimates how many digits of each transition can be trusted.
-    ///
-    /// # Errors
-    /// A start or a time limit that is out of bounds.
     pub(crate) fn digits(&self) -> Result<Vec<Option<Digits>>, Error> {
         self.hoop.digits(self.start, self.limits).map_err(|error| self.inputs.blame(error))
     }
 
-    /// The standard errors of the motion, from those of its numbers.
-    ///
-    /// # Errors
-    /// A quantity that has two errors, or with respect to which there are no derivatives.
+    /// The standard errors of the motion, from those of its numbers. A quantity with two errors is refused.
     pub(crate) fn uncertainty(
         &self,
         motion: &Trajectory,
@@ -133,23 +118,13 @@ impl Problem {
     }
 
     /// Classifies the start.
-    ///
-    /// # Errors
-    /// A start that is out of bounds.
     pub(crate) fn classify(&self) -> Result<Classification, Error> {
         self.hoop.classify(self.start).map_err(|error| self.inputs.blame(error))
     }
 
     /// What a report says beside the motion.
     pub(crate) const fn subject(&self) -> Subject<'_> {
-        Subject {
-            case: self.case,
-            start: self.start,
-            units: self.units.as_ref(),
-            digits: None,
-            derivatives: None,
-            uncertainty: None,
-        }
+        Subject { case: self.case, units: self.units.as_ref(), ..Subject::of_start(self.start) }
     }
 
     /// The scenario file, if there is one.
@@ -287,11 +262,11 @@ fn find(case: Option<&str>, scenario: Option<&Scenario>) -> Result<Option<&'stat
         let unknown = || Error::UnknownCase { name: name.to_owned(), hint: nearest_case(name) };
         return find_case(name).map(Some).ok_or_else(unknown);
     }
-    let Some((scenario, (name, span))) = scenario.and_then(|scenario| Some((scenario, scenario.case()?)))
-    else {
+    let Some((scenario, (name, span))) = scenario.and_then(|it| Some((it, it.case.as_ref()?))) else {
         return Ok(None);
     };
-    let unknown = || scenario.complain(format!("there is no case named '{name}'"), nearest_case(name), span);
+    let unknown =
+        || scenario.complain(format!("there is no case named '{name}'"), nearest_case(name), span.clone());
     find_case(name).map(Some).ok_or_else(unknown)
 }
 

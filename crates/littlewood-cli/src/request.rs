@@ -7,24 +7,18 @@ use crate::error::Error;
 use crate::scenario::Scenario;
 use crate::values::Given;
 
-/// What was asked for.
+/// What was asked for: the name of a case, a scenario file, and by flags the rest.
 #[derive(Debug)]
 pub(crate) struct Request {
-    /// The name of a case.
     pub(crate) case: Option<String>,
-    /// The scenario file.
     pub(crate) scenario: Option<Scenario>,
     /// The numbers among the flags.
     pub(crate) flags: Vec<Given>,
-    /// The law of restitution, by a flag.
     pub(crate) law: Option<RestitutionLaw>,
     /// Whether a flag asks for SI units.
     pub(crate) si: bool,
-    /// Largest number of transitions, by a flag.
     pub(crate) max_transitions: Option<u64>,
-    /// Largest length of all slides together, by a flag.
     pub(crate) max_slides: Option<u64>,
-    /// The proofs that end a motion, by a flag.
     pub(crate) proof: Option<Proof>,
     /// What a sweep sets itself.
     pub(crate) overrides: Overrides,
@@ -41,9 +35,6 @@ pub(crate) struct Overrides {
 
 impl Request {
     /// Reads the scenario file, if there is one.
-    ///
-    /// # Errors
-    /// As [`Scenario::read`].
     pub(crate) fn new<const PLACE: bool>(
         problem: &ProblemArgs<PLACE>,
         run: Option<&RunArgs>,

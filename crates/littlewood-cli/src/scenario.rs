@@ -24,29 +24,29 @@ use crate::values::{Given, GivenLaw, Origin, si_name};
 #[derive(Debug)]
 pub(crate) struct Scenario {
     source: Source,
-    case: Option<(String, Range<usize>)>,
-    given: Vec<Given>,
-    law: Option<GivenLaw>,
-    is_si: bool,
-    run: Run,
+    /// The name of the case that the file starts from, and its place.
+    pub(crate) case: Option<(String, Range<usize>)>,
+    /// Of two numbers for the same quantity the later one counts.
+    pub(crate) given: Vec<Given>,
+    pub(crate) law: Option<GivenLaw>,
+    /// Whether the file has an `[si]` table.
+    pub(crate) is_si: bool,
+    pub(crate) run: Run,
 }
 
 /// What `[run]` says besides the time limit.
 #[derive(Debug, Default)]
-struct Run {
-    max_transitions: Option<u64>,
-    max_slides: Option<u64>,
-    proof: Option<Proof>,
-    samples: Option<u64>,
-    format: Option<Format>,
+pub(crate) struct Run {
+    pub(crate) max_transitions: Option<u64>,
+    pub(crate) max_slides: Option<u64>,
+    pub(crate) proof: Option<Proof>,
+    pub(crate) samples: Option<u64>,
+    pub(crate) format: Option<Format>,
     out: Option<PathBuf>,
 }
 
 impl Scenario {
     /// Reads a file.
-    ///
-    /// # Errors
-    /// The file cannot be read, is not TOML, or has a key or a value that means nothing.
     pub(crate) fn read(path: &Path) -> Result<Self, Error> {
         let text =
             fs::read_to_string(path).map_err(|source| Error::Unreadable { path: path.to_owned(), source })?;
@@ -61,19 +61,20 @@ impl Scenario {
             Some((_, value)) => Some((whole.text("case", value)?.to_owned(), value.span())),
             None => None,
         };
+        let name = |quantity: Quantity| Cow::Borrowed(quantity.name());
         let mut given = Vec::new();
         let mut law = None;
         if let Some(hoop) = whole.section("hoop", "[hoop]")? {
-            given.extend(hoop.quantities(&keys(Quantity::HOOP), &[RESTITUTION_LAW])?);
+            given.extend(hoop.quantities(Quantity::HOOP, name, &[RESTITUTION_LAW])?);
             law = hoop.law()?;
         }
         if let Some(start) = whole.section("start", "[start]")? {
-            given.extend(start.quantities(&keys(Quantity::START), &[])?);
+            given.extend(start.quantities(Quantity::START, name, &[])?);
         }
         let mut run = Run::default();
         if let Some(section) = whole.section("run", "[run]")? {
             let limits = Quantity::ALL.into_iter().filter(|quantity| quantity.group() == Group::Run);
-            given.extend(section.quantities(&keys(limits), &Run::KEYS)?);
+            given.extend(section.quantities(limits, name, &Run::KEYS)?);
             run = Run::read(&section)?;
         }
         // θ, μs, μk and e with its law, which can stand in both, are taken from [si].
@@ -81,60 +82,15 @@ impl Scenario {
         if let Some(si) = &si {
             si.refuse_other_keys(&["hoop", "start"])?;
             if let Some(hoop) = si.section("hoop", "[si.hoop]")? {
-                given.extend(hoop.quantities(&si_keys(Quantity::SI_HOOP), &[RESTITUTION_LAW])?);
+                given.extend(hoop.quantities(Quantity::SI_HOOP, si_name, &[RESTITUTION_LAW])?);
                 law = hoop.law()?.or(law);
             }
             if let Some(start) = si.section("start", "[si.start]")? {
-                given.extend(start.quantities(&si_keys(Quantity::SI_START), &[])?);
+                given.extend(start.quantities(Quantity::SI_START, si_name, &[])?);
             }
         }
         let is_si = si.is_some();
         Ok(Self { source, case, given, law, is_si, run })
-    }
-
-    /// The name of the case that the file starts from, and its place.
-    pub(crate) fn case(&self) -> Option<(&str, Range<usize>)> {
-        self.case.as_ref().map(|(name, span)| (name.as_str(), span.clone()))
-    }
-
-    /// The numbers in the file. Of two for the same quantity the later one counts.
-    pub(crate) fn given(&self) -> Vec<Given> {
-        self.given.clone()
-    }
-
-    /// The law of restitution.
-    pub(crate) fn law(&self) -> Option<GivenLaw> {
-        self.law.clone()
-    }
-
-    /// Whether the file has an `[si]` table.
-    pub(crate) const fn is_si(&self) -> bool {
-        self.is_si
-    }
-
-    /// Largest number of transitions.
-    pub(crate) const fn max_transitions(&self) -> Option<u64> {
-        self.run.max_transitions
-    }
-
-    /// Largest length of all slides together.
-    pub(crate) const fn max_slides(&self) -> Option<u64> {
-        self.run.max_slides
-    }
-
-    /// The proofs that end a motion.
-    pub(crate) const fn proof(&self) -> Option<Proof> {
-        self.run.proof
-    }
-
-    /// Number of samples.
-    pub(crate) const fn samples(&self) -> Option<u64> {
-        self.run.samples
-    }
-
-    /// Output format.
-    pub(crate) const fn format(&self) -> Option<Format> {
-        self.run.format
     }
 
     /// Output file; a relative path is meant from the folder of the scenario.
@@ -185,14 +141,6 @@ fn read_format(section: &Section<'_>, name: &str, span: Range<usize>) -> Result<
         let message = format!("there is no format '{name}'");
         section.source.complain(message, format!("the formats are {}", known.join(", ")), span)
     })
-}
-
-fn keys(quantities: impl IntoIterator<Item = Quantity>) -> Vec<(Cow<'static, str>, Quantity)> {
-    quantities.into_iter().map(|quantity| (quantity.name().into(), quantity)).collect()
-}
-
-fn si_keys(quantities: impl IntoIterator<Item = Quantity>) -> Vec<(Cow<'static, str>, Quantity)> {
-    quantities.into_iter().map(|quantity| (si_name(quantity), quantity)).collect()
 }
 
 /// What a file can say, for one that is not TOML.
@@ -251,12 +199,14 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// The numbers of these quantities, in their order.
+    /// The numbers of these quantities, in their order; the table may have other keys, too.
     fn quantities(
         &self,
-        keys: &[(Cow<'static, str>, Quantity)],
-        others: &[&'static str],
+        quantities: impl IntoIterator<Item = Quantity>,
+        key: impl Fn(Quantity) -> Cow<'static, str>,
+        others: &[&str],
     ) -> Result<Vec<Given>, Error> {
+        let keys: Vec<_> = quantities.into_iter().map(|quantity| (key(quantity), quantity)).collect();
         let known: Vec<&str> =
             keys.iter().map(|(key, _)| key.as_ref()).chain(others.iter().copied()).collect();
         self.refuse_other_keys(&known)?;

@@ -20,15 +20,12 @@ use crate::scenario::Scenario;
 const MOST_ROWS: u64 = 100_000;
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, or a failure to write.
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
     let scenario = problem.scenario();
-    let samples = args.samples.or_else(|| scenario.and_then(Scenario::samples));
+    let samples = args.samples.or_else(|| scenario.and_then(|scenario| scenario.run.samples));
     let out = args.out.clone().or_else(|| scenario.and_then(Scenario::out));
-    let format = match args.format.or_else(|| scenario.and_then(Scenario::format)) {
+    let format = match args.format.or_else(|| scenario.and_then(|scenario| scenario.run.format)) {
         Some(format) => format,
         None => format_of(out.as_deref())?,
     };

@@ -5,48 +5,36 @@ use std::path::{Path, PathBuf};
 use littlewood_sweep::Target;
 
 use crate::error::Error;
-use crate::feature::Feature;
 use crate::output::{check_folder, place_of};
 
 /// What an ending stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// Zarr v3.
     Zarr,
-    /// Parquet.
     Parquet,
-    /// CSV.
     Csv,
-    /// JSON.
     Json,
     /// PNG.
     Picture,
-    /// SVG.
     Svg,
-    /// PDF.
     Pdf,
 }
 
 /// Starts up to which a table is one file. The footer of a file grows with it.
 const ONE_FILE: u64 = 1 << 24;
 
-/// Finds out what a path is to be.
-///
-/// # Errors
-/// Another ending than those of `allowed`.
+/// Finds out what a path is to be, by its ending.
 pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let ending = ending.to_ascii_lowercase();
     let kind = allowed.iter().copied().find(|kind| kind.ending() == ending);
-    if let Some(Kind::Zarr | Kind::Parquet) = kind
-        && !cfg!(feature = "sweep")
-    {
-        let what = format!("what --out {} needs", path.display());
-        return Err(Error::NotBuilt { what, feature: Feature::Sweep });
-    }
-    if kind == Some(Kind::Pdf) && !cfg!(feature = "figures") {
-        let what = format!("what --out {} needs", path.display());
-        return Err(Error::NotBuilt { what, feature: Feature::Figures });
+    let missing = match kind {
+        Some(Kind::Zarr | Kind::Parquet) if !cfg!(feature = "sweep") => Some("sweep"),
+        Some(Kind::Pdf) if !cfg!(feature = "figures") => Some("figures"),
+        _ => None,
+    };
+    if let Some(feature) = missing {
+        return Err(Error::NotBuilt { what: format!("what --out {} needs", path.display()), feature });
     }
     kind.ok_or_else(|| {
         let endings: Vec<String> = allowed.iter().map(|kind| format!(".{}", kind.ending())).collect();
@@ -110,10 +98,7 @@ impl Kind {
     }
 }
 
-/// What every `--out` is to be, each place once.
-///
-/// # Errors
-/// Another ending than those of `allowed`, a place that is given twice, or a folder that is not there.
+/// What every `--out` is to be, each place once, and in a folder that is there.
 pub(crate) fn kinds<'a>(out: &'a [PathBuf], allowed: &[Kind]) -> Result<Vec<(Kind, &'a Path)>, Error> {
     let mut kinds: Vec<(Kind, &Path)> = Vec::new();
     for path in out {

@@ -18,9 +18,6 @@ use crate::store::{self, Kind};
 use crate::work::{self, Base, Varied};
 
 /// Runs the command.
-///
-/// # Errors
-/// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: &SweepArgs) -> Result<(), Error> {
     match &args.starts {
         Some(starts) => follow_list(args, starts),
@@ -57,7 +54,7 @@ fn follow(
     sweep: impl FnOnce(&[Target<'_>], &Workers, &Options<'_>) -> Result<Report, SweepError>,
 ) -> Result<(), Error> {
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, starts)).collect();
-    let workers = work::workers(&args.work)?;
+    let workers = Workers::new(args.work.threads)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
     let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));

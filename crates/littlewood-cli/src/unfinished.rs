@@ -104,9 +104,6 @@ pub(crate) struct Temporary(NamedTempFile);
 
 impl Temporary {
     /// Begins the file that is to have a name and permissions. What a run that was killed has left of one for the same name is removed.
-    ///
-    /// # Errors
-    /// Of the operating system.
     pub(crate) fn new(path: &Path, permissions: Option<Permissions>) -> io::Result<Self> {
         let folder = folder_of(path);
         let prefix = prefix_of(path);
@@ -138,9 +135,6 @@ impl Temporary {
     }
 
     /// Gives it the name that it is to have; a file of that name is replaced.
-    ///
-    /// # Errors
-    /// Of the operating system.
     pub(crate) fn persist(self, path: &Path) -> io::Result<()> {
         let mut paths = held();
         paths.remove(self.path());

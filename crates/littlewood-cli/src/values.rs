@@ -9,11 +9,9 @@ use littlewood::tables::{Quantity, Setup};
 /// Where a number was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Origin {
-    /// By a named case.
     Case,
     /// By a scenario file, at these bytes.
     File(Range<usize>),
-    /// By a flag.
     Flag,
 }
 
@@ -22,9 +20,7 @@ pub(crate) enum Origin {
 pub(crate) struct Given {
     /// What it is, with its unit.
     pub(crate) quantity: Quantity,
-    /// Its value.
     pub(crate) value: f64,
-    /// Where it comes from.
     pub(crate) origin: Origin,
 }
 
@@ -38,9 +34,7 @@ impl Given {
 /// A law of restitution as it was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct GivenLaw {
-    /// The law.
     pub(crate) law: RestitutionLaw,
-    /// Where it comes from.
     pub(crate) origin: Origin,
 }
 

@@ -7,7 +7,7 @@ use littlewood::derivatives::NotDifferentiable;
 use littlewood::si::Units;
 use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use littlewood::{HoopParameters, Limits, RestitutionLaw, Start};
-use littlewood_sweep::{Axis, AxisError, Grid, Options, Progress, Report, Target, Workers};
+use littlewood_sweep::{Axis, AxisError, Grid, Options, Progress, Report, Target};
 
 use crate::args::{ProblemArgs, RunArgs, WorkArgs};
 use crate::axis::TypedAxis;
@@ -60,9 +60,6 @@ impl Varied {
 }
 
 /// Finds the base of a sweep.
-///
-/// # Errors
-/// As [`Problem::resolve`].
 pub(crate) fn base(args: &ProblemArgs<false>, run: &RunArgs, varied: Varied) -> Result<Base, Error> {
     let Varied { quantities, si, fixed } = varied;
     let stand_ins =
@@ -75,9 +72,6 @@ pub(crate) fn base(args: &ProblemArgs<false>, run: &RunArgs, varied: Varied) -> 
 }
 
 /// A grid over a case, a scenario or flags.
-///
-/// # Errors
-/// As [`base`] and [`Grid::new`].
 pub(crate) fn grid(
     args: &ProblemArgs<false>,
     run: &RunArgs,
@@ -91,10 +85,7 @@ pub(crate) fn grid(
     Ok((grid.with_derivatives(derivatives), base))
 }
 
-/// Derivatives, each once.
-///
-/// # Errors
-/// One by the restitution of motions that have none.
+/// Derivatives, each once. One by the restitution of motions that have none is refused.
 pub(crate) fn derivatives(
     wanted: &[DerivativeColumn],
     bounces: bool,
@@ -113,20 +104,9 @@ pub(crate) fn derivatives(
 }
 
 /// Axes without dimension.
-///
-/// # Errors
-/// As [`Axis::new`].
 pub(crate) fn resolve(axes: &[TypedAxis], base: &Base) -> Result<Vec<Axis>, Error> {
     let axes = axes.iter().map(|axis| axis.resolve(base.units.as_ref()));
     Ok(axes.collect::<Result<_, AxisError>>()?)
-}
-
-/// The threads that were asked for.
-///
-/// # Errors
-/// If the system has none to give.
-pub(crate) fn workers(args: &WorkArgs) -> Result<Workers, Error> {
-    Ok(Workers::new(args.threads)?)
 }
 
 /// The options of a run.

@@ -18,6 +18,14 @@ mod sweep;
 #[cfg(feature = "film")]
 pub(crate) use animate::{AnimateArgs, Bar, Beside, Camera};
 pub(crate) use elsewhere::ElsewhereArgs;
+#[cfg(not(feature = "film"))]
+pub(crate) use elsewhere::ElsewhereArgs as AnimateArgs;
+#[cfg(not(feature = "lab"))]
+pub(crate) use elsewhere::ElsewhereArgs as LabArgs;
+#[cfg(not(feature = "sweep"))]
+pub(crate) use elsewhere::{ElsewhereArgs as AtlasArgs, ElsewhereArgs as SweepArgs};
+#[cfg(not(feature = "figures"))]
+pub(crate) use elsewhere::{ElsewhereArgs as FiguresArgs, ElsewhereArgs as PosterArgs};
 pub(crate) use errors::Names;
 #[cfg(feature = "figures")]
 pub(crate) use figures::{FigureFormat, FiguresArgs};
@@ -39,18 +47,6 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use littlewood::tables::Quantity;
 use littlewood_report::Sampling;
-
-#[cfg(feature = "film")]
-use self::animate::{ANIMATE, ANIMATE_EXAMPLES};
-#[cfg(feature = "figures")]
-use self::figures::{FIGURES, FIGURES_EXAMPLES};
-#[cfg(feature = "lab")]
-use self::lab::LAB;
-#[cfg(feature = "figures")]
-use self::poster::{POSTER, POSTER_EXAMPLES};
-use self::sweep::MAP_EXAMPLES;
-#[cfg(feature = "sweep")]
-use self::sweep::{ATLAS, ATLAS_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
 ///
@@ -90,64 +86,37 @@ pub(crate) enum Command {
     /// List the named cases: motions that the paper shows or discusses
     Cases(CasesArgs),
     /// Simulate a 2-D grid of starts: a picture, or a store for xarray or data frames
-    #[command(long_about = sweep::map(), after_help = MAP_EXAMPLES)]
+    #[command(long_about = sweep::map(), after_help = sweep::MAP_EXAMPLES)]
     Map(Box<MapArgs>),
     /// Simulate a grid of starts with any number of axes, or a list
-    #[cfg(feature = "sweep")]
-    #[command(long_about = SWEEP, after_help = SWEEP_EXAMPLES)]
+    #[cfg_attr(feature = "sweep", command(long_about = sweep::SWEEP, after_help = sweep::SWEEP_EXAMPLES))]
+    #[cfg_attr(not(feature = "sweep"), doc = "(requires the feature `sweep`)")]
     Sweep(Box<SweepArgs>),
-    /// Simulate a grid of starts with any number of axes, or a list (requires the feature `sweep`)
-    #[cfg(not(feature = "sweep"))]
-    #[command(disable_help_flag = true)]
-    Sweep(ElsewhereArgs),
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
-    #[cfg(feature = "sweep")]
-    #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
+    #[cfg_attr(feature = "sweep", command(long_about = sweep::ATLAS, after_help = sweep::ATLAS_EXAMPLES))]
+    #[cfg_attr(not(feature = "sweep"), doc = "(requires the feature `sweep`)")]
     Atlas(Box<AtlasArgs>),
-    /// Count the sequences of phases that occur on a grid of starts, with an example of each (requires the feature `sweep`)
-    #[cfg(not(feature = "sweep"))]
-    #[command(disable_help_flag = true)]
-    Atlas(ElsewhereArgs),
     /// Draw the figures of the paper and others, for any hoop
-    #[cfg(feature = "figures")]
-    #[command(long_about = FIGURES, after_help = FIGURES_EXAMPLES)]
+    #[cfg_attr(feature = "figures", command(long_about = figures::FIGURES, after_help = figures::FIGURES_EXAMPLES))]
+    #[cfg_attr(not(feature = "figures"), doc = "(requires the feature `figures`)")]
     Figures(Box<FiguresArgs>),
-    /// Draw the figures of the paper and others, for any hoop (requires the feature `figures`)
-    #[cfg(not(feature = "figures"))]
-    #[command(disable_help_flag = true)]
-    Figures(ElsewhereArgs),
     /// Draw a poster of a hoop, its motion and its laws
-    #[cfg(feature = "figures")]
-    #[command(long_about = POSTER, after_help = POSTER_EXAMPLES)]
+    #[cfg_attr(feature = "figures", command(long_about = poster::POSTER, after_help = poster::POSTER_EXAMPLES))]
+    #[cfg_attr(not(feature = "figures"), doc = "(requires the feature `figures`)")]
     Poster(Box<PosterArgs>),
-    /// Draw a poster of a hoop, its motion and its laws (requires the feature `figures`)
-    #[cfg(not(feature = "figures"))]
-    #[command(disable_help_flag = true)]
-    Poster(ElsewhereArgs),
     /// Make a film of a motion: GIF, APNG, MP4 or WebM
-    #[cfg(feature = "film")]
-    #[command(long_about = ANIMATE, after_help = ANIMATE_EXAMPLES)]
+    #[cfg_attr(feature = "film", command(long_about = animate::ANIMATE, after_help = animate::ANIMATE_EXAMPLES))]
+    #[cfg_attr(not(feature = "film"), doc = "(requires the feature `film`)")]
     Animate(Box<AnimateArgs>),
-    /// Make a film of a motion: GIF, APNG, MP4 or WebM (requires the feature `film`)
-    #[cfg(not(feature = "film"))]
-    #[command(disable_help_flag = true)]
-    Animate(ElsewhereArgs),
     /// Open the laboratory in the browser: drag a start and watch the hoop
-    #[cfg(feature = "lab")]
-    #[command(long_about = LAB)]
+    #[cfg_attr(feature = "lab", command(long_about = lab::LAB))]
+    #[cfg_attr(not(feature = "lab"), doc = "(requires the feature `lab`)")]
     Lab(LabArgs),
-    /// Open the laboratory in the browser: drag a start and watch the hoop (requires the feature `lab`)
-    #[cfg(not(feature = "lab"))]
-    #[command(disable_help_flag = true)]
-    Lab(ElsewhereArgs),
     /// Measure friction, inertia and restitution from a film or a track (in the Python package)
-    #[command(disable_help_flag = true)]
     Fit(ElsewhereArgs),
     /// Score a solver against the exact motion (in the Python package)
-    #[command(disable_help_flag = true)]
     Score(ElsewhereArgs),
     /// Certify a motion by ball arithmetic, with a proof that no event is missed (in the Python package)
-    #[command(disable_help_flag = true)]
     Certify(ElsewhereArgs),
 }
 

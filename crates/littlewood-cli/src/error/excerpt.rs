@@ -8,12 +8,10 @@ use anstyle::{AnsiColor, Style};
 /// A place in a text file.
 #[derive(Debug)]
 pub(crate) struct Excerpt {
-    /// Name of the file.
     file: String,
     /// Line and column, from 1; a column is a letter.
     line: usize,
     column: usize,
-    /// The line.
     text: String,
     /// Letters that are meant.
     letters: usize,

@@ -21,7 +21,6 @@ use littlewood_sweep::AxisError;
 use littlewood_sweep::{StoreError, SweepError, ThreadsError};
 use thiserror::Error;
 
-use crate::feature::Feature;
 use crate::{BAD_INPUT, FAILURE};
 
 pub(crate) use excerpt::Excerpt;
@@ -34,155 +33,64 @@ const STOPPED: u8 = 130;
 pub(crate) enum Error {
     /// A value has no physical meaning.
     #[error("{error}")]
-    Value {
-        /// The value and its bound.
-        error: ParameterError,
-    },
+    Value { error: ParameterError },
     /// A value in a scenario file has no physical meaning.
     #[error("{error}")]
-    ScenarioValue {
-        /// The value and its bound.
-        error: ParameterError,
-        /// The value in the file.
-        excerpt: Excerpt,
-    },
+    ScenarioValue { error: ParameterError, excerpt: Excerpt },
     /// A scenario file that is malformed.
     #[error("{message}")]
-    Scenario {
-        /// What is wrong.
-        message: String,
-        /// What to do.
-        help: String,
-        /// Where.
-        excerpt: Excerpt,
-    },
+    Scenario { message: String, help: String, excerpt: Excerpt },
     /// A quantity with two standard errors.
     #[error("--uncertainty has two errors of {quantity}")]
-    TwoErrors {
-        /// The quantity.
-        quantity: Quantity,
-    },
+    TwoErrors { quantity: Quantity },
     /// A motion has no derivative with respect to a quantity.
     #[error(transparent)]
     NotDifferentiable(NotDifferentiable),
     /// No case has this name.
     #[error("there is no case named '{name}'")]
-    UnknownCase {
-        /// The name that was given.
-        name: String,
-        /// The nearest names.
-        hint: String,
-    },
+    UnknownCase { name: String, hint: String },
     /// Values that have no default.
     #[error("missing: {}", names.join(", "))]
-    Missing {
-        /// The names of the quantities.
-        names: Vec<String>,
-        /// Their flags.
-        flags: Vec<String>,
-    },
-    /// SI and dimensionless values side by side.
+    Missing { names: Vec<String>, flags: Vec<String> },
+    /// A dimensionless quantity and an SI quantity, or the switch that asks for SI units, side by side.
     #[error("{}", mixed(plain, si))]
-    Mixed {
-        /// The dimensionless quantity.
-        plain: String,
-        /// The SI quantity, or the switch that asks for SI units.
-        si: String,
-        /// What to do.
-        hint: String,
-    },
+    Mixed { plain: String, si: String, hint: String },
     /// A scenario file that cannot be read.
     #[error("cannot read the scenario {}: {source}", path.display())]
-    Unreadable {
-        /// Its path.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
+    Unreadable { path: PathBuf, source: io::Error },
     /// A file for the output that cannot be written to.
     #[error("cannot write to {}: {source}", path.display())]
-    Unwritable {
-        /// Its path.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
+    Unwritable { path: PathBuf, source: io::Error },
     /// Writing has failed on the way.
     #[error("writing to {target} failed: {source}")]
-    WriteFile {
-        /// The file.
-        target: String,
-        /// Why.
-        source: io::Error,
-    },
+    WriteFile { target: String, source: io::Error },
     /// Writing to the standard output, or to a device, has failed on the way.
     #[error("writing to {target} failed: {source}")]
-    Write {
-        /// Where to.
-        target: String,
-        /// Why.
-        source: io::Error,
-    },
+    Write { target: String, source: io::Error },
     /// A sweep that cannot be done, or not be written.
     #[error("{0}")]
     Sweep(Box<SweepError>),
     /// A row of a list of hoops whose parameters, together with the axes, are invalid.
     #[cfg(feature = "sweep")]
     #[error("{}, line {line}: {source}", path.display())]
-    Hoop {
-        /// The list.
-        path: PathBuf,
-        /// Line, from 1.
-        line: u64,
-        /// What is wrong.
-        source: Box<AxisError>,
-    },
+    Hoop { path: PathBuf, line: u64, source: Box<AxisError> },
     /// A column that a list of hoops cannot have.
     #[cfg(feature = "sweep")]
     #[error("{}: column {column} {reason}", path.display())]
-    HoopColumn {
-        /// The list.
-        path: PathBuf,
-        /// The column.
-        column: Quantity,
-        /// What is wrong with it.
-        reason: String,
-    },
+    HoopColumn { path: PathBuf, column: Quantity, reason: String },
     /// An `--out` that the command does not know what to do with.
     #[error("--out {}: {reason}", path.display())]
-    Out {
-        /// The path.
-        path: PathBuf,
-        /// Why.
-        reason: String,
-        /// What to do.
-        hint: String,
-    },
+    Out { path: PathBuf, reason: String, hint: String },
     /// More samples than a table can have.
     #[error("{count} samples: a table has at most {most}")]
-    LongTable {
-        /// How many were asked for.
-        count: u64,
-        /// Bound.
-        most: u64,
-    },
+    LongTable { count: u64, most: u64 },
     /// A column that a picture cannot show.
     #[error("--shade {name}: no such column")]
-    UnknownShade {
-        /// The name that was given.
-        name: String,
-        /// The nearest names, and all.
-        hint: String,
-    },
+    UnknownShade { name: String, hint: String },
     /// No figure has this name.
     #[cfg(feature = "figures")]
     #[error("there is no figure named '{name}'")]
-    UnknownFigure {
-        /// The name that was given.
-        name: String,
-        /// The nearest names.
-        hint: String,
-    },
+    UnknownFigure { name: String, hint: String },
     /// A figure that cannot be made.
     #[cfg(feature = "figures")]
     #[error("{0}")]
@@ -190,51 +98,26 @@ pub(crate) enum Error {
     /// A drawing that cannot be made.
     #[error("{0}")]
     Drawing(DrawError),
-    /// Ctrl-C.
+    /// Ctrl-C; the hint says how to go on.
     #[error("stopped after {done} of {total} starts")]
-    Interrupted {
-        /// Starts that are done.
-        done: u64,
-        /// All starts.
-        total: u64,
-        /// How to go on.
-        hint: String,
-    },
+    Interrupted { done: u64, total: u64, hint: String },
     /// Ctrl-C, or another signal that asks the program to end, in work that cannot be gone on with.
     #[error("stopped")]
     Stopped,
     /// Something that a feature of this package brings, and this program was built without it.
     #[error("{what} requires the feature `{feature}`, which is not compiled in")]
-    NotBuilt {
-        /// What was asked for.
-        what: String,
-        /// The feature.
-        feature: Feature,
-    },
+    NotBuilt { what: String, feature: &'static str },
     /// A command that the Python package adds.
     #[error("`littlewood {command}` is part of the Python package")]
-    InPackage {
-        /// The command.
-        command: &'static str,
-    },
+    InPackage { command: &'static str },
     /// There is no page to serve.
     #[cfg(feature = "lab")]
     #[error("{reason}")]
-    NoPage {
-        /// Why.
-        reason: String,
-        /// How to get one.
-        hint: String,
-    },
+    NoPage { reason: String, hint: String },
     /// A port that cannot be listened on.
     #[cfg(feature = "lab")]
     #[error("cannot listen on port {port} of 127.0.0.1: {source}")]
-    Port {
-        /// The port that was asked for.
-        port: u16,
-        /// Why.
-        source: io::Error,
-    },
+    Port { port: u16, source: io::Error },
     /// A film that cannot be made, or not be written.
     #[cfg(feature = "film")]
     #[error("{0}")]

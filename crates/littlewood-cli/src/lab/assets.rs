@@ -33,9 +33,6 @@ impl Page {
     }
 
     /// The page in a folder, read at once, so that nothing else is ever served; none if there is no page in it.
-    ///
-    /// # Errors
-    /// A file that cannot be read.
     pub(super) fn read(folder: &Path) -> io::Result<Option<Self>> {
         let mut files = BTreeMap::new();
         if folder.join(FIRST).is_file() {

@@ -6,9 +6,6 @@ use std::process::{Command, Stdio};
 
 /// Opens an address of this machine. Where nobody sits at a screen nothing is opened: some systems would start a browser
 /// for text.
-///
-/// # Errors
-/// There is no program for it.
 pub(super) fn open(address: &str) -> io::Result<()> {
     if !has_screen() {
         return Ok(());

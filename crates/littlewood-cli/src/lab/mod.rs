@@ -22,9 +22,6 @@ use answer::answer;
 const LOOK: Duration = Duration::from_millis(100);
 
 /// Runs the command, until Ctrl-C.
-///
-/// # Errors
-/// There is no page, the port is taken, or the address cannot be printed.
 pub(crate) fn run(args: &LabArgs) -> Result<(), Error> {
     let page = source::page(args.page.as_deref())?;
     let refused = |source| Error::Port { port: args.port, source };

@@ -15,9 +15,6 @@ const WAYS: &str = "a released program has the page in it; `--page FOLDER` serve
                     wasm32-unknown-unknown`)";
 
 /// Finds the page.
-///
-/// # Errors
-/// There is none, and it cannot be built.
 pub(super) fn page(folder: Option<&Path>) -> Result<Page, Error> {
     if let Some(folder) = folder {
         return read(folder)?.ok_or_else(|| no_page(format!("there is no page in {}", folder.display())));

@@ -91,9 +91,6 @@ impl Run {
 }
 
 /// Prints the summary, and complains if not all was done.
-///
-/// # Errors
-/// A failure to write, or Ctrl-C.
 pub(crate) fn finish(run: &Run, format: ShortFormat) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();
