@@ -43,7 +43,7 @@ fn line(out: &mut impl Write, case: Option<&str>, (setup, until): (&Setup, Optio
     let coefficient = restitution.map(|it| it.coefficient());
     let motion = Problem::dimensionless(&numbers, coefficient, law.clone(), until)
         .and_then(|problem| Motion::new(&problem, case.map(str::to_owned)))
-        .map_err(|refusal| io::Error::other(refusal.message()))?;
+        .map_err(|refusal| io::Error::other(refusal.message))?;
     write!(out, "{} ", case.unwrap_or("-"))?;
     for number in numbers {
         write!(out, "{:016x} ", number.to_bits())?;

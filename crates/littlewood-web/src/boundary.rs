@@ -10,7 +10,6 @@ use crate::problem::{dimensionless_quantities, si_quantities};
 /// either system, the columns of a sample, modes and classes. The page was generated with the same text; a core of
 /// another version has another one.
 #[wasm_bindgen]
-#[must_use]
 pub fn boundary() -> String {
     let lists: [Vec<&str>; 5] = [
         dimensionless_quantities().map(Quantity::name).collect(),

@@ -4,7 +4,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The named cases, as `littlewood cases --format json` prints them.
 #[wasm_bindgen]
-#[must_use]
 pub fn cases() -> String {
     let mut text = Vec::new();
     // Writing to memory does not fail.

@@ -11,7 +11,6 @@ use crate::problem::given;
 /// What a link says, as JSON: the problem, the instant, the view, and what could not be read. `shown` is the link of what
 /// the page shows. A number that is missing is null.
 #[wasm_bindgen(js_name = readLink)]
-#[must_use]
 pub fn read_link(fragment: &str, shown: &str) -> String {
     let read = Link::read(fragment, shown);
     let Link { problem, at, view } = read.link;
@@ -41,7 +40,6 @@ pub fn read_link(fragment: &str, shown: &str) -> String {
 /// The link of a problem that has been checked: its numbers in the order of `problem`, what may be left out, the
 /// instant, and what each key of the view says.
 #[wasm_bindgen(js_name = writeLink)]
-#[must_use]
 pub fn write_link(
     is_si: bool,
     numbers: &[f64],
@@ -62,7 +60,6 @@ pub fn write_link(
 
 /// A number as people and programs write it; none for anything else.
 #[wasm_bindgen(js_name = readNumber)]
-#[must_use]
 pub fn read_number(text: &str) -> Option<f64> {
     link::read_number(text)
 }

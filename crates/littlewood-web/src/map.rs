@@ -62,7 +62,6 @@ impl OutcomeMap {
     /// An empty map of the hoop, the slip and the rate of the gap of a problem, with `side` starts each way and rates
     /// below `rate`.
     #[wasm_bindgen(constructor)]
-    #[must_use]
     pub fn new(problem: &Problem, rate: f64, side: usize, subject: MapSubject) -> Self {
         let Start { slip, gap_rate, .. } = problem.start;
         let mut map = Self {
@@ -88,7 +87,6 @@ impl OutcomeMap {
     }
 
     /// Number of rows of starts that a level computes.
-    #[must_use]
     pub fn rows(&self, stride: usize) -> usize {
         let side = if self.symmetric { self.side / 2 } else { self.side };
         side.div_ceil(stride.max(1))
@@ -116,7 +114,6 @@ impl OutcomeMap {
 
     /// The classes of the numbers of landings of a map: the least and the largest number of each, in turn.
     #[wasm_bindgen(js_name = hopClasses)]
-    #[must_use]
     pub fn hop_classes(codes: &[u8]) -> Vec<u8> {
         let mut frequencies = [0; 256];
         for code in codes {
@@ -126,7 +123,6 @@ impl OutcomeMap {
     }
 
     /// The codes of the classes, or the numbers of landings, of all cells, each as the nearest start of this level has it.
-    #[must_use]
     pub fn classes(&self, stride: usize) -> Vec<u8> {
         let stride = stride.max(1);
         let snap = |i: usize| i - i % stride;
@@ -184,7 +180,6 @@ impl OutcomeMap {
 
 /// The class of the motion of a problem ([`Class`]), followed until it leaves the plane or is proved not to.
 #[wasm_bindgen(js_name = classOf)]
-#[must_use]
 pub fn class_of(problem: &Problem) -> u8 {
     let limits = Limits::default().with_transitions(TRANSITIONS).with_proof(Proof::Contact);
     let summary = Engine::new(&problem.hoop).summary(problem.start, limits);

@@ -1,7 +1,5 @@
 //! A simulated motion.
 
-use core::fmt;
-
 use littlewood::cases::{NamedCase, find_case};
 use littlewood::tables::SampleColumn;
 use littlewood::{Cause, Mode, OutcomeKind, Sample, Trajectory, Transition};
@@ -23,16 +21,11 @@ const SHOWN: usize = 20;
 
 /// A motion from its start to its end, or to a limit.
 #[wasm_bindgen]
+#[derive(Debug)]
 pub struct Motion {
     problem: Problem,
     case: Option<&'static NamedCase>,
     trajectory: Trajectory,
-}
-
-impl fmt::Debug for Motion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Motion").field("problem", &self.problem).finish_non_exhaustive()
-    }
 }
 
 #[wasm_bindgen]
@@ -50,7 +43,6 @@ impl Motion {
 
     /// Time at which the motion ends, or up to which it is shown if it has no end. Of bounces that only a limit has stopped
     /// the first are shown.
-    #[must_use]
     pub fn horizon(&self) -> f64 {
         let until = Sampling::of(&self.trajectory, 2).until;
         let bounces = self.trajectory.hoop().restitution().is_some();
@@ -61,7 +53,6 @@ impl Motion {
 
     /// `count` instants evenly spaced in time up to `until`, and every transition twice: the columns of
     /// [`SampleColumn::ALL`] one after the other.
-    #[must_use]
     pub fn samples(&self, count: usize, until: f64) -> Vec<f64> {
         let samples: Vec<Sample> = self.trajectory.sample_evenly(count, until).collect();
         SampleColumn::ALL
@@ -71,7 +62,6 @@ impl Motion {
     }
 
     /// One instant, in the columns of [`SampleColumn::ALL`]; empty outside the motion.
-    #[must_use]
     pub fn at(&self, time: f64) -> Vec<f64> {
         self.trajectory.at(time).map_or_else(Vec::new, |sample| {
             SampleColumn::ALL.into_iter().map(|column| column.of(&sample).number()).collect()
@@ -80,14 +70,12 @@ impl Motion {
 
     /// What happens at the start.
     #[wasm_bindgen(js_name = startSentence)]
-    #[must_use]
     pub fn start_sentence(&self) -> String {
         sentence::start(&self.trajectory, self.scale())
     }
 
     /// What happens at each transition.
     #[wasm_bindgen(js_name = transitionSentences)]
-    #[must_use]
     pub fn transition_sentences(&self) -> Vec<String> {
         (0..self.trajectory.transitions().len())
             .map(|index| sentence::transition(&self.trajectory, index, self.scale()).unwrap_or_default())
@@ -96,33 +84,28 @@ impl Motion {
 
     /// The parts of the energy at a time, over m2 g R, in the order of `EnergyPart` of the style crate. They add up to the
     /// energy of the start; empty outside the motion.
-    #[must_use]
     pub fn energies(&self, time: f64) -> Vec<f64> {
         let parts = || Ledger::new(&self.trajectory)?.parts(&self.trajectory.at(time)?, false);
         parts().map_or_else(Vec::new, |it| EnergyPart::ALL.map(|part| it.part(part)).to_vec())
     }
 
     /// Routh's diagram of the impact at a transition, if there is one.
-    #[must_use]
     pub fn routh(&self, transition: usize) -> Option<Routh> {
         Routh::of(self.trajectory.hoop(), self.trajectory.transitions().get(transition)?)
     }
 
     /// What moves a transition, if there is one.
-    #[must_use]
     pub fn moves(&self, transition: usize) -> Option<Moves> {
         Moves::of(&self.problem, &self.trajectory, transition)
     }
 
     /// What the derivatives of this motion predict of a landing of another one; none for a transition that is no landing.
-    #[must_use]
     pub fn prediction(&self, transition: usize) -> Option<Prediction> {
         let is_landing = self.trajectory.transitions().get(transition)?.cause == Cause::Landing;
         if is_landing { Prediction::new(&self.problem, &self.trajectory, transition) } else { None }
     }
 
     /// The table of the phases as the command line prints it, as JSON; with `all` nothing is folded or left out.
-    #[must_use]
     pub fn table(&self, all: bool) -> String {
         let Table { head, rows, numbers } = page::phases(&self.trajectory, self.scale(), all);
         let rows: Vec<Value> = rows
@@ -134,19 +117,16 @@ impl Motion {
 
     /// How the motion ends, or does not.
     #[wasm_bindgen(js_name = outcomeSentence)]
-    #[must_use]
     pub fn outcome_sentence(&self) -> String {
         sentence::outcome(&self.trajectory, self.scale())
     }
 
     /// The motion as `littlewood simulate --format json` prints it, with `--samples` if a number is given.
-    #[must_use]
     pub fn json(&self, samples: Option<usize>) -> String {
         self.text(|text| documents::motion(text, &self.subject(), &self.trajectory, self.sampling(samples)))
     }
 
     /// The motion as `littlewood simulate --format csv` prints it, with `--samples` if a number is given.
-    #[must_use]
     pub fn csv(&self, samples: Option<usize>) -> String {
         self.text(|text| csv::motion(text, &self.subject(), &self.trajectory, self.sampling(samples)))
     }
@@ -158,14 +138,8 @@ impl Motion {
     }
 
     const fn subject(&self) -> Subject<'_> {
-        Subject {
-            case: self.case,
-            start: self.problem.start,
-            units: self.problem.units.as_ref(),
-            digits: None,
-            derivatives: None,
-            uncertainty: None,
-        }
+        let Problem { start, units, .. } = &self.problem;
+        Subject { case: self.case, units: units.as_ref(), ..Subject::of_start(*start) }
     }
 
     fn sampling(&self, samples: Option<usize>) -> Option<Sampling> {

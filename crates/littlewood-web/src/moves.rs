@@ -46,7 +46,6 @@ impl Row {
 impl Moves {
     /// The quantities, what each is changed by, and by how much that moves a column of [`State::COLUMNS`], as JSON: the largest move first,
     /// and last what has no derivative, with the reason.
-    #[must_use]
     pub fn rows(&self, column: usize) -> String {
         let row = |row: &Row| {
             json!({
@@ -60,7 +59,6 @@ impl Moves {
     }
 
     /// The quantity that moves a column most.
-    #[must_use]
     pub fn sentence(&self, column: usize) -> String {
         let event = self.cause.label();
         let rows = self.sorted(column);

@@ -1,9 +1,8 @@
 //! Small changes of a problem, and by how much they move an event.
 
-use littlewood::State;
-use littlewood::Trajectory;
 use littlewood::derivatives::Derivative;
 use littlewood::tables::Quantity;
+use littlewood::{State, Trajectory};
 
 use crate::problem::Problem;
 

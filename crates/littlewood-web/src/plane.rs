@@ -27,7 +27,6 @@ fn points(pieces: Vec<Vec<[f64; 2]>>) -> Vec<f64> {
 impl Plane {
     /// Of the hoop of a problem, from one angle to another and of rates up to `rate` either way.
     #[wasm_bindgen(constructor)]
-    #[must_use]
     pub fn new(problem: &Problem, from: f64, to: f64, rate: f64) -> Self {
         Self {
             plane: PhasePlane::new(&problem.hoop),
@@ -37,52 +36,44 @@ impl Plane {
     }
 
     /// The curve of a name ([`Curve`]).
-    #[must_use]
     pub fn curve(&self, name: &str) -> Vec<f64> {
         points(named(name).map_or_else(Vec::new, |curve| curve.pieces(&self.plane, &self.window)))
     }
 
     /// Where the letter of this curve stands, if it has one and passes.
     #[wasm_bindgen(js_name = placeOfLetter)]
-    #[must_use]
     pub fn place_of_letter(&self, name: &str) -> Option<Vec<f64>> {
         Some(named(name)?.place_of_letter(&self.plane, &self.window)?.to_vec())
     }
 
     /// The orbit of energy E.
-    #[must_use]
     pub fn level(&self, energy: f64) -> Vec<f64> {
         points(self.plane.level_curve(energy, &self.window))
     }
 
     /// Region 𝓡 (2.14) as polygons.
-    #[must_use]
     pub fn region(&self) -> Vec<f64> {
         points(self.plane.rolling_region(&self.window))
     }
 
     /// Whether a point lies in 𝓡.
     #[wasm_bindgen(js_name = canRoll)]
-    #[must_use]
     pub fn can_roll(&self, theta: f64, theta_rate: f64) -> bool {
         self.plane.in_rolling_region(theta, theta_rate)
     }
 
     /// Energy of rolling through a point, to draw its level.
-    #[must_use]
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
         self.law.energy(theta, theta_rate)
     }
 
     /// Normal and friction force that rolling would need at a point (2.12), be it possible or not.
-    #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> Vec<f64> {
         let forces = self.law.forces(theta, theta_rate);
         vec![forces.normal, forces.friction]
     }
 
     /// Angles of the equilibria in (−π, π], each followed by 1 if it is stable, −1 if unstable, 0 if neutral.
-    #[must_use]
     pub fn equilibria(&self) -> Vec<f64> {
         self.plane
             .equilibria()

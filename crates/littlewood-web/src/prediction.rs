@@ -35,7 +35,6 @@ struct Predicted {
 #[wasm_bindgen]
 impl Prediction {
     /// For the motion of another problem.
-    #[must_use]
     pub fn of(&self, problem: &Problem) -> Ghost {
         let setup = problem.setup();
         let change = |quantity: Quantity| match (self.setup.get(quantity), setup.get(quantity)) {
@@ -60,19 +59,16 @@ impl Prediction {
 #[wasm_bindgen]
 impl Ghost {
     /// Why there is no prediction.
-    #[must_use]
     pub fn reason(&self) -> Option<String> {
         self.0.as_ref().err().map(|reason| NoDerivative::label(*reason).to_owned())
     }
 
     /// The landing, in the columns of [`State::COLUMNS`]; empty where there is a reason.
-    #[must_use]
     pub fn landing(&self) -> Vec<f64> {
         self.0.as_ref().map_or_else(|_| Vec::new(), |it| it.landing.to_vec())
     }
 
     /// The path of the mass centre in the flight before it: x along the plane and the height over it, in turn.
-    #[must_use]
     pub fn path(&self) -> Vec<f64> {
         self.0.as_ref().map_or_else(|_| Vec::new(), |it| it.path.clone())
     }

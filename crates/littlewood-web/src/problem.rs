@@ -71,7 +71,6 @@ impl Problem {
 
     /// The dimensionless numbers, in the order of [`Problem::dimensionless`].
     #[wasm_bindgen(js_name = toDimensionless)]
-    #[must_use]
     pub fn to_dimensionless(&self) -> Vec<f64> {
         let setup = self.setup();
         dimensionless_quantities().filter_map(|quantity| setup.get(quantity)).collect()
@@ -79,21 +78,18 @@ impl Problem {
 
     /// The coefficient of restitution; none where the motion ends at the landing.
     #[wasm_bindgen(getter)]
-    #[must_use]
     pub fn restitution(&self) -> Option<f64> {
         self.hoop.restitution().map(|restitution| restitution.coefficient())
     }
 
     /// The name of its law.
     #[wasm_bindgen(getter, js_name = restitutionLaw)]
-    #[must_use]
     pub fn restitution_law(&self) -> Option<String> {
         self.hoop.restitution().as_ref().map(Restitution::law).map(|law| law.name().to_owned())
     }
 
     /// What one unit of (2.9) of an impulse is worth in the units of the problem: 1 without dimension.
     #[wasm_bindgen(getter, js_name = impulseUnit)]
-    #[must_use]
     pub fn impulse_unit(&self) -> f64 {
         self.units.map_or(1.0, |units| units.unit(Dimension::Impulse))
     }
@@ -118,7 +114,6 @@ impl Problem {
     /// What one unit of (2.9) of each column of a sample is worth in the units of the problem, in the order of
     /// [`SampleColumn::ALL`]: 1 without dimension, and for a code.
     #[wasm_bindgen(js_name = columnUnits)]
-    #[must_use]
     pub fn column_units(&self) -> Vec<f64> {
         let unit = |dimension: Dimension| self.units.map_or(1.0, |units| units.unit(dimension));
         SampleColumn::ALL.into_iter().map(|column| column.dimension().map_or(1.0, unit)).collect()
@@ -126,14 +121,12 @@ impl Problem {
 
     /// Whether the hoop has no inertia: it rolls and glides (§3).
     #[wasm_bindgen(getter, js_name = isMassless)]
-    #[must_use]
     pub fn is_massless(&self) -> bool {
         matches!(self.hoop.body(), Body::Massless(_))
     }
 
     /// h, the distance of the mass centre from the geometric centre (2.4).
     #[wasm_bindgen(getter)]
-    #[must_use]
     pub fn h(&self) -> f64 {
         self.hoop.h()
     }
@@ -210,11 +203,11 @@ mod tests {
         let refused =
             |numbers: &[f64], until: Option<f64>| Problem::si(numbers, None, None, until).unwrap_err();
         let mut numbers = SI;
-        assert_eq!(refused(&numbers, Some(2.0)).quantity(), "until_s");
-        assert_eq!(refused(&numbers[..14], None).quantity(), "time_s");
+        assert_eq!(refused(&numbers, Some(2.0)).quantity, "until_s");
+        assert_eq!(refused(&numbers[..14], None).quantity, "time_s");
         numbers[3] = 2.5;
-        assert_eq!(refused(&numbers, None).quantity(), "offset_m");
-        assert_eq!(Problem::dimensionless(&POINT_MASS, None, None, None).unwrap_err().quantity(), "offset");
+        assert_eq!(refused(&numbers, None).quantity, "offset_m");
+        assert_eq!(Problem::dimensionless(&POINT_MASS, None, None, None).unwrap_err().quantity, "offset");
     }
 
     #[test]
@@ -230,12 +223,12 @@ mod tests {
             (Some(0.5), Some("hooke"), "there is no law of restitution named 'hooke'"),
         ] {
             let refusal = refused(restitution, law);
-            assert_eq!(refusal.quantity(), "restitution");
-            assert!(refusal.message().starts_with(message), "{}", refusal.message());
-            assert!(!refusal.hint().is_empty());
+            assert_eq!(refusal.quantity, "restitution");
+            assert!(refusal.message.starts_with(message), "{}", refusal.message);
+            assert!(!refusal.hint.is_empty());
         }
         let massless = [0.0, 1.0, 0.0, 0.5, 0.4, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0];
         let refusal = Problem::dimensionless(&massless, Some(0.5), None, None).unwrap_err();
-        assert!(refusal.message().contains("massless"), "{}", refusal.message());
+        assert!(refusal.message.contains("massless"), "{}", refusal.message);
     }
 }

@@ -5,60 +5,35 @@ use littlewood::tables::{Quantity, UnknownName};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Why a hoop, a start or a limit was refused.
-#[wasm_bindgen]
+#[wasm_bindgen(getter_with_clone)]
 #[derive(Clone, Debug)]
-pub struct Refusal(Reason);
-
-#[derive(Clone, Debug)]
-enum Reason {
-    Parameter(ParameterError),
-    /// A law of restitution that there is not.
-    Law(UnknownName),
+pub struct Refusal {
+    /// Name of the quantity, as the command line has it.
+    #[wasm_bindgen(readonly)]
+    pub quantity: String,
+    /// The quantity, its value, the bound and the unit.
+    #[wasm_bindgen(readonly)]
+    pub message: String,
+    /// What to do.
+    #[wasm_bindgen(readonly)]
+    pub hint: String,
 }
 
-#[wasm_bindgen]
 impl Refusal {
-    /// Name of the quantity, as the command line has it.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn quantity(&self) -> String {
-        let quantity = match &self.0 {
-            Reason::Parameter(error) => error.quantity(),
-            Reason::Law(_) => Quantity::Restitution,
-        };
-        quantity.name().to_owned()
-    }
-
-    /// The quantity, its value, the bound and the unit.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn message(&self) -> String {
-        match &self.0 {
-            Reason::Parameter(error) => error.to_string(),
-            Reason::Law(error) => error.to_string(),
-        }
-    }
-
-    /// What to do.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn hint(&self) -> String {
-        let hint = match &self.0 {
-            Reason::Parameter(error) => error.hint(),
-            Reason::Law(_) => "choose one of these",
-        };
-        hint.to_owned()
+    fn new(quantity: Quantity, message: String, hint: &str) -> Self {
+        Self { quantity: quantity.name().to_owned(), message, hint: hint.to_owned() }
     }
 }
 
 impl From<ParameterError> for Refusal {
     fn from(error: ParameterError) -> Self {
-        Self(Reason::Parameter(error))
+        Self::new(error.quantity(), error.to_string(), error.hint())
     }
 }
 
+/// A law of restitution that there is not.
 impl From<UnknownName> for Refusal {
     fn from(error: UnknownName) -> Self {
-        Self(Reason::Law(error))
+        Self::new(Quantity::Restitution, error.to_string(), "choose one of these")
     }
 }

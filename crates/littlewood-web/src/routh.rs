@@ -34,20 +34,17 @@ pub struct Routh {
 #[wasm_bindgen]
 impl Routh {
     /// The way: P and J of its corners, one after the other. The last is the impulse of the whole impact.
-    #[must_use]
     pub fn way(&self) -> Vec<f64> {
         self.way.concat()
     }
 
     /// P and J where the way crosses the line of greatest compression.
     #[wasm_bindgen(js_name = greatestCompression)]
-    #[must_use]
     pub fn greatest_compression(&self) -> Vec<f64> {
         self.greatest_compression.map_or_else(Vec::new, Vec::from)
     }
 
     /// Least and largest P, least and largest J of the picture.
-    #[must_use]
     pub fn frame(&self) -> Vec<f64> {
         let Frame { normal, friction } = self.frame;
         [normal, friction].concat()
@@ -55,14 +52,12 @@ impl Routh {
 
     /// Both ends of the line of sticking in the picture; empty where it is outside.
     #[wasm_bindgen(js_name = lineOfSticking)]
-    #[must_use]
     pub fn line_of_sticking(&self) -> Vec<f64> {
         self.sticking.within(&self.frame)
     }
 
     /// Both ends of the line of greatest compression in the picture.
     #[wasm_bindgen(js_name = lineOfCompression)]
-    #[must_use]
     pub fn line_of_compression(&self) -> Vec<f64> {
         self.compression.within(&self.frame)
     }
