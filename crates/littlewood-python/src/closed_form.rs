@@ -14,7 +14,7 @@ macro_rules! elementwise {
     ($($name:ident($($argument:ident),+) -> $output:ty = $value:expr;)+) => {
         $(
             #[pyfunction]
-            fn $name<'py>(
+            pub(crate) fn $name<'py>(
                 py: Python<'py>,
                 $($argument: PyReadonlyArray1<'py, f64>),+
             ) -> Bound<'py, PyArray1<$output>> {
@@ -27,11 +27,6 @@ macro_rules! elementwise {
                 values.into_pyarray(py)
             }
         )+
-
-        fn register_elementwise(module: &Bound<'_, PyModule>) -> PyResult<()> {
-            $(module.add_function(wrap_pyfunction!($name, module)?)?;)+
-            Ok(())
-        }
     };
 }
 
@@ -64,7 +59,7 @@ elementwise! {
 
 /// Angle at which static friction gives way, for each μs and offset.
 #[pyfunction]
-fn slip_angle<'py>(
+pub(crate) fn slip_angle<'py>(
     py: Python<'py>,
     mu_s: PyReadonlyArray1<'py, f64>,
     offset: PyReadonlyArray1<'py, f64>,
@@ -83,7 +78,7 @@ fn slip_angle<'py>(
 
 /// Horizontal and vertical coordinate of the particle of a gliding hoop.
 #[pyfunction]
-fn gliding_path<'py>(
+pub(crate) fn gliding_path<'py>(
     py: Python<'py>,
     theta: PyReadonlyArray1<'py, f64>,
     theta_rate: PyReadonlyArray1<'py, f64>,
@@ -99,10 +94,4 @@ fn gliding_path<'py>(
         })
         .unzip();
     (x.into_pyarray(py), y.into_pyarray(py))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    register_elementwise(module)?;
-    module.add_function(wrap_pyfunction!(slip_angle, module)?)?;
-    module.add_function(wrap_pyfunction!(gliding_path, module)?)
 }

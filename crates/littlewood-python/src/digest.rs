@@ -5,10 +5,6 @@ use pyo3::prelude::*;
 
 /// The digests of a block of motions as this core computes them: a line of `crates/littlewood-digest/digest.txt`.
 #[pyfunction]
-fn digest_line(py: Python<'_>, block: u32) -> String {
+pub(crate) fn digest_line(py: Python<'_>, block: u32) -> String {
     py.detach(|| Block::compute(block).line())
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(digest_line, module)?)
 }

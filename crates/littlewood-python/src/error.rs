@@ -74,7 +74,3 @@ fn exception(py: Python<'_>, message: String, quantity: &str, hint: &str, index:
         Err(failure) => failure,
     }
 }
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("ParameterError", module.py().get_type::<ParameterError>())
-}

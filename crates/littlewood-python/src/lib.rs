@@ -21,21 +21,41 @@ mod table;
 mod units;
 mod waiting;
 
-use pyo3::prelude::*;
-
 /// The module.
-#[pymodule(gil_used = false)]
-fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    error::register(module)?;
-    motion::register(module)?;
-    units::register(module)?;
-    link::register(module)?;
-    many::register(module)?;
-    plane::register(module)?;
-    closed_form::register(module)?;
-    palette::register(module)?;
-    digest::register(module)?;
-    program::register(module)?;
-    table::register(module)
+#[pyo3::pymodule(gil_used = false)]
+mod _core {
+    use littlewood_sweep::MOST_THREADS;
+    use pyo3::prelude::*;
+
+    use crate::error::ParameterError;
+    use crate::many::MOST_POINTS;
+    use crate::table;
+
+    #[pymodule_export]
+    use crate::{
+        closed_form::{
+            alpha, gliding_path, gliding_time_to_plane, in_rolling_region, rolling_angle, rolling_energy,
+            rolling_friction, rolling_half_sine, rolling_normal, rolling_time_to_plane, rolling_type,
+            slip_angle, slip_time_from_top, stable_manifold_rate, unloading_time_from_top,
+            unstable_manifold_rate,
+        },
+        digest::digest_line,
+        link::{problem_of_link, read_link, write_link},
+        many::{classes, derivative_column, summaries},
+        motion::{Trajectory, bouncing_orbit, check_hoop, check_proof, check_until, classify, simulate},
+        palette::{curves, dashes, swatches_of},
+        plane::PhasePlane,
+        program::run_program,
+        table::{cases, edges, name_of_case, quantities, sample_columns, sequence_names, summary_columns},
+        units::{derived_units, hoop_from_si, sample_in_si, start_from_si},
+    };
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("ParameterError", module.py().get_type::<ParameterError>())?;
+        module.add("MOST_POINTS", MOST_POINTS)?;
+        module.add("MOST_THREADS", MOST_THREADS)?;
+        table::register(module)
+    }
 }

@@ -16,7 +16,7 @@ type ProblemRow = (HoopNumbers, Option<&'static str>, Option<UnitNumbers>, Start
 /// What cannot be read of a link first, key, text and reason, if anything; whether the link says anything of a motion; its
 /// instant.
 #[pyfunction]
-fn read_link(link: &str) -> (Option<(String, String, String)>, bool, Option<f64>) {
+pub(crate) fn read_link(link: &str) -> (Option<(String, String, String)>, bool, Option<f64>) {
     let read = Link::read(link, "");
     let refusal = read.refusals.into_iter().next();
     (refusal.map(|Refusal { key, text, reason }| (key, text, reason)), read.has_problem, read.link.at)
@@ -24,7 +24,7 @@ fn read_link(link: &str) -> (Option<(String, String, String)>, bool, Option<f64>
 
 /// The problem of a link.
 #[pyfunction]
-fn problem_of_link(py: Python<'_>, link: &str) -> PyResult<ProblemRow> {
+pub(crate) fn problem_of_link(py: Python<'_>, link: &str) -> PyResult<ProblemRow> {
     let problem = Link::read(link, "").link.problem;
     let (setup, units, until) = problem.to_setup().map_err(|error| refuse(py, &error, None))?;
     let (numbers, law) = given(setup.hoop);
@@ -34,7 +34,7 @@ fn problem_of_link(py: Python<'_>, link: &str) -> PyResult<ProblemRow> {
 
 /// The link of a motion and an instant, with the view of the link `shown`.
 #[pyfunction]
-fn write_link(
+pub(crate) fn write_link(
     py: Python<'_>,
     given: GivenHoop,
     start_numbers: StartNumbers,
@@ -45,10 +45,4 @@ fn write_link(
     let setup = Setup::new(hoop(py, &given)?.parameters(), start(start_numbers));
     let problem = Problem::of_setup(&setup, until);
     Ok(Link { problem, at, view: Link::read(shown, "").link.view }.to_string())
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(read_link, module)?)?;
-    module.add_function(wrap_pyfunction!(problem_of_link, module)?)?;
-    module.add_function(wrap_pyfunction!(write_link, module)?)
 }

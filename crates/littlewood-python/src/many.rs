@@ -2,7 +2,7 @@
 
 use littlewood::tables::{Class, DerivativeColumn, Group, PhaseSequence, Quantity, Setup, UnknownDerivative};
 use littlewood::{OutcomeKind, RestitutionLaw, Summary};
-use littlewood_sweep::{ColumnValues, MOST_THREADS, Points, Refused, of_derivative};
+use littlewood_sweep::{ColumnValues, Points, Refused, of_derivative};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -14,7 +14,7 @@ use crate::samples::with_room;
 use crate::waiting;
 
 /// Points of a call at most: with more their summaries outgrow memory.
-const MOST_POINTS: usize = 100_000_000;
+pub(crate) const MOST_POINTS: usize = 100_000_000;
 
 /// What a point is given by.
 const AXES: [Quantity; Quantity::AXES.len()] = Quantity::AXES;
@@ -54,7 +54,7 @@ impl Given {
 /// is the number of starts of each hoop that are expected in all.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "they are named where a person writes them, in the package")]
-fn summaries<'py>(
+pub(crate) fn summaries<'py>(
     py: Python<'py>,
     columns: [Option<PyReadonlyArray1<'py, f64>>; AXES.len()],
     law_name: LawName,
@@ -111,14 +111,14 @@ fn derivative(name: &str) -> PyResult<DerivativeColumn> {
 
 /// The quantity, and the long name, the unit and the scale of a derivative.
 #[pyfunction]
-fn derivative_column(name: &str) -> PyResult<(&'static str, [String; 3])> {
+pub(crate) fn derivative_column(name: &str) -> PyResult<(&'static str, [String; 3])> {
     let column = derivative(name)?;
     Ok((column.quantity.name(), of_derivative(column)))
 }
 
 /// The class of each motion, from the columns of its summary that decide it.
 #[pyfunction]
-fn classes<'py>(
+pub(crate) fn classes<'py>(
     py: Python<'py>,
     outcome: PyReadonlyArray1<'py, u8>,
     sequence: PyReadonlyArray1<'py, u64>,
@@ -136,12 +136,4 @@ fn classes<'py>(
         codes.push(Class::of(&summary).code());
     }
     Ok(codes.into_pyarray(py))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("MOST_POINTS", MOST_POINTS)?;
-    module.add("MOST_THREADS", MOST_THREADS)?;
-    module.add_function(wrap_pyfunction!(summaries, module)?)?;
-    module.add_function(wrap_pyfunction!(derivative_column, module)?)?;
-    module.add_function(wrap_pyfunction!(classes, module)?)
 }

@@ -27,7 +27,10 @@ use crate::units::{Scales, units};
 /// Checks the parameters of a hoop; returns its mass m, h, its moment of inertia about the mass centre, and its law of
 /// restitution.
 #[pyfunction]
-fn check_hoop(py: Python<'_>, given: GivenHoop) -> PyResult<(f64, f64, f64, Option<&'static str>)> {
+pub(crate) fn check_hoop(
+    py: Python<'_>,
+    given: GivenHoop,
+) -> PyResult<(f64, f64, f64, Option<&'static str>)> {
     let hoop = hoop(py, &given)?;
     let law = hoop.restitution().map(|restitution| RestitutionLaw::name(restitution.law()));
     Ok((hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre(), law))
@@ -35,7 +38,7 @@ fn check_hoop(py: Python<'_>, given: GivenHoop) -> PyResult<(f64, f64, f64, Opti
 
 /// Checks a time limit for a start at τ = 0, before anything is computed.
 #[pyfunction]
-fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
+pub(crate) fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
     // The simulation has the rule: a thin hoop at rest is soon simulated.
     Hoop::new(HoopParameters::thin(1.0))
         .and_then(|hoop| hoop.simulate(Start::default(), Limits::until(until).with_transitions(0)))
@@ -45,20 +48,20 @@ fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
 
 /// Refuses the name of a proof that there is not.
 #[pyfunction]
-fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
+pub(crate) fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
     limits(py, None, (0, 0), proof).map(drop)
 }
 
 /// A simulated motion, and the start that it was given.
 #[pyclass(frozen, module = "littlewood._core")]
-struct Trajectory(Core, Start);
+pub(crate) struct Trajectory(Core, Start);
 
 /// A part of a page: what it is, its label or headings, its rows with the mode of each, and the columns of numbers.
 type BlockRow = (&'static str, Vec<String>, Vec<(Option<&'static str>, Vec<String>)>, Vec<usize>);
 
 /// Simulates a motion, with the interpreter released.
 #[pyfunction]
-fn simulate(
+pub(crate) fn simulate(
     py: Python<'_>,
     given: GivenHoop,
     start_numbers: StartNumbers,
@@ -298,7 +301,7 @@ impl Trajectory {
     }
 
     const fn subject(&self) -> Subject<'static> {
-        Subject { case: None, start: self.1, units: None, digits: None, derivatives: None, uncertainty: None }
+        Subject::of_start(self.1)
     }
 }
 
@@ -342,7 +345,11 @@ fn add_candidates(dict: &Bound<'_, PyDict>, candidates: Option<Candidates>) -> P
 
 /// Where a start lies, as a dictionary.
 #[pyfunction]
-fn classify(py: Python<'_>, given: GivenHoop, start_numbers: StartNumbers) -> PyResult<Bound<'_, PyDict>> {
+pub(crate) fn classify(
+    py: Python<'_>,
+    given: GivenHoop,
+    start_numbers: StartNumbers,
+) -> PyResult<Bound<'_, PyDict>> {
     let found: Classification =
         hoop(py, &given)?.classify(start(start_numbers)).map_err(|error| refuse(py, &error, None))?;
     let dict = PyDict::new(py);
@@ -371,20 +378,10 @@ type OrbitRow = (f64, f64, f64, f64, f64, StartNumbers);
 
 /// The motion that bounces for ever with impacts at this angle, if there is one.
 #[pyfunction]
-fn bouncing_orbit(py: Python<'_>, given: GivenHoop, angle: f64) -> PyResult<Option<OrbitRow>> {
+pub(crate) fn bouncing_orbit(py: Python<'_>, given: GivenHoop, angle: f64) -> PyResult<Option<OrbitRow>> {
     let orbit = BouncingOrbit::new(&hoop(py, &given)?, angle);
     Ok(orbit.map(|orbit| {
         let BouncingOrbit { top_rate, bottom_rate, gap_rate, friction, .. } = orbit;
         (top_rate, bottom_rate, gap_rate, friction, orbit.period(), start_numbers(orbit.start()))
     }))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Trajectory>()?;
-    module.add_function(wrap_pyfunction!(check_hoop, module)?)?;
-    module.add_function(wrap_pyfunction!(check_until, module)?)?;
-    module.add_function(wrap_pyfunction!(check_proof, module)?)?;
-    module.add_function(wrap_pyfunction!(simulate, module)?)?;
-    module.add_function(wrap_pyfunction!(classify, module)?)?;
-    module.add_function(wrap_pyfunction!(bouncing_orbit, module)?)
 }

@@ -14,7 +14,7 @@ type Pieces = Vec<Vec<[f64; 2]>>;
 
 /// The phase plane of a hoop.
 #[pyclass(frozen, module = "littlewood._core")]
-struct PhasePlane {
+pub(crate) struct PhasePlane {
     hoop: Hoop,
     plane: Core,
 }
@@ -127,8 +127,4 @@ methods! {
         Ok(codes.into_pyarray(py))
     }
     }
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PhasePlane>()
 }

@@ -7,10 +7,6 @@ use pyo3::prelude::*;
 /// Runs the command line with these arguments, the first of which is its name, and returns its exit code. Ctrl-C ends the
 /// process, as it ends the program.
 #[pyfunction]
-fn run_program(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
+pub(crate) fn run_program(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| littlewood_cli::run(arguments))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(run_program, module)?)
 }

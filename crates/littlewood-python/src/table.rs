@@ -20,7 +20,7 @@ use crate::samples::OUTSIDE;
 
 /// The quantities that a user can set, one dictionary each.
 #[pyfunction]
-fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+pub(crate) fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     Quantity::ALL
         .into_iter()
         .map(|quantity| {
@@ -48,7 +48,7 @@ fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
 
 /// The columns of a sample, one dictionary each. Those of codes have no unit.
 #[pyfunction]
-fn sample_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+pub(crate) fn sample_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     SampleColumn::ALL
         .into_iter()
         .map(|column| {
@@ -69,7 +69,7 @@ fn sample_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
 
 /// The columns of a summary, one dictionary each.
 #[pyfunction]
-fn summary_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+pub(crate) fn summary_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     SummaryColumn::ALL
         .into_iter()
         .map(|column| {
@@ -97,7 +97,7 @@ type CaseRow = (&'static str, &'static str, &'static str, HoopNumbers, Option<&'
 
 /// The named cases.
 #[pyfunction]
-fn cases() -> Vec<CaseRow> {
+pub(crate) fn cases() -> Vec<CaseRow> {
     CASES
         .iter()
         .map(|case| {
@@ -120,13 +120,13 @@ type EdgeRow = (
 
 /// The name of the case of this name, or of one that is short for it.
 #[pyfunction]
-fn name_of_case(name: &str) -> Option<&'static str> {
+pub(crate) fn name_of_case(name: &str) -> Option<&'static str> {
     find_case(name).map(|case| case.name)
 }
 
 /// The edges of the automaton.
 #[pyfunction]
-fn edges() -> Vec<EdgeRow> {
+pub(crate) fn edges() -> Vec<EdgeRow> {
     EDGES
         .iter()
         .map(|edge| {
@@ -138,7 +138,7 @@ fn edges() -> Vec<EdgeRow> {
 
 /// Sequences of phases, one letter a phase.
 #[pyfunction]
-fn sequence_names(bits: PyReadonlyArray1<'_, u64>) -> Vec<String> {
+pub(crate) fn sequence_names(bits: PyReadonlyArray1<'_, u64>) -> Vec<String> {
     bits.as_array().iter().map(|&bits| PhaseSequence::from_bits(bits).to_string()).collect()
 }
 
@@ -146,6 +146,7 @@ fn names<const N: usize>(quantities: [Quantity; N]) -> Vec<&'static str> {
     quantities.map(Quantity::name).to_vec()
 }
 
+/// Adds the constants.
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("HOOP", names(Quantity::HOOP))?;
     module.add("START", names(Quantity::START))?;
@@ -179,12 +180,5 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("PHASES", PhaseCode::ALL.map(|code| (code.code(), code.name(), code.meaning())).to_vec())?;
     module.add("SEQUENCE_CAPACITY", PhaseSequence::CAPACITY)?;
     module.add("SEQUENCE_VERSION", PhaseSequence::VERSION)?;
-    module.add("SEQUENCE_ENCODING", PhaseSequence::ENCODING)?;
-    module.add_function(wrap_pyfunction!(quantities, module)?)?;
-    module.add_function(wrap_pyfunction!(sample_columns, module)?)?;
-    module.add_function(wrap_pyfunction!(summary_columns, module)?)?;
-    module.add_function(wrap_pyfunction!(cases, module)?)?;
-    module.add_function(wrap_pyfunction!(name_of_case, module)?)?;
-    module.add_function(wrap_pyfunction!(edges, module)?)?;
-    module.add_function(wrap_pyfunction!(sequence_names, module)?)
+    module.add("SEQUENCE_ENCODING", PhaseSequence::ENCODING)
 }

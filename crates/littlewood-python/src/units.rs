@@ -27,7 +27,7 @@ pub(crate) fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyR
 
 /// A hoop in SI units: the dimensionless one, and m2, R, √(R/g), g.
 #[pyfunction]
-fn hoop_from_si(
+pub(crate) fn hoop_from_si(
     py: Python<'_>,
     numbers: SiHoopNumbers,
     law_name: LawName,
@@ -41,7 +41,7 @@ fn hoop_from_si(
 
 /// A start, and a time limit if there is one, from SI units.
 #[pyfunction]
-fn start_from_si(
+pub(crate) fn start_from_si(
     py: Python<'_>,
     scales: Scales,
     numbers: SiStartNumbers,
@@ -60,7 +60,7 @@ fn start_from_si(
 
 /// Values of a column of the samples in SI units. A column of codes has none.
 #[pyfunction]
-fn sample_in_si<'py>(
+pub(crate) fn sample_in_si<'py>(
     py: Python<'py>,
     scales: Scales,
     column: &str,
@@ -77,7 +77,7 @@ fn sample_in_si<'py>(
 
 /// The SI values of √(g/R), √(gR), m2 g, m2 g R and m2 R².
 #[pyfunction]
-fn derived_units(py: Python<'_>, scales: Scales) -> PyResult<(f64, f64, f64, f64, f64)> {
+pub(crate) fn derived_units(py: Python<'_>, scales: Scales) -> PyResult<(f64, f64, f64, f64, f64)> {
     let units = units(py, scales)?;
     Ok((
         units.unit(Dimension::AngularRate),
@@ -86,11 +86,4 @@ fn derived_units(py: Python<'_>, scales: Scales) -> PyResult<(f64, f64, f64, f64
         units.unit(Dimension::Energy),
         units.unit(Dimension::Inertia),
     ))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(hoop_from_si, module)?)?;
-    module.add_function(wrap_pyfunction!(start_from_si, module)?)?;
-    module.add_function(wrap_pyfunction!(sample_in_si, module)?)?;
-    module.add_function(wrap_pyfunction!(derived_units, module)?)
 }
