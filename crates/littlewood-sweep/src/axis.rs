@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::getters::getters;
 use littlewood::ParameterError;
 use littlewood::tables::{Dimension, Group, Number, Quantity, Setup};
 use thiserror::Error;
@@ -102,82 +103,38 @@ impl Spacing {
 
 /// What is wrong with the axes of a grid.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum AxisError {
     /// A quantity that no motion depends on, or a number in SI units.
     #[error("a sweep cannot vary {quantity}; axes are {}, {}", names(&Quantity::AXES), Varies::Friction)]
-    NotAnAxis {
-        /// The quantity.
-        quantity: Quantity,
-    },
+    NotAnAxis { quantity: Quantity },
     /// An end is NaN or infinite, or the ends are farther apart than a double can say.
     #[error("axis {axis}: {} is not a finite number", Number(*value))]
-    NotFinite {
-        /// The axis.
-        axis: Varies,
-        /// The end, or the distance of the ends.
-        value: f64,
-    },
+    NotFinite { axis: Varies, value: f64 },
     /// No points.
     #[error("axis {axis}: 0 points; at least 1 is needed")]
-    Empty {
-        /// The axis.
-        axis: Varies,
-    },
+    Empty { axis: Varies },
     /// One point cannot have two ends.
     #[error("axis {axis}: 1 point cannot include both ends, {} and {}", Number(*from), Number(*to))]
-    OnePointTwoEnds {
-        /// The axis.
-        axis: Varies,
-        /// First value.
-        from: f64,
-        /// Last value.
-        to: f64,
-    },
+    OnePointTwoEnds { axis: Varies, from: f64, to: f64 },
     /// Many points at one value.
     #[error("axis {axis}: {count} points from {} to {} are all the same", Number(*from), Number(*from))]
-    NoExtent {
-        /// The axis.
-        axis: Varies,
-        /// The value.
-        from: f64,
-        /// Number of points.
-        count: usize,
-    },
+    NoExtent { axis: Varies, from: f64, count: usize },
     /// Equal factors lead from a number to another of the same sign only.
     #[error("axis {axis}: equal factors cannot lead from {} to {}", Number(*from), Number(*to))]
-    NoFactor {
-        /// The axis.
-        axis: Varies,
-        /// First value.
-        from: f64,
-        /// Last value.
-        to: f64,
-    },
+    NoFactor { axis: Varies, from: f64, to: f64 },
     /// No axis at all.
     #[error("a grid needs at least one axis")]
     None,
     /// Two axes of the same quantity.
     #[error("axis {quantity} is given twice")]
-    Twice {
-        /// The quantity.
-        quantity: Quantity,
-    },
-    /// More points than 2⁶³.
+    Twice { quantity: Quantity },
+    /// More points than 2⁶³; `points` may be the largest number there is.
     #[error("the grid has {}{points} points; at most {} can be counted", if *points == u128::MAX { "more than " } else { "" }, i64::MAX)]
-    TooMany {
-        /// Number of points, or the largest number there is.
-        points: u128,
-    },
+    TooMany { points: u128 },
     /// A value on an axis has no physical meaning, whatever the other axes say.
     #[error("axis {quantity}: at {}: {source}", Number(*value))]
-    Value {
-        /// The quantity.
-        quantity: Quantity,
-        /// The value on the axis.
-        value: f64,
-        /// The bound it breaks.
-        source: ParameterError,
-    },
+    Value { quantity: Quantity, value: f64, source: ParameterError },
     /// A fixed value has no physical meaning.
     #[error("{0}")]
     Fixed(#[from] ParameterError),
@@ -209,6 +166,20 @@ pub struct Axis {
     to: f64,
     count: usize,
     spacing: Spacing,
+}
+
+getters! {
+    Axis:
+    /// What it varies.
+    varies(self) -> Varies = self.varies;
+    /// How its values are spaced.
+    spacing(self) -> Spacing = self.spacing;
+    /// First value.
+    from(self) -> f64 = self.from;
+    /// Last value.
+    to(self) -> f64 = self.to;
+    /// Number of values.
+    count(self) -> usize = self.count;
 }
 
 impl Axis {
@@ -250,39 +221,9 @@ impl Axis {
         Ok(Self { spacing, ..self })
     }
 
-    /// What it varies.
-    #[must_use]
-    pub const fn varies(&self) -> Varies {
-        self.varies
-    }
-
-    /// How its values are spaced.
-    #[must_use]
-    pub const fn spacing(&self) -> Spacing {
-        self.spacing
-    }
-
     /// Whether its values are hoops, not starts.
     pub(crate) fn is_of_the_hoop(&self) -> bool {
         self.varies.quantities().any(|quantity| quantity.group() == Group::Hoop)
-    }
-
-    /// First value.
-    #[must_use]
-    pub const fn from(&self) -> f64 {
-        self.from
-    }
-
-    /// Last value.
-    #[must_use]
-    pub const fn to(&self) -> f64 {
-        self.to
-    }
-
-    /// Number of values.
-    #[must_use]
-    pub const fn count(&self) -> usize {
-        self.count
     }
 
     /// Value `i`: from + (to − from)·i/(count − 1), or from·(to/from)^(i/(count − 1)), and the end itself for the last one

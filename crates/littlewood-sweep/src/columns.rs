@@ -1,5 +1,6 @@
 //! The results of a sweep, column by column.
 
+use crate::getters::getters;
 use littlewood::tables::{Class, ColumnType, DerivativeColumn, SummaryColumn, SummaryValue};
 use littlewood::{OutcomeKind, Summary};
 
@@ -170,6 +171,16 @@ impl Default for Columns {
     }
 }
 
+getters! {
+    Columns:
+    /// Number of points.
+    len(self) -> usize = self.classes.len();
+    /// Whether there are no points.
+    is_empty(self) -> bool = self.classes.is_empty();
+    /// The classes of all points in order.
+    classes(self) -> &[Class] = self.classes.as_slice();
+}
+
 impl Columns {
     /// Columns of this many points that have not been computed.
     pub(crate) fn blank(len: usize, derivatives: &[DerivativeColumn]) -> Self {
@@ -237,18 +248,6 @@ impl Columns {
         }
     }
 
-    /// Number of points.
-    #[must_use]
-    pub const fn len(&self) -> usize {
-        self.classes.len()
-    }
-
-    /// Whether there are no points.
-    #[must_use]
-    pub const fn is_empty(&self) -> bool {
-        self.classes.is_empty()
-    }
-
     /// The values of a column.
     #[must_use]
     pub fn column(&self, column: SummaryColumn) -> &ColumnValues {
@@ -296,12 +295,6 @@ impl Columns {
     /// All summaries in order.
     pub fn summaries(&self) -> impl ExactSizeIterator<Item = Summary> + '_ {
         (0..self.len()).map(|i| self.summary(i))
-    }
-
-    /// The classes of all points in order.
-    #[must_use]
-    pub fn classes(&self) -> &[Class] {
-        &self.classes
     }
 }
 

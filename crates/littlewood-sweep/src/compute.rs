@@ -29,21 +29,14 @@ pub const MOST_THREADS: usize = 1024;
 
 /// Threads could not be started.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum ThreadsError {
     /// More than [`MOST_THREADS`].
     #[error("{threads} threads: at most {MOST_THREADS} can be asked for")]
-    TooMany {
-        /// How many were asked for.
-        threads: usize,
-    },
-    /// The operating system has not as many.
+    TooMany { threads: usize },
+    /// The operating system has not as many; 0 stands for as many as there are cores.
     #[error("cannot start {threads} threads: {reason}")]
-    NotStarted {
-        /// How many were asked for; 0 for as many as there are cores.
-        threads: usize,
-        /// Message of the operating system.
-        reason: String,
-    },
+    NotStarted { threads: usize, reason: String },
 }
 
 /// The threads of a sweep, and the engines that they have prepared last.

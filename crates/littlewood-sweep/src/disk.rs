@@ -4,30 +4,18 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-/// File operations of a sweep; tests replace them by a disk that fills up.
+/// File operations of a sweep, with the errors of the operating system; tests replace them by a disk that fills up.
 pub trait Disk: Sync {
     /// Makes a folder and those above it.
-    ///
-    /// # Errors
-    /// Of the operating system.
     fn create_folder(&self, path: &Path) -> io::Result<()>;
 
     /// Writes a file atomically: a reader sees all of it or nothing.
-    ///
-    /// # Errors
-    /// Of the operating system.
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
     /// Adds to the end of a file.
-    ///
-    /// # Errors
-    /// Of the operating system.
     fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
     /// Gives a file another name; a file that has that name is replaced.
-    ///
-    /// # Errors
-    /// Of the operating system.
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
 }
 

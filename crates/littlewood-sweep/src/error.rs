@@ -14,6 +14,7 @@ use crate::store::StoreError;
 
 /// What stops a sweep.
 #[derive(Debug, Error)]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum SweepError {
     /// The axes.
     #[error(transparent)]
@@ -34,40 +35,18 @@ pub enum SweepError {
     #[error(
         "{points} starts in chunks of {chunk} at most are {chunks} chunks; a run has at most {MOST_CHUNKS}"
     )]
-    TooManyChunks {
-        /// Points of the run.
-        points: u64,
-        /// Points of a chunk, at most.
-        chunk: usize,
-        /// Number of chunks.
-        chunks: usize,
-    },
+    TooManyChunks { points: u64, chunk: usize, chunks: usize },
     /// More values than the coordinates of a Zarr store can have.
     #[error(
         "axis {axis}: {count} points; an axis of a Zarr store has at most {most}, for its coordinates are one chunk"
     )]
-    LongAxis {
-        /// The axis.
-        axis: Varies,
-        /// Number of its values.
-        count: usize,
-        /// Bound.
-        most: usize,
-    },
+    LongAxis { axis: Varies, count: usize, most: usize },
     /// A list has no place in a Zarr store, whose points stand on axes.
     #[error("{}: a list of starts does not fit a Zarr store", path.display())]
-    ListAsZarr {
-        /// The target.
-        path: PathBuf,
-    },
+    ListAsZarr { path: PathBuf },
     /// The format of a target is not in this build.
     #[error("{}: this program was built without the feature `{feature}`", path.display())]
-    NotBuilt {
-        /// The target.
-        path: PathBuf,
-        /// The feature of this crate that has the format.
-        feature: &'static str,
-    },
+    NotBuilt { path: PathBuf, feature: &'static str },
     /// The threads.
     #[error(transparent)]
     Threads(#[from] ThreadsError),

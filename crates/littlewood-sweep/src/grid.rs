@@ -6,6 +6,7 @@ use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use littlewood::{Hoop, HoopParameters};
 
 use crate::axis::{Axis, AxisError};
+use crate::getters::getters;
 use crate::setup::quantities;
 
 /// The points of a grid, numbered row by row: the last axis runs fastest.
@@ -29,6 +30,19 @@ pub struct Grid {
     axes: Vec<Axis>,
     len: u64,
     derivatives: Vec<DerivativeColumn>,
+}
+
+getters! {
+    Grid:
+    /// The derivatives that are computed.
+    derivatives(self) -> &[DerivativeColumn] = self.derivatives.as_slice();
+    /// The base setup; where there is an axis it has the first value of the axis.
+    base(self) -> &Setup = &self.base;
+    /// The axes, slowest first.
+    axes(self) -> &[Axis] = self.axes.as_slice();
+    /// Number of points; never zero.
+    #[expect(clippy::len_without_is_empty, reason = "a grid is never empty")]
+    len(self) -> u64 = self.len;
 }
 
 impl Grid {
@@ -72,35 +86,10 @@ impl Grid {
         self
     }
 
-    /// The derivatives that are computed.
-    #[must_use]
-    pub fn derivatives(&self) -> &[DerivativeColumn] {
-        &self.derivatives
-    }
-
-    /// The base setup; where there is an axis it has the first value of the axis.
-    #[must_use]
-    pub const fn base(&self) -> &Setup {
-        &self.base
-    }
-
-    /// The axes, slowest first.
-    #[must_use]
-    pub fn axes(&self) -> &[Axis] {
-        &self.axes
-    }
-
     /// Number of values on each axis.
     #[must_use]
     pub fn shape(&self) -> Vec<usize> {
         self.axes.iter().map(Axis::count).collect()
-    }
-
-    /// Number of points; never zero.
-    #[must_use]
-    #[expect(clippy::len_without_is_empty, reason = "a grid is never empty")]
-    pub const fn len(&self) -> u64 {
-        self.len
     }
 
     /// Number of starts of each hoop: the points of the axes that are not of the hoop.

@@ -45,6 +45,7 @@ mod destination;
 mod disk;
 mod error;
 mod first_turn;
+mod getters;
 mod grid;
 mod maps;
 mod options;

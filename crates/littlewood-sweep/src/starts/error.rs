@@ -10,117 +10,49 @@ use thiserror::Error;
 use crate::axis::names;
 use crate::setup::quantities;
 
-/// What is wrong with a list of starts.
+/// What is wrong with a list of starts. Lines, or rows of a Parquet file, are counted from 1.
 #[derive(Debug, Error)]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum ListError {
     /// The file cannot be read.
     #[error("cannot read {}: {source}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
+    Unreadable { path: PathBuf, source: io::Error },
     /// A Parquet file, for which this program has no reader.
     #[error("{}: this program was built without the feature `parquet`", path.display())]
-    NotBuilt {
-        /// The file.
-        path: PathBuf,
-    },
+    NotBuilt { path: PathBuf },
     /// Neither `.csv` nor `.parquet`.
     #[error("{}: a list of starts ends in .csv or .parquet", path.display())]
-    UnknownFormat {
-        /// The file.
-        path: PathBuf,
-    },
+    UnknownFormat { path: PathBuf },
     /// A header that is not a quantity of a hoop or a start.
     #[error("{}: there is no quantity {column:?}; columns are {}", path.display(), names(&quantities().collect::<Vec<_>>()))]
-    UnknownColumn {
-        /// The file.
-        path: PathBuf,
-        /// The header.
-        column: String,
-    },
+    UnknownColumn { path: PathBuf, column: String },
     /// A header that is there twice.
     #[error("{}: column {column} is there twice", path.display())]
-    DuplicateColumn {
-        /// The file.
-        path: PathBuf,
-        /// The header.
-        column: Quantity,
-    },
+    DuplicateColumn { path: PathBuf, column: Quantity },
     /// No columns, or no rows.
     #[error("{}: no starts in it", path.display())]
-    Empty {
-        /// The file.
-        path: PathBuf,
-    },
+    Empty { path: PathBuf },
     /// A row with too many or too few cells, or bytes that are not text.
     #[error("{}, line {line}: {reason}", path.display())]
-    BadLine {
-        /// The file.
-        path: PathBuf,
-        /// Line, from 1.
-        line: u64,
-        /// What is wrong with it.
-        reason: String,
-    },
+    BadLine { path: PathBuf, line: u64, reason: String },
     /// A cell that is not a finite number.
     #[error("{}, line {line}, column {column}: {cell:?} is not a finite number", path.display())]
-    BadCell {
-        /// The file.
-        path: PathBuf,
-        /// Line from 1 (CSV), or row from 1 (Parquet).
-        line: u64,
-        /// Column.
-        column: Quantity,
-        /// Its text.
-        cell: String,
-    },
+    BadCell { path: PathBuf, line: u64, column: Quantity, cell: String },
     /// A cell whose value has no physical meaning.
     #[error("{}, line {line}, column {column}: {source}", path.display())]
-    BadValue {
-        /// The file.
-        path: PathBuf,
-        /// Line from 1 (CSV), or row from 1 (Parquet).
-        line: u64,
-        /// Column.
-        column: Quantity,
-        /// The bound it breaks.
-        source: ParameterError,
-    },
+    BadValue { path: PathBuf, line: u64, column: Quantity, source: ParameterError },
     /// A value that the list has no column for has no physical meaning.
     #[error("fixed {column}: {source}")]
-    Fixed {
-        /// The quantity.
-        column: Quantity,
-        /// The bound it breaks.
-        source: ParameterError,
-    },
+    Fixed { column: Quantity, source: ParameterError },
     /// A Parquet column that does not hold numbers.
     #[error("{}: column {column} holds {found}, not numbers", path.display())]
-    NotNumbers {
-        /// The file.
-        path: PathBuf,
-        /// Column.
-        column: Quantity,
-        /// Type of the column.
-        found: String,
-    },
+    NotNumbers { path: PathBuf, column: Quantity, found: String },
     /// Not a Parquet file, or a damaged one.
     #[error("{}: {reason}", path.display())]
-    BadParquet {
-        /// The file.
-        path: PathBuf,
-        /// Message of the reader.
-        reason: String,
-    },
+    BadParquet { path: PathBuf, reason: String },
     /// The file is not the one that was opened.
     #[error("{} has changed while it was read", path.display())]
-    Changed {
-        /// The file.
-        path: PathBuf,
-    },
+    Changed { path: PathBuf },
 }
 
 /// An error of the operating system at a path.

@@ -8,7 +8,8 @@ use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use serde_json::{Value, json};
 
 use super::error::{ListError, unreadable};
-use super::rows::{ListFormat, Rows};
+use super::rows::Rows;
+use crate::getters::getters;
 use crate::setup::quantities;
 
 /// A list of starts in a file. Its columns are named as the quantities of a hoop and a start are
@@ -18,13 +19,24 @@ use crate::setup::quantities;
 #[derive(Clone, Debug)]
 pub struct StartList {
     path: PathBuf,
-    format: ListFormat,
     base: Setup,
     columns: Vec<Quantity>,
     rows: u64,
     /// Length and CRC-32 of the file.
     content: (u64, u32),
     derivatives: Vec<DerivativeColumn>,
+}
+
+getters! {
+    StartList:
+    /// The derivatives that are computed.
+    derivatives(self) -> &[DerivativeColumn] = self.derivatives.as_slice();
+    /// Number of starts.
+    rows(self) -> u64 = self.rows;
+    /// The quantities that the file has, in its order.
+    columns(self) -> &[Quantity] = self.columns.as_slice();
+    /// The setup from which quantities without a column are taken.
+    base(self) -> &Setup = &self.base;
 }
 
 impl StartList {
@@ -34,20 +46,11 @@ impl StartList {
     /// Says what is wrong, and in which line and column. The first line of a CSV file, its header, is line 1; the first
     /// row of a Parquet file is row 1.
     pub fn open(path: &Path, base: Setup) -> Result<Self, ListError> {
-        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
-        let format = match extension.to_ascii_lowercase().as_str() {
-            "csv" => ListFormat::Csv,
-            #[cfg(feature = "parquet")]
-            "parquet" => ListFormat::Parquet,
-            #[cfg(not(feature = "parquet"))]
-            "parquet" => return Err(ListError::NotBuilt { path: path.to_owned() }),
-            _ => return Err(ListError::UnknownFormat { path: path.to_owned() }),
-        };
+        let mut rows = Rows::open(path, base)?;
         let content = checksum(path)?;
-        let mut rows = Rows::open(path, format, base)?;
         let columns = rows.columns().to_vec();
         let mut list =
-            Self { path: path.to_owned(), format, base, columns, rows: 0, content, derivatives: Vec::new() };
+            Self { path: path.to_owned(), base, columns, rows: 0, content, derivatives: Vec::new() };
         if list.columns.is_empty() {
             return Err(ListError::Empty { path: list.path });
         }
@@ -75,34 +78,10 @@ impl StartList {
         self
     }
 
-    /// The derivatives that are computed.
-    #[must_use]
-    pub fn derivatives(&self) -> &[DerivativeColumn] {
-        &self.derivatives
-    }
-
     /// The file.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
-    }
-
-    /// Number of starts.
-    #[must_use]
-    pub const fn rows(&self) -> u64 {
-        self.rows
-    }
-
-    /// The quantities that the file has, in its order.
-    #[must_use]
-    pub fn columns(&self) -> &[Quantity] {
-        &self.columns
-    }
-
-    /// The setup from which quantities without a column are taken.
-    #[must_use]
-    pub const fn base(&self) -> &Setup {
-        &self.base
     }
 
     /// The points in order, each with its line in the file.
@@ -121,7 +100,7 @@ impl StartList {
 
     /// The rows from the first one on.
     pub(crate) fn read(&self) -> Result<Rows, ListError> {
-        let rows = Rows::open(&self.path, self.format, self.base)?;
+        let rows = Rows::open(&self.path, self.base)?;
         if rows.columns() == self.columns { Ok(rows) } else { Err(self.changed()) }
     }
 

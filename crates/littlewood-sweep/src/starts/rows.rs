@@ -10,14 +10,6 @@ use super::error::{ListError, unreadable};
 #[cfg(feature = "parquet")]
 use super::parquet::ParquetRows;
 
-/// Format of a list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ListFormat {
-    Csv,
-    #[cfg(feature = "parquet")]
-    Parquet,
-}
-
 /// The rows of a file, one after the other.
 pub(crate) struct Rows {
     path: PathBuf,
@@ -33,18 +25,23 @@ enum Cells {
 }
 
 impl Rows {
-    pub(super) fn open(path: &Path, format: ListFormat, base: Setup) -> Result<Self, ListError> {
-        let file = File::open(path).map_err(unreadable(path))?;
-        let (columns, cells) = match format {
-            ListFormat::Csv => {
-                let (columns, rows) = CsvRows::open(path, file)?;
+    /// The rows of a `.csv` or `.parquet` file.
+    pub(super) fn open(path: &Path, base: Setup) -> Result<Self, ListError> {
+        let open = || File::open(path).map_err(unreadable(path));
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let (columns, cells) = match ending.to_ascii_lowercase().as_str() {
+            "csv" => {
+                let (columns, rows) = CsvRows::open(path, open()?)?;
                 (columns, Cells::Csv(rows))
             }
             #[cfg(feature = "parquet")]
-            ListFormat::Parquet => {
-                let (columns, rows) = ParquetRows::open(path, file)?;
+            "parquet" => {
+                let (columns, rows) = ParquetRows::open(path, open()?)?;
                 (columns, Cells::Parquet(rows))
             }
+            #[cfg(not(feature = "parquet"))]
+            "parquet" => return Err(ListError::NotBuilt { path: path.to_owned() }),
+            _ => return Err(ListError::UnknownFormat { path: path.to_owned() }),
         };
         Ok(Self { path: path.to_owned(), base, columns, cells })
     }

@@ -9,97 +9,46 @@ use crate::description::ForeignVersion;
 
 /// What is wrong with a store, or with writing to it.
 #[derive(Debug, Error)]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum StoreError {
-    /// A file or folder cannot be written: a full disk, a folder without permission, a name that is taken.
+    /// A file or folder cannot be written: a full disk, a folder without permission, a name that is taken. The chunks of `finished` points are
+    /// on disk, and stay readable.
     #[error("cannot write {}: {source}{}", path.display(), stay_readable(*finished))]
-    Unwritable {
-        /// The file or folder.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-        /// Points whose chunks are on disk and stay readable.
-        finished: u64,
-    },
+    Unwritable { path: PathBuf, source: io::Error, finished: u64 },
     /// A file of a store cannot be read.
     #[error("cannot read {}: {source}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
+    Unreadable { path: PathBuf, source: io::Error },
     /// There is something at the path that is not a store of this program.
     #[error("{} exists and is not the result of a sweep; it is left as it is", path.display())]
-    NotAStore {
-        /// The path.
-        path: PathBuf,
-    },
+    NotAStore { path: PathBuf },
     /// There is a store whose files or codes are those of another version of this program.
     #[error(
         "{} has {} {}{}, this program reads and writes {}; it is left as it is: choose another name and compute it \
          again, or read it with the program that made it",
         path.display(), version.what, version.found, made_by(version), version.needed
     )]
-    OtherFormat {
-        /// The path.
-        path: PathBuf,
-        /// What differs, which version is there, and which is needed.
-        version: ForeignVersion,
-    },
+    OtherFormat { path: PathBuf, version: ForeignVersion },
     /// There is a store of the same run, and resuming was not asked for.
     #[error("{} exists ({}); resume it, or choose another name", path.display(), if *complete { "complete" } else { "partial" })]
-    Exists {
-        /// The path.
-        path: PathBuf,
-        /// Whether all of its chunks are there.
-        complete: bool,
-    },
-    /// There is a store of another run.
+    Exists { path: PathBuf, complete: bool },
+    /// There is a store of another run, with `differences` such as `name: there / here`.
     #[error("{} was made by other parameters ({}); it is left as it is", path.display(), differences.join("; "))]
-    OtherParameters {
-        /// The path.
-        path: PathBuf,
-        /// What differs, as `name: there / here`.
-        differences: Vec<String>,
-    },
+    OtherParameters { path: PathBuf, differences: Vec<String> },
     /// Another process is writing to the store.
     #[error("another process is writing to {}", path.display())]
-    Locked {
-        /// The path.
-        path: PathBuf,
-    },
+    Locked { path: PathBuf },
     /// The list of finished chunks cannot be understood.
     #[error("{}, line {line}: the list of finished chunks is damaged; remove the store and run again", path.display())]
-    DamagedManifest {
-        /// The file.
-        path: PathBuf,
-        /// Line, from 1.
-        line: usize,
-    },
+    DamagedManifest { path: PathBuf, line: usize },
     /// Metadata of a store cannot be understood.
     #[error("{}: damaged metadata: {reason}", path.display())]
-    DamagedMetadata {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        reason: String,
-    },
+    DamagedMetadata { path: PathBuf, reason: String },
     /// A chunk cannot be decoded.
     #[error("{}: damaged chunk: {reason}", path.display())]
-    DamagedChunk {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        reason: String,
-    },
+    DamagedChunk { path: PathBuf, reason: String },
     /// Data cannot be put into the format. No input is known that does this.
     #[error("cannot encode {what}: {reason}")]
-    Encoding {
-        /// What was encoded.
-        what: String,
-        /// Message of the encoder.
-        reason: String,
-    },
+    Encoding { what: String, reason: String },
 }
 
 impl StoreError {

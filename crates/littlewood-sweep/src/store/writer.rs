@@ -63,12 +63,13 @@ impl<'a> Store<'a> {
         Ok(store)
     }
 
+    /// Writes what describes the store, as a partial one.
     fn begin(&self) -> Result<(), StoreError> {
         self.write(Path::new(self.format.header_path()), &self.format.header(false)?)?;
         for (path, bytes) in self.format.initial_files()? {
             self.write(&path, &bytes)?;
         }
-        self.write(Path::new(self.format.manifest_path()), self.manifest.head().as_bytes())
+        self.write(Path::new(self.format.manifest_path()), self.manifest.text().as_bytes())
     }
 
     fn resume(&mut self, count: usize, complete: bool, workers: &Workers) -> Result<(), StoreError> {
@@ -91,11 +92,7 @@ impl<'a> Store<'a> {
         self.damaged = if complete { count } else { claimed.chunks.len() } - intact;
         if intact < count {
             // A store that was complete is partial from here on, until its last chunk is there.
-            self.write(Path::new(self.format.header_path()), &self.format.header(false)?)?;
-            for (path, bytes) in self.format.initial_files()? {
-                self.write(&path, &bytes)?;
-            }
-            self.write(Path::new(self.format.manifest_path()), self.manifest.text().as_bytes())?;
+            self.begin()?;
         }
         Ok(())
     }

@@ -1,9 +1,9 @@
 //! Arrays of a store: their metadata, and chunks to bytes and back.
 
+use littlewood::tables::SummaryValue;
 use serde_json::{Value, json};
 use zstd::bulk::{Compressor, Decompressor};
 
-use super::data_type::DataType;
 use crate::attributes::Attributes;
 use crate::store::StoreError;
 
@@ -18,7 +18,8 @@ pub(super) struct Array {
     pub(super) shape: Vec<usize>,
     /// Shape of a chunk, also of one that is cut off at the far end of an axis.
     pub(super) chunk: Vec<usize>,
-    pub(super) data_type: DataType,
+    /// What stands for a value that is not there, of the type of all.
+    pub(super) fill: SummaryValue,
     /// The names of its dimensions.
     pub(super) dimensions: Vec<&'static str>,
     pub(super) attributes: Attributes,
@@ -27,14 +28,21 @@ pub(super) struct Array {
 impl Array {
     /// What `zarr.json` says of it.
     pub(super) fn metadata(&self) -> Value {
+        let fill: Value = match self.fill {
+            SummaryValue::U8(value) => value.into(),
+            SummaryValue::U32(value) => value.into(),
+            SummaryValue::U64(value) => value.into(),
+            SummaryValue::F64(value) if value.is_nan() => "NaN".into(),
+            SummaryValue::F64(value) => value.into(),
+        };
         json!({
             "zarr_format": 3,
             "node_type": "array",
             "shape": self.shape,
-            "data_type": self.data_type.name(),
+            "data_type": self.data_type().0,
             "chunk_grid": { "name": "regular", "configuration": { "chunk_shape": self.chunk } },
             "chunk_key_encoding": { "name": "default", "configuration": { "separator": "/" } },
-            "fill_value": self.data_type.fill_value(),
+            "fill_value": fill,
             "codecs": [
                 { "name": "bytes", "configuration": { "endian": "little" } },
                 { "name": "zstd", "configuration": { "level": LEVEL, "checksum": true } },
@@ -42,6 +50,16 @@ impl Array {
             "attributes": self.attributes,
             "dimension_names": self.dimensions,
         })
+    }
+
+    /// The name of the type of the values, and the bytes of one.
+    const fn data_type(&self) -> (&'static str, usize) {
+        match self.fill {
+            SummaryValue::U8(_) => ("uint8", 1),
+            SummaryValue::U32(_) => ("uint32", 4),
+            SummaryValue::U64(_) => ("uint64", 8),
+            SummaryValue::F64(_) => ("float64", 8),
+        }
     }
 
     /// The path of a chunk in the store.
@@ -62,7 +80,7 @@ impl Array {
 
     /// The values of a chunk from its file.
     pub(super) fn decode(&self, file: &[u8]) -> Result<Vec<u8>, String> {
-        let size = self.chunk.iter().product::<usize>() * self.data_type.size();
+        let size = self.chunk.iter().product::<usize>() * self.data_type().1;
         let decompress = || Decompressor::new()?.decompress(file, size);
         let values = decompress().map_err(|error| error.to_string())?;
         if values.len() == size {

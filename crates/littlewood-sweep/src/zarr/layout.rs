@@ -7,7 +7,6 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use super::array::Array;
-use super::data_type::DataType;
 use super::variable;
 use crate::attributes::{Attributes, CONVENTIONS, of_axis, of_column};
 use crate::axis::Axis;
@@ -41,7 +40,7 @@ impl Layout {
             shape: vec![axis.count()],
             // The whole axis is one chunk: it is read with the metadata, and small beside a column.
             chunk: vec![axis.count()],
-            data_type: DataType(SummaryValue::F64(f64::NAN)),
+            fill: SummaryValue::F64(f64::NAN),
             dimensions: vec![axis.varies().name()],
             attributes: of_axis(axis.varies()),
         };
@@ -49,7 +48,7 @@ impl Layout {
             name: column.to_string(),
             shape: grid.shape(),
             chunk: chunks.shape().to_vec(),
-            data_type: DataType(column.not_computed()),
+            fill: column.not_computed(),
             dimensions: names.clone(),
             attributes: of_column(column),
         };

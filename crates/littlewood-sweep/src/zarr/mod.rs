@@ -13,7 +13,6 @@
 //! computed yet read as the columns of [`Summary::NOT_COMPUTED`](littlewood::Summary::NOT_COMPUTED).
 
 mod array;
-mod data_type;
 mod layout;
 mod reader;
 mod variable;

@@ -9,6 +9,7 @@ use super::layout::{Layout, METADATA};
 use crate::chunk::Chunks;
 use crate::columns::Columns;
 use crate::description::Description;
+use crate::getters::getters;
 use crate::grid::Grid;
 use crate::store::{Format as _, Header, StoreError, broken_chunks};
 
@@ -20,6 +21,18 @@ pub struct ZarrStore {
     limits: Limits,
     complete: bool,
     layout: Layout,
+}
+
+getters! {
+    ZarrStore:
+    /// The grid.
+    grid(self) -> &Grid = &self.grid;
+    /// The limits of the motions.
+    limits(self) -> Limits = self.limits;
+    /// Whether all chunks are said to be there.
+    is_complete(self) -> bool = self.complete;
+    /// How the grid is cut into chunks.
+    chunks(self) -> &Chunks = &self.layout.chunks;
 }
 
 impl ZarrStore {
@@ -43,30 +56,6 @@ impl ZarrStore {
         let chunks = Chunks::of_shape(&grid, shape);
         let layout = Layout::new(&grid, chunks, Description(run));
         Ok(Self { root: path.to_owned(), grid, limits, complete, layout })
-    }
-
-    /// The grid.
-    #[must_use]
-    pub const fn grid(&self) -> &Grid {
-        &self.grid
-    }
-
-    /// The limits of the motions.
-    #[must_use]
-    pub const fn limits(&self) -> Limits {
-        self.limits
-    }
-
-    /// Whether all chunks are said to be there.
-    #[must_use]
-    pub const fn is_complete(&self) -> bool {
-        self.complete
-    }
-
-    /// How the grid is cut into chunks.
-    #[must_use]
-    pub const fn chunks(&self) -> &Chunks {
-        &self.layout.chunks
     }
 
     /// The numbers of chunks that are missing, or whose files do not have the checksum that was noted.
