@@ -128,7 +128,7 @@ pub mod theory {
     pub use crate::model::hoop::{Body, Heavy, Massless};
     pub use crate::modes::gliding::{GlidingIntegrals, gliding_accelerations};
     pub use crate::motion::classify::{Classification, StartRegion};
-    pub use crate::walk::automaton::{BodyClass, EDGES, Edge, find_edge};
+    pub use crate::walk::automaton::{BodyClass, EDGES, Edge};
     pub use crate::walk::candidates::Candidates;
 }
 

@@ -175,10 +175,9 @@ fn rolling_times_agree_with_quadrature() {
         let orbit = RollingOrbit::new(&hoop(arc), theta, rate);
         let (target, time) = (number(&arc["theta1"]), number(&arc["time"]));
         let tolerance = near_separatrix(&hoop(arc), theta, rate);
-        let ours = orbit.time_to(target).unwrap_or_else(|| panic!("{name}: never reaches {target}"));
-        close(name, ours, time, tolerance);
-        let (reached, _) = orbit.position(time);
-        close(name, reached, target, 1e-13 + 100.0 * tolerance);
+        let (reached, rate) = orbit.position(time);
+        let moved = 4.0 * f64::EPSILON * target.abs() + rate.abs() * tolerance * (1.0 + time);
+        assert!((reached - target).abs() <= moved, "{name}: {reached} instead of {target}");
     }
     for item in data["periods"].as_array().expect("a list of periods") {
         let name = item["name"].as_str().expect("a name");

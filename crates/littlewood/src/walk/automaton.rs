@@ -123,17 +123,6 @@ pub const EDGES: &[Edge] = {
     }
 };
 
-/// The edge of a transition; none if the table does not contain it.
-#[must_use]
-pub fn find_edge(
-    body: BodyClass,
-    from: Option<Mode>,
-    cause: Cause,
-    to: Option<Mode>,
-) -> Option<&'static Edge> {
-    EDGES.iter().find(|edge| edge.body == body && edge.from == from && edge.cause == cause && edge.to == to)
-}
-
 impl RollingLimit {
     /// The event at which rolling ends.
     #[must_use]

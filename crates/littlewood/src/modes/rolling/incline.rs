@@ -146,19 +146,6 @@ impl Incline {
         }
     }
 
-    pub(super) fn time_to(&self, theta: f64) -> Option<f64> {
-        if self.rests {
-            return (theta == self.travel * self.first.start()).then_some(0.0);
-        }
-        let ahead = |leg: &Leg| {
-            let passed = self.frame(leg) * theta - leg.start();
-            let is_on = passed >= 0.0 && leg.reach.is_none_or(|reach| passed <= reach.total());
-            let turns = (passed / TAU).floor();
-            is_on.then(|| leg.time(leg.place(turns, passed - TAU * turns)))
-        };
-        ahead(&self.first).or_else(|| Some(self.outward() + ahead(&self.back?)?))
-    }
-
     pub(super) fn end(&self) -> Option<RollingEnd> {
         if self.rests {
             return None;

@@ -28,8 +28,7 @@ use crate::math::form::{HalfAngle, on_arc};
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
 
-use super::boundary::{Boundary, RollingLimit};
-use super::boundary::{Hold, RollingEnd, in_body_frame};
+use super::boundary::{Boundary, Hold, RollingEnd, RollingLimit, in_body_frame};
 use super::incline::Incline;
 use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
@@ -57,8 +56,7 @@ struct Elliptic {
     /// Direction of motion at the start: ϑ = travel·θ increases.
     travel: f64,
     motion: Swing,
-    /// ϑ and D ϑ′² at the start.
-    angle: f64,
+    /// D ϑ′² at the start.
     kinetic: f64,
     /// |κ|, with κ = K − D(0).
     excess: f64,
@@ -111,17 +109,6 @@ impl RollingOrbit {
             Kind::Incline(orbit) => orbit.position(elapsed),
         };
         (theta, theta_rate * self.pace)
-    }
-
-    /// Time until the orbit first reaches the angle `theta` (not reduced), if it does. The cost does not depend on the number of turns.
-    #[must_use]
-    pub fn time_to(&self, theta: f64) -> Option<f64> {
-        let elapsed = match &self.kind {
-            Kind::Elliptic(orbit) => orbit.time_to(theta),
-            Kind::Rim(orbit) => orbit.time_to(theta),
-            Kind::Incline(orbit) => orbit.time_to(theta),
-        };
-        elapsed.map(|elapsed| elapsed / self.pace)
     }
 
     /// The first point ahead at which rolling ends; none proves that the body rolls for ever.
@@ -201,7 +188,6 @@ impl Elliptic {
             boundary: Boundary::new(hoop, &law, (over_top, over_bottom)),
             travel,
             motion,
-            angle: travel * theta,
             kinetic,
             excess: over_top.abs(),
             swing: if rotates { four_l } else { over_bottom },
@@ -308,33 +294,6 @@ impl Elliptic {
             let rate = back * cosine * (self.swing / d).sqrt();
             (self.travel * self.angle_of(self.lap, z, y), self.travel * rate)
         }
-    }
-
-    fn time_to(&self, theta: f64) -> Option<f64> {
-        let angle = self.travel * theta;
-        let (lap, z, y) = reduce(angle);
-        let rise = libm::sin(0.5 * (angle - self.angle)) * (z * self.y + y * self.z);
-        let elapsed = match self.motion {
-            Swing::Rest => (theta == self.travel * self.angle_of(self.lap, self.z, self.y)).then_some(0.0),
-            Swing::Rotation if lap > self.lap => {
-                let turns = 2.0 * self.quarter * (lap - self.lap - 1.0);
-                Some(self.time_to_quarter(self.start_phase()) + turns + self.time_to_quarter((-z, y)))
-            }
-            Swing::Rotation => (lap == self.lap).then(|| self.time_since_start((z, y), rise)),
-            Swing::Libration => {
-                let left = self.kinetic - 4.0 * self.law.offset * rise;
-                (lap == self.lap && left >= 0.0).then(|| {
-                    let there = self.phase([z, y], left);
-                    let first = self.time_since_start(there, rise);
-                    if first >= 0.0 {
-                        first
-                    } else {
-                        self.time_to_quarter(self.start_phase()) + self.time_to_quarter(there)
-                    }
-                })
-            }
-        };
-        elapsed.filter(|elapsed| *elapsed >= 0.0 && elapsed.is_finite())
     }
 
     /// Sine and cosine of ψ, by inversion of the increasing function τ(ψ).

@@ -9,12 +9,11 @@
 //!
 //! This is (3.3) without division by α: the α of (3.4) is a + b, for θ0′ of either sign.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use crate::model::Direction;
 
-use super::boundary::RollingLimit;
-use super::boundary::{Hold, RollingEnd};
+use super::boundary::{Hold, RollingEnd, RollingLimit};
 use super::recurrence::Recurrence;
 
 #[derive(Clone, Copy, Debug)]
@@ -61,26 +60,6 @@ impl RimOrbit {
     /// sin²(θ/2) at N = 0, that is, θ′² = 1, on this orbit.
     fn unloaded(&self) -> f64 {
         0.5 * (1.0 + self.a * self.a - self.b * self.b)
-    }
-
-    pub(super) fn time_to(&self, theta: f64) -> Option<f64> {
-        let target = libm::sin(0.5 * (theta - TAU * self.lap));
-        let square = target * target - self.a * self.a + self.b * self.b;
-        if square < 0.0 || (theta - TAU * self.lap).abs() > PI {
-            return None;
-        }
-        let (sum, difference) = (self.a + self.b, self.a - self.b);
-        let time = |twice_rate: f64| {
-            // Z + 2Z′ grows like e^(Δτ/2) and Z − 2Z′ decays; divide by the larger.
-            let growth = if sum.abs() >= difference.abs() {
-                (target + twice_rate) / sum
-            } else {
-                difference / (target - twice_rate)
-            };
-            (growth >= 1.0).then(|| 2.0 * libm::log(growth))
-        };
-        let root = square.sqrt();
-        [time(root), time(-root)].into_iter().flatten().min_by(f64::total_cmp)
     }
 
     pub(super) fn end(&self) -> Option<RollingEnd> {
