@@ -38,6 +38,33 @@ pub(crate) fn value<T: Number>(series: &Series<T>, at: f64) -> T {
     series.iter().rev().fold(T::constant(0.0), |sum, c| sum * at + *c)
 }
 
+/// A series, or a polynomial, about a point at a distance.
+pub(crate) fn shifted<const N: usize>(mut series: [f64; N], by: f64) -> [f64; N] {
+    if by != 0.0 {
+        for first in 0..N - 1 {
+            for k in (first..N - 1).rev() {
+                series[k] += by * series[k + 1];
+            }
+        }
+    }
+    series
+}
+
+/// Product of two polynomials.
+#[inline(always)]
+pub(crate) fn product<const A: usize, const B: usize, const C: usize>(
+    a: &[f64; A],
+    b: &[f64; B],
+) -> [f64; C] {
+    let mut result = [0.0; C];
+    for i in 0..A {
+        for j in 0..B {
+            result[i + j] += a[i] * b[j];
+        }
+    }
+    result
+}
+
 /// First crossing of a series from non-negative to negative in [0, width].
 pub(crate) fn crossing(series: &Series, width: f64) -> Option<f64> {
     let mut swing = 0.0;

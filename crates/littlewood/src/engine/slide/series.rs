@@ -11,6 +11,7 @@
 //! Its coefficients are polynomials: each coefficient of u follows from the six before it. The series converges up to the nearest
 //! zero of P, or to z = ± i.
 
+use crate::math::series::product;
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
 
@@ -45,18 +46,6 @@ const RECIPROCALS: Series = {
     }
     table
 };
-
-/// Product of two polynomials.
-#[inline(always)]
-fn product<const A: usize, const B: usize, const C: usize>(a: &[f64; A], b: &[f64; B]) -> [f64; C] {
-    let mut result = [0.0; C];
-    for i in 0..A {
-        for j in 0..B {
-            result[i + j] += a[i] * b[j];
-        }
-    }
-    result
-}
 
 /// A polynomial in t = z/width from one in z.
 #[inline(always)]

@@ -14,7 +14,7 @@ use core::f64::consts::TAU;
 use std::sync::OnceLock;
 
 use crate::math::bernstein::{Bernstein, value_and_slope};
-use crate::math::series::value;
+use crate::math::series::{shifted, value};
 use crate::math::trig::without_turns;
 use crate::mechanics::RollingLaw;
 use crate::model::Hoop;
@@ -24,7 +24,7 @@ use super::doubt::Doubt;
 use super::orbit::Reached;
 use super::place::Place;
 use super::roll::{MIN_RATE, RollEnd, breaks};
-use tile::{About, MAX_BEND, TILES, Tile, WIDTH, rotated, separatrix_distance, shifted, swing};
+use tile::{About, MAX_BEND, TILES, Tile, WIDTH, rotated, separatrix_distance, swing};
 
 /// An orbit of more turns is left to the exact solver, which finds the turn of a slip by bisection.
 const MAX_TURNS: usize = 32;

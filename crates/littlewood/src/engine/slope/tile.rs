@@ -7,7 +7,7 @@ use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 use crate::engine::roll::holds;
 use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::bracket::Bracket;
-use crate::math::series::{DEGREE, Series, convolve, crossing, value};
+use crate::math::series::{DEGREE, Series, convolve, crossing, shifted, value};
 use crate::math::trig::{sincos, taylor};
 use crate::mechanics::RollingLaw;
 use crate::modes::rolling::Limits;
@@ -124,18 +124,6 @@ impl Linear {
             }
         }
     }
-}
-
-/// A series about a point at a distance.
-pub(super) fn shifted(mut series: Series, by: f64) -> Series {
-    if by != 0.0 {
-        for first in 0..DEGREE {
-            for k in (first..DEGREE).rev() {
-                series[k] += by * series[k + 1];
-            }
-        }
-    }
-    series
 }
 
 /// G and D about an angle, as functions of the distance φ.

@@ -10,6 +10,7 @@
 //! a polynomial of degree six in the time. Both signs are constant between the zeros of v and of z. For ℓ̂ = 1, L = b, and Q/b is of
 //! degree four. It is expanded about both ends of each piece, in the time from that end: about the bottom and the top without cancelling terms.
 
+use crate::math::series::shifted;
 use crate::model::Direction;
 
 use super::particle::{Particle, ParticleState};
@@ -20,16 +21,6 @@ type Polynomial = [f64; 7];
 
 fn times(a: &Polynomial, b: &Polynomial) -> Polynomial {
     core::array::from_fn(|n| (0..=n).fold(0.0, |sum, k| sum + a[k] * b[n - k]))
-}
-
-/// The polynomial in the distance from `at`.
-fn shifted(mut p: Polynomial, at: f64) -> Polynomial {
-    for first in 0..p.len() {
-        for k in (first..p.len() - 1).rev() {
-            p[k] += at * p[k + 1];
-        }
-    }
-    p
 }
 
 /// Q about a place with the drift v, in the time after it (`pace` 1) or before it (−1).
@@ -104,7 +95,7 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
         let is_last = to == end.elapsed;
         let place = if is_last { end } else { particle.place(to) };
         let before = condition(particle, &place, particle.momentum - tilt * to, -1.0);
-        let after = if from == 0.0 { q } else { shifted(q, from) };
+        let after = shifted(q, from);
         let sign = direction.sign() * drift.signum();
         Some(match first_rest((after, before, to - from), sign)? {
             Along::FromBegin(at) => particle.place(from + at),

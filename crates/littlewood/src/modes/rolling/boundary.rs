@@ -16,6 +16,7 @@
 
 use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};
+use crate::math::series::product;
 use crate::mechanics::RollingLaw;
 use crate::model::{Body, Direction, Hoop};
 
@@ -65,6 +66,19 @@ pub(crate) enum Hold {
     NoNormalForce,
 }
 
+impl Hold {
+    /// From the margins that become negative at once, by their values and in the frame of the motion.
+    pub(super) fn of(negative: impl Iterator<Item = (f64, RollingLimit)>, travel: f64) -> Self {
+        negative.fold(Self::Holds, |hold, (margin, limit)| match (hold, in_body_frame(limit, travel)) {
+            // Both margins are negative only where N < 0.
+            (Self::Slips { .. } | Self::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
+                Self::NoNormalForce
+            }
+            (Self::Holds, RollingLimit::Friction(direction)) => Self::Slips { direction, excess: -margin },
+        })
+    }
+}
+
 /// Converts a limit from the frame of the motion, where ϑ increases, to the frame of the body.
 pub(super) fn in_body_frame(limit: RollingLimit, travel: f64) -> RollingLimit {
     match limit {
@@ -73,18 +87,7 @@ pub(super) fn in_body_frame(limit: RollingLimit, travel: f64) -> RollingLimit {
     }
 }
 
-/// Product of forms in even powers, such as a0 X² + a1 Y².
-fn even_product<const P: usize, const Q: usize, const R: usize>(p: [f64; P], q: [f64; Q]) -> [f64; R] {
-    let mut product = [0.0; R];
-    for (i, a) in p.iter().enumerate() {
-        for (j, b) in q.iter().enumerate() {
-            product[i + j] += a * b;
-        }
-    }
-    product
-}
-
-/// X² + Y² = 1.
+/// X² + Y² = 1. Forms in even powers have the coefficients of those powers alone: a0 X² + a1 Y².
 const HALF_ANGLE_NORM: [f64; 2] = [1.0, 1.0];
 
 /// N D² and F D²/(2ℓ̂) as forms in the half angle, the first in even powers and the second in odd ones, from K − D in X² and Y², and K.
@@ -93,12 +96,12 @@ fn forces(law: &RollingLaw, one: f64, excess: [f64; 2], k: f64) -> ([f64; 4], [f
     let l = law.offset;
     let d = [law.top, law.bottom];
     let carried = [law.mass + l, law.mass - l];
-    let d2: [f64; 3] = even_product(d, d);
-    let inertial: [f64; 4] = even_product(d2, carried);
-    let c_d: [f64; 3] = even_product([l, -l], d);
-    let centripetal: [f64; 4] = even_product([c_d[0], c_d[1] + 4.0 * l * l, c_d[2]], HALF_ANGLE_NORM);
-    let driven: [f64; 3] = even_product(excess, law.beyond_mass);
-    let held: [f64; 3] = even_product(d, carried);
+    let d2: [f64; 3] = product(&d, &d);
+    let inertial: [f64; 4] = product(&d2, &carried);
+    let c_d: [f64; 3] = product(&[l, -l], &d);
+    let centripetal: [f64; 4] = product(&[c_d[0], c_d[1] + 4.0 * l * l, c_d[2]], &HALF_ANGLE_NORM);
+    let driven: [f64; 3] = product(&excess, &law.beyond_mass);
+    let held: [f64; 3] = product(&d, &carried);
     (
         core::array::from_fn(|i| one * inertial[i] - k * centripetal[i]),
         core::array::from_fn(|i| driven[i] - one * held[i]),
@@ -140,8 +143,8 @@ impl Boundary {
                 let lever = [1.0 + l, 1.0 - l];
                 let cone = |sign: f64| Form([mu * lever[0], sign * 2.0 * l, mu * lever[1]]);
                 // N D/(1 + ℓ̂c) = (1 + ℓ̂c) D − ℓ̂(ℓ̂ + c)(K − D)
-                let held: [f64; 3] = even_product(lever, [law.top, law.bottom]);
-                let pulled: [f64; 3] = even_product([l * (1.0 + l), -l * (1.0 - l)], excess);
+                let held: [f64; 3] = product(&lever, &[law.top, law.bottom]);
+                let pulled: [f64; 3] = product(&[l * (1.0 + l), -l * (1.0 - l)], &excess);
                 let normal: [f64; 3] = core::array::from_fn(|i| held[i] - pulled[i]);
                 Self::Massless([cone(1.0), cone(-1.0)], Form([normal[0], 0.0, normal[1], 0.0, normal[2]]))
             }
@@ -175,8 +178,8 @@ impl Boundary {
 fn pulled(law: &RollingLaw, travel: f64, mu: f64) -> [Form<7>; 2] {
     let RollingLaw { mass, offset: l, top, bottom, own, tilt, .. } = *law;
     let (pull, d) = (travel * tilt, [top, bottom]);
-    let normal: [f64; 3] = even_product([mass + l, mass - l], d);
-    let friction: [f64; 4] = even_product([own, 2.0 * own + 4.0 * l * l, own], d);
+    let normal: [f64; 3] = product(&[mass + l, mass - l], &d);
+    let friction: [f64; 4] = product(&[own, 2.0 * own + 4.0 * l * l, own], &d);
     [-1.0, 1.0].map(|sign| {
         let mut form = [0.0; 7];
         for i in 0..4 {

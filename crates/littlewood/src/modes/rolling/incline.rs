@@ -187,23 +187,11 @@ impl Incline {
     pub(super) fn hold(&self) -> Hold {
         let leg = &self.first;
         let d = leg.denominator(leg.place(0.0, 0.0));
-        let mut hold = Hold::Holds;
-        for (margin, limit) in leg.margins(leg.place(0.0, 0.0)) {
+        let negative = leg.margins(leg.place(0.0, 0.0)).filter_map(|(margin, limit)| {
             let first = if self.rests { Some(&margin[0]) } else { margin.iter().find(|c| **c != 0.0) };
-            if first.is_none_or(|first| *first >= 0.0) {
-                continue;
-            }
-            hold = match (hold, in_body_frame(limit, self.travel)) {
-                // Both margins are negative only where N < 0.
-                (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
-                    Hold::NoNormalForce
-                }
-                (Hold::Holds, RollingLimit::Friction(direction)) => {
-                    Hold::Slips { direction, excess: -margin[0] / (d * d) }
-                }
-            };
-        }
-        hold
+            if first.is_none_or(|first| *first >= 0.0) { None } else { Some((margin[0] / (d * d), limit)) }
+        });
+        Hold::of(negative, self.travel)
     }
 }
 

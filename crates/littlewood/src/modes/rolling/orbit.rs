@@ -432,22 +432,11 @@ impl Elliptic {
     fn hold(&self) -> Hold {
         let Some(arc) = self.arcs().next() else { return Hold::Holds };
         let d = self.law.bottom + 4.0 * self.law.offset * self.z * self.z;
-        let mut hold = Hold::Holds;
-        for (margin, limit) in self.boundary.on_arc(arc.from.direction(), arc.to.direction()) {
-            if margin.initial_sign() >= 0.0 {
-                continue;
-            }
-            hold = match (hold, in_body_frame(limit, self.travel)) {
-                // Both margins are negative only where N < 0.
-                (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
-                    Hold::NoNormalForce
-                }
-                (Hold::Holds, RollingLimit::Friction(direction)) => {
-                    Hold::Slips { direction, excess: -start_value(&margin) / (d * d) }
-                }
-            };
-        }
-        hold
+        let margins = self.boundary.on_arc(arc.from.direction(), arc.to.direction());
+        let negative = margins.filter_map(|(margin, limit)| {
+            if margin.initial_sign() >= 0.0 { None } else { Some((start_value(&margin) / (d * d), limit)) }
+        });
+        Hold::of(negative, self.travel)
     }
 }
 
