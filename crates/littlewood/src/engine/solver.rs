@@ -5,7 +5,7 @@ use core::cell::Cell;
 use crate::ablation::{Part, is_on};
 use crate::mechanics::{FrictionlessIntegrals, Settling, contact};
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
-use crate::modes::{Flight, GlideEntry, Hold, RollingLimit, TakeOff};
+use crate::modes::{Entry, Flight, GlideEntry, Hold, RollingLimit, TakeOff};
 use crate::walk::candidates::{Evidence, SlipEvidence, weigh};
 use crate::walk::follow::{ChainBudget, ChainSegment, next_slip};
 use crate::walk::{
@@ -25,6 +25,9 @@ use super::slide::SlideEnd;
 
 /// Phases that are computed before cells are kept for a hoop that is not prepared: few motions have more, and those go on for long.
 const PHASES_WITHOUT_CELLS: u32 = 4;
+
+/// A slide from the static limit with equal coefficients, where η″ vanishes, too.
+const ON_LIMIT: Entry = Entry::FromRest { slip_acceleration: 0.0 };
 
 /// Solves the phases of a hoop.
 #[derive(Clone, Debug)]
@@ -242,10 +245,10 @@ impl<'a> FastSolver<'a> {
         state: &State,
         body: &Heavy,
         direction: Direction,
-        slip_acceleration: Option<f64>,
+        entry: Entry,
     ) -> SolvedBy<Self> {
-        let solved = self.exact.slide(state, body, direction, slip_acceleration);
-        if slip_acceleration.is_some_and(|acceleration| acceleration != 0.0) {
+        let solved = self.exact.slide(state, body, direction, entry);
+        if entry != Entry::Moving && entry != ON_LIMIT {
             self.drift.add_phase(state.theta);
         }
         Self::take(solved)
@@ -400,13 +403,7 @@ impl Solver for FastSolver<'_> {
     }
 
     #[inline(always)]
-    fn slide(
-        &self,
-        place: &Place,
-        body: &Heavy,
-        direction: Direction,
-        slip_acceleration: Option<f64>,
-    ) -> SolvedBy<Self> {
+    fn slide(&self, place: &Place, body: &Heavy, direction: Direction, entry: Entry) -> SolvedBy<Self> {
         let state = place.state;
         let is_conservative = self.hoop.mu_k() == 0.0;
         let for_ever = Verdict { kind: OutcomeKind::SlidesForever, state };
@@ -416,21 +413,19 @@ impl Solver for FastSolver<'_> {
         };
         let left_to_the_simulation = |doubt: Doubt| {
             self.tell(doubt);
-            self.slide_exactly(&state, body, direction, slip_acceleration)
+            self.slide_exactly(&state, body, direction, entry)
         };
         if self.drift.is_far(state.theta) {
             return left_to_the_simulation(Doubt::Far);
         }
-        if slip_acceleration.is_some() && !self.drift.is_known(self.contact(place), 1.0 + body.h * place.u())
-        {
+        if entry != Entry::Moving && !self.drift.is_known(self.contact(place), 1.0 + body.h * place.u()) {
             return left_to_the_simulation(Doubt::Cancelled);
         }
         if is_conservative && is_next_to_equilibrium(body, place) {
             return left_to_the_simulation(Doubt::Separatrix);
         }
         let allowed = self.until - state.time;
-        // On the static limit with equal coefficients η″ vanishes, too.
-        let from_limit = slip_acceleration == Some(0.0);
+        let from_limit = entry == ON_LIMIT;
         let (event, is_cut) = match self.laws.slide(place, direction, from_limit, allowed, self.is_long()) {
             Ok(SlideEnd::Event(event)) => (event, false),
             Ok(SlideEnd::Cut(event)) => (event, true),

@@ -10,7 +10,7 @@ use crate::mechanics::{Impact, Settling};
 use crate::model::{
     Direction, Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, Start, State,
 };
-use crate::modes::{Flight, GlideEntry, PhaseSolution, TakeOff};
+use crate::modes::{Entry, Flight, GlideEntry, PhaseSolution, TakeOff};
 use crate::walk::{
     Arrival, Cause, Ending, Event, Exact, Known, Next, Origin, Outcome, PhaseRecord, Recorder, Solved,
     SolvedBy, Solver, walk,
@@ -332,16 +332,10 @@ impl Solver for PerturbedSolver<'_> {
         self.perturbed(state, self.exact.roll(&self.perturbed_start(state), on_limit))
     }
 
-    fn slide(
-        &self,
-        state: &State,
-        body: &Heavy,
-        direction: Direction,
-        slip_acceleration: Option<f64>,
-    ) -> SolvedBy<Self> {
+    fn slide(&self, state: &State, body: &Heavy, direction: Direction, entry: Entry) -> SolvedBy<Self> {
         let perturbed_start = self.perturbed_start(state);
         let mut from = perturbed_start;
-        let mut solved = self.exact.slide(&perturbed_start, body, direction, slip_acceleration);
+        let mut solved = self.exact.slide(&perturbed_start, body, direction, entry);
         if self.signs.is_none() {
             return solved;
         }
@@ -364,7 +358,7 @@ impl Solver for PerturbedSolver<'_> {
                 break;
             }
             from = cut;
-            solved = self.exact.slide(&from, body, direction, None);
+            solved = self.exact.slide(&from, body, direction, Entry::Moving);
         }
         self.perturbed(&State { slip: perturbed_start.slip, ..from }, solved)
     }

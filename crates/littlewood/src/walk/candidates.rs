@@ -18,7 +18,7 @@ use crate::mechanics::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
-use crate::modes::{GlideEntry, Hold, RollingLimit, RollingOrbit, TakeOff};
+use crate::modes::{Entry, GlideEntry, Hold, RollingLimit, RollingOrbit, TakeOff};
 
 /// The candidate motions at a state, and the quantities that decide between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,26 +91,13 @@ impl Candidates {
     }
 }
 
+/// The motion that begins; `on_limit` if |F| = μs N at the start and static friction holds after it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Next {
-    /// `on_limit` if |F| = μs N at the start and static friction holds after it.
-    Roll {
-        on_limit: bool,
-    },
-    /// `slip_acceleration` is η″ at a start with η′ = 0.
-    Slide {
-        body: Heavy,
-        direction: Direction,
-        slip_acceleration: Option<f64>,
-    },
-    Glide {
-        body: Massless,
-        entry: GlideEntry,
-    },
-    Fly {
-        body: Heavy,
-        take_off: TakeOff,
-    },
+    Roll { on_limit: bool },
+    Slide { body: Heavy, direction: Direction, entry: Entry },
+    Glide { body: Massless, entry: GlideEntry },
+    Fly { body: Heavy, take_off: TakeOff },
     None(Box<Candidates>),
     Several(Box<Candidates>),
 }
@@ -233,7 +220,7 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
         match slip {
             _ if leaves => return Next::Fly { body: *body, take_off: TakeOff::Unloaded },
             SlipEvidence::Moving(direction) => {
-                return Next::Slide { body: *body, direction, slip_acceleration: None };
+                return Next::Slide { body: *body, direction, entry: Entry::Moving };
             }
             SlipEvidence::AtRest { hold: Hold::Holds, .. } => {
                 return Next::Roll { on_limit };
@@ -247,8 +234,8 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
                 let p = solvability(direction);
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 if acceleration > 0.0 {
-                    let slip_acceleration = Some(direction.sign() * acceleration);
-                    return Next::Slide { body: *body, direction, slip_acceleration };
+                    let entry = Entry::FromRest { slip_acceleration: direction.sign() * acceleration };
+                    return Next::Slide { body: *body, direction, entry };
                 }
             }
             SlipEvidence::AtRest { .. } => {}
@@ -287,12 +274,12 @@ fn weigh_all(
         (w > 0.0 && p > 0.0) || (w < 0.0 && p < 0.0)
     };
 
-    // For each consistent slide, η″ if η′ = 0.
-    let mut sliding: [Option<Option<f64>>; 2] = [None; 2];
+    // The consistent slides.
+    let mut sliding: [Option<Entry>; 2] = [None; 2];
     let mut rolling = false;
     match slip {
         SlipEvidence::Moving(direction) => {
-            sliding[direction.index()] = pressed(direction).then_some(None);
+            sliding[direction.index()] = pressed(direction).then_some(Entry::Moving);
         }
         SlipEvidence::AtRest { hold, rolling_forces: forces, denominator } => {
             rolling = hold == Hold::Holds;
@@ -322,17 +309,18 @@ fn weigh_all(
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 // On the static limit with μs = μk it vanishes, and η‴ has the sign of `against`.
                 if acceleration > 0.0 || (drive == 0.0 && direction == against) {
-                    sliding[direction.index()] = Some(Some(direction.sign() * acceleration));
+                    let entry = Entry::FromRest { slip_acceleration: direction.sign() * acceleration };
+                    sliding[direction.index()] = Some(entry);
                 }
             }
         }
     }
 
-    let slide = |direction, slip_acceleration| Next::Slide { body: *body, direction, slip_acceleration };
+    let slide = |direction, entry| Next::Slide { body: *body, direction, entry };
     match (rolling, sliding, leaves) {
         (true, [None, None], false) => Next::Roll { on_limit },
-        (false, [Some(acceleration), None], false) => slide(Direction::Negative, acceleration),
-        (false, [None, Some(acceleration)], false) => slide(Direction::Positive, acceleration),
+        (false, [Some(entry), None], false) => slide(Direction::Negative, entry),
+        (false, [None, Some(entry)], false) => slide(Direction::Positive, entry),
         (false, [None, None], true) => {
             let take_off = if contact == 0.0 { TakeOff::Grazing } else { TakeOff::Unloaded };
             Next::Fly { body: *body, take_off }

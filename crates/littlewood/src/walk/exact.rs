@@ -129,15 +129,7 @@ impl Solver for Exact<'_> {
         Solved { solution: PhaseSolution::Rolling(Box::new(rolling)), direction: None, ending }
     }
 
-    fn slide(
-        &self,
-        state: &State,
-        body: &Heavy,
-        direction: Direction,
-        slip_acceleration: Option<f64>,
-    ) -> SolvedBy<Self> {
-        let entry = slip_acceleration
-            .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
+    fn slide(&self, state: &State, body: &Heavy, direction: Direction, entry: Entry) -> SolvedBy<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
         let bounds = (self.allowed(state), self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE));
         let (slide, end) = Sliding::run(law, *state, direction, entry, bounds);

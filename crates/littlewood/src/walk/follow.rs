@@ -7,7 +7,7 @@ use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
 use crate::model::{
     Body, Direction, Heavy, Hoop, Limits, Massless, Mode, Quantity, State, length_of_slide, weight_of_slides,
 };
-use crate::modes::{Flight, GlideEntry, RollingLimit, SlideLimit, TakeOff};
+use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, SlideLimit, TakeOff};
 use crate::walk::{Arrival, Cause, Event, Known, LastSlip, Next, Outcome, PhaseSequence, Proofs};
 
 /// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
@@ -27,14 +27,7 @@ pub(crate) trait Solver {
     fn decide(&self, place: &Self::Place, arrival: Arrival) -> Next;
     /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     fn roll(&self, place: &Self::Place, on_limit: bool) -> SolvedBy<Self>;
-    /// `slip_acceleration` is η″ at a start with η′ = 0.
-    fn slide(
-        &self,
-        place: &Self::Place,
-        body: &Heavy,
-        direction: Direction,
-        slip_acceleration: Option<f64>,
-    ) -> SolvedBy<Self>;
+    fn slide(&self, place: &Self::Place, body: &Heavy, direction: Direction, entry: Entry) -> SolvedBy<Self>;
     fn fly(&self, place: &Self::Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self>;
     /// Infinitely many bounces.
     fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
@@ -332,8 +325,8 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     let state = T::state(place);
     let (mode, solved) = match &now.begin {
         Begin::Motion(Next::Roll { on_limit }) => (Mode::Rolling, solver.roll(place, *on_limit)),
-        Begin::Motion(Next::Slide { body, direction, slip_acceleration }) => {
-            (Mode::Sliding, solver.slide(place, body, *direction, *slip_acceleration))
+        Begin::Motion(Next::Slide { body, direction, entry }) => {
+            (Mode::Sliding, solver.slide(place, body, *direction, *entry))
         }
         Begin::Motion(Next::Fly { body, take_off }) => (Mode::Flight, solver.fly(place, body, *take_off)),
         Begin::Motion(Next::Glide { body, entry }) => (Mode::Gliding, solver.glide(place, body, *entry)),
