@@ -34,13 +34,11 @@ pub struct Impulse<T = f64> {
 /// Reason why an impact is undefined.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum ImpactError {
     /// The gap does not close.
     #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and not positive: the gap has to close")]
-    Opening {
-        /// The gap rate.
-        gap_rate: f64,
-    },
+    Opening { gap_rate: f64 },
     /// A massless hoop: an impulse on its rim would cause an infinite velocity.
     #[error("a massless hoop has no impact: an impulse would accelerate its rim without bound")]
     Massless,

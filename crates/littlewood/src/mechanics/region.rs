@@ -28,17 +28,12 @@ pub struct PhasePlane {
 
 /// Stability of an equilibrium in rolling.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the text of each says what its fields are")]
 pub enum Stability {
     /// Centre, with the angular frequency of small oscillations, √(ℓ̂/D(π)) on a level plane.
-    Stable {
-        /// Frequency.
-        frequency: f64,
-    },
+    Stable { frequency: f64 },
     /// Saddle, with exponents ±√(ℓ̂/D(0)) on a level plane.
-    Unstable {
-        /// Exponent.
-        exponent: f64,
-    },
+    Unstable { exponent: f64 },
     /// Homogeneous disc: every angle is an equilibrium.
     Neutral,
 }

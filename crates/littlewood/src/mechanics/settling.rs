@@ -52,35 +52,24 @@ pub struct Settling<T = f64> {
 /// Reason why bounces do not settle.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum NoSettling {
     /// A massless hoop has no impacts.
     #[error("a massless hoop has no impacts")]
     Massless,
     /// The gap does not open.
     #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and greater than 0")]
-    Closed {
-        /// The gap rate.
-        gap_rate: f64,
-    },
+    Closed { gap_rate: f64 },
     /// 1 − h cos θ θ′² ≤ 0: the gap grows without an impact.
     #[error("1 - h cos(theta) theta'^2 = {contact} is not positive: the gap does not close again")]
-    LeavesPlane {
-        /// 1 − h cos θ θ′².
-        contact: f64,
-    },
+    LeavesPlane { contact: f64 },
     /// The bounces do not decay by more than rounding: e = 1 in slip, without friction, or by Newton's law; or they grow, on
     /// a slope ([reverse chatter](crate::theory::PhasePlane::reverse_chatter)).
     #[error("each bounce is {ratio} times as fast as the one before")]
-    Grows {
-        /// Ratio of the rates of successive bounces.
-        ratio: f64,
-    },
-    /// The bounces did not take one kind within the maximum number.
+    Grows { ratio: f64 },
+    /// The bounces did not take one kind within the maximum number, in which a run of bounces that slip counts as one.
     #[error("the kind of the bounces still changes after {bounces}")]
-    Unsettled {
-        /// Number of bounces summed; a run of bounces that slip counts as one.
-        bounces: usize,
-    },
+    Unsettled { bounces: usize },
 }
 
 impl Hoop {

@@ -10,64 +10,43 @@ pub(crate) const MIN_INERTIA: f64 = 1e-60;
 /// A parameter of a hoop or a start without physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum ParameterError {
     /// A value violates a bound.
     #[error("{} {bound}", Reading(*quantity, *value))]
-    OutOfBounds {
-        /// The quantity.
-        quantity: Quantity,
-        /// Its value.
-        value: f64,
-        /// The violated bound.
-        bound: Bound,
-    },
+    OutOfBounds { quantity: Quantity, value: f64, bound: Bound },
     /// A point mass at the centre, without inertia and without a moment of its weight: no equation of motion.
     #[error(
         "offset = 0 and moment of inertia = 0 (mass_ratio = {}, inertia = 0): \
          a point mass at the centre of the hoop has no equation of motion",
         Number(*mass_ratio)
     )]
-    NoMotion {
-        /// The mass ratio.
-        mass_ratio: f64,
-    },
+    NoMotion { mass_ratio: f64 },
     /// A nearly massless hoop: powers of 1/Î overflow.
     #[error(
         "moment of inertia about the mass centre = {} m2 R^2 must be 0, or not less than {} m2 R^2",
         Number(*inertia), Number(MIN_INERTIA)
     )]
-    NearlyMassless {
-        /// Î.
-        inertia: f64,
-    },
+    NearlyMassless { inertia: f64 },
     /// A law of restitution without a coefficient.
     #[error(
         "restitution_law = {law} without restitution: without a coefficient the motion ends where the rim lands"
     )]
-    LawAlone {
-        /// The law.
-        law: RestitutionLaw,
-    },
+    LawAlone { law: RestitutionLaw },
     /// A massless hoop with a coefficient of restitution.
     #[error(
         "restitution = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
          an impulse would accelerate its rim without bound",
         Number(*restitution)
     )]
-    MasslessImpact {
-        /// The coefficient.
-        restitution: f64,
-    },
+    MasslessImpact { restitution: f64 },
     /// A massless hoop that starts in flight, where its rotation is not determined.
     #[error(
         "gap_rate = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
          without inertia its rotation in the air is not determined",
         Number(*gap_rate)
     )]
-    MasslessFlight {
-        /// The gap rate.
-        gap_rate: f64,
-    },
+    MasslessFlight { gap_rate: f64 },
 }
 
 impl ParameterError {

@@ -62,124 +62,50 @@ getters! {
     pub is_painleve: bool = matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular);
 }
 
-impl OutcomeKind {}
-
 /// The outcome of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[expect(missing_docs, reason = "the text of each says what its fields are")]
 pub enum Outcome {
-    /// The body lands after a flight; the state is just before the impact.
-    Landing {
-        /// State.
-        state: State,
-        /// Rate at which the gap closes, negative.
-        gap_rate: f64,
-    },
-    /// Static friction holds on the whole orbit ahead.
-    RollsForever {
-        /// State at the start of the last phase.
-        since: State,
-        /// Recurrence of the motion.
-        recurrence: Recurrence,
-    },
+    /// The body lands after a flight; the state is just before the impact, and the rate of the gap, which closes, negative.
+    Landing { state: State, gap_rate: f64 },
+    /// Static friction holds on the whole orbit ahead, from `since`, the start of the last phase.
+    RollsForever { since: State, recurrence: Recurrence },
     /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period passed without
-    /// an event.
-    SlidesForever {
-        /// State at the start of the last phase.
-        since: State,
-        /// Recurrence of θ and θ′.
-        recurrence: Recurrence,
-    },
+    /// an event since the start of the last phase. The recurrence is that of θ and θ′.
+    SlidesForever { since: State, recurrence: Recurrence },
     /// With μs = μk the motion rolls and slips for ever and converges to the grazing orbit: E − E* decreases like 1/n with the
-    /// number n of slips. Declared at the end of a slip whose energy loss proves it.
-    SlipsForever {
-        /// State at the end of that slip.
-        state: State,
-        /// The grazing orbit.
-        orbit: GrazingOrbit,
-        /// Number of slips, 1/(c (E − E*)), in which E − E* halves.
-        slips_to_halve: f64,
-    },
+    /// number n of slips, and halves in 1/(c (E − E*)) of them. Declared at the end of a slip whose energy loss proves it.
+    SlipsForever { state: State, orbit: GrazingOrbit, slips_to_halve: f64 },
     /// Without kinetic friction, or for a massless hoop, energy is conserved in contact. The motion returned to an earlier event, so it
-    /// repeats.
-    RepeatsForever {
-        /// State at the first of the two events.
-        since: State,
-        /// Time between them.
-        period: f64,
-        /// Change of θ in a period, a multiple of 2π.
-        theta_gained: f64,
-        /// Number of transitions in a period.
-        transitions: usize,
-    },
+    /// repeats. `since` is the state at the first of the two; θ gains a multiple of 2π in a period.
+    RepeatsForever { since: State, period: f64, theta_gained: f64, transitions: usize },
     /// Energy and momentum exclude any later lift-off ([`crate::Hoop::never_lifts_off`]). The simulation stopped here, either on
     /// request or at a limit.
-    StaysInContact {
-        /// State.
-        state: State,
-    },
-    /// The particle on the rim of a massless hoop reaches the plane, θ = ±π. No impact law applies, since the rim has no inertia.
-    ParticleAtPlane {
-        /// State, with an infinite rate.
-        state: State,
-    },
-    /// The particle inside the rim of a massless hoop reaches its lowest point, θ = ±π.
-    ParticleAtBottom {
-        /// State, with an infinite rate.
-        state: State,
-    },
-    /// The particle of a massless hoop reaches its highest point with upward velocity left.
-    ParticleAtTop {
-        /// State, with an infinite rate.
-        state: State,
-    },
+    StaysInContact { state: State },
+    /// The particle on the rim of a massless hoop reaches the plane, θ = ±π, at an infinite rate. No impact law applies, since the rim
+    /// has no inertia.
+    ParticleAtPlane { state: State },
+    /// The particle inside the rim of a massless hoop reaches its lowest point, θ = ±π, at an infinite rate.
+    ParticleAtBottom { state: State },
+    /// The particle of a massless hoop reaches its highest point with upward velocity left, at an infinite rate.
+    ParticleAtTop { state: State },
     /// The time limit was reached.
-    TimeLimit {
-        /// State.
-        state: State,
-    },
+    TimeLimit { state: State },
     /// The largest number of transitions was reached.
-    TransitionLimit {
-        /// State.
-        state: State,
-        /// The limit.
-        transitions: usize,
-    },
+    TransitionLimit { state: State, transitions: usize },
     /// No motion is consistent with the laws of friction and contact.
-    Inconsistent {
-        /// State.
-        state: State,
-        /// The inconsistent candidates.
-        candidates: Candidates,
-    },
+    Inconsistent { state: State, candidates: Candidates },
     /// Several motions are consistent.
-    Ambiguous {
-        /// State.
-        state: State,
-        /// The candidates.
-        candidates: Candidates,
-    },
-    /// A slide reaches P = 0 with N > 0, beyond which it has no solution (Painlevé).
-    Singular {
-        /// State.
-        state: State,
-        /// P there.
-        solvability: f64,
-    },
+    Ambiguous { state: State, candidates: Candidates },
+    /// A slide reaches P = 0 with N > 0, beyond which it has no solution (Painlevé). `solvability` is P there.
+    Singular { state: State, solvability: f64 },
     /// The slides exceeded a limit.
-    StepLimit {
-        /// State.
-        state: State,
-        /// Which limit of slides was reached.
-        limit: SlideLimit,
-    },
+    StepLimit { state: State, limit: SlideLimit },
     /// The time scale falls below double precision: a slide of a hoop with very small inertia whose particle passes the bottom, or a slide
     /// next to P = 0 whose end depends on rounding. Or an impact beyond the bounds of θ and x of a start, or with velocities that overflow.
     /// Or an unbalanced hoop that rolls down a slope beyond these bounds, or a flight of more turns than doubles resolve.
-    Unresolved {
-        /// State.
-        state: State,
-    },
+    Unresolved { state: State },
 }
 
 impl Outcome {

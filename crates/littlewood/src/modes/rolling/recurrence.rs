@@ -5,33 +5,18 @@ use crate::model::{Detail, Dimension, named};
 /// Recurrence of a motion that lasts for ever.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[expect(missing_docs, reason = "the text of each says what its fields are")]
 pub enum Recurrence {
     /// Rest in an equilibrium (for a homogeneous disc, anywhere).
     Rest,
-    /// Oscillation about the stable equilibrium.
-    Libration {
-        /// Time of one oscillation.
-        period: f64,
-        /// Smallest angle.
-        theta_min: f64,
-        /// Largest angle.
-        theta_max: f64,
-    },
-    /// Rotation over the top in one direction.
-    Rotation {
-        /// Time of one turn.
-        period: f64,
-    },
-    /// Acceleration of a balanced hoop down a slope.
-    Downhill {
-        /// x″ of the centre.
-        acceleration: f64,
-    },
-    /// Approach to the unstable equilibrium on the separatrix, in infinite time.
-    Asymptotic {
-        /// Angle of that equilibrium.
-        theta: f64,
-    },
+    /// Oscillation about the stable equilibrium, in one period from the smallest angle to the largest and back.
+    Libration { period: f64, theta_min: f64, theta_max: f64 },
+    /// Rotation over the top in one direction, a turn in a period.
+    Rotation { period: f64 },
+    /// Acceleration of a balanced hoop down a slope: x″ of the centre.
+    Downhill { acceleration: f64 },
+    /// Approach to the unstable equilibrium at θ on the separatrix, in infinite time.
+    Asymptotic { theta: f64 },
 }
 
 named! {
