@@ -173,6 +173,11 @@ getters! {
     pub hoop: &Hoop = &self.hoop;
     /// The start.
     pub start: State = self.start;
+    /// The phases in order; empty if no motion, or more than one, is consistent at the start.
+    pub phases: &[Phase] = self.phases.as_slice();
+    /// The transitions in order. Each ends a phase, except a jam from a state without a consistent motion;
+    /// [`Trajectory::end_of`] returns the transition of a phase.
+    pub transitions: &[Transition] = self.transitions.as_slice();
     /// The outcome.
     pub outcome: Outcome = self.origin.outcome(self.outcome);
     /// The summary.
@@ -180,19 +185,6 @@ getters! {
 }
 
 impl Trajectory {
-    /// The phases in order; empty if no motion, or more than one, is consistent at the start.
-    #[must_use]
-    pub fn phases(&self) -> &[Phase] {
-        &self.phases
-    }
-
-    /// The transitions in order. Each ends a phase, except a jam from a state without a consistent motion;
-    /// [`Trajectory::end_of`] returns the transition of a phase.
-    #[must_use]
-    pub fn transitions(&self) -> &[Transition] {
-        &self.transitions
-    }
-
     /// The transition that ends a phase; none for a last phase that is endless or cut at a limit.
     #[must_use]
     pub fn end_of(&self, phase: &Phase) -> Option<&Transition> {

@@ -21,7 +21,7 @@ mod tangents;
 
 use thiserror::Error;
 
-use crate::model::{Quantity, State, named};
+use crate::model::{Quantity, State, getters, named};
 use crate::modes::Recurrence;
 use crate::motion::columns::SummaryColumn;
 use crate::motion::trajectory::Trajectory;
@@ -93,29 +93,21 @@ pub struct Derivatives {
     summary: Vec<Vec<Derivative<f64>>>,
 }
 
-impl Derivatives {
+getters! {
+    Derivatives, [self]:
     /// The quantities, in the order of all lists.
-    #[must_use]
-    pub fn quantities(&self) -> &[Quantity] {
-        &self.quantities
-    }
-
+    pub quantities: &[Quantity] = self.quantities.as_slice();
     /// For each transition its derivatives with respect to each quantity.
-    #[must_use]
-    pub fn transitions(&self) -> &[Vec<Derivative<EventDerivative>>] {
-        &self.transitions
-    }
+    pub transitions: &[Vec<Derivative<EventDerivative>>] = self.transitions.as_slice();
+    /// The derivatives of the summary: for each of [`SummaryColumn::reals`] those with respect to each quantity, NaN where the number
+    /// is absent.
+    pub summary: &[Vec<Derivative<f64>>] = self.summary.as_slice();
+}
 
+impl Derivatives {
     /// The derivatives of the outcome with respect to each quantity.
     pub fn outcome(&self) -> &[Derivative<OutcomeDerivative>] {
         &self.outcome
-    }
-
-    /// The derivatives of the summary: for each of [`SummaryColumn::reals`] those with respect to each quantity, NaN where the number
-    /// is absent.
-    #[must_use]
-    pub fn summary(&self) -> &[Vec<Derivative<f64>>] {
-        &self.summary
     }
 }
 
