@@ -16,9 +16,9 @@ from fontTools.pens.basePen import BasePen
 from fontTools.pens.transformPen import TransformPen
 from fontTools.ttLib import TTFont
 
-GREEK = "αβγδεηθλμνπρστφψωΓΔΘΛΣΦΨΩ"
-SYMBOLS = "é−±×·°′″ℓ√∞≤≥≈≠→←↑↓½–—‘’…§\u0304\u0302"
-SCRIPT = "𝓡𝓝"
+GREEK = "αβγδεζηθκλμνξπρϱστφχψωΓΔΘΛΣΦΨΩ"
+SYMBOLS = "é−±×·∗°′″ℓ√∞∂≤≥≈≠→←↑↓½–—‘’…§₀\u0304\u0302"
+SCRIPT = "𝓡𝓝𝓢"
 ASCII = "".join(map(chr, range(0x20, 0x7F)))
 # Accents are drawn for small letters, but stand over italic capitals: the bar over X, the hat over I.
 LIFTS = {0x0304: (20, 656 - 473), 0x0302: (177, 656 - 473)}
@@ -37,6 +37,7 @@ def italic_symbols() -> dict[int, int]:
         table[ord("Α") + i] = 0x1D6E2 + i
     for i in range(18, 25):
         table[ord("Α") + i] = 0x1D6E2 + i
+    table[ord("ϱ")] = 0x1D71A
     return {plain: symbol for plain, symbol in table.items() if chr(plain) in ASCII + GREEK}
 
 

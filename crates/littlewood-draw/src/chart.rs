@@ -54,8 +54,8 @@ impl Figure {
 /// Room for the labels of the two axes, in pixels.
 pub const ROOM: [f64; 2] = [62.0, 46.0];
 
-/// Length of a tick.
-pub(crate) const TICK: f64 = 4.0;
+/// Length of a tick, in pixels.
+pub const TICK: f64 = 4.0;
 
 /// How far off the sheet places are told apart, in lengths of the axis.
 const FAR: f64 = 1e3;

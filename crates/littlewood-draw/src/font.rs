@@ -1,23 +1,31 @@
-//! The letters of a document as a font in it: TrueType, with those letters only.
+//! Letters as a font, TrueType: those of a document, in it, and all of them, for other programs.
 
-use crate::letters::{Letter, outline};
+use std::collections::BTreeMap;
+
+#[cfg(feature = "pdf")]
+use crate::letters::Letter;
+use crate::letters::{all, outline};
 use crate::pencil::Segment;
 
 /// Its units to the size, of which all coordinates of the letters are whole numbers.
 const UNITS: u16 = 2000;
 
 /// The letters of a document, each with its number; zero is a blank.
+#[cfg(feature = "pdf")]
 #[derive(Debug, Default)]
 pub(crate) struct Font(Vec<&'static Letter>);
 
-/// A glyph of a font file, and the box of its points.
+/// A glyph of a font file, its width, and the box of its points.
+#[derive(Default)]
 struct Shape {
+    width: i16,
     bytes: Vec<u8>,
     frame: [i16; 4],
-    points: u16,
-    contours: u16,
+    points: i16,
+    contours: i16,
 }
 
+#[cfg(feature = "pdf")]
 impl Font {
     /// The number of a letter, which belongs to the font from now on.
     pub(crate) fn number(&mut self, letter: &'static Letter) -> u16 {
@@ -36,48 +44,83 @@ impl Font {
 
     /// The font file.
     pub(crate) fn file(&self) -> Vec<u8> {
-        let blank = Shape { bytes: Vec::new(), frame: [0; 4], points: 0, contours: 0 };
-        let shapes: Vec<Shape> =
-            core::iter::once(blank).chain(self.0.iter().map(|letter| shape(letter.path))).collect();
-        let widths: Vec<u16> =
-            core::iter::once(0).chain(self.0.iter().map(|it| units(it.advance) as u16)).collect();
-        let frame = shapes.iter().fold([0; 4], |[left, low, right, high]: [i16; 4], shape| {
-            let [a, b, c, d] = shape.frame;
-            [left.min(a), low.min(b), right.max(c), high.max(d)]
-        });
-        let count = shapes.len() as u16;
-        let most = |of: fn(&Shape) -> u16| shapes.iter().map(of).max().unwrap_or(0);
-        let (mut glyf, mut loca) = (Vec::new(), Vec::new());
-        for shape in &shapes {
-            loca.extend((glyf.len() as u32).to_be_bytes());
-            glyf.extend(&shape.bytes);
-        }
-        loca.extend((glyf.len() as u32).to_be_bytes());
-        let hmtx =
-            widths.iter().zip(&shapes).flat_map(|(width, shape)| words([*width as i16, shape.frame[0]]));
-        // The numbers in the order of the tables of the format; what only screens of few pixels need is zero.
-        let head = [
-            &[0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0x5f, 0x0f, 0x3c, 0xf5, 0, 0][..],
-            &UNITS.to_be_bytes(),
-            &[0; 16],
-            &words(frame),
-            &words([0, 8, 2, 1, 0]),
-        ];
-        let widest = widths.iter().copied().max().unwrap_or(0) as i16;
-        let [left, low, right, high] = frame;
-        let hhea = words([1, 0, high, low, 0, widest, left, 0, right, 1, 0, 0, 0, 0, 0, 0, 0, count as i16]);
-        let [points, contours] =
-            [most(|shape| shape.points), most(|shape| shape.contours)].map(|it| it as i16);
-        let maxp = words([1, 0, count as i16, points, contours, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0]);
-        assembled(vec![
-            (*b"glyf", glyf),
-            (*b"head", head.concat()),
-            (*b"hhea", hhea),
-            (*b"hmtx", hmtx.collect()),
-            (*b"loca", loca),
-            (*b"maxp", maxp),
-        ])
+        file(self.0.iter().map(|letter| shape(outline(letter.path), letter.advance)), Vec::new())
     }
+}
+
+/// Name of the font of all letters.
+const NAME: &str = "Littlewood";
+
+/// All letters as a TrueType font, for other programs that draw. Italic letters are the mathematical symbols of Unicode, and the small ones
+/// below and above the line stand at their codes: it draws what [`unicode`](crate::unicode) returns.
+#[must_use]
+pub fn font() -> Vec<u8> {
+    let shapes: BTreeMap<char, Shape> = all()
+        .map(|(sign, letter, [scale, down])| {
+            let place = |[x, y]: [f64; 2]| [scale * x, scale * y - 1000.0 * down];
+            let outline = outline(letter.path).map(|segment| segment.placed(place));
+            (sign, shape(outline, scale * letter.advance))
+        })
+        .collect();
+    // Groups of one letter each: first code, last code, number.
+    let groups =
+        shapes.keys().zip(1_u32..).flat_map(|(&sign, number)| [u32::from(sign), u32::from(sign), number]);
+    let count = shapes.len() as u32;
+    // One table for all of Unicode, at byte 12, of format 12.
+    let mut cmap = words([0, 1, 3, 10, 0, 12, 12, 0]);
+    cmap.extend([16 + 12 * count, 0, count].into_iter().chain(groups).flat_map(u32::to_be_bytes));
+    // Family, style, whole name and name in PostScript: parts of one text.
+    let style: Vec<u8> = "Regular".encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let text: Vec<u8> = NAME.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let (long, short) = (text.len() as i16, style.len() as i16);
+    let mut name = words([0, 4, 6 + 12 * 4]);
+    for [kind, length, place] in [[1, long, 0], [2, short, long], [4, long, 0], [6, long, 0]] {
+        name.extend(words([3, 1, 0x409, kind, length, place]));
+    }
+    name.extend(text.into_iter().chain(style));
+    let post = [&[0, 3, 0, 0][..], &[0; 28]].concat();
+    file(shapes.into_values(), vec![(*b"cmap", cmap), (*b"name", name), (*b"post", post)])
+}
+
+/// A font file of shapes, their numbers from 1, with these tables more.
+fn file(shapes: impl Iterator<Item = Shape>, mut tables: Vec<([u8; 4], Vec<u8>)>) -> Vec<u8> {
+    let shapes: Vec<Shape> = core::iter::once(Shape::default()).chain(shapes).collect();
+    let frame = shapes.iter().fold([0; 4], |[left, low, right, high]: [i16; 4], shape| {
+        let [a, b, c, d] = shape.frame;
+        [left.min(a), low.min(b), right.max(c), high.max(d)]
+    });
+    let count = shapes.len() as i16;
+    let most = |of: fn(&Shape) -> i16| shapes.iter().map(of).max().unwrap_or(0);
+    let (mut glyf, mut loca) = (Vec::new(), Vec::new());
+    for shape in &shapes {
+        loca.extend((glyf.len() as u32).to_be_bytes());
+        glyf.extend(&shape.bytes);
+    }
+    loca.extend((glyf.len() as u32).to_be_bytes());
+    let hmtx = words(shapes.iter().flat_map(|shape| [shape.width, shape.frame[0]]));
+    // The numbers in the order of the tables of the format; what only screens of few pixels need is zero.
+    let head = [
+        &[0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0x5f, 0x0f, 0x3c, 0xf5, 0, 0][..],
+        &UNITS.to_be_bytes(),
+        &[0; 16],
+        &words(frame),
+        &words([0, 8, 2, 1, 0]),
+    ];
+    let widest = most(|shape| shape.width);
+    let [left, low, right, high] = frame;
+    let hhea = words([1, 0, high, low, 0, widest, left, 0, right, 1, 0, 0, 0, 0, 0, 0, 0, count]);
+    let [points, contours] = [most(|shape| shape.points), most(|shape| shape.contours)];
+    let maxp = words([1, 0, count, points, contours, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0]);
+    tables.extend([
+        (*b"glyf", glyf),
+        (*b"head", head.concat()),
+        (*b"hhea", hhea),
+        (*b"hmtx", hmtx),
+        (*b"loca", loca),
+        (*b"maxp", maxp),
+    ]);
+    tables.sort();
+    assembled(tables)
 }
 
 /// In units of the font.
@@ -90,10 +133,11 @@ fn words(values: impl IntoIterator<Item = i16>) -> Vec<u8> {
 }
 
 /// A letter as contours of points on the curve and off it.
-fn shape(path: &str) -> Shape {
+fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
+    let width = units(advance);
     let mut contours: Vec<Vec<([i16; 2], bool)>> = Vec::new();
     let place = |[x, y]: [f64; 2]| [units(x), units(y)];
-    for segment in outline(path) {
+    for segment in outline {
         let points = match segment {
             Segment::Move(to) => {
                 contours.push(vec![(place(to), true)]);
@@ -122,7 +166,7 @@ fn shape(path: &str) -> Shape {
     let [[left, right], [low, high]] = [ends(0), ends(1)];
     let frame = [left, low, right, high];
     if points.is_empty() {
-        return Shape { bytes: Vec::new(), frame, points: 0, contours: 0 };
+        return Shape { width, ..Shape::default() };
     }
     let mut bytes = words([contours.len() as i16]);
     bytes.extend(words(frame));
@@ -138,7 +182,7 @@ fn shape(path: &str) -> Shape {
         bytes.extend(words(points.iter().zip(before).map(|((point, _), before)| point[k] - before)));
     }
     bytes.resize(bytes.len().next_multiple_of(4), 0);
-    Shape { bytes, frame, points: points.len() as u16, contours: contours.len() as u16 }
+    Shape { width, bytes, frame, points: points.len() as i16, contours: contours.len() as i16 }
 }
 
 /// A font file of tables, in the order of their names.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-use crate::markup::{Script, runs, small};
+use crate::markup::{SCRIPTED, Script, private, runs, small, symbol};
 use crate::pencil::Segment;
 
 /// Size of an index or exponent.
@@ -52,6 +52,21 @@ fn letter(line: &'static str) -> Option<((bool, char), Letter)> {
     let sign = char::from_u32(u32::from_str_radix(code, 16).ok()?)?;
     let path = parts.next().unwrap_or_default();
     Some(((face == "i", sign), Letter { name: format!("{face}{code}"), path, advance, sign }))
+}
+
+/// All letters, each with the sign of Unicode that is this letter in plain text: italic ones are mathematical symbols, and small ones below
+/// and above the line are signs, too. With their sizes, and how far they stand below the line.
+pub(crate) fn all() -> impl Iterator<Item = (char, &'static Letter, [f64; 2])> {
+    let sign = |italic, letter| if italic { symbol(letter) } else { letter };
+    let own = letters().iter().map(move |(&(italic, letter), own)| (sign(italic, letter), own, [1.0, 0.0]));
+    let ascii = ('!'..='~')
+        .flat_map(|plain| [Script::Sub, Script::Super].map(|script| (private(plain, script), plain, script)));
+    own.chain(
+        SCRIPTED
+            .into_iter()
+            .chain(ascii)
+            .filter_map(|(sign, plain, script)| Some((sign, of_text(false, plain)?, script.placed(1.0)))),
+    )
 }
 
 /// The letter of a text: in italics those that have them.
@@ -144,7 +159,7 @@ mod tests {
 
     #[test]
     fn the_faces_have_the_symbols() {
-        assert_eq!(missing("*θηξτμπωℓ*′ 𝓡 𝓝 ± − × √ ° ≤ ½ *N*_{roll}"), "ξ");
+        assert_eq!(missing("*θηжτμπωℓ*′ 𝓡 𝓝 ± − × √ ° ≤ ½ *N*_{roll}"), "ж");
         assert!(width("mm", 10.0) > width("m", 10.0));
         assert!((width("*μ*_{s}", 20.0) / width("*μ*_{s}", 10.0) - 2.0).abs() < 1e-12);
     }

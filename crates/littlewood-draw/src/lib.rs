@@ -32,7 +32,6 @@ mod csv;
 mod error;
 mod figure;
 mod finish;
-#[cfg(feature = "pdf")]
 mod font;
 mod hatch;
 mod item;
@@ -51,15 +50,16 @@ mod svg;
 mod words;
 
 pub use caption::latex;
-pub use chart::ROOM;
+pub use chart::{ROOM, TICK};
 pub use error::DrawError;
 pub use figure::{
     Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View, tilted,
 };
+pub use font::font;
 pub use letters::{missing, outlines, width};
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
 pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve, lift_off_condition};
-pub use markup::{Run, Script, markdown, plain, runs};
+pub use markup::{Run, Script, markdown, plain, runs, unicode};
 pub use pencil::Segment;
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
 pub use sheet::{Content, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet, check_width};

@@ -59,7 +59,7 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
 }
 
 /// Letters and digits that stand below or above the line by themselves, each as it is on the line, and where it stands.
-const SCRIPTED: [(char, char, Script); 15] = [
+pub(crate) const SCRIPTED: [(char, char, Script); 15] = [
     ('₁', '1', Script::Sub),
     ('₂', '2', Script::Sub),
     ('ₛ', 's', Script::Sub),
@@ -87,6 +87,21 @@ fn scripted(letter: char, place: Script) -> Option<char> {
     SCRIPTED.iter().find(|&&(_, plain, script)| (plain, script) == (letter, place)).map(|(own, ..)| *own)
 }
 
+/// The mathematical symbol of Unicode that is a letter in italics.
+pub(crate) fn symbol(letter: char) -> char {
+    let code = |first: u32, of: char| first + u32::from(letter) - u32::from(of);
+    let code = match letter {
+        'h' => 0x210e,
+        'A'..='Z' => code(0x1d434, 'A'),
+        'a'..='z' => code(0x1d44e, 'a'),
+        'Α'..='Ω' => code(0x1d6e2, 'Α'),
+        'α'..='ω' => code(0x1d6fc, 'α'),
+        'ϱ' => 0x1d71a,
+        other => other.into(),
+    };
+    char::from_u32(code).unwrap_or(letter)
+}
+
 /// The letters alone; what stands below or above the line keeps its place, or a sign before it tells of it.
 #[must_use]
 pub fn plain(text: &str) -> String {
@@ -101,6 +116,35 @@ pub fn plain(text: &str) -> String {
         }
     }
     out
+}
+
+/// The signs that draw a text with [`font`](crate::font): italics are mathematical symbols, and what stands below or above the line
+/// is a small sign, one for private use where Unicode has none.
+#[must_use]
+pub fn unicode(text: &str) -> String {
+    let mut out = String::new();
+    for Run { text, italic, script, .. } in runs(text) {
+        out.extend(text.chars().map(|letter| match script {
+            Script::Line => {
+                if italic {
+                    symbol(letter)
+                } else {
+                    letter
+                }
+            }
+            Script::Sub | Script::Super => {
+                scripted(letter, script).unwrap_or_else(|| private(letter, script))
+            }
+        }));
+    }
+    out
+}
+
+/// A sign for private use: a letter of ASCII below or above the line.
+pub(crate) fn private(letter: char, script: Script) -> char {
+    let first = if script == Script::Sub { 0xe000 } else { 0xe100 };
+    let sign = letter.is_ascii().then(|| char::from_u32(first + u32::from(letter))).flatten();
+    sign.unwrap_or(letter)
 }
 
 /// As Markdown.
@@ -134,6 +178,7 @@ mod tests {
         assert_eq!(plain("10^{−7} *I*_{zz}, *W*^{s}"), "10⁻⁷ I_zz, W^s");
         assert_eq!(markdown("*μ*_{s} = ½"), "*μ*<sub>s</sub> = ½");
         assert_eq!(plain("{x}"), "{x}");
+        assert_eq!(unicode("*h*, *μ*_{s}*N*, ϱ, *ϱ*, *I*_{z}"), "ℎ, 𝜇ₛ𝑁, ϱ, 𝜚, 𝐼\u{e07a}");
         assert_eq!(
             (plain("`E`_{1}"), markdown("`E`_{1}")),
             ("E₁".to_owned(), "**E**<sub>1</sub>".to_owned())

@@ -43,7 +43,7 @@ mod _core {
         link::{problem_of_link, read_link, write_link},
         many::{classes, derivative_column, summaries},
         motion::{Trajectory, bouncing_orbit, check_hoop, check_proof, check_until, classify, simulate},
-        palette::{curves, dashes, swatches_of},
+        palette::{curves, dashes, font, lengths, marked, swatches_of, unicode},
         plane::PhasePlane,
         program::run_program,
         table::{cases, edges, name_of_case, quantities, sample_columns, sequence_names, summary_columns},
