@@ -6,24 +6,28 @@ python evidence/engines/report.py        needs Matplotlib and the package of thi
 from __future__ import annotations
 
 import math
+import sys
 from typing import Any
 
-import matplotlib as mpl
 import numpy as np
+from littlewood.plot.sheet import panels
 from littlewood.scoring import BENCHMARK
 from littlewood.scoring.cases import CATEGORIES
-from littlewood.style import FAINT, INK, LINE
+from littlewood.style import BOLD, FINE, INK, LINE, LIST_DASHES
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from run import HERE, RESULTS, Engine, engines, read, read_rows
+
+sys.path.insert(0, str(HERE.parents[1]))
+
+from evidence.studies.pictures import write
 
 PAGE = HERE.parents[1] / "docs" / "engines.md"
 PICTURE = PAGE.parent / "engines" / "work.svg"
-TITLE = "Error against processor time, a panel for each engine"
 
 FIRST = next(iter(BENCHMARK))
 TABLE_STEP = 1e-3
-COLOUR = "#d55e00"
-DASHES: dict[int, Any] = {0: (0, (4, 2)), 1: "solid", 2: (0, (1, 1.2))}
+DASHES = (LIST_DASHES[1], LIST_DASHES[0], LIST_DASHES[2])
 """Of the settings of an engine, in their order."""
 
 GOAL = 1e-2
@@ -173,34 +177,25 @@ def settings(every: dict[str, Engine], runs: Runs) -> list[str]:
 
 
 def picture(every: dict[str, Engine], runs: Runs) -> Figure:
-    """A panel for each engine, in colour, before all others."""
+    """A panel for each engine, dark, before all others."""
     lines = {
         name: [scored(runs[name], FIRST, setting) for setting in every[name].settings]
         for name in runs
         if any(scored(runs[name], FIRST, setting) for setting in every[name].settings)
     }
-    columns = 5
-    height = math.ceil(len(lines) / columns)
-    drawn = Figure(figsize=(11.0, 1.75 * height + 0.5), layout="constrained")
-    panels = drawn.subplots(height, columns, sharex=True, sharey=True, squeeze=False)
+    drawn, axes = panels(len(lines), columns=4, height=165.0, letters=False, sharex=True, sharey=True)
     # One line with gaps is all others.
     gap = {"cpu_s": math.nan, "error": math.nan}
     others = [run for some in lines.values() for mine in some for run in (*mine, gap)]
-    for axes in panels.flat[len(lines) :]:
-        axes.set_axis_off()
-    for axes, (name, some) in zip(panels.flat, lines.items(), strict=False):
-        axes.plot(*points(others), color=FAINT, linewidth=0.4)
-        for at, mine in enumerate(some):
-            axes.plot(*points(mine), color=COLOUR, linewidth=1.6, linestyle=DASHES[at], marker="o", markersize=2.5)
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-        axes.minorticks_off()
-        axes.set_title(every[name].title.split(" (")[0], fontsize=9, loc="left", color=INK)
-        axes.tick_params(colors=INK, labelsize=8)
-        for spine in axes.spines.values():
-            spine.set_color(LINE)
-    drawn.supxlabel("processor time, s", fontsize=9, color=INK)
-    drawn.supylabel("largest error of x, y, θ", fontsize=9, color=INK)
+    for panel, (name, some) in zip(axes, lines.items(), strict=True):
+        panel.loglog(*points(others), color=LINE, linewidth=FINE, linestyle="solid")
+        for mine, dashes in zip(some, DASHES, strict=False):
+            panel.plot(*points(mine), color=INK, linewidth=BOLD, linestyle=dashes, marker="o", markersize=2.5)
+        panel.set_title(every[name].title.split(" (")[0])
+    settings = [Line2D([], [], color=INK, lw=BOLD, ls=dashes, marker="o", ms=2.5) for dashes in DASHES]
+    drawn.legend(settings, ["first setting of the tables", "second", "third"], loc="outside upper left", ncols=3)
+    drawn.supxlabel("processor time, s")
+    drawn.supylabel("largest error of *x*, *y*, *θ*")
     return drawn
 
 
@@ -219,9 +214,7 @@ def put(text: str, label: str, rows: list[str]) -> str:
 def main() -> None:
     """Write everything."""
     every, runs = engines(), read(RESULTS)
-    mpl.rcParams["svg.hashsalt"] = "littlewood"
-    PICTURE.parent.mkdir(exist_ok=True)
-    picture(every, runs).savefig(PICTURE, metadata={"Date": None, "Title": TITLE})
+    write(lambda: picture(every, runs), PICTURE, PAGE)
     text = PAGE.read_text(encoding="utf-8")
     tables = {"summary": summary(every, runs), "gradients": gradients(every), "settings": settings(every, runs)}
     for name in CATEGORIES:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import argparse
 import difflib
-import re
 import sys
 import time
 
-import matplotlib as mpl
-
 from .page import put
+from .pictures import write
 from .study import NAMES, Study, load
 
 
@@ -23,20 +21,17 @@ def computed(study: Study) -> str:
 
 
 def draw(study: Study) -> None:
-    """Write the pictures, with their titles in the page, and what it says below them, as title and description."""
-    mpl.rcParams["svg.hashsalt"] = "littlewood"
+    """Write the pictures."""
     study.folder.mkdir(exist_ok=True)
-    page = study.page.read_text(encoding="utf-8")
-    for name, figure in study.pictures.items():
-        shown = re.search(rf"!\[(.+)\]\({study.name}/{name}\.svg\)\n\n(.+)", page)
-        said = dict(zip(("Title", "Description"), shown.groups() if shown else (), strict=False))
-        figure().savefig(study.folder / f"{name}.svg", metadata={"Date": None, **said})
+    for name, picture in study.pictures.items():
+        write(picture, study.folder / f"{name}.svg", study.page)
 
 
 def main() -> int:
     """Compute what is asked for; 1 if a check finds another page."""
     parser = argparse.ArgumentParser(prog="python -m evidence.studies", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(NAMES)}; all, if none is given")
+    parser.add_argument("--pictures", action="store_true", help="draw only, and leave the numbers of the pages")
     parser.add_argument("--check", action="store_true", help="write nothing, and say where a page has other numbers")
     arguments = parser.parse_args()
     for name in arguments.names:
@@ -46,6 +41,9 @@ def main() -> int:
     for name in arguments.names or NAMES:
         begin = time.perf_counter()
         study = load(name)
+        if arguments.pictures:
+            draw(study)
+            continue
         before, after = study.page.read_text(encoding="utf-8"), computed(study)
         if arguments.check:
             differs = differs or before != after

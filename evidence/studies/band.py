@@ -7,10 +7,11 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import FAINT
+from littlewood.plot.canvas import key, of_curve
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import LINE
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, panels, styled
 from .hoops import thin_hoop
 from .page import table
 from .study import Study
@@ -106,26 +107,29 @@ def picture() -> Figure:
     low = np.array([1.0 / math.sqrt(h * upper(h, kappa, float(angle))) for angle in angles])
     cosine = np.cos(angles)
     high = np.where(cosine > 1e-3, 1.0 / np.sqrt(h * np.maximum(cosine, 1e-3)), 99.0)
-    left.fill_between(np.degrees(angles), low, high, color=FAINT, alpha=0.5, linewidth=0)
-    left.plot(np.degrees(angles), low, color=COLOURS[0], label="N = 0 in rolling")
-    left.plot(np.degrees(angles), high, color=COLOURS[1], dashes=(5, 2), label="w = 0: lift-off")
-    left.set(ylim=(0, 6), xlim=(-130, 130), xlabel="θ, degrees", ylabel="θ′, √(g/R)")
-    left.text(0, 3.4, "off the plane", ha="center", fontsize=8)
-    left.text(0, 0.7, "rolls or slides", ha="center", fontsize=8)
-    left.legend(frameon=False, fontsize=8, loc="upper center")
+    left.fill_between(np.degrees(angles), low, high, color=LINE, linewidth=0, label="the band")
+    left.plot(np.degrees(angles), low, **of_curve("normal_force_zero"), label="*n*: *N* = 0 in rolling")
+    left.plot(np.degrees(angles), high, **of_curve("lift_off"), label="*w* = 0: lift-off")
+    left.set(
+        ylim=(0, 6), xlim=(-130, 130), xlabel="*θ*, degrees", ylabel="*θ*′, √(*g*/*R*)", xticks=range(-120, 121, 60)
+    )
+    left.text(0, 3.4, "off the plane", ha="center")
+    left.text(0, 0.7, "rolls or slides", ha="center")
+    key(left)
     degrees = np.linspace(0.0, 90.0, 200)
-    for ratio, colour, dash in styled((0.01, 0.3, 1.0, 10.0)):
+    for ratio, line in listed((0.01, 0.3, 1.0, 10.0)):
         values = [thickness(0.5, ratio, math.radians(float(degree))) for degree in degrees]
-        middle.plot(degrees, values, color=colour, dashes=dash, label=f"ϱ = {ratio:g}")
+        middle.plot(degrees, values, **line, label=f"*ϱ* = {ratio:g}")
         offsets = np.linspace(0.01, 0.99, 80)
         sizes = [area(float(one), ratio) for one in offsets]
-        right.plot(offsets, sizes, color=colour, dashes=dash, label=f"ϱ = {ratio:g}")
-    middle.set(xlabel="θ, degrees", ylabel="thickness in 1/(hθ′²), h = 0.5", xlim=(0, 90))
-    middle.set_ylim(bottom=0)
-    middle.legend(frameon=False, fontsize=8, loc="upper left")
-    right.set(xlabel="h, R", ylabel="area over θ and 1/(hθ′²)", xlim=(0, 1))
-    right.set_ylim(bottom=0)
-    right.legend(frameon=False, fontsize=8, loc="upper left")
+        right.plot(offsets, sizes, **line, label=f"*ϱ* = {ratio:g}")
+    middle.set(
+        xlabel="*θ*, degrees", ylabel="thickness in 1/(*hθ*′²), *h* = 0.5", xlim=(0, 90), xticks=range(0, 91, 30)
+    )
+    right.set(xlabel="*h*, *R*", ylabel="area over *θ* and 1/(*hθ*′²)", xlim=(0, 1))
+    for axes in (middle, right):
+        axes.set_ylim(bottom=0)
+        key(axes)
     return figure
 
 

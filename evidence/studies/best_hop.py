@@ -9,11 +9,12 @@ from typing import Any
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import FAINT, INK
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import FAINT, FINE, INK, LINE
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DEGREE, panels, styled
-from .hoops import random_hoops, thin_hoop
+from .hoops import DEGREE, random_hoops, thin_hoop
 from .one_angle import rise, turned_at_top, turned_in_air
 from .page import table
 from .roots import zero
@@ -317,16 +318,16 @@ def push_picture() -> Figure:
     """What it takes to jump, how high hoops jump that are pushed over the top, and the bound by energy."""
     figure, (left, middle, right) = panels(3)
     shown = np.linspace(0.03, 0.985, 150)
-    left.plot(shown, np.sqrt(0.5 * (1.0 - shown)), color=INK, label="bound, proved")
+    left.plot(shown, np.sqrt(0.5 * (1.0 - shown)), color=FAINT, label="bound, proved")
     offsets = [*np.arange(1, 20) / 20, 0.97]
-    for mu, colour, dash in styled(FRICTIONS):
+    for mu, look in listed(FRICTIONS):
         line = [least_push(float(one), mu) * math.sqrt(one) for one in offsets]
-        left.plot(offsets, line, color=colour, dashes=dash, label=f"μ = {mu:g}")
-    left.axhline(1.0, color=FAINT, linewidth=1.2)
-    left.text(0.03, 1.015, "flies at the top", fontsize=8, color=INK)
-    left.set(xlim=(0, 1), ylim=(0, 1.1), xlabel="offset of the mass centre h, R")
-    left.set_ylabel("least rate at the top, √(g/(R h))")
-    left.legend(frameon=False, fontsize=8, loc="lower left")
+        left.plot(offsets, line, **look, label=f"*μ* = {mu:g}")
+    left.axhline(1.0, color=INK, linewidth=FINE)
+    left.text(0.03, 1.03, "flies at the top")
+    left.set(xlim=(0, 1), ylim=(0, 1.1), xlabel="offset of the mass centre *h*, *R*")
+    left.set_ylabel("least rate at the top, √(*g*/(*Rh*))")
+    key(left)
     wide, rates = np.meshgrid(np.linspace(0.03, 0.98, 90), np.linspace(0.55, 0.999, 80), indexing="ij")
     ratio = 1.0 / wide - 1.0
     found = lw.simulate_many(
@@ -335,42 +336,38 @@ def push_picture() -> Figure:
     )  # fmt: skip
     heights = found.jump_height.to_numpy()
     levels = [0.001, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.5]
-    lines = middle.contour(wide, rates, np.nan_to_num(heights), levels=levels, colors=[COLOURS[0]], linewidths=0.9)
-    middle.clabel(lines, fontsize=8, fmt="%g")
-    middle.set(xlim=(0, 1), ylim=(0.55, 1.0), xlabel="offset of the mass centre h, R")
-    middle.set_ylabel("rate at the top, √(g/(R h))")
-    middle.text(0.04, 0.03, "height of the jump, R; μ = 0.3", transform=middle.transAxes, fontsize=8, color=INK)
+    lines = middle.contour(wide, rates, np.nan_to_num(heights), levels=levels, colors=[INK], linewidths=FINE)
+    middle.clabel(lines, fmt="%g")
+    middle.set(xlim=(0, 1), ylim=(0.55, 1.0), xlabel="offset of the mass centre *h*, *R*")
+    middle.set_ylabel("rate at the top, √(*g*/(*Rh*))")
+    middle.set_title("height of the jump, *R*; *μ* = 0.3")
     energies = np.linspace(1.001, 10.0, 200)
     tops = [height(1.0, Body.thin(1.0).earliest(float(energy))) for energy in energies]
-    right.plot(energies, tops, color=INK, label="bound, proved")
-    for h, colour, marker in zip((0.99, 0.7, 0.5, 0.3), COLOURS, "osD^", strict=False):
+    right.plot(energies, tops, color=FAINT, label="bound, proved")
+    for (h, look), marker in zip(listed((0.99, 0.7, 0.5, 0.3)), "osD^", strict=True):
         jumps = [(energy, float(rolled(Body.thin(np.array([h])), energy, 0.3)[0])) for energy in ENERGIES]
-        right.plot(
-            *zip(*jumps, strict=True), marker, color=colour, markersize=4, label=f"rolls first, h = {h:g}, μ = 0.3"
-        )
-    right.set(xlim=(1, 10.2), ylim=(0, 12), xlabel="energy over m g R")
-    right.set_ylabel("height of the jump, R")
-    right.legend(frameon=False, fontsize=8, loc="upper left")
+        right.plot(*zip(*jumps, strict=True), marker, color=look["color"], label=f"*h* = {h:g}")
+    right.set(xlim=(1, 10.2), ylim=(0, 12), xlabel="energy over *mgR*", xticks=(1, 4, 7, 10))
+    right.set_ylabel("height of the jump, *R*")
+    key(right, "hoops that roll first, *μ* = 0.3")
     return figure
 
 
 def hops_picture() -> Figure:
     """How often the published build hops, by the speed at the bottom."""
-    figure, axes = panels(2, width=4.8)
+    figure, axes = panels(2)
     unit = math.sqrt(lw.hoop.STANDARD_GRAVITY * RADIUS)
     speeds = np.arange(2.7, 3.6, 0.02)
     for ax, (mu, restitution) in zip(axes, ((0.4, 0.0), (0.4, 0.6)), strict=True):
-        for weight, colour, dash in styled((0.051, 0.066)):
+        for weight, look in listed((0.051, 0.066)):
             hoop = build(weight, mu, restitution)
             counts = [hops(hoop, speed / unit, 0.005 / RADIUS) for speed in speeds]
-            ax.step(speeds, counts, where="mid", color=colour, dashes=dash, label=f"{1000 * weight:.0f} g")
+            ax.step(speeds, counts, where="mid", **look, label=f"{1000 * weight:.0f} g")
         found = window(mu, restitution, 0.005)
         if found:
-            ax.axvspan(found[0] - 0.01, found[-1] + 0.01, color=FAINT, alpha=0.5, label="once and twice")
-        ax.set(ylim=(0, 9.5), xlabel="speed of the centre at the bottom, m/s")
-        ax.text(0.03, 0.6, f"μ = {mu:g}, e = {restitution:g}", transform=ax.transAxes, fontsize=9, color=INK)
-        ax.legend(frameon=False, fontsize=8, loc="upper left")
-    axes[0].set_ylabel("hops higher than 5 mm")
+            ax.axvspan(found[0] - 0.01, found[-1] + 0.01, color=LINE, alpha=0.6, linewidth=0, label="once and twice")
+        ax.set(ylim=(0, 9.5), xlabel="speed of the centre at the bottom, m/s", ylabel="hops higher than 5 mm")
+        key(ax, f"*μ* = {mu:g}, *e* = {restitution:g}", columns=3)
     return figure
 
 

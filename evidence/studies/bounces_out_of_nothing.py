@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 import littlewood as lw
 import numpy as np
 import numpy.typing as npt
-from littlewood.style import FAINT, INK, LINE
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import ACCENTS, CURVE_COLOURS, FINE, INK, PAPER, REGION
 
-from .axes import COLOURS, DEGREE, panels, styled
-from .hoops import random_hoops, thin_hoop
+from .hoops import DEGREE, random_hoops, thin_hoop
 from .page import table
 from .study import Study
 
@@ -264,33 +265,37 @@ def plane() -> Figure:
     rolls = portrait.in_rolling_region(theta, rate)
     ratio = portrait.reverse_chatter(theta, rate)
     left = axes[0]
-    left.contourf(theta / DEGREE, rate, np.where(rolls, 1.0, 0.0), levels=[0.5, 1.5], colors=[FAINT], alpha=0.35)
+    left.contourf(theta / DEGREE, rate, np.where(rolls, 1.0, 0.0), levels=[0.5, 1.5], colors=[REGION])
     known = np.where(np.isnan(ratio), 0.0, ratio)
-    left.contourf(theta / DEGREE, rate, known, levels=[1.0, 1.1, 1.2, 10.0], colors=[COLOURS[0]] * 3, alpha=0.25)
-    left.contourf(theta / DEGREE, rate, known, levels=[1.1, 10.0], colors=[COLOURS[0]], alpha=0.3)
-    left.contourf(theta / DEGREE, rate, known, levels=[1.2, 10.0], colors=[COLOURS[0]], alpha=0.5)
-    left.contour(theta / DEGREE, rate, known, levels=[1.0], colors=[INK], linewidths=0.9)
+    tints = [(ACCENTS["violet"], depth) for depth in (0.3, 0.55, 0.85)]
+    left.contourf(theta / DEGREE, rate, known, levels=[1.0, 1.1, 1.2, 10.0], colors=tints)
+    left.contour(theta / DEGREE, rate, known, levels=[1.0], colors=[CURVE_COLOURS["chatter"]], linestyles="dotted")
     for one in portrait.equilibria:
         angle = one.theta - 2.0 * math.pi if one.theta > 0.0 else one.theta
         stable = one.stability == "stable"
-        left.plot(angle / DEGREE, 0.0, "o", color=INK, markersize=5, markerfacecolor=INK if stable else "white")
-    left.text(-172, 1.35, "can roll", color=INK, fontsize=8)
-    left.set_xlabel("θ, °")
-    left.set_ylabel("θ′")
+        left.plot(
+            angle / DEGREE,
+            0.0,
+            "o",
+            color=INK,
+            markerfacecolor=INK if stable else PAPER,
+            label=f"{one.stability} equilibrium",
+        )
+    left.fill_between([], [], color=REGION, label="can roll")
+    left.plot([], [], color=CURVE_COLOURS["chatter"], linestyle="dotted", label="growth = 1")
+    for tint, growth in zip(tints, (1, 1.1, 1.2), strict=True):
+        left.fill_between([], [], color=tint, linewidth=0, label=f"growth ≥ {growth}")
+    left.set(xlabel="*θ*, degrees", ylabel="*θ*′, √(*g*/*R*)", xticks=range(-180, 1, 45))
+    key(left)
     right = axes[1]
     e = np.linspace(0.4, 0.995, 60)
-    for (name, (h, kappa)), colour, dash in styled(list(BODIES.items())):
+    for (name, (h, kappa)), look in listed(list(BODIES.items())):
         least = [least_slope(h, kappa, 1.0, float(one))[0] / DEGREE for one in e]
-        right.plot(
-            e, np.where(np.array(least) < 89.9, least, np.nan), color=colour, dashes=dash, linewidth=1.5, label=name
-        )
+        right.plot(e, np.where(np.array(least) < 89.9, least, np.nan), **look, label=name.replace("h =", "*h* ="))
     shown = EXAMPLE["e"], EXAMPLE["slope"] / DEGREE
-    right.plot(*shown, "o", color=INK, markersize=4)
-    right.annotate("of (a)", shown, (6, 3), textcoords="offset points", color=INK, fontsize=8, ha="left")
-    right.set_xlabel("e")
-    right.set_ylabel("least slope, °")
-    right.set_ylim(0, 75)
-    right.legend(fontsize=8, frameon=False)
+    right.plot(*shown, "D", color=INK, label="hoop of (a)")
+    right.set(xlabel="*e*", ylabel="least slope, degrees", ylim=(0, 75))
+    key(right)
     return figure
 
 
@@ -301,7 +306,7 @@ def motions() -> Figure:
     ratio = hoop.classify(theta=theta, theta_rate=0.0).reverse_chatter
     assert ratio is not None
     left, right = axes
-    for share, colour, dash in styled([0.0, 1.0 / 3.0, 2.0 / 3.0]):
+    for share, look in listed([0.0, 1.0 / 3.0, 2.0 / 3.0]):
         thrown = 1e-9 * ratio**share
         times, rates = out_of(hoop, theta, 0.0, thrown, 300)
         landings, openings = np.concatenate([[0.0], times]), np.concatenate([[thrown], rates])
@@ -311,20 +316,16 @@ def motions() -> Figure:
                 s = np.linspace(0.0, 1.0, 20)
                 clock.extend(begin + s * (end - begin))
                 gap.extend(rate * s * (1.0 - s) * (end - begin))
-        left.plot(clock, np.array(gap) * 1e3, color=colour, dashes=dash, linewidth=1.2)
+        left.plot(clock, np.array(gap) * 1e3, **look, label=f"{thrown * 1e9:.3g}")
         if share == 0.0:
-            right.loglog(times, rates, "o", color=colour, markersize=2.2)
+            right.loglog(times, rates, "o", color=look["color"], markersize=2.2, label="bounces")
     line = np.array([1e-9, 20.0])
     weight = math.cos(hoop.slope)
-    right.loglog(line, 0.5 * weight * (ratio - 1.0) * line, color=LINE, linewidth=0.8, dashes=(1, 2))
-    left.set_xlim(0.35, 1.3)
-    left.set_ylim(0, None)
-    left.set_xlabel("τ")
-    left.set_ylabel("gap, R/1000")
-    right.set_xlim(1e-8, 20)
-    right.set_ylim(1e-9, 1)
-    right.set_xlabel("τ")
-    right.set_ylabel("gap rate after a bounce")
+    right.loglog(line, 0.5 * weight * (ratio - 1.0) * line, color=INK, linewidth=FINE, label="proportional to *τ*")
+    left.set(xlim=(0.35, 1.3), ylim=(0, None), xlabel="*τ*, √(*R*/*g*)", ylabel="gap, *R*/1000")
+    key(left, "gap rate at the start, 10^{−9}√(*gR*)", columns=3)
+    right.set(xlim=(1e-8, 20), ylim=(1e-9, 1), xlabel="*τ*, √(*R*/*g*)", ylabel="gap rate after a bounce, √(*gR*)")
+    key(right)
     return figure
 
 

@@ -11,11 +11,12 @@ from typing import Any
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import FAINT, INK
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels, power
+from littlewood.style import ACCENTS, ARROW_COLOURS, CURVE, FAINT, FINE, HATCH, INK
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DEGREE, panels, styled
-from .hoops import random_hoops, thin_hoop
+from .hoops import DEGREE, random_hoops, thin_hoop
 from .page import table
 from .roots import zero
 from .study import Study
@@ -451,34 +452,36 @@ def followed(h: float, loss: float) -> tuple[Drift, Callable[[float], float], fl
     return drift(h, begin, loss, int(1.25 * law(end) / loss) + 2), law, begin, end
 
 
+STABLE = (ACCENTS["violet"], 0.6)
+
+
 def regions_picture() -> Figure:
     """Where motions are stable, for rough and for smooth thin hoops."""
-    figure, axes = panels(2, width=4.8, height=4.0)
+    figure, axes = panels(2, height=400.0)
     h, angle = np.meshgrid(np.linspace(0.003, 0.997, 500), np.linspace(0.01, math.pi - 0.01, 700), indexing="ij")
     degrees = angle / DEGREE
     for ax, rough, name in zip(axes, (True, False), ("rough: impacts stick", "smooth: no friction"), strict=True):
         orbits = family(h, thin(h), angle, rough=rough)
         none = np.isnan(orbits.rate)
         firm = (np.nan_to_num(orbits.margin, nan=-1.0) > 0.0).astype(float)
-        ax.contourf(degrees, h, none.astype(float), levels=[0.5, 1.5], colors=[FAINT], alpha=0.35)
-        ax.contourf(degrees, h, firm, levels=[0.5, 1.5], colors=[COLOURS[0]], alpha=0.75)
-        ax.contour(degrees, h, orbits.energy_slope, levels=[0.0], colors=[INK], linewidths=1.0)
-        ax.contour(degrees, h, orbits.tilt, levels=[0.0], colors=[INK], linewidths=1.0, linestyles="dashed")
+        ax.contourf(degrees, h, none.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"])
+        ax.contourf(degrees, h, firm, levels=[0.5, 1.5], colors=[STABLE])
+        ax.contour(degrees, h, orbits.energy_slope, levels=[0.0], colors=[INK])
+        ax.contour(degrees, h, orbits.tilt, levels=[0.0], colors=[INK], linestyles="dashed")
         flip = 2.0 * (1.0 + orbits.determinant) - orbits.product
-        ax.contour(degrees, h, flip, levels=[0.0], colors=[INK], linewidths=1.0, linestyles="dotted")
+        ax.contour(degrees, h, flip, levels=[0.0], colors=[INK], linestyles="dotted")
         if rough:
             friction = np.where(none, np.nan, orbits.friction)
-            lines = ax.contour(degrees, h, friction, levels=[0.1, 0.3, 0.6], colors=[COLOURS[1]], linewidths=0.8)
-            ax.clabel(lines, fontsize=8, fmt="μ = %g", manual=[(45, 0.25), (70, 0.55), (85, 0.8)])
-        ax.text(0.03, 0.03, name, transform=ax.transAxes, fontsize=9, color=INK)
-        ax.set(xlim=(0, 180), ylim=(0, 1), xlabel="angle of the impacts φ, degrees")
-        ax.set_xticks(range(0, 181, 30))
-    axes[0].set_ylabel("offset of the mass centre h, R")
-    for style, label in (("solid", "dE/dφ = 0"), ("dashed", "Γ = 0"), ("dotted", "ζ = −1")):
-        axes[1].plot([], [], color=INK, linewidth=1.0, linestyle=style, label=label)
-    axes[1].fill_between([], [], color=COLOURS[0], alpha=0.75, label="stable")
-    axes[1].fill_between([], [], color=FAINT, alpha=0.35, label="no such motion")
-    axes[1].legend(fontsize=8, loc="upper left", framealpha=0.9, bbox_to_anchor=(0.0, 0.42))
+            lines = ax.contour(degrees, h, friction, levels=[0.1, 0.3, 0.6], colors=[ARROW_COLOURS["friction_force"]])
+            ax.clabel(lines, fmt=lambda mu: f"{mu:g}", manual=[(45, 0.25), (70, 0.55), (85, 0.8)])
+            ax.plot([], [], color=ARROW_COLOURS["friction_force"], label="*μ* that it needs")
+        ax.set(xlim=(0, 180), ylim=(0, 1), xlabel="angle of the impacts *φ*, degrees", xticks=range(0, 181, 30))
+        for style, label in (("solid", "d*E*/d*φ* = 0"), ("dashed", "*Γ* = 0"), ("dotted", "*ζ* = −1")):
+            ax.plot([], [], color=INK, linestyle=style, label=label)
+        ax.fill_between([], [], color=STABLE, label="stable")
+        ax.fill_between([], [], facecolor="none", edgecolor=HATCH, hatch="////", linewidth=0, label="no such motion")
+        ax.set_ylabel("offset of the mass centre *h*, *R*")
+        key(ax, name, columns=3)
     return figure
 
 
@@ -486,32 +489,40 @@ def losses_picture() -> Figure:
     """Multipliers and energy along the family, and what losses do."""
     figure, (left, middle, right) = panels(3)
     angles = np.linspace(0.5, 2.7, 1200)
-    for h, colour, dash in styled((0.1, 0.3, 0.5, 0.6)):
+    for h, look in listed((0.1, 0.3, 0.5, 0.6)):
         orbits = family(h, thin(h), angles)
         half = 0.5 * (1.0 + orbits.determinant - orbits.product)
         root = np.sqrt(half * half - orbits.determinant + 0j)
         largest = np.maximum(abs(half + root), abs(half - root))
-        style: dict[str, Any] = {"color": colour, "dashes": dash}
-        left.semilogy(angles / DEGREE, largest, label=f"h = {h:g}", **style)
-        middle.plot(angles / DEGREE, orbits.energy, **style)
+        left.semilogy(angles / DEGREE, largest, **look, label=f"*h* = {h:g}")
+        middle.plot(angles / DEGREE, orbits.energy, **look, label=f"*h* = {h:g}")
         for low, high in stable(h):
             firm = np.linspace(low, high, 50)
-            middle.plot(firm / DEGREE, family(h, thin(h), firm).energy, color=colour, linewidth=4.5, alpha=0.45)
-    left.axhline(1.0, color=INK, linewidth=0.8)
-    left.set(xlim=(28, 150), ylim=(0.2, 200), xlabel="angle of the impacts φ, degrees", ylabel="largest multiplier |ζ|")
-    left.legend(frameon=False, fontsize=8)
-    middle.set(xlim=(60, 150), ylim=(1, 8), xlabel="angle of the impacts φ, degrees", ylabel="energy E over m g R")
-    for loss, colour in zip(LOSSES, COLOURS, strict=False):
+            middle.plot(
+                firm / DEGREE, family(h, thin(h), firm).energy, color=look["color"], linewidth=4.0 * CURVE, alpha=0.45
+            )
+    left.axhline(1.0, color=INK, linewidth=FINE)
+    left.set(xlim=(28, 150), ylim=(0.2, 200), ylabel="largest multiplier |*ζ*|", xticks=range(30, 151, 30))
+    middle.plot([], [], color=FAINT, linewidth=4.0 * CURVE, label="stable")
+    middle.set(xlim=(60, 150), ylim=(1, 8), ylabel="energy *E* over *mgR*", xticks=range(60, 151, 30))
+    for axes in (left, middle):
+        axes.set_xlabel("angle of the impacts *φ*, degrees")
+        key(axes, columns=3)
+    for (loss, look), marker in zip(listed(LOSSES), "sDo", strict=True):
         found, law, begin, end = followed(0.5, loss)
         right.plot(
-            found.turns * loss, found.angles / DEGREE, ".", color=colour, markersize=3, label=f"1 − e = {loss:g}"
+            found.turns * loss,
+            found.angles / DEGREE,
+            marker,
+            color=look["color"],
+            markersize=2.5,
+            label=power(loss),
         )
     shown = np.linspace(begin, end, 200)
-    right.plot([law(angle) for angle in shown], shown / DEGREE, color=INK, linewidth=1.0, label="law")
-    right.set(
-        xlim=(0, 1.25 * law(end)), ylim=(126, 138), xlabel="turns × (1 − e)", ylabel="angle of the impacts φ, degrees"
-    )
-    right.legend(frameon=False, fontsize=8, loc="upper left")
+    right.plot([law(angle) for angle in shown], shown / DEGREE, color=INK, label="law")
+    right.set(xlim=(0, 1.25 * law(end)), ylim=(126, 138), xlabel="turns × (1 − *e*)")
+    right.set_ylabel("angle of the impacts *φ*, degrees")
+    key(right, "1 − *e*")
     return figure
 
 

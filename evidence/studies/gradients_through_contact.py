@@ -10,11 +10,12 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import FAINT, INK
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import ARROW_COLOURS, FAINT, FINE, INK, LIST_DASHES
 from littlewood.tables import CAUSE_LABELS
 from matplotlib.figure import Figure
 
-from .axes import panels, styled
 from .page import table
 from .study import Study
 
@@ -164,27 +165,29 @@ def errors(step: float) -> tuple[float, float]:
 
 def picture() -> Figure:
     """Derivatives at fixed times, which jump at events; errors of differences."""
-    figure, (left, right) = panels(2, width=5.0)
+    figure, (left, right) = panels(2)
     motion = CASE.simulate()
-    for (name, label), colour, dash in styled((("theta_rate", "θ′"), ("slip", "η′"))):
+    for name, label, look in (
+        ("theta_rate", "*θ*", {"color": INK}),
+        ("slip", "*η*", {"color": ARROW_COLOURS["slip"], "linestyle": LIST_DASHES[1]}),
+    ):
         for i, phase in enumerate(motion.phases):
             # At its end the next phase begins.
             times = np.linspace(phase.start_time, np.nextafter(phase.end_time, 0.0), 80)
             found = motion.derivatives_at(times, ["mu_k"])[name].sel(quantity="mu_k")
-            left.plot(times, found, color=colour, dashes=dash, label=f"∂{label}/∂μₖ" if i == 0 else None)
+            left.plot(times, found, **look, label=f"∂{label}′/∂*μ*ₖ" if i == 0 else None)
     for transition in motion.transitions[:-1]:
-        left.axvline(transition.time, color=FAINT, linewidth=0.8)
-        left.text(
-            transition.time + 0.03, 1.65, CAUSE_LABELS[transition.cause], rotation=90, fontsize=8, va="top", color=INK
-        )
-    left.set(xlim=(0, motion.end_time), xlabel="time τ, √(R/g)", ylabel="derivative at fixed τ, √(g/R), √(gR)")
-    left.legend(frameon=False, fontsize=8, loc="upper right")
+        left.axvline(transition.time, color=FAINT, linewidth=FINE)
+        left.text(transition.time + 0.03, 1.65, CAUSE_LABELS[transition.cause], rotation=90, va="top")
+    left.set(xlim=(0, motion.end_time), xlabel="time *τ*, √(*R*/*g*)")
+    left.set_ylabel("derivative at fixed *τ*, √(*g*/*R*), √(*gR*)")
     steps = np.logspace(-13, -1, 73)
     both = np.array([errors(float(step)) for step in steps])
-    for (column, label), colour, dash in styled(((0, "forward"), (1, "central"))):
-        right.loglog(steps, both[:, column], color=colour, dashes=dash, label=f"{label} difference")
-    right.set(xlabel="step of μₖ", ylabel="relative error")
-    right.legend(frameon=False, fontsize=8)
+    for (column, label), look in listed(((0, "forward"), (1, "central"))):
+        right.loglog(steps, both[:, column], **look, label=f"{label} difference")
+    right.set(xlabel="step of *μ*ₖ", ylabel="relative error")
+    for axes in (left, right):
+        key(axes)
     return figure
 
 

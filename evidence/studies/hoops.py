@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import littlewood as lw
 import numpy as np
+
+DEGREE = math.pi / 180.0
 
 
 def thin_hoop(h: float, *, mu_k: float, mu_s: float | None = None, restitution: float | None = None) -> lw.Hoop:

@@ -7,10 +7,11 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import INK
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import FAINT, FINE, INK
 from matplotlib.figure import Figure
 
-from .axes import panels, styled
 from .contact import Contact
 from .grazing import Grazing, grazing_orbits
 from .hoops import thin_hoop
@@ -156,13 +157,13 @@ def last_slips(seed: int, count: int, lightest: float) -> tuple[lw.Trajectory, .
 
 def picture() -> Figure:
     """The fall of the distance, the number near equal coefficients, and Λ over all thin hoops."""
-    figure, (left, map_, middle, right) = panels(4, width=3.7)
-    for (name, h, mu), colour, dash in styled(EXAMPLES):
+    figure, (left, map_, middle, right) = panels(4)
+    for ((name, h, mu), look), marker in zip(listed(EXAMPLES), "osD^", strict=True):
         _, orbit = example(h, mu)
         values = np.array(distances(h, mu, START * orbit.energy, COUNT))
         c = orbit.loss(mu)
         n = np.arange(len(values))
-        left.loglog(n[1:], c * values[1:], color=colour, dashes=dash, label=name)
+        left.loglog(n[1:], c * values[1:], **look, label=name)
         gaps = np.array([1e-1, 1e-2, 1e-3])
         counts = [near(h, mu, float(gap) * mu, 0.02 * orbit.energy)[0] for gap in gaps]
         fine = np.geomspace(1e-1, 1e-3, 60)
@@ -170,24 +171,21 @@ def picture() -> Figure:
         for gap in fine:
             other = grazing_orbits(Contact.of(thin_hoop(h, mu_k=mu)), mu * (1 + gap), mu)[0]
             law.append(other.slips_from(mu, float(gap) * mu, 0.02 * orbit.energy))
-        middle.loglog(fine, law, color=colour, dashes=dash, linewidth=1.2)
-        middle.loglog(gaps, counts, "o", color=colour, markersize=3.5)
+        middle.loglog(fine, law, **look, label=name)
+        middle.loglog(gaps, counts, "o", color=look["color"])
         nearly = thin_hoop(h, mu_k=mu, mu_s=mu + 1e-3 * mu)
         seen = [scaled(nearly, float(x)) for x in np.linspace(0.05, 4.0, 12)]
-        map_.plot(*zip(*seen, strict=True), "o", color=colour, markersize=3.5)
+        map_.plot(*zip(*seen, strict=True), marker, color=look["color"], fillstyle="none", label=name)
     x = np.linspace(0.0, 4.0, 200)
-    map_.plot(x, [scaled_loss(float(one)) for one in x], color=INK, linewidth=1.0, label="ℓ(x)")
-    map_.set(xlabel="x = 2aε/(δN)", ylabel="ΔE k/(μβN³δ²)", ylim=(0, None))
-    map_.legend(frameon=False, fontsize=8, loc="upper left")
+    map_.plot(x, [scaled_loss(float(one)) for one in x], color=INK, label="*ℓ*(*x*)")
+    map_.set(xlabel="*x* = 2*aε*/(*δN*)", ylabel="Δ*E k*/(*μβN*³*δ*²)", ylim=(0, None))
     n = np.array([1.0, COUNT])
-    left.loglog(n, 1.0 / n, color=INK, linewidth=0.8, dashes=(1, 2), label="c ε = 1/n")
-    left.set(xlabel="number n of the slip", ylabel="c ε = c (E − E*)", ylim=(2e-5, 1))
-    left.legend(frameon=False, fontsize=8, loc="lower left")
-    middle.set(xlabel="μs/μk − 1", ylabel="number of slips")
-    middle.text(
-        0.97, 0.95, "dots: counted\nlines: formula", transform=middle.transAxes, fontsize=8, ha="right", va="top"
-    )
-    for h, colour, dash in styled((0.05, 0.1, 0.25, 0.5)):
+    left.loglog(n, 1.0 / n, color=FAINT, linewidth=FINE, label="*cε* = 1/*n*")
+    left.set(xlabel="number *n* of the slip", ylabel="*cε* = *c* (*E* − *E*∗)", ylim=(2e-5, 1))
+    middle.plot([], [], "o", color=INK, label="counted")
+    middle.plot([], [], color=INK, label="formula")
+    middle.set(xlabel="*μ*ₛ/*μ*ₖ − 1", ylabel="number of slips")
+    for h, look in listed((0.05, 0.1, 0.25, 0.5)):
         most = min(1.0, 0.95 * math.sqrt(1.0 - h * h) / h)
         shown, values_of = [], []
         for mu in np.geomspace(0.01, most, 60):
@@ -196,9 +194,11 @@ def picture() -> Figure:
             if orbits:
                 shown.append(mu)
                 values_of.append(orbits[0].slips(float(mu)) / mu)
-        right.loglog(shown, values_of, color=colour, dashes=dash, label=f"h = {h:g}")
-    right.set(xlabel="μk", ylabel="Λ/μk", ylim=(5, 1e4))
-    right.legend(frameon=False, fontsize=8, loc="upper right")
+        right.loglog(shown, values_of, **look, label=f"*h* = {h:g}")
+    right.set(xlabel="*μ*ₖ", ylabel="*Λ*/*μ*ₖ", ylim=(5, 1e4))
+    for axes in (left, map_, middle):
+        key(axes, columns=3)
+    key(right)
     return figure
 
 

@@ -7,15 +7,17 @@ from collections import Counter
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
+from typing import Any
 
 import littlewood as lw
 import numpy as np
 import numpy.typing as npt
-from littlewood.style import FAINT, HATCH, INK
+from littlewood.plot.canvas import key, of_curve
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import ACCENTS, BOLD, FAINT, FINE, HATCH, INK, LIST_DASHES, PAPER
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DEGREE, panels, styled
-from .hoops import random_hoops, thin_hoop
+from .hoops import DEGREE, random_hoops, thin_hoop
 from .page import table
 from .roots import zero
 from .study import Study
@@ -552,10 +554,14 @@ def near() -> str:
 
 def approach_picture() -> Figure:
     """N, θ′ and slip against the distance from P = 0."""
-    figure, axes = panels(3, width=3.7, height=3.4)
+    figure, axes = panels(3)
     body = Body.rim(0.9)
-    names = ("normal force N, m2 g", "θ′ − θ′ at P = 0, √(g/R)", "slip − slip at P = 0, √(gR)")
-    for exponent, colour, dash in styled((0.2, 0.5, 0.8)):
+    names = (
+        "normal force *N*, *m*₂*g*",
+        "*θ*′ − *θ*′ at *P* = 0, √(*g*/*R*)",
+        "*η*′ − *η*′ at *P* = 0, √(*gR*)",
+    )
+    for exponent, look in listed((0.2, 0.5, 0.8)):
         seen = approach(thin_hoop(0.9, mu_k=body.friction_of(exponent)))
         xi = seen["theta"]
         kept = xi > 1e-8
@@ -563,14 +569,15 @@ def approach_picture() -> Figure:
             axes, ("normal", "rate", "slip"), (exponent - 1.0, exponent, exponent), strict=True
         ):
             values = np.abs(seen[name])
-            axis.loglog(xi[kept], values[kept], color=colour, dashes=dash, label=f"λ = {exponent:g}")
+            axis.loglog(xi[kept], values[kept], **look, label=f"*λ* = {exponent:g}")
             place = np.flatnonzero(kept)[-1]
-            law = values[place] * (xi / xi[place]) ** power
-            axis.loglog(xi[kept], law[kept], color=FAINT, linewidth=0.8, dashes=(1, 2), zorder=1)
+            # Below the curve, which would cover it.
+            law = 0.4 * values[place] * (xi / xi[place]) ** power
+            axis.loglog(xi[kept], law[kept], color=FAINT, linewidth=FINE, zorder=1, label="0.4 of the power")
     for axis, name in zip(axes, names, strict=True):
-        axis.set(xlabel="distance ξ from P = 0, rad", ylabel=name)
+        axis.set(xlabel="distance *ξ* from *P* = 0, rad", ylabel=name)
         axis.invert_xaxis()
-    axes[0].legend(frameon=False, fontsize=9)
+        key(axis)
     return figure
 
 
@@ -589,7 +596,7 @@ def turned(body: Body, mu: float, theta: float, xi: Array) -> Array:
 
 def phase_picture() -> Figure:
     """Slides next to P = 0 in the phase plane, one that jams and one that does not."""
-    figure, axes = panels(2, width=5.2, height=4.2)
+    figure, axes = panels(2, height=400.0)
     for axis, (gamma, mu) in zip(axes, ((0.9, 0.75), (COMSOL, 1.0)), strict=True):
         body = Body.rim(gamma)
         theta, h = body.angle(mu), gamma
@@ -602,62 +609,57 @@ def phase_picture() -> Figure:
             angles[shown],
             -np.sqrt(level[shown, 0]),
             -np.sqrt(turned(body, mu, theta, xi[shown, 0])),
-            color=COLOURS[0],
-            alpha=0.13,
+            color=(ACCENTS["violet"], 0.2),
             linewidth=0,
             label="jams",
         )
         turning = np.linspace(theta - 0.35 * span, min(theta + span, 0.499 * math.pi), 300)
-        axis.plot(
-            turning / DEGREE, -1.0 / np.sqrt(h * np.cos(turning)), color=INK, dashes=(5, 2), label="w = 0: lift-off"
-        )
-        axis.plot(angles[shown], -np.sqrt(level[shown, 0]), color=COLOURS[1], linewidth=2.0, label="u*")
+        off = -1.0 / np.sqrt(h * np.cos(turning))
+        axis.plot(turning / DEGREE, off, **of_curve("lift_off"), label="*w* = 0: lift-off")
+        axis.plot(angles[shown], -np.sqrt(level[shown, 0]), color=ACCENTS["violet"], linewidth=BOLD, label="*u*∗")
+        thin: dict[str, Any] = {"color": FAINT, "linewidth": FINE, "zorder": 1, "label": "slides"}
         for rate in np.linspace(0.1, 2.9, 15) / math.sqrt(h):
             ends = (np.array([span]), np.array([span * 1e-6]))
             paths, values = slides.path(*ends, np.array([rate**2]), 1000)
             w = 1.0 - h * np.cos(theta + paths[:, 0]) * values[:, 0]
             # Until the slide turns or lifts off.
             good = np.cumsum((values[:, 0] < 0.0) | (w < 0.0)) == 0
-            axis.plot(
-                (theta + paths[good, 0]) / DEGREE, -np.sqrt(values[good, 0]), color=FAINT, linewidth=0.9, zorder=1
-            )
+            axis.plot((theta + paths[good, 0]) / DEGREE, -np.sqrt(values[good, 0]), **thin)
         for part in np.linspace(0.1, 0.9, 5):
             ends = (np.array([min(zone(body, mu), span) * part]), np.array([span * 1e-6]))
             paths, values = slides.path(*ends, np.array([1e-6]), 1000)
             good = values[:, 0] >= 0.0
-            axis.plot(
-                (theta + paths[good, 0]) / DEGREE, -np.sqrt(values[good, 0]), color=FAINT, linewidth=0.9, zorder=1
-            )
-        axis.axvline(theta / DEGREE, color=INK, linewidth=1.2)
-        axis.axvspan(
-            (theta - 0.35 * span) / DEGREE, theta / DEGREE, facecolor="none", edgecolor=HATCH, hatch="///", linewidth=0
-        )
-        axis.plot([theta / DEGREE], [-1.0 / math.sqrt(h * math.cos(theta))], "o", color=INK, markersize=5)
+            axis.plot((theta + paths[good, 0]) / DEGREE, -np.sqrt(values[good, 0]), **thin)
+        axis.axvline(theta / DEGREE, color=INK)
+        left = (theta - 0.35 * span) / DEGREE
+        axis.axvspan(left, theta / DEGREE, facecolor=PAPER, edgecolor=HATCH, hatch="////", linewidth=0, label="*P* < 0")
+        axis.plot([theta / DEGREE], [-1.0 / math.sqrt(h * math.cos(theta))], "o", color=INK, label="*P* = *w* = 0")
         axis.set(
             xlim=((theta - 0.35 * span) / DEGREE, (theta + span) / DEGREE),
             ylim=(-1.6 / math.sqrt(h * math.cos(theta)), 0.0),
-            xlabel="angle θ, degrees",
-            ylabel="rate θ′, √(g/R)",
+            xlabel="angle *θ*, degrees",
+            ylabel="rate *θ*′, √(*g*/*R*)",
         )
-        axis.set_title(f"γ = {gamma:g}, μ = {mu:g}, λ = {body.exponent(math.cos(theta)):.3f}", fontsize=10, color=INK)
-        axis.legend(frameon=True, framealpha=0.9, edgecolor="none", fontsize=8, loc="lower right")
+        heading = f"*γ* = {gamma:g}, *μ* = {mu:g}, *λ* = {body.exponent(math.cos(theta)):.3f}"
+        key(axis, heading, columns=3)
     return figure
 
 
 def hoops_picture() -> Figure:
     """Which rim hoops and which hoops of all kinds can jam."""
-    figure, (left, right) = panels(2, width=5.0, height=4.0)
+    figure, (left, right) = panels(2, height=400.0)
     gammas = np.linspace(0.15, 0.999, 300)
     painleve = np.sqrt(1.0 - gammas**2) / gammas
     cosines = np.array([rim_one(float(gamma)) for gamma in gammas])
     lower = (1.0 - gammas * cosines) / (gammas * np.sqrt(1.0 - cosines**2))
-    left.fill_between(gammas, lower, 1.0 / gammas, color=COLOURS[0], alpha=0.25, linewidth=0)
-    left.fill_between(gammas, painleve, lower, facecolor="none", edgecolor=HATCH, hatch="///", linewidth=0)
-    left.plot(gammas, 1.0 / gammas, color=INK, label="1/γ: λ = 0")
-    left.plot(gammas, lower, color=COLOURS[1], dashes=(6, 2), label="λ = 1")
-    left.plot(gammas, painleve, color=COLOURS[0], dashes=(2, 1.5), label="√(1 − γ²)/γ: first P = 0")
-    left.plot([COMSOL], [1.0], "o", color=INK, markersize=5)
-    left.annotate("COMSOL", (COMSOL, 1.0), (6, 6), textcoords="offset points", fontsize=9, color=INK)
+    left.fill_between(gammas, lower, 1.0 / gammas, color=(ACCENTS["violet"], 0.2), linewidth=0, label="jam")
+    left.fill_between(
+        gammas, painleve, lower, facecolor="none", edgecolor=HATCH, hatch="////", linewidth=0, label="lift off"
+    )
+    left.plot(gammas, 1.0 / gammas, color=INK, label="1/*γ*: *λ* = 0")
+    left.plot(gammas, lower, color=INK, linestyle=LIST_DASHES[1], label="*λ* = 1")
+    left.plot(gammas, painleve, color=INK, linestyle=LIST_DASHES[2], label="√(1 − *γ*²)/*γ*: first *P* = 0")
+    left.plot([COMSOL], [1.0], "o", color=INK, label="COMSOL")
     g, mu = np.meshgrid(np.linspace(0.01, 0.999, 400), np.linspace(0.01, 2.4, 300))
     # γ (c + μ s) = 1 with c = g/γ: the larger root of (1 − g)² = μ² (γ² − g²).
     gamma = np.hypot(g, (1.0 - g) / mu)
@@ -665,24 +667,22 @@ def hoops_picture() -> Figure:
     jam = cosine < 2.0 * gamma / (3.0 * (1.0 - gamma**2) + np.sqrt(9.0 * (1.0 - gamma**2) ** 2 + 4.0 * gamma**2))
     part = np.where(jam & (gamma < 1.0), 0.5 * (1.0 + g), np.nan)
     parts = (0.6, 0.7, 0.8, 0.9)
-    left.contour(gamma, mu, part, levels=parts, colors=[INK], linewidths=0.6)
+    left.contour(gamma, mu, part, levels=parts, colors=[INK], linewidths=FINE)
     for level in parts:
         at = 2.0 * level - 1.0
         height = (1.0 - at) / math.sqrt(0.96**2 - at**2)
-        left.text(0.96, height, f"{level:g}", fontsize=8, color=INK, ha="center", va="bottom")
-    left.text(0.68, 1.31, "jam", fontsize=9, color=INK, ha="center")
-    left.set(xlim=(0.3, 1.0), ylim=(0.0, 2.4), xlabel="part of the mass in the particle γ", ylabel="friction μk")
-    left.legend(frameon=False, fontsize=9)
+        left.text(0.96, height, f"{level:g}", size="small", ha="center", va="bottom")
+    left.set(xlim=(0.3, 1.0), ylim=(0.0, 2.4), xlabel="part of the mass in the particle *γ*", ylabel="friction *μ*ₖ")
+    key(left)
     hs = np.linspace(0.01, 1.0, 80)
     k2s = np.linspace(0.0, 1.0, 80)[1:]
     grid = np.array([[Body(float(h), float(k2)).lower if k2 < 1.0 - h * h else math.nan for h in hs] for k2 in k2s])
     levels = [0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 4.0]
-    lines = right.contour(hs, k2s, grid, levels=levels, colors=[COLOURS[0]], linewidths=1.1)
-    right.clabel(lines, fontsize=8)
-    right.plot(hs, 1.0 - hs**2, color=INK, linewidth=1.6)
-    right.text(0.52, 0.8, "thin hoop, particle on its rim", fontsize=8, color=INK)
-    right.set(xlim=(0, 1), ylim=(0, 1), xlabel="h", ylabel="ϱ = Î/m")
-    right.set_title("least μk that can jam", fontsize=10, color=INK)
+    lines = right.contour(hs, k2s, grid, levels=levels, colors=[INK])
+    right.clabel(lines)
+    right.plot(hs, 1.0 - hs**2, color=INK, linewidth=BOLD, label="thin hoop, particle on its rim")
+    right.set(xlim=(0, 1), ylim=(0, 1), xlabel="*h*", ylabel="*ϱ* = *Î*/*m*")
+    key(right, "least *μ*ₖ that can jam")
     return figure
 
 

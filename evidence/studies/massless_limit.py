@@ -6,13 +6,26 @@ import math
 from collections import Counter
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import FAINT, INK
+from littlewood.plot.canvas import START, key
+from littlewood.plot.sheet import listed, panels, power
+from littlewood.style import (
+    ARROW_COLOURS,
+    BOLD,
+    FAINT,
+    FINE,
+    HATCH,
+    INK,
+    LINE,
+    MODE_COLOURS,
+    MODE_DASHES,
+)
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, DEGREE, panels, styled
+from .hoops import DEGREE
 from .limit_system import LimitSystem, Piece, State
 from .page import table
 from .study import Study
@@ -279,8 +292,8 @@ def orders() -> str:
     """How the differences of random motions fall with the inertia."""
     found = comparisons(8, 200)
     words = []
-    for power, name in ((1.0, "1"), (0.5, "1/2"), (1.0 / 3.0, "1/3")):
-        measured = np.array([one.measured for one in found if one.power == power])
+    for exponent, name in ((1.0, "1"), (0.5, "1/2"), (1.0 / 3.0, "1/3")):
+        measured = np.array([one.measured for one in found if one.power == exponent])
         low, middle, high = np.quantile(measured, (0.1, 0.5, 0.9))
         words.append(f"{len(measured)} of the order {name} have {middle:.2f} ({low:.2f} to {high:.2f})")
     return (
@@ -328,7 +341,7 @@ def stopped() -> str:
 
 def system_picture() -> Figure:
     """Two motions of the limit system, and a light hoop, over θ and θ′."""
-    figure, axes = panels(2, width=5.4, height=4.0)
+    figure, axes = panels(2, height=400.0)
     examples = (
         (0.5, 0.4, State(0.0, 0.5, 0.0), 7.5),
         (0.8, 0.6, State(1.9, -1.5, 0.7), 5.5),
@@ -345,13 +358,14 @@ def system_picture() -> Figure:
             angles = np.where(angles > 270.0, angles - 360.0, angles)
             angles = np.where(angles > 180.0, angles - 360.0, angles)
         rates = np.where(np.abs(np.diff(angles, append=angles[-1])) > 90.0, np.nan, seen.theta_rate)
-        axis.plot(angles, rates, color=FAINT, linewidth=4.0, zorder=1, label="light hoop, Î = 1e-4")
+        axis.plot(angles, rates, color=LINE, linewidth=3.0 * BOLD, zorder=1, label="light hoop, *Î* = 10^{−4}")
         for piece in system.follow(start, until):
             states = [piece.at(float(t)) for t in np.linspace(0.0, 0.99999, 600) * (piece.end - piece.begin)]
             x = np.array([one.theta for one in states]) / DEGREE
             x = x if start.rate < 0.0 else np.remainder(x, 360.0)
-            ink = INK if piece.kind == "roll" else COLOURS[0]
-            axis.plot(x, [one.rate for one in states], color=ink, linewidth=1.4)
+            mode = "rolling" if piece.kind == "roll" else "gliding"
+            look: dict[str, Any] = {"color": MODE_COLOURS[mode], "linestyle": MODE_DASHES[mode]}
+            axis.plot(x, [one.rate for one in states], **look, label=mode)
             if piece.ended_by == "set":
                 before = piece.at(piece.end - piece.begin)
                 place = before.theta / DEGREE
@@ -359,27 +373,34 @@ def system_picture() -> Figure:
                     "",
                     (place, before.rate - 0.5 * before.slip),
                     (place, before.rate),
-                    arrowprops={"arrowstyle": "->", "color": COLOURS[1], "linewidth": 1.6},
+                    arrowprops={"arrowstyle": "->", "color": ARROW_COLOURS["impulse"], "linewidth": BOLD},
                 )
         edge, limit = 2.0 * math.atan(mu_k) / DEGREE, 2.0 * math.atan(mu_s) / DEGREE
         for shift in (0.0,) if start.rate < 0.0 else (0.0, 360.0):
             axis.plot(
-                np.array([-1, 1, 1, -1, -1]) * limit + shift, [-1, -1, 1, 1, -1], color=INK, linewidth=0.8, zorder=0
+                np.array([-1, 1, 1, -1, -1]) * limit + shift,
+                [-1, -1, 1, 1, -1],
+                color=INK,
+                linewidth=FINE,
+                zorder=0,
+                label="can roll",
             )
-        axis.plot([0.0, 0.0], [-8.0, 8.0], color=COLOURS[1], dashes=(4, 2), linewidth=0.9, zorder=0)
-        axis.plot([edge, edge], [-8.0, 8.0], color=COLOURS[1], dashes=(4, 2), linewidth=0.9, zorder=0)
+        for angle in (0.0, edge):
+            axis.plot([angle] * 2, [-8.0, 8.0], color=INK, linestyle="dotted", zorder=0, label="edge of 𝓢")
+        axis.plot([start.theta / DEGREE], [start.rate], **START, label="start", clip_on=False)
+        axis.plot([], [], color=ARROW_COLOURS["impulse"], linewidth=BOLD, label="loses its slip")
         axis.set_yscale("symlog", linthresh=1.0)
-        axis.set(ylim=(-8.0, 8.0), xlabel="angle θ, degrees", ylabel="rate θ′, √(g/R)")
+        axis.set(ylim=(-8.0, 8.0), xlabel="angle *θ*, degrees", ylabel="rate *θ*′, √(*g*/*R*)")
         axis.set(xlim=(-180.0, 180.0) if start.rate < 0.0 else (0.0, 360.0))
         axis.set_xticks(np.arange(-180, 181, 90) if start.rate < 0.0 else np.arange(0, 361, 90))
         axis.set_yticks([-5, -2, -1, 0, 1, 2, 5], ["−5", "−2", "−1", "0", "1", "2", "5"])
-        axis.set_title(f"μs = {mu_s:g}, μk = {mu_k:g}", fontsize=10, color=INK)
+        key(axis, f"*μ*ₛ = {mu_s:g}, *μ*ₖ = {mu_k:g}", columns=3)
     return figure
 
 
 def orders_picture() -> Figure:
     """Differences against Î; where gliding is no limit; the passage of the bottom."""
-    figure, (left, middle, right) = panels(3, width=3.9, height=3.5)
+    figure, (left, middle, right) = panels(3)
     sizes = np.logspace(-7.0, -1.5, 23)
     rows = []
     for size in sizes:
@@ -395,35 +416,40 @@ def orders_picture() -> Figure:
                 abs(rate * math.sqrt(size) - SPEED),
             )
         )
-    labels = ("θ in the glide", "θ, μs = μk", "time of the bottom", "θ′ √Î at the bottom")
-    for (values, label), colour, dash in styled(list(zip(zip(*rows, strict=True), labels, strict=True))):
-        left.loglog(sizes, values, color=colour, dashes=dash, label=label)
-    left.set(xlabel="I_zz of the hoop, m2 R²", ylabel="distance from the massless hoop")
-    left.legend(frameon=False, fontsize=8)
+    labels = ("*θ* in the glide", "*θ*, *μ*ₛ = *μ*ₖ", "time of the bottom", "*θ*′√*Î* at the bottom")
+    for (values, label), look in listed(list(zip(zip(*rows, strict=True), labels, strict=True))):
+        left.loglog(sizes, values, **look, label=label)
+    left.set(xlabel="*Î* of the hoop", ylabel="distance from the massless hoop")
+    wide: dict[str, Any] = {"color": FAINT, "linewidth": 2.0 * BOLD}
     angles = np.linspace(0.5, 150.0, 400) * DEGREE
-    middle.fill_between(angles / DEGREE, np.tan(0.5 * angles), 3.0, color=COLOURS[0], alpha=0.15, linewidth=0)
-    middle.plot(angles / DEGREE, np.tan(0.5 * angles), color=INK, label="massless: tan(θ/2)")
-    for gamma, colour, dash in zip((0.99, 0.9, 0.75), COLOURS, DASHES[1:], strict=False):
+    middle.fill_between(
+        angles / DEGREE,
+        np.tan(0.5 * angles),
+        3.0,
+        facecolor="none",
+        edgecolor=HATCH,
+        hatch="////",
+        linewidth=0,
+        label="no slide",
+    )
+    middle.plot(angles / DEGREE, np.tan(0.5 * angles), label="massless: tan(*θ*/2)", **wide)
+    for gamma, look in listed((0.99, 0.9, 0.75)):
         edge = (1.0 - gamma * np.cos(angles)) / (gamma * np.sin(angles))
-        middle.plot(angles / DEGREE, edge, color=colour, dashes=dash, label=f"thin hoop, γ = {gamma:g}")
-    middle.set(xlim=(0, 150), ylim=(0, 2.5), xlabel="angle θ, degrees (slip to the right)", ylabel="friction μk")
-    middle.text(30, 2.2, "no slide", fontsize=9, color=INK)
-    middle.legend(frameon=True, framealpha=0.9, edgecolor="none", fontsize=8, loc="lower right")
-    for size, colour, dash in styled((1e-2, 1e-3, 1e-4)):
+        middle.plot(angles / DEGREE, edge, **look, label=f"*γ* = {gamma:g}")
+    middle.set(
+        xlim=(0, 150), ylim=(0, 2.5), xlabel="angle *θ*, degrees", ylabel="friction *μ*ₖ", xticks=range(0, 151, 50)
+    )
+    for size, look in listed((1e-2, 1e-3, 1e-4)):
         times = np.linspace(2.75, 3.05, 1500)
         seen = figure_7(light(size, "no mass, only inertia"))(times)
-        right.plot(
-            times,
-            1.0 + np.cos(seen.theta),
-            color=colour,
-            dashes=dash,
-            label=f"Î = {size:g}",
-            linewidth=1.3,
-        )
+        right.plot(times, 1.0 + np.cos(seen.theta), **look, label=f"*Î* = {power(size)}")
     times = np.linspace(2.75, ARRIVAL, 200)
-    right.plot(times, 1.0 + np.cos(massless()(times).theta), color=FAINT, linewidth=2.5, zorder=1, label="massless")
-    right.set(xlabel="time τ, √(R/g)", ylabel="height of the particle, R", ylim=(0, None))
-    right.legend(frameon=False, fontsize=8)
+    right.plot(
+        times, 1.0 + np.cos(massless()(times).theta), color=FAINT, linewidth=2.0 * BOLD, zorder=1, label="massless"
+    )
+    right.set(xlabel="time *τ*, √(*R*/*g*)", ylabel="height of the particle, *R*", ylim=(0, None))
+    for axis in (left, middle, right):
+        key(axis)
     return figure
 
 

@@ -9,12 +9,13 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels
 from littlewood.style import FAINT, INK
 from littlewood.tables import IMPACT_LABELS
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DEGREE, panels, styled
-from .hoops import random_hoops
+from .hoops import DEGREE, random_hoops
 from .page import table
 from .roots import zero
 from .study import Study
@@ -233,32 +234,35 @@ def law_picture() -> Figure:
     figure, (left, middle, right) = panels(3)
     angles = np.linspace(0.2, 88.0, 400) * DEGREE
     turned = np.array([turned_in_air(float(angle)) for angle in angles])
-    left.plot(angles / DEGREE, turned / DEGREE, color=COLOURS[0], label="turned in the air")
-    left.plot(
-        angles / DEGREE, (turned - angles) / DEGREE, color=COLOURS[1], dashes=(5, 2), label="landing behind the top"
-    )
-    left.plot([0, 60], [0, 240], color=FAINT, dashes=(1, 2), label="4 |θ0|, 3 |θ0|")
-    left.plot([0, 60], [0, 180], color=FAINT, dashes=(1, 2))
+    first, second = (look for _, look in listed("ab"))
+    left.plot(angles / DEGREE, turned / DEGREE, **first, label="turned in the air")
+    left.plot(angles / DEGREE, (turned - angles) / DEGREE, **second, label="landing behind the top")
+    for factor in (4, 3):
+        left.plot([0, 60], [0, 60 * factor], color=FAINT, linestyle="dotted", label="4 |*θ*₀|, 3 |*θ*₀|")
     points = np.array(sample()) / DEGREE
     left.plot(*points.T, ".", color=INK, markersize=2.5, label="random hoops")
     whole = np.arctan(math.pi * np.arange(1, 4)) / DEGREE
-    left.plot(whole, [360, 720, 1080], "o", color=COLOURS[0], markersize=7, fillstyle="none", zorder=4)
-    left.set(xlim=(0, 90), ylim=(0, 1170), xlabel="lift-off before the top |θ0|, degrees", ylabel="degrees")
-    left.set_yticks(range(0, 1081, 180))
-    left.legend(frameon=False, fontsize=8, loc="upper left")
-    middle.plot(angles / DEGREE, turned * np.sqrt(np.cos(angles)), color=COLOURS[0], label="time in the air over √h")
+    left.plot(whole, [360, 720, 1080], "o", color=INK, markersize=6, fillstyle="none", zorder=4, label="whole turns")
+    left.set(ylim=(0, 1170), ylabel="degrees", yticks=range(0, 1081, 180))
+    times = turned * np.sqrt(np.cos(angles))
+    middle.plot(angles / DEGREE, times, **first, label="time in the air over √*h*, √(*R*/*g*)")
     heights = [rise(float(angle), turned_at_top(float(angle))) for angle in angles]
-    middle.plot(angles / DEGREE, heights, color=COLOURS[1], dashes=(5, 2), label="height of the jump over h")
-    middle.set(xlim=(0, 90), ylim=(0, 5), xlabel="lift-off before the top |θ0|, degrees", ylabel="units √(R/g), R")
-    middle.legend(frameon=False, fontsize=8, loc="upper left")
+    middle.plot(angles / DEGREE, heights, **second, label="height over *h*, *R*")
+    middle.set_ylim(0, 5)
     shown = np.linspace(2.0, 77.0, 160) * DEGREE
-    for kappa, colour, dash in styled((0.3, 1.0, 3.0, 30.0)):
+    for kappa, look in listed((0.3, 1.0, 3.0, 30.0)):
         values = [Bounce(0.5, kappa).second(float(angle)) for angle in shown]
         line = [math.nan if value is None else value / DEGREE for value in values]
-        right.plot(shown / DEGREE, line, color=colour, dashes=dash, label=f"ϱ/h² = {kappa:g}")
-    right.set(xlim=(0, 90), xlabel="lift-off before the top |θ0|, degrees", ylabel="turned in the second hop, degrees")
+        right.plot(shown / DEGREE, line, **look, label=f"*ϱ*/*h*² = {kappa:g}")
+    right.set_ylabel("turned in the second hop, degrees")
     right.set_ylim(bottom=0)
-    right.legend(frameon=False, fontsize=8, title="e = 0.5, no friction\nin the impact", title_fontsize=8)
+    for axes, columns, heading in (
+        (left, 2, None),
+        (middle, 1, None),
+        (right, 2, "*e* = 0.5, no friction in the impact"),
+    ):
+        axes.set(xlim=(0, 90), xticks=range(0, 91, 30), xlabel="lift-off before the top |*θ*₀|, degrees")
+        key(axes, heading, columns=columns)
     return figure
 
 

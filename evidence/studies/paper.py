@@ -6,6 +6,8 @@ import argparse
 import re
 from pathlib import Path
 
+from littlewood.plot import look
+
 from .study import load
 
 NUMBERS = {
@@ -23,14 +25,11 @@ NUMBERS = {
 TABLES = {"rimbounds": ("jam", "rim bounds")}
 """Tables, \\tabNAME."""
 
-FIGURES = {
-    ("one-angle", "law"): (9.0, 3.2),
-    ("jam", "hoops"): (7.6, 3.3),
-    ("jam", "phase"): (7.6, 3.3),
-    ("massless-limit", "system"): (7.6, 3.0),
-}
-"""Figures, STUDY-NAME.pdf, with their sizes in inches: smaller than on a page, so that letters are legible in print."""
+FIGURES = (("one-angle", "law"), ("jam", "hoops"), ("jam", "phase"), ("massless-limit", "system"))
+"""Figures, STUDY-NAME.pdf."""
 
+WIDTH_MM = 164.0
+"""Of the text."""
 
 SYMBOLS = (
     (r"Î\^⅓", r"$\\hat I^{1/3}$"),
@@ -76,10 +75,9 @@ def main() -> None:
     macros = [f"\\newcommand{{\\num{name}}}{{{number(*place)}}}" for name, place in NUMBERS.items()]
     macros += [f"\\newcommand{{\\tab{name}}}{{{tabular(*place)}}}" for name, place in TABLES.items()]
     (folder / "numbers.tex").write_text("\n".join(macros) + "\n", encoding="utf-8")
-    for (study, name), size in FIGURES.items():
-        figure = load(study).pictures[name]()
-        figure.set_size_inches(size)
-        figure.savefig(folder / f"{study}-{name}.pdf", metadata={"CreationDate": None})
+    for study, name in FIGURES:
+        with look(WIDTH_MM):
+            load(study).pictures[name]().savefig(folder / f"{study}-{name}.pdf", metadata={"CreationDate": None})
 
 
 if __name__ == "__main__":

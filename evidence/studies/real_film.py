@@ -8,9 +8,11 @@ from statistics import NormalDist
 from typing import TYPE_CHECKING
 
 import numpy as np
-from littlewood.style import FAINT, INK
+from littlewood.plot.canvas import key, words
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import FINE, INK, LINE
+from littlewood.tables import QUANTITIES
 
-from .axes import COLOURS, DASHES, panels
 from .film.hard import HARD
 from .film.throws import FREE
 from .film.videos import film_of, fitted, track_of
@@ -45,9 +47,9 @@ def coverage() -> list[str]:
     """How often intervals of videos contain the truth."""
     rows = rows_of("videos")
     lines = []
-    for key, label in (NAMES | {"exposure_s": "exposure, s"}).items():
-        values = pulls(rows, key)
-        error = float(np.median([row[f"{key}_error"] for row in rows]))
+    for quantity, label in (NAMES | {"exposure_s": "exposure, s"}).items():
+        values = pulls(rows, quantity)
+        error = float(np.median([row[f"{quantity}_error"] for row in rows]))
         lines.append([label, str(len(values)), f"{100.0 * part_within(values, 0.95):.0f} %", f"{error:.1e}"])
     return table(
         ["coefficient", "films that determine it", "truth in the 95 % interval", "median standard error"], lines
@@ -98,23 +100,26 @@ def of_fits() -> str:
 
 def calibration() -> Figure:
     """How often intervals contain the truth, against how often they say."""
-    figure, (left, right) = panels(2, width=4.3, height=3.8)
+    figure, (left, right) = panels(2)
     levels = np.linspace(0.02, 0.99, 98)
-    styles = zip(NAMES.items(), COLOURS, DASHES, strict=False)
-    for (key, label), colour, dash in styles:
+    for quantity, look in listed(list(NAMES)):
         for axis, name in ((left, "coverage"), (right, "videos")):
-            values = pulls(rows_of(name), key)
+            values = pulls(rows_of(name), quantity)
             parts = [100.0 * part_within(values, float(level)) for level in levels]
-            axis.plot(100.0 * levels, parts, color=colour, dashes=dash, lw=1.4, label=label)
+            axis.plot(
+                100.0 * levels,
+                parts,
+                **look,
+                label=words(axis, QUANTITIES[quantity].sign),
+            )
     for axis, name, title in ((left, "coverage", "independent noise"), (right, "videos", "through the video")):
         spread = 200.0 * np.sqrt(levels * (1.0 - levels) / len(rows_of(name)))
         axis.fill_between(
-            100.0 * levels, 100.0 * levels - spread, 100.0 * levels + spread, color=FAINT, alpha=0.3, lw=0, label="±2σ"
+            100.0 * levels, 100.0 * levels - spread, 100.0 * levels + spread, color=LINE, alpha=0.6, lw=0, label="±2*σ*"
         )
-        axis.plot([0, 100], [0, 100], color=INK, lw=0.8)
+        axis.plot([0, 100], [0, 100], color=INK, lw=FINE, label="as they say")
         axis.set(xlim=(0, 100), ylim=(0, 100), xlabel="level of the interval, %", ylabel="contain the truth, %")
-        axis.set_title(f"{axis.get_title(loc='left')}  {title}", loc="left", fontsize=10)
-        axis.legend(frameon=False, fontsize=8, loc="upper left")
+        key(axis, title, columns=3)
     return figure
 
 

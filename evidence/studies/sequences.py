@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from littlewood.style import FAINT, INK, PAPER
+from littlewood.plot.sheet import panels
+from littlewood.style import ACCENTS, FAINT, INK, LINE, LIST_DASHES, SOFT
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, dressed
 from .boundaries import boundaries, rate_of
 from .contact import Contact
 from .frictionless import degenerate_rates
@@ -250,43 +250,36 @@ SHOWN = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75)
 
 def picture() -> Figure:
     """Return the boundaries in planes of γ as curves, by what coincides."""
-    figure = Figure(figsize=(9.2, 6.0), layout="constrained", facecolor=PAPER)
-    axes = figure.subplots(2, len(SHOWN) // 2, sharex=True, sharey=True)
     grid = family()
     kinds = sorted({one.kind for one in grid.found} - {"not told"})
-    dashes: tuple[tuple[float, ...], ...] = ((), (1, 1.2), (6, 2), (9, 1.5, 1, 1.5, 1, 1.5), (3, 1.5), (6, 1.5, 1, 1.5))
-    looks = dict(zip(kinds, zip((*COLOURS[:3], COLOURS[1], INK, INK), dashes, strict=True), strict=True))
-    for place, (panel, gamma) in enumerate(zip(axes.flat, SHOWN, strict=True)):
-        dressed(panel)
-        panel.set_title(f"({'abcdefgh'[place]}) γ = {gamma:g}", loc="left", fontsize=11, color=INK)
+    colours = [*ACCENTS.values(), INK, SOFT, FAINT]
+    looks = dict(zip(kinds, zip(colours, (*LIST_DASHES, "solid"), strict=True), strict=True))
+    figure, axes = panels(len(SHOWN), columns=3, height=230.0, sharex=True, sharey=True)
+    for panel, gamma in zip(axes, SHOWN, strict=True):
+        panel.set_title(f"*γ* = {gamma:g}")
         alone: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
         for places, points in grid.curves(gamma):
             kind = grid.found[places[0]].kind
             if len(points) == 1:
                 alone[kind] += points
                 continue
-            colour, dash = looks.get(kind, (FAINT, ()))
+            colour, dash = looks.get(kind, (LINE, "solid"))
             parts, frictions = zip(*points, strict=True)
-            (line,) = panel.semilogx(frictions, parts, color=colour, linewidth=1.1)
-            if dash:
-                line.set_dashes(dash)
+            panel.semilogx(frictions, parts, color=colour, linestyle=dash)
         for kind, points in alone.items():
             parts, frictions = zip(*points, strict=True)
-            panel.semilogx(frictions, parts, ".", color=looks.get(kind, (FAINT, ()))[0], markersize=2.5)
+            panel.semilogx(frictions, parts, ".", color=looks.get(kind, (LINE, ""))[0], markersize=2.5)
         for part in degenerate_parts(gamma):
-            panel.plot([LEAST], [part], color=INK, marker=">", markersize=5, clip_on=False)
+            panel.plot([LEAST], [part], color=INK, marker=">", clip_on=False)
         panel.set(xlim=(LEAST, MOST), ylim=(0.0, 1.0))
-    for panel in axes[-1]:
-        panel.set_xlabel("μ", fontsize=11)
-    for panel in axes[:, 0]:
-        panel.set_ylabel("θ′√γ at the top", fontsize=11)
-    lines = []
-    for colour, dash in looks.values():
-        (line,) = axes.flat[0].plot([], [], color=colour, linewidth=1.3)
-        if dash:
-            line.set_dashes(dash)
-        lines.append(line)
-    figure.legend(lines, list(looks), loc="outside upper center", ncols=3, fontsize=11, frameon=False)
+    figure.supxlabel("*μ*")
+    figure.supylabel("*θ*′√*γ* at the top")
+    for kind, (colour, dash) in looks.items():
+        axes[0].plot([], [], color=colour, linestyle=dash, label=kind)
+    axes[0].plot([], [], ".", color=INK, markersize=2.5, label="the same, not continued")
+    axes[0].plot([], [], ">", color=INK, label="degenerate without friction")
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper left", ncols=2)
     return figure
 
 

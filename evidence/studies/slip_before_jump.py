@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import littlewood as lw
 import numpy as np
 import numpy.typing as npt
-from littlewood.style import INK, LINE
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import FAINT, FINE, INK
 
-from .axes import COLOURS, DEGREE, panels, styled
+from .hoops import DEGREE
 from .page import table
 from .roots import zero
 from .study import Study
@@ -303,34 +305,32 @@ def picture() -> Figure:
     """Slip before the jump over the release, and friction along orbits."""
     figure, axes = panels(2)
     left, right = axes
-    for degrees, colour, dash in styled(SLOPES):
+    for degrees, look in listed(SLOPES):
         hoop = on(hoops()[LIKE_FILMS], degrees * DEGREE)
         psi = np.linspace(-330.0, 30.0, 721)
         found = [jump(hoop, one * DEGREE) for one in psi]
         slip = [math.nan if one is None else max(one.slip, 1e-9) for one in found]
-        left.semilogy(psi, slip, color=colour, dashes=dash, linewidth=1.3, label=f"slope {degrees:g}°")
+        left.semilogy(psi, slip, **look, label=f"slope {degrees:g}°")
         body = Body.of(hoop)
         for release in body.releases(hoop.slope):
-            left.plot((release / DEGREE + 330.0) % 360.0 - 330.0, 1.5e-9, "^", color=colour, markersize=6)
-    left.axhline(1e-4 / RADIUS, color=INK, linewidth=0.8)
-    left.set_ylim(1e-9, 2e-2)
-    left.set_xlabel("released at ψ, °")
-    left.set_ylabel("slip before the jump, R")
-    left.legend(fontsize=8, frameon=False, loc="lower right")
+            left.plot((release / DEGREE + 330.0) % 360.0 - 330.0, 1.5e-9, "^", color=look["color"], markersize=6)
+    left.plot([], [], "^", color=INK, markersize=6, label="no slip")
+    left.axhline(1e-4 / RADIUS, color=INK, linewidth=FINE, label="0.1 mm")
+    left.set(ylim=(1e-9, 2e-2), xlim=(-330, 30), xlabel="released at *ψ*, degrees", ylabel="slip before the jump, *R*")
+    left.set_xticks(range(-330, 31, 60))
+    key(left, columns=3)
     hoop = on(hoops()[LIKE_FILMS], 30.0 * DEGREE)
     body, slope = Body.of(hoop), hoop.slope
     psi = np.linspace(-60.0, 20.0, 801) * DEGREE
-    for delta, colour, dash in styled([-0.4, -0.1, 0.0, 0.1]):
+    for delta, look in listed([-0.4, -0.1, 0.0, 0.1]):
         u = (2.0 * (body.level(slope) - body.potential(psi, slope)) + delta) / body.denominator(psi - slope)
         normal, friction = body.forces(psi - slope, u, slope)
         demand = np.where(normal > 1e-4, friction / normal, np.nan)
-        right.plot(psi / DEGREE, demand, color=colour, dashes=dash, linewidth=1.3, label=f"δ = {delta:g}")
+        right.plot(psi / DEGREE, demand, **look, label=f"*δ* = {delta:g}".replace("-", "−"))
     for limit in (1.0, -1.0):
-        right.axhline(limit, color=LINE, linewidth=0.8)
-    right.set_ylim(-1.6, 1.6)
-    right.set_xlabel("ψ, °")
-    right.set_ylabel("F/N in rolling")
-    right.legend(fontsize=8, frameon=False, loc="upper left")
+        right.axhline(limit, color=FAINT, linewidth=FINE, label="±*μ*")
+    right.set(xlim=(-60, 20), ylim=(-1.6, 1.6), xlabel="*ψ*, degrees", ylabel="*F*/*N* in rolling")
+    key(right, columns=3)
     return figure
 
 
@@ -339,23 +339,19 @@ def heights() -> Figure:
     figure, axes = panels(2)
     left, right = axes
     turns = np.linspace(0.02, 2.0 * math.pi - 0.02, 400)
-    left.plot([slope_of(float(t)) for t in turns], [climb(float(t)) for t in turns], color=COLOURS[0], linewidth=1.5)
+    left.plot([slope_of(float(t)) for t in turns], [climb(float(t)) for t in turns], color=INK)
     best = best_turn()
-    left.plot(slope_of(best), climb(best), "o", color=INK, markersize=5)
-    left.set_xlabel("sin α / h")
-    left.set_ylabel("height / h R")
-    left.set_ylim(0, 2)
-    for mu, colour, dash in styled(FRICTIONS):
+    left.plot(slope_of(best), climb(best), "o", color=INK, label="*Φ*∗, the highest")
+    left.set(xlim=(0, 1), ylim=(0, 2), xlabel="sin *α*/*h*", ylabel="height over *h*, *R*")
+    key(left)
+    for mu, look in listed(FRICTIONS):
         found = climbs()[mu]
         heights = [one.height for one in found]
-        right.plot([one.h for one in found], heights, color=colour, dashes=dash, linewidth=1.3, label=f"μ = {mu:g}")
+        right.plot([one.h for one in found], heights, **look, label=f"*μ* = {mu:g}")
     line = np.array([0.0, 1.0])
-    right.plot(line, climb(best) * line, color=LINE, linewidth=0.8, dashes=(1, 2))
-    right.set_xlabel("h of a rim hoop")
-    right.set_ylabel("highest climb, R")
-    right.set_xlim(0, 1)
-    right.set_ylim(0, 1.8)
-    right.legend(fontsize=8, frameon=False, loc="upper left")
+    right.plot(line, climb(best) * line, color=FAINT, linewidth=FINE, label="*Φ*∗*h*")
+    right.set(xlim=(0, 1), ylim=(0, 1.8), xlabel="*h* of a rim hoop", ylabel="highest climb, *R*")
+    key(right, columns=3)
     return figure
 
 

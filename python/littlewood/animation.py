@@ -10,8 +10,8 @@ import numpy as np
 
 from .counts import checked_count
 from .extras import require
-from .plot.canvas import draw_hoop, draw_plane, level, seen_heights
-from .style import INK, MODE_COLOURS
+from .plot.canvas import draw_hoop, draw_plane, level, look, seen_heights, sheet
+from .style import CURVE, INK, MODE_COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
@@ -66,9 +66,12 @@ class Animation:
         -------
         matplotlib.animation.FuncAnimation
         """
-        figure_module = require("matplotlib.figure")
         agg = require("matplotlib.backends.backend_agg")
         animation = require("matplotlib.animation")
+        with look():
+            return self._video(agg, animation)
+
+    def _video(self, agg: Any, animation: Any) -> FuncAnimation:
         samples, hoop = self._samples, self.motion.hoop
         across, _ = level(hoop.slope, samples.x, samples.centre_y)
         particle = level(hoop.slope, samples.particle_x, samples.particle_y)
@@ -77,15 +80,16 @@ class Animation:
         top = highest + 1.25
         width = 8.0
         height = min(6.0, max(2.2, width * (top - bottom + 0.3) / (high - low) + 0.4))
-        figure = figure_module.Figure(figsize=(width, height))
+        figure = sheet(width, height)
+        figure.set_layout_engine("none")
         agg.FigureCanvasAgg(figure)
         axes = figure.add_axes((0.01, 0.01, 0.98, 0.98))
         axes.set_xlim(low, high)
         axes.set_ylim(bottom - 0.3, top)
         axes.set_aspect("equal")
         axes.axis("off")
-        draw_plane(axes, hoop.slope, 1.4)
-        label = axes.text(0.01, 0.98, "", transform=axes.transAxes, va="top", color=INK, fontsize=11)
+        draw_plane(axes, hoop.slope)
+        label = axes.text(0.01, 0.98, "", transform=axes.transAxes, va="top", color=INK, size="large")
         names = samples.mode_names
         moving: list[Any] = []
 
@@ -103,12 +107,12 @@ class Animation:
                         particle[0][begin : min(end, i) + 1],
                         particle[1][begin : min(end, i) + 1],
                         color=MODE_COLOURS[str(names[begin])],
-                        linewidth=1.8,
+                        linewidth=CURVE,
                         zorder=2,
                     )
                     moving.append(line)
                     begin = end
-            label.set_text(f"τ = {self._times[i]:.2f}   {names[i]}")
+            label.set_text(f"*τ* = {self._times[i]:.2f}   {names[i]}")
             label.set_color(MODE_COLOURS[str(names[i])])
             return [*moving, label]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import dataclasses
-import io
 import itertools
 from collections.abc import Iterator
 from html import escape
@@ -12,7 +11,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .extras import require
 from .fit_result import Estimate, FitResult
 from .many import outcome_map
 from .plot import canvas, history, outcomes
@@ -76,11 +74,10 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
         A page of HTML, with all pictures in it.
     """
     shown = "" if photo is None else f'<img class="photo" alt="the film and the fitted motion" src="{_jpeg(photo)}">'
-    fitted = result.plot(with_doubts=False)
+    with canvas.look(25.4 * _WIDTH):
+        fitted, forces, more = result.plot(with_doubts=False), _forces(result.motion), _more_friction(result.motion)
     # Doubts take the room of the pictures, so that one sheet is enough.
     fitted.set_size_inches(_WIDTH, max(_LEAST_HEIGHT, _HEIGHT - _DOUBT_HEIGHT * min(len(result.doubts), _DOUBTS)))
-    for axes in fitted.axes:
-        axes.yaxis.label.set_fontsize(7.5)
     doubts = "".join(
         f'<p class="doubt"><b>Doubt: {escape(one.name)}.</b> {escape(one.message)}</p>'
         for one in result.doubts[:_DOUBTS]
@@ -107,15 +104,15 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
 </div>
 {doubts or "<p>The fit has no doubts.</p>"}
 <h2>Track, fitted motion, residuals</h2>
-<img alt="measured and fitted motion over time, and residuals" src="{_svg(fitted)}">
+<img alt="measured and fitted motion over time, and residuals" src="{_svg(fitted, "Track, fitted motion, residuals")}">
 <div class="beside">
 <div>
 <h2>Forces</h2>
-<img alt="normal force and friction over time" src="{_svg(_forces(result.motion))}">
+<img alt="normal force and friction over time" src="{_svg(forces, "Forces of the fitted motion")}">
 </div>
 <div>
 <h2>What your hoop would do with more friction</h2>
-<img alt="outcomes by friction and rate of the start" src="{_svg(_more_friction(result.motion))}">
+<img alt="outcomes by friction and rate of the start" src="{_svg(more, "Outcomes with more friction")}">
 </div>
 </div>
 <p>{escape(_sentence(result.motion))}</p>
@@ -166,10 +163,9 @@ def _facts(result: FitResult) -> str:
 
 
 def _forces(motion: Trajectory) -> Figure:
-    axes = canvas.new_axes(0.5 * _WIDTH, 2.1)
-    history(motion, axes, quantities=("normal", "friction"))
-    axes.set_ylabel("force  (m₂g)")
-    figure: Figure = axes.figure  # type: ignore[assignment]
+    figure = canvas.sheet(0.5 * _WIDTH, 2.1)
+    axes = history(motion, figure.add_subplot(), quantities=("normal", "friction"))
+    axes.set_ylabel(canvas.words(axes, "force  (m₂g)"))
     return figure
 
 
@@ -187,12 +183,8 @@ def _more_friction(motion: Trajectory) -> Figure:
         slip=start.slip,
         max_transitions=200,
     )
-    axes = canvas.new_axes(0.5 * _WIDTH, 2.1)
-    outcomes(found, axes, x="mu", y="theta_rate")
-    legend = axes.get_legend()
-    assert legend is not None
-    for text in legend.get_texts():
-        text.set_fontsize(6.5)
+    figure = canvas.sheet(0.5 * _WIDTH, 2.1)
+    axes = outcomes(found, figure.add_subplot(), x="mu", y="theta_rate")
     axes.plot([hoop.mu_k, hoop.mu_s], [start.theta_rate] * 2, "|-", color=PAPER, lw=3.0, ms=9, mew=3.0)
     axes.plot([hoop.mu_k, hoop.mu_s], [start.theta_rate] * 2, "|-", color=INK, lw=1.2, ms=8)
     axes.annotate(
@@ -200,10 +192,8 @@ def _more_friction(motion: Trajectory) -> Figure:
         (hoop.mu_s, start.theta_rate),
         xytext=(4, 4),
         textcoords="offset points",
-        fontsize=8,
         bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
     )
-    figure: Figure = axes.figure  # type: ignore[assignment]
     return figure
 
 
@@ -228,11 +218,10 @@ def _sentence(motion: Trajectory) -> str:
     )
 
 
-def _svg(figure: Figure) -> str:
-    buffer = io.BytesIO()
-    with require("matplotlib").rc_context({"svg.hashsalt": "littlewood"}):
-        figure.savefig(buffer, format="svg", metadata={"Date": None})
-    return "data:image/svg+xml;base64," + base64.b64encode(buffer.getvalue()).decode()
+def _svg(figure: Figure, title: str) -> str:
+    from .plot.sheet import svg
+
+    return "data:image/svg+xml;base64," + base64.b64encode(svg(figure, title, title).encode()).decode()
 
 
 def _jpeg(content: bytes) -> str:

@@ -14,11 +14,10 @@ import numpy as np
 import numpy.typing as npt
 
 from .doubts import DOUBTS, Doubt
-from .extras import require
 from .hoop import Hoop
 from .motion import State
 from .noise import Noise
-from .style import FAINT, INK, LINE, MODE_COLOURS, MODE_DASHES
+from .style import FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES
 from .track import Track
 from .track_file import COLUMN_OF
 from .trajectory import Trajectory
@@ -222,12 +221,16 @@ class FitResult:
         -------
         matplotlib.figure.Figure
         """
+        from .plot.canvas import look
+
+        with look():
+            return self._drawn(with_doubts)
+
+    def _drawn(self, with_doubts: bool) -> Figure:
         from .plot import canvas
 
         channels = self.track.channels
-        figure: Figure = require("matplotlib.figure").Figure(
-            figsize=(max(5.5, 4.2 * len(channels)), 5.2), layout="constrained"
-        )
+        figure = canvas.sheet(max(5.5, 4.2 * len(channels)), 5.2)
         axes: Any = figure.subplots(
             2, len(channels), squeeze=False, sharex=True, gridspec_kw={"height_ratios": (2.0, 1.0)}
         )
@@ -240,28 +243,27 @@ class FitResult:
             above.plot(self.track.time, measured, "o", ms=2.6, mfc="none", mec=FAINT, label="measured")
             fitted = seen[name]
             for mode, part in canvas.phase_slices(samples):
-                above.plot(
-                    samples.time[part], fitted[part], color=MODE_COLOURS[mode], ls=MODE_DASHES[mode], lw=1.8, label=mode
-                )
-            above.set_ylabel(canvas.axis_label(COLUMN_OF[name]))
+                line = {"color": MODE_COLOURS[mode], "ls": MODE_DASHES[mode], "label": mode}
+                above.plot(samples.time[part], fitted[part], **line)
+            label = canvas.words(above, canvas.axis_label(COLUMN_OF[name]))
+            above.set_ylabel(label)
             if name == "theta":
                 canvas.pi_ticks(above, "y", most=7)
-                above.set_ylabel(canvas.sign(name))
+                above.set_ylabel(canvas.words(above, canvas.sign(name)))
             below.axhspan(-self.sigma[name], self.sigma[name], color=LINE, alpha=0.5, lw=0)
-            below.axhline(0.0, color=INK, lw=0.8)
+            below.axhline(0.0, color=INK, lw=FINE)
             below.plot(self.track.time, self.residuals[name], "o", ms=2.6, color=INK)
-            below.set_ylabel(f"residual of {canvas.axis_label(COLUMN_OF[name])}")
-            below.set_xlabel(canvas.axis_label("time"))
+            below.set_ylabel(f"residual of {label}")
+            below.set_xlabel(canvas.words(below, canvas.axis_label("time")))
             for one in (above, below):
-                one.spines[["top", "right"]].set_visible(False)
                 for transition in self.motion.transitions:
                     if transition.time <= end:
-                        one.axvline(transition.time, color=FAINT, lw=0.6, zorder=0)
+                        one.axvline(transition.time, color=FAINT, lw=FINE, zorder=0)
         handles, labels = axes[0, 0].get_legend_handles_labels()
         unique = dict(zip(labels, handles, strict=True))
-        figure.legend(unique.values(), unique.keys(), loc="outside upper center", ncols=5, frameon=False)
+        figure.legend(unique.values(), unique.keys(), loc="outside upper left", ncols=5)
         if self.doubts and with_doubts:
             words = "\n".join(textwrap.fill(f"Doubt: {doubt}", 62 * max(2, len(channels))) for doubt in self.doubts)
-            figure.supxlabel(words, fontsize=8, color=MODE_COLOURS["sliding"], ha="left", x=0.02)
+            figure.supxlabel(words, fontsize="small", ha="left", x=0.02)
         figure.align_ylabels()
         return figure

@@ -13,7 +13,13 @@ from . import _core
 Dashes = str | tuple[float, tuple[float, ...]]
 """Dashes as Matplotlib takes them."""
 
+LENGTHS: Mapping[str, float] = MappingProxyType(dict(_core.lengths()))
+"""Widths of lines, length of a tick and sizes of letters, those of ticks small, in pixels of 1/96 inch."""
+
 _POINTS_PER_PIXEL = 72.0 / 96.0
+
+FINE, CURVE, BOLD = (_POINTS_PER_PIXEL * LENGTHS[name] for name in ("fine", "curve", "bold"))
+"""Widths of lines in points: of frames and what is beside the matter, of curves, and of emphasised ones."""
 
 
 def _colours(group: str) -> Mapping[str, str]:
@@ -42,6 +48,9 @@ chatter, level."""
 CURVE_DASHES: Mapping[str, Dashes] = _dashes("curve")
 """Dashes of these curves."""
 
+LIST_DASHES: tuple[Dashes, ...] = tuple(_dashes("dash").values())
+"""Dashes of the lines of a list, by which they are told apart in grey."""
+
 CURVE_WIDTHS: Mapping[str, float] = MappingProxyType(
     {name: _POINTS_PER_PIXEL * width for name, _, width in _core.curves()}
 )
@@ -52,6 +61,9 @@ CURVE_LETTERS: Mapping[str, str] = MappingProxyType(
 )
 """Letters of the curves that have one in the paper."""
 
+ARROW_COLOURS: Mapping[str, str] = _colours("arrow")
+"""Colours of the forces, of impulses and of the slip."""
+
 _INKS = _colours("ink")
 
 PAPER = _INKS["paper"]
@@ -59,6 +71,9 @@ PAPER = _INKS["paper"]
 
 INK = _INKS["ink"]
 """Letters, axes, the body."""
+
+SOFT = _INKS["soft"]
+"""Letters and lines of less weight."""
 
 FAINT = _INKS["faint"]
 """Lines behind others."""

@@ -274,8 +274,8 @@ def test_residuals_are_plotted(hoop, guess):
     result = lw.fit(tracked(hoop.simulate(**THROW), 2), guess, slips_at_start=True)
     figure = result.plot()
     above, _, below, right = figure.axes
-    assert below.get_ylabel() == "residual of θ  (rad)"
-    assert right.get_xlabel() == "τ  (√(R/g))"
+    assert below.get_ylabel() == "residual of *θ*  (rad)"
+    assert right.get_xlabel() == "*τ*  (√(*R*/*g*))"
     points = [line for line in below.get_lines() if line.get_marker() == "o"]
     np.testing.assert_array_equal(points[0].get_ydata(), result.residuals["theta"])
     assert any(line.get_label() == "measured" for line in above.get_lines())

@@ -1,15 +1,22 @@
+import io
 import math
+import re
+from pathlib import Path
+from xml.etree import ElementTree
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
+from fontTools.pens.boundsPen import ControlBoundsPen
+from fontTools.ttLib import TTFont
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
 
 import littlewood as lw
-from littlewood import plot
-from littlewood.style import CLASS_COLOURS, CURVE_COLOURS, MODE_COLOURS
+from littlewood import _core, plot
+from littlewood.plot.sheet import Sheet, listed, panels, power, svg
+from littlewood.style import BOLD, CLASS_COLOURS, CURVE, CURVE_COLOURS, FINE, MODE_COLOURS
 from littlewood.tables import AXES, CAUSE_LABELS, CLASS_LABELS, MODE_CODES, OUTCOMES
 
 
@@ -30,19 +37,19 @@ def test_a_motion_is_drawn_in_the_colours_of_its_modes(motion):
     assert path.get_aspect() == 1.0
     words = {text.get_text() for text in path.texts}
     assert {"start", "stick", "slip", "lift-off", "landing"} <= words
-    assert angle.get_xlabel() == "τ  (√(R/g))"
-    assert {text.get_text() for text in forces.texts} == {"N", "F"}
+    assert angle.get_xlabel() == "*τ*  (√(*R*/*g*))"
+    assert {text.get_text() for text in forces.texts} == {"*N*", "*F*"}
     # The figure belongs to the caller: nothing is left open.
     assert plt.get_fignums() == []
 
 
 def test_angles_have_ticks_at_multiples_of_pi(motion):
     axes = plot.phase_plane(motion.hoop, motion=motion)
-    axes.figure.canvas.draw()
+    axes.figure.draw_without_rendering()
     labels = [text.get_text() for text in axes.get_xticklabels()]
     assert {"−π", "−π/2", "0", "3π/4", "π"} <= set(labels)
-    assert axes.get_xlabel() == "θ"
-    assert axes.get_ylabel() == "θ′  (√(g/R))"
+    assert axes.get_xlabel() == _core.unicode("*θ*")
+    assert axes.get_ylabel() == _core.unicode("*θ*′  (√(*g*/*R*))")
 
 
 def test_a_map_has_a_legend_with_shares(motion):
@@ -59,7 +66,7 @@ def test_a_map_has_a_legend_with_shares(motion):
     ]
     shares = [float(word.split("\n")[1].removesuffix(" %")) for word in words]
     assert sum(shares) == pytest.approx(100.0, abs=0.3)
-    assert axes.get_xlabel() == "θ"
+    assert axes.get_xlabel() == "*θ*"
     with pytest.raises(ValueError, match="two dimensions"):
         plot.outcomes(dataset.isel(theta=0))
 
@@ -142,7 +149,7 @@ def test_every_axis_has_a_label_that_can_be_drawn(axis, motion):
     dataset = lw.outcome_map(motion.hoop, **{axis: [0.4, 0.5], other: [0.0, 1.0]}, **fixed, until=5.0)
     axes = plot.outcomes(dataset, x=axis)
     # A letter that the font does not have would be a warning, which is an error here.
-    axes.figure.canvas.draw()
+    axes.figure.draw_without_rendering()
     assert axes.get_xlabel() not in ("", axis)
 
 
@@ -155,7 +162,7 @@ def test_on_a_ramp_the_hoop_is_drawn_on_the_ramp(slope):
     sin, cos = math.sin(slope), math.cos(slope)
     plane, *lines = axes.get_lines()
     assert plane.get_slope() == pytest.approx(math.tan(slope))
-    centres = [line for line in lines if line.get_linewidth() == 1.1]
+    centres = [line for line in lines if line.get_linewidth() == FINE]
     assert centres
     samples = motion.sample(1001)
     for line in centres:
@@ -185,7 +192,7 @@ def test_axes_of_ones_own(motion):
 
 def test_nothing_to_draw():
     motion = lw.case("painleve").simulate()
-    assert "no motion is consistent" in motion.plot().axes[0].get_title()
+    assert "no motion is consistent" in motion.plot().axes[0].get_title(loc="left")
     with pytest.raises(ValueError, match="no motion to show"):
         motion.animate()
 
@@ -218,17 +225,17 @@ def motion_of(name):
 def test_a_picture_of_every_case_shows_its_phases(name):
     motion = motion_of(name)
     figure = motion.plot()
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     if not motion.phases:
         (axes,) = figure.axes
-        assert axes.get_title() == f"no phase: {motion.outcome.label}"
+        assert axes.get_title(loc="left") == f"no phase: {motion.outcome.label}"
         assert axes.patches
         return
     path, angle, rates, last = figure.axes
     shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
     modes = sorted({phase.mode for phase in shown}, key=MODE_CODES.__getitem__)
     # The path: a line of the mass centre for each phase, all of it, and every mode in the legend.
-    centres = [line for line in path.get_lines() if line.get_linewidth() == 2.4]
+    centres = [line for line in path.get_lines() if line.get_linewidth() == BOLD]
     assert len(centres) == len(shown)
     for line, phase in zip(centres, shown, strict=True):
         x, y = (np.asarray(values, dtype=float) for values in line.get_data())
@@ -250,10 +257,10 @@ def test_a_picture_of_every_case_shows_its_phases(name):
     # The histories: a line for each phase and quantity.
     # Bounces alone have no force that lasts: they show the gap.
     gap = modes == ["flight"] and any(one.impact is not None for one in motion.transitions)
-    assert last.get_title().startswith("gap" if gap else "normal force")
+    assert last.get_ylabel().startswith("gap" if gap else _core.unicode("*N*"))
     for axes, count in ((angle, 1), (rates, 2), (last, 1 if gap else 2)):
-        assert modes_drawn(axes, 1.8) == modes
-        lines = [line for line in axes.get_lines() if line.get_linewidth() == 1.8]
+        assert modes_drawn(axes, CURVE) == modes
+        lines = [line for line in axes.get_lines() if line.get_linewidth() == CURVE]
         assert len(lines) == count * len(shown)
         assert all(np.isfinite(line.get_ydata()).any() for line in lines)
 
@@ -262,7 +269,7 @@ def test_a_picture_of_every_case_shows_its_phases(name):
 def test_the_plane_of_every_case_shows_its_curves(name):
     motion = motion_of(name)
     axes = plot.phase_plane(motion.hoop, motion=motion)
-    axes.figure.canvas.draw()
+    axes.figure.draw_without_rendering()
     plane = motion.hoop.phase_plane
     drawn = {}
     for collection in axes.collections:
@@ -286,12 +293,84 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     assert (inside[clear] == plane.in_rolling_region(*grid[clear].T)).all()
     assert np.mean(inside == plane.in_rolling_region(*grid.T)) > 0.99
     assert len(axes.texts) >= 1
-    assert {text.get_text() for text in axes.texts} <= {"f", "n"}
+    assert {text.get_text() for text in axes.texts} <= {_core.unicode("*f*"), _core.unicode("*n*")}
     # The motion over it, in the modes that it has.
-    over = [line for line in axes.get_lines() if line.get_linewidth() == 2.6]
+    over = [line for line in axes.get_lines() if line.get_linewidth() == BOLD]
     shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
     assert [to_hex(line.get_color()) for line in over] == [MODE_COLOURS[phase.mode] for phase in shown]
     for line in over:
         angle = np.asarray(line.get_xdata(), dtype=float)
         assert np.isfinite(angle).all()
         assert -math.pi <= angle.min() and angle.max() <= math.pi
+
+
+def test_the_font_draws_the_letters_of_the_figures():
+    font = TTFont(io.BytesIO(_core.font()))
+    glyphs, names = font.getGlyphSet(), font.getBestCmap()
+    source = Path(__file__).parents[2] / "crates" / "littlewood-draw" / "fonts" / "letters.txt"
+    lines = [line.split(" ", 3) for line in source.read_text(encoding="utf-8").splitlines()]
+    assert len(lines) > 200
+    for face, code, width, *path in lines:
+        letter = chr(int(code, 16))
+        glyph = glyphs[names[ord(_core.unicode(f"*{letter}*") if face == "i" else letter)]]
+        assert glyph.width == 2 * float(width)
+        # The same box in units of half the size, on whose edges outlines have points.
+        pen = ControlBoundsPen(glyphs)
+        glyph.draw(pen)
+        numbers = [2.0 * float(number) for number in re.findall(r"-?[\d.]+", path[0] if path else "")]
+        expected = (min(numbers[::2]), min(numbers[1::2]), max(numbers[::2]), max(numbers[1::2])) if numbers else None
+        assert pen.bounds == pytest.approx(expected, abs=0.5)
+
+
+def test_texts_have_their_marks_and_can_be_searched(motion):
+    with plot.look():
+        figure, (axes,) = panels(1)
+        axes.set(xscale="log", xlim=(1e-7, 1e3), xlabel="*μ*_{s} of *I*_{zz}", ylabel="*θ*′^{2} <&>")
+    text = svg(figure, "A title & more", "What it <shows>")
+    root = ElementTree.fromstring(text)
+    space = "{http://www.w3.org/2000/svg}"
+    assert [child.tag for child in root][:2] == [f"{space}title", f"{space}desc"]
+    assert [child.text for child in root][:2] == ["A title & more", "What it <shows>"]
+    labels = {group.get("aria-label") for group in root.iter(f"{space}g")}
+    assert {"μₛ of Izz", "θ′² <&>", "10⁻⁵", "0.1", "10", "10³"} <= labels
+    # Letters are outlines, each of which the file has once, as in the figures.
+    assert "<text" not in text and "DejaVu" not in text
+    assert svg(figure, "A title & more", "What it <shows>") == text
+
+
+def test_a_look_is_that_of_the_figures_on_a_screen_and_in_print():
+    def drawn(width_mm):
+        with plot.look(width_mm), plot.look():
+            figure, axes = panels(4)
+            figure.draw_without_rendering()
+            ends = {round(one.get_position().x0, 2) for one in axes}
+            return figure.get_figwidth(), axes[0].get_xticklabels()[0].get_fontsize(), len(ends)
+
+    assert drawn(None) == pytest.approx((860 / 96, 12.5 * 0.75, 2))
+    # In a column of a journal panels stand below each other.
+    assert drawn(84.0) == pytest.approx((84 / 25.4, 7.0, 1))
+    assert plt.rcParams["font.family"] == ["sans-serif"]
+
+
+def test_lists_have_as_many_looks_as_can_be_told_apart():
+    colours, dashes = zip(*((look["color"], str(look["linestyle"])) for _, look in listed("abcd")), strict=True)
+    assert len(set(colours)) == len(set(dashes)) == 4
+    assert not set(colours) & {*MODE_COLOURS.values(), *CLASS_COLOURS.values(), CURVE_COLOURS["slip_limit"]}
+    with pytest.raises(ValueError, match="5 lines in a panel: there are colours for 4"):
+        listed("abcde")
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.0, "0"), (0.1, "0.1"), (20.0, "20"), (1e-5, "10^{−5}"), (-2e6, "−2·10^{6}")],
+)
+def test_numbers_of_one_digit(value, text):
+    assert power(value) == text
+
+
+def test_axes_of_ones_own_keep_their_letters(motion):
+    axes = plt.figure().add_subplot()
+    plot.phase_plane(motion.hoop, axes)
+    assert axes.get_xlabel() == "θ" and not isinstance(axes.figure, Sheet)
+    assert axes.xaxis.label.get_fontfamily() == ["sans-serif"]
+    plt.close("all")

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from mpmath import iv, mp
 
-from evidence.studies.axes import DEGREE
-from evidence.studies.hoops import random_hoops, thin_hoop
+from evidence.studies.hoops import DEGREE, random_hoops, thin_hoop
 from evidence.studies.slip_before_jump import (
     FRICTIONS,
     LIKE_FILMS,

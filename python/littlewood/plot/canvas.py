@@ -2,23 +2,90 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
+from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
 import numpy as np
 
 from .. import _core
 from ..extras import require
 from ..samples import Samples
-from ..style import FAINT, INK, PAPER
+from ..style import CURVE, CURVE_COLOURS, CURVE_DASHES, CURVE_WIDTHS, FAINT, INK, PAPER
 from ..tables import FRICTION, MODES, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from matplotlib.axes import Axes
 
     from ..hoop import Hoop
+    from .sheet import Sheet
+
+START: dict[str, Any] = {"marker": "x", "color": INK, "markersize": 6.0, "markeredgewidth": CURVE, "linestyle": "none"}
+"""The mark of a start, in all pictures."""
+
+_F = TypeVar("_F", bound="Callable[..., Any]")
+
+
+def on_sheet(draw: _F) -> _F:
+    """Give what a function draws the look of the project, unless it draws on axes of the caller."""
+
+    @functools.wraps(draw)
+    def dressed(subject: Any, axes: Axes | None = None, **options: Any) -> Any:
+        with nullcontext() if axes is not None else look():
+            return draw(subject, axes, **options) if axes is not None else draw(subject, **options)
+
+    return cast("_F", dressed)
+
+
+def look(width_mm: float | None = None) -> AbstractContextManager[Any]:
+    """Give figures made in this context the letters, frames and lines of the figures of the project.
+
+    Parameters
+    ----------
+    width_mm : float, optional
+        Width in print, where the letters of ticks have 7 points; by default figures are for a screen.
+
+    Returns
+    -------
+    context manager
+        As :func:`matplotlib.rc_context`; within another it changes nothing.
+    """
+    matplotlib = require("matplotlib")
+    from .sheet import settings
+
+    own = settings(width_mm)
+    is_ours = matplotlib.rcParams["font.family"] == own["font.family"]
+    context: AbstractContextManager[Any] = nullcontext() if is_ours else matplotlib.rc_context(own)
+    return context
+
+
+def sheet(width: float, height: float) -> Sheet:
+    """Return a figure of a size in inches, which no state machine keeps."""
+    from .sheet import Sheet
+
+    return Sheet(figsize=(width, height))
+
+
+def key(axes: Axes, heading: str | None = None, *, columns: int = 2, **options: Any) -> None:
+    """Put the key above the axes, below a heading: it covers no curve. What is drawn in pieces has one entry."""
+    unique: dict[str, Any] = {}
+    for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+        unique.setdefault(label, handle)
+    place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "alignment": "left", "frameon": False}
+    legend = axes.legend(unique.values(), unique.keys(), title=heading, ncols=columns, **place | options)
+    legend.get_title().set_fontsize(legend.get_texts()[0].get_fontsize())
+
+
+def words(axes: Axes, sign: str) -> str:
+    """Return a sign of the tables with the marks of our sheets, and as it is on axes of the caller."""
+    from .sheet import Sheet
+
+    return _core.marked(sign) if isinstance(axes.figure, Sheet) else sign
 
 
 def sign(name: str) -> str:
@@ -39,20 +106,6 @@ def axis_label(name: str) -> str:
     else:
         unit = ""
     return f"{sign(name)}  ({unit})" if unit else sign(name)
-
-
-def new_axes(width: float, height: float) -> Axes:
-    """Return axes in a figure of their own, which no state machine keeps."""
-    figure = require("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
-    axes: Axes = figure.add_subplot()
-    return axes
-
-
-def plain(axes: Axes) -> None:
-    """Take away what frames the picture and shows nothing."""
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(INK)
-    axes.tick_params(colors=INK)
 
 
 def _pi(value: float) -> str:
@@ -105,7 +158,12 @@ def level(slope: float, x: Any, y: Any) -> tuple[Any, Any]:
     return x * cos - y * sin, x * sin + y * cos
 
 
-def draw_plane(axes: Axes, slope: float, width: float = 1.2) -> None:
+def of_curve(name: str) -> dict[str, Any]:
+    """Return the look of a curve of the (θ, θ′) plane."""
+    return {"color": CURVE_COLOURS[name], "linewidth": CURVE_WIDTHS[name], "linestyle": CURVE_DASHES[name]}
+
+
+def draw_plane(axes: Axes, slope: float, width: float = CURVE) -> None:
     """Draw the plane as a level camera sees it."""
     if slope == 0.0:
         axes.axhline(0.0, color=INK, linewidth=width, zorder=1)

@@ -7,21 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..extras import require
 from ..samples import Samples
-from ..style import FAINT, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
+from ..style import BOLD, CURVE, FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS
 from .canvas import (
     axis_label,
     draw_hoop,
     draw_plane,
+    key,
     level,
-    new_axes,
+    on_sheet,
     phase_slices,
     pi_ticks,
-    plain,
     seen_heights,
+    sheet,
     sign,
+    words,
 )
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from ..trajectory import Trajectory
 
 
+@on_sheet
 def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> Axes:
     """Draw the paths of the mass centre (thick) and the geometric centre (thin), as in Figure 3(b).
 
@@ -57,14 +59,15 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> 
     y_high = highest + 1.15
     if axes is None:
         width = 9.0
-        axes = new_axes(width, min(6.0, max(2.4, 1.1 + width * ((y_high - y_low) / (x_high - x_low) + 0.045))))
+        height = min(6.0, max(2.4, 1.1 + width * ((y_high - y_low) / (x_high - x_low) + 0.045)))
+        axes = sheet(width, height).add_subplot()
     draw_plane(axes, slope)
     shown: set[str] = set()
     for mode, part in phase_slices(samples):
         style: dict[str, Any] = {"color": MODE_COLOURS[mode], "linestyle": MODE_DASHES[mode], "zorder": 4}
         label = None if mode in shown else mode
-        axes.plot(mass_centre[0][part], mass_centre[1][part], linewidth=2.4, label=label, **style)
-        axes.plot(centre[0][part], centre[1][part], linewidth=1.1, **style)
+        axes.plot(mass_centre[0][part], mass_centre[1][part], linewidth=BOLD, label=label, **style)
+        axes.plot(centre[0][part], centre[1][part], linewidth=FINE, **style)
         shown.add(mode)
     _mark_hoops(motion, axes, samples, x_high - x_low)
     axes.set_xlim(x_low, x_high)
@@ -72,17 +75,15 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> 
     axes.set_ylim(y_low - 0.045 * (x_high - x_low), y_high)
     axes.set_aspect("equal")
     if slope == 0.0:
-        axes.set_xlabel(axis_label("x"))
-        axes.set_ylabel(axis_label("centre_y"))
+        axes.set_xlabel(words(axes, axis_label("x")))
+        axes.set_ylabel(words(axes, axis_label("centre_y")))
         axes.set_yticks(range(math.ceil(y_high)))
     else:
-        axes.set_xlabel(axis_label("x").replace(sign("x"), "horizontal"))
-        axes.set_ylabel(axis_label("x").replace(sign("x"), "height"))
+        unit = words(axes, axis_label("x").removeprefix(sign("x")))
+        axes.set_xlabel(f"horizontal{unit}")
+        axes.set_ylabel(f"height{unit}")
     if shown:
-        axes.legend(
-            loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, frameon=False, handlelength=3.2, borderpad=0.2
-        )
-    plain(axes)
+        key(axes, columns=4)
     return axes
 
 
@@ -118,12 +119,12 @@ def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -
                 textcoords="offset points",
                 ha=side,
                 va="top",
-                fontsize=9,
                 color=INK,
                 annotation_clip=False,
             )
 
 
+@on_sheet
 def history(
     motion: Trajectory,
     axes: Axes | None = None,
@@ -150,26 +151,27 @@ def history(
     """
     samples = motion.sample(count)
     if axes is None:
-        axes = new_axes(7.0, 3.2)
+        axes = sheet(7.0, 3.2).add_subplot()
     for name in quantities:
         for mode, part in phase_slices(samples):
             values = np.where(np.isfinite(samples[name][part]), samples[name][part], np.nan)
-            axes.plot(samples.time[part], values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.8)
+            axes.plot(
+                samples.time[part], values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=CURVE
+            )
     axes.margins(y=0.15)
     _limit(axes, [samples[name] for name in quantities])
     if len(quantities) > 1:
         _name_lines(axes, samples, quantities)
     else:
-        axes.set_ylabel(axis_label(quantities[0]))
+        axes.set_ylabel(words(axes, axis_label(quantities[0])))
     for transition in motion.transitions:
         if transition.time <= samples.time[-1]:
-            axes.axvline(transition.time, color=LINE, linewidth=0.6, zorder=0)
-    axes.axhline(0.0, color=FAINT, linewidth=0.6, zorder=0)
+            axes.axvline(transition.time, color=LINE, linewidth=FINE, zorder=0)
+    axes.axhline(0.0, color=FAINT, linewidth=FINE, zorder=0)
     axes.set_xlim(float(samples.time[0]), float(samples.time[-1]))
-    axes.set_xlabel(axis_label("time"))
+    axes.set_xlabel(words(axes, axis_label("time")))
     if quantities == ("theta",):
         pi_ticks(axes, "y", most=7)
-    plain(axes)
     return axes
 
 
@@ -196,7 +198,7 @@ def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> No
         at = middle.start + int(np.nanargmax(distance))
         above = table[k, at] >= np.nanmean(np.nan_to_num(others[:, at]))
         axes.annotate(
-            sign(name),
+            words(axes, sign(name)),
             (samples.time[at], table[k, at]),
             xytext=(7, 4 if above else -4),
             textcoords="offset points",
@@ -206,6 +208,7 @@ def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> No
         )
 
 
+@on_sheet
 def trajectory(motion: Trajectory) -> Figure:
     """Draw the path of a motion, and θ, the rates and the forces over time.
 
@@ -218,7 +221,7 @@ def trajectory(motion: Trajectory) -> Figure:
     -------
     matplotlib.figure.Figure
     """
-    figure: Figure = require("matplotlib.figure").Figure(figsize=(9.5, 7.0), layout="constrained")
+    figure = sheet(9.0, 6.6)
     if not motion.phases:
         axes = figure.add_subplot()
         draw_hoop(axes, motion.hoop, motion.start.x, 1.0, motion.start.theta)
@@ -231,18 +234,11 @@ def trajectory(motion: Trajectory) -> Figure:
         return figure
     grid = figure.add_gridspec(2, 3, height_ratios=(1.25, 1.0))
     path(motion, figure.add_subplot(grid[0, :]))
-    angle = history(motion, figure.add_subplot(grid[1, 0]), quantities=("theta",))
-    angle.set_title(f"angle {sign('theta')}", fontsize=10)
-    angle.set_ylabel("")
-    rates = history(motion, figure.add_subplot(grid[1, 1]))
-    rates.set_title(f"rate {axis_label('theta_rate')} and slip {axis_label('slip')}", fontsize=10)
     bounces = any(one.impact is not None for one in motion.transitions)
-    if bounces and all(phase.mode == "flight" for phase in motion.phases):
-        # There is no force that lasts.
-        gap = history(motion, figure.add_subplot(grid[1, 2]), quantities=("gap",))
-        gap.set_title(axis_label("gap"), fontsize=10)
-        gap.set_ylabel("")
-        return figure
-    forces = history(motion, figure.add_subplot(grid[1, 2]), quantities=("normal", "friction"))
-    forces.set_title(f"normal force {sign('normal')} and friction {axis_label('friction')}", fontsize=10)
+    # Where a hoop only bounces there is no force that lasts.
+    in_air = bounces and all(phase.mode == "flight" for phase in motion.phases)
+    panels = (("theta",), ("theta_rate", "slip"), ("gap",) if in_air else ("normal", "friction"))
+    for place, quantities in enumerate(panels):
+        axes = history(motion, figure.add_subplot(grid[1, place]), quantities=quantities)
+        axes.set_ylabel(words(axes, ",  ".join(axis_label(name) for name in quantities)))
     return figure

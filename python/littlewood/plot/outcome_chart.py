@@ -9,9 +9,9 @@ import numpy as np
 from .. import _core
 from ..elementwise import flat
 from ..extras import require
-from ..style import CLASS_COLOURS, FAINT
+from ..style import CLASS_COLOURS, FINE, INK
 from ..tables import CLASS_LABELS, CLASSES
-from .canvas import axis_label, new_axes, pi_ticks, sign
+from .canvas import axis_label, on_sheet, pi_ticks, sheet, sign, words
 
 if TYPE_CHECKING:
     import xarray
@@ -65,6 +65,7 @@ def _codes(outcome: Any, sequence: Any, lift_off_time: Any) -> Any:
     return _core.classes(*columns).reshape(arrays[0].shape)
 
 
+@on_sheet
 def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None = None, y: str | None = None) -> Axes:
     """Draw a map of the classes of outcomes, with a legend and the share of each class.
 
@@ -90,7 +91,7 @@ def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None
     y = y if y is not None else (second if x == first else first)
     shown = shown.transpose(y, x)
     if axes is None:
-        axes = new_axes(8.0, 4.8)
+        axes = sheet(8.0, 4.8).add_subplot()
     palette = colors.ListedColormap([CLASS_COLOURS[name] for name in CLASSES])
     values = shown.to_numpy()
     axes.pcolormesh(
@@ -107,15 +108,16 @@ def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None
     handles = [
         patches.Patch(
             facecolor=CLASS_COLOURS[name],
-            edgecolor=FAINT,
+            edgecolor=INK,
+            linewidth=FINE,
             label=f"{CLASS_LABELS[name]}\n{100 * counts[i] / values.size:.1f} %",
         )
         for i, name in enumerate(CLASSES)
         if counts[i]
     ]
-    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1.0), frameon=False, labelspacing=0.9)
-    axes.set_xlabel(sign(x) if x == "theta" else axis_label(x))
-    axes.set_ylabel(sign(y) if y == "theta" else axis_label(y))
+    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1.0), labelspacing=0.9, handlelength=1.6)
+    axes.set_xlabel(words(axes, sign(x) if x == "theta" else axis_label(x)))
+    axes.set_ylabel(words(axes, sign(y) if y == "theta" else axis_label(y)))
     if _is_geometric(shown[x].to_numpy()):
         axes.set_xscale("log")
     if _is_geometric(shown[y].to_numpy()):

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..style import (
+    BOLD,
     CURVE_COLOURS,
-    CURVE_DASHES,
     CURVE_LETTERS,
-    CURVE_WIDTHS,
     HATCH,
     INK,
     MODE_COLOURS,
@@ -19,7 +18,7 @@ from ..style import (
     PAPER,
     REGION,
 )
-from .canvas import axis_label, new_axes, phase_slices, pi_ticks, sign
+from .canvas import START, axis_label, key, of_curve, on_sheet, phase_slices, pi_ticks, sheet, sign, words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,6 +27,7 @@ if TYPE_CHECKING:
     from ..trajectory import Trajectory
 
 
+@on_sheet
 def phase_plane(
     hoop: Hoop,
     axes: Axes | None = None,
@@ -57,7 +57,7 @@ def phase_plane(
     matplotlib.axes.Axes
     """
     if axes is None:
-        axes = new_axes(6.4, 4.8)
+        axes = sheet(6.4, 4.8).add_subplot()
     from matplotlib.collections import LineCollection, PolyCollection
 
     plane = hoop.phase_plane
@@ -72,14 +72,13 @@ def phase_plane(
         axes.fill_between(angles, rates, edge, facecolor="none", edgecolor=HATCH, hatch="////", linewidth=0.0, zorder=0)
     for name, order in (("lift_off", 2), ("normal_force_zero", 2), ("slip_limit", 2), ("separatrix", 1)):
         pieces, letter = core.curve(name, *window)
-        axes.add_collection(LineCollection(pieces, **_line(name), zorder=order))
+        axes.add_collection(LineCollection(pieces, **of_curve(name), zorder=order))
         if letter is not None:
             axes.text(
                 letter[0],
                 letter[1],
-                CURVE_LETTERS[name],
+                words(axes, CURVE_LETTERS[name]),
                 color=CURVE_COLOURS[name],
-                style="italic",
                 size="large",
                 horizontalalignment="center",
                 verticalalignment="center",
@@ -92,25 +91,21 @@ def phase_plane(
     starts += [(0.0, rate) for rate in np.linspace(0.0, most, levels // 2 + 2)[1:]]
     energies = sorted({float(plane.energy(angle, rate)) for angle, rate in starts})
     orbits = [piece for energy in energies for piece in core.level(energy, *window)]
-    axes.add_collection(LineCollection(orbits, **_line("level"), zorder=1))
+    axes.add_collection(LineCollection(orbits, **of_curve("level"), zorder=1))
     for equilibrium in plane.equilibria:
         filled = INK if equilibrium.stability == "stable" else PAPER
         for turn in (-2 * math.pi, 0.0, 2 * math.pi):
             place = equilibrium.theta + turn
             if theta[0] <= place <= theta[1]:
-                axes.plot([place], [0.0], "o", mfc=filled, mec=INK, ms=6, zorder=5, clip_on=False)
+                axes.plot([place], [0.0], "o", mfc=filled, mec=INK, ms=5.1, zorder=5, clip_on=False)
     if motion is not None:
         _over_plane(axes, motion, theta)
     axes.set_xlim(*theta)
     axes.set_ylim(*theta_rate)
-    axes.set_xlabel(sign("theta"))
-    axes.set_ylabel(axis_label("theta_rate"))
+    axes.set_xlabel(words(axes, sign("theta")))
+    axes.set_ylabel(words(axes, axis_label("theta_rate")))
     pi_ticks(axes)
     return axes
-
-
-def _line(curve: str) -> dict[str, Any]:
-    return {"colors": CURVE_COLOURS[curve], "linewidths": CURVE_WIDTHS[curve], "linestyles": [CURVE_DASHES[curve]]}
 
 
 def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> None:
@@ -121,19 +116,9 @@ def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> N
         reduced = angle - 2 * math.pi * turns
         rate = np.where(np.diff(turns, append=turns[-1]) != 0, np.nan, samples.theta_rate[part])
         axes.plot(
-            reduced, rate, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=2.6, label=mode, zorder=4
+            reduced, rate, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=BOLD, label=mode, zorder=4
         )
     start = motion.start
     reduced_start = (start.theta - theta[0]) % (2 * math.pi) + theta[0]
-    axes.plot([reduced_start], [start.theta_rate], "x", color=INK, ms=7, mew=1.6, zorder=6)
-    handles, labels = axes.get_legend_handles_labels()
-    unique = dict(zip(labels, handles, strict=True))
-    axes.legend(
-        unique.values(),
-        unique.keys(),
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=4,
-        frameon=False,
-        handlelength=3.2,
-    )
+    axes.plot([reduced_start], [start.theta_rate], label="start", zorder=6, **START)
+    key(axes, columns=5)
