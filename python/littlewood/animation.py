@@ -10,7 +10,7 @@ import numpy as np
 
 from .counts import checked_count
 from .extras import require
-from .plot.canvas import draw_hoop, draw_plane, level, look, seen_heights, sheet
+from .plot.canvas import draw_hoop, draw_plane, level, on_sheet, seen_heights, sheet
 from .style import CURVE, INK, MODE_COLOURS
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ class Animation:
         # Frames a second, of which Matplotlib takes whole numbers.
         return max(1, round(len(self._times) / self.seconds))
 
+    @on_sheet
     def to_matplotlib(self) -> FuncAnimation:
         """Return the animation of Matplotlib.
 
@@ -68,10 +69,6 @@ class Animation:
         """
         agg = require("matplotlib.backends.backend_agg")
         animation = require("matplotlib.animation")
-        with look():
-            return self._video(agg, animation)
-
-    def _video(self, agg: Any, animation: Any) -> FuncAnimation:
         samples, hoop = self._samples, self.motion.hoop
         across, _ = level(hoop.slope, samples.x, samples.centre_y)
         particle = level(hoop.slope, samples.particle_x, samples.particle_y)

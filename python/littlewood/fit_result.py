@@ -17,6 +17,7 @@ from .doubts import DOUBTS, Doubt
 from .hoop import Hoop
 from .motion import State
 from .noise import Noise
+from .plot import canvas
 from .style import FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES
 from .track import Track
 from .track_file import COLUMN_OF
@@ -209,6 +210,7 @@ class FitResult:
 
         return profile_interval(self._problem, self._unknowns, self.covariance, name, self.estimates[name], confidence)
 
+    @canvas.on_sheet
     def plot(self, *, with_doubts: bool = True) -> Figure:
         """Draw data, fitted motion and residuals.
 
@@ -221,14 +223,6 @@ class FitResult:
         -------
         matplotlib.figure.Figure
         """
-        from .plot.canvas import look
-
-        with look():
-            return self._drawn(with_doubts)
-
-    def _drawn(self, with_doubts: bool) -> Figure:
-        from .plot import canvas
-
         channels = self.track.channels
         figure = canvas.sheet(max(5.5, 4.2 * len(channels)), 5.2)
         axes: Any = figure.subplots(

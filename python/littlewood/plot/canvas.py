@@ -36,8 +36,10 @@ def on_sheet(draw: _F) -> _F:
 
     @functools.wraps(draw)
     def dressed(subject: Any, axes: Axes | None = None, **options: Any) -> Any:
-        with nullcontext() if axes is not None else look():
-            return draw(subject, axes, **options) if axes is not None else draw(subject, **options)
+        if axes is not None:
+            return draw(subject, axes, **options)
+        with look():
+            return draw(subject, **options)
 
     return cast("_F", dressed)
 
