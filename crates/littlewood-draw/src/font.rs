@@ -48,6 +48,9 @@ impl Font {
     }
 }
 
+/// When it was made and changed, in seconds from 1904: 1970, as an earlier time is taken for a mistake.
+const EPOCH: u64 = 2_082_844_800;
+
 /// Name of the font of all letters.
 const NAME: &str = "Littlewood";
 
@@ -102,7 +105,8 @@ fn file(shapes: impl Iterator<Item = Shape>, mut tables: Vec<([u8; 4], Vec<u8>)>
     let head = [
         &[0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0x5f, 0x0f, 0x3c, 0xf5, 0, 0][..],
         &UNITS.to_be_bytes(),
-        &[0; 16],
+        &EPOCH.to_be_bytes(),
+        &EPOCH.to_be_bytes(),
         &words(frame),
         &words([0, 8, 2, 1, 0]),
     ];
