@@ -613,7 +613,7 @@ def test_a_guard_that_falls_without_a_zero_does_not_hide_the_first_one_of_anothe
     slip = guard(product(Fraction(1, 10), Fraction(1, 5), Fraction(4, 5)))
     contact = guard([Fraction(1), Fraction(-3, 10), Fraction(-69, 100)])
     for guards in ({"slip": slip}, {"slip": slip, "contact": contact}, {"contact": contact, "slip": slip}):
-        found = checker.first_zero(guards)
+        _, found = checker.first_zero(guards)
         assert found is not None
         name, s = found
         assert name == "slip" and s.ends()[0] <= Fraction(1, 10) <= s.ends()[1] and s.r < 100
@@ -632,11 +632,15 @@ def test_the_first_zero_of_random_polynomials_is_the_least_of_their_roots() -> N
             # A double zero is not decided, and two guards that vanish together are not.
             continue
         expected = min(((root, name) for name, found in roots.items() for root in found if root < 1), default=None)
-        found = checker.first_zero({name: guard(product(*one)) for name, one in roots.items()})
+        free, found = checker.first_zero({name: guard(product(*one)) for name, one in roots.items()})
+        # Where nothing happens is all that comes before.
+        ends = [float(end) for interval in free for end in interval]
+        assert ends[1:-1:2] == ends[2::2] and ends[:1] in ([], [0.0])
         if expected is None:
-            assert found is None
+            assert found is None and ends[-1] == 1.0
             none += 1
         else:
+            assert max(ends, default=0.0) < expected[0]
             assert found is not None and found[0] == expected[1]
             assert found[1].ends()[0] <= expected[0] <= found[1].ends()[1] and found[1].r < 1 << 60
     assert 5 < none < 75

@@ -2,8 +2,8 @@
 
 :func:`certify` follows a motion with arithmetic that encloses rounding and truncation (Arb, by python-flint: the
 extra `certify`); :func:`check` follows it again by other means, without any package, and refuses a certificate of which
-a digit has been changed.
-``python -m littlewood.certify`` does both from the command line.
+a digit has been changed. :class:`Proof` keeps what the checker has enclosed, and draws it.
+``python -m littlewood.certify`` does all of it from the command line.
 """
 
 from __future__ import annotations
@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 from .case import Case, CaseError
 from .checker import Refused, check
+from .proof import NoCertificate, Proof
 
 if TYPE_CHECKING:
     from .certificate import certify, dump
 
-__all__ = ["Case", "CaseError", "Refused", "certify", "check", "dump"]
+__all__ = ["Case", "CaseError", "NoCertificate", "Proof", "Refused", "certify", "check", "dump"]
 
 
 def __getattr__(name: str) -> Any:

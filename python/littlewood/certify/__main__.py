@@ -7,8 +7,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from ..plot import canvas, proof_chart
 from ..tables import QUANTITIES
-from . import Case, CaseError, checker
+from . import Case, CaseError, NoCertificate, Proof, Refused, checker
 from .case import HOOP, HOOP_SI, LAWS, START
 
 EXAMPLE = (
@@ -29,6 +30,10 @@ def parser() -> argparse.ArgumentParser:
         "--case", metavar="FILE", type=Path, help="a case in JSON, as a certificate has it, in place of numbers"
     )
     found.add_argument("--out", metavar="FILE", type=Path, help="write to this file")
+    found.add_argument(
+        "--picture", metavar="FILE", type=Path, help="check the certificate, and draw its proof: .svg, .pdf or .png"
+    )
+    found.add_argument("--width-mm", metavar="MM", type=float, default=120.0, help="width of the picture")
     found.add_argument("--most-bits", metavar="BITS", type=int, default=1000, help="precision at which to give up")
     found.add_argument("--until", metavar="TIME", type=float, help="stop at this time")
     found.add_argument("--slope", metavar="RAD", type=float, default=0.0, help=QUANTITIES["slope"].help)
@@ -61,6 +66,26 @@ def case_of(given: argparse.Namespace) -> Case:
     return Case.read({"units": "si" if si else "dimensionless", "hoop": hoop, "start": start, "until": given.until})
 
 
+def _made(given: argparse.Namespace) -> Any:
+    """Make and write the certificate of the case of the command line."""
+    from .certificate import certify, dump
+
+    certificate = certify(case_of(given), given.most_bits)
+    text = dump(certificate)
+    if given.out is None:
+        sys.stdout.write(text)
+    else:
+        given.out.write_text(text, encoding="utf-8")
+    return certificate
+
+
+def _draw(certificate: Any, given: argparse.Namespace) -> None:
+    """Write the picture of the proof of a certificate."""
+    found = Proof.of(certificate)
+    canvas.save(found.plot(given.width_mm), given.picture, proof_chart.title(found), proof_chart.description(found))
+    print(f"{given.picture}: {proof_chart.title(found)}", file=sys.stderr)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line.
 
@@ -71,20 +96,20 @@ def main(arguments: list[str] | None = None) -> int:
     """
     given = parser().parse_args(arguments)
     try:
-        if given.check is not None:
+        if given.picture is not None:
+            canvas.format_of(given.picture)
+        if given.check is not None and given.picture is None:
             return checker.main([str(given.check)])
-        from .certificate import certify, dump
-
-        certificate = certify(case_of(given), given.most_bits)
-        text = dump(certificate)
-        if given.out is None:
-            sys.stdout.write(text)
-        else:
-            given.out.write_text(text, encoding="utf-8")
-    except CaseError as error:
+        certificate = _made(given) if given.check is None else checker.read(given.check.read_bytes())
+        if given.picture is not None and (given.check is not None or certificate["certified"]):
+            _draw(certificate, given)
+    except Refused as refused:
+        print(f"{given.check or given.out}: refused: {refused}", file=sys.stderr)
+        return 1
+    except (CaseError, NoCertificate) as error:
         print(f"error: {error}\nhint: {EXAMPLE}", file=sys.stderr)
         return 2
-    except (ImportError, OSError, checker.Unreadable) as error:
+    except (ImportError, OSError, canvas.PictureError, checker.Unreadable) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     if not certificate["certified"]:

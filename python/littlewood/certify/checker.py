@@ -29,7 +29,7 @@ from functools import cached_property, lru_cache
 from math import isqrt
 from pathlib import Path
 from threading import RLock
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 __all__ = ["Refused", "Unreadable", "check", "digest", "intact", "read", "valid", "valid_case"]
 
@@ -1016,6 +1016,9 @@ def fall(start: State, sigma: int) -> State | None:
 # A guard is a polynomial in s, 0 ≤ s ≤ 1, and a bound on what it leaves out. A zero of known order at the start of a
 # phase has been divided out of it.
 
+Interval: TypeAlias = tuple[Range, Range]
+"""Two places in a step."""
+
 
 @dataclass(frozen=True)
 class Guard:
@@ -1043,12 +1046,13 @@ class Guard:
         return self.value(middle).widened((self.slope(low, high).largest() * half).largest())
 
 
-def first_zero(guards: Mapping[str, Guard]) -> tuple[str, Range] | None:
-    """Return the first zero of a guard in a step, all others being positive up to it; None if all of them are.
+def first_zero(guards: Mapping[str, Guard]) -> tuple[list[Interval], tuple[str, Range] | None]:
+    """Return where in a step all guards are positive, and the first zero of one, if there is one.
 
     The intervals are taken in order, and each is left only with a proof: every guard is enclosed and positive there, or
     monotone and positive at both ends; or all but one are, and that one falls and changes its sign.
     """
+    free: list[Interval] = []
     work = [(Range(0), Range(1 << Range.bits))]
     while work:
         low, high = work.pop()
@@ -1062,15 +1066,16 @@ def first_zero(guards: Mapping[str, Guard]) -> tuple[str, Range] | None:
                 continue
             doubtful[name] = falls and exceeds(first, 0) and exceeds(0 - last, 0)
         if not doubtful:
+            free.append((low, high))
             continue
         name = next(iter(doubtful))
         if len(doubtful) == 1 and doubtful[name]:
-            return name, zero(guards[name], low, high, 1)
+            return free, (name, zero(guards[name], low, high, 1))
         work += _halves(low, high, f"whether {' or '.join(doubtful)} vanishes is not decided")
-    return None
+    return free, None
 
 
-def _halves(low: Range, high: Range, unless: str) -> list[tuple[Range, Range]]:
+def _halves(low: Range, high: Range, unless: str) -> list[Interval]:
     """Return both halves, the first last."""
     if (high - low).m < 1 << (Range.bits // 4):
         raise Inconclusive(unless)
@@ -1379,6 +1384,8 @@ class Followed:
 
     phase: Phase
     steps: list[AnyStep] = field(default_factory=list)
+    free: list[list[Interval]] = field(default_factory=list)
+    """For each step the intervals on which all guards are positive."""
     guard: str = ""
     end: State | None = None
     turn: Turn | None = None
@@ -1432,7 +1439,8 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
             step = Step(phase, tau, theta, rate, guess, stop)
             guess = step.rho * 1.2
         run.steps.append(step)
-        found = first_zero(step.guards)
+        free, found = first_zero(step.guards)
+        run.free.append(free)
         if found is not None and _before(step.moment(found[1])[0], limit):
             run.guard, s = found
             run.end = phase.state(*step.moment(s))
@@ -1990,8 +1998,8 @@ BITS = (192, 320, 512, 1024, 2048)
 
 
 @lru_cache(maxsize=1)
-def _motion(case: str, bits: tuple[int, ...]) -> tuple[str, int]:
-    """Follow the motion of a case; return what a certificate has of it, as JSON, and the count of its numbers.
+def _motion(case: str, bits: tuple[int, ...], begin: Callable[[Mapping[str, Any]], Walk]) -> tuple[str, Walk]:
+    """Follow the motion of a case; return what a certificate has of it, as JSON, and the walk.
 
     The last one is kept, so that many certificates of one case are compared with it quickly.
     """
@@ -1999,8 +2007,8 @@ def _motion(case: str, bits: tuple[int, ...]) -> tuple[str, int]:
     for number in bits:
         with precision(number):
             try:
-                walk = Walk(json.loads(case))
-                return json.dumps(walk.follow()), walk.numbers
+                walk = begin(json.loads(case))
+                return json.dumps(walk.follow()), walk
             except TooLong as long:
                 raise Refused(f"the check is inconclusive: {long}") from None
             except (Inconclusive, ArithmeticError, ValueError) as inconclusive:
@@ -2028,15 +2036,26 @@ def check(certificate: Any, bits: tuple[int, ...] = BITS) -> dict[str, int]:
     Refused
         With the first thing that is not right.
     """
+    walk = followed(certificate, Walk, bits)
+    return {"phases": len(walk.phases), "events": len(walk.events), "numbers": walk.numbers}
+
+
+W = TypeVar("W", bound=Walk)
+
+
+def followed(certificate: Any, kind: type[W], bits: tuple[int, ...] = BITS) -> W:
+    """Check a certificate, and return the walk that found the same, of a kind that may keep more of it."""
     intact(certificate)
     case = certificate["case"]
     if not certificate["certified"]:
         raise Refused(f"nothing is certified: {certificate['reason']}")
-    motion, numbers = _motion(json.dumps(case), tuple(bits))
-    found: dict[str, Any] = json.loads(motion)
+    begin: Callable[[Mapping[str, Any]], Walk] = kind
+    motion, walk = _motion(json.dumps(case), tuple(bits), begin)
     head = {"format": "littlewood-certificate", "version": 2, "certified": True}
-    _same({**head, "case": case, **found}, {key: certificate[key] for key in certificate if key != "digest"}, "")
-    return {"phases": len(found["phases"]), "events": len(found["events"]), "numbers": numbers}
+    claimed = {key: certificate[key] for key in certificate if key != "digest"}
+    _same({**head, "case": case, **json.loads(motion)}, claimed, "")
+    assert isinstance(walk, kind)
+    return walk
 
 
 def intact(certificate: Any) -> None:

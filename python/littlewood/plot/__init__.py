@@ -8,5 +8,6 @@ from .canvas import look, pi_ticks
 from .course import history, path, trajectory
 from .outcome_chart import classes, outcomes
 from .plane import phase_plane
+from .proof_chart import proof
 
-__all__ = ["classes", "history", "look", "outcomes", "path", "phase_plane", "pi_ticks", "trajectory"]
+__all__ = ["classes", "history", "look", "outcomes", "path", "phase_plane", "pi_ticks", "proof", "trajectory"]

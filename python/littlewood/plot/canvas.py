@@ -19,8 +19,10 @@ from ..tables import FRICTION, MODES, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from ..hoop import Hoop
     from .sheet import Sheet
@@ -108,6 +110,37 @@ def axis_label(name: str) -> str:
     else:
         unit = ""
     return f"{sign(name)}  ({unit})" if unit else sign(name)
+
+
+_ABOUT = {
+    ".svg": (),
+    ".pdf": ("Title", "Subject", "CreationDate"),
+    ".png": ("Title", "Description"),
+}
+"""What formats of pictures call title and description, and a date, which is left out so that bytes stay the same."""
+
+
+class PictureError(ValueError):
+    """A picture that cannot be drawn as it is asked for."""
+
+
+def format_of(path: Path) -> str:
+    """Return the format of a picture with this name; raises :class:`PictureError` for another than ours."""
+    if path.suffix.lower() not in _ABOUT:
+        raise PictureError(f"{path} must end in .svg, .pdf or .png, the formats of pictures")
+    return path.suffix.lower()
+
+
+def save(figure: Figure, path: Path, title: str, description: str) -> None:
+    """Write a figure with a title and a description; the text of an SVG and of a PDF can be searched."""
+    if (kind := format_of(path)) == ".svg":
+        from .sheet import svg
+
+        path.write_text(svg(figure, title, description), encoding="utf-8")
+        return
+    about = dict(itertools.zip_longest(_ABOUT[kind], (title, description)))
+    with require("matplotlib").rc_context({"pdf.fonttype": 42}):
+        figure.savefig(path, dpi=200, metadata=about)
 
 
 def _pi(value: float) -> str:

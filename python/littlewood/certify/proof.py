@@ -1,0 +1,187 @@
+"""The proof behind a certificate, as the checker finds it: where the guards of each phase are enclosed above 0."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from . import checker
+from .checker import DOWN, GAP, SLIP, UP, FlightStep, Followed, Given, Guard, Range
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class NoCertificate(ValueError):
+    """What has not the shape of a certificate."""
+
+
+class Box(NamedTuple):
+    """Between two times a guard is between two values; it is above 0, but where its zero begins or ends a phase."""
+
+    start: float
+    end: float
+    low: float
+    high: float
+
+
+class Instant(NamedTuple):
+    """An enclosure of θ at a time, with the decimal logarithm of its radius."""
+
+    time: float
+    theta: float
+    radius: float
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A phase that is proved to be free of events, in the units of its certificate.
+
+    Guards are enclosed from the start up to the time `enclosed`. Where that is not the end, rolling `repeats` itself
+    from there on; or the particle of a massless hoop falls to the plane, by a closed form; or the hoop is at rest, and
+    there are no guards. An endless phase has no end.
+    """
+
+    mode: str
+    start: float
+    enclosed: float
+    end: float | None
+    repeats: bool
+    guards: Mapping[str, list[Box]]
+    tube: list[Instant]
+
+
+@dataclass(frozen=True)
+class Proof:
+    """The stretches between the events of a motion, and the bits with which the checker has enclosed them.
+
+    Each bounce that the certificate does not list has a stretch, too.
+    """
+
+    certificate: Mapping[str, Any]
+    bits: int
+    massless: bool
+    stretches: list[Stretch]
+
+    @classmethod
+    def of(cls, certificate: Any) -> Proof:
+        """Check a certificate, and return its proof.
+
+        Parameters
+        ----------
+        certificate : dict
+            What a file of a certificate says.
+
+        Returns
+        -------
+        Proof
+
+        Raises
+        ------
+        NoCertificate
+            If it has another shape.
+        Refused
+            If nothing is certified, or with the first thing that is not right.
+        """
+        try:
+            checker.valid(certificate)
+        except checker.Refused as refused:
+            raise NoCertificate(f"this is no certificate: {refused}") from None
+        walk = checker.followed(certificate, _Recorded)
+        return cls(certificate, walk.bits, walk.given.massless, walk.stretches)
+
+    @property
+    def intervals(self) -> int:
+        """How many intervals the guards are enclosed on."""
+        return sum(len(next(iter(one.guards.values()), [])) for one in self.stretches)
+
+    def plot(self, width_mm: float = 120.0) -> Figure:
+        """Draw it: :func:`littlewood.plot.proof`."""
+        from ..plot import proof
+
+        return proof(self, width_mm=width_mm)
+
+
+QUANTITY_OF = {SLIP: "slip", GAP: "gap", UP: "normal", DOWN: "normal"}
+"""The quantities that have the units of guards; other guards have none, nor have those of friction without mass."""
+
+
+def quantity_of(guard: str, massless: bool) -> str | None:
+    """Return the quantity that has the unit of a guard, if it has one."""
+    return None if massless and guard != SLIP else QUANTITY_OF.get(guard)
+
+
+class _Recorded(checker.Walk):
+    """A walk that keeps its proof."""
+
+    def __init__(self, case: Mapping[str, Any]) -> None:
+        super().__init__(case)
+        self.bits, self.stretches = Range.bits, list[Stretch]()
+
+    def run(self, phase: checker.Phase) -> Followed:
+        """Follow a phase, and keep the proof that nothing happens before its end."""
+        run = super().run(phase)
+        self.stretches.append(_stretch(self.given, run))
+        return run
+
+
+def _stretch(given: Given, run: Followed) -> Stretch:
+    first, last = run.phase.start.time, None if run.end is None else run.end.time
+    until = last if run.turn is None else first + run.turn.period
+    guards: dict[str, list[Box]] = {}
+    tube: list[Instant] = []
+    if not run.steps:
+        # It rests; the certificate has the first four units of what is endless.
+        tube = [_instant(given, time, run.phase.start.theta) for time in (first, first + 4 if last is None else last)]
+    enclosed = first
+    for step, free in zip(run.steps, run.free, strict=True):
+        for low, high in _intervals(step, free, None if until is None else until - first):
+            start, enclosed = (first + step.moment(s)[0] for s in (low, high))
+            for name, guard in step.guards.items():
+                quantity = quantity_of(name, given.massless)
+                unit = 1.0 if quantity is None else float(given.scale[quantity])
+                bottom, top = _enclosed(step, name, guard, low, high)
+                box = Box(float(start * given.clock), float(enclosed * given.clock), unit * bottom, unit * top)
+                guards.setdefault(name, []).append(box)
+            for k in range(5):
+                tau, theta, _ = step.moment(low + (high - low) * k / 4)
+                tube.append(_instant(given, first + tau, theta))
+    return Stretch(
+        run.phase.mode,
+        float(first * given.clock),
+        float(enclosed * given.clock),
+        None if last is None else float(last * given.clock),
+        run.turn is not None,
+        guards,
+        tube,
+    )
+
+
+def _intervals(step: checker.AnyStep, free: list[checker.Interval], end: Range | None) -> list[checker.Interval]:
+    """Return the intervals of a step up to the end of its phase: in the last one a guard may fall to its zero there."""
+    if end is None or not checker.exceeds(step.length, end - step.tau):
+        return free
+    stop = (end - step.tau) / step.length
+    before = [(low, high) for low, high in free if checker.exceeds(stop, high)]
+    return [*before, (before[-1][1] if before else Range(0), stop)]
+
+
+def _enclosed(step: checker.AnyStep, name: str, guard: Guard, low: Range, high: Range) -> tuple[float, float]:
+    """Return bounds of a guard between two places in a step, with the zero at its start that was divided out."""
+    between = guard.between(low, high)
+    # What is not enclosed above 0 is monotone.
+    ends = [between] if checker.exceeds(between, 0) else [guard.value(low), guard.value(high)]
+    values = [float(end) for one in ends for end in one.ends()]
+    order, unit, more = (step.phase.order if name == SLIP and step.tau.is_zero() else 0), 1.0, 0.0
+    if isinstance(step, FlightStep):
+        order, unit = step.order, float(step.length)
+        # A leap encloses a lower bound of the gap, which leaves h (1 − cos θ) out.
+        more = 2 * float(step.phase.body.h) if step.leaps else 0.0
+    return min(values) * (float(low) * unit) ** order, max(values) * (float(high) * unit) ** order + more
+
+
+def _instant(given: Given, time: Range, theta: Range) -> Instant:
+    radius = (math.log2(max(theta.r, 1)) - Range.bits) * math.log10(2)
+    return Instant(float(time * given.clock), float(theta), radius)
