@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from ..certify.checker import CONTACT, DOWN, GAP, NORMAL, SLIP, SOLVABLE, UP
-from ..certify.proof import Box, Proof, quantity_of
+from ..certify.proof import Box, Proof, Stretch, quantity_of
 from ..extras import require
 from ..style import FAINT, HATCH, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS, MODES, SAMPLE_COLUMNS
@@ -240,10 +240,16 @@ _BALLS: dict[str, dict[str, Any]] = {
 }
 
 
+def _joined(found: Proof) -> list[tuple[str, list[Stretch]]]:
+    """Return the stretches in a row that have one mode, such as bounces."""
+    return [(mode, list(some)) for mode, some in itertools.groupby(found.stretches, lambda one: one.mode)]
+
+
 def _draw_tube(found: Proof, axes: Axes, which: str) -> None:
-    for one in found.stretches:
-        times, values = [at.time for at in one.tube], [getattr(at, which) for at in one.tube]
-        axes.plot(times, values, color=MODE_COLOURS[one.mode], linestyle=MODE_DASHES[one.mode], linewidth=1.2)
+    for mode, some in _joined(found):
+        tube = [at for one in some for at in one.tube]
+        times, values = [at.time for at in tube], [getattr(at, which) for at in tube]
+        axes.plot(times, values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.2)
 
 
 def _balls(found: Proof) -> dict[str, list[dict[str, list[str]]]]:
@@ -278,21 +284,30 @@ def _draw_angle(found: Proof, axes: Axes, per_mm: float) -> None:
 
 
 def _draw_guard(found: Proof, name: str, axes: Axes, until: float) -> None:
-    least: Box | None = None
-    height = 1.15 * max(box.high for one in found.stretches for box in one.guards.get(name, []))
-    for one in found.stretches:
-        boxes = one.guards.get(name, [])
+    dips: list[Box] = []
+    for mode, some in _joined(found):
+        boxes = [box for one in some for box in one.guards.get(name, [])]
         if not boxes:
             continue
-        colour, times = MODE_COLOURS[one.mode], [box.start for box in boxes] + [boxes[-1].end]
-        low, high = ([*ends, ends[-1]] for ends in ([max(box.low, 0.0) for box in boxes], [box.high for box in boxes]))
-        axes.axvspan(one.start, one.enclosed, color=colour, alpha=_PALE, linewidth=0.0)
-        axes.fill_between(times, low, high, step="post", color=colour, linewidth=0.6)
-        if one is found.stretches[-1] and _falls(found):
-            axes.axvspan(one.enclosed, one.end or until, **_HATCHED)
-        least = min((box for box in (least, *_dips(boxes)) if box is not None), key=lambda box: box.low, default=None)
+        times, lows, highs = (
+            [one.start for one in boxes],
+            [max(one.low, 0.0) for one in boxes],
+            [one.high for one in boxes],
+        )
+        axes.axvspan(boxes[0].start, boxes[-1].end, color=MODE_COLOURS[mode], alpha=_PALE, linewidth=0.0)
+        axes.fill_between(
+            [*times, boxes[-1].end], [*lows, lows[-1]], [*highs, highs[-1]], step="post", color=MODE_COLOURS[mode],
+            linewidth=0.6,
+        )  # fmt: skip
+        if some[-1] is found.stretches[-1] and _falls(found):
+            axes.axvspan(some[-1].enclosed, until, **_HATCHED)
+        # Where the guard is least without being 0.
+        around = [math.inf, *(one.low for one in boxes), math.inf]
+        dips += [one for k, one in enumerate(boxes) if 0.0 < one.low <= min(around[k], around[k + 2])]
+    height = 1.15 * max(box.high for one in found.stretches for box in one.guards.get(name, []))
     axes.set_ylim(0.0, height)
     axes.yaxis.set_major_locator(require("matplotlib.ticker").MaxNLocator(2, steps=[1, 2, 5, 10]))
+    least = min(dips, key=lambda one: one.low, default=None)
     if least is not None and least.low < _NEAR * height:
         side = "left" if least.start < until / 3 else "right" if least.start > until * 2 / 3 else "center"
         axes.annotate(
@@ -300,12 +315,6 @@ def _draw_guard(found: Proof, name: str, axes: Axes, until: float) -> None:
             xytext=({"left": 2, "center": 0, "right": -2}[side], -2), textcoords="offset points", ha=side, va="top",
             size=_LETTERS, color=INK,
         )  # fmt: skip
-
-
-def _dips(boxes: list[Box]) -> list[Box]:
-    """Return where a guard is least without being 0."""
-    lows = [math.inf, *(box.low for box in boxes), math.inf]
-    return [box for k, box in enumerate(boxes) if 0.0 < box.low <= min(lows[k], lows[k + 2])]
 
 
 def _draw_radius(found: Proof, axes: Axes) -> None:
