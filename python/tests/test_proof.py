@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from littlewood.certify import NoCertificate, Proof, Refused
+from littlewood.certify import NoCertificate, Proof, Refused, checker
 from littlewood.certify.__main__ import main
-from littlewood.certify.checker import DOWN, GAP, SLIP, UP
+from littlewood.certify.checker import DOWN, GAP, SLIP, UP, Range
+from littlewood.certify.proof import _enclosed
 from littlewood.plot.canvas import PictureError
 from littlewood.plot.proof_chart import caption, description, title
 from littlewood.tables import CAUSE_LABELS
@@ -21,11 +22,11 @@ DRAWN = Path(__file__).resolve().parents[2] / "docs" / "proofs"
 
 
 def of_each_family():
-    """The shortest certificate of each family, and those of the paper that end in a glide, or settle and roll on."""
+    """The shortest certificate of each family, two of the paper that glide and settle, and a throw with a leap."""
     names = {}
     for path in sorted(CERTIFICATES.glob("*.json"), key=lambda one: one.stat().st_size):
         names.setdefault(json.loads(path.read_text(encoding="utf-8"))["case"]["family"], path.stem)
-    return sorted({*names.values(), "paper-02", "paper-04"})
+    return sorted({*names.values(), "paper-02", "paper-04", "thrown-12"})
 
 
 @pytest.fixture(scope="module", params=of_each_family())
@@ -74,10 +75,42 @@ def test_guards_are_enclosed_without_a_gap_and_above_0(proof):
         for boxes in one.guards.values():
             assert boxes[0].start == one.start and boxes[-1].end == one.enclosed
             assert all(box.end == after.start for box, after in pairwise(boxes))
+            # The value where two meet is in both.
+            assert all(max(box.low, after.low) <= min(box.high, after.high) for box, after in pairwise(boxes))
             # Slip and gap may begin with a zero, and one guard ends with one.
             assert all(0.0 < box.low <= box.high for box in boxes[1:-1])
             assert boxes[0].low >= 0.0 or len(boxes) == 1
         assert sum(boxes[-1].low <= 0.0 for boxes in one.guards.values() if len(boxes) > 1) <= 1
+
+
+def test_a_slip_and_a_gap_that_begin_with_0_are_enclosed_with_it(proof):
+    start = proof.certificate["case"]["start"]
+    at_rest = {time(event["state"]): event["state"]["slip"][0] == "0" for event in proof.certificate["events"]}
+    at_rest[0.0] = start["slip"] == 0.0 or at_rest.get(0.0, False)
+    for one in proof.stretches:
+        if GAP in one.guards:
+            assert one.guards[GAP][0].low <= 0.0
+        if SLIP in one.guards:
+            nearest = min(at_rest, key=lambda at: abs(at - one.start))
+            assert (one.guards[SLIP][0].low <= 0.0) == at_rest[nearest]
+
+
+def test_at_one_place_of_a_flight_the_gap_is_enclosed_narrowly():
+    case = json.loads((CERTIFICATES / "thrown-12.json").read_text(encoding="utf-8"))["case"]
+    with checker.precision(192):
+        given = checker.Given(case)
+        run = checker.follow(given, checker.Phase(given, given.start, "flight", 0, 1), 100)
+        leaps = 0
+        for step in run.steps:
+            middle = Range.of(Fraction(1, 2))
+            low, high = _enclosed(step, GAP, step.guards[GAP], middle, middle)
+            gap = float(run.phase.state(*step.moment(middle)).gap)
+            # A leap knows it to 2 h.
+            wide = 2 * float(given.body.h) if step.leaps else 0.0
+            assert high - low == pytest.approx(wide, abs=1e-15)
+            assert low - 1e-15 <= gap <= high + 1e-15
+            leaps += step.leaps
+        assert 0 < leaps < len(run.steps)
 
 
 def guards_of(sample, mode, hoop):
