@@ -478,7 +478,10 @@ def test_the_command_prints_and_draws(motion, columns, instants, tmp_path, capsy
     assert "lift_off" in printed and "theta 2.00e-06" in printed
     assert main(["figure-3", *files, "--plot", str(tmp_path / "two.svg")]) == 0
     assert "order of convergence  1.00" in capsys.readouterr().out
-    assert (tmp_path / "one.png").stat().st_size > 10_000 and (tmp_path / "two.svg").stat().st_size > 5_000
+    assert (tmp_path / "one.png").stat().st_size > 10_000
+    assert "<title>Score of 2.csv, 4.csv</title>" in (tmp_path / "two.svg").read_text(encoding="utf-8")
+    assert main(["figure-3", files[0], "--plot", str(tmp_path / "one.bmp")]) == 2
+    assert "must end in .svg, .pdf or .png" in capsys.readouterr().err
     assert main(["figure-3", *files, "--json"]) == 0
     whole = json.loads(capsys.readouterr().out)
     assert whole["case"] == "figure-3" and whole["scores"][0]["largest_error"]["theta"] == pytest.approx(2e-6)

@@ -12,6 +12,7 @@ from typing import Any
 from ..cases import case
 from ..certify import checker
 from ..certify.compare import simulated
+from ..plot.canvas import save
 from ..trajectory import Trajectory
 from .cases import BENCHMARK, CASES
 from .convergence import convergence
@@ -156,7 +157,13 @@ def _scores(options: argparse.Namespace) -> int:
     order = convergence(scores, steps) if options.steps or len(set(steps)) > 1 else None
     if options.plot is not None:
         figure = scores[0].plot() if order is None else order.plot()
-        figure.savefig(options.plot, dpi=200)
+        names = ", ".join(path.name for path in options.files)
+        save(
+            figure,
+            options.plot,
+            f"Score of {names}",
+            f"What a solver has computed against the exact motion, {options.case}",
+        )
     if options.json:
         whole: dict[str, Any] = {"case": options.case, "scores": [one.as_dict() for one in scores]}
         if order is not None:
