@@ -49,6 +49,7 @@ class Stretch:
     enclosed: float
     end: float | None
     repeats: bool
+    intervals: int
     guards: Mapping[str, list[Box]]
     tube: list[Instant]
 
@@ -95,7 +96,7 @@ class Proof:
     @property
     def intervals(self) -> int:
         """How many intervals the guards are enclosed on."""
-        return sum(len(next(iter(one.guards.values()), [])) for one in self.stretches)
+        return sum(one.intervals for one in self.stretches)
 
     def plot(self, width_mm: float = 120.0) -> Figure:
         """Draw it: :func:`littlewood.plot.proof`."""
@@ -106,6 +107,10 @@ class Proof:
 
 QUANTITY_OF = {SLIP: "slip", GAP: "gap", UP: "normal", DOWN: "normal"}
 """The quantities that have the units of guards; other guards have none, nor have those of friction without mass."""
+
+
+_PARTS = 4
+"""Parts of an interval whose ends have an enclosure of θ."""
 
 
 def quantity_of(guard: str, massless: bool) -> str | None:
@@ -135,25 +140,31 @@ def _stretch(given: Given, run: Followed) -> Stretch:
     if not run.steps:
         # It rests; the certificate has the first four units of what is endless.
         tube = [_instant(given, time, run.phase.start.theta) for time in (first, first + 4 if last is None else last)]
-    enclosed = first
+    enclosed, intervals = first, 0
     for step, free in zip(run.steps, run.free, strict=True):
         for low, high in _intervals(step, free, None if until is None else until - first):
-            start, enclosed = (first + step.moment(s)[0] for s in (low, high))
-            for name, guard in step.guards.items():
-                quantity = quantity_of(name, given.massless)
-                unit = 1.0 if quantity is None else float(given.scale[quantity])
-                bottom, top = _enclosed(step, name, guard, low, high)
-                box = Box(float(start * given.clock), float(enclosed * given.clock), unit * bottom, unit * top)
-                guards.setdefault(name, []).append(box)
-            for k in range(5):
-                tau, theta, _ = step.moment(low + (high - low) * k / 4)
-                tube.append(_instant(given, first + tau, theta))
+            intervals += 1
+            points = [low + (high - low) * k / _PARTS for k in range(_PARTS)] + [high]
+            moments = [step.moment(s) for s in points]
+            tube += [_instant(given, first + tau, theta) for tau, theta, _ in moments]
+            times = [first + tau for tau, *_ in moments]
+            enclosed = times[-1]
+            # A bounce may be one interval: its parts show its shape.
+            apart = 1 if isinstance(step, FlightStep) and step.order else _PARTS
+            for k in range(0, _PARTS, apart):
+                start, end = (float(time * given.clock) for time in (times[k], times[k + apart]))
+                for name, guard in step.guards.items():
+                    quantity = quantity_of(name, given.massless)
+                    unit = 1.0 if quantity is None else float(given.scale[quantity])
+                    bottom, top = _enclosed(step, name, guard, points[k], points[k + apart])
+                    guards.setdefault(name, []).append(Box(start, end, unit * bottom, unit * top))
     return Stretch(
         run.phase.mode,
         float(first * given.clock),
         float(enclosed * given.clock),
         None if last is None else float(last * given.clock),
         run.turn is not None,
+        intervals,
         guards,
         tube,
     )

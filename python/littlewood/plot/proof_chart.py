@@ -45,7 +45,7 @@ _NEAR = 1e-3
 """Where a guard comes so near to 0, for the height of its row, its bound is written."""
 
 # Letters in points; lengths in millimetres, those of digits and of letters on average.
-_LETTERS, _DIGIT, _LETTER, _LINE, _BOLD, _TITLE = 6.5, 1.46, 1.28, 3.0, 1.75, 4.0
+_LETTERS, _DIGIT, _LETTER, _LINE, _BOLD, _TITLE = 6.5, 1.46, 1.28, 3.0, 1.66, 4.0
 _EDGE, _ANGLE, _ROW, _RADIUS, _SKIP, _AXIS, _KEY = 2.0, 24.0, 8.5, 20.0, 2.0, 9.0, 19.0
 _NARROWEST, _WIDEST = 60.0, 1000.0
 
