@@ -80,7 +80,9 @@ def test_guards_are_enclosed_without_a_gap_and_above_0(proof):
             # Slip and gap may begin with a zero, and one guard ends with one.
             assert all(0.0 < box.low <= box.high for box in boxes[1:-1])
             assert boxes[0].low >= 0.0 or len(boxes) == 1
-        assert sum(boxes[-1].low <= 0.0 for boxes in one.guards.values() if len(boxes) > 1) <= 1
+        # The shortest bounce takes more than 2⁻¹⁵¹, and time has 192 bits: so well is its end known.
+        zeros = [boxes[-1].low <= 2.0**-40 * max(box.high for box in boxes) for boxes in one.guards.values()]
+        assert sum(zeros) == 1 or (one is proof.stretches[-1] and sum(zeros) == 0)
 
 
 def test_a_slip_and_a_gap_that_begin_with_0_are_enclosed_with_it(proof):

@@ -135,6 +135,8 @@ class _Recorded(checker.Walk):
 def _stretch(given: Given, run: Followed) -> Stretch:
     first, last = run.phase.start.time, None if run.end is None else run.end.time
     until = last if run.turn is None else first + run.turn.period
+    # Both times have the radius of the start, which the time between them has not.
+    length = None if until is None else Range((until - first).m)
     guards: dict[str, list[Box]] = {}
     tube: list[Instant] = []
     if not run.steps:
@@ -142,7 +144,7 @@ def _stretch(given: Given, run: Followed) -> Stretch:
         tube = [_instant(given, time, run.phase.start.theta) for time in (first, first + 4 if last is None else last)]
     enclosed, intervals = first, 0
     for step, free in zip(run.steps, run.free, strict=True):
-        for low, high in _intervals(step, free, None if until is None else until - first):
+        for low, high in _intervals(step, free, length):
             intervals += 1
             points = [low + (high - low) * k / _PARTS for k in range(_PARTS)] + [high]
             moments = [step.moment(s) for s in points]
@@ -174,7 +176,7 @@ def _intervals(step: checker.AnyStep, free: list[checker.Interval], end: Range |
     """Return the intervals of a step up to the end of its phase: in the last one a guard may fall to its zero there."""
     if end is None or not checker.exceeds(step.length, end - step.tau):
         return free
-    stop = (end - step.tau) / step.length
+    stop = Range(((end - step.tau) / step.length).m)
     before = [(low, high) for low, high in free if checker.exceeds(stop, high)]
     return [*before, (before[-1][1] if before else Range(0), stop)]
 
