@@ -95,7 +95,7 @@ impl<'a> Fine<'a> {
         other.into_iter().chain([[x, y]]).filter(move |[x, y]| *x < cells[0] && *y < cells[1])
     }
 
-    /// Sides of the fine lattice that a boundary crosses, one for each side of the lattice whose ends differ.
+    /// Sides of the fine lattice that a boundary crosses, within those of the lattice whose ends differ.
     fn seeds<E>(&mut self, ask: &mut Ask<'_, E>) -> Result<Vec<SideName>, E> {
         let [columns, rows] = self.lattice.cells();
         let parts = self.parts;
@@ -114,11 +114,8 @@ impl<'a> Fine<'a> {
             size /= 2;
             let middle = |(from, to): (Corner, Corner)| [0, 1].map(|k| usize::midpoint(from[k], to[k]));
             self.learn(spans.iter().map(|&span| middle(span)), ask)?;
-            for span in &mut spans {
-                let middle = middle(*span);
-                *span =
-                    if self.key(middle) == self.key(span.0) { (middle, span.1) } else { (span.0, middle) };
-            }
+            let halves = spans.iter().flat_map(|&span| [(span.0, middle(span)), (middle(span), span.1)]);
+            spans = halves.filter(|half| self.key(half.0) != self.key(half.1)).collect();
         }
         Ok(spans.into_iter().map(|(from, to)| (from, usize::from(from[0] == to[0]))).collect())
     }

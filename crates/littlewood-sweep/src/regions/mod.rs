@@ -249,6 +249,12 @@ mod tests {
     }
 
     #[test]
+    fn a_band_between_two_rows_of_the_lattice_has_both_its_boundaries() {
+        let key = |[_, y]: Place| u64::from(y > 0.513) + u64::from(y > 0.567);
+        check(&find([11, 11], &Detail::default(), key), key, 0);
+    }
+
+    #[test]
     fn regions_that_touch_at_a_place_are_told_apart() {
         let key = |[x, y]: Place| u64::from((x - 0.503) * (y - 0.497) > 0.0);
         let found = find([9, 9], &Detail::default(), key);
