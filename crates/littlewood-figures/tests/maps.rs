@@ -5,7 +5,8 @@ use core::f64::consts::PI;
 use crate::support::{outlines, winding};
 use littlewood::tables::{Class, Quantity, Setup, SummaryColumn};
 use littlewood::{HoopParameters, Limits, Start};
-use littlewood_figures::Figure;
+use littlewood_figures::{Figure, Mark};
+use littlewood_style::{RANKS, Theme, of_rank};
 use littlewood_sweep::{Axis, Grid, Options, Picture, PictureSize, Shade, Workers};
 
 fn picture(theta: [f64; 2], shade: Shade) -> Picture {
@@ -73,4 +74,30 @@ fn files_are_small_and_well_formed() {
         let has_images = pdf.windows(14).any(|part| part == b"/Subtype /Imag");
         assert_eq!(has_images, shade.is_on_a_scale(), "{shade:?}");
     }
+}
+
+#[test]
+fn a_sequence_and_its_mirror_image_have_one_hue_in_two_tints() {
+    let figure = figure([-PI, PI], Shade::Sequence);
+    let keys = figure.panels.iter().flat_map(|panel| &panel.keys);
+    let keys: Vec<(&str, Mark)> =
+        keys.filter_map(|key| Some((key.text.split_once(',')?.0, key.mark))).collect();
+    let tints: Vec<[Mark; 2]> = (0..RANKS)
+        .map(|rank| [false, true].map(|is_mirrored| Mark::Fill(of_rank(rank, is_mirrored, Theme::Light))))
+        .collect();
+    let mut pairs = 0;
+    for (text, mark) in &keys {
+        let turned = |letter| match letter {
+            '+' => '−',
+            '−' => '+',
+            other => other,
+        };
+        let mirrored: String = text.chars().map(turned).collect();
+        let other = keys.iter().find(|(other, _)| *other == mirrored && other != text);
+        let Some((_, other)) = other else { continue };
+        assert!(tints.iter().any(|tint| tint.contains(mark) && tint.contains(other)), "{text}");
+        assert!(mark != other, "{text}");
+        pairs += 1;
+    }
+    assert!(pairs >= 6, "{pairs}");
 }

@@ -1,26 +1,40 @@
-//! Colours for a list whose length is not known before: the sequences of a map, the most frequent first.
+//! Colours for a list whose length is not known before: the sequences of a map, the most frequent first. A sequence and its mirror
+//! image have one hue in two tints.
 
 use crate::rgb::Rgb;
 use crate::theme::Theme;
 
-/// Ranks that have a colour of their own.
-pub const RANKS: usize = 11;
+/// Hues.
+pub const RANKS: usize = 6;
 
-/// Colour of a rank, from 0; all from [`RANKS`] on have one. Neighbours differ in lightness.
+/// Colour of a rank, from 0, and of the mirror image; all from [`RANKS`] on have one. Neighbours differ in lightness.
 #[must_use]
-pub const fn of_rank(rank: usize, theme: Theme) -> Rgb {
-    match rank {
-        0 => theme.pick(0xc9dcec, 0x1e3a52),
-        1 => theme.pick(0x23366e, 0xa9bdf2),
-        2 => theme.pick(0xe8a83a, 0x7a5200),
-        3 => theme.pick(0x8a2f5c, 0xf0a3c8),
-        4 => theme.pick(0x93c8a4, 0x1d5c38),
-        5 => theme.pick(0x5a3a12, 0xe2c39a),
-        6 => theme.pick(0xb9a5dd, 0x4b3a7d),
-        7 => theme.pick(0x2f6b4f, 0x8fd6b4),
-        8 => theme.pick(0xd9795f, 0x8a3220),
-        9 => theme.pick(0x3a7fb0, 0x9ed4f7),
-        10 => theme.pick(0xefe2b2, 0x5b5220),
-        _ => theme.pick(0x9a9a9a, 0x6f6f6f),
+pub const fn of_rank(rank: usize, is_mirrored: bool, theme: Theme) -> Rgb {
+    let [own, mirrored] = match rank {
+        0 => [theme.pick(0xc9dcec, 0x1e3a52), theme.pick(0x8fb4d3, 0x34618a)],
+        1 => [theme.pick(0x23366e, 0xa9bdf2), theme.pick(0x5a70b4, 0x7289cf)],
+        2 => [theme.pick(0xe8a83a, 0x7a5200), theme.pick(0xf6d9a0, 0xb07a10)],
+        3 => [theme.pick(0x8a2f5c, 0xf0a3c8), theme.pick(0xc47ba0, 0xb56a91)],
+        4 => [theme.pick(0x2f6b4f, 0x8fd6b4), theme.pick(0x93c8a4, 0x4e9a78)],
+        5 => [theme.pick(0x5a3a12, 0xe2c39a), theme.pick(0xab8458, 0xab8458)],
+        _ => [theme.pick(0x9a9a9a, 0x6f6f6f); 2],
+    };
+    if is_mirrored { mirrored } else { own }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tints_of_a_hue_and_neighbours_differ_in_lightness() {
+        for theme in Theme::ALL {
+            let lightness = |rank, is_mirrored| of_rank(rank, is_mirrored, theme).lightness();
+            for rank in 0..RANKS {
+                let apart = |other: f64| (lightness(rank, false) - other).abs() > 12.0;
+                assert!(apart(lightness(rank, true)), "{rank}, {theme:?}");
+                assert!(rank == 0 || apart(lightness(rank - 1, false)), "{rank}, {theme:?}");
+            }
+        }
     }
 }

@@ -53,8 +53,9 @@ impl Picture {
 
     /// The colour of what a region has in common.
     pub(super) fn colour_of(&self, key: u64) -> Rgb {
+        let (rank, is_mirrored) = self.rank(key);
         class_of(key)
-            .map_or_else(|| of_rank(self.rank(key), Theme::Light), |class| of_class(class, Theme::Light))
+            .map_or_else(|| of_rank(rank, is_mirrored, Theme::Light), |class| of_class(class, Theme::Light))
     }
 
     fn colour(&self, cell: Cell, scale: Option<&Scale>) -> Rgb {

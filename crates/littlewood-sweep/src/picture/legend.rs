@@ -45,17 +45,19 @@ impl Picture {
 
     fn entries_of_sequences(&self) -> Vec<Entry> {
         let count = |key: &u64| self.sequences.get(key).copied().unwrap_or_default();
-        let mark = |rank| Mark::Fill(of_rank(rank, Theme::Light));
-        let ranked = self.ranking.iter().take(RANKS).enumerate().map(|(rank, key)| {
+        let (ranked, others): (Vec<u64>, Vec<u64>) =
+            self.ranking.iter().partition(|key| self.rank(**key).0 < RANKS);
+        let ranked = ranked.iter().map(|key| {
             let text = PhaseSequence::from_bits(*key).to_string();
             let label = if text.is_empty() { "none".to_owned() } else { minus(&text) };
-            (mark(rank), with_share(&label, &self.share(count(key))))
+            (Mark::Fill(self.colour_of(*key)), with_share(&label, &self.share(count(key))))
         });
         let mut entries: Vec<Entry> = ranked.collect();
-        let others: Vec<u64> = self.ranking.iter().skip(RANKS).map(count).collect();
         if !others.is_empty() {
             let label = format!("{} others", others.len());
-            entries.push((mark(RANKS), with_share(&label, &self.share(others.iter().sum()))));
+            let colour = of_rank(RANKS, false, Theme::Light);
+            entries
+                .push((Mark::Fill(colour), with_share(&label, &self.share(others.iter().map(count).sum()))));
         }
         entries.extend(self.entries_of_classes(&[Class::Invalid, Class::NotComputed]));
         entries

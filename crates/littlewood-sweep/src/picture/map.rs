@@ -1,6 +1,7 @@
 //! The map of a grid with two axes.
 
-use std::collections::HashMap;
+use core::cmp::Reverse;
+use std::collections::{BTreeMap, HashMap};
 
 use littlewood::Limits;
 use littlewood::si::Units;
@@ -75,9 +76,9 @@ pub struct Picture {
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
     pub(super) sequences: HashMap<u64, u64>,
-    /// The sequences in the order of their numbers of points, then of their codes.
+    /// The sequences, each with its mirror image behind it, in the order of their numbers of points, then of their codes.
     pub(super) ranking: Vec<u64>,
-    ranks: HashMap<u64, usize>,
+    ranks: HashMap<u64, (usize, bool)>,
 }
 
 impl Picture {
@@ -184,11 +185,20 @@ impl Picture {
     }
 
     fn rank_sequences(&mut self) {
-        let mut ranking: Vec<(u64, u64)> = self.sequences.iter().map(|(key, count)| (*key, *count)).collect();
-        ranking.sort_by_key(|&(key, count)| (core::cmp::Reverse(count), key));
-        self.ranking =
-            ranking.into_iter().map(|(key, _)| key).filter(|key| class_of(*key).is_none()).collect();
-        self.ranks = self.ranking.iter().enumerate().map(|(rank, key)| (*key, rank)).collect();
+        let mut pairs: BTreeMap<u64, Vec<(Reverse<u64>, u64)>> = BTreeMap::new();
+        for (&key, &count) in self.sequences.iter().filter(|(key, _)| class_of(**key).is_none()) {
+            let mirrored = PhaseSequence::from_bits(key).mirrored().bits();
+            pairs.entry(key.min(mirrored)).or_default().push((Reverse(count), key));
+        }
+        let mut pairs: Vec<_> = pairs.into_values().collect();
+        pairs.iter_mut().for_each(|pair| pair.sort_unstable());
+        pairs.sort_by_key(|pair| (Reverse(pair.iter().map(|(count, _)| count.0).sum::<u64>()), pair[0].1));
+        self.ranking = pairs.iter().flatten().map(|(_, key)| *key).collect();
+        let ranks = pairs
+            .iter()
+            .enumerate()
+            .flat_map(|(rank, pair)| pair.iter().enumerate().map(move |(i, (_, key))| (*key, (rank, i > 0))));
+        self.ranks = ranks.collect();
     }
 
     /// The key by which a point gets its colour.
@@ -199,16 +209,16 @@ impl Picture {
         }
     }
 
-    /// The rank of a sequence.
-    pub(super) fn rank(&self, key: u64) -> usize {
-        self.ranks.get(&key).copied().unwrap_or(usize::MAX)
+    /// The rank of a sequence and its mirror image, and whether it is the less frequent one.
+    pub(super) fn rank(&self, key: u64) -> (usize, bool) {
+        self.ranks.get(&key).copied().unwrap_or((usize::MAX, false))
     }
 
     /// What cells of one colour have in common.
     pub(super) fn key_of(&self, key: u64) -> u64 {
         let is_other = self.shade == Shade::Sequence
             && class_of(key).is_none()
-            && self.rank(key) >= littlewood_style::RANKS;
+            && self.rank(key).0 >= littlewood_style::RANKS;
         if is_other { OTHERS } else { key }
     }
 

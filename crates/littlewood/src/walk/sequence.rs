@@ -126,7 +126,8 @@ impl PhaseSequence {
     }
 
     /// The phases of the mirror image of a motion.
-    pub(crate) const fn mirrored(self) -> Self {
+    #[must_use]
+    pub const fn mirrored(self) -> Self {
         // Codes of opposite directions differ in the lowest bit. Only those of sliding, 2 and 3, and of gliding, 4 and 5, have exactly
         // one of the two bits above it.
         let directed = ((self.0 >> 1) ^ (self.0 >> 2)) & Self::LAST_BITS;
