@@ -260,11 +260,8 @@ impl Panel {
     fn values(&self, scene: &Scene) -> [(String, String, Rgb); 4] {
         let sample = &scene.sample;
         let force = |value| format!(" = {}", self.value(value, Dimension::Force));
-        let slip = if scene.contact.is_some() {
-            format!(" = {}", self.value(sample.state.slip, Dimension::Velocity))
-        } else {
-            " –".to_owned()
-        };
+        // In flight that of the lowest point of the rim, as in figures and tables.
+        let slip = format!(" = {}", self.value(sample.state.slip, Dimension::Velocity));
         [
             (marked(SampleColumn::Normal.sign()), force(sample.normal), NORMAL_FORCE),
             (marked(SampleColumn::Friction.sign()), force(sample.friction), FRICTION_FORCE),
@@ -346,6 +343,24 @@ fn decimals(size: f64, usual: i32) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::ArrowScale;
+
+    #[test]
+    fn the_slip_velocity_in_flight_is_that_of_the_lowest_point() {
+        let motion = littlewood::cases::find_case("figure-3").expect("a case").simulate().expect("a motion");
+        let place = |time: f64| motion.at(time).expect("an instant of the motion").centre.x;
+        let scale = ArrowScale { force: 1.0, weight: 1.0, down: (0.0, -1.0), velocity: 1.0, impulse: 1.0 };
+        let scene = Scene::of(motion.at(2.5).expect("it flies"), scale);
+        let [.., (sign, text, _), _] = Panel::new(FrameSize::default(), None).values(&scene);
+        // The velocity of the centre by differences; θ′ turns the lowest point forwards.
+        let step = 1e-6;
+        let wanted = (place(2.5 + step) - place(2.5 - step)) / (2.0 * step) + scene.sample.state.theta_rate;
+        assert_eq!(
+            text,
+            format!(" = {} {}", number(wanted, 2), marked(Dimension::Velocity.scale_sign())),
+            "{sign}"
+        );
+    }
 
     #[test]
     fn numbers_are_set_as_in_print() {
