@@ -1,7 +1,7 @@
 //! Lines and letters, in the colours of [`littlewood_style`] on white paper.
 
 use littlewood::Mode;
-use littlewood_style::{Accent, Arrow, Curve, Dash, ImpulseLine, Ink, Rgb, Theme, dash_of, of_mode, width};
+use littlewood_style::{Arrow, Curve, Dash, ImpulseLine, Ink, Rgb, Theme, dash_of, of_mode, width};
 
 /// What figures are drawn on.
 pub const THEME: Theme = Theme::Light;
@@ -28,10 +28,6 @@ pub const NORMAL_FORCE: Rgb = Arrow::NormalForce.colour(THEME);
 pub const FRICTION_FORCE: Rgb = Arrow::FrictionForce.colour(THEME);
 /// Impulse of an impact.
 pub const IMPULSE: Rgb = Arrow::Impulse.colour(THEME);
-/// The first colour without a meaning of its own.
-pub const FIRST: Rgb = Accent::Violet.colour(THEME);
-/// The second.
-pub const SECOND: Rgb = Accent::Teal.colour(THEME);
 
 /// A line.
 #[derive(Clone, Copy, Debug, PartialEq)]

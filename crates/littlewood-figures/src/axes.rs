@@ -57,6 +57,14 @@ pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     window_to(if rate > 0.0 { rate } else { PhasePlane::new(hoop).lift_off_rate(0.0).unwrap_or(1.0) })
 }
 
+/// The same for what shows curves of both rates: where these are far apart, so that the axis of rates is logarithmic, *f* and *n*
+/// have more of it.
+pub(crate) fn portrait_window(hoop: &Hoop) -> Window {
+    let window = plane_window(hoop);
+    let more = if linear_to(hoop, window.y[1]).is_finite() { 5.0 } else { 1.0 };
+    Window { y: window.y.map(|rate| more * rate), ..window }
+}
+
 /// θ′ of the separatrix at the stable equilibrium, and the least θ′ of rolling with N = 0; each is 0 if it does not exist.
 fn rates(hoop: &Hoop) -> [f64; 2] {
     let plane = PhasePlane::new(hoop);

@@ -53,6 +53,8 @@ impl Effort {
         if long <= FEW {
             return match (engine.is_prepared(), engine.is_exact()) {
                 _ if bounces => Self::Bounces,
+                // What follows a landing is looked up only to its end.
+                (true, _) if limits.until.is_some() && hoop.restitution().is_some() => Self::Direct,
                 (true, _) => Self::Tables,
                 (false, false) => Self::Direct,
                 (false, true) => Self::Simulated,

@@ -200,12 +200,12 @@ impl Portrait {
         let Some(least) = self.plane.normal_force_rate(0.0).filter(|rate| *rate < 0.8 * most) else {
             return Vec::new();
         };
+        let middle = if self.linear.is_finite() { (least * most).sqrt() } else { 0.5 * (least + most) };
         let turns =
             (libm::ceil(self.window.x[0] / TAU) as i32)..=(libm::floor(self.window.x[1] / TAU) as i32);
         turns
             .flat_map(|turn| {
-                [1.0, -1.0]
-                    .map(|sign| Label::new("*N* < 0", &[TAU * f64::from(turn), sign * 0.5 * (least + most)]))
+                [1.0, -1.0].map(|sign| Label::new("*N* < 0", &[TAU * f64::from(turn), sign * middle]))
             })
             .collect()
     }

@@ -17,5 +17,6 @@ mod plane;
 mod poster;
 mod print;
 mod random;
+mod seen;
 mod si;
 mod support;

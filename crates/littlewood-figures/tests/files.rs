@@ -45,7 +45,16 @@ fn the_labels_of_the_paper_are_there() {
         ("figure-2a", &["μₛ = 0.1", "μₛ = 0.25", "μₛ = 0.5", "μₛ = 1", "N < 0", "n: N = 0"]),
         ("figure-2b", &["f", "n", "N < 0", "𝓡", "π"]),
         ("figure-3a", &["s", "r", "L"]),
-        ("figure-3b", &["start", "stick", "slip", "lift-off", "landing"]),
+        (
+            "figure-3b",
+            &[
+                "start, τ = 0",
+                "stick, τ = 0.5641",
+                "slip, τ = 0.9732",
+                "lift-off, τ = 1.5187",
+                "landing, τ = 3.8474",
+            ],
+        ),
         ("figure-4", &["f", "n", "𝓡"]),
         ("figure-5a", &["Type I", "Type II", "Type III", "W^s", "W^u"]),
         ("figure-5b", &["Type I", "Type II", "Type III"]),

@@ -1,7 +1,7 @@
 //! The look of all pictures of `littlewood`: figures, maps, films, the page and the pictures of the Python package.
 //!
 //! A colour means one thing. Modes, classes of outcomes, forces and curves each have their own; what has none (kinetic
-//! and potential energy, the types of motion of one figure) takes an [`Accent`]. Colours are told apart by the
+//! and potential energy) takes an [`Accent`]. Colours are told apart by the
 //! colour-blind, and in grey: modes and classes that meet in one picture differ in lightness, and lines in their dashes
 //! too. Each colour has a variant for a light and for a dark paper.
 

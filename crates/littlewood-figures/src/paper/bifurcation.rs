@@ -32,6 +32,8 @@ const DRAWN: f64 = 240.0;
 const FEWEST: usize = 12;
 /// Bands that are drawn at most: beyond that they cannot be told apart.
 const MOST_BANDS: usize = 400;
+/// Width of a band in pixels, from which on its lines can be told apart.
+const NARROW: f64 = 3.0;
 /// Boundaries whose places the caption says.
 const SAID: usize = 8;
 /// Part of the bands whose transitions are all within the picture.
@@ -47,6 +49,10 @@ const BEYOND: f64 = 1.1;
 /// How far a time may be from the chord between its neighbours, in parts of the picture, and how often they are halved for it.
 const FLAT: f64 = 1e-3;
 const HALVINGS: u32 = 7;
+
+/// An end of a phase that moves by so much of the picture from one place to the next more often than this is no curve.
+const LEAP: f64 = 0.02;
+const LEAPS: usize = 8;
 
 /// The line along which a motion changes.
 struct Line {
@@ -161,6 +167,8 @@ fn refined(mut places: Vec<Times>, at: &dyn Fn(f64) -> Option<Times>) -> Vec<Tim
 struct Drawn {
     band: Band,
     places: Vec<Times>,
+    /// Phases whose ends are curves: later ones may change faster than can be drawn.
+    told: usize,
 }
 
 impl Drawn {
@@ -176,12 +184,31 @@ impl Drawn {
         });
         let at = |at: f64| Some((at, ends(&line.setup(at), &band, limits)?));
         let places = places.filter_map(at).collect();
-        Self { band, places: refined(places, &at) }
+        let places = refined(places, &at);
+        let last = |ends: &[f64]| ends.iter().copied().filter(|time| time.is_finite()).fold(0.0, f64::max);
+        let until = places.iter().map(|(_, ends)| last(ends)).fold(0.0, f64::max);
+        let all = band.phases.len() as usize;
+        let leaps = |number: &usize| {
+            let pairs = places.windows(2).map(|pair| pair[0].1[*number] - pair[1].1[*number]);
+            pairs.filter(|by| by.abs() > LEAP * until).count() > LEAPS
+        };
+        let told = (0..all).find(leaps).unwrap_or(all);
+        Self { band, places, told }
+    }
+
+    /// The ends of the phases that are told of.
+    fn ends_told<'a>(&self, ends: &'a [f64]) -> &'a [f64] {
+        &ends[..if self.is_cut() { self.told } else { ends.len() }]
+    }
+
+    fn is_cut(&self) -> bool {
+        self.told < self.band.phases.len() as usize
     }
 
     /// The times of its transitions.
     fn times(&self) -> impl Iterator<Item = f64> + '_ {
-        self.places.iter().flat_map(|(_, ends)| ends.iter().copied()).filter(|time| time.is_finite())
+        let ends = self.places.iter().flat_map(|(_, ends)| self.ends_told(ends));
+        ends.copied().filter(|time| time.is_finite())
     }
 
     /// Areas of its phases up to a time, each with its mode.
@@ -189,6 +216,7 @@ impl Drawn {
         let codes = self.band.phases.codes().filter_map(Result::ok);
         let value = |at: f64| line.axis.between(at);
         codes
+            .take(self.told)
             .enumerate()
             .filter_map(|(number, code)| {
                 let begin = |ends: &[f64]| if number == 0 { 0.0 } else { ends[number - 1].min(until) };
@@ -202,10 +230,10 @@ impl Drawn {
 
     /// The area of the phases that the band does not tell of.
     fn beyond(&self, line: &Line, until: f64) -> Option<Vec<Vec<f64>>> {
-        let told = self.band.phases.len() as usize;
-        let [begin, end] = [told.saturating_sub(1), told]
-            .map(|number| move |ends: &[f64]| ends.get(number).map_or(until, |end| end.min(until)));
-        let is_seen = goes_on(&self.band) && self.places.iter().any(|(_, ends)| begin(ends) < end(ends));
+        let begin = |ends: &[f64]| self.told.checked_sub(1).map_or(0.0, |number| ends[number].min(until));
+        let end = |ends: &[f64]| ends.last().map_or(until, |end| end.min(until));
+        let is_seen = (goes_on(&self.band) || self.is_cut())
+            && self.places.iter().any(|(_, ends)| begin(ends) < end(ends));
         let below = self.places.iter().map(|(at, ends)| vec![line.axis.between(*at), begin(ends)]);
         let above = self.places.iter().rev().map(|(at, ends)| vec![line.axis.between(*at), end(ends)]);
         is_seen.then(|| below.chain(above).collect())
@@ -213,7 +241,7 @@ impl Drawn {
 
     /// Lines of its transitions up to a time.
     fn lines(&self, line: &Line, until: f64) -> Vec<Vec<Vec<f64>>> {
-        (0..self.band.phases.len() as usize)
+        (0..self.told)
             .flat_map(|number| {
                 let rows: Vec<Vec<f64>> =
                     self.places.iter().map(|(at, ends)| vec![line.axis.between(*at), ends[number]]).collect();
@@ -248,11 +276,13 @@ fn sequence(band: &Band) -> String {
 fn horizon(bands: &[Drawn], limits: Limits, start: f64) -> Option<f64> {
     // Places count by their parts of the line.
     let mut last: Vec<(f64, f64)> = Vec::new();
-    for places in bands.iter().map(|drawn| &drawn.places) {
+    for drawn in bands {
+        let places = &drawn.places;
         for (i, (_, ends)) in places.iter().enumerate() {
             let at = |i: usize| places[i.min(places.len() - 1)].0;
             let part = 0.5 * (at(i + 1) - at(i.saturating_sub(1)));
-            last.extend(ends.iter().rev().find(|time| time.is_finite()).map(|time| (*time, part)));
+            let own = drawn.ends_told(ends);
+            last.extend(own.iter().rev().find(|time| time.is_finite()).map(|time| (*time, part)));
         }
     }
     last.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -320,8 +350,8 @@ fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Cont
             layers.push(Series::new(own.name(), &columns, pieces).drawn(Mark::Fill(of_class(own, THEME))));
         }
     }
-    let lines = bands[1..].iter().map(|band| {
-        let at = place(band.range[0]);
+    let lines = seen(bands, pixels).map(|fraction| {
+        let at = place(fraction);
         vec![vec![at, 0.0], vec![at, 1.0]]
     });
     layers.push(Series::new("boundary", &columns, lines.collect()).drawn(Mark::Line(BOUNDARY)));
@@ -341,10 +371,21 @@ fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Cont
 /// Room beside the text of a band, in pixels.
 const MARGIN: f64 = 3.0;
 
+/// Whether the lines of a band can be told apart in a panel so wide.
+fn is_wide(band: &Band, pixels: f64) -> bool {
+    (band.range[1] - band.range[0]) * pixels > NARROW
+}
+
+/// The boundaries beside bands whose lines can be told apart.
+fn seen(bands: &[Band], pixels: f64) -> impl Iterator<Item = f64> + '_ {
+    let pairs = bands.windows(2).filter(move |pair| pair.iter().any(|band| is_wide(band, pixels)));
+    pairs.map(|pair| pair[1].range[0])
+}
+
 /// The panel of transitions.
 fn panel_of_times(
     line: &Line,
-    drawn: &[Drawn],
+    (drawn, pixels): (&[Drawn], f64),
     x: PlotAxis,
     until: f64,
     say: Wording,
@@ -378,11 +419,13 @@ fn panel_of_times(
             layers.push(Series::new("no phase", &columns, areas).drawn(Mark::Fill(of_class(own, THEME))));
         }
     }
-    let lines = drawn.iter().flat_map(|drawn| drawn.lines(line, until)).collect();
+    let wide = drawn.iter().filter(|drawn| is_wide(&drawn.band, pixels));
+    let lines = wide.flat_map(|drawn| drawn.lines(line, until)).collect();
     let transition = Mark::Line(BOUNDARY);
     layers.push(Series::new("transition", &columns, lines).drawn(transition));
-    let boundaries = drawn[1..].iter().map(|drawn| {
-        let at = line.axis.between(drawn.band.range[0]);
+    let bands: Vec<Band> = drawn.iter().map(|drawn| drawn.band).collect();
+    let boundaries = seen(&bands, pixels).map(|fraction| {
+        let at = line.axis.between(fraction);
         vec![vec![at, 0.0], vec![at, until]]
     });
     layers.push(Series::new("boundary", &columns, boundaries.collect()).drawn(Mark::Line(BOUNDARY)));
@@ -428,7 +471,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let [left, inner] = sheet.span();
     let x = say.varied(varies, [from, to]);
     let upper = panel_of_bands(&line, &bands, x.clone(), inner - ROOM[0]);
-    let (lower, phases) = panel_of_times(&line, &drawn, x, until, say);
+    let (lower, phases) = panel_of_times(&line, (&drawn, inner - ROOM[0]), x, until, say);
     let classes = Class::ALL.into_iter().filter(|own| bands.iter().any(|band| class(band) == *own));
     let entries = classes
         .map(|own| (Mark::Fill(of_class(own, THEME)), fates.label(own).to_owned()))
@@ -458,9 +501,14 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     } else {
         String::new()
     };
+    let cut_short = if drawn.iter().any(Drawn::is_cut) {
+        " Phases whose ends change faster than can be drawn are among the further ones."
+    } else {
+        ""
+    };
     let caption = format!(
         "Motions{} that differ in {}. Above: the sequence of phases ({}) and the outcome. Below: the mode at each time, white where the motion has ended, in the \
-         colour of its outcome where none begins; where two transitions meet the sequence changes. {}{finer} {}.",
+         colour of its outcome where none begins; where two transitions meet the sequence changes.{cut_short} {}{finer} {}.",
         if cut { format!(", followed to {} transitions,", limits.transitions) } else { String::new() },
         say.varied_in_words(varies),
         letters.join(", "),

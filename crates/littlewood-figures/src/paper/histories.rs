@@ -3,8 +3,8 @@
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Hoop, Sample, Trajectory, Transition};
 use littlewood_draw::{
-    Content, FIRST, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
-    SECOND, SMALL, SOFT, Series, Sheet, Stroke, marked, short,
+    Content, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM, SMALL,
+    SOFT, Series, Sheet, Stroke, THEME, marked, short,
 };
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
@@ -39,6 +39,7 @@ fn normal_panel(
 ) -> (Content, f64, &'static str) {
     let weight = normal_weight(motion.hoop());
     let axis = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), range_of(&[&normal], &[0.0, weight]));
+    let name_of_weight = weight_name(motion.hoop(), &[&normal], range, axis.range);
     let layers = vec![
         transitions(motion, &axis, NORMAL),
         zero(range, NORMAL),
@@ -48,13 +49,7 @@ fn normal_panel(
     let names = names(motion, axis.range[1], wide);
     let (height, words) = (names.height, names.in_words());
     let mut labels = names.labels;
-    labels.push(
-        Label::new(weight_label(motion.hoop()), &[range[1], weight])
-            .shifted(-6.0, -9.0)
-            .right()
-            .sized(SMALL)
-            .coloured(SOFT),
-    );
+    labels.push(name_of_weight);
     let name = SampleColumn::Normal.long_name();
     (Content { name, x: bare(say, range), y: axis, layers, labels }, height, words)
 }
@@ -176,9 +171,26 @@ pub(super) fn normal_weight(hoop: &Hoop) -> f64 {
     hoop.mass() * libm::cos(hoop.slope())
 }
 
-/// Its label.
-pub(super) fn weight_label(hoop: &Hoop) -> &'static str {
-    if hoop.slope() == 0.0 { "weight" } else { "weight × cos α" }
+/// What its name takes of the axes, and the part of an axis from which on it stands below its level.
+const NAME_SHARES: [f64; 2] = [0.25, 0.2];
+const HIGH: f64 = 0.8;
+
+/// Its name, as far to the right as there is no curve of the normal force in its place.
+pub(super) fn weight_name(hoop: &Hoop, normal: &[&Series], times: [f64; 2], range: [f64; 2]) -> Label {
+    let weight = normal_weight(hoop);
+    let text = if hoop.slope() == 0.0 { "weight" } else { "weight × cos α" };
+    let span = times[1] - times[0];
+    let rows = || normal.iter().flat_map(|series| series.rows());
+    let is_high = weight > range[0] + HIGH * (range[1] - range[0]);
+    let up = NAME_SHARES[1] * if is_high { range[0] - range[1] } else { range[1] - range[0] };
+    let below = |end: &f64| {
+        let near = rows().filter(|row| row[0] <= *end && row[0] >= end - NAME_SHARES[0] * span);
+        near.filter(|row| (0.0..=1.0).contains(&((row[1] - weight) / up))).count()
+    };
+    let ends = (4..=16).rev().map(|i| times[0] + span * f64::from(i) / 16.0);
+    let end = ends.min_by_key(below).unwrap_or(times[1]);
+    let label = Label::new(text, &[end, weight]).shifted(-6.0, if is_high { 9.0 } else { -9.0 });
+    label.right().sized(SMALL).coloured(SOFT)
 }
 
 /// Energies against time.
@@ -199,10 +211,11 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     let say = input.wording();
     let axis = say.axis(ENERGY, "energy", range_of(&[&total, &kinetic, &potential], &[0.0]));
     let drops = drops(&motion);
+    let part = |part: EnergyPart, dash| Mark::Line(Stroke::solid(part.colour(THEME), CURVE).dashed(dash));
     let marks = [
         Mark::Line(Stroke::solid(INK, 2.2)),
-        Mark::Line(Stroke::solid(FIRST, CURVE).dashed(Dash::Dashed)),
-        Mark::Line(Stroke::solid(SECOND, CURVE).dashed(Dash::DashDot)),
+        part(EnergyPart::Kinetic, Dash::Dashed),
+        part(EnergyPart::Potential, Dash::DashDot),
     ];
     let words = ["total *E*", "kinetic *T*", "potential *U*"];
     let mut entries: Vec<(Mark, String)> =

@@ -1,7 +1,7 @@
 //! Inertia switched off: lighter and lighter hoops from one start, and the massless one.
 
 use littlewood::tables::{Dimension, Quantity, SampleColumn};
-use littlewood::{Hoop, HoopParameters, Trajectory};
+use littlewood::{Hoop, HoopParameters, OutcomeKind, Trajectory};
 use littlewood_draw::{
     Content, FAINT, Figure, INK, Label, Mark, NORMAL_FORCE, PlotAxis, Series, Stroke, marked, short,
 };
@@ -71,14 +71,20 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         let highest = normal.rows().max_by(|a, b| a[1].total_cmp(&b[1])).map(<[f64]>::to_vec);
         if let Some(row) = highest.filter(|row| *inertia > 0.0 && row[1] > 0.0) {
             most = most.max(row[1]);
-            let text = say.number(libm::round(row[1]), Dimension::Force);
+            // To a whole number or two digits.
+            let unit = libm::exp10(libm::floor(libm::log10(row[1])) - 1.0).min(1.0);
+            let text = say.number(unit * libm::round(row[1] / unit), Dimension::Force);
             peaks.push(Label::new(text, &row).shifted(0.0, -9.0));
         }
         forces.push(normal.drawn(Mark::Line(*stroke)));
-        keys.push((
-            Mark::Line(*stroke),
-            format!("{} = {}", marked(Quantity::Inertia.sign()), short(*inertia)),
-        ));
+        if !motion.phases().is_empty() {
+            let text = format!("{} = {}", marked(Quantity::Inertia.sign()), short(*inertia));
+            keys.push((Mark::Line(*stroke), text));
+        }
+    }
+    if most == 0.0 {
+        // What is in the air all the time feels no blow.
+        return Err(FigureError::NoContact { figure: NAME, outcome: OutcomeKind::Landing });
     }
     let range = bounds(paths.iter().flat_map(|layer| layer.series.rows().map(|row| row[1])), 0.06);
     let ground = Series::of_rows("plane", &[X, Y], range.map(|x| vec![x, 0.0]).to_vec());

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use crate::axes::plane_window;
+use crate::axes::portrait_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -33,7 +33,7 @@ fn reach(locus: &Series, rate: f64) -> Option<f64> {
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
-    let portrait = Portrait::new(&input.hoop, plane_window(&input.hoop));
+    let portrait = Portrait::new(&input.hoop, portrait_window(&input.hoop));
     let window = portrait.window;
     let mut layers = vec![portrait.unloaded().drawn(Mark::Hatch(HATCH))];
     for energy in portrait.energies(3, 6) {

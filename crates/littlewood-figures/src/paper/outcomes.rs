@@ -1,9 +1,10 @@
 //! Outcomes of the starts in the phase plane: regions bounded by curves.
 
+use core::cell::Cell;
 use core::f64::consts::PI;
 
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
-use littlewood::{Engine, Limits, Start, Summary};
+use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
     BOUNDARY, Content, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, key_of_curve, lift_off_condition,
     short,
@@ -22,8 +23,10 @@ use crate::plane::Portrait;
 use littlewood::theory::Window;
 
 const NAME: &str = "outcomes";
-/// How closely boundaries are located where motions take long.
-const WIDTH: f64 = 2e-5;
+/// How closely boundaries are located where motions take long, in parts of the plane, and how often a cell is halved in which they
+/// meet: to a tenth of a pixel, and to a third.
+const WIDTH: f64 = 2e-4;
+const HALVINGS: u32 = 3;
 /// Motions that are followed for a start of the lattice, about.
 const FOR_A_START: u64 = 8;
 /// Part of the plane that can be seen.
@@ -54,7 +57,7 @@ impl Plan {
         // Boundaries run through so many cells at most, and are located less closely where motions take long: still far closer than
         // is seen.
         let finest = Detail::default();
-        let coarser = |most| Detail { most, width: WIDTH, ..finest };
+        let coarser = |most| Detail { most, width: WIDTH, halvings: HALVINGS, ..finest };
         let (starts, detail) = match effort {
             Effort::Tables => ([137, 101], finest),
             Effort::Direct => ([91, 67], coarser(6_000)),
@@ -66,13 +69,14 @@ impl Plan {
     }
 }
 
-/// The regions of the classes in a window; of motions that go on after a landing each in two parts.
+/// The regions of the classes in a window; of motions that go on after a landing each in two parts. And whether any has come to the
+/// limit of transitions.
 fn regions_of(
     input: &FigureInput,
     plan: &Plan,
     window: Window,
     watch: &mut Watch<'_>,
-) -> Result<Regions, FigureError> {
+) -> Result<(Regions, bool), FigureError> {
     let [columns, rows] = plan.starts;
     let axes = vec![
         Axis::new(Quantity::Theta, window.x[0], window.x[1], columns)?,
@@ -82,8 +86,13 @@ fn regions_of(
     let total = FOR_A_START * grid.len();
     let mut told = |followed: u64| watch(followed.min(total), total);
     let fates = Fates::of(&input.hoop);
-    let key = |summary: &Summary| key_of(fates, summary);
-    Ok(Regions::of_grid(&grid, &key, plan.limits, &plan.detail, &Workers::new(None)?, &mut told)?)
+    let is_cut = Cell::new(false);
+    let key = |summary: &Summary| {
+        is_cut.set(is_cut.get() || summary.outcome == OutcomeKind::TransitionLimit);
+        key_of(fates, summary)
+    };
+    let found = Regions::of_grid(&grid, &key, plan.limits, &plan.detail, &Workers::new(None)?, &mut told)?;
+    Ok((found, is_cut.get()))
 }
 
 fn key_of(fates: Fates, summary: &Summary) -> u64 {
@@ -146,12 +155,12 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let window =
         if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { plane_window(hoop) };
     let plan = Plan::new(input);
-    let Regions { regions, boundaries } = regions_of(input, &plan, within(window), watch)?;
+    let (Regions { regions, boundaries }, is_cut) = regions_of(input, &plan, within(window), watch)?;
     let fates = Fates::of(hoop);
     let amiss = if fates.go_on() { amiss(input, &plan, within(window), &regions)? } else { 0 };
     let mut layers = Vec::new();
     let mut legend: Vec<(Mark, String)> = Vec::new();
-    let cuts = plan.limits.transitions < input.limits.transitions;
+    let cuts = is_cut && plan.limits.transitions < input.limits.transitions;
     let mut cut = false;
     let mut draw = |name: &'static str, label: &str, mark: Mark, is_part: &dyn Fn(u64) -> bool| {
         let parts: Vec<&Region> =

@@ -3,11 +3,10 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Figure, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale, Series, Sheet, Stroke,
-    marked,
+    Content, Figure, Layer, Mark, Panel, PlotAxis, ROOM, SOFT, Scale, Series, Sheet, Stroke, marked,
 };
 
-use super::histories::{NORMAL_WEIGHT, normal_weight, weight_label};
+use super::histories::{NORMAL_WEIGHT, normal_weight, weight_name};
 use crate::columns::{TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -45,9 +44,6 @@ const BOUNDED: f64 = 0.85;
 
 /// Part of a value, or of one, that is rounding.
 const NOISE: f64 = 1e-6;
-
-/// The weight has its name below the line where it is so far up.
-const HIGH: f64 = 0.8;
 
 /// A curve that is as long as its axis, from some instants of all phases.
 struct History {
@@ -181,10 +177,8 @@ fn panel(
             weight,
             Stroke::solid(SOFT, FINE).dashed(Dash::Dotted),
         ));
-        let is_high = weight > range[0] + HIGH * (range[1] - range[0]);
-        let label = Label::new(weight_label(motion.hoop()), &[times[1], weight])
-            .shifted(-6.0, if is_high { 9.0 } else { -8.0 });
-        labels.push(label.right().sized(SMALL).coloured(SOFT));
+        let normal: Vec<&Series> = by_mode.iter().map(|(_, series)| series).collect();
+        labels.push(weight_name(motion.hoop(), &normal, times, range));
     }
     layers.extend(beside.map(|series| series.drawn(Mark::Line(OF_MASS_CENTRE))));
     let modes = by_mode.iter().map(|(mode, _)| *mode).collect();

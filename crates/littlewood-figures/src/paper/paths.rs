@@ -4,7 +4,7 @@ use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, Trajectory};
 use littlewood_draw::{
     Content, Figure, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale, Series,
-    Sheet, Stroke, short, tilted,
+    Sheet, Stroke, short, tilted, width,
 };
 
 use crate::columns::{THETA, TIME, X, Y};
@@ -21,8 +21,9 @@ const COLUMNS: [&str; 3] = [TIME, X, Y];
 const HOOPS: usize = 8;
 /// Width of the picture in pixels.
 const WIDTH: f64 = 760.0;
-/// Most rows of names under the hoops.
-const ROWS: usize = 3;
+/// Most rows of names under the hoops, and their distance.
+const ROWS: usize = 4;
+const ROW: f64 = 17.0;
 
 /// Distance of the hoops of two bounces, at least.
 const APART: f64 = 1.2;
@@ -163,20 +164,20 @@ impl Picture {
         // Names under the hoops, on a slope where the plane rises; one that is close to another stands further down.
         let unit = (inner - ROOM[0]) / (x[1] - x[0]);
         let mut labels: Vec<Label> = Vec::new();
-        let mut taken: Vec<(f64, usize)> = Vec::new();
+        let mut taken: Vec<(f64, usize, f64)> = Vec::new();
         for (name, sample) in &instants {
             let at = sample.centre.x;
-            let apart = |x: f64| (x - at).abs() * unit * libm::cos(slope).max(1.7 * libm::sin(slope).abs());
-            let is_free = |row: &usize| taken.iter().all(|(x, r)| r != row || apart(*x) > 60.0);
+            let time = say.value(sample.state.time, Dimension::Time);
+            let text = format!("{name}, {} = {time}", say.time());
+            let half = 0.5 * width(&text, SMALL) + 5.0;
+            let apart = |x: f64| (x - at).abs() * unit * libm::cos(slope);
+            let is_free = |row: &usize| taken.iter().all(|(x, r, h)| r != row || apart(*x) > half + h);
             let row = (0..ROWS).find(is_free).unwrap_or(ROWS - 1);
-            taken.push((at, row));
-            let down = 21.0 + 34.0 * row as f64;
-            labels.push(beneath(name.clone(), at, down, slope));
-            let time = format!("{} = {}", say.time(), say.value(sample.state.time, Dimension::Time));
-            labels.push(beneath(time, at, down + 15.0, slope));
+            taken.push((at, row, half));
+            labels.push(beneath(text, at, 21.0 + ROW * row as f64, slope));
         }
-        let rows = 1 + taken.iter().map(|(_, row)| *row).max().unwrap_or(0);
-        let y = [low - (14.0 + 34.0 * rows as f64) / unit, top + 1.15];
+        let rows = 1 + taken.iter().map(|(_, row, _)| *row).max().unwrap_or(0);
+        let y = [low - (18.0 + ROW * rows as f64) / unit, top + 1.15];
         layers.splice(0..0, ground(x, y, sheet.width, slope));
         let transitions = instants.len().saturating_sub(1);
         Ok(Self { sheet, say, slope, x, y, layers, labels, transitions })

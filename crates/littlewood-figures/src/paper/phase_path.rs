@@ -168,7 +168,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         .iter()
         .map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), mode.to_string()))
         .collect();
-    keys.push((TRANSITION, "transition".to_owned()));
+    if motion.transitions().iter().any(|transition| transition.time() <= horizon(&motion)) {
+        keys.push((TRANSITION, "transition".to_owned()));
+    }
     keys.extend(curves);
     for (mode, series) in modes {
         layers.push(inside(series, window).drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));

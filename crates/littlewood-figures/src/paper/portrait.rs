@@ -7,7 +7,7 @@ use littlewood_draw::{
     lift_off_condition, short,
 };
 
-use crate::axes::plane_window;
+use crate::axes::portrait_window;
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::plane::{Portrait, nearest};
@@ -19,7 +19,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-2b";
     input.with_inertia(NAME)?;
     let hoop = &input.hoop;
-    let portrait = Portrait::new(hoop, plane_window(hoop));
+    let portrait = Portrait::new(hoop, portrait_window(hoop));
     let window = portrait.window;
     let energies = portrait.energies(3, 6);
 
@@ -106,7 +106,7 @@ const FIGURE_4: &str = "figure-4";
 /// Figure 4 with the particle inside the rim: the portrait of footnote 7, which has a stable equilibrium.
 fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
     let hoop = &input.hoop;
-    let portrait = Portrait::new(hoop, plane_window(hoop));
+    let portrait = Portrait::new(hoop, portrait_window(hoop));
     let window = portrait.window;
     let energies = portrait.energies(3, 6);
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];

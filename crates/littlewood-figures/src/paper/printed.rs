@@ -12,7 +12,7 @@ use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
 use super::gliding::{GLIDING, WINDOW, fastest, line_of};
-use crate::axes::plane_window;
+use crate::axes::portrait_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -84,7 +84,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let Body::Massless(body) = Hoop::littlewood(hoop.mu_s(), hoop.mu_k())?.body() else {
         return Err(FigureError::NeedsInertia { figure: NAME });
     };
-    let portrait = Portrait::new(hoop, plane_window(hoop));
+    let portrait = Portrait::new(hoop, portrait_window(hoop));
     let (unloading, lift_off) = (portrait.unloading_locus(), portrait.lift_off_locus());
     let fill = Mark::Fill(Stroke::of_mode(Mode::Sliding).colour.over(PAPER, 0.35));
     let most = portrait.window.y[1];

@@ -1,9 +1,10 @@
 //! Figure 5: the region 𝓡 of the massless hoop and the three types of motion in it.
 
+use littlewood::Mode;
 use littlewood::theory::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
 use littlewood_draw::{
-    Content, FIRST, FRICTION_FORCE, Figure, INK, Label, Mark, NORMAL_FORCE, PAPER, REGION, SECOND, Series,
-    Stroke, short,
+    Content, FRICTION_FORCE, Figure, INK, Label, Mark, NORMAL_FORCE, PAPER, REGION, Series, Stroke, THEME,
+    short,
 };
 
 use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
@@ -13,7 +14,7 @@ use crate::plane::{Portrait, rows};
 use littlewood::theory::Window;
 use littlewood_style::ticks::Tick;
 use littlewood_style::width::{CURVE, FINE};
-use littlewood_style::{Curve, Dash, Rgb};
+use littlewood_style::{Curve, Dash, Rgb, of_mode};
 
 /// The part of the plane with 𝓡 in it, and θ_s.
 fn portrait_of(input: &FigureInput) -> (Portrait, f64) {
@@ -90,7 +91,8 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         .collect();
     let mut layers = vec![
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
-        Series::new("Type I", &PLANE, rows(unloaded_first)).drawn(Mark::Fill(FIRST.over(PAPER, 0.3))),
+        Series::new("Type I", &PLANE, rows(unloaded_first))
+            .drawn(Mark::Fill(of_mode(Mode::Rolling, THEME).over(PAPER, 0.3))),
         Series::new("Type II", &PLANE, rows(border))
             .drawn(Mark::Line(Stroke::solid(INK, CURVE).dashed(Dash::DashDot))),
     ];
@@ -160,9 +162,10 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
     let top = libm::cos(theta_s);
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let share = |from: f64, to: f64, part: f64| from + (to - from) * part;
+    let of_type = Stroke::of_mode(Mode::Rolling).wide(CURVE);
     let kinds: [(&str, Vec<f64>, Stroke); 3] = [
-        ("Type I", vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)], Stroke::solid(FIRST, CURVE)),
-        ("Type II", vec![two], Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
+        ("Type I", vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)], of_type.dashed(Dash::Solid)),
+        ("Type II", vec![two], of_type.dashed(Dash::DashDot)),
         (
             "Type III",
             vec![
@@ -172,7 +175,7 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
                 share(top, 1.0, 0.62),
                 share(top, 1.0, 0.88),
             ],
-            Stroke::solid(SECOND, CURVE).dashed(Dash::Short),
+            of_type.dashed(Dash::Short),
         ),
     ];
     let (mut exits, mut heads, mut keys) = (Vec::new(), Vec::new(), Vec::new());

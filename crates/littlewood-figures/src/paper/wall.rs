@@ -118,7 +118,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(width))));
         }
     }
-    let starts = motions.iter().map(|motion| of_state(motion.start())).collect();
+    // A motion that begins in flight comes into the picture where it lands.
+    let begins = |motion: &&Trajectory| motion.phases().first().is_some_and(|it| it.mode().touches_plane());
+    let starts = motions.iter().filter(begins).map(|motion| of_state(motion.start())).collect();
     let jumps: Vec<Vec<f64>> = motions
         .iter()
         .filter_map(|motion| {
