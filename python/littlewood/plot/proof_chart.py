@@ -8,12 +8,13 @@ import textwrap
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from .. import _core
 from ..certify.checker import CONTACT, DOWN, GAP, NORMAL, SLIP, SOLVABLE, UP
 from ..certify.proof import Box, Proof, Stretch, quantity_of
 from ..extras import require
 from ..style import FAINT, HATCH, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS, MODES, SAMPLE_COLUMNS
-from .canvas import PictureError, pi_ticks, plain, sign
+from .canvas import PictureError, look, pi_ticks, sheet, sign
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -74,6 +75,11 @@ def proof(found: Proof, *, width_mm: float = 120.0) -> Figure:
     """
     if not _NARROWEST <= width_mm <= _WIDEST:
         raise PictureError(f"a picture is {_NARROWEST:g} to {_WIDEST:g} mm wide, not {width_mm:g}")
+    with look(width_mm):
+        return _drawn(found, width_mm)
+
+
+def _drawn(found: Proof, width_mm: float) -> Figure:
     labels = _labels(found)
     left = _EDGE + _DIGIT * (5 + max(len(line) for text in ("radius", *labels.values()) for line in text.split("\n")))
     handles, listed = _handles(found), _listed(found, width_mm)
@@ -85,17 +91,17 @@ def proof(found: Proof, *, width_mm: float = 120.0) -> Figure:
     top = above + 1.0 + _LINE * (math.ceil(len(handles) / columns) + 1)
     foot = _AXIS + _LINE * (len(listed) + len(words) + 0.7)
     height = top + sum(heights) + _SKIP * len(heights) + foot
-    figure: Figure = require("matplotlib.figure").Figure(figsize=(width_mm / 25.4, height / 25.4), facecolor=PAPER)
+    figure = sheet(width_mm / 25.4, height / 25.4)
+    figure.set_layout_engine("none")
 
     def write(x: float, y: float, text: str, **style: Any) -> None:
         figure.text(x / width_mm, y / height, text, va="top", color=INK, **({"size": _LETTERS} | style))
 
     for number, line in enumerate(heading):
-        write(_EDGE, height - 1.5 - _TITLE * number, line, size=8.0, weight="bold")
+        write(_EDGE, height - 1.5 - _TITLE * number, line, size=8.0)
     figure.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(_EDGE / width_mm, 1.0 - above / height), ncols=columns,
-        frameon=False, fontsize=_LETTERS, handlelength=2.4, borderpad=0.0, borderaxespad=0.0, columnspacing=1.2,
-        handletextpad=0.5, labelspacing=0.35, labelcolor=INK,
+        fontsize=_LETTERS, handlelength=2.4, borderaxespad=0.0, columnspacing=1.2, labelspacing=0.0,
     )  # fmt: skip
     rows: list[Axes] = []
     y = height - top
@@ -108,21 +114,23 @@ def proof(found: Proof, *, width_mm: float = 120.0) -> Figure:
     for axes in rows:
         axes.set_xlim(0.0, until)
         axes.tick_params(labelsize=_LETTERS, length=2.0, pad=1.5, labelbottom=axes is rows[-1])
-        plain(axes)
         for event in found.certificate["events"]:
             axes.axvline(_middle(event, "time"), color=LINE, linewidth=0.5, zorder=0)
     _draw_angle(found, rows[0], until / across)
     for (name, label), axes in zip(labels.items(), rows[1:-1], strict=True):
         _draw_guard(found, name, axes, until)
-        _name(axes, label)
+        _name(axes, _core.marked(label))
     _draw_radius(found, rows[-1])
-    rows[-1].set_xlabel(f"{sign('time')}  ({_unit(found, 'time')})", size=_LETTERS, labelpad=1.0, color=INK)
+    clock = _core.marked(f"{sign('time')}  ({_unit(found, 'time')})")
+    rows[-1].set_xlabel(clock, size=_LETTERS, labelpad=1.0, color=INK)
     y = foot - _AXIS
     for cells in listed:
         for x, text in zip(_columns(listed), cells, strict=True):
-            write(x, y, text)
+            write(x, y, _core.marked(text) if cells is listed[0] and text.startswith(sign("time")) else text)
         y -= _LINE
     for line in words:
+        for symbol in (sign("theta"), sign("time")):
+            line = line.replace(symbol, _core.marked(symbol))
         write(_EDGE, y - 0.5 * _LINE, line)
         y -= _LINE
     return figure
@@ -270,7 +278,7 @@ def _draw_angle(found: Proof, axes: Axes, per_mm: float) -> None:
     _draw_tube(found, axes, "theta")
     _draw_balls(found, axes, lambda ball: float(ball[0]))
     pi_ticks(axes, "y", most=5)
-    _name(axes, sign("theta"))
+    _name(axes, _core.marked(sign("theta")))
     # Numbers that have room.
     free = -math.inf
     for number, event in enumerate(found.certificate["events"], 1):
@@ -324,7 +332,7 @@ def _draw_radius(found: Proof, axes: Axes) -> None:
     axes.margins(y=0.12)
     axes.yaxis.set_major_locator(ticker.MaxNLocator(4, integer=True))
     axes.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"10{_raised(round(value))}"))
-    _name(axes, f"radius\nof {sign('theta')}")
+    _name(axes, f"radius\nof {_core.marked(sign('theta'))}")
 
 
 def _name(axes: Axes, label: str) -> None:
