@@ -56,7 +56,7 @@ def look(width_mm: float | None = None) -> AbstractContextManager[Any]:
 
     Returns
     -------
-    context manager
+    contextlib.AbstractContextManager
         As :func:`matplotlib.rc_context`; within another it changes nothing.
     """
     matplotlib = require("matplotlib")
