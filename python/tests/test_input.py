@@ -162,7 +162,7 @@ def test_both_coefficients_of_friction_as_one_axis(hoop, command, tmp_path):
     assert lazy.chunks["mu"] == (2, 2, 1)
     np.testing.assert_array_equal(lazy.end_time, plane.end_time)
     axes = lw.plot.outcomes(plane)
-    assert axes.get_xlabel() == "μ"
+    assert axes.get_xlabel() == "*μ*"
     with pytest.raises(TypeError, match="mu and mu_k: mu gives both coefficients of friction"):
         lw.outcome_map(hoop, mu=[0.1, 0.2], mu_k=0.1, theta=0.0, theta_rate=1.0)
     with pytest.raises(lw.ParameterError, match="must not be negative"):
