@@ -314,3 +314,31 @@ fn a_slide_for_ever_stays_on_its_orbit_when_its_angle_has_no_digits_left() {
     let error = hoop.simulate(start, Limits::until(1e151)).expect_err("refused");
     assert!(error.to_string().contains("1e150"), "{error}");
 }
+
+/// A massless hoop glides with w = ½ ℓ² sin²θ θ′² + ℓ cos θ (3.18, corrected), however small ℓ is.
+#[test]
+fn a_glide_with_next_to_no_lever_conserves_the_energy_of_the_particle() {
+    for offset in [1e-100_f64, 1e-155, 1e-200, 1e-300] {
+        let parameters = HoopParameters::thin(0.0).with_inertia(0.0).with_offset(offset);
+        let hoop = Hoop::new(parameters.with_friction(0.4, 0.3)).expect("a valid hoop");
+        let start = Start::at(1.0, 0.0).with_slip(1e-9);
+        let limits = Limits::default().with_transitions(1);
+        let motion = hoop.simulate(start, limits).expect("a valid start");
+        // At its end, the bottom, θ′ is infinite.
+        let last = motion.transitions().first().expect("an event").time();
+        let state = motion.at(0.5 * last).expect("within the glide").state;
+        let rise = (state.theta_rate * offset.sqrt()) * libm::sin(state.theta);
+        let w = 0.5 * rise * rise * offset + offset * libm::cos(state.theta);
+        assert!((w / offset - libm::cos(1.0)).abs() < 1e-12, "{offset} {state:?}");
+    }
+}
+
+/// The particle of a massless hoop is 7e-33 above the plane, which the angle does not tell from none.
+#[test]
+fn a_massless_hoop_whose_particle_is_at_the_plane_but_for_rounding_is_unresolved() {
+    let hoop = Hoop::littlewood(1e9, 1e9).expect("a valid hoop");
+    let start = Start::at(-3.0 * std::f64::consts::PI, 4e-11);
+    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+    assert!(matches!(motion.outcome(), Outcome::Unresolved { .. }), "{:?}", motion.outcome());
+    assert!(motion.transitions().is_empty());
+}
