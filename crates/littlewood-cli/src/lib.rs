@@ -109,7 +109,6 @@ fn not_built(command: &str, feature: &'static str) -> error::Error {
 }
 
 /// The command line as it is defined: commands, flags and their help, from which completions and manual pages are made.
-#[must_use]
 pub fn command() -> clap::Command {
     Cli::command()
 }

@@ -48,7 +48,6 @@ impl Block {
     }
 
     /// The block as a line of `crates/littlewood-digest/digest.txt`.
-    #[must_use]
     pub fn line(&self) -> String {
         format!("{:2} {:016x} {:016x}", self.index, self.trajectories, self.summaries)
     }

@@ -5,20 +5,17 @@ use crate::markup::{Script, markdown, plain, runs};
 
 impl Figure {
     /// The caption without marks.
-    #[must_use]
     pub fn caption_txt(&self) -> String {
         format!("{}\n\n{}\n", plain(&self.title), plain(&self.caption))
     }
 
     /// The figure in Markdown: the picture, its title and its caption.
-    #[must_use]
     pub fn caption_md(&self) -> String {
         let Self { name, title, caption, .. } = self;
         format!("![{}]({name}.svg)\n\n**{}.** {}\n", plain(title), markdown(title), markdown(caption))
     }
 
     /// The figure in LaTeX, with the PDF as its graphics: a file to be read by `\input`.
-    #[must_use]
     pub fn caption_tex(&self) -> String {
         let Self { name, title, caption, .. } = self;
         let width =
@@ -33,7 +30,6 @@ impl Figure {
 }
 
 /// As LaTeX: symbols, numbers between them, indices and exponents in formulas, the rest as text.
-#[must_use]
 pub fn latex(text: &str) -> String {
     let mut writer = Writer::default();
     for run in runs(text) {

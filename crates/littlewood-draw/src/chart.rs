@@ -14,20 +14,17 @@ use littlewood_style::width::FINE;
 
 impl Figure {
     /// The figure as SVG, its letters as outlines.
-    #[must_use]
     pub fn svg(&self) -> String {
         svg::document(self, &self.items())
     }
 
     /// The figure as PDF of one page, its letters as outlines.
     #[cfg(feature = "pdf")]
-    #[must_use]
     pub fn pdf(&self) -> Vec<u8> {
         crate::pdf::document(self, &self.items())
     }
 
     /// All texts, with the boxes of their letters: left, top, right and bottom in pixels.
-    #[must_use]
     pub fn texts(&self) -> Vec<(String, [f64; 4])> {
         let texts = self.items().into_iter().filter_map(|item| match item {
             Item::Words(words) => Some((plain(&words.text), words.frame())),

@@ -7,7 +7,6 @@ use crate::figure::Figure;
 impl Figure {
     /// The data: panel, series, piece, then a column for each quantity; a cell is empty where a series does not have
     /// it. Numbers have all digits.
-    #[must_use]
     pub fn csv(&self) -> String {
         let mut columns: Vec<&str> = Vec::new();
         let layers =

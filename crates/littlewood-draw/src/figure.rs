@@ -237,7 +237,6 @@ impl PlotAxis {
 }
 
 /// A place of coordinates that are turned by an angle, counterclockwise, in those that are not.
-#[must_use]
 pub fn tilted(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
     if angle == 0.0 {
         return [x, y];
@@ -248,7 +247,6 @@ pub fn tilted(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
 
 impl Panel {
     /// Its axes: to the right, upwards, to the back.
-    #[must_use]
     pub fn axes(&self) -> Vec<&PlotAxis> {
         match &self.view {
             View::Plane { x, y, .. } => vec![x, y],
@@ -257,7 +255,6 @@ impl Panel {
     }
 
     /// Where the axes of a plane stand: left upper and right lower corner in pixels.
-    #[must_use]
     pub fn axes_frame(&self) -> [[f64; 2]; 2] {
         // Axes without a word on them take no room.
         let has_axes = match &self.view {
@@ -270,7 +267,6 @@ impl Panel {
     }
 
     /// Where a place of its plane is drawn, in pixels; none in space.
-    #[must_use]
     pub fn place(&self, [right, up]: [f64; 2]) -> Option<[f64; 2]> {
         let View::Plane { x, y, tilt, .. } = &self.view else { return None };
         let [[left, top], [end, bottom]] = self.axes_frame();
@@ -279,7 +275,6 @@ impl Panel {
     }
 
     /// The pieces of a line in its plane that lie within the axes, in pixels.
-    #[must_use]
     pub fn line(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
         let places: Option<Vec<[f64; 2]>> = points.iter().map(|point| self.place(*point)).collect();
         clip::line(&places.unwrap_or_default(), self.axes_frame())
@@ -288,7 +283,6 @@ impl Panel {
 
 impl Anchor {
     /// Which part of the width lies to the left of the place.
-    #[must_use]
     pub const fn share(self) -> f64 {
         match self {
             Self::Left => 0.0,
@@ -312,7 +306,6 @@ impl Series {
     }
 
     /// Place of a column.
-    #[must_use]
     pub fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| *column == name)
     }
@@ -323,7 +316,6 @@ impl Series {
     }
 
     /// Drawn so.
-    #[must_use]
     pub const fn drawn(self, mark: Mark) -> Layer {
         Layer { series: self, mark }
     }
@@ -383,7 +375,6 @@ impl Label {
 
 impl Figure {
     /// The series of this name in any panel.
-    #[must_use]
     pub fn series(&self, name: &str) -> Option<&Series> {
         self.panels.iter().flat_map(|panel| &panel.layers).map(|layer| &layer.series).find(|s| s.name == name)
     }

@@ -56,7 +56,6 @@ const NAME: &str = "Littlewood";
 
 /// All letters as a TrueType font, for other programs that draw. Italic letters are the mathematical symbols of Unicode, and the small ones
 /// below and above the line stand at their codes: it draws what [`unicode`](crate::unicode) returns.
-#[must_use]
 pub fn font() -> Vec<u8> {
     let shapes: BTreeMap<char, Shape> = all()
         .map(|(sign, letter, [scale, down])| {

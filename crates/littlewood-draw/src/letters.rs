@@ -113,7 +113,6 @@ pub(crate) fn glyphs(text: &str, size: f64) -> Vec<Glyph> {
 }
 
 /// Width of a text with marks, in the unit of its size.
-#[must_use]
 pub fn width(text: &str, size: f64) -> f64 {
     set(text, size).1
 }
@@ -144,7 +143,6 @@ pub fn outlines(text: &str, size: f64) -> impl Iterator<Item = (Vec<Segment>, f6
 }
 
 /// Letters of a text, with marks, that no face has.
-#[must_use]
 pub fn missing(text: &str) -> String {
     let plain = |letter| small(letter).map_or(letter, |(plain, _)| plain);
     runs(text)

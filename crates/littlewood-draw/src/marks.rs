@@ -18,7 +18,6 @@ pub const STABLE: Mark = Mark::Dot(INK, 3.4);
 pub const UNSTABLE: Mark = Mark::Ring(INK, 3.4);
 
 /// A curve of the (θ, θ′) plane in a key, and what it means.
-#[must_use]
 pub fn key_of_curve(curve: Curve, slope: f64) -> (Mark, String) {
     let words = match curve {
         Curve::SlipLimit => "*f*: |*F*| = *μ*_{s}*N* in rolling".to_owned(),
@@ -30,7 +29,6 @@ pub fn key_of_curve(curve: Curve, slope: f64) -> (Mark, String) {
 }
 
 /// Where a sliding hoop leaves the plane (2.18), with marks.
-#[must_use]
 pub fn lift_off_condition(slope: f64) -> String {
     marked(Curve::LiftOff.condition(slope))
 }

@@ -25,7 +25,6 @@ pub struct Run<'a> {
 }
 
 /// The runs of a text.
-#[must_use]
 pub fn runs(text: &str) -> Vec<Run<'_>> {
     let mut runs = Vec::new();
     let (mut italic, mut bold, mut script, mut begin, mut at) = (false, false, Script::Line, 0, 0);
@@ -103,7 +102,6 @@ pub(crate) fn symbol(letter: char) -> char {
 }
 
 /// The letters alone; what stands below or above the line keeps its place, or a sign before it tells of it.
-#[must_use]
 pub fn plain(text: &str) -> String {
     let mut out = String::new();
     for Run { text, script, .. } in runs(text) {
@@ -120,7 +118,6 @@ pub fn plain(text: &str) -> String {
 
 /// The signs that draw a text with [`font`](crate::font): italics are mathematical symbols, and what stands below or above the line
 /// is a small sign, one for private use where Unicode has none.
-#[must_use]
 pub fn unicode(text: &str) -> String {
     let mut out = String::new();
     for Run { text, italic, script, .. } in runs(text) {
@@ -148,7 +145,6 @@ pub(crate) fn private(letter: char, script: Script) -> char {
 }
 
 /// As Markdown.
-#[must_use]
 pub fn markdown(text: &str) -> String {
     let mut out = String::new();
     for Run { text, italic, bold, script } in runs(text) {

@@ -24,7 +24,6 @@ pub enum Segment {
 
 impl Segment {
     /// The same at other places.
-    #[must_use]
     pub fn placed(self, place: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
         match self {
             Self::Move(to) => Self::Move(place(to)),

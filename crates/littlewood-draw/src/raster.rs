@@ -34,7 +34,6 @@ struct Picture {
 }
 
 /// A path for tiny-skia; none if nothing is to be seen.
-#[must_use]
 pub fn skia(path: &[Segment]) -> Option<tiny_skia::Path> {
     let mut builder = PathBuilder::new();
     for segment in path {
@@ -143,7 +142,6 @@ impl Figure {
 
 impl Image {
     /// As a PNG file.
-    #[must_use]
     pub fn png(&self) -> Vec<u8> {
         self.file(None)
     }

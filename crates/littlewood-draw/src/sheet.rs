@@ -86,19 +86,16 @@ impl Sheet {
     }
 
     /// Height of a panel that has this height on a screen.
-    #[must_use]
     pub fn height(&self, own: f64) -> f64 {
         libm::round(own * (self.width / self.own).clamp(FLATTEST, HIGHEST))
     }
 
     /// Left end and width of a panel from side to side.
-    #[must_use]
     pub fn span(&self) -> [f64; 2] {
         [LEFT, self.width - LEFT - RIGHT]
     }
 
     /// Left ends and width of panels beside each other; of one that takes all where they would be narrower than this.
-    #[must_use]
     pub fn columns<const N: usize>(&self, least: f64) -> Option<([f64; N], f64)> {
         let gap = 14.0;
         let each = (self.width - LEFT - RIGHT - gap * (N - 1) as f64) / N as f64;
@@ -106,7 +103,6 @@ impl Sheet {
     }
 
     /// Keys in rows from a height downwards, in columns where it takes more than one row, and the height of all.
-    #[must_use]
     pub fn keys(&self, entries: Vec<(Mark, String)>, top: f64) -> (Vec<Key>, f64) {
         let widths: Vec<f64> = entries.iter().map(|(_, text)| SAMPLE + width(text, SMALL) + GAP).collect();
         let room = self.width - 10.0 + GAP;
@@ -139,13 +135,11 @@ impl Sheet {
     }
 
     /// A panel in a frame.
-    #[must_use]
     pub fn panel(frame: [f64; 4], content: Content) -> Panel {
         Self::tilted(frame, content, 0.0)
     }
 
     /// A panel in a frame, the coordinates of its data turned by an angle against its axes.
-    #[must_use]
     pub fn tilted(frame: [f64; 4], content: Content, tilt: f64) -> Panel {
         let Content { name, x, y, layers, labels } = content;
         Panel {
@@ -160,7 +154,6 @@ impl Sheet {
     }
 
     /// A figure of one panel, so high on a screen, with its keys above it.
-    #[must_use]
     pub fn plot(
         &self,
         name: &'static str,
@@ -179,7 +172,6 @@ impl Sheet {
     }
 
     /// A figure of two panels beside each other, on a narrow sheet one below the other, with its keys above.
-    #[must_use]
     pub fn pair(
         &self,
         name: &'static str,
@@ -204,7 +196,6 @@ impl Sheet {
     }
 
     /// A figure of panels.
-    #[must_use]
     pub fn figure(
         &self,
         name: &'static str,

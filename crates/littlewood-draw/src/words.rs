@@ -8,7 +8,6 @@ use crate::markup::{Script, small};
 
 /// A symbol or a unit as it is printed, with marks: letters are italic, an index stands below the line, an exponent
 /// above it. Small letters after a capital one are its index; other words of three and more are names of functions, and upright.
-#[must_use]
 pub fn marked(sign: &str) -> String {
     let mut out = String::new();
     let mut letters = sign.chars().peekable();
@@ -47,7 +46,6 @@ const DIGITS: i32 = 4;
 const WHOLE: usize = 6;
 
 /// A number for print, without trailing zeros, with the minus sign of print; with marks.
-#[must_use]
 pub fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -78,7 +76,6 @@ pub fn short(value: f64) -> String {
 }
 
 /// An angle for print, rad: a multiple of π/12, if it is one.
-#[must_use]
 pub fn angle(value: f64) -> String {
     let twelfths = libm::round(12.0 * value / PI);
     let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;

@@ -192,7 +192,6 @@ pub fn gallery_page() -> Result<String, FigureError> {
 }
 
 /// The figure of this name.
-#[must_use]
 pub fn find_figure(name: &str) -> Option<&'static FigureEntry> {
     FIGURES.iter().find(|entry| entry.name == name)
 }

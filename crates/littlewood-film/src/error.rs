@@ -106,7 +106,6 @@ pub enum FilmError {
 
 impl FilmError {
     /// What to do about it.
-    #[must_use]
     pub fn hint(&self) -> &'static str {
         match self {
             Self::Size { .. } | Self::Pane(_) => {

@@ -142,7 +142,6 @@ impl<'a> Film<'a> {
     }
 
     /// The instants of the frames.
-    #[must_use]
     pub const fn schedule(&self) -> &Schedule {
         &self.schedule
     }
@@ -152,13 +151,11 @@ impl<'a> Film<'a> {
     }
 
     /// Lengths of the arrows.
-    #[must_use]
     pub const fn scale(&self) -> ArrowScale {
         self.scale
     }
 
     /// Size of the frames.
-    #[must_use]
     pub const fn size(&self) -> FrameSize {
         self.size
     }

@@ -34,7 +34,6 @@ impl With {
     pub const ALL: [Self; 3] = [Self::Plane, Self::Friction, Self::Energy];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Plane => "plane",

@@ -175,19 +175,16 @@ impl Scene {
     }
 
     /// Time τ.
-    #[must_use]
     pub const fn time(&self) -> f64 {
         self.sample.state.time
     }
 
     /// Mode of motion.
-    #[must_use]
     pub const fn mode(&self) -> Mode {
         self.sample.mode
     }
 
     /// The mode in words, with the direction of slip.
-    #[must_use]
     pub fn caption(&self) -> String {
         self.sample.mode.with_arrow(self.sample.direction)
     }

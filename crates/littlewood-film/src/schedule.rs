@@ -46,7 +46,6 @@ pub enum Part {
 
 impl Part {
     /// In words; none for the whole.
-    #[must_use]
     pub const fn label(self) -> Option<&'static str> {
         match self {
             Self::Whole => None,
@@ -155,50 +154,42 @@ impl Schedule {
     }
 
     /// Number of frames.
-    #[must_use]
     pub const fn frames(&self) -> u64 {
         self.frames
     }
 
     /// Frames per second.
-    #[must_use]
     pub const fn fps(&self) -> u32 {
         self.fps
     }
 
     /// First instant.
-    #[must_use]
     pub const fn start(&self) -> f64 {
         self.start
     }
 
     /// Last instant of the motion that is shown.
-    #[must_use]
     pub const fn end(&self) -> f64 {
         self.end
     }
 
     /// Dimensionless time from frame to frame.
-    #[must_use]
     pub const fn step(&self) -> f64 {
         self.step
     }
 
     /// Whether the film goes on with its first frame after the last, because the motion comes back to its start.
-    #[must_use]
     pub const fn closes(&self) -> bool {
         matches!(self.part, Part::Period)
     }
 
     /// What the film shows of the motion.
-    #[must_use]
     pub const fn part(&self) -> Part {
         self.part
     }
 
     /// The instant that a frame shows. The last is the end of the motion, to the last bit; it comes less than a frame
     /// late.
-    #[must_use]
     pub fn time(&self, index: u64) -> f64 {
         self.moment(index).time
     }
@@ -214,7 +205,6 @@ impl Schedule {
     }
 
     /// Whether the film runs more slowly at a frame.
-    #[must_use]
     pub fn is_slow(&self, index: u64) -> bool {
         self.moment(index).is_slow
     }
@@ -235,7 +225,6 @@ impl Schedule {
     }
 
     /// When a frame is shown.
-    #[must_use]
     pub const fn shown(&self, index: u64) -> Shown {
         let is_last = index + 1 == self.frames;
         Shown { index, fps: self.fps, hold_ms: if is_last { self.hold_ms } else { 0 } }
@@ -244,14 +233,12 @@ impl Schedule {
 
 impl Shown {
     /// Duration in hundredths of a second, such that no error adds up over the frames.
-    #[must_use]
     pub fn centiseconds(&self) -> u64 {
         let until = |frames: u64| rounded(100 * frames, u64::from(self.fps));
         until(self.index + 1) - until(self.index) + rounded(u64::from(self.hold_ms), 10)
     }
 
     /// Duration as a fraction of seconds.
-    #[must_use]
     pub fn fraction(&self) -> (u16, u16) {
         let fps = self.fps.min(u32::from(u16::MAX)) as u16;
         if self.hold_ms == 0 {
@@ -262,7 +249,6 @@ impl Shown {
     }
 
     /// How often a film without durations repeats the frame.
-    #[must_use]
     pub fn copies(&self) -> u64 {
         1 + rounded(u64::from(self.hold_ms) * u64::from(self.fps), 1000)
     }

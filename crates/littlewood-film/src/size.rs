@@ -34,13 +34,11 @@ impl FrameSize {
     }
 
     /// Width.
-    #[must_use]
     pub const fn width(self) -> u32 {
         self.width
     }
 
     /// Height.
-    #[must_use]
     pub const fn height(self) -> u32 {
         self.height
     }

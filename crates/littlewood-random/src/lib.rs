@@ -259,7 +259,6 @@ impl Draw {
 pub const BOUNDARIES: usize = 5;
 
 /// θ′ on one of them, by its number, at an angle; none where it does not cross the angle.
-#[must_use]
 pub fn boundary_rate(plane: &PhasePlane, theta: f64, which: usize) -> Option<f64> {
     match which {
         0 => plane.normal_force_rate(theta),
@@ -281,7 +280,6 @@ fn largest(quantity: Quantity) -> f64 {
 }
 
 /// The command that follows a motion.
-#[must_use]
 pub fn command(setup: &Setup, limits: Limits) -> String {
     let HoopParameters {
         mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law, ..

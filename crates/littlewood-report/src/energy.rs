@@ -6,7 +6,6 @@ use littlewood::theory::Body;
 
 /// The kinetic energy of a heavy hoop whose rim is at the plane, the angle and the velocities of the contact point given;
 /// none for a massless hoop, whose rim has no velocity of its own.
-#[must_use]
 pub fn kinetic_energy(hoop: &Hoop, theta: f64, velocities: &ContactVelocities) -> Option<f64> {
     let Body::Heavy(body) = hoop.body() else { return None };
     let ContactVelocities { theta_rate, slip, gap_rate } = *velocities;

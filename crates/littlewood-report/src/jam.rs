@@ -6,7 +6,6 @@ use littlewood::{Hoop, Start, State};
 
 /// The impact with which a motion begins at a start that has been classified, if no motion is consistent there and the hoop
 /// has a coefficient of restitution.
-#[must_use]
 pub fn jam_of(hoop: &Hoop, start: Start, found: &Classification) -> Option<Impact> {
     found.candidates.filter(|candidates| candidates.count() == 0)?;
     hoop.jam(&State::from(start))

@@ -66,7 +66,6 @@ impl Problem {
     }
 
     /// The value of a quantity.
-    #[must_use]
     pub fn get(&self, wanted: Quantity) -> Option<f64> {
         self.values.iter().find(|(quantity, _)| *quantity == wanted)?.1
     }
@@ -77,7 +76,6 @@ impl Problem {
     }
 
     /// The case that it is to the last bit, if it is one.
-    #[must_use]
     pub fn case(&self) -> Option<&'static NamedCase> {
         let same = |other: &Self| {
             let bits = |problem: &Self| {
@@ -152,7 +150,6 @@ impl Link {
 
     /// Reads a link. Of the problem what it does not say is that of the case that it names; without one, that of the link
     /// `shown`, which may be empty.
-    #[must_use]
     pub fn read(text: &str, shown: &str) -> Reading {
         let first = CASES.first().map(|case| Self::of(Problem::of_setup(&case.setup, None)));
         let shown = if shown.is_empty() { first } else { Some(Self::read(shown, "").link) };
@@ -318,7 +315,6 @@ fn decoded(text: &str) -> String {
 }
 
 /// A finite number as people and programs write it; `None` for anything else.
-#[must_use]
 pub fn read_number(text: &str) -> Option<f64> {
     let plain = text.trim().replacen('−', "-", 1);
     let is_plain = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));

@@ -1,7 +1,6 @@
 //! Numbers as a reader sees them.
 
 /// Up to six significant digits, without trailing zeros.
-#[must_use]
 pub fn brief(value: f64) -> String {
     if !value.is_finite() {
         return infinite(value);
@@ -17,7 +16,6 @@ pub fn brief(value: f64) -> String {
 }
 
 /// Five decimals, so that the numbers of a column stand under each other; an exact zero is "0".
-#[must_use]
 pub fn column(value: f64) -> String {
     if !value.is_finite() {
         return infinite(value);
@@ -31,7 +29,6 @@ pub fn column(value: f64) -> String {
 }
 
 /// Three digits are enough for a sentence; all of them are in the tables.
-#[must_use]
 pub fn three(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }

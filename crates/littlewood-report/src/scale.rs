@@ -17,7 +17,6 @@ impl<'a> Scale<'a> {
     }
 
     /// The printed symbol of a dimensionless quantity, or of its counterpart in SI units.
-    #[must_use]
     pub fn sign(self, quantity: Quantity) -> &'static str {
         let shown = match self.0 {
             None => quantity,
@@ -28,13 +27,11 @@ impl<'a> Scale<'a> {
 
     /// The printed symbol of a column of samples, or of its counterpart in SI units. The columns of a state have the
     /// names of the quantities that a start is given by.
-    #[must_use]
     pub fn column_sign(self, column: SampleColumn) -> &'static str {
         column.name().parse().map_or_else(|_| column.sign(), |quantity| self.sign(quantity))
     }
 
     /// The heading of a column: in SI units with the unit in a second line.
-    #[must_use]
     pub fn heading(self, label: &str, dimension: Dimension) -> String {
         match self.0 {
             None => label.to_owned(),
@@ -43,13 +40,11 @@ impl<'a> Scale<'a> {
     }
 
     /// A dimensionless value in this system.
-    #[must_use]
     pub fn value(self, dimension: Dimension, value: f64) -> f64 {
         self.0.map_or(value, |units| units.to_si(dimension, value))
     }
 
     /// A dimensionless value in this system, with its unit if that is one of SI.
-    #[must_use]
     pub fn show(self, dimension: Dimension, value: f64) -> String {
         let number = brief(self.value(dimension, value));
         match self.0 {
@@ -59,7 +54,6 @@ impl<'a> Scale<'a> {
     }
 
     /// A dimensionless value in this system, with its unit in either: without dimension that is a power of m2, R and g.
-    #[must_use]
     pub fn show_with_unit(self, dimension: Dimension, value: f64) -> String {
         match self.0 {
             None if value == 0.0 => brief(value),
@@ -69,7 +63,6 @@ impl<'a> Scale<'a> {
     }
 
     /// θ in radians and in degrees.
-    #[must_use]
     pub fn show_angle(self, theta: f64) -> String {
         let degrees = brief((theta.to_degrees() * 10.0).round() / 10.0);
         format!("{} = {} ({degrees}°)", self.sign(Quantity::Theta), self.show(Dimension::Angle, theta))

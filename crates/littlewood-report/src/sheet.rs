@@ -63,7 +63,6 @@ pub struct Sheet {
 
 impl Sheet {
     /// The parts, in order.
-    #[must_use]
     pub fn blocks(&self) -> &[Block] {
         &self.blocks
     }

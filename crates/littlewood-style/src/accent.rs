@@ -19,7 +19,6 @@ impl Accent {
     pub const ALL: [Self; 3] = [Self::Violet, Self::Teal, Self::Brown];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Violet => "violet",
@@ -29,7 +28,6 @@ impl Accent {
     }
 
     /// Colour.
-    #[must_use]
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {
             Self::Violet => theme.pick(0x693c99, 0x9a7fd1),

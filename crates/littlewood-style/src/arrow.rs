@@ -21,7 +21,6 @@ impl Arrow {
     pub const ALL: [Self; 4] = [Self::NormalForce, Self::FrictionForce, Self::Slip, Self::Impulse];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::NormalForce => "normal_force",
@@ -32,7 +31,6 @@ impl Arrow {
     }
 
     /// Colour.
-    #[must_use]
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {
             Self::NormalForce => theme.pick(0x006d4e, 0x4fd1a1),

@@ -6,7 +6,6 @@ use crate::rgb::Rgb;
 use crate::theme::Theme;
 
 /// Colour of a class of outcomes.
-#[must_use]
 pub const fn of_class(class: Class, theme: Theme) -> Rgb {
     match class {
         Class::LeavesAtOnce => theme.pick(0x191b54, 0xe8d5ff),

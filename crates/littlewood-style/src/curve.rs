@@ -40,7 +40,6 @@ impl Curve {
     ];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::SlipLimit => "slip_limit",
@@ -53,7 +52,6 @@ impl Curve {
     }
 
     /// The letter of the paper, for those that have one.
-    #[must_use]
     pub const fn letter(self) -> Option<&'static str> {
         match self {
             Self::SlipLimit => Some("f"),
@@ -63,7 +61,6 @@ impl Curve {
     }
 
     /// In words, for legends. The weight normal to a plane at the slope α is cos α of the whole.
-    #[must_use]
     pub const fn label(self, slope: f64) -> &'static str {
         match self {
             Self::SlipLimit => "f: |F| = μₛ N in rolling",
@@ -77,7 +74,6 @@ impl Curve {
     }
 
     /// What it means to the hoop, in a sentence; none of those that the label explains.
-    #[must_use]
     pub const fn meaning(self) -> Option<&'static str> {
         match self {
             Self::SlipLimit => Some("rolling uses up all friction: beyond it, it slips"),
@@ -88,14 +84,12 @@ impl Curve {
     }
 
     /// What holds on it, as the label says.
-    #[must_use]
     pub fn condition(self, slope: f64) -> &'static str {
         let label = self.label(slope);
         label.split_once(": ").map_or(label, |(_, condition)| condition)
     }
 
     /// Its pieces in a window of the plane of a hoop; none of the levels, each of which belongs to an energy.
-    #[must_use]
     pub fn pieces(self, plane: &PhasePlane, window: &Window) -> Vec<Vec<[f64; 2]>> {
         match self {
             Self::SlipLimit => plane.slip_curve(window),
@@ -110,7 +104,6 @@ impl Curve {
     /// Where its letter stands in a window: on the curve, at about a part of its lowest point in sight, near θ = π/2; below
     /// θ′ = 0, as the motions of the paper are above. None
     /// without a letter, or where the curve does not pass.
-    #[must_use]
     pub fn place_of_letter(self, plane: &PhasePlane, window: &Window) -> Option<[f64; 2]> {
         let part = match self {
             Self::SlipLimit => 0.66,
@@ -134,7 +127,6 @@ impl Curve {
     }
 
     /// Colour.
-    #[must_use]
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {
             Self::SlipLimit => Arrow::FrictionForce.colour(theme),
@@ -146,7 +138,6 @@ impl Curve {
     }
 
     /// Dashes.
-    #[must_use]
     pub const fn dash(self) -> Dash {
         match self {
             Self::SlipLimit => Dash::Dashed,
@@ -157,7 +148,6 @@ impl Curve {
     }
 
     /// Width in pixels of 1/96 inch.
-    #[must_use]
     pub const fn width(self) -> f64 {
         match self {
             Self::SlipLimit | Self::NormalForceZero => BOLD,

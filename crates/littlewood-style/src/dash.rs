@@ -20,7 +20,6 @@ impl Dash {
     pub const ALL: [Self; 5] = [Self::Solid, Self::Dashed, Self::Dotted, Self::DashDot, Self::Short];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Solid => "solid",
@@ -33,7 +32,6 @@ impl Dash {
 
     /// Lengths of dashes and gaps by turns in units of the width of the line, as `stroke-dasharray` and programs that
     /// plot take them; empty for a solid line.
-    #[must_use]
     pub const fn pattern(self) -> &'static [f64] {
         match self {
             Self::Solid => &[],

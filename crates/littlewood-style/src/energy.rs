@@ -23,7 +23,6 @@ impl EnergyPart {
     pub const ALL: [Self; 4] = [Self::Kinetic, Self::Potential, Self::Friction, Self::Impacts];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Kinetic => "kinetic",
@@ -34,7 +33,6 @@ impl EnergyPart {
     }
 
     /// In words, for legends.
-    #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
             Self::Kinetic => "kinetic",
@@ -45,7 +43,6 @@ impl EnergyPart {
     }
 
     /// Colour.
-    #[must_use]
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {
             Self::Kinetic => Accent::Violet.colour(theme),

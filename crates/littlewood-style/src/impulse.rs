@@ -29,7 +29,6 @@ impl ImpulseLine {
         [Self::Sticking, Self::Compression, Self::Termination, Self::StaticCone, Self::KineticCone];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Sticking => "sticking",
@@ -41,7 +40,6 @@ impl ImpulseLine {
     }
 
     /// In words, for legends.
-    #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
             Self::Sticking => "sticking: u = 0",
@@ -53,7 +51,6 @@ impl ImpulseLine {
     }
 
     /// Colour.
-    #[must_use]
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {
             Self::Sticking => Arrow::Slip.colour(theme),
@@ -63,7 +60,6 @@ impl ImpulseLine {
     }
 
     /// Dashes.
-    #[must_use]
     pub const fn dash(self) -> Dash {
         match self {
             Self::Sticking => Dash::DashDot,
@@ -74,7 +70,6 @@ impl ImpulseLine {
     }
 
     /// Width in pixels of 1/96 inch.
-    #[must_use]
     pub const fn width(self) -> f64 {
         match self {
             Self::Sticking | Self::Compression | Self::StaticCone | Self::KineticCone => CURVE,

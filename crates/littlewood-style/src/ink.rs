@@ -41,7 +41,6 @@ impl Ink {
     ];
 
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Paper => "paper",
@@ -57,7 +56,6 @@ impl Ink {
     }
 
     /// Colour.
-    #[must_use]
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {
             Self::Paper => theme.pick(0xffffff, 0x14171d),

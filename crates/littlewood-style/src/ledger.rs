@@ -22,7 +22,6 @@ pub struct EnergyParts {
 
 impl EnergyParts {
     /// A part.
-    #[must_use]
     pub const fn part(&self, part: EnergyPart) -> f64 {
         match part {
             EnergyPart::Kinetic => self.kinetic,
@@ -54,7 +53,6 @@ struct Entry {
 
 impl Ledger {
     /// None for a motion that does not begin.
-    #[must_use]
     pub fn new(trajectory: &Trajectory) -> Option<Self> {
         let hoop = *trajectory.hoop();
         let (mut friction, mut impacts) = (0.0, 0.0);
@@ -76,7 +74,6 @@ impl Ledger {
     }
 
     /// The parts at an instant: of the phase before a transition, or of the one after it.
-    #[must_use]
     pub fn parts(&self, sample: &Sample, is_before: bool) -> Option<EnergyParts> {
         let time = sample.state.time;
         let after = self

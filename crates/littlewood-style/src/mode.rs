@@ -7,7 +7,6 @@ use crate::rgb::Rgb;
 use crate::theme::Theme;
 
 /// Colour of a mode.
-#[must_use]
 pub const fn of_mode(mode: Mode, theme: Theme) -> Rgb {
     match mode {
         Mode::Rolling => theme.pick(0x004b87, 0x018de9),
@@ -18,7 +17,6 @@ pub const fn of_mode(mode: Mode, theme: Theme) -> Rgb {
 }
 
 /// Dashes of a line that shows a mode.
-#[must_use]
 pub const fn dash_of(mode: Mode) -> Dash {
     match mode {
         Mode::Rolling => Dash::Solid,

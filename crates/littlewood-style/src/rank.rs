@@ -8,7 +8,6 @@ use crate::theme::Theme;
 pub const RANKS: usize = 6;
 
 /// Colour of a rank, from 0, and of the mirror image; all from [`RANKS`] on have one. Neighbours differ in lightness.
-#[must_use]
 pub const fn of_rank(rank: usize, is_mirrored: bool, theme: Theme) -> Rgb {
     let [own, mirrored] = match rank {
         0 => [theme.pick(0xc9dcec, 0x1e3a52), theme.pick(0x8fb4d3, 0x34618a)],

@@ -12,14 +12,12 @@ impl Rgb {
     }
 
     /// As style sheets and programs that plot write it: `#004b87`.
-    #[must_use]
     pub fn hex(self) -> String {
         let [red, green, blue] = self.0;
         format!("#{red:02x}{green:02x}{blue:02x}")
     }
 
     /// Relative luminance, 0 to 1 (WCAG 2).
-    #[must_use]
     pub fn luminance(self) -> f64 {
         let [red, green, blue] = self.0.map(|value| {
             let value = f64::from(value) / 255.0;
@@ -29,14 +27,12 @@ impl Rgb {
     }
 
     /// CIE lightness L*, 0 to 100: what is left of a colour in grey.
-    #[must_use]
     pub fn lightness(self) -> f64 {
         let luminance = self.luminance();
         if luminance > 0.008_856 { 116.0 * libm::cbrt(luminance) - 16.0 } else { 903.3 * luminance }
     }
 
     /// Contrast ratio of two colours, 1 to 21 (WCAG 2).
-    #[must_use]
     pub fn contrast(self, other: Self) -> f64 {
         let (a, b) = (self.luminance() + 0.05, other.luminance() + 0.05);
         f64::max(a, b) / f64::min(a, b)

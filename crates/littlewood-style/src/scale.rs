@@ -11,7 +11,6 @@ const NODES: [u32; 33] = [
 ];
 
 /// Colour of a fraction from 0 to 1 of a scale of numbers: viridis, which grows lighter throughout.
-#[must_use]
 pub fn of_fraction(fraction: f64) -> Rgb {
     let place = fraction.clamp(0.0, 1.0) * (NODES.len() - 1) as f64;
     let before = (place as usize).min(NODES.len() - 2);

@@ -27,7 +27,6 @@ pub struct Swatch {
 }
 
 /// All colours on a paper.
-#[must_use]
 pub fn swatches(theme: Theme) -> Vec<Swatch> {
     let mut swatches = Vec::new();
     let mut add = |group, name, colour| swatches.push(Swatch { group, name, colour });

@@ -12,7 +12,6 @@ pub struct Tick {
 }
 
 /// Ticks at round numbers from `a` to `b` > `a`, at most about `most` of them; none where these differ by less than numbers can.
-#[must_use]
 pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;
     if !least.is_normal() || least < 0.0 {
@@ -42,7 +41,6 @@ pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
 
 /// Ticks of a logarithmic axis from `a` to `b` > `a` > 0, at most about `most` of them: at 1, 2 and 5 of each decade, at 1
 /// and 3, at its beginning, or at the beginning of some. Within a decade they are those of [`round`].
-#[must_use]
 pub fn logarithmic(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let slack = 1e-9;
     let (low, high) = (libm::log10(a), libm::log10(b));
@@ -108,7 +106,6 @@ const fn superscript(letter: char) -> char {
 }
 
 /// Ticks at multiples of a fraction of π, for angles.
-#[must_use]
 pub fn angular(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;
     if least < PI / 24.0 {
@@ -139,7 +136,6 @@ fn multiples(a: f64, b: f64, step: f64) -> impl Iterator<Item = f64> {
 }
 
 /// A multiple of a fraction of π, with the minus sign of print.
-#[must_use]
 pub fn of_pi(over: i64, under: i64) -> String {
     minus(&fraction_of_pi(over, under))
 }
@@ -165,7 +161,6 @@ const fn greatest_divisor(mut a: u64, mut b: u64) -> u64 {
 }
 
 /// With the minus sign of print.
-#[must_use]
 pub fn minus(text: &str) -> String {
     text.replace('-', "−")
 }

@@ -41,7 +41,6 @@ pub(crate) fn of_column(column: Column) -> Attributes {
 }
 
 /// Long name, unit and scale of a derivative.
-#[must_use]
 pub fn of_derivative(DerivativeColumn { number, quantity }: DerivativeColumn) -> [String; 3] {
     let [over, under] = [number.dimension(), quantity.dimension()];
     let units = match [over, under].map(Dimension::cf_unit) {

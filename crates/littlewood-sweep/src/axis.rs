@@ -18,7 +18,6 @@ pub enum Varies {
 
 impl Varies {
     /// Lower-case name, as files and flags have it.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::One(quantity) => quantity.name(),
@@ -27,7 +26,6 @@ impl Varies {
     }
 
     /// Symbol as it is printed.
-    #[must_use]
     pub const fn sign(self) -> &'static str {
         match self {
             Self::One(quantity) => quantity.sign(),
@@ -36,7 +34,6 @@ impl Varies {
     }
 
     /// What it is, in words.
-    #[must_use]
     pub const fn long_name(self) -> &'static str {
         match self {
             Self::One(quantity) => quantity.row().long_name,
@@ -45,7 +42,6 @@ impl Varies {
     }
 
     /// Dimension.
-    #[must_use]
     pub const fn dimension(self) -> Dimension {
         match self {
             Self::One(quantity) => quantity.dimension(),
@@ -92,7 +88,6 @@ pub enum Spacing {
 
 impl Spacing {
     /// Lower-case name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Even => "even",
@@ -228,7 +223,6 @@ impl Axis {
 
     /// Value `i`: from + (to − from)·i/(count − 1), or from·(to/from)^(i/(count − 1)), and the end itself for the last one
     /// and all beyond.
-    #[must_use]
     pub fn value(&self, i: usize) -> f64 {
         let last = self.count - 1;
         if i == 0 {
@@ -244,7 +238,6 @@ impl Axis {
     }
 
     /// The value at a fraction from 0 to 1 of the way from the first to the last.
-    #[must_use]
     pub fn between(&self, fraction: f64) -> f64 {
         match self.spacing {
             Spacing::Even if fraction == 1.0 => self.to,
@@ -254,7 +247,6 @@ impl Axis {
     }
 
     /// The fraction of the way at which a value stands; the inverse of [`Axis::between`].
-    #[must_use]
     pub fn fraction(&self, value: f64) -> f64 {
         match self.spacing {
             Spacing::Even => (value - self.from) / (self.to - self.from),

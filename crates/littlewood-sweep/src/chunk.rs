@@ -77,13 +77,11 @@ impl Chunks {
     }
 
     /// Shape of a chunk.
-    #[must_use]
     pub fn shape(&self) -> &[usize] {
         &self.shape
     }
 
     /// Number of chunks; `usize::MAX` if there are more.
-    #[must_use]
     pub fn count(&self) -> usize {
         self.places().fold(1, usize::saturating_mul)
     }
@@ -93,7 +91,6 @@ impl Chunks {
     }
 
     /// A chunk below [`Chunks::count`]; the last axis runs fastest.
-    #[must_use]
     pub fn chunk(&self, number: usize) -> Chunk {
         let mut rest = number;
         let mut place: Vec<usize> = self
@@ -119,13 +116,11 @@ impl Chunks {
 
 impl Chunk {
     /// Number of points.
-    #[must_use]
     pub fn len(&self) -> usize {
         self.shape.iter().product()
     }
 
     /// Whether there are no points; which no chunk of a grid is.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

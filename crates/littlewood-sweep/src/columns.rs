@@ -36,7 +36,6 @@ impl Column {
     }
 
     /// Type.
-    #[must_use]
     pub const fn column_type(self) -> ColumnType {
         match self {
             Self::Summary(column) => column.column_type(),
@@ -89,7 +88,6 @@ impl ColumnValues {
     }
 
     /// Number of values.
-    #[must_use]
     pub const fn len(&self) -> usize {
         match self {
             Self::U8(values) => values.len(),
@@ -100,7 +98,6 @@ impl ColumnValues {
     }
 
     /// Whether there are none.
-    #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -109,7 +106,6 @@ impl ColumnValues {
     ///
     /// # Panics
     /// Beyond it.
-    #[must_use]
     pub fn get(&self, i: usize) -> SummaryValue {
         match self {
             Self::U8(values) => SummaryValue::U8(values[i]),
@@ -125,7 +121,6 @@ impl ColumnValues {
     }
 
     /// The values in double precision; none for another type.
-    #[must_use]
     pub fn as_f64(&self) -> Option<&[f64]> {
         match self {
             Self::F64(values) => Some(values),
@@ -249,7 +244,6 @@ impl Columns {
     }
 
     /// The values of a column.
-    #[must_use]
     pub fn column(&self, column: SummaryColumn) -> &ColumnValues {
         &self.columns[column.code() as usize]
     }
@@ -260,20 +254,17 @@ impl Columns {
     }
 
     /// All columns with their values, to keep.
-    #[must_use]
     pub fn into_columns(self) -> Vec<(Column, ColumnValues)> {
         Column::all(&self.derivatives).zip(self.columns).collect()
     }
 
     /// The values of a derivative; none if it has not been computed.
-    #[must_use]
     pub fn derivative(&self, column: DerivativeColumn) -> Option<&[f64]> {
         let place = self.derivatives.iter().position(|known| *known == column)?;
         self.columns[COLUMNS + place].as_f64()
     }
 
     /// The values of a column of real numbers; none for codes and counts.
-    #[must_use]
     pub fn reals(&self, column: SummaryColumn) -> Option<&[f64]> {
         self.column(column).as_f64()
     }
@@ -282,7 +273,6 @@ impl Columns {
     ///
     /// # Panics
     /// Beyond it.
-    #[must_use]
     pub fn summary(&self, i: usize) -> Summary {
         let mut summary = Summary::NOT_COMPUTED;
         for (column, values) in SummaryColumn::ALL.into_iter().zip(&self.columns) {

@@ -137,7 +137,6 @@ impl Workers {
     }
 
     /// Number of threads.
-    #[must_use]
     pub fn threads(&self) -> usize {
         self.pool.current_num_threads()
     }

@@ -31,7 +31,6 @@ pub enum Stop {
 
 impl Stop {
     /// Lower-case name, as files and the command line write it.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Revolution => "revolution",

@@ -6,7 +6,6 @@ macro_rules! getters {
         impl $Type {
             $(
                 $(#[$meta])*
-                #[must_use]
                 pub const fn $name(&$self) -> $T {
                     $value
                 }

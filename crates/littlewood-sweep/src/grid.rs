@@ -87,20 +87,17 @@ impl Grid {
     }
 
     /// Number of values on each axis.
-    #[must_use]
     pub fn shape(&self) -> Vec<usize> {
         self.axes.iter().map(Axis::count).collect()
     }
 
     /// Number of starts of each hoop: the points of the axes that are not of the hoop.
-    #[must_use]
     pub(crate) fn starts_of_a_hoop(&self) -> u64 {
         let counts = self.axes.iter().filter(|axis| !axis.is_of_the_hoop());
         counts.map(|axis| axis.count() as u64).product()
     }
 
     /// The point with a number below [`Grid::len`].
-    #[must_use]
     pub fn point(&self, index: u64) -> Setup {
         let mut point = self.base;
         let mut rest = index;
@@ -128,7 +125,6 @@ impl Grid {
     }
 
     /// The point at one place of each axis.
-    #[must_use]
     pub fn point_at(&self, indices: &[usize]) -> Setup {
         let mut point = self.base;
         for (axis, &i) in self.axes.iter().zip(indices) {
@@ -138,7 +134,6 @@ impl Grid {
     }
 
     /// The axis of a quantity; none where it is fixed.
-    #[must_use]
     pub fn axis(&self, quantity: Quantity) -> Option<&Axis> {
         self.axes.iter().find(|axis| axis.varies().quantities().any(|varied| varied == quantity))
     }

@@ -31,7 +31,6 @@ impl Tally {
     }
 
     /// Number of points of a class.
-    #[must_use]
     pub const fn of(&self, class: Class) -> u64 {
         self.0[class as usize]
     }
@@ -42,7 +41,6 @@ impl Tally {
     }
 
     /// Number of all points.
-    #[must_use]
     pub fn total(&self) -> u64 {
         self.0.iter().sum()
     }

@@ -42,7 +42,6 @@ impl NamedCase {
 const SHORT: (&str, &str) = ("libration", "figure-2-libration");
 
 /// The case of this name; `libration` is short for `figure-2-libration`.
-#[must_use]
 pub fn find_case(name: &str) -> Option<&'static NamedCase> {
     let long = if name == SHORT.0 { SHORT.1 } else { name };
     CASES.iter().find(|case| case.name == long)

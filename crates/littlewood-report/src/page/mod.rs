@@ -58,7 +58,6 @@ pub fn setup(sheet: &mut Sheet, hoop: &Hoop, subject: &Subject<'_>) {
 }
 
 /// The table of the phases of a motion; with `all`, a row for every bounce and phase.
-#[must_use]
 pub fn phases(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Table {
     phases::phases(trajectory, scale, all)
 }

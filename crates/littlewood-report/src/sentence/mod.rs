@@ -23,7 +23,6 @@ const FRICTIONLESS: f64 = 4.0 * f64::EPSILON;
 const NO_ANSWER: &str = "Rigid bodies have no answer here (Painlevé's paradox)";
 
 /// The first phase, and why it begins.
-#[must_use]
 pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let state = trajectory.start();
     let forces = RollingLaw::new(trajectory.hoop()).forces(state.theta, state.theta_rate);
@@ -62,7 +61,6 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 }
 
 /// Transition `index` and its reason; none if there is no such transition.
-#[must_use]
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
     let hoop = trajectory.hoop();
@@ -115,7 +113,6 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
 }
 
 /// The end of the motion, or that it has none.
-#[must_use]
 pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let last = trajectory.transitions().len().checked_sub(1);
     match trajectory.outcome() {
@@ -237,7 +234,6 @@ fn landing(flight: Option<&Phase>, scale: Scale<'_>) -> String {
 }
 
 /// How a motion without an end recurs.
-#[must_use]
 pub fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
     let show = |period| scale.show_with_unit(Dimension::Time, period);
     match *recurrence {
@@ -260,7 +256,6 @@ pub fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
 }
 
 /// The motions that are consistent, with the word between them.
-#[must_use]
 pub fn consistent(candidates: &Candidates, between: &str) -> String {
     let motions: Vec<String> =
         candidates.consistent().map(|(mode, direction)| mode.with_arrow(direction)).collect();
@@ -268,7 +263,6 @@ pub fn consistent(candidates: &Candidates, between: &str) -> String {
 }
 
 /// What rolling and sliding would need where the motion that follows is not unique.
-#[must_use]
 pub fn examined(candidates: &Candidates) -> [String; 2] {
     let [negative, positive] = candidates.solvability.map(brief);
     [

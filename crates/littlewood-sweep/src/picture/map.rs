@@ -268,7 +268,6 @@ impl Picture {
     }
 
     /// Number of points of a class.
-    #[must_use]
     pub fn count(&self, class: Class) -> u64 {
         let missing = if class == Class::NotComputed { self.grid.len() - self.tally.total() } else { 0 };
         self.tally.of(class) + missing
@@ -281,7 +280,6 @@ impl Picture {
     }
 
     /// Whether every point of the grid has been added.
-    #[must_use]
     pub fn is_complete(&self) -> bool {
         self.count(Class::NotComputed) == 0
     }

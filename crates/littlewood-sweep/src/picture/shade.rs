@@ -30,7 +30,6 @@ impl Shade {
     }
 
     /// Lower-case name: that of the column, where there is one.
-    #[must_use]
     pub fn name(self) -> Cow<'static, str> {
         match self {
             Self::Class => SummaryColumn::Outcome.name().into(),
@@ -42,7 +41,6 @@ impl Shade {
     }
 
     /// Whether its colours are a scale of numbers.
-    #[must_use]
     pub const fn is_on_a_scale(self) -> bool {
         match self {
             Self::Class | Self::Sequence => false,

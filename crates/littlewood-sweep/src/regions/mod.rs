@@ -115,7 +115,6 @@ impl Regions {
 
 impl Lattice {
     /// Evenly spaced columns and rows, two at least of each, with the keys of their places.
-    #[must_use]
     pub fn even(count: [usize; 2], key: impl Fn(Place) -> u64) -> Self {
         let places = count.map(|count| {
             let last = count.max(2) - 1;

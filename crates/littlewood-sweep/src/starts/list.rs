@@ -79,7 +79,6 @@ impl StartList {
     }
 
     /// The file.
-    #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }

@@ -34,13 +34,11 @@ impl EngineBuilder {
     }
 
     /// Whether so many starts share what is kept from the first phase on.
-    #[must_use]
     pub const fn prepares(&self) -> bool {
         self.starts >= MANY
     }
 
     /// The engine.
-    #[must_use]
     pub fn build(self) -> Engine {
         if self.prepares() { Engine::new(&self.hoop) } else { Engine::for_few_starts(&self.hoop) }
     }

@@ -107,25 +107,21 @@ impl Engine {
     }
 
     /// The hoop.
-    #[must_use]
     pub const fn hoop(&self) -> &Hoop {
         &self.hoop
     }
 
     /// Whether it is prepared for many starts.
-    #[must_use]
     pub const fn is_prepared(&self) -> bool {
         self.is_prepared
     }
 
     /// Whether chains of slips out of rolling are passed at once, thousands of them in the time of some twenty phases.
-    #[must_use]
     pub const fn passes_chains(&self) -> bool {
         self.chains.is_some()
     }
 
     /// Whether motions are those of [`Hoop::simulate`] to the last bit.
-    #[must_use]
     pub const fn is_exact(&self) -> bool {
         self.laws.is_none()
     }

@@ -47,7 +47,6 @@ impl BouncingOrbit {
     /// assert!((orbit.gap_rate - (1.0 / orbit.top_rate - 0.5 * 1.0_f64.sin() * orbit.top_rate)).abs() < 1e-14);
     /// # Ok::<(), littlewood::ParameterError>(())
     /// ```
-    #[must_use]
     pub fn new(hoop: &Hoop, angle: f64) -> Option<Self> {
         let Body::Heavy(body) = hoop.body() else { return None };
         if !(angle > 0.0 && angle < PI) || body.h == 0.0 || hoop.slope() != 0.0 {
@@ -81,13 +80,11 @@ impl BouncingOrbit {
     }
 
     /// Time of one turn.
-    #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * (self.angle / self.top_rate + (PI - self.angle) / self.bottom_rate)
     }
 
     /// The start of the flight over the top.
-    #[must_use]
     pub fn start(&self) -> Start {
         Start::at(-self.angle, self.top_rate).with_gap_rate(self.gap_rate)
     }

@@ -6,7 +6,6 @@
 use crate::model::{Massless, Start, named};
 
 /// Conserved energy of rolling, e = (1 + cos θ) θ′² + cos θ (3.2).
-#[must_use]
 pub fn rolling_energy(theta: f64, theta_rate: f64) -> f64 {
     let cos = libm::cos(theta);
     (1.0 + cos) * theta_rate * theta_rate + cos
@@ -15,7 +14,6 @@ pub fn rolling_energy(theta: f64, theta_rate: f64) -> f64 {
 /// α = sin(θ0/2) + θ0′ cos(θ0/2), the amplitude of the growing exponential in (3.3).
 ///
 /// Printed in (3.4) as sin(θ0/2) + √((e0 − cos θ0)/2), which holds for θ0′ ≥ 0 only.
-#[must_use]
 pub fn alpha(theta: f64, theta_rate: f64) -> f64 {
     let (sin, cos) = libm::sincos(0.5 * theta);
     sin + theta_rate * cos
@@ -30,14 +28,12 @@ pub fn alpha(theta: f64, theta_rate: f64) -> f64 {
 /// This is (3.3) with α corrected, with exponents ±(τ − τ0)/2 (printed: τ − τ0/2), and without the division by α,
 /// which vanishes on the stable manifold. It contains (3.5) to (3.7). A magnitude above 1 means that the particle has
 /// reached the plane: the motion has ended.
-#[must_use]
 pub fn rolling_half_sine(start: &Start, elapsed: f64) -> f64 {
     let (sin, cos) = libm::sincos(0.5 * start.theta);
     sin * libm::cosh(0.5 * elapsed) + start.theta_rate * cos * libm::sinh(0.5 * elapsed)
 }
 
 /// θ in rolling after Δτ, for |θ0| ≤ π; `None` after the particle has reached the plane.
-#[must_use]
 pub fn rolling_angle(start: &Start, elapsed: f64) -> Option<f64> {
     let sine = rolling_half_sine(start, elapsed);
     (sine.abs() <= 1.0).then(|| 2.0 * libm::asin(sine))
@@ -45,7 +41,6 @@ pub fn rolling_angle(start: &Start, elapsed: f64) -> Option<f64> {
 
 /// Time in which rolling, without slip and loss of contact, brings the particle to the plane, θ = ±π; `None` on the
 /// stable manifold.
-#[must_use]
 pub fn rolling_time_to_plane(theta: f64, theta_rate: f64) -> Option<f64> {
     let growing = alpha(theta, theta_rate);
     if growing == 0.0 {
@@ -58,26 +53,22 @@ pub fn rolling_time_to_plane(theta: f64, theta_rate: f64) -> Option<f64> {
 }
 
 /// θ′ on the stable manifold W^s of the equilibrium θ = 0: e = 1, θ′ = −tan(θ/2) (3.7).
-#[must_use]
 pub fn stable_manifold_rate(theta: f64) -> f64 {
     -libm::tan(0.5 * theta)
 }
 
 /// θ′ on the unstable manifold W^u: e = 1, θ′ = tan(θ/2) (3.7).
-#[must_use]
 pub fn unstable_manifold_rate(theta: f64) -> f64 {
     libm::tan(0.5 * theta)
 }
 
 /// Normal force in rolling, N = cos²(θ/2) (1 − θ′²) (3.8).
-#[must_use]
 pub fn rolling_normal(theta: f64, theta_rate: f64) -> f64 {
     let cos = libm::cos(0.5 * theta);
     cos * cos * (1.0 - theta_rate * theta_rate)
 }
 
 /// Friction force in rolling, F = (θ′² − 1) cos(θ/2) sin(θ/2) (3.8).
-#[must_use]
 pub fn rolling_friction(theta: f64, theta_rate: f64) -> f64 {
     let (sin, cos) = libm::sincos(0.5 * theta);
     (theta_rate * theta_rate - 1.0) * cos * sin
@@ -88,7 +79,6 @@ pub fn rolling_friction(theta: f64, theta_rate: f64) -> f64 {
 ///
 /// For ℓ̂ < 1 (footnote 7) |F|/N = ℓ̂|sin θ|/(1 + ℓ̂ cos θ), so θ_s = atan μs + asin(μs/(ℓ̂ √(1 + μs²))); `None` for
 /// μs > ℓ̂/√(1 − ℓ̂²), where static friction always suffices.
-#[must_use]
 pub fn slip_angle(hoop: &Massless, mu_s: f64) -> Option<f64> {
     if hoop.offset == 1.0 {
         return Some(2.0 * libm::atan(mu_s));
@@ -98,7 +88,6 @@ pub fn slip_angle(hoop: &Massless, mu_s: f64) -> Option<f64> {
 }
 
 /// Region 𝓡 of Littlewood's hoop (3.10): |θ| < θ_s, |θ′| < 1.
-#[must_use]
 pub fn in_rolling_region(start: &Start, mu_s: f64) -> bool {
     start.theta.abs() < 2.0 * libm::atan(mu_s) && start.theta_rate.abs() < 1.0
 }
@@ -117,7 +106,6 @@ named! {
 
 impl RollingType {
     /// The type of a motion of energy e (3.2); `None` outside (cos θ_s, 3), the energies in 𝓡.
-    #[must_use]
     pub fn of_energy(energy: f64, mu_s: f64) -> Option<Self> {
         // cos θ_s = (1 − μs²)/(1 + μs²)
         let square = mu_s * mu_s;
@@ -136,21 +124,18 @@ impl RollingType {
 }
 
 /// Time at which a hoop that rolls from the top (θ0 = 0) begins to slip: τ = 2 asinh(sin(θ_s/2)/θ0′) by (3.6).
-#[must_use]
 pub fn slip_time_from_top(theta_rate: f64, mu_s: f64) -> f64 {
     let sine = mu_s / (1.0 + mu_s * mu_s).sqrt();
     2.0 * libm::asinh(sine / theta_rate.abs())
 }
 
 /// Time at which N = 0 for a hoop that rolls from the top with |θ0′| ≤ 1: τ = arccosh(1/θ0′²), where cos θ = θ0′².
-#[must_use]
 pub fn unloading_time_from_top(theta_rate: f64) -> f64 {
     libm::acosh(1.0 / (theta_rate * theta_rate))
 }
 
 /// Duration of a glide from (θ0, θ0′) to θ = ±π, the positive root of (3.20):
 /// τ_g − τ0 = −θ0′ sin θ0 + √(θ0′² sin²θ0 + 2(1 + cos θ0)).
-#[must_use]
 pub fn gliding_time_to_plane(theta: f64, theta_rate: f64) -> f64 {
     let rise = -theta_rate * libm::sin(theta);
     let cos_half = libm::cos(0.5 * theta);
@@ -161,7 +146,6 @@ pub fn gliding_time_to_plane(theta: f64, theta_rate: f64) -> f64 {
 
 /// Position of the particle (mass centre) of a gliding hoop relative to x̄0, after Δτ (3.19): a parabola, or a
 /// vertical line if η0′ = θ0′ (1 + cos θ0).
-#[must_use]
 pub fn gliding_path(start: &Start, elapsed: f64) -> (f64, f64) {
     let Start { theta, theta_rate, slip, .. } = *start;
     let (sin, cos) = libm::sincos(theta);

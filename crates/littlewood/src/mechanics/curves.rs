@@ -31,7 +31,6 @@ impl Window {
 
     /// The pieces of a curve in the window, from samples in `cells` intervals of its parameter: dense where it bends, cut
     /// where it leaves the window. Each point is one of the curve. A piece that lies between two samples is not seen.
-    #[must_use]
     pub fn pieces(&self, [from, to]: [f64; 2], cells: u32, curve: Curve<'_>) -> Vec<Vec<Point>> {
         let seen = |s: f64| curve(s).filter(|point| self.holds(*point));
         let mut pieces: Vec<Vec<Point>> = Vec::new();
@@ -168,7 +167,6 @@ impl PhasePlane {
     }
 
     /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has verticals: the angle alone decides.
-    #[must_use]
     pub fn slip_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         let verticals = match self.hoop.body() {
             Body::Heavy(_) if self.hoop.mu_s() == 0.0 => vec![0.0, PI],
@@ -195,7 +193,6 @@ impl PhasePlane {
     }
 
     /// The curve n, N = 0 in rolling.
-    #[must_use]
     pub fn normal_force_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) && self.hoop.slope() == 0.0
         {
@@ -207,7 +204,6 @@ impl PhasePlane {
     }
 
     /// The curve h cos θ θ′² = cos α beyond which the body leaves the plane; a massless hoop never does.
-    #[must_use]
     pub fn lift_off_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         match self.hoop.body() {
             Body::Heavy(_) => self.graph(window, &|theta| self.lift_off_rate(theta)),
@@ -216,7 +212,6 @@ impl PhasePlane {
     }
 
     /// The rates between which bounces grow out of rolling; empty on a level plane.
-    #[must_use]
     pub fn reverse_chatter_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         let edge = |end: usize| {
             let rate = move |theta: f64| self.reverse_chatter_rates(theta).map(|rates| rates[end]);
@@ -226,7 +221,6 @@ impl PhasePlane {
     }
 
     /// The separatrix through the unstable equilibrium; without inertia its stable and unstable manifold.
-    #[must_use]
     pub fn separatrix_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         if self.hoop.slope() != 0.0 {
             return self.graph(window, &|theta| Some(self.separatrix_rate(theta)).filter(|rate| *rate > 0.0));
@@ -235,7 +229,6 @@ impl PhasePlane {
     }
 
     /// The orbits of an energy E, ½ D(θ) θ′² + ℓ̂ cos θ = E.
-    #[must_use]
     pub fn level_curve(&self, energy: f64, window: &Window) -> Vec<Vec<Point>> {
         let offset = self.hoop.offset();
         if energy >= offset || self.hoop.slope() != 0.0 {
@@ -303,7 +296,6 @@ impl PhasePlane {
     }
 
     /// The region 𝓡 of (2.14) as polygons, in a window that reaches as far down as up.
-    #[must_use]
     pub fn rolling_region(&self, window: &Window) -> Vec<Vec<Point>> {
         let most = window.y[1];
         let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);

@@ -32,7 +32,6 @@ pub struct ContactForces<T = f64> {
 
 impl ContactForces {
     /// Friction demand |F|/N, the least coefficient of friction for this motion. Infinite for N ≤ 0.
-    #[must_use]
     pub fn demand(&self) -> f64 {
         if self.normal > 0.0 { self.friction.abs() / self.normal } else { f64::INFINITY }
     }
@@ -203,7 +202,6 @@ impl RollingLaw {
 
     /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². A sum of non-negative terms, accurate
     /// near the bottom, where D of a light hoop is small.
-    #[must_use]
     pub fn denominator(&self, theta: f64) -> f64 {
         self.bottom + self.height(theta)
     }
@@ -225,7 +223,6 @@ impl RollingLaw {
     }
 
     /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
-    #[must_use]
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
         self.acceleration(
             libm::sincos(theta),
@@ -236,13 +233,11 @@ impl RollingLaw {
 
     /// Normal and friction force (2.12). In 𝓡 of (2.14) they are the contact forces; elsewhere, those that rolling would
     /// require.
-    #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         self.forces_at(libm::sincos(theta), [self.weight, theta_rate * theta_rate], self.denominator(theta))
     }
 
     /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for Littlewood's hoop), where x = −θ.
-    #[must_use]
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
         let kinetic = 0.5 * self.denominator(theta) * theta_rate * theta_rate;
         self.energy_of(kinetic, theta, libm::sincos(theta))
@@ -250,7 +245,6 @@ impl RollingLaw {
 
     /// The angles of the unstable and of the stable equilibrium, sin(θ + α) = −sin α/h: 0 and π on a level plane. None where the slope
     /// exceeds asin h, and for a balanced hoop.
-    #[must_use]
     pub fn equilibria(&self) -> Option<[f64; 2]> {
         if self.tilt == 0.0 {
             return (self.offset > 0.0).then_some([0.0, core::f64::consts::PI]);
@@ -264,7 +258,6 @@ impl RollingLaw {
     }
 
     /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂ on a level plane; NaN without such an equilibrium.
-    #[must_use]
     pub fn separatrix_energy(&self) -> f64 {
         if self.tilt == 0.0 {
             return self.offset;
@@ -358,7 +351,6 @@ impl<T: Number> SlidingLaw<T> {
 
 impl SlidingLaw {
     /// The equations of a hoop that slips in `direction`; `None` for a massless hoop, which glides.
-    #[must_use]
     pub fn new(hoop: &Hoop, direction: Direction) -> Option<Self> {
         match hoop.body() {
             Body::Heavy(body) => {
@@ -386,20 +378,17 @@ impl SlidingLaw {
     }
 
     /// w = cos α − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, independent of μk.
-    #[must_use]
     pub fn contact(&self, theta: f64, theta_rate: f64) -> f64 {
         contact(self.weight, self.body.h, libm::cos(theta) * (theta_rate * theta_rate))
     }
 
     /// P = Î + m h sin θ q. Where P ≤ 0, sliding has no solution with N > 0, or the motion is not unique.
-    #[must_use]
     pub fn solvability(&self, theta: f64) -> f64 {
         let (sin, cos) = libm::sincos(theta);
         self.p(sin, self.q(1.0, sin, cos))
     }
 
     /// N = Î m w/P and F = −μk σ N (2.15, 2.18).
-    #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         let normal =
             self.body.inertia * self.body.mass * self.contact(theta, theta_rate) / self.solvability(theta);
@@ -407,13 +396,11 @@ impl SlidingLaw {
     }
 
     /// θ″ and η″ of (2.16), solved.
-    #[must_use]
     pub fn accelerations(&self, theta: f64, theta_rate: f64) -> Accelerations {
         self.accelerations_at(libm::sincos(theta), theta_rate)
     }
 
     /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + (μk σ cos α + sin α) τ.
-    #[must_use]
     pub fn momentum_integral(&self, state: &State) -> f64 {
         let (sin, cos) = libm::sincos(state.theta);
         state.slip - state.theta_rate * self.lever(sin, cos) + self.drag() * self.weight * state.time

@@ -142,7 +142,6 @@ pub struct Compliance {
 
 impl Hoop {
     /// The compliance at an angle; `None` for a massless hoop.
-    #[must_use]
     pub fn compliance(&self, theta: f64) -> Option<Compliance> {
         let Body::Heavy(body) = self.body() else { return None };
         let Heavy { mass, h, inertia, .. } = body;
@@ -156,7 +155,6 @@ impl Hoop {
 
     /// The vertices of an impact in the plane of impulses (J, P): zero, the impulse at which slip ends, if it does, and
     /// the total. Empty for a massless hoop. Not defined for the sum of the impacts of a [`crate::impact::Settling`].
-    #[must_use]
     pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<Impulse> {
         let Body::Heavy(body) = self.body() else { return Vec::new() };
         let contact = Contact::new(self, &body, theta);
@@ -205,7 +203,6 @@ impl Hoop {
     /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or which has reached
     /// P = 0. `None` for a massless hoop, without a coefficient of restitution, and without slip. Does not apply where
     /// P > 0.
-    #[must_use]
     pub fn jam(&self, state: &State) -> Option<Impact> {
         let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else { return None };
         let direction = Direction::of_sign(state.slip)?;

@@ -55,7 +55,6 @@ impl PhasePlane {
     }
 
     /// Normal and friction force of rolling (2.12).
-    #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         let ContactForces { normal, friction } = self.law.forces(theta, theta_rate / self.pace);
         let weight = self.pace * self.pace;
@@ -63,13 +62,11 @@ impl PhasePlane {
     }
 
     /// Region 𝓝 of (2.14): N > 0.
-    #[must_use]
     pub fn in_contact_region(&self, theta: f64, theta_rate: f64) -> bool {
         self.forces(theta, theta_rate).normal > 0.0
     }
 
     /// Region 𝓡 of (2.14): |F| ≤ μs N and N > 0. For Littlewood's hoop (3.10): |θ| ≤ θ_s and |θ′| < 1.
-    #[must_use]
     pub fn in_rolling_region(&self, theta: f64, theta_rate: f64) -> bool {
         let forces = self.forces(theta, theta_rate);
         forces.normal > 0.0 && forces.friction.abs() <= self.hoop.mu_s() * forces.normal
@@ -82,7 +79,6 @@ impl PhasePlane {
     }
 
     /// |θ′| on the curve n, N = 0 in rolling; `None` where N ≠ 0 at every rate.
-    #[must_use]
     pub fn normal_force_rate(&self, theta: f64) -> Option<f64> {
         let [constant, slope] = self.line(theta);
         self.rate_of(-constant.normal / slope.normal)
@@ -91,7 +87,6 @@ impl PhasePlane {
     /// |θ′| on the branch of the curve f, |F| = μs N with N ≥ 0 in rolling, where slip begins in this direction; `None`
     /// where the branch has no point at θ. For a massless hoop f is a vertical line:
     /// [`crate::mechanics::closed_form::slip_angle`].
-    #[must_use]
     pub fn slip_rate(&self, theta: f64, direction: Direction) -> Option<f64> {
         if matches!(self.hoop.body(), Body::Massless(_)) {
             return None;
@@ -105,14 +100,12 @@ impl PhasePlane {
 
     /// |θ′| of lift-off from sliding, h cos θ θ′² = cos α, independent of μk. Below this curve and above n the body slides at
     /// once, although rolling would require N < 0.
-    #[must_use]
     pub fn lift_off_rate(&self, theta: f64) -> Option<f64> {
         self.rate_of(1.0 / (self.hoop.h() * libm::cos(theta)))
     }
 
     /// |θ′| on the separatrix through the unstable equilibrium, θ′² = 4ℓ̂ sin²(θ/2)/D(θ) on a level plane. On a slope it is that of the
     /// equilibrium next downhill from θ, which bounds the well; zero where it does not reach θ.
-    #[must_use]
     pub fn separatrix_rate(&self, theta: f64) -> f64 {
         if self.hoop.slope() == 0.0 {
             return self.level_rate(theta, self.law.separatrix_energy()).unwrap_or(0.0);
@@ -127,7 +120,6 @@ impl PhasePlane {
 
     /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ) on a level plane; `None` where the orbit does not reach θ. On a slope E
     /// is that of [`RollingLaw::energy`].
-    #[must_use]
     pub fn level_rate(&self, theta: f64, energy: f64) -> Option<f64> {
         let kinetic = if self.hoop.slope() == 0.0 {
             let sin_half = libm::sin(0.5 * theta);
@@ -141,7 +133,6 @@ impl PhasePlane {
 
     /// The equilibria of rolling in (−π, π]; none where the slope exceeds asin h. A massless hoop with the particle on the rim of a level
     /// plane has none at θ = π (§3a).
-    #[must_use]
     pub fn equilibria(&self) -> Vec<Equilibrium> {
         let offset = self.hoop.offset();
         let Some([unstable, stable]) = self.law.equilibria() else {

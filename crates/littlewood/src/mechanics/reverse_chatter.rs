@@ -60,7 +60,6 @@ impl PhasePlane {
     /// assert!((1.0..1.5).contains(&ratio));
     /// # Ok::<(), littlewood::ParameterError>(())
     /// ```
-    #[must_use]
     pub fn reverse_chatter(&self, theta: f64, theta_rate: f64) -> Option<f64> {
         let (body, restitution) = self.bouncing()?;
         let rate = theta_rate / self.pace;
@@ -76,7 +75,6 @@ impl PhasePlane {
     }
 
     /// |θ′| between which bounces grow out of rolling at an angle.
-    #[must_use]
     pub fn reverse_chatter_rates(&self, theta: f64) -> Option<[f64; 2]> {
         let (body, restitution) = self.bouncing()?;
         let (sin, cos) = libm::sincos(theta);

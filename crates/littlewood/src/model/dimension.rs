@@ -81,7 +81,6 @@ impl Dimension {
 
     /// UDUNITS unit of a value in the system of (2.9): `rad` for an angle, else `1`. [`Dimension::scale`] is a separate
     /// attribute.
-    #[must_use]
     pub const fn cf_unit(self) -> &'static str {
         if matches!(self, Self::Angle) { "rad" } else { "1" }
     }

@@ -51,7 +51,6 @@ pub enum ParameterError {
 
 impl ParameterError {
     /// Advice for the user.
-    #[must_use]
     pub const fn hint(&self) -> &'static str {
         match self {
             Self::LawAlone { .. } => "give the coefficient too, 0 to 1, or leave out the law",
@@ -73,7 +72,6 @@ impl ParameterError {
     }
 
     /// The quantity to change, or one of them.
-    #[must_use]
     pub const fn quantity(&self) -> Quantity {
         match self {
             Self::OutOfBounds { quantity, .. } => *quantity,
@@ -85,7 +83,6 @@ impl ParameterError {
     }
 
     /// Whether several values, each valid alone, contradict each other, such as μk > μs.
-    #[must_use]
     pub const fn is_contradiction(&self) -> bool {
         matches!(
             self,

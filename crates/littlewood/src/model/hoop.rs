@@ -285,7 +285,6 @@ impl Massless {
 
 impl Body {
     /// Moment of inertia about the mass centre, Î of (2.9); zero for a massless hoop.
-    #[must_use]
     pub const fn inertia_about_mass_centre(&self) -> f64 {
         match self {
             Self::Heavy(heavy) => heavy.inertia,

@@ -18,7 +18,6 @@ named! {
 
 impl Mode {
     /// Whether the rim touches the plane.
-    #[must_use]
     pub const fn touches_plane(self) -> bool {
         match self {
             Self::Rolling | Self::Sliding | Self::Gliding => true,
@@ -27,7 +26,6 @@ impl Mode {
     }
 
     /// Whether N > 0.
-    #[must_use]
     pub const fn has_normal_force(self) -> bool {
         match self {
             Self::Rolling | Self::Sliding => true,
@@ -36,7 +34,6 @@ impl Mode {
     }
 
     /// The mode with an arrow for the direction of slip, for tables and films: `sliding ←`.
-    #[must_use]
     pub fn with_arrow(self, direction: Option<Direction>) -> String {
         direction.map_or_else(|| self.to_string(), |direction| format!("{self} {}", direction.arrow()))
     }
@@ -57,7 +54,6 @@ impl Direction {
     pub const ALL: [Self; 2] = [Self::Negative, Self::Positive];
 
     /// σ as a number.
-    #[must_use]
     pub const fn sign(self) -> f64 {
         match self {
             Self::Negative => -1.0,
@@ -74,7 +70,6 @@ impl Direction {
     }
 
     /// σ in records; 0 without slip.
-    #[must_use]
     pub const fn code(direction: Option<Self>) -> i8 {
         match direction {
             Some(Self::Negative) => -1,
@@ -84,7 +79,6 @@ impl Direction {
     }
 
     /// The sign of a number; `None` for zero and NaN.
-    #[must_use]
     pub fn of_sign(value: f64) -> Option<Self> {
         if value > 0.0 {
             Some(Self::Positive)
@@ -105,7 +99,6 @@ impl Direction {
     }
 
     /// Arrow in this direction.
-    #[must_use]
     pub const fn arrow(self) -> char {
         match self {
             Self::Negative => '←',

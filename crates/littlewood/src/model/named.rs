@@ -44,7 +44,6 @@ macro_rules! named {
         impl $Type {
             $(#[$row_meta])*
             #[inline(always)]
-            #[must_use]
             $row_vis const fn $row(self) -> $Row {
                 match self {
                     $( Self::$Item => $value, )+
@@ -74,7 +73,6 @@ macro_rules! named {
             pub const NAMES: [&'static str; [$( $code ),+].len()] = [$( $name ),+];
 
             /// Lower-case name in files, flags and programs.
-            #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
                     $( Self::$Item => $name, )+
@@ -82,7 +80,6 @@ macro_rules! named {
             }
 
             /// Code in arrays.
-            #[must_use]
             pub const fn code(self) -> u8 {
                 self as u8
             }
@@ -138,14 +135,12 @@ macro_rules! getters {
 macro_rules! getter {
     ([$self:ident] $(#[$meta:meta])* $vis:vis $name:ident: $T:ty = $value:expr) => {
         $(#[$meta])*
-        #[must_use]
         $vis const fn $name(&$self) -> $T {
             $value
         }
     };
     ($self:ident $(#[$meta:meta])* $vis:vis $name:ident: $T:ty = $value:expr) => {
         $(#[$meta])*
-        #[must_use]
         $vis const fn $name($self) -> $T {
             $value
         }

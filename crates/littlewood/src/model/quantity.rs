@@ -145,7 +145,6 @@ pub enum Presence {
 
 impl Presence {
     /// The default, if any.
-    #[must_use]
     pub const fn default_value(self) -> Option<f64> {
         match self {
             Self::Default(value) => Some(value),
@@ -223,7 +222,6 @@ pub enum Bound {
 impl Bound {
     /// Whether a value satisfies the bound.
     #[inline(always)]
-    #[must_use]
     pub const fn allows(&self, value: f64) -> bool {
         match *self {
             Self::Finite => value.is_finite(),
@@ -404,7 +402,6 @@ impl Quantity {
         [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::GapRateMPerS, Self::XM, Self::TimeS];
 
     /// Whether a value goes without saying, and is left out of records and captions: no slope, no opening gap.
-    #[must_use]
     pub const fn goes_without_saying(self, value: f64) -> bool {
         matches!(self, Self::Slope | Self::GapRate | Self::GapRateMPerS) && value.to_bits() == 0
     }
@@ -418,13 +415,11 @@ impl Quantity {
     }
 
     /// Unit, in plain letters; empty for a ratio.
-    #[must_use]
     pub const fn unit(self) -> &'static str {
         self.of_units(self.dimension().scale(), self.dimension().si_unit())
     }
 
     /// Typeset unit; empty for a ratio.
-    #[must_use]
     pub const fn unit_sign(self) -> &'static str {
         self.of_units(self.dimension().scale_sign(), self.dimension().si_sign())
     }
@@ -450,7 +445,6 @@ impl Quantity {
     }
 
     /// The quantity in SI units; `None` if `self` is in SI units, or the same in both systems.
-    #[must_use]
     pub const fn si_twin(self) -> Option<Self> {
         if self.is_si() { None } else { self.row().twin }
     }

@@ -59,13 +59,11 @@ impl Setup {
     }
 
     /// The value of a quantity; `None` if it is absent, for a limit and for quantities in SI units.
-    #[must_use]
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         Self::value(&mut { *self }, quantity)
     }
 
     /// The value of a quantity, if it has one that does not go without saying ([`Quantity::goes_without_saying`]).
-    #[must_use]
     pub fn said(&self, quantity: Quantity) -> Option<f64> {
         self.get(quantity).filter(|value| !quantity.goes_without_saying(*value))
     }
@@ -88,7 +86,6 @@ impl Setup {
     }
 
     /// The values of several quantities; NaN for those without a value.
-    #[must_use]
     pub fn values<const N: usize>(&self, quantities: [Quantity; N]) -> [f64; N] {
         let mut copy = *self;
         quantities.map(|quantity| copy.value(quantity).unwrap_or(f64::NAN))

@@ -169,7 +169,6 @@ impl SiSetup {
 
     /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is NaN, an error in
     /// [`SiSetup::to_setup`].
-    #[must_use]
     pub fn from_values(
         value: impl Fn(Quantity) -> Option<f64>,
         restitution_law: Option<RestitutionLaw>,
@@ -186,14 +185,12 @@ impl SiSetup {
     }
 
     /// The value of a quantity; `None` for a limit and for dimensionless quantities with an SI twin.
-    #[must_use]
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         let mut copy = *self;
         if quantity == Quantity::Restitution { self.hoop.restitution } else { copy.field(quantity).copied() }
     }
 
     /// The value of a quantity, if it has one that does not go without saying ([`Quantity::goes_without_saying`]).
-    #[must_use]
     pub fn said(&self, quantity: Quantity) -> Option<f64> {
         self.get(quantity).filter(|value| !quantity.goes_without_saying(*value))
     }
@@ -277,7 +274,6 @@ impl Units {
     }
 
     /// A state in SI units.
-    #[must_use]
     pub fn state(&self, state: &State) -> SiState {
         let si = |quantity: Quantity, value| self.to_si(quantity.dimension(), value);
         SiState {

@@ -41,14 +41,12 @@ impl Units {
     }
 
     /// The SI value of one unit of (2.9).
-    #[must_use]
     pub fn unit(&self, dimension: Dimension) -> f64 {
         let (above, below) = self.fraction(dimension);
         above.unwrap_or(1.0) / below
     }
 
     /// A dimensionless value in SI units.
-    #[must_use]
     pub fn to_si(&self, dimension: Dimension, value: f64) -> f64 {
         match self.fraction(dimension) {
             // A quotient has one rounding less than a product with the reciprocal.
@@ -58,7 +56,6 @@ impl Units {
     }
 
     /// A value in SI units, made dimensionless.
-    #[must_use]
     pub fn from_si(&self, dimension: Dimension, value: f64) -> f64 {
         match self.fraction(dimension) {
             (None, below) => value * below,

@@ -75,7 +75,6 @@ impl Class {
     }
 
     /// Whether the body stays in contact up to the end of the simulation.
-    #[must_use]
     pub const fn stays_in_contact(self) -> bool {
         matches!(self, Self::RollsForever | Self::RepeatsForever | Self::SlipsForever | Self::InContact)
     }

@@ -60,7 +60,6 @@ pub struct Classification {
 
 impl Hoop {
     /// Kinetic and potential energy of a start (2.8); on a slope the potential energy includes m x̄ sin α.
-    #[must_use]
     pub fn energy_of(&self, start: &Start) -> f64 {
         let (origin, (state, gap_rate), _) = Origin::of(self, start, Limits::default());
         origin.energy(energy(self, &state, 0.0, gap_rate))

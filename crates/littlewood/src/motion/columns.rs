@@ -67,7 +67,6 @@ impl State {
     ];
 
     /// The numbers, in the order of [`State::COLUMNS`].
-    #[must_use]
     pub const fn numbers(&self) -> [f64; 5] {
         let Self { time, theta, theta_rate, slip, x } = *self;
         [time, theta, theta_rate, slip, x]
@@ -87,7 +86,6 @@ pub enum SampleValue {
 
 impl SampleValue {
     /// As a number: the code of a mode, σ of a direction.
-    #[must_use]
     pub fn number(self) -> f64 {
         match self {
             Self::Mode(mode) => f64::from(mode.code()),
@@ -109,7 +107,6 @@ getters! {
 
 impl SampleColumn {
     /// The value in a sample.
-    #[must_use]
     pub const fn of(self, sample: &Sample) -> SampleValue {
         SampleValue::Real(match self {
             Self::Mode => return SampleValue::Mode(sample.mode),
@@ -135,7 +132,6 @@ impl SampleColumn {
     }
 
     /// Column name with the SI unit; none for a code.
-    #[must_use]
     pub fn si_name(self) -> Option<String> {
         self.dimension().map(|dimension| format!("{self}{}", dimension.si_suffix()))
     }
@@ -308,7 +304,6 @@ impl SummaryColumn {
     }
 
     /// The value in a summary. Every NaN becomes [`f64::NAN`], since the sign and payload of a computed NaN are unspecified.
-    #[must_use]
     pub fn of(self, summary: &Summary) -> SummaryValue {
         self.field(&mut { *summary }).value()
     }
@@ -351,7 +346,6 @@ impl Field<'_> {
 
 impl Summary {
     /// The values of all columns, in the order of [`SummaryColumn::ALL`].
-    #[must_use]
     pub fn values(&self) -> [SummaryValue; SummaryColumn::ALL.len()] {
         let mut copy = *self;
         SummaryColumn::ALL.map(|column| column.field(&mut copy).value())

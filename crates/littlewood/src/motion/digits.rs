@@ -138,7 +138,6 @@ impl Hoop {
 
 impl Digits {
     /// The minimum of the five numbers.
-    #[must_use]
     pub fn least(&self) -> u8 {
         let Self { time, theta, theta_rate, slip, x } = *self;
         [time, theta, theta_rate, slip, x].into_iter().min().unwrap_or(0)

@@ -31,14 +31,12 @@ getters! {
 
 impl Phase {
     /// Direction of slip; none for rolling and flight.
-    #[must_use]
     pub fn direction(&self) -> Option<Direction> {
         self.solution.direction()
     }
 
     /// State at the end; none for an endless phase. The rate is infinite if a gliding particle reaches
     /// θ = 0 or ±π.
-    #[must_use]
     pub const fn end(&self) -> Option<State> {
         match self.end {
             Some(end) => Some(self.origin.state(end)),
@@ -47,13 +45,11 @@ impl Phase {
     }
 
     /// Time at the end; infinite for an endless phase.
-    #[must_use]
     pub fn end_time(&self) -> f64 {
         self.end.map_or(f64::INFINITY, |end| self.origin.time(end.time))
     }
 
     /// Duration; infinite for an endless phase.
-    #[must_use]
     pub fn duration(&self) -> f64 {
         self.origin.duration(self.last_instant()) - self.origin.duration(self.start.time)
     }
@@ -82,7 +78,6 @@ impl Phase {
 
     /// Time since the start, and height, of the largest gap in a flight, also if the flight is cut before; none for other modes and for
     /// settling bounces, whose gap is not resolved.
-    #[must_use]
     pub fn apex(&self) -> Option<(f64, f64)> {
         let PhaseSolution::Flight(flight) = &self.solution else { return None };
         let (elapsed, height) = flight.apex();
@@ -90,7 +85,6 @@ impl Phase {
     }
 
     /// Rate of the gap at the start of a flight; zero for other modes.
-    #[must_use]
     pub fn take_off_rate(&self) -> f64 {
         match &self.solution {
             PhaseSolution::Flight(flight) => self.origin.velocity(flight.take_off_rate()),
@@ -99,7 +93,6 @@ impl Phase {
     }
 
     /// The recurrence of the orbit of rolling, as long as static friction holds; none for other modes.
-    #[must_use]
     pub fn recurrence(&self) -> Option<Recurrence> {
         match &self.solution {
             PhaseSolution::Rolling(rolling) => Some(self.origin.recurrence(rolling.orbit().recurrence())),
@@ -108,7 +101,6 @@ impl Phase {
     }
 
     /// Energy lost to friction during the phase.
-    #[must_use]
     pub fn energy_lost(&self) -> f64 {
         if self.mode() != Mode::Sliding || self.hoop.mu_k() == 0.0 {
             return 0.0;
@@ -118,13 +110,11 @@ impl Phase {
     }
 
     /// Whether the phase is gliding that is not the limit of sliding as the inertia of a heavy hoop vanishes.
-    #[must_use]
     pub const fn is_outside_small_inertia_limit(&self) -> bool {
         matches!(&self.solution, PhaseSolution::Gliding(glide) if !glide.is_small_inertia_limit())
     }
 
     /// The sample at the time `elapsed` after the start of the phase, clamped to the phase.
-    #[must_use]
     pub fn sample(&self, elapsed: f64) -> Sample {
         self.relative_sample(self.origin.passed(elapsed))
     }
@@ -140,13 +130,11 @@ impl Phase {
     }
 
     /// The first sample.
-    #[must_use]
     pub fn first(&self) -> Sample {
         self.relative_sample(0.0)
     }
 
     /// The last sample, before the transition that ends the phase; none for an endless phase.
-    #[must_use]
     pub fn last(&self) -> Option<Sample> {
         self.end.map(|_| self.relative_sample(self.relative_duration()))
     }
@@ -186,25 +174,21 @@ getters! {
 
 impl Trajectory {
     /// The transition that ends a phase; none for a last phase that is endless or cut at a limit.
-    #[must_use]
     pub fn end_of(&self, phase: &Phase) -> Option<&Transition> {
         self.transitions.get(phase.ended_by?)
     }
 
     /// Time at the end of the motion; infinite if the motion is endless and has no time limit.
-    #[must_use]
     pub fn end_time(&self) -> f64 {
         self.phases.last().map_or(self.start.time, Phase::end_time)
     }
 
     /// Energy lost to sliding friction and in impacts.
-    #[must_use]
     pub fn energy_lost(&self) -> f64 {
         self.phases.iter().map(Phase::energy_lost).sum::<f64>() + self.impact_energy_lost()
     }
 
     /// Energy lost in impacts.
-    #[must_use]
     pub fn impact_energy_lost(&self) -> f64 {
         self.transitions
             .iter()
@@ -215,7 +199,6 @@ impl Trajectory {
 
     /// The sample at `time`, in O(log n) of the number of phases and steps; none outside the motion. At a
     /// transition it is the first sample of the next phase.
-    #[must_use]
     pub fn at(&self, time: f64) -> Option<Sample> {
         if !(time.is_finite() && time >= self.start.time && time <= self.end_time()) {
             return None;
@@ -226,7 +209,6 @@ impl Trajectory {
 
     /// The only sample of a motion without a phase: the state and its energy at the start. Accelerations and forces are NaN, and the
     /// mode is meaningless. None for a motion with a phase.
-    #[must_use]
     pub fn only_instant(&self) -> Option<Sample> {
         let unknown = (f64::NAN, f64::NAN);
         let instant = Instant {

@@ -125,7 +125,6 @@ pub const EDGES: &[Edge] = {
 
 impl RollingLimit {
     /// The event at which rolling ends.
-    #[must_use]
     pub const fn cause(self) -> Cause {
         match self {
             Self::Friction(_) => Cause::Slip,
@@ -174,13 +173,11 @@ pub struct Transition {
 
 impl Transition {
     /// Time.
-    #[must_use]
     pub const fn time(&self) -> f64 {
         self.before.time
     }
 
     /// Whether it is a bounce: a landing after which the hoop flies again.
-    #[must_use]
     pub fn is_bounce(&self) -> bool {
         self.cause == Cause::Landing && self.to == Some(Mode::Flight)
     }

@@ -59,13 +59,11 @@ impl Candidates {
     }
 
     /// Number of consistent motions.
-    #[must_use]
     pub fn count(&self) -> usize {
         self.consistent().count()
     }
 
     /// The deciding quantities with their names in records.
-    #[must_use]
     pub const fn details(&self) -> [(&'static str, Detail); 5] {
         let [negative, positive] = self.solvability;
         [

@@ -111,7 +111,6 @@ pub enum Outcome {
 
 impl Outcome {
     /// The kind, with a name, a number and a label.
-    #[must_use]
     pub const fn kind(&self) -> OutcomeKind {
         match self {
             Self::Landing { .. } => OutcomeKind::Landing,
@@ -134,20 +133,17 @@ impl Outcome {
     }
 
     /// The state at the end, or at the start of an endless phase.
-    #[must_use]
     pub const fn state(&self) -> State {
         let mut copy = *self;
         *copy.state_mut()
     }
 
     /// Whether the outcome is final, and not a limit.
-    #[must_use]
     pub const fn is_final(&self) -> bool {
         self.kind().is_final()
     }
 
     /// The recurrence of an endless motion; none for other outcomes.
-    #[must_use]
     pub const fn recurrence(&self) -> Option<Recurrence> {
         if let Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } = self {
             Some(*recurrence)
@@ -157,7 +153,6 @@ impl Outcome {
     }
 
     /// The candidates, if no motion or more than one is consistent.
-    #[must_use]
     pub const fn candidates(&self) -> Option<Candidates> {
         if let Self::Inconsistent { candidates, .. } | Self::Ambiguous { candidates, .. } = self {
             Some(*candidates)
@@ -188,7 +183,6 @@ impl Outcome {
     }
 
     /// The values besides kind, state and candidates, with their names in records.
-    #[must_use]
     pub fn details(&self) -> Vec<(&'static str, Detail)> {
         match *self {
             Self::Landing { gap_rate, .. } => vec![("gap_rate", Detail::Real(gap_rate, Dimension::Velocity))],

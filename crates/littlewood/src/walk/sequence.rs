@@ -135,14 +135,12 @@ impl PhaseSequence {
     }
 
     /// Number of phases stored.
-    #[must_use]
     pub const fn len(self) -> u32 {
         let used = u64::BITS - (self.0 & !Self::OVERFLOW).leading_zeros();
         used.div_ceil(Self::BITS)
     }
 
     /// The first phase, if any.
-    #[must_use]
     pub fn first(self) -> Option<(Mode, Option<Direction>)> {
         self.codes().next().and_then(Result::ok).map(PhaseCode::mode)
     }

@@ -24,7 +24,6 @@ impl Hoop {
     /// assert_eq!(hoop.lift_off_energy(), Some(2.5));
     /// # Ok::<(), littlewood::ParameterError>(())
     /// ```
-    #[must_use]
     pub fn lift_off_energy(&self) -> Option<f64> {
         match self.body() {
             // A hoop gains energy down a slope.
@@ -42,7 +41,6 @@ impl Hoop {
     /// It holds if the energy is below [`Hoop::lift_off_energy`]. It also holds if the energy without m V²/2, with V the
     /// horizontal velocity of the mass centre, is below it, and V is too small for friction to supply the difference, at
     /// any instant or over a whole turn.
-    #[must_use]
     pub fn never_lifts_off(&self, state: &State) -> bool {
         ContactProof::default().holds(self, state)
     }

@@ -191,7 +191,6 @@ impl Flight {
 
     /// Time since the start, and height, of the largest gap between the rim and the plane. Both are zero for settling bounces,
     /// whose gap is not resolved.
-    #[must_use]
     pub fn apex(&self) -> (f64, f64) {
         if self.settles {
             return (0.0, 0.0);
@@ -201,7 +200,6 @@ impl Flight {
     }
 
     /// State after the time `elapsed`.
-    #[must_use]
     pub fn state(&self, elapsed: f64) -> State {
         let rate = self.start.theta_rate;
         let theta = self.start.theta + rate * elapsed;
@@ -217,14 +215,12 @@ impl Flight {
 
     /// Gap under the rim and its rate after the time `elapsed`. For settling bounces the gap is zero, and the rate is that of a
     /// flight without impacts: the impulses act together at the end.
-    #[must_use]
     pub fn gap(&self, elapsed: f64) -> (f64, f64) {
         let Bound { gap, slope, .. } = self.gap.bound(self.clock * elapsed);
         (if self.settles { 0.0 } else { gap }, self.clock * slope)
     }
 
     /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved on a level plane.
-    #[must_use]
     pub fn mass_centre_velocity(&self, elapsed: f64) -> (f64, f64) {
         (self.vx - self.pull * elapsed, self.vy - elapsed)
     }

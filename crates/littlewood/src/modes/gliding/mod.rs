@@ -61,7 +61,6 @@ impl GlidingIntegrals {
 }
 
 /// Accelerations θ″ and η″ of gliding (3.17), for a particle at 0 < ℓ̂ ≤ 1. Not defined at θ = 0, ±π.
-#[must_use]
 pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f64, f64) {
     let u = theta_rate * theta_rate;
     accelerations([hoop.offset, hoop.pull()], [hoop.weight(), u], libm::sincos(theta))
@@ -128,14 +127,12 @@ impl Gliding {
     }
 
     /// Direction of slip.
-    #[must_use]
     pub const fn direction(&self) -> Option<Direction> {
         Some(self.direction)
     }
 
     /// Whether this phase is the limit of sliding of a heavy hoop as its inertia vanishes. The limit does not exist where
     /// μk σ sin θ > 0 and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ) (Painlevé).
-    #[must_use]
     pub const fn is_small_inertia_limit(&self) -> bool {
         self.limit_of_small_inertia
     }
@@ -155,7 +152,6 @@ impl Gliding {
     }
 
     /// State after the time `elapsed`.
-    #[must_use]
     pub fn state(&self, elapsed: f64) -> State {
         if elapsed == 0.0 { self.start } else { self.particle.state(&self.particle.place(elapsed)) }
     }

@@ -32,7 +32,6 @@ pub enum RollingLimit {
 
 impl RollingLimit {
     /// The direction in which the body begins to slip; none at N = 0.
-    #[must_use]
     pub const fn direction(self) -> Option<Direction> {
         match self {
             Self::Friction(direction) => Some(direction),

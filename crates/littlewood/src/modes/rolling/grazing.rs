@@ -59,7 +59,6 @@ pub struct GrazingOrbit {
 impl GrazingOrbit {
     /// The grazing orbit of the highest energy below `energy`, among rotations if an orbit of this energy rotates, otherwise
     /// among librations. None if static friction holds on all such orbits, or on none; none for a massless hoop and on a slope.
-    #[must_use]
     pub fn below(hoop: &Hoop, energy: f64) -> Option<Self> {
         Levels::new(hoop)?.orbit_below(hoop, energy)
     }

@@ -51,13 +51,11 @@ impl Rolling {
     }
 
     /// The orbit in the (θ, θ′) plane.
-    #[must_use]
     pub const fn orbit(&self) -> &RollingOrbit {
         &self.orbit
     }
 
     /// State after the time `elapsed` since the phase began. The cost does not depend on `elapsed`.
-    #[must_use]
     pub fn state(&self, elapsed: f64) -> State {
         if elapsed == 0.0 {
             return self.start;

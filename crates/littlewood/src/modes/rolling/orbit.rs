@@ -100,7 +100,6 @@ impl RollingOrbit {
     }
 
     /// (θ, θ′) after the time `elapsed`.
-    #[must_use]
     pub fn position(&self, elapsed: f64) -> (f64, f64) {
         let elapsed = elapsed * self.pace;
         let (theta, theta_rate) = match &self.kind {
@@ -112,7 +111,6 @@ impl RollingOrbit {
     }
 
     /// The first point ahead at which rolling ends; none proves that the body rolls for ever.
-    #[must_use]
     pub fn end(&self) -> Option<RollingEnd> {
         let end = match &self.kind {
             Kind::Elliptic(orbit) => orbit.end(false),
@@ -132,7 +130,6 @@ impl RollingOrbit {
     }
 
     /// Recurrence of the orbit while the limits of friction and of the normal force are not reached.
-    #[must_use]
     pub fn recurrence(&self) -> Recurrence {
         let recurrence = match &self.kind {
             Kind::Elliptic(orbit) => orbit.recurrence(),

@@ -37,7 +37,6 @@ named! {
 
 impl Recurrence {
     /// The kind.
-    #[must_use]
     pub const fn kind(&self) -> RecurrenceKind {
         match self {
             Self::Rest => RecurrenceKind::Rest,
@@ -49,7 +48,6 @@ impl Recurrence {
     }
 
     /// Period; none for rest, on the separatrix, and down a slope.
-    #[must_use]
     pub const fn period(&self) -> Option<f64> {
         match self {
             Self::Libration { period, .. } | Self::Rotation { period } => Some(*period),
@@ -70,7 +68,6 @@ impl Recurrence {
     }
 
     /// Kind and values with their names in records.
-    #[must_use]
     pub fn details(&self) -> Vec<(&'static str, Detail)> {
         let mut details = vec![("recurrence", Detail::Word(self.kind().name()))];
         let angle = |value| Detail::Real(value, Dimension::Angle);

@@ -461,7 +461,6 @@ impl Sliding {
     }
 
     /// Direction of slip.
-    #[must_use]
     pub const fn direction(&self) -> Direction {
         self.direction
     }
@@ -475,7 +474,6 @@ impl Sliding {
     }
 
     /// Number of Taylor steps of the phase.
-    #[must_use]
     pub fn steps(&self) -> usize {
         self.steps.len()
     }
@@ -486,7 +484,6 @@ impl Sliding {
     }
 
     /// State after the time `elapsed` since the phase began.
-    #[must_use]
     pub fn state(&self, elapsed: f64) -> State {
         let (within, gained) = match self.cycle {
             Some(Cycle { from, period, advance }) if elapsed > from => {
