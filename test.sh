@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Tests on a fresh machine that has Rust, Python 3.11 and node 20; on Debian, as root, it installs Chromium.
 #
-#   ./test.sh                   the product: format, lints, documentation, tests of the crates (the certified motions among them), of the Python
-#                               package, of the page and of the site; 33 minutes of one core
-#   ./test.sh --all             everything, the evidence too
+#   ./test.sh                   the product: tests of the crates (the certified motions among them), of the Python package, of the page and of
+#                               the site
+#   ./test.sh --all             everything: the thorough tests of each, lints, the reference, and the evidence
 #   ./test.sh STAGE ARGUMENT…   one stage; `./test.sh --list` has all of them
 #
 # At its end it counts, and says what took how long.
@@ -20,7 +20,8 @@ export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
 stage_names() { sed -n 's/^stage_\([a-z-]*\)() {.*/\1/p' scripts/stages.sh; }
 
 case "${1:-}" in
-  "" | --all) ;;
+  "") ;;
+  --all) export LITTLEWOOD_THOROUGH=1 ;;
   --list)
     sed -n 's/^stage_\([a-z-]*\)() { # \(.*\)/\1\t\2/p' scripts/stages.sh | expand -t 16
     exit
@@ -57,19 +58,16 @@ end_beside() {
   return "$code"
 }
 
+compiled=(build) python_side=(python)
+[ -z "${LITTLEWOOD_THOROUGH:-}" ] || compiled=(format first-command clippy rustdoc build core) python_side+=(evidence)
 begin_beside environments
-for name in format first-command clippy rustdoc; do stage "$name"; done
+for name in "${compiled[@]}"; do stage "$name"; done
 end_beside
-stage build
+stage wheel
 export LITTLEWOOD_BUILT=1
 
-python_side=(python)
-[ "${1:-}" != --all ] || python_side+=(evidence core)
 begin_beside "${python_side[@]}"
-stage rust
-stage without-features
-stage page
-stage documentation
+for name in rust page documentation; do stage "$name"; done
 end_beside
 
 echo

@@ -1,4 +1,5 @@
 # The stages of test.sh, for it to source: `./test.sh NAME ARGUMENT…` calls stage_NAME. Each builds what it needs and is not there.
+# LITTLEWOOD_THOROUGH=1, which --all sets, adds the thorough tests: more cases, or all that are named, of what the others show.
 # shellcheck shell=bash disable=SC2154,SC2164 # variables of common.sh; `set -e` is that of test.sh
 
 # The same random cases every time; another seed explores others.
@@ -27,20 +28,24 @@ stage_rustdoc() { # the reference of the crates
   RUSTDOCFLAGS="-D warnings" cargo doc "${everything[@]}" --no-deps
 }
 
-stage_build() { # everything that the stages after it run
+stage_build() { # the crates and their tests
   cargo test "${everything[@]}" --no-run
+}
+
+stage_wheel() { # the Python package, of what `build` has compiled, installed into the environment of its tests
+  python_environment
   built
 }
 
 stage_rust() { # tests of the crates; those of the core compare with the certified motions. Arguments of cargo test
   same_cases
-  cargo test "${everything[@]}" --no-fail-fast "$@"
-}
-
-stage_without-features() { # it builds, and says what it lacks
-  [ -x "$target/debug/littlewood-without-features" ] || stage_first-command
-  LITTLEWOOD_WITHOUT_FEATURES="$target/debug/littlewood-without-features" \
-    cargo test "${everything[@]}" --test all -- --ignored --exact features::a_program_without_features_names_them
+  local thorough=()
+  if [ -n "${LITTLEWOOD_THOROUGH:-}" ]; then
+    export LITTLEWOOD_WITHOUT_FEATURES="$target/debug/littlewood-without-features"
+    [ -x "$LITTLEWOOD_WITHOUT_FEATURES" ] || stage_first-command
+    thorough=(-- --include-ignored)
+  fi
+  cargo test "${everything[@]}" --no-fail-fast "$@" "${thorough[@]}"
 }
 
 stage_python() { # lints, types and tests of the package. Arguments of pytest
@@ -53,9 +58,11 @@ stage_python() { # lints, types and tests of the package. Arguments of pytest
   )
   built
   # What is tested from here on is the wheel: `-P` and the folder keep the sources off the path.
+  local chosen=(-m "not thorough")
+  [ -z "${LITTLEWOOD_THOROUGH:-}" ] || chosen=()
   cd "$target/python"
   "$python" -P -m mypy.stubtest --mypy-config-file "$root/python/stubtest.ini" littlewood._core
-  "$python" -P -m pytest -q -c "$root/python/pyproject.toml" --rootdir "$root/python" "$root/python/tests" "$@"
+  "$python" -P -m pytest -q -c "$root/python/pyproject.toml" --rootdir "$root/python" "$root/python/tests" "${chosen[@]}" "$@"
   local installed
   installed="$("$python" -P -c 'import littlewood, pathlib; print(pathlib.Path(littlewood.__file__).parent)')"
   "$python" -P -m pytest -q -p no:cacheprovider --doctest-modules "$installed" --ignore "$installed/torch.py"
@@ -70,7 +77,9 @@ stage_page() { # lints of TypeScript, and the laboratory in Chromium (CHROMIUM n
   # What WebAssembly has to agree with, bit for bit.
   "$target/debug/examples/bits" >web/bits.txt
   cd web
-  LITTLEWOOD="$LITTLEWOOD_BIN" npx playwright test "$@"
+  local chosen=(--grep-invert @thorough)
+  [ -z "${LITTLEWOOD_THOROUGH:-}" ] || chosen=()
+  LITTLEWOOD="$LITTLEWOOD_BIN" npx playwright test "${chosen[@]}" "$@"
 }
 
 stage_documentation() { # the site: its equations, commands, code, links, and its pages in Chromium. Arguments of pytest
@@ -112,8 +121,8 @@ stage_bits() { # `native`, `wasm`, `python`: 100,000 motions have the bits of cr
 stage_properties() { # property tests and fuzzers for longer, with another PROPTEST_RNG_SEED each time, which a failure prints
   export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-$(date +%s)}" PROPTEST_CASES="${PROPTEST_CASES:-4096}"
   echo "PROPTEST_RNG_SEED=$PROPTEST_RNG_SEED"
-  cargo test --release --package littlewood --package littlewood-sweep --package littlewood-film --locked --no-fail-fast
-  LITTLEWOOD_FUZZ_SECONDS=900 cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --nocapture
+  cargo test --release --package littlewood --package littlewood-sweep --package littlewood-film --locked --no-fail-fast -- --include-ignored
+  LITTLEWOOD_FUZZ_SECONDS=900 cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --include-ignored --nocapture
 }
 
 stage_coverage() { # of the core by its own tests: target/coverage/html, and at least 97 % of its lines. Needs cargo-llvm-cov and llvm-tools

@@ -37,7 +37,7 @@ function pictures(motion: core.Motion): Uint8Array {
   return new Uint8Array(view.buffer);
 }
 
-test('the named cases and a thousand random starts have the same bits natively and in WebAssembly', () => {
+test('the named cases and a thousand random starts have the same bits natively and in WebAssembly', { tag: '@thorough' }, () => {
   // Written by `cargo run -p littlewood-web --example bits`.
   const lines = readFileSync(new URL('../bits.txt', import.meta.url), 'utf8')
     .trim()

@@ -204,7 +204,7 @@ test('the case says what is changed', async ({ page }) => {
   await expect(field(page, 'radius_m')).toHaveValue('0.45');
 });
 
-test('the map of several workers is that of one', async ({ browser, baseURL }) => {
+test('the map of several workers is that of one', { tag: '@thorough' }, async ({ browser, baseURL }) => {
   test.slow();
   const pictures: string[] = [];
   for (const cores of [2, 4]) {

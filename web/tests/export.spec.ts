@@ -31,7 +31,7 @@ test('data have the format of the command line', async ({ page }) => {
   await expect(page.locator('#samples-message')).not.toBeEmpty();
 });
 
-test('every view is an SVG and a PNG', async ({ page }) => {
+test('every view is an SVG and a PNG', { tag: '@thorough' }, async ({ page }) => {
   await open(page, 'case=figure-3&at=2');
   await page.locator('#open-share').click();
   await expect(page.locator('#picture-impact')).toBeHidden();

@@ -168,7 +168,7 @@ test('a massless hoop cannot bounce, and the page says why', async ({ page }) =>
   await expect(page.locator('#no-impact')).toBeEmpty();
 });
 
-test('each material sets its three numbers and says where they are from', async ({ page }) => {
+test('each material sets its three numbers and says where they are from', { tag: '@thorough' }, async ({ page }) => {
   await open(page, 'case=figure-3');
   for (const { name, mu_s, mu_k, restitution, isIndicative, friction, impact } of MATERIALS) {
     await page.locator('#material').selectOption(name);
@@ -211,7 +211,7 @@ test('the parts of the energy add up to that of the start at every time', async 
   }
 });
 
-test('the map shows the number of hops', async ({ page }) => {
+test('the map shows the number of hops', { tag: '@thorough' }, async ({ page }) => {
   await open(page, 'case=two-hops');
   await expect(page.locator('html[data-map=done]')).toBeAttached();
   await expect(page.locator('#legend li').first()).not.toHaveText('no landing');

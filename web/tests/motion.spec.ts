@@ -44,7 +44,7 @@ test('figure 7 has the times of its closed form', async ({ page }) => {
   expect(Math.abs((await endOf(page)) - slip.time - (Math.sqrt(89) - 3) / 5)).toBeLessThan(1e-9);
 });
 
-test('every named case is in the menu and shows its motion', async ({ page }) => {
+test('every named case is in the menu and shows its motion', { tag: '@thorough' }, async ({ page }) => {
   await open(page, 'level=full');
   const names = await page.locator('#case option:not([value=""])').evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
   expect(names).toHaveLength(23);

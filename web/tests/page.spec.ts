@@ -9,7 +9,7 @@ import { DIMENSIONLESS, QUANTITY_ROWS, SI } from '../src/generated/tables';
 import { open, phases, pixelOf, ready, swipe } from './lab';
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
+  test(`axe finds nothing, ${colorScheme}`, { tag: '@thorough' }, async ({ page }) => {
     test.slow();
     await page.emulateMedia({ colorScheme });
     for (const state of [
@@ -34,7 +34,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-test('axe finds nothing in the simple view and in a lesson', async ({ page }) => {
+test('axe finds nothing in the simple view and in a lesson', { tag: '@thorough' }, async ({ page }) => {
   test.slow();
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
@@ -48,7 +48,7 @@ test('axe finds nothing in the simple view and in a lesson', async ({ page }) =>
   }
 });
 
-test('every view is drawn, and nothing is wider than the screen', async ({ page }, info) => {
+test('every view is drawn, and nothing is wider than the screen', { tag: '@thorough' }, async ({ page }, info) => {
   const screens = [
     ['light', 1440, 900],
     ['dark', 1440, 900],

@@ -236,7 +236,7 @@ test('its links lead into the laboratory, and back', async ({ page }) => {
 });
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
+  test(`axe finds nothing, ${colorScheme}`, { tag: '@thorough' }, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     for (const name of ['story', 'sheet']) {
       await open(page, name);

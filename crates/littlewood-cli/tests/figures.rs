@@ -158,6 +158,7 @@ fn without_restitution_the_figures_of_impacts_are_left_out() {
 }
 
 #[test]
+#[ignore = "thorough"]
 fn every_named_motion_has_figures_and_a_line_tells_what_is_left_out() {
     let names = CASES.iter().map(|case| case.name).chain(["libration"]);
     for name in names {
