@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::fs;
 use std::path::Path;
 
-use crate::support::table::{Table, write_table};
+use crate::support::table::Table;
 use crate::support::{FIGURE_3_EVENTS, assert_close, complaint, json, littlewood, number, text, tree};
 
 /// The hoop of Figure 2.
@@ -393,17 +393,11 @@ fn several_outputs_are_of_one_run() {
 }
 
 #[test]
-fn a_list_in_parquet_is_followed_and_may_say_where_and_when() {
+fn a_list_may_say_where_and_when_and_is_csv() {
     let folder = folder();
-    let starts = path(&folder, "starts.parquet");
-    let columns: [(&str, &[f64]); 4] = [
-        ("theta", &[FRAC_PI_2, FRAC_PI_2]),
-        ("theta_rate", &[2.0, 2.0]),
-        ("time", &[0.0, 10.0]),
-        ("x", &[0.0, 1.0]),
-    ];
-    write_table(Path::new(&starts), columns.into_iter());
-    let out = path(&folder, "motions.parquet");
+    let [starts, out, other] = ["starts.csv", "motions.parquet", "b.parquet"].map(|name| path(&folder, name));
+    let rows = format!("theta,theta_rate,time,x\n{FRAC_PI_2},2,0,0\n{FRAC_PI_2},2,10,1\n");
+    fs::write(&starts, rows).expect("written");
     let found = json(&[&["sweep"], &FIGURE_2[..], &["--starts", &starts, "--out", &out]].concat());
     assert_eq!(found["counts"]["lifts_off_later"], 2);
     let table = Table::read(&out);
@@ -412,10 +406,8 @@ fn a_list_in_parquet_is_followed_and_may_say_where_and_when() {
     assert_close(values("lift_off_time")[0], lift_off, 1e-13);
     assert_close(values("lift_off_time")[1], 10.0 + lift_off, 1e-13);
     assert_close(values("end_x")[1] - values("end_x")[0], 1.0, 1e-13);
-    // A table of results is no list of starts.
-    let message =
-        complaint(&["sweep", "figure-3", "--starts", &out, "--out", &path(&folder, "b.parquet")], 2);
-    assert!(message.contains("no quantity \"outcome\"") && message.contains("hint:"), "{message}");
+    let message = complaint(&["sweep", "figure-3", "--starts", &out, "--out", &other], 2);
+    assert!(message.contains("a list of starts ends in .csv") && message.contains("to_csv"), "{message}");
 }
 
 /// The hoop of Figure 2 made of 2 kg with a radius of 0.5 m where g = 8 m/s²: the unit of time is 0.25 s.

@@ -1,4 +1,4 @@
-//! Lists of starts from CSV and Parquet.
+//! Lists of starts from CSV.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
 
@@ -6,10 +6,10 @@ use crate::support;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::support::table::{Cells, Table, write_table};
+use crate::support::table::Table;
 use crate::support::{figure_2, workers};
+use littlewood::Limits;
 use littlewood::tables::{Quantity, Setup};
-use littlewood::{Limits, ParameterError};
 use littlewood_sweep::{ListError, Options, StartList, SweepError, Target, sweep_list};
 use parquet::record::Field;
 
@@ -72,8 +72,10 @@ fn mistakes_in_csv_are_named_with_line_and_column() {
     assert_eq!(message(""), "starts.csv: no starts in it");
     let missing = StartList::open(Path::new("/nowhere/starts.csv"), figure_2()).unwrap_err();
     assert!(matches!(missing, ListError::Unreadable { .. }), "{missing}");
-    let other = StartList::open(Path::new("starts.txt"), figure_2()).unwrap_err();
-    assert!(matches!(other, ListError::UnknownFormat { .. }), "{other}");
+    for name in ["starts.txt", "starts.parquet", "csv"] {
+        let other = StartList::open(Path::new(name), figure_2()).unwrap_err();
+        assert!(matches!(other, ListError::UnknownFormat { .. }), "{other}");
+    }
 }
 
 #[test]
@@ -84,70 +86,6 @@ fn a_fixed_value_without_meaning_is_refused_before_anything_is_written() {
     let path = csv(folder.path(), "theta\n1\n");
     let error = StartList::open(&path, base).unwrap_err();
     assert!(matches!(error, ListError::Fixed { .. }), "{error}");
-}
-
-fn parquet(path: &Path, columns: &[(&str, Cells)]) {
-    write_table(path, columns, None);
-}
-
-#[test]
-fn a_parquet_list_is_read_whatever_its_numbers_are() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("starts.parquet");
-    parquet(
-        &path,
-        &[
-            ("required int64 theta_rate", Cells::Int64(vec![1, -2])),
-            ("required float theta", Cells::Float(vec![0.5, -0.25])),
-            ("required int32 mass_ratio (integer(8, false))", Cells::Int32(vec![200, 3])),
-            ("required int64 inertia (integer(64, false))", Cells::Int64(vec![5, 4])),
-            ("optional double x", Cells::Some(vec![7.0, 8.0], vec![1, 1])),
-        ],
-    );
-    let list = StartList::open(&path, figure_2()).unwrap();
-    let points: Vec<Setup> = list.points().unwrap().map(|row| row.unwrap().1).collect();
-    let starts: Vec<(f64, f64, f64)> =
-        points.iter().map(|point| (point.start.theta, point.start.theta_rate, point.start.x)).collect();
-    assert_eq!(starts, [(0.5, 1.0, 7.0), (-0.25, -2.0, 8.0)]);
-    let hoops: Vec<(f64, f64)> =
-        points.iter().map(|point| (point.hoop.mass_ratio, point.hoop.inertia)).collect();
-    assert_eq!(hoops, [(200.0, 5.0), (3.0, 4.0)]);
-    // Without a sign the bits of −1 are 2⁶⁴ − 1, which is too much.
-    parquet(&path, &[("required int64 inertia (integer(64, false))", Cells::Int64(vec![-1]))]);
-    let error = StartList::open(&path, figure_2()).unwrap_err();
-    let ListError::BadValue { line: 1, source: ParameterError::OutOfBounds { value, .. }, .. } = error else {
-        panic!("{error}");
-    };
-    assert_eq!(value, 18_446_744_073_709_551_615.0);
-}
-
-#[test]
-fn mistakes_in_parquet_are_named_with_row_and_column() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("starts.parquet");
-    let open = || StartList::open(&path, figure_2()).unwrap_err();
-    parquet(&path, &[("optional double theta", Cells::Some(vec![1.0], vec![1, 0]))]);
-    assert!(
-        open().to_string().ends_with("line 2, column theta: \"null\" is not a finite number"),
-        "{}",
-        open()
-    );
-    parquet(&path, &[("required double theta", Cells::Double(vec![1.0, 2.0, f64::INFINITY]))]);
-    assert!(
-        open().to_string().ends_with("line 3, column theta: \"inf\" is not a finite number"),
-        "{}",
-        open()
-    );
-    for (line, cells) in [
-        ("required binary theta (utf8)", Cells::Text(vec!["1"])),
-        ("required int64 theta (timestamp(millis, true))", Cells::Int64(vec![1])),
-        ("required int32 theta (decimal(5, 2))", Cells::Int32(vec![1])),
-    ] {
-        parquet(&path, &[(line, cells)]);
-        assert!(matches!(open(), ListError::NotNumbers { .. }), "{line}: {}", open());
-    }
-    fs::write(&path, "not parquet").unwrap();
-    assert!(matches!(open(), ListError::BadParquet { .. }), "{}", open());
 }
 
 #[test]

@@ -52,8 +52,8 @@ pub(super) const SWEEP: &str = "\
 Simulate a grid of starts with any number of axes (see `littlewood map --help`), the last varying fastest, or a \
 list.
 
-A list is a CSV file with a header, or a Parquet file; its columns are named as axes are, or x and time; other \
-quantities come from the case, the scenario or the flags. --out takes a Parquet file (.parquet), or for a grid a Zarr v3 \
+A list is a CSV file with a header; its columns are named as axes are, or x and time; other quantities come from \
+the case, the scenario or the flags. --out takes a Parquet file (.parquet), or for a grid a Zarr v3 \
 store (.zarr); the rows of a table are in the order of the list. With more than 16,777,216 starts .parquet is a folder \
 of files, which readers take as one table. Ctrl-C keeps finished chunks, and --resume continues from \
 them; until a table is complete it is in NAME.parquet.parts.";
@@ -69,8 +69,8 @@ pub(super) const ATLAS: &str = "\
 Count the sequences of phases that occur on a grid of starts, with an example of each.
 
 R is rolling, + and - sliding, g, n and G gliding, F flight. Without --axis the grid is theta=-pi:pi:200 and \
-theta_rate=-4:4:200. With --hoops the grid is that of every hoop of a list, a CSV file with a header, or a Parquet file, \
-with columns such as mass_ratio and inertia.
+theta_rate=-4:4:200. With --hoops the grid is that of every hoop of a list, a CSV file with a header, with columns \
+such as mass_ratio and inertia.
 
 With --first-turn a motion is followed as by Theron and Maritz (2008): from the top, with mu_k = mu_s, to one \
 revolution, to the instant when theta' changes sign, or to lift-off; the grid is then theta_rate=0.01:2:200 and \
@@ -128,7 +128,7 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis,
           required_unless_present = "starts", conflicts_with = "starts")]
     pub(crate) axis: Vec<TypedAxis>,
-    /// A list of starts, .csv or .parquet
+    /// A list of starts, .csv
     #[arg(long, value_name = "FILE")]
     pub(crate) starts: Option<PathBuf>,
     #[command(flatten)]
@@ -148,7 +148,7 @@ pub(crate) struct AtlasArgs {
     /// An axis of the grid; give one or more
     #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
     pub(crate) axis: Vec<TypedAxis>,
-    /// A list of hoops, .csv or .parquet; the grid is that of each
+    /// A list of hoops, .csv; the grid is that of each
     #[arg(long, value_name = "FILE")]
     pub(crate) hoops: Option<PathBuf>,
     /// Simulate the first turn of each motion, with mu_k = mu_s, from the top unless --theta or an axis says otherwise

@@ -131,18 +131,17 @@ fn of_list(error: &ListError) -> String {
     match error {
         ListError::BadValue { source, .. } | ListError::Fixed { source, .. } => source.hint().to_owned(),
         ListError::Changed { .. } => "give the command again when nothing writes to the list".to_owned(),
-        ListError::NotBuilt { .. } => "give the list as CSV".to_owned(),
+        ListError::UnknownFormat { .. } => {
+            "a list is a CSV file, NAME.csv, which a data frame writes with `to_csv(..., index=False)`"
+                .to_owned()
+        }
         ListError::Unreadable { .. }
-        | ListError::UnknownFormat { .. }
         | ListError::UnknownColumn { .. }
         | ListError::DuplicateColumn { .. }
         | ListError::Empty { .. }
         | ListError::BadLine { .. }
-        | ListError::BadCell { .. }
-        | ListError::NotNumbers { .. }
-        | ListError::BadParquet { .. } => {
-            "a list is a CSV file with a header, or a Parquet file; columns are named as axes are, cells are finite \
-             numbers"
+        | ListError::BadCell { .. } => {
+            "a list is a CSV file with a header; columns are named as axes are, cells are finite numbers"
                 .to_owned()
         }
     }

@@ -1,4 +1,4 @@
-//! Lists of starts, CSV and Parquet: as they should be, and damaged.
+//! Lists of starts: as they should be, and damaged.
 
 use std::fs;
 use std::path::Path;
@@ -7,10 +7,9 @@ use littlewood::tables::{Quantity, Setup};
 use littlewood::{HoopParameters, Start};
 use littlewood_sweep::StartList;
 
-use crate::fuzz::damage::{damage, damage_text};
+use crate::fuzz::damage::damage_text;
 use crate::fuzz::program::{judge, run as run_program};
 use crate::fuzz::{Case, Verdict};
-use crate::support::table::write_table;
 use littlewood_random::Draw;
 
 /// Where nothing else is said.
@@ -21,30 +20,16 @@ const THROUGH_THE_PROGRAM: f64 = 0.1;
 
 pub(crate) fn run(case: &mut Case) -> Verdict {
     let draw = &mut case.draw;
-    let is_csv = draw.comes(0.5);
-    let name = if is_csv { "starts.csv" } else { "starts.parquet" };
-    let path = case.folder.join(name);
+    let path = case.folder.join("starts.csv");
     let table = Table::random(draw);
-    let mut harm = String::new();
-    if is_csv {
-        let mut text = table.csv(draw);
-        while draw.comes(0.4) {
-            text = damage_text(draw, &text);
-        }
-        fs::write(&path, text).expect("written");
-    } else {
-        table.parquet(&path);
-        let mut bytes = fs::read(&path).expect("a file");
-        while draw.comes(0.5) {
-            harm += &damage(draw, &mut bytes);
-            harm += "; ";
-        }
-        fs::write(&path, bytes).expect("written");
+    let mut text = table.csv(draw);
+    while draw.comes(0.4) {
+        text = damage_text(draw, &text);
     }
-    case.told
-        .tell(format!("littlewood sweep figure-3 --starts {} --out list.parquet  {harm}", path.display()));
+    fs::write(&path, text).expect("written");
+    case.told.tell(format!("littlewood sweep figure-3 --starts {} --out list.parquet", path.display()));
     if draw.comes(THROUGH_THE_PROGRAM) {
-        let words = ["sweep", "figure-3", "--until=9", "--starts", name, "--out", "list.parquet"];
+        let words = ["sweep", "figure-3", "--until=9", "--starts", "starts.csv", "--out", "list.parquet"];
         return judge(&run_program(&words.map(str::to_owned), &case.folder));
     }
     match read(&path) {
@@ -96,14 +81,5 @@ impl Table {
             text += end;
         }
         text
-    }
-
-    fn parquet(&self, path: &Path) {
-        if self.columns.is_empty() {
-            fs::write(path, b"PAR1PAR1").expect("written");
-            return;
-        }
-        let columns = self.columns.iter().map(|(quantity, values)| (quantity.name(), values.as_slice()));
-        write_table(path, columns);
     }
 }

@@ -1,32 +1,10 @@
-//! Parquet files of numbers, written and read.
+//! Parquet files, read row by row.
 
 use std::fs::File;
-use std::path::Path;
-use std::sync::Arc;
 
-use parquet::data_type::DoubleType;
 use parquet::file::reader::FileReader as _;
 use parquet::file::serialized_reader::SerializedFileReader;
-use parquet::file::writer::SerializedFileWriter;
 use parquet::record::{Field, Row};
-use parquet::schema::parser::parse_message_type;
-
-/// Writes columns of numbers.
-pub(crate) fn write_table<'a>(path: &Path, columns: impl Iterator<Item = (&'a str, &'a [f64])>) {
-    let columns: Vec<(&str, &[f64])> = columns.collect();
-    let lines: String = columns.iter().map(|(name, _)| format!("required double {name};")).collect();
-    let schema = parse_message_type(&format!("message table {{ {lines} }}")).expect("a schema");
-    let file = File::create(path).expect("a file");
-    let mut writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::default()).expect("a writer");
-    let mut group = writer.next_row_group().expect("a row group");
-    for (_, values) in columns {
-        let mut column = group.next_column().expect("a column").expect("as many as there are");
-        column.typed::<DoubleType>().write_batch(values, None, None).expect("written");
-        column.close().expect("closed");
-    }
-    group.close().expect("closed");
-    writer.close().expect("closed");
-}
 
 /// A table that has been read.
 pub(crate) struct Table(Vec<Row>);

@@ -18,10 +18,8 @@ mod arrow;
 mod column;
 mod file;
 mod flatbuffer;
-mod open;
 mod read;
 mod table;
 
 pub(crate) use file::OneFile;
-pub(crate) use open::open_reader;
 pub(crate) use table::Table;

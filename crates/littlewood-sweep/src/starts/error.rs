@@ -10,18 +10,15 @@ use thiserror::Error;
 use crate::axis::names;
 use crate::setup::quantities;
 
-/// What is wrong with a list of starts. Lines, or rows of a Parquet file, are counted from 1.
+/// What is wrong with a list of starts. Lines are counted from 1.
 #[derive(Debug, Error)]
 #[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum ListError {
     /// The file cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Unreadable { path: PathBuf, source: io::Error },
-    /// A Parquet file, for which this program has no reader.
-    #[error("{}: this program was built without the feature `parquet`", path.display())]
-    NotBuilt { path: PathBuf },
-    /// Neither `.csv` nor `.parquet`.
-    #[error("{}: a list of starts ends in .csv or .parquet", path.display())]
+    /// A name that does not end in `.csv`.
+    #[error("{}: a list of starts ends in .csv", path.display())]
     UnknownFormat { path: PathBuf },
     /// A header that is not a quantity of a hoop or a start.
     #[error("{}: there is no quantity {column:?}; columns are {}", path.display(), names(&quantities().collect::<Vec<_>>()))]
@@ -44,12 +41,6 @@ pub enum ListError {
     /// A value that the list has no column for has no physical meaning.
     #[error("fixed {column}: {source}")]
     Fixed { column: Quantity, source: ParameterError },
-    /// A Parquet column that does not hold numbers.
-    #[error("{}: column {column} holds {found}, not numbers", path.display())]
-    NotNumbers { path: PathBuf, column: Quantity, found: String },
-    /// Not a Parquet file, or a damaged one.
-    #[error("{}: {reason}", path.display())]
-    BadParquet { path: PathBuf, reason: String },
     /// The file is not the one that was opened.
     #[error("{} has changed while it was read", path.display())]
     Changed { path: PathBuf },

@@ -40,15 +40,14 @@ getters! {
 }
 
 impl StartList {
-    /// Opens a `.csv` or `.parquet` file and checks every cell.
+    /// Opens a `.csv` file and checks every cell.
     ///
     /// # Errors
-    /// Says what is wrong, and in which line and column. The first line of a CSV file, its header, is line 1; the first
-    /// row of a Parquet file is row 1.
+    /// Says what is wrong, and in which line and column. The header is line 1.
     pub fn open(path: &Path, base: Setup) -> Result<Self, ListError> {
         let mut rows = Rows::open(path, base)?;
         let content = checksum(path)?;
-        let columns = rows.columns().to_vec();
+        let columns = rows.columns.clone();
         let mut list =
             Self { path: path.to_owned(), base, columns, rows: 0, content, derivatives: Vec::new() };
         if list.columns.is_empty() {
@@ -100,7 +99,7 @@ impl StartList {
     /// The rows from the first one on.
     pub(crate) fn read(&self) -> Result<Rows, ListError> {
         let rows = Rows::open(&self.path, self.base)?;
-        if rows.columns() == self.columns { Ok(rows) } else { Err(self.changed()) }
+        if rows.columns == self.columns { Ok(rows) } else { Err(self.changed()) }
     }
 
     /// The error that the file is not the one that was opened.

@@ -1,11 +1,7 @@
-//! Lists of starts, read from CSV or Parquet a chunk at a time.
+//! Lists of starts, read from CSV a chunk at a time.
 
-mod csv;
 mod error;
-mod header;
 mod list;
-#[cfg(feature = "parquet")]
-mod parquet;
 mod rows;
 
 pub use error::ListError;

@@ -10,7 +10,7 @@ use littlewood_sweep::{
 use serde_json::{Value, json};
 
 use crate::store::runs::{each_kind, interrupted, options, store_of};
-use crate::support::table::{Cells, write_table};
+use crate::support::table::write_table;
 use crate::support::{assert_same_tree, mixed, tree, workers};
 
 /// The version that a run is refused for.
@@ -84,8 +84,7 @@ fn a_file_of_the_first_version_is_refused() {
     let path = folder.path().join("table.parquet");
     // What the footer of a file of version 1 said of its run: no format.
     let run = json!({ "version": "0.1.0", "points": "grid" }).to_string();
-    let columns = [("required double theta", Cells::Double(vec![0.5]))];
-    write_table(&path, &columns, Some(("littlewood_run", run)));
+    write_table(&path, "littlewood_run", run);
     let before = fs::read(&path).unwrap();
     let resume = Options { resume: true, ..options("grid file") };
     let version = refused(sweep_grid(

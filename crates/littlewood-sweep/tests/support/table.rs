@@ -4,7 +4,7 @@ use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
-use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, FloatType, Int32Type, Int64Type};
+use parquet::data_type::DoubleType;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::reader::FileReader as _;
@@ -13,44 +13,17 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::record::{Field, Row};
 use parquet::schema::parser::parse_message_type;
 
-/// The values of a column that a test writes.
-pub(crate) enum Cells {
-    Int32(Vec<i32>),
-    Int64(Vec<i64>),
-    Float(Vec<f32>),
-    Double(Vec<f64>),
-    /// With nulls: the values that are there, and for each row whether there is one.
-    Some(Vec<f64>, Vec<i16>),
-    Text(Vec<&'static str>),
-}
-
-/// Writes columns, which a line of a schema describes each, into a row group, with an entry in the footer.
-pub(crate) fn write_table(path: &Path, columns: &[(&str, Cells)], entry: Option<(&str, String)>) {
-    let lines: String = columns.iter().map(|(line, _)| format!("{line};")).collect();
-    let schema = parse_message_type(&format!("message table {{ {lines} }}")).unwrap();
-    let entry = entry.map(|(key, value)| vec![KeyValue::new(key.to_owned(), value)]);
+/// Writes a table of one number, with an entry in the footer.
+pub(crate) fn write_table(path: &Path, key: &str, value: String) {
+    let schema = parse_message_type("message table { required double theta; }").unwrap();
+    let entry = Some(vec![KeyValue::new(key.to_owned(), value)]);
     let properties = WriterProperties::builder().set_key_value_metadata(entry).build();
     let file = File::create(path).unwrap();
     let mut writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties)).unwrap();
     let mut group = writer.next_row_group().unwrap();
-    for (_, cells) in columns {
-        let mut column = group.next_column().unwrap().unwrap();
-        match cells {
-            Cells::Int32(values) => column.typed::<Int32Type>().write_batch(values, None, None),
-            Cells::Int64(values) => column.typed::<Int64Type>().write_batch(values, None, None),
-            Cells::Float(values) => column.typed::<FloatType>().write_batch(values, None, None),
-            Cells::Double(values) => column.typed::<DoubleType>().write_batch(values, None, None),
-            Cells::Some(values, is_there) => {
-                column.typed::<DoubleType>().write_batch(values, Some(is_there), None)
-            }
-            Cells::Text(values) => {
-                let values: Vec<ByteArray> = values.iter().map(|&text| text.into()).collect();
-                column.typed::<ByteArrayType>().write_batch(&values, None, None)
-            }
-        }
-        .unwrap();
-        column.close().unwrap();
-    }
+    let mut column = group.next_column().unwrap().unwrap();
+    column.typed::<DoubleType>().write_batch(&[0.5], None, None).unwrap();
+    column.close().unwrap();
     group.close().unwrap();
     writer.close().unwrap();
 }
