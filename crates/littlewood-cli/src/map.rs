@@ -17,7 +17,6 @@ use crate::report::sweep::{self, Run};
 use crate::store::{self, Kind};
 use crate::work::{self, Base};
 
-/// Runs the command.
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
     let size = PictureSize { width: args.size.0, height: args.size.1 };
@@ -82,7 +81,6 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let write = |kind: Kind, file: Output| {
         let bytes = match (kind, &plane) {
             (Kind::Csv, Some(plane)) => return file.write(|writer| plane.csv(writer)),
-            (Kind::Json, Some(plane)) => return file.write(|writer| plane.json(writer)),
             (Kind::Svg, _) => picture.figure(args.width_mm).map_err(Error::Drawing)?.svg().into_bytes(),
             #[cfg(feature = "figures")]
             (Kind::Pdf, _) => picture.figure(args.width_mm).map_err(Error::Drawing)?.pdf(),
@@ -95,7 +93,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
             }
             .map_err(Error::Drawing)?,
             // There is a plane where a text is wanted; the others are written chunk by chunk.
-            (Kind::Csv | Kind::Json, None) | (Kind::Zarr | Kind::Parquet, _) => return Ok(()),
+            (Kind::Csv, None) | (Kind::Zarr | Kind::Parquet, _) => return Ok(()),
         };
         file.write(|writer| writer.write_all(&bytes))
     };

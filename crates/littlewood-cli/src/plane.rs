@@ -1,22 +1,16 @@
-//! A plane as text: what has become of each of its starts, as CSV or JSON.
+//! A plane as text: what has become of each of its starts, as CSV.
 
 use std::io::{self, Write};
 use std::path::Path;
 
-use littlewood::tables::{Class, ColumnType, DerivativeColumn, PhaseSequence, SummaryColumn, SummaryValue};
-use littlewood::{OutcomeKind, Summary};
+use littlewood::Summary;
+use littlewood::tables::{Class, ColumnType, DerivativeColumn, SummaryColumn, SummaryValue};
 use littlewood_sweep::{Axis, Chunk, Columns, Grid};
-use serde::Serialize;
-use serde::ser::{SerializeMap as _, Serializer};
 
 use crate::error::Error;
 
 /// Starts that are written as text at most: they are all held, and text is read whole.
 const MOST: u64 = 1 << 20;
-
-/// The column of the classes that pictures show and the summary of a run counts: by the first lift-off, where there is one. `outcome` is the
-/// end of the motion, which with restitution comes later.
-const CLASS: &str = "class";
 
 /// The results of a grid, in the order of its points, the last axis fastest.
 pub(crate) struct Plane<'a> {
@@ -38,7 +32,6 @@ impl<'a> Plane<'a> {
         Ok(Self { axes: grid.axes(), summaries: vec![Summary::NOT_COMPUTED; len], derivatives })
     }
 
-    /// Adds the results of a chunk.
     pub(crate) fn add(&mut self, chunk: &Chunk, columns: &Columns) {
         for (row, (indices, summary)) in chunk.indices().zip(columns.summaries()).enumerate() {
             let place = indices.iter().zip(self.axes).fold(0, |place, (i, axis)| place * axis.count() + i);
@@ -54,7 +47,9 @@ impl<'a> Plane<'a> {
         let axes = self.axes.iter().map(|axis| axis.varies().name().to_owned());
         let columns = SummaryColumn::ALL.iter().map(SummaryColumn::to_string);
         let derivatives = self.derivatives.iter().map(|(column, _)| column.to_string());
-        let names: Vec<String> = axes.chain(columns).chain([CLASS.to_owned()]).chain(derivatives).collect();
+        // The classes that pictures show: by the first lift-off. With restitution `outcome`, the end, comes later.
+        let class = ["class".to_owned()];
+        let names: Vec<String> = axes.chain(columns).chain(class).chain(derivatives).collect();
         writeln!(writer, "{}", names.join(","))?;
         for (place, summary) in self.summaries.iter().enumerate() {
             let mut cells: Vec<String> = vec![String::new(); self.axes.len()];
@@ -63,95 +58,28 @@ impl<'a> Plane<'a> {
                 *cell = axis.value(rest % axis.count()).to_string();
                 rest /= axis.count();
             }
-            cells.extend(SummaryColumn::ALL.into_iter().map(|column| Cell::of(column, summary).text()));
+            cells.extend(SummaryColumn::ALL.into_iter().map(|column| cell(column, summary)));
             cells.push(Class::of(summary).to_string());
-            cells.extend(self.derivatives.iter().map(|(_, values)| Cell::Real(values[place]).text()));
+            cells.extend(self.derivatives.iter().map(|(_, values)| real(values[place])));
             writeln!(writer, "{}", cells.join(","))?;
         }
         Ok(())
     }
-
-    /// The axes, and each column as a list in the order of the points. What has no value is `null`.
-    pub(crate) fn json(&self, writer: &mut dyn Write) -> io::Result<()> {
-        serde_json::to_writer(&mut *writer, self)?;
-        writeln!(writer)
-    }
-}
-
-impl Serialize for Plane<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        let axes: Vec<Values> = self
-            .axes
-            .iter()
-            .map(|axis| Values { name: axis.varies().name(), values: axis.values().collect() })
-            .collect();
-        map.serialize_entry("axes", &axes)?;
-        map.serialize_entry("columns", &Lists(self))?;
-        map.end()
-    }
-}
-
-#[derive(Serialize)]
-struct Values {
-    name: &'static str,
-    values: Vec<f64>,
-}
-
-/// The columns of a plane by their names.
-struct Lists<'a>(&'a Plane<'a>);
-
-impl Serialize for Lists<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Plane { summaries, derivatives, .. } = self.0;
-        let columns = SummaryColumn::ALL.into_iter().map(|column| {
-            let cells: Vec<Cell> = summaries.iter().map(|summary| Cell::of(column, summary)).collect();
-            (column.to_string(), cells)
-        });
-        let classes = summaries.iter().map(|summary| Cell::Word(Class::of(summary).to_string())).collect();
-        let derivatives = derivatives.iter().map(|(column, values)| {
-            let cells = values.iter().copied().map(Cell::Real).collect();
-            (column.to_string(), cells)
-        });
-        serializer.collect_map(columns.chain([(CLASS.to_owned(), classes)]).chain(derivatives))
-    }
 }
 
 /// A value of a summary, codes as words.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Cell {
-    Word(String),
-    Flag(bool),
-    Count(u64),
-    Real(f64),
+fn cell(column: SummaryColumn, summary: &Summary) -> String {
+    match (column.column_type(), column.of(summary)) {
+        (ColumnType::Outcome, _) => summary.outcome.to_string(),
+        (ColumnType::Sequence, _) => summary.sequence.to_string(),
+        (ColumnType::Flag, SummaryValue::U8(flag)) => (flag != 0).to_string(),
+        (_, SummaryValue::U8(count)) => count.to_string(),
+        (_, SummaryValue::U32(count)) => count.to_string(),
+        (_, SummaryValue::U64(count)) => count.to_string(),
+        (_, SummaryValue::F64(value)) => real(value),
+    }
 }
 
-impl Cell {
-    fn of(column: SummaryColumn, summary: &Summary) -> Self {
-        match (column.column_type(), column.of(summary)) {
-            (ColumnType::Outcome, SummaryValue::U8(code)) => Self::Word(
-                OutcomeKind::try_from(code)
-                    .map_or_else(|unknown| unknown.to_string(), |kind| kind.to_string()),
-            ),
-            (ColumnType::Sequence, SummaryValue::U64(bits)) => {
-                Self::Word(PhaseSequence::from_bits(bits).to_string())
-            }
-            (ColumnType::Flag, SummaryValue::U8(flag)) => Self::Flag(flag != 0),
-            (_, SummaryValue::U8(count)) => Self::Count(count.into()),
-            (_, SummaryValue::U32(count)) => Self::Count(count.into()),
-            (_, SummaryValue::U64(count)) => Self::Count(count),
-            (_, SummaryValue::F64(value)) => Self::Real(value),
-        }
-    }
-
-    fn text(&self) -> String {
-        match self {
-            Self::Word(word) => word.clone(),
-            Self::Flag(flag) => flag.to_string(),
-            Self::Count(count) => count.to_string(),
-            Self::Real(value) if value.is_nan() => String::new(),
-            Self::Real(value) => value.to_string(),
-        }
-    }
+fn real(value: f64) -> String {
+    if value.is_nan() { String::new() } else { value.to_string() }
 }

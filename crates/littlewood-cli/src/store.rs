@@ -7,13 +7,11 @@ use littlewood_sweep::Target;
 use crate::error::Error;
 use crate::output::{check_folder, place_of};
 
-/// What an ending stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Zarr,
     Parquet,
     Csv,
-    Json,
     /// PNG.
     Picture,
     Svg,
@@ -48,14 +46,14 @@ pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
 
 impl Kind {
     /// What a map can be written as.
-    pub(crate) const OF_A_MAP: [Self; 7] =
-        [Self::Zarr, Self::Parquet, Self::Csv, Self::Json, Self::Picture, Self::Svg, Self::Pdf];
+    pub(crate) const OF_A_MAP: [Self; 6] =
+        [Self::Zarr, Self::Parquet, Self::Csv, Self::Picture, Self::Svg, Self::Pdf];
 
     /// Whether it shows the map.
     pub(crate) const fn is_picture(self) -> bool {
         match self {
             Self::Picture | Self::Svg | Self::Pdf => true,
-            Self::Zarr | Self::Parquet | Self::Csv | Self::Json => false,
+            Self::Zarr | Self::Parquet | Self::Csv => false,
         }
     }
 
@@ -63,7 +61,7 @@ impl Kind {
     pub(crate) const fn is_drawing(self) -> bool {
         match self {
             Self::Svg | Self::Pdf => true,
-            Self::Zarr | Self::Parquet | Self::Csv | Self::Json | Self::Picture => false,
+            Self::Zarr | Self::Parquet | Self::Csv | Self::Picture => false,
         }
     }
 
@@ -72,7 +70,6 @@ impl Kind {
             Self::Zarr => "zarr",
             Self::Parquet => "parquet",
             Self::Csv => "csv",
-            Self::Json => "json",
             Self::Picture => "png",
             Self::Svg => "svg",
             Self::Pdf => "pdf",
@@ -83,7 +80,7 @@ impl Kind {
     pub(crate) const fn is_written_at_the_end(self) -> bool {
         match self {
             Self::Zarr | Self::Parquet => false,
-            Self::Csv | Self::Json | Self::Picture | Self::Svg | Self::Pdf => true,
+            Self::Csv | Self::Picture | Self::Svg | Self::Pdf => true,
         }
     }
 
@@ -93,7 +90,7 @@ impl Kind {
             Self::Zarr => Some(Target::Zarr(path)),
             Self::Parquet if starts <= ONE_FILE => Some(Target::Parquet(path)),
             Self::Parquet => Some(Target::ParquetFolder(path)),
-            Self::Csv | Self::Json | Self::Picture | Self::Svg | Self::Pdf => None,
+            Self::Csv | Self::Picture | Self::Svg | Self::Pdf => None,
         }
     }
 }

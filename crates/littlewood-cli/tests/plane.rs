@@ -2,10 +2,9 @@
 
 use std::fs;
 
-use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::support::{FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, number, text};
+use crate::support::{FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, text};
 
 /// The starts of Figure 3 and beside it.
 const AXES: [&str; 4] = ["--x", "theta=0:pi:3", "--y", "theta_rate=1:2:2"];
@@ -36,21 +35,6 @@ fn csv_has_a_row_for_each_start() {
     assert_close(real(3, "end_time"), FIGURE_3_LANDING[0], 1e-12);
     // At the bottom the hoop rolls for ever, and never lifts off.
     assert_eq!((cell(4, "outcome"), cell(4, "lift_off_time")), ("rolls_forever", ""));
-}
-
-#[test]
-fn json_has_the_axes_and_the_columns() {
-    let document: Value = serde_json::from_str(&written("plane.json")).expect("JSON");
-    assert_eq!(document["axes"][1]["name"], "theta_rate");
-    assert_eq!(document["axes"][1]["values"], serde_json::json!([1.0, 2.0]));
-    let columns = &document["columns"];
-    assert_eq!(columns["sequence"][3], "-R+F");
-    assert_close(number(&columns["lift_off_time"][3]), FIGURE_3_EVENTS[2][0], 1e-12);
-    assert_eq!(
-        (&columns["outcome"][4], &columns["lift_off_time"][4]),
-        (&"rolls_forever".into(), &Value::Null)
-    );
-    assert_eq!(columns["outcome"].as_array().map(Vec::len), Some(6));
 }
 
 #[test]

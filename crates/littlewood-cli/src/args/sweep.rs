@@ -27,7 +27,7 @@ FROM and TO may be written with pi (-pi, pi/2, 2pi). NAME=FROM:TO:COUNT:log is s
 come from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says \
 otherwise.
 
---out takes a picture (.png, or in vectors .svg and, with the feature `figures`, .pdf), a text (.csv, .json), a Zarr v3 store (.zarr) or a Parquet file (.parquet); repeat it for \
+--out takes a picture (.png, or in vectors .svg and, with the feature `figures`, .pdf), a text (.csv), a Zarr v3 store (.zarr) or a Parquet file (.parquet); repeat it for \
 several. Each motion is simulated once. Stores and Parquet need the feature `sweep`; a text has at most 1,048,576 starts. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
 table. Results are written chunk by chunk. Ctrl-C keeps finished chunks, and --resume continues from \
 them: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and an incomplete picture \
