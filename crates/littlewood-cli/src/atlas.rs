@@ -17,7 +17,6 @@ use crate::report::atlas::{self, OfHoop, Page};
 use crate::values::Given;
 use crate::work::{self, Varied};
 
-/// Runs the command.
 pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     let axes = if args.axis.is_empty() { default_axes(args.first_turn) } else { args.axis.clone() };
     let mut varied = Varied::by(&axes);

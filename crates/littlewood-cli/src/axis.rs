@@ -20,7 +20,6 @@ pub(crate) struct TypedAxis {
 }
 
 impl TypedAxis {
-    /// An axis without dimension.
     #[cfg(feature = "sweep")]
     pub(crate) const fn plain(quantity: Quantity, from: f64, to: f64, count: usize) -> Self {
         Self { varies: Varies::One(quantity), from, to, count, spacing: Spacing::Even }
@@ -110,7 +109,6 @@ pub(crate) fn varied() -> impl Iterator<Item = Varies> {
     Quantity::AXES.into_iter().map(of).chain([Varies::Friction]).chain(si_quantities().map(of))
 }
 
-/// Quantities that an axis in SI units can vary.
 pub(crate) fn si_quantities() -> impl Iterator<Item = Quantity> {
     Quantity::AXES.into_iter().filter_map(Quantity::si_twin)
 }

@@ -10,7 +10,6 @@ fn width() -> usize {
     terminal_size::terminal_size().map_or(100, |(width, _)| usize::from(width.0).clamp(60, 100))
 }
 
-/// Runs the command.
 pub(crate) fn run(args: &CasesArgs) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();

@@ -7,7 +7,6 @@ use crate::problem::Problem;
 use crate::report;
 use crate::request::Request;
 
-/// Runs the command.
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Error> {
     let problem = Problem::resolve(Request::new(&args.problem, None)?)?;
     let found = problem.classify()?;

@@ -21,7 +21,6 @@ const PATIENCE: Duration = Duration::from_secs(5);
 static ASKED: AtomicBool = AtomicBool::new(false);
 static LOOKS: AtomicBool = AtomicBool::new(false);
 
-/// Listens for the signals that ask the program to end.
 pub(crate) fn install() {
     #[cfg(unix)]
     hold_back_limits();

@@ -42,10 +42,8 @@ use clap::{CommandFactory, Parser};
 
 use crate::args::{Cli, Command, join_negative_numbers};
 
-/// Exit code of bad input.
 const BAD_INPUT: u8 = 2;
 
-/// Exit code of a failure of the system, or of the program.
 const FAILURE: u8 = 1;
 
 /// Runs the program with these arguments, the first of which is its name, and returns its exit code. Signals that ask it to end
@@ -102,7 +100,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-/// The error about a command that is not in this program.
 #[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
 fn not_built(command: &str, feature: &'static str) -> error::Error {
     error::Error::NotBuilt { what: format!("`littlewood {command}`"), feature }

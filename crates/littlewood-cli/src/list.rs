@@ -9,7 +9,6 @@ use crate::axis::TypedAxis;
 use crate::error::Error;
 use crate::work::STAND_IN;
 
-/// The columns of a list.
 pub(crate) fn columns(path: &Path) -> Result<Vec<Quantity>, Error> {
     Ok(StartList::open(path, STAND_IN)?.columns().to_vec())
 }

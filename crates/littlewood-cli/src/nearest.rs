@@ -3,7 +3,6 @@
 /// Names less alike are not worth a suggestion.
 const LEAST_LIKENESS: f64 = 0.75;
 
-/// Names suggested at most.
 const SUGGESTIONS: usize = 3;
 
 /// `did you mean 'figure-3'? ` if some of the known names look like the one that was typed, and where all stand.

@@ -7,10 +7,8 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::unfinished::{Temporary, folder_of};
 
-/// An output that is open for writing.
 #[derive(Debug)]
 pub(crate) enum Output {
-    /// The standard output.
     Stdout,
     /// A regular file of this path, written under another name in the same folder.
     File { temporary: Temporary, path: PathBuf },
@@ -27,7 +25,6 @@ impl Output {
         open_file(path).map_err(|source| Error::Unwritable { path: path.to_owned(), source })
     }
 
-    /// Whether the terminal shows colours.
     pub(crate) fn has_colour(&self) -> bool {
         match self {
             Self::Stdout => anstream::AutoStream::choice(&io::stdout()) != anstream::ColorChoice::Never,

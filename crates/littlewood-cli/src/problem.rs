@@ -18,7 +18,6 @@ use crate::values::{Given, GivenLaw, Origin, Values, find_mixture, flag};
 /// What is to be simulated or classified.
 #[derive(Debug)]
 pub(crate) struct Problem {
-    /// The case that it starts from.
     pub(crate) case: Option<&'static NamedCase>,
     /// What differs from the case.
     pub(crate) changes: Changes,
@@ -90,12 +89,10 @@ impl Problem {
         Ok(Self { case, changes, hoop, start, limits, units, inputs })
     }
 
-    /// Follows the motion.
     pub(crate) fn simulate(&self) -> Result<Trajectory, Error> {
         self.hoop.simulate(self.start, self.limits).map_err(|error| self.inputs.blame(error))
     }
 
-    /// Estimates how many digits of each transition can be trusted.
     pub(crate) fn digits(&self) -> Result<Vec<Option<Digits>>, Error> {
         self.hoop.digits(self.start, self.limits).map_err(|error| self.inputs.blame(error))
     }
@@ -117,7 +114,6 @@ impl Problem {
         Uncertainty::new(&setup, self.limits, motion, given, progress).map_err(Error::NotDifferentiable)
     }
 
-    /// Classifies the start.
     pub(crate) fn classify(&self) -> Result<Classification, Error> {
         self.hoop.classify(self.start).map_err(|error| self.inputs.blame(error))
     }
@@ -127,14 +123,12 @@ impl Problem {
         Subject { case: self.case, units: self.units.as_ref(), ..Subject::of_start(self.start) }
     }
 
-    /// The scenario file, if there is one.
     pub(crate) const fn scenario(&self) -> Option<&Scenario> {
         self.inputs.scenario.as_ref()
     }
 }
 
 impl Inputs {
-    /// Refuses a hoop or a start that is not complete.
     fn refuse_gaps(&self, is_si: bool) -> Result<(), Error> {
         let setup = Quantity::HOOP.into_iter().chain(Quantity::START);
         let units =
@@ -217,7 +211,6 @@ impl Inputs {
         SiSetup::from_values(value, self.law.as_ref().map(|given| given.law))
     }
 
-    /// The hoop with the law of restitution that was given.
     fn with_law(&self, hoop: HoopParameters) -> HoopParameters {
         let mut hoop = hoop;
         hoop.restitution_law = self.law.as_ref().map(|given| given.law);

@@ -38,7 +38,6 @@ struct State {
     is_over: bool,
 }
 
-/// How much is done of how much.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Count {
     pub(crate) done: u64,
@@ -104,7 +103,6 @@ impl State {
     }
 }
 
-/// Takes the bar off the screen.
 pub(crate) fn clear() {
     if let Some(bar) = shown().take() {
         bar.finish_and_clear();

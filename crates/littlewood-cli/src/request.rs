@@ -12,7 +12,6 @@ use crate::values::Given;
 pub(crate) struct Request {
     pub(crate) case: Option<String>,
     pub(crate) scenario: Option<Scenario>,
-    /// The numbers among the flags.
     pub(crate) flags: Vec<Given>,
     pub(crate) law: Option<RestitutionLaw>,
     /// Whether a flag asks for SI units.

@@ -20,7 +20,6 @@ use crate::error::{Error, Excerpt};
 use crate::nearest;
 use crate::values::{Given, GivenLaw, Origin, si_name};
 
-/// A scenario file that has been read.
 #[derive(Debug)]
 pub(crate) struct Scenario {
     source: Source,
@@ -46,7 +45,6 @@ pub(crate) struct Run {
 }
 
 impl Scenario {
-    /// Reads a file.
     pub(crate) fn read(path: &Path) -> Result<Self, Error> {
         let text =
             fs::read_to_string(path).map_err(|source| Error::Unreadable { path: path.to_owned(), source })?;
@@ -157,7 +155,6 @@ fn overview() -> String {
     )
 }
 
-/// The text of a file and its name.
 #[derive(Debug)]
 struct Source {
     path: PathBuf,
@@ -219,7 +216,6 @@ impl<'a> Section<'a> {
             .collect()
     }
 
-    /// The law of restitution.
     fn law(&self) -> Result<Option<GivenLaw>, Error> {
         let law = self.word(RESTITUTION_LAW, "law of restitution", &RestitutionLaw::NAMES)?;
         Ok(law.map(|(law, span)| GivenLaw { law, origin: Origin::File(span) }))

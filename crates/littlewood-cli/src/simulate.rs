@@ -19,7 +19,6 @@ use crate::scenario::Scenario;
 /// Samples of a table at most: all its rows are in memory, 2.5 kB each, since they make the widths of its columns.
 const MOST_ROWS: u64 = 100_000;
 
-/// Runs the command.
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
     let scenario = problem.scenario();

@@ -17,7 +17,6 @@ use crate::report::sweep::{self, Run};
 use crate::store::{self, Kind};
 use crate::work::{self, Base, Varied};
 
-/// Runs the command.
 pub(crate) fn run(args: &SweepArgs) -> Result<(), Error> {
     match &args.starts {
         Some(starts) => follow_list(args, starts),

@@ -6,7 +6,6 @@ use std::ops::Range;
 use littlewood::RestitutionLaw;
 use littlewood::tables::{Quantity, Setup};
 
-/// Where a number was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Origin {
     Case,
@@ -43,7 +42,6 @@ pub(crate) struct GivenLaw {
 pub(crate) struct Values(Vec<Given>);
 
 impl Values {
-    /// The hoop and the start of a named case.
     pub(crate) fn of_case(setup: &Setup) -> Self {
         let given = |quantity| Some(Given { quantity, value: setup.get(quantity)?, origin: Origin::Case });
         Self(Quantity::HOOP.into_iter().chain(Quantity::START).filter_map(given).collect())
@@ -67,7 +65,6 @@ impl Values {
         self.0.iter().find(|given| given.quantity == quantity).map(|given| given.value)
     }
 
-    /// All numbers.
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Given> {
         self.0.iter()
     }
@@ -85,7 +82,6 @@ pub(crate) fn find_mixture(layer: &[Given]) -> Option<(&Given, &Given)> {
     Some((plain, si))
 }
 
-/// The flag of a quantity.
 pub(crate) fn flag(quantity: Quantity) -> String {
     format!("--{}", quantity.name().replace('_', "-"))
 }

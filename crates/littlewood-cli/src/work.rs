@@ -59,7 +59,6 @@ impl Varied {
     }
 }
 
-/// Finds the base of a sweep.
 pub(crate) fn base(args: &ProblemArgs<false>, run: &RunArgs, varied: Varied) -> Result<Base, Error> {
     let Varied { quantities, si, fixed } = varied;
     let stand_ins =
@@ -103,13 +102,11 @@ pub(crate) fn derivatives(
     Ok(derivatives)
 }
 
-/// Axes without dimension.
 pub(crate) fn resolve(axes: &[TypedAxis], base: &Base) -> Result<Vec<Axis>, Error> {
     let axes = axes.iter().map(|axis| axis.resolve(base.units.as_ref()));
     Ok(axes.collect::<Result<_, AxisError>>()?)
 }
 
-/// The options of a run.
 pub(crate) fn options<'a>(
     args: &WorkArgs,
     resume: bool,

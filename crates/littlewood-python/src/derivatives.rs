@@ -17,7 +17,6 @@ const OUTSIDE: &str = "outside";
 /// for each row. A row without derivatives is NaN; a row that has them has an empty reason.
 pub(crate) type Rows<'py> = (Bound<'py, PyArray1<f64>>, Vec<&'static str>);
 
-/// The rows while they are collected.
 #[derive(Default)]
 struct Collected(Vec<f64>, Vec<&'static str>);
 

@@ -22,7 +22,6 @@ pub(crate) fn read_link(link: &str) -> (Option<(String, String, String)>, bool, 
     (refusal.map(|Refusal { key, text, reason }| (key, text, reason)), read.has_problem, read.link.at)
 }
 
-/// The problem of a link.
 #[pyfunction]
 pub(crate) fn problem_of_link(py: Python<'_>, link: &str) -> PyResult<ProblemRow> {
     let problem = Link::read(link, "").link.problem;

@@ -130,7 +130,6 @@ fn after(sample: Sample) -> Instant {
 
 #[pymethods]
 impl Trajectory {
-    /// The phases.
     fn phases(&self) -> Vec<PhaseRow> {
         let transitions = self.0.transitions();
         self.0
@@ -151,7 +150,6 @@ impl Trajectory {
             .collect()
     }
 
-    /// The transitions.
     fn transitions(&self) -> Vec<TransitionRow> {
         self.0
             .transitions()

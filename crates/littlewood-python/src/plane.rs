@@ -12,7 +12,6 @@ use crate::record::{GivenHoop, hoop};
 /// Lines, or outlines, as points.
 type Pieces = Vec<Vec<[f64; 2]>>;
 
-/// The phase plane of a hoop.
 #[pyclass(frozen, module = "littlewood._core")]
 pub(crate) struct PhasePlane {
     hoop: Hoop,

@@ -28,13 +28,11 @@ pub(crate) type SiHoopNumbers = [Option<f64>; Quantity::SI_HOOP.len()];
 /// The values of [`Quantity::SI_START`].
 pub(crate) type SiStartNumbers = [f64; Quantity::SI_START.len()];
 
-/// The law of this name.
 pub(crate) fn law(py: Python<'_>, name: &LawName) -> PyResult<Option<RestitutionLaw>> {
     let parse = |name: &String| name.parse().map_err(|error: UnknownName| unknown_law(py, &error));
     name.as_ref().map(parse).transpose()
 }
 
-/// The limits of a motion.
 pub(crate) fn limits(
     py: Python<'_>,
     until: Option<f64>,
@@ -79,7 +77,6 @@ pub(crate) fn start(numbers: StartNumbers) -> Start {
     setup(Quantity::START.into_iter().zip(numbers.map(Some)), None).start
 }
 
-/// The numbers of a start.
 pub(crate) fn start_numbers(start: Start) -> StartNumbers {
     Setup::new(HoopParameters::default(), start).values(Quantity::START)
 }

@@ -95,7 +95,6 @@ pub(crate) fn summary_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>
 /// A named case: name, title, source, hoop, law of restitution, start.
 type CaseRow = (&'static str, &'static str, &'static str, HoopNumbers, Option<&'static str>, StartNumbers);
 
-/// The named cases.
 #[pyfunction]
 pub(crate) fn cases() -> Vec<CaseRow> {
     CASES
@@ -124,7 +123,6 @@ pub(crate) fn name_of_case(name: &str) -> Option<&'static str> {
     find_case(name).map(|case| case.name)
 }
 
-/// The edges of the automaton.
 #[pyfunction]
 pub(crate) fn edges() -> Vec<EdgeRow> {
     EDGES
@@ -146,7 +144,6 @@ fn names<const N: usize>(quantities: [Quantity; N]) -> Vec<&'static str> {
     quantities.map(Quantity::name).to_vec()
 }
 
-/// Adds the constants.
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("HOOP", names(Quantity::HOOP))?;
     module.add("START", names(Quantity::START))?;

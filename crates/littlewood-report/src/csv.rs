@@ -59,11 +59,9 @@ fn events<W: Write>(
     write_rows(writer, rows)
 }
 
-/// A row of the table of events.
 struct Row<'a> {
     state: State,
     edge: Fields,
-    /// Rate of the gap.
     gap_rate: f64,
     /// Of which side of a jump the state is.
     side: Option<&'static str>,

@@ -198,7 +198,6 @@ impl Atlas {
     }
 }
 
-/// The same point with μk = μs.
 fn with_one_friction(mut point: Setup) -> Setup {
     point.hoop.mu_k = point.hoop.mu_s;
     point

@@ -9,27 +9,22 @@ use serde_json::{Map, Value, json};
 use crate::axis::Varies;
 use crate::columns::Column;
 
-/// The conventions that the attributes follow.
 pub(crate) const CONVENTIONS: &str = "CF-1.11";
 
-/// Attributes, by their names.
 pub(crate) type Attributes = Map<String, Value>;
 
-/// Of a quantity of a hoop or a start.
 pub(crate) fn of_quantity(quantity: Quantity) -> Attributes {
     let mut attributes = named(quantity.long_name());
     attributes.extend(units(quantity.dimension()));
     attributes
 }
 
-/// Of an axis.
 pub(crate) fn of_axis(varies: Varies) -> Attributes {
     let mut attributes = named(varies.long_name());
     attributes.extend(units(varies.dimension()));
     attributes
 }
 
-/// Of a column of results, as numbers.
 pub(crate) fn of_column(column: Column) -> Attributes {
     match column {
         Column::Summary(column) => of_summary(column),

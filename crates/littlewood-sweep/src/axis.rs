@@ -58,7 +58,6 @@ impl Varies {
         core::iter::once(first).chain(second)
     }
 
-    /// Sets them.
     pub(crate) fn set(self, setup: &mut Setup, value: f64) {
         self.quantities().for_each(|quantity| setup.set(quantity, value));
     }
@@ -100,37 +99,27 @@ impl Spacing {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum AxisError {
-    /// A quantity that no motion depends on, or a number in SI units.
     #[error("a sweep cannot vary {quantity}; axes are {}, {}", names(&Quantity::AXES), Varies::Friction)]
     NotAnAxis { quantity: Quantity },
     /// An end is NaN or infinite, or the ends are farther apart than a double can say.
     #[error("axis {axis}: {} is not a finite number", Number(*value))]
     NotFinite { axis: Varies, value: f64 },
-    /// No points.
     #[error("axis {axis}: 0 points; at least 1 is needed")]
     Empty { axis: Varies },
-    /// One point cannot have two ends.
     #[error("axis {axis}: 1 point cannot include both ends, {} and {}", Number(*from), Number(*to))]
     OnePointTwoEnds { axis: Varies, from: f64, to: f64 },
-    /// Many points at one value.
     #[error("axis {axis}: {count} points from {} to {} are all the same", Number(*from), Number(*from))]
     NoExtent { axis: Varies, from: f64, count: usize },
-    /// Equal factors lead from a number to another of the same sign only.
     #[error("axis {axis}: equal factors cannot lead from {} to {}", Number(*from), Number(*to))]
     NoFactor { axis: Varies, from: f64, to: f64 },
-    /// No axis at all.
     #[error("a grid needs at least one axis")]
     None,
-    /// Two axes of the same quantity.
     #[error("axis {quantity} is given twice")]
     Twice { quantity: Quantity },
-    /// More points than 2⁶³; `points` may be the largest number there is.
     #[error("the grid has {}{points} points; at most {} can be counted", if *points == u128::MAX { "more than " } else { "" }, i64::MAX)]
     TooMany { points: u128 },
-    /// A value on an axis has no physical meaning, whatever the other axes say.
     #[error("axis {quantity}: at {}: {source}", Number(*value))]
     Value { quantity: Quantity, value: f64, source: ParameterError },
-    /// A fixed value has no physical meaning.
     #[error("{0}")]
     Fixed(#[from] ParameterError),
 }

@@ -4,7 +4,6 @@ use crate::getters::getters;
 use littlewood::tables::{Class, ColumnType, DerivativeColumn, SummaryColumn, SummaryValue};
 use littlewood::{OutcomeKind, Summary};
 
-/// Number of columns of a summary.
 const COLUMNS: usize = SummaryColumn::ALL.len();
 
 /// A column of results: of the summaries, or the derivative of one of their numbers.
@@ -43,7 +42,6 @@ impl Column {
         }
     }
 
-    /// The value where nothing has been computed.
     pub(crate) fn not_computed(self) -> SummaryValue {
         match self {
             Self::Summary(column) => column.of(&Summary::NOT_COMPUTED),
@@ -77,7 +75,6 @@ pub enum ColumnValues {
 }
 
 impl ColumnValues {
-    /// The same value many times.
     pub(crate) fn repeat(value: SummaryValue, len: usize) -> Self {
         match value {
             SummaryValue::U8(value) => Self::U8(vec![value; len]),
@@ -128,7 +125,6 @@ impl ColumnValues {
         }
     }
 
-    /// Sets a value below [`ColumnValues::len`].
     fn set(&mut self, i: usize, value: SummaryValue) {
         match (self, value) {
             (Self::U8(values), SummaryValue::U8(value)) => values[i] = value,
@@ -177,14 +173,12 @@ getters! {
 }
 
 impl Columns {
-    /// Columns of this many points that have not been computed.
     pub(crate) fn blank(len: usize, derivatives: &[DerivativeColumn]) -> Self {
         let columns = Column::all(derivatives).map(|column| ColumnValues::repeat(column.not_computed(), len));
         let classes = vec![Class::of(&Summary::NOT_COMPUTED); len];
         Self { columns: columns.collect(), derivatives: derivatives.to_vec(), classes }
     }
 
-    /// Sets the results of a point below [`Columns::len`].
     pub(crate) fn set(&mut self, i: usize, summary: &Summary) {
         for (column, value) in self.columns.iter_mut().zip(summary.values()) {
             column.set(i, value);
@@ -192,7 +186,6 @@ impl Columns {
         self.classes[i] = Class::of(summary);
     }
 
-    /// Sets the derivatives of a point below [`Columns::len`].
     pub(crate) fn set_derivatives(&mut self, i: usize, values: &[f64]) {
         for (column, value) in self.columns[COLUMNS..].iter_mut().zip(values) {
             // The sign and the payload of a computed NaN are unspecified.

@@ -31,7 +31,6 @@ pub const MOST_THREADS: usize = 1024;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum ThreadsError {
-    /// More than [`MOST_THREADS`].
     #[error("{threads} threads: at most {MOST_THREADS} can be asked for")]
     TooMany { threads: usize },
     /// The operating system has not as many; 0 stands for as many as there are cores.
@@ -141,7 +140,6 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Runs something on these threads.
     pub(crate) fn install<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         self.pool.install(work)
     }

@@ -13,10 +13,8 @@ use crate::starts::StartList;
 /// columns of impacts.
 pub const STORE_FORMAT: u32 = 4;
 
-/// The key of the spacing of an axis that is not evenly spaced.
 const SPACING: &str = "spacing";
 
-/// The key of the derivatives, where there are any.
 const DERIVATIVES: &str = "derivatives";
 
 /// The version of stores that have none.
@@ -52,7 +50,6 @@ impl ForeignVersion {
     }
 }
 
-/// Numbers under the names of their quantities.
 fn numbers(values: impl Iterator<Item = (Quantity, f64)>) -> Map<String, Value> {
     values.map(|(quantity, value)| (quantity.name().to_owned(), value.into())).collect()
 }
@@ -132,7 +129,6 @@ impl Description {
         Self(value)
     }
 
-    /// CRC-32 of the text.
     pub(crate) fn crc(&self) -> u32 {
         crc32fast::hash(self.0.to_string().as_bytes())
     }
@@ -144,7 +140,6 @@ impl Description {
         differences
     }
 
-    /// The grid, the limits and the shape of chunks that a description of a grid has.
     pub(crate) fn grid(value: &Value) -> Option<(Grid, Limits, Vec<usize>)> {
         let mut base = Setup::new(HoopParameters::default(), Start::default());
         for (name, number) in value.get("fixed")?.as_object()? {

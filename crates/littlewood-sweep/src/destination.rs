@@ -23,7 +23,6 @@ pub enum Target<'a> {
     ParquetFolder(&'a Path),
 }
 
-/// A target with the format of its files.
 pub(crate) enum Destination {
     Store {
         root: PathBuf,
@@ -66,7 +65,6 @@ impl Destination {
         }
     }
 
-    /// Opens it for a run with this number of chunks.
     pub(crate) fn open<'a>(
         &'a self,
         count: usize,
@@ -91,7 +89,6 @@ impl Destination {
     }
 }
 
-/// A destination that a run writes to.
 pub(crate) struct OpenDestination<'a> {
     destination: &'a Destination,
     state: State<'a>,
@@ -113,7 +110,6 @@ impl OpenDestination<'_> {
         }
     }
 
-    /// Points of some chunks that it has, class by class.
     pub(crate) fn tally(&self, chunks: &[usize]) -> Option<Tally> {
         match &self.state {
             State::Open(store) => Some(store.tally(chunks)),
@@ -128,7 +124,6 @@ impl OpenDestination<'_> {
         }
     }
 
-    /// The results of a chunk that it has.
     pub(crate) fn read(&self, chunk: usize) -> Result<Columns, StoreError> {
         let (path, columns) = match (&self.state, self.destination) {
             #[cfg(feature = "parquet")]

@@ -29,7 +29,6 @@ pub struct FileSystem;
 /// Ending of files that are not finished.
 pub const UNFINISHED: &str = ".unfinished";
 
-/// A path with more at the end of its name.
 pub(crate) fn with_ending(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(ending);

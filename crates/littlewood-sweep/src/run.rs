@@ -102,7 +102,6 @@ pub(crate) fn run(
     Ok(run.complete()?)
 }
 
-/// A run whose destinations are open.
 struct Run<'a> {
     destinations: Vec<OpenDestination<'a>>,
     ledger: Arc<Ledger<'a>>,
@@ -189,7 +188,6 @@ impl<'a> Run<'a> {
     }
 }
 
-/// A chunk that is to be computed.
 struct Input {
     number: usize,
     points: Vec<Setup>,

@@ -11,15 +11,11 @@ use crate::starts::{ListError, Rows, StartList};
 
 /// Points in chunks.
 pub(crate) trait Source {
-    /// Number of points.
     fn total(&self) -> u64;
-    /// The derivatives that are computed of each point.
     fn derivatives(&self) -> &[DerivativeColumn];
     /// Starts of each hoop, where that is known before all points have been read.
     fn starts_of_a_hoop(&self) -> Option<u64>;
-    /// Number of chunks.
     fn count(&self) -> usize;
-    /// Number of points of a chunk.
     fn points_of(&self, chunk: usize) -> u64;
     /// The points of a chunk; chunks are asked for in rising order, some left out.
     fn points(&mut self, chunk: usize) -> Result<Vec<Setup>, SweepError>;
@@ -27,7 +23,6 @@ pub(crate) trait Source {
     fn refused(&self, chunk: usize, refused: Refused) -> SweepError;
 }
 
-/// A grid, chunk by chunk.
 pub(crate) struct GridSource<'a> {
     pub(crate) grid: &'a Grid,
     pub(crate) chunks: Chunks,
@@ -63,10 +58,8 @@ impl Source for GridSource<'_> {
     }
 }
 
-/// A list, chunk by chunk.
 pub(crate) struct ListSource<'a> {
     list: &'a StartList,
-    /// Points of a chunk.
     chunk_points: usize,
     rows: Option<Rows>,
     /// Row that is read next, from 0.

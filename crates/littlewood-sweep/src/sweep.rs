@@ -119,7 +119,6 @@ fn check_axes(grid: &Grid) -> Result<(), SweepError> {
     }
 }
 
-/// The error about a target whose format is not in this build.
 #[cfg(not(all(feature = "parquet", feature = "zarr")))]
 fn not_built(target: &Target<'_>) -> SweepError {
     let (path, feature) = match target {

@@ -18,7 +18,6 @@ pub(crate) struct Ledger<'a> {
 }
 
 impl<'a> Ledger<'a> {
-    /// The counts of a run of which an earlier one has done a part.
     pub(crate) const fn new(options: &'a Options<'a>, reused: u64, total: u64) -> Self {
         let (followed, done) = (AtomicU64::new(reused), AtomicU64::new(reused));
         Self { options, followed, done, reused, total }
@@ -33,18 +32,15 @@ impl<'a> Ledger<'a> {
         }
     }
 
-    /// Tells how far the run is.
     pub(crate) fn report(&self) {
         self.options.report(self.progress());
     }
 
-    /// Tells of points whose chunk is finished.
     pub(crate) fn finish(&self, points: u64) {
         self.done.fetch_add(points, Ordering::Relaxed);
         self.report();
     }
 
-    /// For a thread of the run.
     pub(crate) const fn watch(&self) -> Watch<'_> {
         Watch { ledger: Some(self), cancel: self.options.cancel, untold: 0 }
     }
@@ -60,14 +56,12 @@ pub(crate) struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Nobody watches.
     pub(crate) const NONE: Watch<'static> = Watch { ledger: None, cancel: None, untold: 0 };
 
     pub(crate) fn is_cancelled(&self) -> bool {
         self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
-    /// One more motion has been followed.
     pub(crate) fn count(&mut self) {
         self.untold += 1;
         if self.untold == TELL {

@@ -146,7 +146,6 @@ impl Problem {
     }
 }
 
-/// The law of a name.
 fn law_named(name: Option<String>) -> Result<Option<RestitutionLaw>, Refusal> {
     Ok(name.as_deref().map(str::parse).transpose()?)
 }

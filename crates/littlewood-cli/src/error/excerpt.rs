@@ -5,7 +5,6 @@ use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
 
-/// A place in a text file.
 #[derive(Debug)]
 pub(crate) struct Excerpt {
     file: String,
@@ -13,7 +12,6 @@ pub(crate) struct Excerpt {
     line: usize,
     column: usize,
     text: String,
-    /// Letters that are meant.
     letters: usize,
 }
 

@@ -9,7 +9,6 @@ use littlewood_sweep::{AxisError, ListError, MOST_CHUNK_POINTS, PictureError, St
 
 use super::Error;
 
-/// What to do about a failure, where there is something.
 #[allow(clippy::match_same_arms, reason = "an attribute holds for a whole arm")]
 pub(super) fn of(error: &Error) -> Option<String> {
     let hint = match error {
@@ -62,7 +61,6 @@ pub(super) fn of(error: &Error) -> Option<String> {
     Some(hint)
 }
 
-/// What to do about a figure that cannot be made.
 #[cfg(feature = "figures")]
 fn of_figure(error: &FigureError) -> String {
     match error {
@@ -98,7 +96,6 @@ fn of_figure(error: &FigureError) -> String {
     .to_owned()
 }
 
-/// What to do about a drawing that cannot be made.
 const fn of_drawing(error: &DrawError) -> &'static str {
     match error {
         DrawError::Scale { .. } => "give another --scale, such as 2",
@@ -107,7 +104,6 @@ const fn of_drawing(error: &DrawError) -> &'static str {
     }
 }
 
-/// What to do about an error of a sweep.
 fn of_sweep(error: &SweepError) -> String {
     match error {
         SweepError::Axis(error) => of_axis(error),
@@ -147,7 +143,6 @@ fn of_list(error: &ListError) -> String {
     }
 }
 
-/// What to do about an error of an axis.
 fn of_axis(error: &AxisError) -> String {
     match error {
         AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_owned(),

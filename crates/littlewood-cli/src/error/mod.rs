@@ -31,34 +31,24 @@ const STOPPED: u8 = 130;
 /// A failure of the command line. No physical outcome is a failure.
 #[derive(Debug, Error)]
 pub(crate) enum Error {
-    /// A value has no physical meaning.
     #[error("{error}")]
     Value { error: ParameterError },
-    /// A value in a scenario file has no physical meaning.
     #[error("{error}")]
     ScenarioValue { error: ParameterError, excerpt: Excerpt },
-    /// A scenario file that is malformed.
     #[error("{message}")]
     Scenario { message: String, help: String, excerpt: Excerpt },
-    /// A quantity with two standard errors.
     #[error("--uncertainty has two errors of {quantity}")]
     TwoErrors { quantity: Quantity },
-    /// A motion has no derivative with respect to a quantity.
     #[error(transparent)]
     NotDifferentiable(NotDifferentiable),
-    /// No case has this name.
     #[error("there is no case named '{name}'")]
     UnknownCase { name: String, hint: String },
-    /// Values that have no default.
     #[error("missing: {}", names.join(", "))]
     Missing { names: Vec<String>, flags: Vec<String> },
-    /// A dimensionless quantity and an SI quantity, or the switch that asks for SI units, side by side.
     #[error("{}", mixed(plain, si))]
     Mixed { plain: String, si: String, hint: String },
-    /// A scenario file that cannot be read.
     #[error("cannot read the scenario {}: {source}", path.display())]
     Unreadable { path: PathBuf, source: io::Error },
-    /// A file for the output that cannot be written to.
     #[error("cannot write to {}: {source}", path.display())]
     Unwritable { path: PathBuf, source: io::Error },
     /// Writing has failed on the way.
@@ -67,67 +57,50 @@ pub(crate) enum Error {
     /// Writing to the standard output, or to a device, has failed on the way.
     #[error("writing to {target} failed: {source}")]
     Write { target: String, source: io::Error },
-    /// A sweep that cannot be done, or not be written.
     #[error("{0}")]
     Sweep(Box<SweepError>),
-    /// A row of a list of hoops whose parameters, together with the axes, are invalid.
     #[cfg(feature = "sweep")]
     #[error("{}, line {line}: {source}", path.display())]
     Hoop { path: PathBuf, line: u64, source: Box<AxisError> },
-    /// A column that a list of hoops cannot have.
     #[cfg(feature = "sweep")]
     #[error("{}: column {column} {reason}", path.display())]
     HoopColumn { path: PathBuf, column: Quantity, reason: String },
-    /// An `--out` that the command does not know what to do with.
     #[error("--out {}: {reason}", path.display())]
     Out { path: PathBuf, reason: String, hint: String },
-    /// More samples than a table can have.
     #[error("{count} samples: a table has at most {most}")]
     LongTable { count: u64, most: u64 },
-    /// A column that a picture cannot show.
     #[error("--shade {name}: no such column")]
     UnknownShade { name: String, hint: String },
-    /// No figure has this name.
     #[cfg(feature = "figures")]
     #[error("there is no figure named '{name}'")]
     UnknownFigure { name: String, hint: String },
-    /// A figure that cannot be made.
     #[cfg(feature = "figures")]
     #[error("{0}")]
     Figure(FigureError),
-    /// A drawing that cannot be made.
     #[error("{0}")]
     Drawing(DrawError),
-    /// Ctrl-C; the hint says how to go on.
     #[error("stopped after {done} of {total} starts")]
     Interrupted { done: u64, total: u64, hint: String },
     /// Ctrl-C, or another signal that asks the program to end, in work that cannot be gone on with.
     #[error("stopped")]
     Stopped,
-    /// Something that a feature of this package brings, and this program was built without it.
     #[error("{what} requires the feature `{feature}`, which is not compiled in")]
     NotBuilt { what: String, feature: &'static str },
-    /// A command that the Python package adds.
     #[error("`littlewood {command}` is part of the Python package")]
     InPackage { command: &'static str },
-    /// There is no page to serve.
     #[cfg(feature = "lab")]
     #[error("{reason}")]
     NoPage { reason: String, hint: String },
-    /// A port that cannot be listened on.
     #[cfg(feature = "lab")]
     #[error("cannot listen on port {port} of 127.0.0.1: {source}")]
     Port { port: u16, source: io::Error },
-    /// A film that cannot be made, or not be written.
     #[cfg(feature = "film")]
     #[error("{0}")]
     Film(FilmError),
-    /// The reader of the output has closed the pipe.
     #[error("the reader has closed the pipe")]
     ClosedPipe,
 }
 
-/// What is wrong with a dimensionless quantity beside one in SI units.
 pub(crate) fn mixed(plain: impl Display, si: impl Display) -> String {
     format!("{plain} is dimensionless and {si} is in SI units: they cannot be combined")
 }
@@ -178,12 +151,10 @@ impl Error {
         }
     }
 
-    /// What to do.
     fn hint(&self) -> Option<String> {
         hint::of(self)
     }
 
-    /// The place in a file that it is about.
     const fn excerpt(&self) -> Option<&Excerpt> {
         match self {
             Self::ScenarioValue { excerpt, .. } | Self::Scenario { excerpt, .. } => Some(excerpt),
@@ -216,7 +187,6 @@ impl Error {
 
 #[cfg(feature = "figures")]
 impl Error {
-    /// Of a figure.
     pub(crate) fn of_figure(error: FigureError) -> Self {
         match error {
             FigureError::Parameter(error) => Self::Value { error },

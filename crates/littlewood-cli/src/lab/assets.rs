@@ -10,18 +10,14 @@ mod embedded {
     include!(concat!(env!("OUT_DIR"), "/page.rs"));
 }
 
-/// The file that a page begins with.
 const FIRST: &str = "index.html";
 
-/// A file of the page.
 #[derive(Clone, Debug)]
 pub(super) struct Asset {
     pub(super) content: Cow<'static, [u8]>,
-    /// Media type.
     pub(super) kind: &'static str,
 }
 
-/// All files of a page, by their names.
 #[derive(Debug)]
 pub(super) struct Page(BTreeMap<String, Cow<'static, [u8]>>);
 
@@ -45,7 +41,6 @@ impl Page {
         self.0.contains_key(FIRST).then_some(self)
     }
 
-    /// The file of this name.
     pub(super) fn find(&self, name: &str) -> Option<Asset> {
         let content = self.0.get(name)?.clone();
         Some(Asset { content, kind: media_type(name) })
@@ -70,7 +65,6 @@ fn read_folder(
     Ok(())
 }
 
-/// The media type of the files that a page has.
 fn media_type(name: &str) -> &'static str {
     match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
         "html" => "text/html; charset=utf-8",

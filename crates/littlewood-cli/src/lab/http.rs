@@ -27,7 +27,6 @@ const FAREWELL: Duration = Duration::from_secs(1);
 /// How long the server waits where the system has no more connections to give.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Answers requests as long as the process runs.
 pub(super) fn serve(
     listener: &TcpListener,
     answer: impl Fn(&Question<'_>) -> Answer + Send + Sync + 'static,
@@ -155,7 +154,6 @@ fn drain(mut stream: &TcpStream, end: Instant) -> io::Result<()> {
     Ok(())
 }
 
-/// The time that is left.
 fn until(end: Instant) -> io::Result<Duration> {
     let left = end.saturating_duration_since(Instant::now());
     if left.is_zero() { Err(ErrorKind::TimedOut.into()) } else { Ok(left) }

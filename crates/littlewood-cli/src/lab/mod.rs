@@ -21,7 +21,6 @@ use answer::answer;
 /// How often it is seen whether Ctrl-C has come.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Runs the command, until Ctrl-C.
 pub(crate) fn run(args: &LabArgs) -> Result<(), Error> {
     let page = source::page(args.page.as_deref())?;
     let refused = |source| Error::Port { port: args.port, source };

@@ -14,7 +14,6 @@ const WAYS: &str = "a released program has the page in it; `--page FOLDER` serve
                     sources `web/build.sh` builds it, with node 20 and Rust for WebAssembly (`rustup target add \
                     wasm32-unknown-unknown`)";
 
-/// Finds the page.
 pub(super) fn page(folder: Option<&Path>) -> Result<Page, Error> {
     if let Some(folder) = folder {
         return read(folder)?.ok_or_else(|| no_page(format!("there is no page in {}", folder.display())));

@@ -22,20 +22,16 @@ pub(crate) struct Page {
     pub(crate) total: u64,
     /// Quantities that differ between starts, shown for examples.
     pub(crate) shown: Vec<Quantity>,
-    /// Columns of the list of hoops.
     pub(crate) listed: Vec<Quantity>,
     /// The hoops one by one, if there is a list.
     pub(crate) hoops: Vec<OfHoop>,
 }
 
-/// The atlas of one hoop of a list.
 #[derive(Debug)]
 pub(crate) struct OfHoop {
-    /// Its line in the list.
     pub(crate) line: Option<u64>,
     /// The hoop, with a start; where there is an axis it has the first value of the axis.
     pub(crate) setup: Setup,
-    /// Its sequences.
     pub(crate) atlas: Atlas,
 }
 
@@ -62,7 +58,6 @@ fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
     [("sequences", sequences.len()), ("without_directions", without.len())]
 }
 
-/// For a person.
 pub(crate) fn table(page: &Page) -> Sheet {
     let atlas = &page.atlas;
     let mut sheet = Sheet::default();

@@ -14,7 +14,6 @@ use crate::error::Error;
 use crate::output::Output;
 use crate::store::interrupted;
 
-/// How a sweep went.
 #[derive(Debug)]
 pub(crate) struct Run {
     report: Report,
@@ -29,7 +28,6 @@ impl Run {
         Self { report: *report, seconds: time.as_secs_f64(), threads, kept }
     }
 
-    /// Starts that are done.
     const fn done(&self) -> u64 {
         self.report.computed + self.report.reused
     }

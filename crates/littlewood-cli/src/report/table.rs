@@ -15,7 +15,6 @@ use littlewood_report::{Subject, jam_of};
 
 use crate::problem::{Changes, Problem};
 
-/// The page of a motion.
 pub(crate) fn motion(
     problem: &Problem,
     subject: &Subject<'_>,
@@ -158,7 +157,6 @@ fn rolling(hoop: &Hoop, found: &Classification, scale: Scale<'_>) -> Vec<String>
     lines
 }
 
-/// The named cases.
 pub(crate) fn cases() -> Sheet {
     let mut sheet = Sheet::default();
     let rows = CASES

@@ -6,7 +6,6 @@ use serde::Serialize;
 use super::fields::Fields;
 use super::setup::{hoop, start};
 
-/// A named case.
 #[derive(Debug, Serialize)]
 pub(crate) struct CaseRecord {
     name: &'static str,

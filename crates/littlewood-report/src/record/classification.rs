@@ -8,7 +8,6 @@ use serde::Serialize;
 use super::candidates::CandidatesRecord;
 use super::fields::{Fields, Value};
 
-/// What is known of a start.
 #[derive(Debug, Serialize)]
 pub(crate) struct ClassificationRecord {
     region: &'static str,

@@ -7,16 +7,13 @@ use littlewood::tables::{Detail, Dimension};
 use littlewood::{Direction, Mode};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// A value of a record.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Value {
     /// A number; one that is not finite becomes `null` in JSON.
     Real(f64),
-    /// A count.
     Count(usize),
     /// A sign: −1, 0 or 1.
     Sign(i8),
-    /// Yes or no.
     Flag(bool),
     /// A word, or nothing.
     Word(Option<&'static str>),
@@ -58,22 +55,18 @@ impl From<Detail> for Value {
     }
 }
 
-/// Named values in order.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fields(Vec<(Cow<'static, str>, Value)>);
 
 impl Fields {
-    /// The names, in order.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.0.iter().map(|(name, _)| name.as_ref())
     }
 
-    /// The values, in order.
     pub(crate) fn values(&self) -> impl Iterator<Item = Value> {
         self.0.iter().map(|(_, value)| *value)
     }
 
-    /// These fields and then the others.
     pub(crate) fn followed_by(mut self, others: Self) -> Self {
         self.0.extend(others.0);
         self

@@ -36,7 +36,6 @@ impl ImpactRecord {
         }
     }
 
-    /// The numbers in SI units.
     pub(crate) fn in_si(units: &Units, impact: &Impact) -> Self {
         Self {
             whole: Fields::of_si_details(units, whole(impact)),

@@ -23,19 +23,16 @@ impl From<SampleValue> for Value {
     }
 }
 
-/// A state.
 pub(crate) fn state(state: &State) -> Fields {
     let columns = State::COLUMNS.into_iter().zip(state.numbers());
     columns.map(|(column, value)| (column.name(), Value::Real(value))).collect()
 }
 
-/// A state in SI units.
 pub(crate) fn si_state(units: &Units, state: &State) -> Fields {
     let columns = State::COLUMNS.into_iter().zip(state.numbers());
     columns.filter_map(|(column, value)| in_si(units, column, value)).collect()
 }
 
-/// An instant of a motion.
 pub(crate) fn sample(instant: &Instant) -> Fields {
     let value = |column: SampleColumn| match column.of(&instant.sample) {
         SampleValue::Mode(_) => instant.mode.into(),

@@ -10,7 +10,6 @@ use super::derivatives::{DerivativesRecord, of_outcome};
 use super::fields::Fields;
 use super::instant::{si_state, state};
 
-/// How a motion ended.
 #[derive(Debug, Serialize)]
 pub(crate) struct OutcomeRecord {
     kind: &'static str,

@@ -7,7 +7,6 @@ use serde::Serialize;
 
 use super::fields::{Fields, Value};
 
-/// A phase of motion.
 #[derive(Debug, Serialize)]
 pub(crate) struct PhaseRecord {
     #[serde(flatten)]

@@ -32,13 +32,11 @@ fn law(hoop: &HoopParameters) -> Fields {
     law.map(|law| (RESTITUTION_LAW, Value::Word(Some(law.name())))).into_iter().collect()
 }
 
-/// A start; the rate of the gap where there is one.
 pub(crate) fn start(start: Start) -> Fields {
     let setup = Setup::new(HoopParameters::default(), start);
     state(&start.into()).followed_by(numbers([Quantity::GapRate], |it| setup.said(it)))
 }
 
-/// A start in SI units.
 fn si_start(units: &Units, start: Start) -> Fields {
     let si = SiSetup::new(&Setup::new(HoopParameters::default(), start), units);
     si_state(units, &start.into())

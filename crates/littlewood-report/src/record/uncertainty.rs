@@ -6,7 +6,6 @@ use super::fields::{Fields, Value};
 use super::instant::state;
 use crate::{Spread, Uncertainty};
 
-/// The standard errors of a motion.
 #[derive(Debug, Serialize)]
 pub(crate) struct UncertaintyRecord {
     given: Fields,

@@ -20,7 +20,6 @@ const SCHEMA: u8 = 1;
 /// What stands before a message.
 const CONTINUATION: [u8; 4] = [0xff; 4];
 
-/// The description of some columns.
 pub(super) fn schema(columns: &[Column]) -> String {
     let mut buffer = Buffer::default();
     let message = buffer.root(&[Slot::I16(VERSION), Slot::U8(SCHEMA), Slot::Child]);

@@ -17,7 +17,6 @@ use serde_json::Value;
 use crate::attributes::{Attributes, of_column, of_quantity, of_words};
 use crate::columns::{Column as Results, ColumnValues};
 
-/// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Words,
@@ -28,11 +27,9 @@ pub(super) enum Kind {
     F64,
 }
 
-/// A column of a table, without its values.
 pub(super) struct Column {
     pub(super) name: String,
     pub(super) kind: Kind,
-    /// Attributes, as text.
     pub(super) attributes: Vec<(String, String)>,
 }
 
@@ -46,7 +43,6 @@ impl Column {
         Self { name: name.to_owned(), kind, attributes }
     }
 
-    /// That of a quantity.
     pub(super) fn of_quantity(quantity: Quantity) -> Self {
         Self::new(quantity.name(), Kind::F64, of_quantity(quantity))
     }
@@ -77,7 +73,6 @@ impl Column {
         words.into_iter().chain([numbers]).collect()
     }
 
-    /// The type of the column in the file.
     pub(super) fn field(&self) -> Result<TypePtr> {
         let (physical, logical) = match self.kind {
             Kind::Words => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
@@ -103,11 +98,9 @@ pub(super) fn name_of_numbers(column: Results) -> String {
     }
 }
 
-/// The columns of a row group, written one after the other.
 pub(super) struct Writer<'a, 'b, W: Write>(pub(super) &'a mut SerializedRowGroupWriter<'b, W>);
 
 impl<W: Write + Send> Writer<'_, '_, W> {
-    /// The values of a quantity.
     pub(super) fn reals(&mut self, values: &[f64]) -> Result<()> {
         self.write::<DoubleType>(values)
     }
@@ -168,7 +161,6 @@ fn each<T: Copy, U>(values: &[T], to: impl FnMut(T) -> U) -> Vec<U> {
 /// Records that are read at once: what a damaged footer says of their number makes no memory be taken.
 const BATCH: usize = 1 << 16;
 
-/// The values of a column of results from its reader, or what is wrong with it.
 pub(super) fn read(column: Results, reader: ColumnReader) -> core::result::Result<ColumnValues, String> {
     let no_code = |_| format!("column {column} has a number that is no code");
     match (column.not_computed(), reader) {

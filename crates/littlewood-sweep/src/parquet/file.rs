@@ -18,13 +18,10 @@ use crate::disk::{Disk, UNFINISHED, with_ending};
 use crate::store::{Format as _, Header, StoreError};
 use crate::tally::Tally;
 
-/// Ending of the folder of finished chunks.
 const PARTS: &str = ".parts";
 
-/// Points of each class, in the footer.
 const COUNTS_KEY: &str = "littlewood_counts";
 
-/// Bytes that are written at once.
 const BUFFER: usize = 1 << 20;
 
 /// A file that a run writes, and the folder of its parts.
@@ -76,7 +73,6 @@ impl OneFile {
         find(COUNTS_KEY).and_then(parse_counts).map(Some).ok_or_else(not_a_store)
     }
 
-    /// The results of a chunk, from the file.
     pub(crate) fn read(&self, chunk: usize) -> Result<Option<Columns>, StoreError> {
         read_row_group(&self.path, chunk, &self.table.derivatives).map(Some)
     }

@@ -27,20 +27,16 @@ const HEADER: &str = "_run.json";
 const MANIFEST: &str = "_chunks.txt";
 const LOCK: &str = "_lock";
 
-/// The description of the run, in the footer.
 pub(super) const RUN_KEY: &str = "littlewood_run";
 
-/// The number of the chunk, in the footer of its file.
 pub(super) const CHUNK_KEY: &str = "littlewood_chunk";
 
-/// A table in files, one a chunk.
 pub(crate) struct Table {
     description: Description,
     columns: Vec<Column>,
     /// The columns as Arrow describes them.
     arrow_schema: String,
     digits: usize,
-    /// The quantities of the points.
     quantities: Vec<Quantity>,
     pub(super) derivatives: Vec<DerivativeColumn>,
 }
@@ -104,7 +100,6 @@ impl Table {
         file.into_inner()
     }
 
-    /// The file of a chunk.
     pub(super) fn path(&self, chunk: usize) -> PathBuf {
         PathBuf::from(format!("part-{chunk:0digits$}.parquet", digits = self.digits))
     }

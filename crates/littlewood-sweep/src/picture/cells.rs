@@ -2,7 +2,6 @@
 
 use littlewood::tables::Class;
 
-/// What a map keeps of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cell {
     /// What has a colour of its own: a class, or a sequence.
@@ -14,7 +13,6 @@ pub(super) struct Cell {
 impl Cell {
     pub(super) const NOT_COMPUTED: Self = Self { key: of_class(Class::NotComputed), number: f64::NAN };
 
-    /// The class, where the key is one.
     pub(super) fn class(self) -> Option<Class> {
         class_of(self.key)
     }
@@ -23,7 +21,6 @@ impl Cell {
 /// Above all sequences that fit, so that a map of sequences can tell what has none.
 const CLASSES: u64 = u64::MAX - 0xff;
 
-/// The key of a class.
 pub(super) const fn of_class(class: Class) -> u64 {
     CLASSES + class.code() as u64
 }

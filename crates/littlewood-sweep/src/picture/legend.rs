@@ -63,7 +63,6 @@ impl Picture {
         entries
     }
 
-    /// What is to be said of a scale.
     pub(super) fn note_of_scale(&self, scale: &Scale) -> Option<String> {
         let parts = [
             (scale.kind == Kind::Log, "logarithmic scale"),

@@ -72,7 +72,6 @@ pub struct Picture {
     pub(super) cells: Vec<Cell>,
     /// The regions of one colour, once their boundaries have been followed.
     pub(super) regions: Regions,
-    /// Points that have been added.
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
     pub(super) sequences: HashMap<u64, u64>,

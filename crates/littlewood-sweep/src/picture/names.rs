@@ -24,7 +24,6 @@ fn unit_sign(units: Option<&Units>, dimension: Dimension) -> String {
     }
 }
 
-/// A unit of SI.
 fn upright(unit: &str) -> String {
     unit.replace('²', "^{2}")
 }

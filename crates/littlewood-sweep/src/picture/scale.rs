@@ -14,7 +14,6 @@ pub(super) enum Kind {
     Counts,
 }
 
-/// The scale of colours of numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
     pub(super) kind: Kind,
@@ -99,7 +98,6 @@ impl Scale {
         self.kind == Kind::Log && value <= 0.0
     }
 
-    /// The colour at a place of the bar.
     pub(super) fn at(&self, fraction: f64) -> Rgb {
         of_fraction(match self.kind {
             Kind::Linear | Kind::Log => fraction,

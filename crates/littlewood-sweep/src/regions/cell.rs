@@ -32,7 +32,6 @@ impl Side {
             .map_or(self.keys[0], |last| last.keys[1])
     }
 
-    /// Its two parts.
     fn cut(&self, at: f64) -> [Self; 2] {
         let key = self.key_at(at);
         let (before, after) = self.crossings.iter().partition(|crossing| crossing.at < at);
@@ -168,7 +167,6 @@ impl Cell {
         ]
     }
 
-    /// Its quarters.
     fn quarters(&self, cross: &[Side]) -> [Self; 4] {
         let [x, y] = self.centre();
         let [below, right, above, left] = &self.sides;

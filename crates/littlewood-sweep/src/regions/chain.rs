@@ -128,7 +128,6 @@ fn thinned(points: &[Place], flat: f64) -> Vec<Place> {
     kept.into_iter().map(|i| points[i]).collect()
 }
 
-/// The distance of a place from a chord.
 fn distance(place: Place, a: Place, b: Place) -> f64 {
     let along = [b[0] - a[0], b[1] - a[1]];
     let to = [place[0] - a[0], place[1] - a[1]];

@@ -51,7 +51,6 @@ impl<'a> Fine<'a> {
         is_one.then(|| y / self.parts * columns + x / self.parts)
     }
 
-    /// The key of a corner that is known.
     fn key(&self, corner: Corner) -> u64 {
         self.of_lattice(corner).map_or_else(|| self.between[&corner], |place| self.lattice.keys[place])
     }
@@ -87,7 +86,6 @@ impl<'a> Fine<'a> {
         self.key(side.0) != self.key(far_end(side))
     }
 
-    /// The cells beside a side.
     fn beside(&self, ([x, y], axis): SideName) -> impl Iterator<Item = Corner> + use<> {
         let cells = self.cells;
         let other =
@@ -171,7 +169,6 @@ impl<'a> Fine<'a> {
         Ok(Some(Followed { nodes, cells, frame }))
     }
 
-    /// The border of the plane.
     fn frame(&self, sides: &BTreeMap<SideName, Side>) -> Cell {
         let [right, top] = self.cells;
         let side = |from: Corner, axis: usize| {

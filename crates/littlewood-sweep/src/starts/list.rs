@@ -96,13 +96,11 @@ impl StartList {
         json!({ "bytes": self.content.0, "crc32": format!("{:08x}", self.content.1), "rows": self.rows })
     }
 
-    /// The rows from the first one on.
     pub(crate) fn read(&self) -> Result<Rows, ListError> {
         let rows = Rows::open(&self.path, self.base)?;
         if rows.columns == self.columns { Ok(rows) } else { Err(self.changed()) }
     }
 
-    /// The error that the file is not the one that was opened.
     pub(crate) fn changed(&self) -> ListError {
         ListError::Changed { path: self.path.clone() }
     }

@@ -26,7 +26,6 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    /// Reads the header.
     pub(super) fn open(path: &Path, base: Setup) -> Result<Self, ListError> {
         if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
             return Err(ListError::UnknownFormat { path: path.to_owned() });

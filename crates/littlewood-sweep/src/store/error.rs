@@ -15,35 +15,26 @@ pub enum StoreError {
     /// on disk, and stay readable.
     #[error("cannot write {}: {source}{}", path.display(), stay_readable(*finished))]
     Unwritable { path: PathBuf, source: io::Error, finished: u64 },
-    /// A file of a store cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Unreadable { path: PathBuf, source: io::Error },
-    /// There is something at the path that is not a store of this program.
     #[error("{} exists and is not the result of a sweep; it is left as it is", path.display())]
     NotAStore { path: PathBuf },
-    /// There is a store whose files or codes are those of another version of this program.
     #[error(
         "{} has {} {}{}, this program reads and writes {}; it is left as it is: choose another name and compute it \
          again, or read it with the program that made it",
         path.display(), version.what, version.found, made_by(version), version.needed
     )]
     OtherFormat { path: PathBuf, version: ForeignVersion },
-    /// There is a store of the same run, and resuming was not asked for.
     #[error("{} exists ({}); resume it, or choose another name", path.display(), if *complete { "complete" } else { "partial" })]
     Exists { path: PathBuf, complete: bool },
-    /// There is a store of another run, with `differences` such as `name: there / here`.
     #[error("{} was made by other parameters ({}); it is left as it is", path.display(), differences.join("; "))]
     OtherParameters { path: PathBuf, differences: Vec<String> },
-    /// Another process is writing to the store.
     #[error("another process is writing to {}", path.display())]
     Locked { path: PathBuf },
-    /// The list of finished chunks cannot be understood.
     #[error("{}, line {line}: the list of finished chunks is damaged; remove the store and run again", path.display())]
     DamagedManifest { path: PathBuf, line: usize },
-    /// Metadata of a store cannot be understood.
     #[error("{}: damaged metadata: {reason}", path.display())]
     DamagedMetadata { path: PathBuf, reason: String },
-    /// A chunk cannot be decoded.
     #[error("{}: damaged chunk: {reason}", path.display())]
     DamagedChunk { path: PathBuf, reason: String },
     /// Data cannot be put into the format. No input is known that does this.
@@ -60,7 +51,6 @@ impl StoreError {
         Self::Unreadable { path: path.to_owned(), source }
     }
 
-    /// Of an encoder.
     pub(crate) fn encoding<E: core::fmt::Display>(what: &str) -> impl Fn(E) -> Self + '_ {
         move |error| Self::Encoding { what: what.to_owned(), reason: error.to_string() }
     }

@@ -16,14 +16,11 @@ pub(crate) type StoreFile = (PathBuf, Vec<u8>);
 pub(crate) struct Header {
     /// The version of the format, if the header has one.
     pub(crate) format: Option<Value>,
-    /// The description of the run.
     pub(crate) run: Value,
-    /// Whether all chunks are there.
     pub(crate) complete: bool,
 }
 
 impl Header {
-    /// The program that stores name as their maker.
     pub(crate) const PROGRAM: &'static str = "littlewood-sweep";
 
     /// From the attributes in which a store describes itself; none if they are not of this program.
@@ -36,12 +33,10 @@ impl Header {
         Some(Self { format, run, complete })
     }
 
-    /// The status of a store in words.
     pub(crate) const fn status(complete: bool) -> &'static str {
         if complete { "complete" } else { "partial" }
     }
 
-    /// Refuses a store of another version.
     pub(crate) fn check_versions(&self, path: &Path) -> Result<(), StoreError> {
         match ForeignVersion::find(self.format.as_ref(), &self.run) {
             None => Ok(()),
@@ -50,9 +45,7 @@ impl Header {
     }
 }
 
-/// A format of stores.
 pub(crate) trait Format: Sync {
-    /// What the run computes.
     fn description(&self) -> &Description;
     /// The file that describes the run and says whether it is complete.
     fn header_path(&self) -> &'static str;
@@ -60,13 +53,11 @@ pub(crate) trait Format: Sync {
     fn manifest_path(&self) -> &'static str;
     /// An empty file that is locked while a run writes.
     fn lock_path(&self) -> &'static str;
-    /// The header as a file.
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError>;
     /// Its content; none if this program has not written it.
     fn read_header(&self, header: &Value) -> Option<Header>;
     /// Files that are written before the first chunk.
     fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError>;
-    /// Paths of the files of a chunk.
     fn paths(&self, chunk: usize) -> Vec<PathBuf>;
     /// The files of a chunk, in the order of [`Format::paths`].
     fn encode(&self, chunk: usize, points: &[Setup], columns: &Columns)

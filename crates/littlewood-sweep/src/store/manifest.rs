@@ -9,9 +9,7 @@ use crate::tally::Tally;
 /// Length and checksum of the files of a chunk, taken together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Checksum {
-    /// Bytes.
     pub(crate) length: u64,
-    /// CRC-32 of all bytes.
     pub(crate) crc: u32,
 }
 
@@ -27,7 +25,6 @@ impl Checksum {
     }
 }
 
-/// A finished chunk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ManifestChunk {
     pub(crate) checksum: Checksum,

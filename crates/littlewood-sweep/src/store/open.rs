@@ -78,7 +78,6 @@ fn has_other_files(root: &Path, format: &dyn Format) -> io::Result<bool> {
     Ok(false)
 }
 
-/// Whether the files of a chunk have this checksum.
 pub(super) fn is_intact(root: &Path, format: &dyn Format, number: usize, checksum: Checksum) -> bool {
     let files: Result<Vec<Vec<u8>>, io::Error> =
         format.paths(number).iter().map(|path| fs::read(root.join(path))).collect();

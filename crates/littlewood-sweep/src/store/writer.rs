@@ -41,7 +41,6 @@ impl<'a> Store<'a> {
         check(root, format, resume).map(drop)
     }
 
-    /// Opens or begins the store of a run with this number of chunks.
     pub(crate) fn open(
         root: &'a Path,
         format: &'a dyn Format,
@@ -101,7 +100,6 @@ impl<'a> Store<'a> {
         self.manifest.chunks.contains_key(&chunk)
     }
 
-    /// Points of some chunks, class by class.
     pub(crate) fn tally(&self, chunks: &[usize]) -> Tally {
         let mut tally = Tally::default();
         for entry in chunks.iter().filter_map(|number| self.manifest.chunks.get(number)) {

@@ -11,7 +11,6 @@ use crate::store::StoreError;
 /// checksum every reader notices a damaged chunk.
 const LEVEL: i32 = 1;
 
-/// An array of a store.
 #[derive(Debug)]
 pub(super) struct Array {
     pub(super) name: String,
@@ -20,7 +19,6 @@ pub(super) struct Array {
     pub(super) chunk: Vec<usize>,
     /// What stands for a value that is not there, of the type of all.
     pub(super) fill: SummaryValue,
-    /// The names of its dimensions.
     pub(super) dimensions: Vec<&'static str>,
     pub(super) attributes: Attributes,
 }
@@ -62,13 +60,11 @@ impl Array {
         }
     }
 
-    /// The path of a chunk in the store.
     pub(super) fn path(&self, place: &[usize]) -> String {
         let place = place.iter().map(|number| format!("/{number}"));
         format!("{}/c{}", self.name, place.collect::<String>())
     }
 
-    /// The file of a chunk with these values.
     pub(super) fn encode(&self, values: &[u8]) -> Result<Vec<u8>, StoreError> {
         let compress = || {
             let mut compressor = Compressor::new(LEVEL)?;
@@ -78,7 +74,6 @@ impl Array {
         compress().map_err(StoreError::encoding(&self.name))
     }
 
-    /// The values of a chunk from its file.
     pub(super) fn decode(&self, file: &[u8]) -> Result<Vec<u8>, String> {
         let size = self.chunk.iter().product::<usize>() * self.data_type().1;
         let decompress = || Decompressor::new()?.decompress(file, size);

@@ -18,7 +18,6 @@ use crate::store::{Format, Header, StoreError, StoreFile};
 
 pub(super) const METADATA: &str = "zarr.json";
 
-/// The arrays of a store.
 #[derive(Debug)]
 pub(crate) struct Layout {
     pub(super) chunks: Chunks,
