@@ -1,6 +1,6 @@
 //! What the commands that follow many motions share: the base point, the threads, the options of a run.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use littlewood::derivatives::NotDifferentiable;
@@ -132,15 +132,5 @@ pub(crate) const fn count(progress: Progress) -> Count {
 
 /// Files of a run that can be read, and resumed if it is not complete.
 pub(crate) fn kept(targets: &[Target<'_>], report: &Report, pictures: Vec<PathBuf>) -> Vec<PathBuf> {
-    let stores = targets.iter().map(|target| match target {
-        Target::Parquet(path) if !report.complete => with_ending(path, ".parts"),
-        Target::Zarr(path) | Target::Parquet(path) | Target::ParquetFolder(path) => path.to_path_buf(),
-    });
-    stores.chain(pictures).collect()
-}
-
-fn with_ending(path: &Path, ending: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(ending);
-    PathBuf::from(name)
+    targets.iter().map(|target| target.readable(report.complete)).chain(pictures).collect()
 }

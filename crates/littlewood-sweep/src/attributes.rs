@@ -1,9 +1,7 @@
 //! What stores say of their columns: the attributes of the CF conventions, and how codes are to be read.
 
 use littlewood::OutcomeKind;
-use littlewood::tables::{
-    ColumnType, DerivativeColumn, Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn,
-};
+use littlewood::tables::{ColumnType, DerivativeColumn, Dimension, PhaseCode, PhaseSequence, SummaryColumn};
 use serde_json::{Map, Value, json};
 
 use crate::axis::Varies;
@@ -13,16 +11,8 @@ pub(crate) const CONVENTIONS: &str = "CF-1.11";
 
 pub(crate) type Attributes = Map<String, Value>;
 
-pub(crate) fn of_quantity(quantity: Quantity) -> Attributes {
-    let mut attributes = named(quantity.long_name());
-    attributes.extend(units(quantity.dimension()));
-    attributes
-}
-
 pub(crate) fn of_axis(varies: Varies) -> Attributes {
-    let mut attributes = named(varies.long_name());
-    attributes.extend(units(varies.dimension()));
-    attributes
+    named(varies.long_name()).into_iter().chain(units(varies.dimension())).collect()
 }
 
 pub(crate) fn of_column(column: Column) -> Attributes {
@@ -105,6 +95,8 @@ fn flags(codes: &[u8], names: &[&str]) -> Attributes {
 
 #[cfg(test)]
 mod tests {
+    use littlewood::tables::Quantity;
+
     use super::*;
 
     /// UDUNITS parses `1` and `rad`; it refuses scales such as `sqrt(R/g)`, and reads `R` as roentgen, `m2` as square metres.
@@ -126,7 +118,7 @@ mod tests {
 
     #[test]
     fn units_can_be_parsed_and_scales_stand_beside_them() {
-        let quantities = Quantity::HOOP.into_iter().chain(Quantity::START).map(of_quantity);
+        let quantities = Quantity::HOOP.into_iter().chain(Quantity::START).map(|it| of_axis(it.into()));
         let columns = SummaryColumn::ALL.into_iter().map(of_summary);
         for attributes in quantities.chain(columns) {
             assert!(attributes["long_name"].is_string());

@@ -97,7 +97,7 @@ impl Spacing {
 
 /// What is wrong with the axes of a grid.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[expect(missing_docs, reason = "the message of each says what its fields are")]
+#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
 pub enum AxisError {
     #[error("a sweep cannot vary {quantity}; axes are {}, {}", names(&Quantity::AXES), Varies::Friction)]
     NotAnAxis { quantity: Quantity },
@@ -246,41 +246,5 @@ impl Axis {
     /// All values in order.
     pub fn values(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         (0..self.count).map(|i| self.value(i))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use littlewood::{HoopParameters, Start};
-
-    use super::*;
-
-    #[test]
-    fn equal_factors_lead_from_end_to_end() {
-        let axis = Axis::new(Quantity::MuS, 1e-3, 10.0, 9).and_then(|axis| axis.with_spacing(Spacing::Log));
-        let axis = axis.expect("an axis");
-        let values: Vec<f64> = axis.values().collect();
-        assert_eq!((values[0], values[8]), (1e-3, 10.0));
-        for pair in values.windows(2) {
-            assert!((pair[1] / pair[0] - libm::sqrt(10.0)).abs() < 1e-13, "{values:?}");
-        }
-        for (i, value) in values.into_iter().enumerate() {
-            assert!((axis.fraction(value) - i as f64 / 8.0).abs() < 1e-14);
-        }
-        for (from, to) in [(0.0, 1.0), (-1.0, 1.0), (1.0, 0.0)] {
-            let axis =
-                Axis::new(Quantity::Theta, from, to, 3).and_then(|axis| axis.with_spacing(Spacing::Log));
-            assert!(matches!(axis, Err(AxisError::NoFactor { .. })), "{axis:?}");
-        }
-        let negative =
-            Axis::new(Quantity::Theta, -1.0, -4.0, 3).and_then(|axis| axis.with_spacing(Spacing::Log));
-        assert_eq!(negative.expect("an axis").value(1), -2.0);
-    }
-
-    #[test]
-    fn friction_is_both_coefficients() {
-        let mut setup = Setup::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4), Start::at(0.0, 0.0));
-        Varies::Friction.set(&mut setup, 0.7);
-        assert_eq!((setup.hoop.mu_s, setup.hoop.mu_k), (0.7, 0.7));
     }
 }

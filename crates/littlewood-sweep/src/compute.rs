@@ -11,7 +11,9 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::columns::Columns;
+use crate::grid::Grid;
 use crate::options::Options;
+use crate::regions::Place;
 use crate::setup::{HoopBits, hoop_bits};
 use crate::watch::{Ledger, Watch};
 
@@ -29,7 +31,7 @@ pub const MOST_THREADS: usize = 1024;
 
 /// Threads could not be started.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[expect(missing_docs, reason = "the message of each says what its fields are")]
+#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
 pub enum ThreadsError {
     #[error("{threads} threads: at most {MOST_THREADS} can be asked for")]
     TooMany { threads: usize },
@@ -66,6 +68,7 @@ type Done<'a> = (Vec<Prepared>, Vec<Task<'a>>);
 
 /// Points that are made where they are followed.
 #[derive(Clone, Copy)]
+#[expect(missing_debug_implementations, reason = "a function makes them")]
 pub struct Points<'a> {
     /// How many there are.
     pub count: usize,
@@ -75,15 +78,6 @@ pub struct Points<'a> {
     pub share_hoop: bool,
     /// The derivatives that are asked for: each point is then simulated, too.
     pub derivatives: &'a [DerivativeColumn],
-}
-
-impl core::fmt::Debug for Points<'_> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Points")
-            .field("count", &self.count)
-            .field("share_hoop", &self.share_hoop)
-            .finish_non_exhaustive()
-    }
 }
 
 /// What all tasks have in common.
@@ -172,7 +166,17 @@ impl Workers {
         limits: Limits,
     ) -> Result<Columns, ParameterError> {
         let points: Vec<Setup> = points.into_iter().collect();
-        match self.compute_points((&points, &[]), None, limits, &Watch::NONE) {
+        self.compute_all(&points, None, limits)
+    }
+
+    /// As [`Workers::compute`], of a run in which each hoop has so many starts, where that is known.
+    fn compute_all(
+        &self,
+        points: &[Setup],
+        starts_of_a_hoop: Option<u64>,
+        limits: Limits,
+    ) -> Result<Columns, ParameterError> {
+        match self.compute_points((points, &[]), starts_of_a_hoop, limits, &Watch::NONE) {
             Err(Halt::Refused(refused)) => Err(refused.error),
             // Nobody can cancel it.
             Err(Halt::Cancelled) => Ok(Columns::blank(points.len(), &[])),
@@ -180,19 +184,21 @@ impl Workers {
         }
     }
 
-    /// The keys of points, in their order, by their summaries, of a run in which each hoop has so many starts.
-    pub(crate) fn keys(
+    /// What finds the keys of places of a grid by their summaries; `told` is told of the motions that it has followed.
+    pub(crate) fn keys_of_places(
         &self,
-        points: &[Setup],
-        starts_of_a_hoop: u64,
+        grid: &Grid,
         limits: Limits,
-        key: &dyn Fn(&Summary) -> u64,
-    ) -> Result<Vec<u64>, ParameterError> {
-        match self.compute_points((points, &[]), Some(starts_of_a_hoop), limits, &Watch::NONE) {
-            Err(Halt::Refused(refused)) => Err(refused.error),
-            // Nobody can cancel it.
-            Err(Halt::Cancelled) => Ok(vec![key(&Summary::NOT_COMPUTED); points.len()]),
-            Ok(columns) => Ok(columns.summaries().map(|summary| key(&summary)).collect()),
+        key: impl Fn(&Summary) -> u64,
+        told: &mut dyn FnMut(u64),
+    ) -> impl FnMut(&[Place]) -> Result<Vec<u64>, ParameterError> {
+        let mut followed = 0;
+        move |places| {
+            let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();
+            let columns = self.compute_all(&points, Some(grid.starts_of_a_hoop()), limits)?;
+            followed += places.len() as u64;
+            told(followed);
+            Ok(columns.summaries().map(|summary| key(&summary)).collect())
         }
     }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::columns::Columns;
 use crate::compute::Workers;
-use crate::disk::Disk;
+use crate::disk::{Disk, PARTS, with_ending};
 use crate::options::Options;
 #[cfg(feature = "parquet")]
 use crate::parquet::{OneFile, Table};
@@ -21,6 +21,16 @@ pub enum Target<'a> {
     Parquet(&'a Path),
     /// A folder with a Parquet file for each chunk, which readers take as one table.
     ParquetFolder(&'a Path),
+}
+
+impl Target<'_> {
+    /// What can be read: of one file, until it is complete, the folder of its finished chunks.
+    pub fn readable(self, complete: bool) -> PathBuf {
+        match self {
+            Self::Parquet(path) if !complete => with_ending(path, PARTS),
+            Self::Zarr(path) | Self::Parquet(path) | Self::ParquetFolder(path) => path.to_owned(),
+        }
+    }
 }
 
 pub(crate) enum Destination {

@@ -29,6 +29,9 @@ pub struct FileSystem;
 /// Ending of files that are not finished.
 pub const UNFINISHED: &str = ".unfinished";
 
+/// Ending of the folder of the finished chunks of a file.
+pub(crate) const PARTS: &str = ".parts";
+
 pub(crate) fn with_ending(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(ending);

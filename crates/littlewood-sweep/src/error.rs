@@ -14,7 +14,7 @@ use crate::store::StoreError;
 
 /// What stops a sweep.
 #[derive(Debug, Error)]
-#[expect(missing_docs, reason = "the message of each says what its fields are")]
+#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
 pub enum SweepError {
     #[error(transparent)]
     Axis(#[from] AxisError),

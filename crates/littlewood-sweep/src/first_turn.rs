@@ -70,20 +70,17 @@ impl FirstTurn {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn new(hoop: &Hoop, start: Start) -> Result<Self, ParameterError> {
-        let mut turn = Self::within(hoop, start, TRANSITIONS[0])?;
-        for transitions in TRANSITIONS.into_iter().skip(1) {
-            match turn {
-                Ok(turn) => return Ok(turn),
-                Err(_) => turn = Self::within(hoop, start, transitions)?,
+        let [few, more, most] = TRANSITIONS;
+        for transitions in [few, more] {
+            if let (turn, false) = Self::within(hoop, start, transitions)? {
+                return Ok(turn);
             }
         }
-        Ok(match turn {
-            Ok(turn) | Err(turn) => turn,
-        })
+        Ok(Self::within(hoop, start, most)?.0)
     }
 
-    /// The first turn within a number of transitions; in `Err` the part of it that was followed if it does not stop in them.
-    fn within(hoop: &Hoop, start: Start, transitions: usize) -> Result<Result<Self, Self>, ParameterError> {
+    /// The first turn within a number of transitions, and whether they have cut it off.
+    fn within(hoop: &Hoop, start: Start, transitions: usize) -> Result<(Self, bool), ParameterError> {
         // Slips that shrink for ever, too, come to the end of the turn.
         let limits = Limits::default().with_transitions(transitions).with_proof(Proof::None);
         let motion = hoop.simulate(start, limits)?;
@@ -93,14 +90,13 @@ impl FirstTurn {
                 sequence.push(phase.mode(), phase.direction());
             }
             let turn = Self { sequence, stop: Stop::Never, time: f64::NAN };
-            let is_cut = matches!(motion.outcome(), Outcome::TransitionLimit { .. });
-            return Ok(if is_cut { Err(turn) } else { Ok(turn) });
+            return Ok((turn, motion.outcome().kind() == OutcomeKind::TransitionLimit));
         };
         let turn = Turn { theta: start.theta, travel: travel.sign() };
         for phase in motion.phases() {
             sequence.push(phase.mode(), phase.direction());
             if !phase.mode().touches_plane() {
-                return Ok(Ok(Self { sequence, stop: Stop::LiftsOff, time: phase.start().time }));
+                return Ok((Self { sequence, stop: Stop::LiftsOff, time: phase.start().time }, false));
             }
             let duration = if phase.duration().is_finite() {
                 phase.duration()
@@ -108,18 +104,18 @@ impl FirstTurn {
                 period(phase, &motion.outcome()).unwrap_or(0.0)
             };
             if let Some((stop, elapsed)) = turn.stop_in(phase, duration) {
-                return Ok(Ok(Self { sequence, stop, time: phase.start().time + elapsed }));
+                return Ok((Self { sequence, stop, time: phase.start().time + elapsed }, false));
             }
         }
         let never = Self { sequence, stop: Stop::Never, time: f64::NAN };
         Ok(match motion.outcome().kind() {
-            OutcomeKind::TransitionLimit => Err(never),
+            OutcomeKind::TransitionLimit => (never, true),
             OutcomeKind::RollsForever
             | OutcomeKind::SlidesForever
             | OutcomeKind::SlipsForever
             | OutcomeKind::RepeatsForever
             | OutcomeKind::StaysInContact
-            | OutcomeKind::TimeLimit => Ok(never),
+            | OutcomeKind::TimeLimit => (never, false),
             OutcomeKind::Landing
             | OutcomeKind::ParticleAtPlane
             | OutcomeKind::ParticleAtBottom
@@ -130,7 +126,7 @@ impl FirstTurn {
             | OutcomeKind::StepLimit
             | OutcomeKind::Unresolved
             | OutcomeKind::NotComputed
-            | OutcomeKind::Invalid => Ok(Self { stop: Stop::Ends, ..never }),
+            | OutcomeKind::Invalid => (Self { stop: Stop::Ends, ..never }, false),
         })
     }
 }

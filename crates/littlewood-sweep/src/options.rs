@@ -15,6 +15,7 @@ pub const MOST_CHUNK_POINTS: usize = 1 << 20;
 pub const MOST_CHUNKS: usize = 1 << 18;
 
 /// How to run.
+#[expect(missing_debug_implementations, reason = "a disk and functions are among them")]
 pub struct Options<'a> {
     /// Go on with a store that is there, if the parameters are the same.
     pub resume: bool,
@@ -45,22 +46,5 @@ pub struct Progress {
 impl Default for Options<'_> {
     fn default() -> Self {
         Self { resume: false, chunk_points: CHUNK_POINTS, cancel: None, progress: None, disk: &FileSystem }
-    }
-}
-
-impl core::fmt::Debug for Options<'_> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Options")
-            .field("resume", &self.resume)
-            .field("chunk_points", &self.chunk_points)
-            .finish_non_exhaustive()
-    }
-}
-
-impl Options<'_> {
-    pub(crate) fn report(&self, progress: Progress) {
-        if let Some(callback) = self.progress {
-            callback(progress);
-        }
     }
 }

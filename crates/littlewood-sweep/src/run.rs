@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use littlewood::Limits;
-use littlewood::tables::{Class, DerivativeColumn, Setup};
+use littlewood::tables::{Class, Setup};
 use rayon::prelude::*;
 
 use crate::columns::Columns;
@@ -14,7 +14,7 @@ use crate::options::Options;
 use crate::source::Source;
 use crate::store::{StoreError, StoreFile, WrittenChunk};
 use crate::tally::Tally;
-use crate::watch::{Ledger, Watch};
+use crate::watch::Ledger;
 
 /// Chunks that are computed while those before them are written.
 const BATCH: usize = 2;
@@ -56,6 +56,7 @@ pub(crate) fn run(
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
     let (mut run, missing) = Run::open(source, destinations, &mut view, workers, options)?;
+    let (starts_of_a_hoop, derivatives) = (source.starts_of_a_hoop(), source.derivatives().to_vec());
     let mut batches = missing.chunks(BATCH);
     let mut finished: Vec<FinishedChunk> = Vec::new();
     loop {
@@ -76,7 +77,12 @@ pub(crate) fn run(
                 || {
                     inputs
                         .into_par_iter()
-                        .map(|input| compute(input, destinations, limits, workers, &ledger.watch()))
+                        .map(|input| {
+                            let points = (input.points.as_slice(), derivatives.as_slice());
+                            let found =
+                                workers.compute_points(points, starts_of_a_hoop, limits, &ledger.watch());
+                            encode(input, found, destinations)
+                        })
                         .collect::<Vec<_>>()
                 },
             )
@@ -148,9 +154,7 @@ impl<'a> Run<'a> {
             .iter()
             .map(|&number| {
                 let lacking = self.destinations.iter().map(|destination| !destination.has(number)).collect();
-                let starts_of_a_hoop = source.starts_of_a_hoop();
-                let derivatives = source.derivatives().to_vec();
-                Ok(Input { number, points: source.points(number)?, derivatives, starts_of_a_hoop, lacking })
+                Ok(Input { number, points: source.points(number)?, lacking })
             })
             .collect()
     }
@@ -191,9 +195,6 @@ impl<'a> Run<'a> {
 struct Input {
     number: usize,
     points: Vec<Setup>,
-    derivatives: Vec<DerivativeColumn>,
-    /// Starts of each hoop in the whole run, where that is known.
-    starts_of_a_hoop: Option<u64>,
     /// Which destinations lack it.
     lacking: Vec<bool>,
 }
@@ -204,20 +205,15 @@ enum Failure {
     Cancelled,
 }
 
-fn compute(
-    input: Input,
+fn encode(
+    Input { number, points, lacking }: Input,
+    found: Result<Columns, Halt>,
     destinations: &[Destination],
-    limits: Limits,
-    workers: &Workers,
-    watch: &Watch<'_>,
 ) -> Result<(FinishedChunk, Columns), Failure> {
-    let Input { number, points, derivatives, starts_of_a_hoop, lacking } = input;
-    let asked = (points.as_slice(), derivatives.as_slice());
-    let columns =
-        workers.compute_points(asked, starts_of_a_hoop, limits, watch).map_err(|halt| match halt {
-            Halt::Refused(refused) => Failure::Point { chunk: number, refused },
-            Halt::Cancelled => Failure::Cancelled,
-        })?;
+    let columns = found.map_err(|halt| match halt {
+        Halt::Refused(refused) => Failure::Point { chunk: number, refused },
+        Halt::Cancelled => Failure::Cancelled,
+    })?;
     let files = destinations
         .iter()
         .zip(lacking)

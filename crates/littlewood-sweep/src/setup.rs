@@ -29,18 +29,3 @@ pub(crate) type HoopBits = ([u64; Quantity::HOOP.len()], Option<RestitutionLaw>)
 pub(crate) fn hoop_bits(setup: &Setup) -> HoopBits {
     (setup.values(Quantity::HOOP).map(f64::to_bits), setup.hoop.restitution_law)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_quantity_of_a_hoop_and_a_start_is_there_once() {
-        let listed: Vec<Quantity> = quantities().collect();
-        for quantity in Quantity::HOOP.into_iter().chain(Quantity::START) {
-            assert_eq!(listed.iter().filter(|&&other| other == quantity).count(), 1, "{quantity}");
-        }
-        assert_eq!(listed.len(), Quantity::HOOP.len() + Quantity::START.len());
-        assert_eq!(listed[..Quantity::AXES.len()], Quantity::AXES);
-    }
-}

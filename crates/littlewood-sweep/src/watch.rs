@@ -33,7 +33,9 @@ impl<'a> Ledger<'a> {
     }
 
     pub(crate) fn report(&self) {
-        self.options.report(self.progress());
+        if let Some(callback) = self.options.progress {
+            callback(self.progress());
+        }
     }
 
     pub(crate) fn finish(&self, points: u64) {

@@ -7,6 +7,7 @@ mod compute;
 mod derivatives;
 mod list;
 mod picture;
+mod regions;
 mod restitution;
 mod store;
 mod support;

@@ -6,7 +6,7 @@ use crate::support::{bits, figure_2, map, mixed, reals, workers};
 use littlewood::tables::{Class, Quantity, Setup, SummaryColumn, SummaryValue};
 use littlewood::{Hoop, HoopParameters, Limits, OutcomeKind, RestitutionLaw, Start, Summary};
 use littlewood_random::Draw;
-use littlewood_sweep::{Axis, AxisError, Chunks, Grid};
+use littlewood_sweep::{Axis, AxisError, Chunks, Grid, Spacing};
 use proptest::prelude::*;
 
 #[test]
@@ -109,6 +109,26 @@ fn points_are_numbered_row_by_row() {
         .collect();
     assert_eq!(starts[..4], [(-1.0, -4.0), (-1.0, 0.0), (-1.0, 4.0), (0.0, -4.0)]);
     assert_eq!(starts[8], (1.0, 4.0));
+}
+
+#[test]
+fn equal_factors_lead_from_end_to_end() {
+    let axis = Axis::new(Quantity::MuS, 1e-3, 10.0, 9).and_then(|axis| axis.with_spacing(Spacing::Log));
+    let axis = axis.expect("an axis");
+    let values: Vec<f64> = axis.values().collect();
+    assert_eq!((values[0], values[8]), (1e-3, 10.0));
+    for pair in values.windows(2) {
+        assert!((pair[1] / pair[0] - libm::sqrt(10.0)).abs() < 1e-13, "{values:?}");
+    }
+    for (i, value) in values.into_iter().enumerate() {
+        assert!((axis.fraction(value) - i as f64 / 8.0).abs() < 1e-14);
+    }
+    for (from, to) in [(0.0, 1.0), (-1.0, 1.0), (1.0, 0.0)] {
+        let axis = Axis::new(Quantity::Theta, from, to, 3).and_then(|axis| axis.with_spacing(Spacing::Log));
+        assert!(matches!(axis, Err(AxisError::NoFactor { .. })), "{axis:?}");
+    }
+    let negative = Axis::new(Quantity::Theta, -1.0, -4.0, 3).and_then(|axis| axis.with_spacing(Spacing::Log));
+    assert_eq!(negative.expect("an axis").value(1), -2.0);
 }
 
 #[test]

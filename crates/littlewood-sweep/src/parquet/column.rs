@@ -14,7 +14,7 @@ use parquet::file::writer::SerializedRowGroupWriter;
 use parquet::schema::types::{Type, TypePtr};
 use serde_json::Value;
 
-use crate::attributes::{Attributes, of_column, of_quantity, of_words};
+use crate::attributes::{Attributes, of_axis, of_column, of_words};
 use crate::columns::{Column as Results, ColumnValues};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +44,7 @@ impl Column {
     }
 
     pub(super) fn of_quantity(quantity: Quantity) -> Self {
-        Self::new(quantity.name(), Kind::F64, of_quantity(quantity))
+        Self::new(quantity.name(), Kind::F64, of_axis(quantity.into()))
     }
 
     /// Those of a column of results: a code has its words before it.

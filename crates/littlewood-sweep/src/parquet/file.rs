@@ -14,11 +14,9 @@ use serde_json::{Map, Value};
 use super::read::read_row_group;
 use super::table::{CHUNK_KEY, RUN_KEY, Table};
 use crate::columns::Columns;
-use crate::disk::{Disk, UNFINISHED, with_ending};
+use crate::disk::{Disk, PARTS, UNFINISHED, with_ending};
 use crate::store::{Format as _, Header, StoreError};
 use crate::tally::Tally;
-
-const PARTS: &str = ".parts";
 
 const COUNTS_KEY: &str = "littlewood_counts";
 

@@ -7,52 +7,23 @@ use super::shade::Shade;
 
 /// What is wrong with a picture.
 #[derive(Debug, Error)]
+#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
 pub enum PictureError {
-    /// A map needs two axes.
     #[error("a map has 2 axes, this grid has {found}")]
-    NotTwoAxes {
-        /// Number of axes.
-        found: usize,
-    },
-    /// A scale of colours needs numbers.
+    NotTwoAxes { found: usize },
     #[error(
         "a map cannot shade {column}, which is not a number; it can shade {}",
         SummaryColumn::numbers().map(SummaryColumn::name).collect::<Vec<_>>().join(", ")
     )]
-    NoNumber {
-        /// The column.
-        column: SummaryColumn,
-    },
-    /// A derivative is shown where it is computed.
+    NoNumber { column: SummaryColumn },
     #[error("a map cannot shade {column}, which its grid does not compute")]
-    NotComputed {
-        /// The derivative.
-        column: DerivativeColumn,
-    },
-    /// Lines of constant value need a scale.
+    NotComputed { column: DerivativeColumn },
     #[error("a map of {} has no scale, and so no lines of constant value", shade.name())]
-    NoScale {
-        /// What is shown.
-        shade: Shade,
-    },
-    /// The curves f and n belong to the phase plane of rolling.
+    NoScale { shade: Shade },
     #[error(
         "the curves f and n are those of the plane of theta and theta_rate of one hoop without slip; of this map {reason}"
     )]
-    NoCurves {
-        /// What stands in the way.
-        reason: &'static str,
-    },
-    /// Too small to draw in, or too large to hold.
+    NoCurves { reason: &'static str },
     #[error("a picture of {width} x {height} pixels: each side must be from {least} to {most}")]
-    Size {
-        /// Width in pixels.
-        width: u32,
-        /// Height in pixels.
-        height: u32,
-        /// Smallest side.
-        least: u32,
-        /// Largest side.
-        most: u32,
-    },
+    Size { width: u32, height: u32, least: u32, most: u32 },
 }

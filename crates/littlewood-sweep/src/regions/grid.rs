@@ -29,14 +29,7 @@ impl Regions {
         assert!(grid.axes().len() == 2, "a plane has two axes, not {}", grid.axes().len());
         let count = [0, 1].map(|k| grid.axes()[k].count());
         assert!(count.iter().all(|count| *count > 1), "a plane has two points or more to either side");
-        let mut followed = 0;
-        let mut ask = |places: &[Place]| -> Result<Vec<u64>, ParameterError> {
-            let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();
-            let keys = workers.keys(&points, grid.starts_of_a_hoop(), limits, key)?;
-            followed += places.len() as u64;
-            told(followed);
-            Ok(keys)
-        };
+        let mut ask = workers.keys_of_places(grid, limits, key, told);
         let mut lattice = Lattice::even(count, |_| 0);
         let [columns, rows] = &lattice.places;
         let places: Vec<Place> = rows.iter().flat_map(|&y| columns.iter().map(move |&x| [x, y])).collect();

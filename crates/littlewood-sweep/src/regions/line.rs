@@ -67,15 +67,8 @@ impl Band {
         assert!(grid.axes().len() == 1, "a line has one axis, not {}", grid.axes().len());
         let last = grid.axes()[0].count() - 1;
         assert!(last > 0, "a line has two points or more");
-        let mut followed = 0;
-        let mut ask = |places: &[Place]| -> Result<Vec<u64>, ParameterError> {
-            let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();
-            let key = |summary: &Summary| key_of(kind(summary), summary.sequence);
-            let keys = workers.keys(&points, grid.starts_of_a_hoop(), limits, &key)?;
-            followed += places.len() as u64;
-            told(followed);
-            Ok(keys)
-        };
+        let key = |summary: &Summary| key_of(kind(summary), summary.sequence);
+        let mut ask = workers.keys_of_places(grid, limits, key, told);
         let places: Vec<Place> = (0..=last).map(|i| [i as f64 / last as f64, 0.0]).collect();
         let keys = ask(&places)?;
         let spans: Vec<Span> = places

@@ -12,7 +12,7 @@ use crate::setup::quantities;
 
 /// What is wrong with a list of starts. Lines are counted from 1.
 #[derive(Debug, Error)]
-#[expect(missing_docs, reason = "the message of each says what its fields are")]
+#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
 pub enum ListError {
     #[error("cannot read {}: {source}", path.display())]
     Unreadable { path: PathBuf, source: io::Error },

@@ -9,7 +9,7 @@ use crate::description::ForeignVersion;
 
 /// What is wrong with a store, or with writing to it.
 #[derive(Debug, Error)]
-#[expect(missing_docs, reason = "the message of each says what its fields are")]
+#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
 pub enum StoreError {
     /// A file or folder cannot be written: a full disk, a folder without permission, a name that is taken. The chunks of `finished` points are
     /// on disk, and stay readable.
