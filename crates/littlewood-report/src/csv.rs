@@ -8,8 +8,8 @@ use littlewood::{Cause, Outcome, OutcomeKind, Phase, State, Trajectory};
 
 use crate::instants::{START, instants};
 use crate::record::{
-    Fields, Value, columns, derivative_columns, edge, edge_of, jump, opening, sample, si_jump, si_sample,
-    si_state, state,
+    Fields, Value, derivative_columns, digit_columns, edge, edge_of, jump, opening, sample, si_jump,
+    si_sample, si_state, state,
 };
 use crate::{Sampling, Subject};
 
@@ -44,7 +44,7 @@ fn events<W: Write>(
         let Row { state: at, edge, gap_rate, side, impact, transition } = row;
         let fields = state(&at).followed_by(edge);
         let fields = match subject.digits {
-            Some(digits) => fields.followed_by(columns(transition.and_then(|index| digits.get(index)))),
+            Some(digits) => fields.followed_by(digit_columns(transition.and_then(|index| digits.get(index)))),
             None => fields,
         };
         let fields = match subject.derivatives {

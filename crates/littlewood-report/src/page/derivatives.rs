@@ -1,7 +1,6 @@
 //! The derivatives of each transition and of the outcome.
 
 use littlewood::derivatives::{Derivatives, NoDerivative};
-use littlewood::tables::SampleColumn;
 use littlewood::{State, Trajectory};
 
 use crate::number::brief;
@@ -9,8 +8,6 @@ use crate::sheet::Sheet;
 
 /// Adds a table with a row for each transition and quantity, and the reasons for those that do not exist.
 pub(super) fn derivatives(sheet: &mut Sheet, trajectory: &Trajectory, derivatives: &Derivatives) {
-    let head = ["#", "event", "per"].map(str::to_owned).into_iter();
-    let head = head.chain(State::COLUMNS.map(|column| format!("∂{}", SampleColumn::sign(column))));
     let mut reasons: Vec<NoDerivative> = Vec::new();
     let mut rows: Vec<Vec<String>> = Vec::new();
     let quantities = || derivatives.quantities().iter();
@@ -40,9 +37,7 @@ pub(super) fn derivatives(sheet: &mut Sheet, trajectory: &Trajectory, derivative
         let each = derivatives.outcome().iter().map(|derivative| derivative.map(|numbers| numbers.state));
         add([String::new(), trajectory.outcome().kind().label().to_owned()], each.collect());
     }
-    sheet.gap();
-    sheet.table(head.collect(), rows, &[0, 3, 4, 5, 6, 7]);
-    sheet.gap();
+    super::states(sheet, "per", '∂', rows);
     sheet.note("derivatives of the time of each event, and of the state after it, along the event");
     for reason in reasons {
         sheet.note(&format!("{}: {}", reason.name().replace('_', " "), reason.label()));

@@ -91,6 +91,15 @@ pub fn motion(sheet: &mut Sheet, subject: &Subject<'_>, trajectory: &Trajectory,
     notes(sheet, subject, trajectory);
 }
 
+/// Adds a table of something of each transition and of the outcome, with the columns of a state.
+fn states(sheet: &mut Sheet, kind: &str, mark: char, rows: Vec<Vec<String>>) {
+    let head = ["#", "event", kind].map(str::to_owned).into_iter();
+    let head = head.chain(State::COLUMNS.map(|column| format!("{mark}{}", column.sign())));
+    sheet.gap();
+    sheet.table(head.collect(), rows, &[0, 3, 4, 5, 6, 7]);
+    sheet.gap();
+}
+
 /// The parameters of the hoop, and in SI units its measures and the unit of time.
 fn hoop_lines(hoop: &Hoop, subject: &Subject<'_>) -> Vec<String> {
     let law = hoop.restitution().map(|restitution| restitution.law());

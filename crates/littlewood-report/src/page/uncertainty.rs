@@ -11,8 +11,6 @@ const DOUBT: f64 = 0.1;
 
 /// Adds a table with two rows for each transition and for the outcome, and what to doubt.
 pub(super) fn uncertainty(sheet: &mut Sheet, trajectory: &Trajectory, uncertainty: &Uncertainty) {
-    let head = ["#", "event", "errors"].map(str::to_owned).into_iter();
-    let head = head.chain(State::COLUMNS.map(|column| format!("±{}", column.sign())));
     let outcome = trajectory.outcome().kind();
     let events = trajectory.transitions().iter().enumerate();
     let events = events.map(|(index, it)| [(index + 1).to_string(), it.cause.label().to_owned()]);
@@ -28,9 +26,7 @@ pub(super) fn uncertainty(sheet: &mut Sheet, trajectory: &Trajectory, uncertaint
         add([number, event], "first order", spread.first_order);
         add([String::new(), String::new()], "sample", spread.sample);
     }
-    sheet.gap();
-    sheet.table(head.collect(), rows, &[0, 3, 4, 5, 6, 7]);
-    sheet.gap();
+    super::states(sheet, "errors", '±', rows);
     let Uncertainty { motions, alike, .. } = *uncertainty;
     sheet.note(&format!(
         "standard errors by derivatives, and in a sample of {motions} motions, of which {alike} are alike"

@@ -2,10 +2,9 @@
 
 use littlewood::modes::RollingEnd;
 use littlewood::tables::SampleColumn;
-use littlewood::theory::{Classification, RollingType};
+use littlewood::theory::{Candidates, Classification, RollingType};
 use serde::Serialize;
 
-use super::candidates::CandidatesRecord;
 use super::fields::{Fields, Value};
 
 #[derive(Debug, Serialize)]
@@ -53,6 +52,28 @@ impl From<&Classification> for ClassificationRecord {
             rolls_forever: found.recurrence.map(|recurrence| Fields::of_details(recurrence.details())),
             reverse_chatter: found.reverse_chatter,
             candidates: found.candidates.map(CandidatesRecord::from),
+        }
+    }
+}
+
+/// The motions that are consistent, and the numbers that decide.
+#[derive(Debug, Serialize)]
+pub(crate) struct CandidatesRecord {
+    consistent: Vec<Fields>,
+    #[serde(flatten)]
+    details: Fields,
+}
+
+impl From<Candidates> for CandidatesRecord {
+    fn from(candidates: Candidates) -> Self {
+        Self {
+            consistent: candidates
+                .consistent()
+                .map(|(mode, direction)| {
+                    [("mode", Some(mode).into()), ("direction", direction.into())].into_iter().collect()
+                })
+                .collect(),
+            details: Fields::of_details(candidates.details()),
         }
     }
 }

@@ -5,7 +5,7 @@ use littlewood::derivatives::Derivatives;
 use littlewood::si::Units;
 use serde::Serialize;
 
-use super::candidates::CandidatesRecord;
+use super::classification::CandidatesRecord;
 use super::derivatives::{DerivativesRecord, of_outcome};
 use super::fields::Fields;
 use super::instant::{si_state, state};

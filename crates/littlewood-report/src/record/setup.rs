@@ -1,5 +1,6 @@
 //! Hoops, starts and units.
 
+use littlewood::cases::NamedCase;
 use littlewood::si::{SiSetup, Units};
 use littlewood::tables::{Detail, Dimension, Quantity, Setup};
 use littlewood::{Direction, HoopParameters, Mode, Phase, Start, Trajectory};
@@ -32,7 +33,7 @@ fn law(hoop: &HoopParameters) -> Fields {
     law.map(|law| (RESTITUTION_LAW, Value::Word(Some(law.name())))).into_iter().collect()
 }
 
-pub(crate) fn start(start: Start) -> Fields {
+fn start(start: Start) -> Fields {
     let setup = Setup::new(HoopParameters::default(), start);
     state(&start.into()).followed_by(numbers([Quantity::GapRate], |it| setup.said(it)))
 }
@@ -115,5 +116,21 @@ impl SiRecord {
             units: UNITS.into_iter().map(unit).collect(),
             details: Fields::of_si_details(units, details),
         }
+    }
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct CaseRecord {
+    name: &'static str,
+    title: &'static str,
+    source: &'static str,
+    hoop: Fields,
+    start: Fields,
+}
+
+impl From<&NamedCase> for CaseRecord {
+    fn from(case: &NamedCase) -> Self {
+        let NamedCase { name, title, source, setup } = *case;
+        Self { name, title, source, hoop: hoop(setup.hoop), start: start(setup.start) }
     }
 }

@@ -8,7 +8,6 @@ use littlewood::{Digits, Direction, Mode, Transition};
 use serde::Serialize;
 
 use super::derivatives::{DerivativesRecord, of_transition};
-use super::digits::object;
 use super::fields::{Fields, Value};
 use super::impact::ImpactRecord;
 use super::instant::{si_state, state};
@@ -94,40 +93,33 @@ impl TransitionRecord {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use littlewood::cases::find_case;
-    use littlewood::{Hoop, RestitutionLaw};
+/// The estimates with the numbers that they belong to; none where the start does not decide what happens.
+fn named(digits: Option<&Digits>) -> [(SampleColumn, Option<u8>); 5] {
+    [
+        (SampleColumn::Time, digits.map(|digits| digits.time)),
+        (SampleColumn::Theta, digits.map(|digits| digits.theta)),
+        (SampleColumn::ThetaRate, digits.map(|digits| digits.theta_rate)),
+        (SampleColumn::Slip, digits.map(|digits| digits.slip)),
+        (SampleColumn::X, digits.map(|digits| digits.x)),
+    ]
+}
 
-    use super::*;
+/// How many digits can be trusted, each under the name of its number.
+fn object(digits: &Digits) -> Fields {
+    named(Some(digits))
+        .into_iter()
+        .map(|(column, digits)| (column.name(), Value::Count(usize::from(digits.unwrap_or(0)))))
+        .collect()
+}
 
-    #[test]
-    fn only_a_jump_of_the_velocities_has_an_impact() -> Result<(), Box<dyn std::error::Error>> {
-        let case = find_case("figure-3").ok_or("a named case")?;
-        let landing = *case.simulate()?.transitions().last().ok_or("the landing")?;
-        let text = serde_json::to_value(TransitionRecord::new(&landing, None, None, None))?;
-        assert_eq!(text.get("impact"), None);
-        assert_eq!(text["slip"], landing.before.slip);
-
-        let hoop = Hoop::new(case.setup.hoop.with_restitution(0.5, RestitutionLaw::Energetic))?;
-        let motion = hoop.simulate(case.setup.start, littlewood::Limits::default())?;
-        let landing = motion.transitions().iter().find(|it| it.impact.is_some()).ok_or("a landing")?;
-        let text = serde_json::to_value(TransitionRecord::new(landing, None, None, None))?;
-        assert_eq!(text["slip"].as_f64(), Some(0.0));
-        assert_eq!(text["to"], "flight");
-        let impact = &text["impact"];
-        assert_eq!(impact["case"], "sticks_in_restitution");
-        let near = |name: &str, expected: f64| {
-            let value = impact[name].as_f64().unwrap_or(f64::NAN);
-            assert!((value - expected).abs() < 1e-12, "{name}: {value}");
-        };
-        near("gap_rate", 0.978_517_419_970_790_8);
-        near("energy_lost", 3.362_443_419_227_28);
-        assert_eq!(impact["before"]["slip"].as_f64(), Some(landing.before.slip));
-        assert_eq!(impact["before"]["theta_rate"].as_f64(), Some(landing.before.theta_rate));
-        assert!(
-            (impact["before"]["gap_rate"].as_f64().unwrap_or(0.0) + 1.913_012_569_038_374_7).abs() < 1e-12
-        );
-        Ok(())
-    }
+/// The same as columns; empty where there is no transition.
+pub(crate) fn digit_columns(digits: Option<&Option<Digits>>) -> Fields {
+    named(digits.and_then(Option::as_ref))
+        .into_iter()
+        .map(|(column, estimate)| {
+            let count = estimate.unwrap_or(0);
+            let value = digits.map_or(Value::Word(None), |_| Value::Count(usize::from(count)));
+            (format!("{}_digits", column.name()), value)
+        })
+        .collect()
 }
