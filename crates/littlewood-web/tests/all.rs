@@ -1,3 +1,6 @@
 //! The tests of the module of the page: one program, a module for each subject.
 
 mod generated;
+mod plane;
+mod prediction;
+mod problem;
