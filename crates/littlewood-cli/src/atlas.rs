@@ -6,12 +6,11 @@ use std::path::Path;
 use littlewood::tables::{Quantity, Setup};
 use littlewood_sweep::{Atlas, Grid, Progress, StartList, Workers};
 
-use crate::args::{AtlasArgs, ShortFormat};
+use crate::args::AtlasArgs;
 use crate::axis::TypedAxis;
 use crate::error::Error;
 use crate::interrupt;
-use crate::list;
-use crate::output::Output;
+use crate::output::print;
 use crate::progress::{Bar, Count};
 use crate::report::atlas::{self, OfHoop, Page};
 use crate::values::Given;
@@ -28,7 +27,7 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
         }
     }
     let listed = match &args.hoops {
-        Some(path) => list::hoop_columns(path, &axes, args.first_turn)?,
+        Some(path) => hoop_columns(path, &axes, args.first_turn)?,
         None => Vec::new(),
     };
     varied.quantities.extend(&listed);
@@ -76,18 +75,37 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
         axes.iter().flat_map(|axis| axis.varies().quantities()).chain(listed.iter().copied()).collect();
     let hoops = if args.hoops.is_some() { of_hoops } else { Vec::new() };
     let page = Page { atlas: whole, total, shown, listed, hoops };
-    let output = Output::open(None)?;
-    let colour = output.has_colour();
-    output.write(|writer| match args.format {
-        ShortFormat::Table => atlas::table(&page).write(writer, colour, None),
-        ShortFormat::Json => atlas::json(writer, &page),
-    })?;
+    print(args.format, None, || atlas::table(&page), |writer| atlas::json(writer, &page))?;
     if points < total {
         let hint =
             "an atlas is not resumed; what stands above is of the starts that were followed".to_owned();
         return Err(Error::Interrupted { done: points, total, hint });
     }
     Ok(())
+}
+
+/// The columns of a list of hoops, all of them of the hoop and none on an axis, too.
+fn hoop_columns(path: &Path, axes: &[TypedAxis], first_turn: bool) -> Result<Vec<Quantity>, Error> {
+    let bad = |column: Quantity, reason: &str| Error::HoopColumn {
+        path: path.to_owned(),
+        column,
+        reason: reason.to_owned(),
+    };
+    let list = StartList::open(path, work::STAND_IN)?;
+    let columns = list.columns().iter().copied();
+    columns
+        .map(|column| {
+            if !Quantity::HOOP.contains(&column) {
+                Err(bad(column, "is of the start, not of the hoop"))
+            } else if axes.iter().any(|axis| axis.quantities().any(|varied| varied == column)) {
+                Err(bad(column, "is an axis, too"))
+            } else if first_turn && column == Quantity::MuK {
+                Err(bad(column, "follows mu_s with --first-turn"))
+            } else {
+                Ok(column)
+            }
+        })
+        .collect()
 }
 
 /// The hoops of a list, each with its line.

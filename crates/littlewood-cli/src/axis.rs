@@ -135,9 +135,6 @@ fn parse_number(text: &str) -> Option<f64> {
 mod tests {
     use super::{parse_axis, parse_number};
     use core::f64::consts::{FRAC_PI_2, PI};
-    use littlewood::si::SiParameters;
-    use littlewood::tables::Quantity;
-    use littlewood_sweep::Varies;
 
     #[test]
     fn numbers_may_have_pi_in_them() {
@@ -162,30 +159,6 @@ mod tests {
         assert_eq!((axis.from(), axis.to(), axis.count()), (-4.0, 4.0, 9));
         for text in ["theta", "theta=1:2", "theta=1:2:3:4", "theta=1:2:0", "theta=1:2:-3", "theta=a:2:3"] {
             assert!(parse_axis(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn units_are_taken_off() {
-        // m2 = 2 kg, R = 0.5 m, g = 8 m/s²: √(R/g) = 0.25 s, √(gR) = 2 m/s, m2 R² = 0.5 kg m².
-        let units = SiParameters {
-            particle_mass_kg: 2.0,
-            radius_m: 0.5,
-            gravity_m_per_s2: 8.0,
-            ..SiParameters::default()
-        }
-        .units()
-        .expect("units");
-        for (text, quantity, to) in [
-            ("theta_rate_rad_per_s=0:8:3", Quantity::ThetaRate, 2.0),
-            ("slip_m_per_s=0:3:3", Quantity::Slip, 1.5),
-            ("disc_mass_kg=0:1:3", Quantity::MassRatio, 0.5),
-            ("offset_m=0:0.25:3", Quantity::Offset, 0.5),
-            ("inertia_kg_m2=0:0.25:3", Quantity::Inertia, 0.5),
-            ("mu_s=0:0.25:3", Quantity::MuS, 0.25),
-        ] {
-            let axis = parse_axis(text).expect("an axis").resolve(Some(&units)).expect("an axis");
-            assert_eq!((axis.varies(), axis.from(), axis.to()), (Varies::One(quantity), 0.0, to), "{text}");
         }
     }
 }

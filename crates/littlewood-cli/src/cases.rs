@@ -1,8 +1,8 @@
 //! `littlewood cases`: lists the named cases.
 
-use crate::args::{CasesArgs, ShortFormat};
+use crate::args::CasesArgs;
 use crate::error::Error;
-use crate::output::Output;
+use crate::output::print;
 use crate::report;
 
 /// Width of the terminal, clamped to 60 to 100 columns; 100 without a terminal.
@@ -11,10 +11,5 @@ fn width() -> usize {
 }
 
 pub(crate) fn run(args: &CasesArgs) -> Result<(), Error> {
-    let output = Output::open(None)?;
-    let colour = output.has_colour();
-    output.write(|writer| match args.format {
-        ShortFormat::Table => report::table::cases().write(writer, colour, Some(width())),
-        ShortFormat::Json => report::json::cases(writer),
-    })
+    print(args.format, Some(width()), report::table::cases, |writer| report::json::cases(writer))
 }

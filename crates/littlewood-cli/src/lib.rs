@@ -15,8 +15,6 @@ mod figures;
 mod interrupt;
 #[cfg(feature = "lab")]
 mod lab;
-#[cfg(feature = "sweep")]
-mod list;
 mod map;
 mod nearest;
 mod output;

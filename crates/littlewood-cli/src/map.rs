@@ -13,7 +13,7 @@ use crate::nearest;
 use crate::output::{Output, place_of};
 use crate::plane::Plane;
 use crate::progress::Bar;
-use crate::report::sweep::{self, Run};
+use crate::report::sweep::Run;
 use crate::store::{self, Kind};
 use crate::work::{self, Base};
 
@@ -114,7 +114,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         }
     }
     let kept = work::kept(&targets, &report, written);
-    sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
+    Run { report, time, threads: workers.threads(), kept }.finish(args.store.format)
 }
 
 /// Pixels to 1/96 inch of a PNG with a width in print: 300 to the inch.

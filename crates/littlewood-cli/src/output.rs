@@ -4,6 +4,9 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use littlewood_report::sheet::Sheet;
+
+use crate::args::ShortFormat;
 use crate::error::Error;
 use crate::unfinished::{Temporary, folder_of};
 
@@ -11,9 +14,15 @@ use crate::unfinished::{Temporary, folder_of};
 pub(crate) enum Output {
     Stdout,
     /// A regular file of this path, written under another name in the same folder.
-    File { temporary: Temporary, path: PathBuf },
+    File {
+        temporary: Temporary,
+        path: PathBuf,
+    },
     /// A pipe or a device, which cannot be replaced.
-    Device { file: File, path: PathBuf },
+    Device {
+        file: File,
+        path: PathBuf,
+    },
 }
 
 impl Output {
@@ -50,6 +59,20 @@ impl Output {
             _ => Error::Write { target, source },
         })
     }
+}
+
+/// Prints a result for a person, tables within a width if there is one, or for a program.
+pub(crate) fn print(
+    format: ShortFormat,
+    width: Option<usize>,
+    page: impl FnOnce() -> Sheet,
+    json: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Error> {
+    let colour = Output::Stdout.has_colour();
+    Output::Stdout.write(|writer| match format {
+        ShortFormat::Table => page().write(writer, colour, width),
+        ShortFormat::Json => json(writer),
+    })
 }
 
 fn fill(target: impl Write, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {

@@ -11,9 +11,8 @@ use littlewood_sweep::{
 use crate::args::SweepArgs;
 use crate::error::Error;
 use crate::interrupt;
-use crate::list;
 use crate::progress::Bar;
-use crate::report::sweep::{self, Run};
+use crate::report::sweep::Run;
 use crate::store::{self, Kind};
 use crate::work::{self, Base, Varied};
 
@@ -35,7 +34,7 @@ fn follow_grid(args: &SweepArgs) -> Result<(), Error> {
 fn follow_list(args: &SweepArgs, starts: &Path) -> Result<(), Error> {
     let kinds = store::kinds(&args.store.out, &[Kind::Parquet])?;
     // What the list has no column for is needed from elsewhere, so the columns have to be known first.
-    let quantities = list::columns(starts)?;
+    let quantities = StartList::open(starts, work::STAND_IN)?.columns().to_vec();
     let base = work::base(&args.base, &args.run, Varied { quantities, ..Varied::default() })?;
     let list = StartList::open(starts, base.setup)?;
     let bounces = list.columns().contains(&Quantity::Restitution) || base.setup.hoop.restitution.is_some();
@@ -63,5 +62,5 @@ fn follow(
     let time = began.elapsed();
     drop(bar);
     let kept = work::kept(&targets, &report, Vec::new());
-    sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
+    Run { report, time, threads: workers.threads(), kept }.finish(args.store.format)
 }

@@ -22,10 +22,13 @@ impl Drop for Lab {
     }
 }
 
-/// A page of one file.
+/// A page, its story and two scripts.
 fn page() -> TempDir {
     let folder = TempDir::new().expect("a folder");
-    std::fs::write(folder.path().join("index.html"), "<!doctype html>").expect("written");
+    std::fs::create_dir(folder.path().join("assets")).expect("a folder");
+    for name in ["index.html", "story.html", "sw.js", "assets/a.js"] {
+        std::fs::write(folder.path().join(name), "<!doctype html>").expect("written");
+    }
     folder
 }
 
@@ -68,9 +71,37 @@ fn the_page_is_served_to_this_machine_alone() {
     assert!(first.contains("Content-Security-Policy: default-src 'none'"), "{first}");
     let head = get("HEAD", &ours, "/");
     assert!(head.starts_with("HTTP/1.1 200") && head.ends_with("\r\n\r\n"), "{head}");
-    assert!(get("GET", "evil.example", "/").starts_with("HTTP/1.1 421"));
-    assert!(get("POST", &ours, "/").starts_with("HTTP/1.1 405"));
-    assert!(get("GET", &ours, "/../Cargo.toml").starts_with("HTTP/1.1 404"));
+    for header in ["Content-Type: text/html; charset=utf-8", "X-Content-Type-Options: nosniff"] {
+        assert!(first.contains(header) && first.contains("Cache-Control: no-cache"), "{first}");
+    }
+    let script = get("GET", &format!("localhost:{port}"), "/assets/a.js");
+    assert!(script.contains("Content-Type: text/javascript; charset=utf-8"), "{script}");
+    assert!(script.contains("Cache-Control: max-age=31536000, immutable"), "{script}");
+    let written = get("POST", &ours, "/");
+    assert!(written.starts_with("HTTP/1.1 405") && written.contains("Allow: GET, HEAD"), "{written}");
+    // The story has an address without its ending; a script that stays in the browser is not served.
+    for (path, status) in [
+        ("/?x=1", 200),
+        ("/story", 200),
+        ("/story.html", 200),
+        ("/story?x=1", 200),
+        ("/sheet", 404),
+        ("/etc/passwd", 404),
+        ("/../Cargo.toml", 404),
+        ("//index.html", 404),
+        ("index.html", 404),
+        ("*", 404),
+        ("/assets", 404),
+        ("/assets/../../index.html", 404),
+        ("/sw.js", 404),
+    ] {
+        let answer = get("GET", &ours, path);
+        assert!(answer.starts_with(&format!("HTTP/1.1 {status}")), "{path}: {answer}");
+    }
+    for host in ["evil.example", &format!("evil.example:{port}"), "127.0.0.1", "127.0.0.1:1"] {
+        let answer = get("GET", host, "/");
+        assert!(answer.starts_with("HTTP/1.1 421") && !answer.contains("<!doctype"), "{host}: {answer}");
+    }
 
     let same = page();
     let folder = same.path().to_str().expect("a name in UTF-8");
@@ -147,6 +178,16 @@ fn what_is_no_request_is_refused() {
         (format!("GET / HTTP/1.1\r\n{ours}{ours}\r\n"), "HTTP/1.1 400"),
         (format!("GET / HTTP/2\r\n{ours}\r\n"), "HTTP/1.1 400"),
         ("\r\n\r\n".to_owned(), "HTTP/1.1 400"),
+        ("GET\r\n\r\n".to_owned(), "HTTP/1.1 400"),
+        (format!("GET /\r\n{ours}\r\n"), "HTTP/1.1 400"),
+        (format!("GET  / HTTP/1.1\r\n{ours}\r\n"), "HTTP/1.1 400"),
+        (format!("GET / HTTP/1.1 \r\n{ours}\r\n"), "HTTP/1.1 400"),
+        (format!("G\u{7f}T / HTTP/1.1\r\n{ours}\r\n"), "HTTP/1.1 400"),
+        (format!("GET / HTTP/1.1\r\n{ours}X: a\nY: b\r\n\r\n"), "HTTP/1.1 400"),
+        (format!("GET / HTTP/1.1\r\n{ours}X\r\n\r\n"), "HTTP/1.1 400"),
+        (format!("GET / HTTP/1.1\r\n{ours}X : a\r\n\r\n"), "HTTP/1.1 400"),
+        (format!("GET / HTTP/1.1\r\n{ours}: a\r\n\r\n"), "HTTP/1.1 400"),
+        (format!("GET / HTTP/1.1\r\n{ours} folded\r\n\r\n"), "HTTP/1.1 400"),
         (format!("GET /{long} HTTP/1.1\r\n{ours}\r\n"), "HTTP/1.1 431"),
         (format!("GET / HTTP/1.1\r\n{ours}X: {long}\r\n\r\n"), "HTTP/1.1 431"),
         (format!("GET / HTTP/1.1\r\n{ours}{}\r\n", "A: a\r\n".repeat(20_000)), "HTTP/1.1 431"),
@@ -155,6 +196,8 @@ fn what_is_no_request_is_refused() {
     ] {
         assert_eq!(answer_to(lab.port, request.as_bytes()).0, expected, "{request:.60?}");
     }
+    let request = [format!("GET / HTTP/1.1\r\n{ours}X: ").as_bytes(), b"\xff\r\n\r\n"].concat();
+    assert_eq!(answer_to(lab.port, &request).0, "HTTP/1.1 400");
 }
 
 #[test]

@@ -1,7 +1,5 @@
 //! Flags for quantities: one for each row of the table of the core.
 
-use std::sync::LazyLock;
-
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use littlewood::RestitutionLaw;
@@ -15,38 +13,6 @@ const SI_HEADING: &str = "SI units (instead of the dimensionless flags)";
 
 /// Identifier and flag of the switch that asks for SI units.
 const SI: &str = "si";
-
-/// The flag of the law of restitution, without its hyphens.
-static LAW_FLAG: LazyLock<String> = LazyLock::new(|| RESTITUTION_LAW.replace('_', "-"));
-
-/// The texts of a flag that are not in the table as they are. The parser borrows them for as long as the program runs.
-struct Texts {
-    long: String,
-    value_name: String,
-    help: String,
-    alias: Option<String>,
-    /// The flag of an angle in degrees.
-    degrees: Option<String>,
-}
-
-static TEXTS: LazyLock<Vec<Texts>> = LazyLock::new(|| Quantity::ALL.into_iter().map(texts).collect());
-
-fn texts(quantity: Quantity) -> Texts {
-    let long = |name: &str| name.replace('_', "-");
-    let row = quantity.row();
-    let in_si = si_name(quantity);
-    Texts {
-        long: long(quantity.name()),
-        value_name: value_name(quantity),
-        help: match row.presence.default_value() {
-            Some(default) => format!("{} [default: {default}]", row.help),
-            None => row.help.to_owned(),
-        },
-        // A quantity without a twin is the same number in both systems, and has both names.
-        alias: (row.twin.is_none() && in_si != quantity.name()).then(|| long(&in_si)),
-        degrees: (quantity.dimension() == Dimension::Angle).then(|| long(quantity.name()) + "-deg"),
-    }
-}
 
 /// In SI units the unit, else the kind of number.
 fn value_name(quantity: Quantity) -> String {
@@ -83,20 +49,30 @@ fn heading(quantity: Quantity) -> &'static str {
     }
 }
 
+fn hyphened(name: &str) -> String {
+    name.replace('_', "-")
+}
+
 fn argument(quantity: Quantity) -> Arg {
-    let argument =
-        Arg::new(quantity.name()).action(ArgAction::Set).value_parser(number).help_heading(heading(quantity));
-    let Some(texts) = TEXTS.get(usize::from(quantity.code())) else { return argument };
-    let argument =
-        argument.long(texts.long.as_str()).value_name(texts.value_name.as_str()).help(texts.help.as_str());
-    match &texts.alias {
-        Some(alias) => argument.visible_alias(alias.as_str()),
-        None => argument,
+    let row = quantity.row();
+    let in_si = si_name(quantity);
+    let help = match row.presence.default_value() {
+        Some(default) => format!("{} [default: {default}]", row.help),
+        None => row.help.to_owned(),
+    };
+    let argument = Arg::new(quantity.name()).long(hyphened(quantity.name())).action(ArgAction::Set);
+    let argument = argument.value_parser(number).value_name(value_name(quantity)).help(help);
+    let argument = argument.help_heading(heading(quantity));
+    // A quantity without a twin is the same number in both systems, and has both names.
+    if row.twin.is_none() && in_si != quantity.name() {
+        argument.visible_alias(hyphened(&in_si))
+    } else {
+        argument
     }
 }
 
-fn degrees_flag(quantity: Quantity) -> Option<&'static str> {
-    TEXTS.get(usize::from(quantity.code()))?.degrees.as_deref()
+fn degrees_flag(quantity: Quantity) -> Option<String> {
+    (quantity.dimension() == Dimension::Angle).then(|| hyphened(quantity.name()) + "-deg")
 }
 
 /// The flag of an angle in degrees, if the quantity is one.
@@ -104,7 +80,7 @@ fn in_degrees(quantity: Quantity) -> Option<Arg> {
     let flag = degrees_flag(quantity)?;
     let help = format!("{quantity} in degrees, instead of radians");
     let argument =
-        Arg::new(flag).long(flag).action(ArgAction::Set).value_parser(number).value_name("DEGREES");
+        Arg::new(flag.clone()).long(flag).action(ArgAction::Set).value_parser(number).value_name("DEGREES");
     Some(argument.help_heading(heading(quantity)).help(help).conflicts_with(quantity.name()))
 }
 
@@ -116,7 +92,7 @@ fn law_argument() -> Arg {
         RestitutionLaw::default()
     );
     Arg::new(RESTITUTION_LAW)
-        .long(LAW_FLAG.as_str())
+        .long(hyphened(RESTITUTION_LAW))
         .value_name("LAW")
         .action(ArgAction::Set)
         .value_parser(PossibleValuesParser::new(names).try_map(|name| name.parse::<RestitutionLaw>()))
@@ -127,7 +103,7 @@ fn law_argument() -> Arg {
 fn typed(matches: &ArgMatches, quantities: impl Iterator<Item = Quantity>) -> Vec<Given> {
     quantities
         .filter_map(|quantity| {
-            let degrees = || Some(matches.get_one::<f64>(degrees_flag(quantity)?)?.to_radians());
+            let degrees = || Some(matches.get_one::<f64>(&degrees_flag(quantity)?)?.to_radians());
             let value = matches.get_one(quantity.name()).copied().or_else(degrees)?;
             Some(Given::by_flag(quantity, value))
         })

@@ -1,5 +1,7 @@
 //! What to do about the errors of the other crates.
 
+use std::borrow::Cow;
+
 #[cfg(feature = "sweep")]
 use littlewood::tables::Quantity;
 use littlewood_draw::DrawError;
@@ -10,27 +12,27 @@ use littlewood_sweep::{AxisError, ListError, MOST_CHUNK_POINTS, PictureError, St
 use super::Error;
 
 #[allow(clippy::match_same_arms, reason = "an attribute holds for a whole arm")]
-pub(super) fn of(error: &Error) -> Option<String> {
+pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
     let hint = match error {
-        Error::Value { error } | Error::ScenarioValue { error, .. } => error.hint().to_owned(),
-        Error::Scenario { help, .. } => help.clone(),
+        Error::Value { error } | Error::ScenarioValue { error, .. } => error.hint().into(),
+        Error::Scenario { help, .. } => help.as_str().into(),
         Error::UnknownCase { hint, .. }
         | Error::Mixed { hint, .. }
         | Error::Out { hint, .. }
         | Error::UnknownShade { hint, .. }
-        | Error::Interrupted { hint, .. } => hint.clone(),
+        | Error::Interrupted { hint, .. } => hint.as_str().into(),
         #[cfg(feature = "figures")]
-        Error::UnknownFigure { hint, .. } => hint.clone(),
+        Error::UnknownFigure { hint, .. } => hint.as_str().into(),
         #[cfg(feature = "lab")]
-        Error::NoPage { hint, .. } => hint.clone(),
+        Error::NoPage { hint, .. } => hint.as_str().into(),
         Error::Missing { flags, .. } => format!(
             "give {}, or start from a case (`littlewood cases` lists them) or a scenario file (--scenario)",
             flags.join(", ")
-        ),
-        Error::Unreadable { .. } => "--scenario takes the path of a TOML file in UTF-8".to_owned(),
-        Error::Unwritable { .. } => "outputs need an existing folder that can be written to".to_owned(),
-        Error::LongTable { .. } => "give --format csv, or --out NAME.csv".to_owned(),
-        Error::WriteFile { .. } => "the existing file is unchanged".to_owned(),
+        ).into(),
+        Error::Unreadable { .. } => "--scenario takes the path of a TOML file in UTF-8".into(),
+        Error::Unwritable { .. } => "outputs need an existing folder that can be written to".into(),
+        Error::LongTable { .. } => "give --format csv, or --out NAME.csv".into(),
+        Error::WriteFile { .. } => "the existing file is unchanged".into(),
         Error::Sweep(error) => of_sweep(error),
         #[cfg(feature = "sweep")]
         Error::Hoop { source, .. } => of_axis(source),
@@ -38,31 +40,31 @@ pub(super) fn of(error: &Error) -> Option<String> {
         Error::HoopColumn { .. } => format!(
             "columns of --hoops are those of {} that no --axis varies",
             Quantity::HOOP.map(Quantity::name).join(", ")
-        ),
+        ).into(),
         #[cfg(feature = "figures")]
         Error::Figure(error) => of_figure(error),
-        Error::TwoErrors { .. } => "give each quantity once".to_owned(),
-        Error::NotDifferentiable(_) => "give --restitution, or leave the quantity out".to_owned(),
-        Error::Drawing(error) => of_drawing(error).to_owned(),
-        Error::Stopped => "unfinished files are removed; finished ones are kept".to_owned(),
+        Error::TwoErrors { .. } => "give each quantity once".into(),
+        Error::NotDifferentiable(_) => "give --restitution, or leave the quantity out".into(),
+        Error::Drawing(error) => of_drawing(error).into(),
+        Error::Stopped => "unfinished files are removed; finished ones are kept".into(),
         Error::NotBuilt { feature, .. } => format!(
             "build it with `cargo run --release --features {feature} -- …`, or with `--all-features`; released programs \
              have all features"
-        ),
+        ).into(),
         Error::InPackage { command } => {
-            format!("`pip install littlewood`, and then `python -m littlewood {command} --help`")
+            format!("`pip install littlewood`, and then `python -m littlewood {command} --help`").into()
         }
         #[cfg(feature = "lab")]
-        Error::Port { .. } => "give another --port, or leave the flag out for a free one".to_owned(),
+        Error::Port { .. } => "give another --port, or leave the flag out for a free one".into(),
         #[cfg(feature = "film")]
-        Error::Film(error) => error.hint().to_owned(),
+        Error::Film(error) => error.hint().into(),
         Error::Write { .. } | Error::ClosedPipe => return None,
     };
     Some(hint)
 }
 
 #[cfg(feature = "figures")]
-fn of_figure(error: &FigureError) -> String {
+fn of_figure(error: &FigureError) -> Cow<'_, str> {
     match error {
         FigureError::NeedsInertia { .. } => "give --mass-ratio or --inertia above 0, or leave the figure out",
         FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
@@ -93,7 +95,7 @@ fn of_figure(error: &FigureError) -> String {
         FigureError::Axis(error) => return of_axis(error),
         FigureError::Threads(_) => "try again when the machine is less busy",
     }
-    .to_owned()
+    .into()
 }
 
 const fn of_drawing(error: &DrawError) -> &'static str {
@@ -104,32 +106,31 @@ const fn of_drawing(error: &DrawError) -> &'static str {
     }
 }
 
-fn of_sweep(error: &SweepError) -> String {
+fn of_sweep(error: &SweepError) -> Cow<'_, str> {
     match error {
         SweepError::Axis(error) => of_axis(error),
-        SweepError::Parameter(error) => error.hint().to_owned(),
+        SweepError::Parameter(error) => error.hint().into(),
         SweepError::List(error) => of_list(error),
-        SweepError::ListAsZarr { .. } => "a list goes to a table: give --out NAME.parquet".to_owned(),
-        SweepError::Store(error) => of_store(error).to_owned(),
-        SweepError::Picture(error) => of_picture(error).to_owned(),
-        SweepError::NotBuilt { .. } => "give a name that ends in another format".to_owned(),
-        SweepError::Threads(_) => "give fewer --threads, or leave the flag out".to_owned(),
+        SweepError::ListAsZarr { .. } => "a list goes to a table: give --out NAME.parquet".into(),
+        SweepError::Store(error) => of_store(error).into(),
+        SweepError::Picture(error) => of_picture(error).into(),
+        SweepError::NotBuilt { .. } => "give a name that ends in another format".into(),
+        SweepError::Threads(_) => "give fewer --threads, or leave the flag out".into(),
         SweepError::TooManyChunks { .. } => {
-            format!("take fewer points, or larger chunks: --chunk N, {MOST_CHUNK_POINTS} at most")
+            format!("take fewer points, or larger chunks: --chunk N, {MOST_CHUNK_POINTS} at most").into()
         }
         SweepError::LongAxis { .. } => {
-            "take fewer points, or give --out NAME.parquet, which has no coordinates".to_owned()
+            "take fewer points, or give --out NAME.parquet, which has no coordinates".into()
         }
     }
 }
 
-fn of_list(error: &ListError) -> String {
+fn of_list(error: &ListError) -> Cow<'_, str> {
     match error {
-        ListError::BadValue { source, .. } | ListError::Fixed { source, .. } => source.hint().to_owned(),
-        ListError::Changed { .. } => "give the command again when nothing writes to the list".to_owned(),
+        ListError::BadValue { source, .. } | ListError::Fixed { source, .. } => source.hint().into(),
+        ListError::Changed { .. } => "give the command again when nothing writes to the list".into(),
         ListError::UnknownFormat { .. } => {
-            "a list is a CSV file, NAME.csv, which a data frame writes with `to_csv(..., index=False)`"
-                .to_owned()
+            "a list is a CSV file, NAME.csv, which a data frame writes with `to_csv(..., index=False)`".into()
         }
         ListError::Unreadable { .. }
         | ListError::UnknownColumn { .. }
@@ -138,26 +139,26 @@ fn of_list(error: &ListError) -> String {
         | ListError::BadLine { .. }
         | ListError::BadCell { .. } => {
             "a list is a CSV file with a header; columns are named as axes are, cells are finite numbers"
-                .to_owned()
+                .into()
         }
     }
 }
 
-fn of_axis(error: &AxisError) -> String {
+fn of_axis(error: &AxisError) -> Cow<'_, str> {
     match error {
-        AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_owned(),
-        AxisError::TooMany { .. } => "take fewer points".to_owned(),
-        AxisError::Twice { .. } => "take each quantity for one axis".to_owned(),
+        AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().into(),
+        AxisError::TooMany { .. } => "take fewer points".into(),
+        AxisError::Twice { .. } => "take each quantity for one axis".into(),
         AxisError::NoFactor { .. } => {
             "an axis of equal factors (log) begins and ends on the same side of 0, such as mu=0.01:1:200:log"
-                .to_owned()
+                .into()
         }
         AxisError::NotAnAxis { .. }
         | AxisError::NotFinite { .. }
         | AxisError::Empty { .. }
         | AxisError::OnePointTwoEnds { .. }
         | AxisError::NoExtent { .. }
-        | AxisError::None => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".to_owned(),
+        | AxisError::None => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".into(),
     }
 }
 

@@ -151,10 +151,6 @@ impl Error {
         }
     }
 
-    fn hint(&self) -> Option<String> {
-        hint::of(self)
-    }
-
     const fn excerpt(&self) -> Option<&Excerpt> {
         match self {
             Self::ScenarioValue { excerpt, .. } | Self::Scenario { excerpt, .. } => Some(excerpt),
@@ -178,7 +174,7 @@ impl Error {
         if let Some(excerpt) = self.excerpt() {
             text.push_str(&excerpt.render());
         }
-        if let Some(hint) = self.hint() {
+        if let Some(hint) = hint::of(self) {
             text.push_str(&format!("\n{cyan}hint:{cyan:#} {hint}\n"));
         }
         text

@@ -76,22 +76,3 @@ fn media_type(name: &str) -> &'static str {
         _ => "application/octet-stream",
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_folder_is_a_page_if_it_has_a_first_file() {
-        let folder = tempfile::tempdir().expect("a folder");
-        assert!(Page::read(folder.path()).expect("it can be read").is_none());
-        assert!(Page::read(&folder.path().join("nowhere")).expect("nothing to read").is_none());
-        fs::create_dir(folder.path().join("assets")).expect("a folder");
-        fs::write(folder.path().join("assets/a.js"), "1").expect("written");
-        fs::write(folder.path().join("index.html"), "<!doctype html>").expect("written");
-        let page = Page::read(folder.path()).expect("it can be read").expect("a page");
-        let script = page.find("assets/a.js").expect("a script");
-        assert_eq!((&*script.content, script.kind), (&b"1"[..], "text/javascript; charset=utf-8"));
-        assert!(page.find("assets").is_none() && page.find("../assets/a.js").is_none());
-    }
-}

@@ -158,39 +158,3 @@ fn until(end: Instant) -> io::Result<Duration> {
     let left = end.saturating_duration_since(Instant::now());
     if left.is_zero() { Err(ErrorKind::TimedOut.into()) } else { Ok(left) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_head_is_read_or_refused() {
-        let head = b"GET /?x=1 HTTP/1.1\r\nhost:  localhost:4000 \r\nAccept: */*\r\nContent-Length: 0";
-        let question = Question { reads: true, has_body: false, host: Some("localhost:4000"), path: "/?x=1" };
-        assert_eq!(parse(head), Some(("GET", question)));
-        let body = |head: &str| parse(head.as_bytes()).map(|(_, question)| question.has_body);
-        assert_eq!(body("GET / HTTP/1.1\r\nContent-Length: 99999999999999999999999"), Some(true));
-        assert_eq!(body("GET / HTTP/1.1\r\nTransfer-Encoding: chunked"), Some(true));
-        assert_eq!(parse(b"POST / HTTP/1.0").map(|(_, question)| question.reads), Some(false));
-        for bad in [
-            "",
-            "GET",
-            "GET /",
-            "GET / HTTP/2",
-            "GET  / HTTP/1.1",
-            "GET / HTTP/1.1 ",
-            "GET /\0 HTTP/1.1",
-            "G\u{7f}T / HTTP/1.1",
-            "GET / HTTP/1.1\r\nHost: a\0b",
-            "GET / HTTP/1.1\r\nHost: a\nX: b",
-            "GET / HTTP/1.1\r\nHost: a\r\nHost: a",
-            "GET / HTTP/1.1\r\nHost",
-            "GET / HTTP/1.1\r\nHost : a",
-            "GET / HTTP/1.1\r\n: a",
-            "GET / HTTP/1.1\r\n folded",
-        ] {
-            assert_eq!(parse(bad.as_bytes()), None, "{bad:?}");
-        }
-        assert_eq!(parse(b"GET / HTTP/1.1\r\nX: \xff"), None);
-    }
-}

@@ -11,30 +11,27 @@ use serde_json::{Map, Value, json};
 use super::json;
 use crate::args::ShortFormat;
 use crate::error::Error;
-use crate::output::Output;
+use crate::output::print;
 use crate::store::interrupted;
 
 #[derive(Debug)]
 pub(crate) struct Run {
-    report: Report,
-    seconds: f64,
-    threads: usize,
+    pub(crate) report: Report,
+    pub(crate) time: Duration,
+    pub(crate) threads: usize,
     /// What can be read now.
-    kept: Vec<PathBuf>,
+    pub(crate) kept: Vec<PathBuf>,
 }
 
 impl Run {
-    pub(crate) fn new(report: &Report, time: Duration, threads: usize, kept: Vec<PathBuf>) -> Self {
-        Self { report: *report, seconds: time.as_secs_f64(), threads, kept }
-    }
-
     const fn done(&self) -> u64 {
         self.report.computed + self.report.reused
     }
 
     /// Starts per second; none if none was computed.
     fn rate(&self) -> Option<f64> {
-        (self.report.computed > 0 && self.seconds > 0.0).then(|| self.report.computed as f64 / self.seconds)
+        let seconds = self.time.as_secs_f64();
+        (self.report.computed > 0 && seconds > 0.0).then(|| self.report.computed as f64 / seconds)
     }
 
     fn table(&self) -> Sheet {
@@ -79,27 +76,21 @@ impl Run {
             "reused": self.report.reused,
             "damaged_chunks": self.report.damaged_chunks,
             "counts": counts,
-            "seconds": self.seconds,
+            "seconds": self.time.as_secs_f64(),
             "starts_per_second": self.rate(),
             "threads": self.threads,
             "out": self.kept.iter().map(|path| path.display().to_string()).collect::<Vec<_>>(),
         });
         json::write(writer, &document)
     }
-}
-
-/// Prints the summary, and complains if not all was done.
-pub(crate) fn finish(run: &Run, format: ShortFormat) -> Result<(), Error> {
-    let output = Output::open(None)?;
-    let colour = output.has_colour();
-    output.write(|writer| match format {
-        ShortFormat::Table => run.table().write(writer, colour, None),
-        ShortFormat::Json => run.json(writer),
-    })?;
-    if !run.report.complete {
-        return Err(interrupted(run.done(), run.report.points, &run.kept));
+    /// Prints the summary, and complains if not all was done.
+    pub(crate) fn finish(self, format: ShortFormat) -> Result<(), Error> {
+        print(format, None, || self.table(), |writer| self.json(writer))?;
+        if self.report.complete {
+            return Ok(());
+        }
+        Err(interrupted(self.done(), self.report.points, &self.kept))
     }
-    Ok(())
 }
 
 /// A whole number with its digits in groups of three.
