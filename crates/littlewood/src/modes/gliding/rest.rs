@@ -30,6 +30,20 @@ pub(crate) enum GlideEntry {
     Unloaded,
 }
 
+impl GlideEntry {
+    /// The direction of a slip velocity, if it is not zero, and G = `pull`: zero where the preceding event determined another sign of N, which
+    /// is that of G except for rounding.
+    pub(super) fn begun(self, slip: f64, pull: f64) -> (Option<Direction>, f64) {
+        match self {
+            Self::Moving => (Direction::of_sign(slip), pull),
+            Self::FromRest { presses } if presses.is_none_or(|presses| presses == (pull > 0.0)) => {
+                (None, pull)
+            }
+            Self::FromRest { .. } | Self::Unloaded => (None, 0.0),
+        }
+    }
+}
+
 /// The slip of a glide: its direction, and its first zero, if any.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slip {
@@ -86,20 +100,8 @@ impl Slip {
     /// The slip of a glide that starts with the slip velocity `slip`.
     pub(super) fn of(particle: &Particle, slip: f64, entry: GlideEntry) -> Self {
         let mut terms = Terms::new(particle, slip);
-        let begun = match entry {
-            GlideEntry::Moving => Direction::of_sign(slip),
-            GlideEntry::FromRest { presses } => {
-                // The preceding event decided the sign of N; G has the same sign except for rounding.
-                if presses.is_some_and(|presses| presses != (terms.pull > 0.0)) {
-                    terms.pull = 0.0;
-                }
-                None
-            }
-            GlideEntry::Unloaded => {
-                terms.pull = 0.0;
-                None
-            }
-        };
+        let begun;
+        (begun, terms.pull) = entry.begun(slip, terms.pull);
         if begun.is_none() {
             terms.slip = 0.0;
         }

@@ -52,20 +52,7 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
     let arm = side * (a * b).sqrt();
     // G = ℓ̂ sin θ η″ at η′ = 0; N of rolling has its sign.
     let level = b * ((1.0 - rate) * (1.0 + rate)) + inside * (1.0 + l * spin);
-    let mut pull = level - tilt * arm;
-    let begun = match entry {
-        GlideEntry::Moving => Direction::of_sign(slip),
-        GlideEntry::FromRest { presses } => {
-            if presses.is_some_and(|presses| presses != (pull > 0.0)) {
-                pull = 0.0;
-            }
-            None
-        }
-        GlideEntry::Unloaded => {
-            pull = 0.0;
-            None
-        }
-    };
+    let (begun, pull) = entry.begun(slip, level - tilt * arm);
     let start = ParticleState { elapsed: 0.0, below_top: a, above_bottom: b, fall_rate: -rise };
     let mut q = condition(particle, &start, particle.momentum, 1.0);
     // The first coefficients, without cancellation.
