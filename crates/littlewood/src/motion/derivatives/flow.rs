@@ -147,15 +147,19 @@ impl<const K: usize> Plane<Dual<K>> {
         match motion {
             Motion::Rolls => {
                 let law = RollingLaw::of_body(&self.body);
-                let series = |place| RollSeries::new(&law, place).parts();
-                in_steps(from, times, series, |_, place| {
-                    give(place.map(|PhasePoint { theta, rate }| Point {
-                        theta,
-                        rate,
-                        slip: Dual::constant(0.0),
-                        x: from.x - (theta - from.theta),
-                    }));
-                });
+                in_steps(
+                    from,
+                    times,
+                    |place| roll_series(&law, place),
+                    |_, place| {
+                        give(place.map(|PhasePoint { theta, rate }| Point {
+                            theta,
+                            rate,
+                            slip: Dual::constant(0.0),
+                            x: from.x - (theta - from.theta),
+                        }));
+                    },
+                );
             }
             Motion::Slides(direction) => {
                 let law = self.sliding(*direction);
@@ -218,48 +222,37 @@ impl<const K: usize> Plane<Dual<K>> {
     }
 }
 
-/// The Taylor series of rolling about an angle and a rate.
-struct RollSeries<T> {
-    theta: Series<T>,
-    theta_rate: Series<T>,
-}
-
-impl<T: Number> RollSeries<T> {
-    fn new(law: &RollingLaw<T>, PhasePoint { theta, rate }: PhasePoint<T>) -> Self {
-        let zero = [T::constant(0.0); DEGREE + 1];
-        let mut s = Self { theta: zero, theta_rate: zero };
-        let (mut sin, mut cos, mut u, mut increment) = (zero, zero, zero, zero);
-        let (mut denominator, mut acceleration) = (zero, zero);
-        (s.theta[0], s.theta_rate[0]) = (theta, rate);
-        (sin[0], cos[0]) = theta.sincos();
-        let mut order = 0.0;
-        for n in 0..=DEGREE {
-            if n > 0 {
-                s.theta_rate[n] = acceleration[n - 1] / order;
-                s.theta[n] = s.theta_rate[n - 1] / order;
-                increment[n] = s.theta[n] * order;
-                let [forth, back] = convolve([(&increment, &cos), (&increment, &sin)], n);
-                (sin[n], cos[n]) = (forth / order, -back / order);
-            }
-            let [square] = convolve([(&s.theta_rate, &s.theta_rate)], n);
-            u[n] = square;
-            let [sin_u] = convolve([(&sin, &u)], n);
-            denominator[n] =
-                if n == 0 { law.denominator_of((sin[0], cos[0])) } else { law.offset * 2.0 * cos[n] };
-            let one = T::constant(if n == 0 { 1.0 } else { 0.0 });
-            let mut remainder = law.drive(one, cos[n], sin[n] + sin_u);
-            for j in 1..=n {
-                remainder = remainder - denominator[j] * acceleration[n - j];
-            }
-            acceleration[n] = remainder / denominator[0];
-            order += 1.0;
+/// The Taylor series of rolling about an angle and a rate: those of θ and θ′.
+fn roll_series<T: Number>(law: &RollingLaw<T>, PhasePoint { theta, rate }: PhasePoint<T>) -> [Series<T>; 2] {
+    let zero = [T::constant(0.0); DEGREE + 1];
+    let (mut angle, mut spin) = (zero, zero);
+    let (mut sin, mut cos, mut u, mut increment) = (zero, zero, zero, zero);
+    let (mut denominator, mut acceleration) = (zero, zero);
+    (angle[0], spin[0]) = (theta, rate);
+    (sin[0], cos[0]) = theta.sincos();
+    let mut order = 0.0;
+    for n in 0..=DEGREE {
+        if n > 0 {
+            spin[n] = acceleration[n - 1] / order;
+            angle[n] = spin[n - 1] / order;
+            increment[n] = angle[n] * order;
+            let [forth, back] = convolve([(&increment, &cos), (&increment, &sin)], n);
+            (sin[n], cos[n]) = (forth / order, -back / order);
         }
-        s
+        let [square] = convolve([(&spin, &spin)], n);
+        u[n] = square;
+        let [sin_u] = convolve([(&sin, &u)], n);
+        denominator[n] =
+            if n == 0 { law.denominator_of((sin[0], cos[0])) } else { law.offset * 2.0 * cos[n] };
+        let one = T::constant(if n == 0 { 1.0 } else { 0.0 });
+        let mut remainder = law.drive(one, cos[n], sin[n] + sin_u);
+        for j in 1..=n {
+            remainder = remainder - denominator[j] * acceleration[n - j];
+        }
+        acceleration[n] = remainder / denominator[0];
+        order += 1.0;
     }
-
-    fn parts(self) -> [Series<T>; 2] {
-        [self.theta, self.theta_rate]
-    }
+    [angle, spin]
 }
 
 /// Follows series of θ and θ′, and gives their values after times that do not decrease.
