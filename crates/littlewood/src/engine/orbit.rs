@@ -7,7 +7,7 @@ use core::f64::consts::TAU;
 
 use crate::math::trig::sincos;
 use crate::mechanics::RollingLaw;
-use crate::modes::rolling::time_from_bottom;
+use crate::modes::rolling::{reduce, time_from_bottom};
 
 use super::duration::{duration, slowness};
 
@@ -54,16 +54,7 @@ pub(super) struct Reached {
 impl<'a> Orbit<'a> {
     /// The orbit through an angle at a positive rate. None next to the separatrix.
     pub(super) fn enter(law: &'a RollingLaw, theta: f64, theta_rate: f64) -> Option<Self> {
-        let mut lap = (theta / TAU).floor();
-        let (sin, cos) = sincos(0.5 * theta);
-        let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
-        let (mut x, mut y) = (flip * cos, flip * sin);
-        if y < 0.0 {
-            // Rounding put the angle on the wrong side of a multiple of 2π.
-            lap += if x > 0.0 { -1.0 } else { 1.0 };
-            (x, y) = (-x, -y);
-        }
-        let z = -x;
+        let (lap, z, y) = reduce(theta, sincos(0.5 * theta));
         let four_l = 4.0 * law.offset;
         let kinetic = (law.bottom + four_l * z * z) * theta_rate * theta_rate;
         let over_top = kinetic - four_l * y * y;

@@ -25,7 +25,7 @@ pub(crate) use limits::Limits;
 pub use orbit::RollingOrbit;
 #[cfg(test)]
 pub(crate) use orbit::time_between;
-pub(crate) use orbit::time_from_bottom;
+pub(crate) use orbit::{reduce, time_from_bottom};
 pub use recurrence::{Recurrence, RecurrenceKind};
 
 use crate::mechanics::RollingLaw;

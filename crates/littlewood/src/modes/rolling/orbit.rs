@@ -163,7 +163,7 @@ impl Elliptic {
             Some(direction) => direction.sign(),
             None => 1.0,
         };
-        let (lap, z, y) = reduce(travel * theta);
+        let (lap, z, y) = reduce(travel * theta, libm::sincos(0.5 * (travel * theta)));
         let four_l = 4.0 * law.offset;
         let denominator = law.bottom + four_l * z * z;
         let kinetic = denominator * theta_rate * theta_rate;
@@ -524,16 +524,10 @@ enum Pass {
     WayBack,
 }
 
-/// Sign of cos(ϑ/2) relative to the first turn.
-fn flip(lap: f64) -> f64 {
-    if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 }
-}
-
-/// Turn number and (−cos, sin) of half the angle within the turn, sin ≥ 0.
-fn reduce(angle: f64) -> (f64, f64, f64) {
+/// Turn number and (−cos, sin) of half an angle within the turn, sin ≥ 0, from its sine and cosine.
+pub(crate) fn reduce(angle: f64, (sin, cos): (f64, f64)) -> (f64, f64, f64) {
     let mut lap = (angle / TAU).floor();
-    let (sin, cos) = libm::sincos(0.5 * angle);
-    let flip = flip(lap);
+    let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
     let (mut x, mut y) = (flip * cos, flip * sin);
     if y < 0.0 {
         // Rounding moved the angle across a multiple of 2π.
