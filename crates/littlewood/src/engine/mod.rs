@@ -164,12 +164,8 @@ impl Engine {
     ) -> Summary {
         let chains = self.chains.as_deref();
         let chains = chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(&self.hoop, laws, &limits);
+        let solver = FastSolver::new(&self.hoop, laws, &limits).with_chains(chains);
         let solver = if self.is_prepared { solver } else { solver.for_few_starts() };
-        let solver = match chains {
-            Some(chains) => solver.with_chains(chains),
-            None => solver,
-        };
         let mut recorder = empty;
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
         if solver.has_drifted() {
@@ -229,7 +225,7 @@ mod tests {
         let (laws, chains) = engine.laws.as_ref().zip(engine.chains.as_deref()).unwrap();
         let motion = hoop.simulate(start, Limits::default().with_transitions(transitions)).unwrap();
         let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
-        let solver = FastSolver::new(hoop, laws, &Limits::default()).with_chains(chains);
+        let solver = FastSolver::new(hoop, laws, &Limits::default()).with_chains(Some(chains));
         let room =
             ChainBudget { transitions: 5_000, slides: f64::INFINITY, record_phases: false, open: None };
         let place = solver.place(slip.before);

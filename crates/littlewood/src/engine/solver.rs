@@ -9,8 +9,8 @@ use crate::modes::{Entry, Flight, GlideEntry, Hold, RollingLimit, TakeOff};
 use crate::walk::candidates::{Evidence, SlipEvidence, weigh};
 use crate::walk::follow::{ChainBudget, ChainSegment, next_slip};
 use crate::walk::{
-    Arrival, Cause, Ending, Exact, MaybeFlight, Next, Outcome, OutcomeKind, PhaseSequence, Solution, Solved,
-    SolvedBy, Solver, next_motion,
+    Arrival, Cause, Ending, Exact, Next, Outcome, OutcomeKind, PhaseSequence, Solution, Solved, SolvedBy,
+    Solver, next_motion,
 };
 
 use super::chain::{Chains, Follow, Passage, SlipPoint};
@@ -36,7 +36,6 @@ pub(super) struct FastSolver<'a> {
     laws: &'a Laws,
     /// Chains of slips, if they are passed by whole links.
     chains: Option<&'a [Chains]>,
-    until: f64,
     exact: Exact<'a>,
     /// Phases that are computed before what is kept is used.
     phases_without: Cell<u32>,
@@ -72,30 +71,9 @@ impl From<Outcome> for Verdict {
     }
 }
 
-/// What a summary keeps of a phase.
-#[derive(Clone, Debug)]
-pub(super) enum Kept {
-    Nothing,
-    Flight(Flight),
-    /// The range of the angle of a slide.
-    Slide((f64, f64)),
-}
-
-impl MaybeFlight for Kept {
+impl Solution for Option<Flight> {
     fn flight(&self) -> Option<&Flight> {
-        match self {
-            Self::Flight(flight) => Some(flight),
-            Self::Nothing | Self::Slide(_) => None,
-        }
-    }
-}
-
-impl Solution for Kept {
-    fn theta_range(&self) -> Option<(f64, f64)> {
-        match self {
-            Self::Slide(range) => Some(*range),
-            Self::Nothing | Self::Flight(_) => None,
-        }
+        self.as_ref()
     }
 }
 
@@ -103,21 +81,19 @@ type Ended = Ending<Place, Verdict>;
 
 impl<'a> FastSolver<'a> {
     pub(super) fn new(hoop: &'a Hoop, laws: &'a Laws, limits: &Limits) -> Self {
-        let until = limits.until.unwrap_or(f64::INFINITY);
         let (exact, drift) = (Exact::new(hoop, limits), Drift::new(&laws.body, hoop.mu_s()));
-        Self { hoop, laws, chains: None, until, exact, phases_without: Cell::new(0), drift }
+        Self { hoop, laws, chains: None, exact, phases_without: Cell::new(0), drift }
     }
 
     /// The solver of an engine for few starts: a motion uses what is kept if it is long. This depends on the motion alone, so that it has
     /// the same bits wherever it is computed.
     pub(super) fn for_few_starts(self) -> Self {
-        self.phases_without.set(PHASES_WITHOUT_CELLS);
-        self
+        Self { phases_without: Cell::new(PHASES_WITHOUT_CELLS), ..self }
     }
 
-    /// The solver that passes chains.
-    pub(super) fn with_chains(self, chains: &'a [Chains]) -> Self {
-        Self { chains: Some(chains), ..self }
+    /// The solver that passes chains, if there are any.
+    pub(super) fn with_chains(self, chains: Option<&'a [Chains]>) -> Self {
+        Self { chains, ..self }
     }
 
     /// With a phase that begins: whether it uses what is kept.
@@ -139,7 +115,7 @@ impl<'a> FastSolver<'a> {
 
     /// Whether so much time is left at a state.
     fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
-        elapsed <= self.until - state.time
+        elapsed <= self.until() - state.time
     }
 
     /// Converts a phase that was solved exactly.
@@ -153,15 +129,7 @@ impl<'a> FastSolver<'a> {
             Ending::Singular { state, solvability } => Ending::Singular { state, solvability },
             Ending::Motion { event, end, verdict } => Ending::Motion { event, end, verdict: verdict.into() },
         };
-        Solved {
-            solution: match (solved.solution.flight(), solved.solution.theta_range()) {
-                (Some(flight), _) => Kept::Flight(*flight),
-                (None, Some(range)) => Kept::Slide(range),
-                (None, None) => Kept::Nothing,
-            },
-            direction: solved.direction,
-            ending,
-        }
+        Solved { solution: solved.solution.flight().copied(), direction: solved.direction, ending }
     }
 
     fn contact(&self, place: &Place) -> f64 {
@@ -239,36 +207,25 @@ impl<'a> FastSolver<'a> {
         Some(SlipEvidence::AtRest { hold, rolling_forces: forces, denominator })
     }
 
-    /// A slide as the simulation has it, but for the last digits of an acceleration from which it begins.
-    fn slide_exactly(
-        &self,
-        state: &State,
-        body: &Heavy,
-        direction: Direction,
-        entry: Entry,
-    ) -> SolvedBy<Self> {
-        let solved = self.exact.slide(state, body, direction, entry);
-        if entry != Entry::Moving && entry != ON_LIMIT {
-            self.drift.add_phase(state.theta);
-        }
-        Self::take(solved)
-    }
-
     /// Takes note of a phase that was computed here, to a state.
     #[inline(always)]
     fn computed(&self, end: &State) {
         self.drift.add_phase(end.theta);
     }
-}
 
-impl FastSolver<'_> {
+    /// A phase that is cut at a state by the limit of time.
+    const fn cut(end: State) -> Ended {
+        let verdict = Verdict { kind: OutcomeKind::TimeLimit, state: end };
+        Ending::Motion { event: None, end: Some(end), verdict }
+    }
+
     /// Where rolling from a place has led at the limit of time.
     fn rolled(&self, place: &Place) -> Option<State> {
         let (state, travel) = (place.state, place.travel());
-        let Reached { theta, theta_rate } = self.laws.rolled(place, self.until - state.time)?;
+        let Reached { theta, theta_rate } = self.laws.rolled(place, self.until() - state.time)?;
         let theta = travel * theta;
         let x = state.x - (theta - state.theta);
-        Some(State { time: self.until, theta, theta_rate: travel * theta_rate, slip: 0.0, x })
+        Some(State { time: self.until(), theta, theta_rate: travel * theta_rate, slip: 0.0, x })
     }
 }
 
@@ -317,7 +274,7 @@ impl Follow for FastSolver<'_> {
 
 impl Solver for FastSolver<'_> {
     type Place = Place;
-    type Solution = Kept;
+    type Solution = Option<Flight>;
     type Verdict = Verdict;
 
     fn hoop(&self) -> &Hoop {
@@ -325,7 +282,7 @@ impl Solver for FastSolver<'_> {
     }
 
     fn until(&self) -> f64 {
-        self.until
+        self.exact.until()
     }
 
     fn place(&self, state: State) -> Place {
@@ -390,16 +347,12 @@ impl Solver for FastSolver<'_> {
                 }
             }
             Ok(RollEnd::Slip { .. }) => match self.rolled(place) {
-                Some(end) => Ending::Motion {
-                    event: None,
-                    end: Some(end),
-                    verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
-                },
+                Some(end) => Self::cut(end),
                 None => return left_to_the_simulation(Doubt::Separatrix),
             },
             Err(doubt) => return left_to_the_simulation(doubt),
         };
-        Solved { solution: Kept::Nothing, direction: None, ending }
+        Solved { solution: None, direction: None, ending }
     }
 
     #[inline(always)]
@@ -409,11 +362,16 @@ impl Solver for FastSolver<'_> {
         let for_ever = Verdict { kind: OutcomeKind::SlidesForever, state };
         let never = || {
             let ending = Ending::Motion { event: None, end: None, verdict: for_ever };
-            Solved { solution: Kept::Nothing, direction: Some(direction), ending }
+            Solved { solution: None, direction: Some(direction), ending }
         };
         let left_to_the_simulation = |doubt: Doubt| {
             self.tell(doubt);
-            self.slide_exactly(&state, body, direction, entry)
+            // As the simulation has it, but for the last digits of an acceleration from which it begins.
+            let solved = self.exact.slide(&state, body, direction, entry);
+            if entry != Entry::Moving && entry != ON_LIMIT {
+                self.drift.add_phase(state.theta);
+            }
+            Self::take(solved)
         };
         if self.drift.is_far(state.theta) {
             return left_to_the_simulation(Doubt::Far);
@@ -424,7 +382,7 @@ impl Solver for FastSolver<'_> {
         if is_conservative && is_next_to_equilibrium(body, place) {
             return left_to_the_simulation(Doubt::Separatrix);
         }
-        let allowed = self.until - state.time;
+        let allowed = self.until() - state.time;
         let from_limit = entry == ON_LIMIT;
         let (event, is_cut) = match self.laws.slide(place, direction, from_limit, allowed, self.is_long()) {
             Ok(SlideEnd::Event(event)) => (event, false),
@@ -435,26 +393,27 @@ impl Solver for FastSolver<'_> {
         let law = self.laws.sliding(direction);
         let here = event.direction;
         let end = State {
-            time: if is_cut { self.until } else { state.time + event.elapsed },
+            time: if is_cut { self.until() } else { state.time + event.elapsed },
             theta: event.theta,
             theta_rate: event.theta_rate,
             slip: event.slip,
             x: law.path([state.theta_rate, state.slip, state.x], place.direction).x(event.elapsed, here),
         };
         self.computed(&end);
-        let solution = Kept::Slide(event.range_from(state.theta));
         if is_cut {
             let goes_on = direction.sign() * law.drag() <= 0.0;
             let repeats = goes_on && event.is_behind_a_period(state.theta, is_conservative);
-            let verdict =
-                if repeats { for_ever } else { Verdict { kind: OutcomeKind::TimeLimit, state: end } };
-            let ending = Ending::Motion { event: None, end: Some(end), verdict };
-            return Solved { solution, direction: Some(direction), ending };
+            let ending = if repeats {
+                Ending::Motion { event: None, end: Some(end), verdict: for_ever }
+            } else {
+                Self::cut(end)
+            };
+            return Solved { solution: None, direction: Some(direction), ending };
         }
         let (cause, arrival) =
             if event.lifts_off { (Cause::LiftOff, Arrival::LiftOff) } else { (Cause::Stick, Arrival::Open) };
         let place = Place { state: end, direction: here };
-        Solved { solution, direction: Some(direction), ending: Ending::Event { place, cause, arrival } }
+        Solved { solution: None, direction: Some(direction), ending: Ending::Event { place, cause, arrival } }
     }
 
     #[inline(always)]
@@ -487,14 +446,9 @@ impl Solver for FastSolver<'_> {
         let ending = if self.is_in_time(&state, duration) {
             Ending::Landing { state: flight.state(duration), gap_rate: flight.landing_rate() }
         } else {
-            let end = State { time: self.until, ..flight.state(self.until - state.time) };
-            Ending::Motion {
-                event: None,
-                end: Some(end),
-                verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
-            }
+            Self::cut(State { time: self.until(), ..flight.state(self.until() - state.time) })
         };
-        Solved { solution: Kept::Flight(flight), direction: None, ending }
+        Solved { solution: Some(flight), direction: None, ending }
     }
 
     fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
@@ -512,17 +466,7 @@ impl Solver for FastSolver<'_> {
         room: &ChainBudget<'_>,
     ) -> Option<ChainSegment<Place>> {
         let (state, travel) = (place.state, place.travel());
-        let chains = match self.chains? {
-            [ahead, back] => {
-                if travel < 0.0 {
-                    back
-                } else {
-                    ahead
-                }
-            }
-            [chains, ..] => chains,
-            [] => return None,
-        };
+        let chains = if travel < 0.0 { self.chains?.last() } else { self.chains?.first() }?;
         let frame = chains.frame();
         let start = seen(&state, frame);
         let point = chains.point(&start, seen_direction(direction, frame))?;

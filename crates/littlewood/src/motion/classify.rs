@@ -122,7 +122,7 @@ impl Hoop {
                 (region, Some(Mode::Sliding), Some(direction))
             }
             Next::Glide { .. } => (StartRegion::Gliding, Some(Mode::Gliding), Direction::of_sign(state.slip)),
-            Next::Fly { .. } => (StartRegion::LossOfContact, Some(Mode::Flight), None),
+            Next::Fly { .. } | Next::Settle { .. } => (StartRegion::LossOfContact, Some(Mode::Flight), None),
             Next::None(candidates) => {
                 found.candidates = Some(origin.candidates(*candidates));
                 (StartRegion::Inconsistent, None, None)

@@ -5,7 +5,7 @@ use crate::model::{Body, Direction, Hoop, Limits, ParameterError, Start, State};
 use crate::modes::{Flight, PhaseSolution};
 use crate::motion::summary::SummaryRecorder;
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Event, Exact, Known, MaybeFlight, Origin, PhaseRecord, Recorder, Transition, walk};
+use crate::walk::{Event, Exact, Known, Origin, PhaseRecord, Recorder, Solution, Transition, walk};
 
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.
@@ -100,7 +100,7 @@ impl Recorder<PhaseSolution> for Recording<'_> {
     }
 }
 
-impl MaybeFlight for &PhaseSolution {
+impl Solution for &PhaseSolution {
     fn flight(&self) -> Option<&Flight> {
         (**self).flight()
     }

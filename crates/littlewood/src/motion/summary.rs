@@ -4,7 +4,7 @@ use crate::math::trig::sincos;
 use crate::mechanics::{Impact, energy_at};
 use crate::model::{Direction, Hoop, Mode, State};
 use crate::walk::{
-    Cause, Event, MaybeFlight, Origin, OutcomeKind, PhaseDetail, PhaseRecord, PhaseSequence, Recorder,
+    Cause, Event, Origin, OutcomeKind, PhaseDetail, PhaseRecord, PhaseSequence, Recorder, Solution,
 };
 
 /// The summary of a motion. All values are dimensionless; the values of absent events are NaN.
@@ -83,7 +83,7 @@ pub(crate) struct SummaryRecorder<'a> {
     gap_rate: f64,
 }
 
-impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
+impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn phase(&mut self, phase: PhaseRecord, solution: S) {
         self.summary.sequence.push(phase.mode, phase.direction);

@@ -15,7 +15,7 @@
 //! The motion continues if there is exactly one candidate. None or several (Painlevé: P ≤ 0) is an outcome.
 
 use crate::mechanics::{
-    ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
+    ContactForces, RollingLaw, Settling, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
 use crate::modes::{Entry, GlideEntry, Hold, RollingLimit, RollingOrbit, TakeOff};
@@ -92,12 +92,46 @@ impl Candidates {
 /// The motion that begins; `on_limit` if |F| = μs N at the start and static friction holds after it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Next {
-    Roll { on_limit: bool },
-    Slide { body: Heavy, direction: Direction, entry: Entry },
-    Glide { body: Massless, entry: GlideEntry },
-    Fly { body: Heavy, take_off: TakeOff },
+    Roll {
+        on_limit: bool,
+    },
+    Slide {
+        body: Heavy,
+        direction: Direction,
+        entry: Entry,
+    },
+    Glide {
+        body: Massless,
+        entry: GlideEntry,
+    },
+    Fly {
+        body: Heavy,
+        take_off: TakeOff,
+    },
+    /// Infinitely many bounces.
+    Settle {
+        body: Heavy,
+        settling: Box<Settling>,
+    },
     None(Box<Candidates>),
     Several(Box<Candidates>),
+}
+
+impl Next {
+    pub(crate) const fn mode(&self) -> Option<Mode> {
+        match self {
+            Self::Roll { .. } => Some(Mode::Rolling),
+            Self::Slide { .. } => Some(Mode::Sliding),
+            Self::Glide { .. } => Some(Mode::Gliding),
+            Self::Fly { .. } | Self::Settle { .. } => Some(Mode::Flight),
+            Self::None(_) | Self::Several(_) => None,
+        }
+    }
+
+    /// The direction of slip, if it is known before the phase is solved.
+    pub(crate) const fn direction(&self) -> Option<Direction> {
+        if let Self::Slide { direction, .. } = self { Some(*direction) } else { None }
+    }
 }
 
 /// How the state was reached; resolves ties on a boundary.

@@ -8,9 +8,7 @@ use crate::modes::{
     Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideLimit, Sliding, SlidingEnd,
     TakeOff,
 };
-use crate::walk::{
-    Arrival, Cause, Ending, MaybeFlight, Next, Outcome, Solution, Solved, SolvedBy, Solver, next_motion,
-};
+use crate::walk::{Arrival, Cause, Ending, Next, Outcome, Solution, Solved, SolvedBy, Solver, next_motion};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Exact<'a> {
@@ -202,16 +200,14 @@ impl Solver for Exact<'_> {
     }
 }
 
-impl MaybeFlight for PhaseSolution {
+impl Solution for PhaseSolution {
     fn flight(&self) -> Option<&Flight> {
         match self {
             Self::Flight(flight) => Some(flight),
             Self::Rolling(_) | Self::Sliding(_) | Self::Gliding(_) => None,
         }
     }
-}
 
-impl Solution for PhaseSolution {
     fn theta_range(&self) -> Option<(f64, f64)> {
         match self {
             Self::Sliding(slide) => Some(slide.theta_range()),

@@ -65,14 +65,14 @@ pub(crate) struct ChainSegment<P> {
     pub(crate) phases: PhaseSequence,
 }
 
-/// A phase that may be a flight.
-pub(crate) trait MaybeFlight {
+/// What is kept of a solved phase.
+pub(crate) trait Solution {
+    /// The phase, if it is a flight.
     fn flight(&self) -> Option<&Flight>;
-}
-
-/// Properties of a solved phase, exact or tabulated.
-pub(crate) trait Solution: MaybeFlight {
-    fn theta_range(&self) -> Option<(f64, f64)>;
+    /// The range of the angle of a slide, where it is kept.
+    fn theta_range(&self) -> Option<(f64, f64)> {
+        None
+    }
 }
 
 pub(crate) struct Solved<S, P, V> {
@@ -143,17 +143,10 @@ pub(crate) struct PhaseRecord {
     pub(crate) end: Option<State>,
 }
 
-/// The motion that begins.
-enum Begin {
-    /// The motion decided from the state.
-    Motion(Next),
-    Settle(Heavy, Box<Settling>),
-}
-
 /// The current place of a motion, and the motion that begins there.
 struct Current<P> {
     place: P,
-    begin: Begin,
+    begin: Next,
     /// The last slip, while the slides after it conserve energy and horizontal momentum.
     limit: Option<LastSlip>,
     /// The direction of slip, if rolling ended in this slip.
@@ -163,7 +156,7 @@ struct Current<P> {
 impl<P> Current<P> {
     fn slipping<T: Solver<Place = P>>(solver: &T, place: P, direction: Direction) -> Self {
         let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
-        let begin = Begin::Motion(solver.decide(&place, arrival));
+        let begin = solver.decide(&place, arrival);
         let slips = begin.direction();
         Self { place, begin, limit: None, slips }
     }
@@ -186,7 +179,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     let place = solver.place(start);
     let begin = match solver.hoop().body() {
         Body::Heavy(body) if gap_rate > 0.0 => rise(solver, &body, &start, gap_rate),
-        Body::Heavy(_) | Body::Massless(_) => Begin::Motion(solver.decide(&place, Arrival::Open)),
+        Body::Heavy(_) | Body::Massless(_) => solver.decide(&place, Arrival::Open),
     };
     let mut proofs = Proofs::new(solver.hoop(), limits, known);
     if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
@@ -203,8 +196,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         (count, slid) = (count + passed.0, slid + passed.1);
         let (begins, mode) = (T::state(&now.place), now.begin.mode());
         let mut range = None;
-        let seen = proofs.needs_range().then_some(&mut range);
-        let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), seen) {
+        let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), &mut range) {
             Ok(happening) => happening,
             Err(verdict) => return verdict,
         };
@@ -280,7 +272,7 @@ pub(crate) fn next_slip<T: Solver>(
     let mut checker = ModeChecker { accepts, accepted: true, slid: 0.0 };
     let mut now = Current::slipping(solver, slip, direction);
     loop {
-        let (_, impact) = follow(solver, &mut now, (&mut checker, &mut None), None).ok()?;
+        let (_, impact) = follow(solver, &mut now, (&mut checker, &mut None), &mut None).ok()?;
         if impact.is_some() || !checker.accepted {
             return None;
         }
@@ -312,40 +304,38 @@ impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for ModeChecker<F
 }
 
 /// Solves and records the phase that begins now, up to the event that ends it; or returns the outcome if the motion ends.
-/// Stores the range of the angle of a slide in `range`, if given.
+/// Stores the range of the angle of a slide in `range`, if it is known.
 #[inline(always)]
 fn follow<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     now: &mut Current<T::Place>,
     (recorder, pending): (&mut R, &mut Option<Event>),
-    range: Option<&mut Option<(f64, f64)>>,
+    range: &mut Option<(f64, f64)>,
 ) -> Result<EventWithImpact, T::Verdict> {
     now.slips = None;
     let place = &now.place;
     let state = T::state(place);
     let (mode, solved) = match &now.begin {
-        Begin::Motion(Next::Roll { on_limit }) => (Mode::Rolling, solver.roll(place, *on_limit)),
-        Begin::Motion(Next::Slide { body, direction, entry }) => {
+        Next::Roll { on_limit } => (Mode::Rolling, solver.roll(place, *on_limit)),
+        Next::Slide { body, direction, entry } => {
             (Mode::Sliding, solver.slide(place, body, *direction, *entry))
         }
-        Begin::Motion(Next::Fly { body, take_off }) => (Mode::Flight, solver.fly(place, body, *take_off)),
-        Begin::Motion(Next::Glide { body, entry }) => (Mode::Gliding, solver.glide(place, body, *entry)),
-        Begin::Settle(body, settling) => (Mode::Flight, solver.settle(place, body, settling)),
-        Begin::Motion(Next::None(candidates)) => {
+        Next::Fly { body, take_off } => (Mode::Flight, solver.fly(place, body, *take_off)),
+        Next::Glide { body, entry } => (Mode::Gliding, solver.glide(place, body, *entry)),
+        Next::Settle { body, settling } => (Mode::Flight, solver.settle(place, body, settling)),
+        Next::None(candidates) => {
             flush(recorder, pending, None);
             let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
             return leads_on(recorder, jam(solver, now, None, state), (None, inconsistent));
         }
-        Begin::Motion(Next::Several(candidates)) => {
+        Next::Several(candidates) => {
             flush(recorder, pending, None);
             return Err(Outcome::Ambiguous { state, candidates: **candidates }.into());
         }
     };
     let Solved { solution, direction, mut ending } = solved;
     flush(recorder, pending, direction);
-    if let Some(range) = range {
-        *range = solution.theta_range();
-    }
+    *range = solution.theta_range();
     if let Ending::Event { place, cause: Cause::Stick, arrival } = &mut ending {
         correct_rest(solver, now, place, arrival);
     }
@@ -422,7 +412,7 @@ fn continues<T: Solver>(
 ) -> Event {
     now.place = place;
     let state = T::state(&now.place);
-    now.begin = Begin::Motion(solver.decide(&now.place, arrival));
+    now.begin = solver.decide(&now.place, arrival);
     let begin = &now.begin;
     // Only a slide begins with a known direction.
     (now.limit, now.slips) = match (arrival, begin.direction()) {
@@ -484,7 +474,7 @@ fn settles<T: Solver>(
     let before = ContactVelocities::of(&state, settling.impact.before.gap_rate);
     let impact = Impact { before, ..settling.impact };
     now.place = solver.place(impact.state_after(&state));
-    now.begin = Begin::Motion(solver.decide(&now.place, Arrival::Open));
+    now.begin = solver.decide(&now.place, Arrival::Open);
     (Event::new(state, Mode::Flight, Cause::Settle), Some(Box::new(impact)))
 }
 
@@ -505,19 +495,19 @@ fn rebounds<T: Solver>(
     now.begin = if impact.after.gap_rate > 0.0 {
         rise(solver, body, &after, impact.after.gap_rate)
     } else {
-        Begin::Motion(solver.decide(&now.place, Arrival::Open))
+        solver.decide(&now.place, Arrival::Open)
     };
     Ok((event, Some(Box::new(impact))))
 }
 
 /// The motion with an opening gap: settling bounces if they are short enough, otherwise a flight.
-fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Begin {
+fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Next {
     let hoop = solver.hoop();
     let settling =
         hoop.restitution().and_then(|restitution| hoop.short_settling(body, state, gap_rate, restitution));
     match settling {
-        Some(settling) => Begin::Settle(*body, Box::new(settling)),
-        None => Begin::Motion(Next::Fly { body: *body, take_off: TakeOff::Rising { gap_rate } }),
+        Some(settling) => Next::Settle { body: *body, settling: Box::new(settling) },
+        None => Next::Fly { body: *body, take_off: TakeOff::Rising { gap_rate } },
     }
 }
 
@@ -526,28 +516,5 @@ fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Be
 fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Event>, direction: Option<Direction>) {
     if let Some(event) = pending.take() {
         recorder.transition(&event, None, direction);
-    }
-}
-
-impl Begin {
-    const fn mode(&self) -> Option<Mode> {
-        match self {
-            Self::Motion(Next::Roll { .. }) => Some(Mode::Rolling),
-            Self::Motion(Next::Slide { .. }) => Some(Mode::Sliding),
-            Self::Motion(Next::Glide { .. }) => Some(Mode::Gliding),
-            Self::Motion(Next::Fly { .. }) | Self::Settle(..) => Some(Mode::Flight),
-            Self::Motion(Next::None(_) | Next::Several(_)) => None,
-        }
-    }
-
-    /// The direction of slip, if it is known before the phase is solved.
-    const fn direction(&self) -> Option<Direction> {
-        match self {
-            Self::Motion(Next::Slide { direction, .. }) => Some(*direction),
-            Self::Motion(
-                Next::Roll { .. } | Next::Glide { .. } | Next::Fly { .. } | Next::None(_) | Next::Several(_),
-            )
-            | Self::Settle(..) => None,
-        }
     }
 }

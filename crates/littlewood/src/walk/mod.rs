@@ -14,7 +14,7 @@ pub(crate) use self::automaton::{Cause, Event, Transition};
 pub(crate) use self::candidates::{Arrival, Candidates, Next, next_motion};
 pub(crate) use self::exact::Exact;
 pub(crate) use self::follow::{
-    Ending, MaybeFlight, PhaseDetail, PhaseRecord, Recorder, Solution, Solved, SolvedBy, Solver, walk,
+    Ending, PhaseDetail, PhaseRecord, Recorder, Solution, Solved, SolvedBy, Solver, walk,
 };
 pub(crate) use self::origin::Origin;
 pub(crate) use self::outcome::{Outcome, OutcomeKind};

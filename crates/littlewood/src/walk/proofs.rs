@@ -70,7 +70,8 @@ struct Visit {
     state: State,
     cause: Cause,
     direction: Option<Direction>,
-    /// Range of the angle of the slide that it ends.
+    /// Whether it ends a slide, and the range of its angle, where it is known.
+    slid: bool,
     range: Option<(f64, f64)>,
 }
 
@@ -113,11 +114,6 @@ impl<'a> Proofs<'a> {
             Body::Heavy(_) => Kind::None,
         };
         Self { hoop, proof, shared: known.contact, own: ContactProof::default(), kind }
-    }
-
-    /// Whether the range of the angle of slides is needed.
-    pub(crate) const fn needs_range(&self) -> bool {
-        matches!(self.kind, Kind::Conservative(_))
     }
 
     /// The outcome if the state proves that the motion never lifts off, and this proof ends it.
@@ -196,7 +192,7 @@ fn repeats(
     (direction, is_smooth): (Option<Direction>, bool),
     range: Option<(f64, f64)>,
 ) -> Option<Outcome> {
-    let Event { state, cause, .. } = *event;
+    let Event { state, from, cause, .. } = *event;
     if !cause.keeps_contact() {
         visits.clear();
         return None;
@@ -208,24 +204,22 @@ fn repeats(
             && direction == earlier.direction
             && (is_same_state || (is_smooth && is_same_reversal(visits, earlier, &state)))
     });
-    visits.push(Visit { state, cause, direction, range });
+    visits.push(Visit { state, cause, direction, slid: from == Some(Mode::Sliding), range });
     let back = back?;
     let since = visits[back].state;
     let cycle = &visits[back + 1..];
     let (period, theta_gained) = (state.time - since.time, state.theta - since.theta);
     let transitions = cycle.len();
-    let ranges: Option<Vec<(f64, f64)>> =
-        cycle.iter().map(|visit| visit.range.filter(|_| visit.cause == Cause::Reversal)).collect();
-    let Some(ranges) = ranges else {
+    if !cycle.iter().all(|visit| visit.slid && visit.cause == Cause::Reversal) {
         return Some(Outcome::RepeatsForever { since, period, theta_gained, transitions });
-    };
+    }
     let recurrence = if theta_gained.abs() > 1.0 {
         Recurrence::Rotation { period }
     } else {
-        let (theta_min, theta_max) =
-            ranges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| {
-                (low.min(range.0), high.max(range.1))
-            });
+        let ranges = cycle.iter().filter_map(|visit| visit.range);
+        let (theta_min, theta_max) = ranges.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| {
+            (low.min(range.0), high.max(range.1))
+        });
         Recurrence::Libration { period, theta_min, theta_max }
     };
     Some(Outcome::SlidesForever { since, recurrence })

@@ -21,7 +21,7 @@ use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint, size_of_slip};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
 use super::turn::Turn;
-use super::{SlideEnd, SlideEvent, Turns};
+use super::{SlideEnd, SlideEvent};
 
 /// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole turns.
 const MAX_PIECES: usize = 512;
@@ -134,7 +134,8 @@ struct Slide<'a> {
     edge: Option<usize>,
     /// Whether the last piece was a turn.
     is_behind_turn: bool,
-    turns: Option<Turns>,
+    /// Turning points so far.
+    turns: f64,
     mark: Option<Mark>,
     /// The least η′ since the mark.
     least: f64,
@@ -152,9 +153,18 @@ pub(in crate::engine) fn follow(
     allowed: f64,
     cells: Option<&Cells>,
 ) -> Result<SlideEnd, Doubt> {
-    let (edge, turns, mark, least) = (None, None, None, here.slip);
-    let mut slide =
-        Slide { frame, here, edge, is_behind_turn: false, turns, mark, least, pieces: 0, allowed, cells };
+    let mut slide = Slide {
+        frame,
+        here,
+        edge: None,
+        is_behind_turn: false,
+        turns: 0.0,
+        mark: None,
+        least: here.slip,
+        pieces: 0,
+        allowed,
+        cells,
+    };
     if from_limit {
         // Its signs are known, however short a turning point makes the step.
         let expansion = Expansion::new(slide.frame.law(), slide.frame.sigma, here.direction, here.u);
@@ -318,7 +328,7 @@ impl<'a> Slide<'a> {
         let passed = self.cut(&way, place, over_turn(&way, place, held)?);
         let at = passed.at;
         if place.z < 0.0 && at.z > 0.0 {
-            self.turns = Some(Turns::another(self.turns, before.sign * before.theta));
+            self.turns += 1.0;
         }
         self.frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
         if passed.end == End::Open {
@@ -348,9 +358,9 @@ impl<'a> Slide<'a> {
             slip: if *end == End::Rest { 0.0 } else { self.frame.sigma * at.slip },
             direction: at.direction,
             lifts_off: *end == End::LiftOff,
-            turns: None,
+            turns: self.turns,
         };
-        let event = SlideEvent { turns: self.turns, ..event.mirrored(self.frame.sign) };
+        let event = event.mirrored(self.frame.sign);
         if *end == End::Cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) }
     }
 
@@ -361,8 +371,7 @@ impl<'a> Slide<'a> {
             return Ok(None);
         }
         let Frame { sign, theta, .. } = self.frame;
-        let count = self.turns.map_or(0.0, |turns| turns.count);
-        let here = Mark { sign, theta, elapsed: self.here.elapsed, turns: count, piece: self.pieces };
+        let here = Mark { sign, theta, elapsed: self.here.elapsed, turns: self.turns, piece: self.pieces };
         let set = |slide: &mut Self, mark: Mark| {
             (slide.mark, slide.least) = (Some(mark), slide.here.slip);
         };
@@ -374,7 +383,7 @@ impl<'a> Slide<'a> {
         let turns = if turned.abs() < PI { 0.0 } else { (turned / TAU).round() };
         let is_same =
             sign == mark.sign && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
-        if !(is_same && (turns != 0.0 || count >= mark.turns + 2.0)) {
+        if !(is_same && (turns != 0.0 || self.turns >= mark.turns + 2.0)) {
             // Where the first piece began the slide may never be again.
             if here.piece > 2 * mark.piece + TILES {
                 set(self, here);
@@ -409,8 +418,7 @@ impl<'a> Slide<'a> {
             // The last ones, in which rounding might tell, are followed.
             self.pass_periods(periods.floor() - 2.0, period, 0.0);
         }
-        let turns = self.turns.map_or(0.0, |turns| turns.count);
-        let mark = Mark { elapsed: self.here.elapsed, theta: self.frame.theta, turns, ..here };
+        let mark = Mark { elapsed: self.here.elapsed, theta: self.frame.theta, turns: self.turns, ..here };
         set(self, mark);
         Ok(None)
     }
@@ -421,7 +429,10 @@ impl<'a> Slide<'a> {
         self.here.elapsed += elapsed;
         self.here.slip -= self.frame.loss(elapsed);
         self.frame.theta += periods * advance;
-        self.turns = self.turns.map(|turns| turns.after(periods));
+        // Of a libration; the turns of a rotation have none.
+        if self.turns > 0.0 {
+            self.turns += 2.0 * periods;
+        }
     }
 }
 
@@ -529,39 +540,14 @@ fn turn_about<'a>(
         return None;
     }
     let distance = expansion.zero(reach)?.abs();
-    let before = Before::of(*frame, *here, expansion.u[1]);
-    let there = mirrored(rotated(before.direction, distance));
-    let behind = before.frame.mirrored();
+    let is_ahead = expansion.u[1] < 0.0;
+    let (frame, direction) =
+        if is_ahead { (*frame, here.direction) } else { (frame.mirrored(), mirrored(here.direction)) };
+    let (behind, there) = (frame.mirrored(), mirrored(rotated(direction, distance)));
     let turn = Turn::new(&Expansion::new(behind.law(), behind.sigma, there, 0.0), there)?;
-    let (frame, place) = before.place(distance, distance / turn.width)?;
-    Some((frame, place, turn))
-}
-
-/// A slide next to a turning point, seen in the frame of motion before it.
-struct Before<'a> {
-    frame: Frame<'a>,
-    here: Waypoint,
-    direction: (f64, f64),
-    is_ahead: bool,
-}
-
-impl<'a> Before<'a> {
-    /// From the sign of the slope of u.
-    fn of(frame: Frame<'a>, here: Waypoint, slope: f64) -> Self {
-        if slope < 0.0 {
-            Self { frame, here, direction: here.direction, is_ahead: true }
-        } else {
-            Self { frame: frame.mirrored(), here, direction: mirrored(here.direction), is_ahead: false }
-        }
-    }
-
-    /// The frame with the angle of the turning point, so far ahead in z, and the place in the turn from that as a part of the turn. None
-    /// where it is not in the turn; behind the turning point a step leads farther than the rest of the turn.
-    fn place(&self, distance: f64, part: f64) -> Option<(Frame<'a>, Waypoint)> {
-        let Self { frame, here, direction, is_ahead } = *self;
-        let y = if is_ahead { -part.sqrt() } else { part.sqrt() };
-        let frame = Frame { theta: frame.theta + 2.0 * libm::atan(distance), ..frame };
-        let farthest = if is_ahead { 1.0 } else { MAX_PART_BEHIND_TURN };
-        (part < farthest).then_some((frame, Waypoint { z: y, direction, ..here }))
-    }
+    let part = distance / turn.width;
+    // Behind the turning point a step leads farther than the rest of the turn.
+    let (z, farthest) = if is_ahead { (-part.sqrt(), 1.0) } else { (part.sqrt(), MAX_PART_BEHIND_TURN) };
+    let frame = Frame { theta: frame.theta + 2.0 * libm::atan(distance), ..frame };
+    (part < farthest).then_some((frame, Waypoint { z, direction, ..*here }, turn))
 }

@@ -17,16 +17,6 @@ pub(super) use cell::Cells;
 pub(super) use follow::{Frame, follow};
 pub(super) use piece::Waypoint;
 
-/// Turning points on the way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Turns {
-    /// Smallest and largest angle of them.
-    low: f64,
-    high: f64,
-    /// How many they are.
-    count: f64,
-}
-
 /// The event that ends a slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SlideEvent {
@@ -37,7 +27,8 @@ pub(super) struct SlideEvent {
     /// sin ϑ and cos ϑ.
     pub(super) direction: (f64, f64),
     pub(super) lifts_off: bool,
-    pub(super) turns: Option<Turns>,
+    /// How many turning points are on the way.
+    pub(super) turns: f64,
 }
 
 /// Where a slide ends, or is cut by a limit of time.
@@ -50,39 +41,12 @@ pub(super) enum SlideEnd {
     Never,
 }
 
-impl Turns {
-    /// Those so far, and another one.
-    fn another(turns: Option<Self>, angle: f64) -> Self {
-        turns.map_or(Self { low: angle, high: angle, count: 1.0 }, |Self { low, high, count }| Self {
-            low: low.min(angle),
-            high: high.max(angle),
-            count: count + 1.0,
-        })
-    }
-
-    /// The same after so many periods of a libration more.
-    fn after(self, periods: f64) -> Self {
-        Self { count: self.count + 2.0 * periods, ..self }
-    }
-
-    /// The same in the frame that is mirrored for −1.
-    fn mirrored(self, sign: f64) -> Self {
-        if sign < 0.0 { Self { low: -self.high, high: -self.low, ..self } } else { self }
-    }
-}
-
 impl SlideEvent {
-    /// Smallest and largest angle of the slide, with the angle at its start.
-    pub(super) fn range_from(&self, start: f64) -> (f64, f64) {
-        let (low, high) = self.turns.map_or((start, start), |turns| (turns.low, turns.high));
-        (low.min(start).min(self.theta), high.max(start).max(self.theta))
-    }
-
     /// Whether a whole period has passed since the start: the way from the first turning point to the third, or, if energy is conserved, a
     /// turn.
     pub(super) fn is_behind_a_period(&self, start: f64, is_conservative: bool) -> bool {
         let has_turned = is_conservative && (self.theta - start).abs() >= TAU;
-        has_turned || self.turns.is_some_and(|turns| turns.count >= 3.0)
+        has_turned || self.turns >= 3.0
     }
 
     /// The same in the frame that is mirrored for −1.
@@ -90,7 +54,6 @@ impl SlideEvent {
     fn mirrored(self, sign: f64) -> Self {
         let (sin, cos) = self.direction;
         Self {
-            turns: self.turns.map(|turns| turns.mirrored(sign)),
             theta: sign * self.theta,
             theta_rate: sign * self.theta_rate,
             // Adding zero makes −0 a 0.
@@ -98,32 +61,5 @@ impl SlideEvent {
             direction: (sign * sin, cos),
             ..self
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_range_of_a_slide_has_its_ends_and_its_turning_points() {
-        let direction = (0.0, 1.0);
-        let event = SlideEvent {
-            elapsed: 1.0,
-            theta: 2.0,
-            theta_rate: 1.0,
-            slip: 0.0,
-            direction,
-            lifts_off: false,
-            turns: None,
-        };
-        assert_eq!(event.range_from(-0.5), (-0.5, 2.0));
-        assert_eq!(event.range_from(3.5), (2.0, 3.5));
-        let turns =
-            [0.5, 2.5, -1.0].into_iter().fold(None, |turns, angle| Some(Turns::another(turns, angle)));
-        let event = SlideEvent { turns, ..event };
-        assert_eq!(event.range_from(0.5), (-1.0, 2.5));
-        assert_eq!(event.mirrored(-1.0).range_from(0.5), (-2.5, 1.0));
-        assert_eq!(event.range_from(4.0), (-1.0, 4.0));
     }
 }
