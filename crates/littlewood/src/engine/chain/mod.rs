@@ -24,7 +24,8 @@ use super::roll::Margins;
 use curve::{Curves, Point};
 use tree::{Found, Making, Tree};
 
-pub(super) use limit::{SlipCurves, SlipPoint};
+use limit::SlipCurves;
+pub(super) use limit::SlipPoint;
 pub(super) use passage::Passage;
 
 /// Powers of two: most limits of transitions are below 2^14.
@@ -76,7 +77,7 @@ impl Chains {
     fn of(hoop: &Hoop, laws: &Laws, (travel, margins): (Option<f64>, Margins)) -> Self {
         let Heavy { mass, inertia, .. } = laws.body;
         let curves = Curves::new(SlipCurves::new(margins, laws.rolling));
-        let level = curves.bounds().map(|(left, right)| Tree::new(left, right)).collect();
+        let level = curves.bounds().map(|(left, right)| Tree::new(left, right, 0)).collect();
         Self {
             curves,
             basis: Basis::new(),
@@ -185,11 +186,11 @@ impl Chains {
         let (more, end) = self.curves.more_halvings(point.part);
         let making = Making {
             basis: &self.basis,
+            curves: &self.curves,
             tolerance: tree::TOLERANCE * self.noise * (1_u64 << level) as f64,
             halvings: tree::MAX_HALVINGS + (self.noise as u32).ilog2() + more,
             end,
-            amplification: |part, ends| self.curves.amplification(part, ends),
-            value: |at| self.value(level, Point { at, ..point }, follow),
+            value: &|at| self.value(level, Point { at, ..point }, follow),
         };
         self.levels[level][point.part].find(point.at, &making)
     }

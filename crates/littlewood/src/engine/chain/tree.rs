@@ -9,6 +9,7 @@ use std::sync::OnceLock;
 use crate::walk::PhaseSequence;
 
 use super::super::interpolant::{Basis, Interpolant, NODES, Tolerance};
+use super::curve::Curves;
 use super::passage::{Passage, Route};
 
 /// Polynomials have converged when their last coefficients are below this part of the largest value, times what rounding in a link is
@@ -51,12 +52,13 @@ impl Found {
 #[derive(Clone, Debug)]
 enum Fit {
     Found(Box<Found>),
-    Divided(Box<[Node; 2]>),
+    Divided(Box<[Tree; 2]>),
     Nothing,
 }
 
+/// A part of a curve of slips, divided as far as it was needed, or an interval of it.
 #[derive(Clone, Debug)]
-struct Node {
+pub(super) struct Tree {
     left: f64,
     right: f64,
     /// Halvings of the part that led to it.
@@ -64,46 +66,29 @@ struct Node {
     fit: OnceLock<Fit>,
 }
 
-/// A part of a curve of slips, divided as far as it was needed.
-#[derive(Clone, Debug)]
-pub(super) struct Tree {
-    root: Node,
-}
-
 /// How pieces are made.
-pub(super) struct Making<'a, A, V> {
+pub(super) struct Making<'a> {
     pub(super) basis: &'a Basis,
+    pub(super) curves: &'a Curves,
     /// To which part of a value the polynomials tell it.
     pub(super) tolerance: f64,
     /// Most halvings of a part.
     pub(super) halvings: u32,
     /// The least coordinate, if chains end there: next to it links are looked for in narrower intervals.
     pub(super) end: Option<f64>,
-    /// What rounding of a level is amplified by in coordinates between two of a part.
-    pub(super) amplification: A,
     /// The links from a coordinate.
-    pub(super) value: V,
-}
-
-impl Node {
-    const fn new(left: f64, right: f64, halvings: u32) -> Self {
-        Self { left, right, halvings, fit: OnceLock::new() }
-    }
+    pub(super) value: &'a dyn Fn(f64) -> Option<(Passage, PhaseSequence)>,
 }
 
 impl Tree {
-    /// Between two coordinates.
-    pub(super) const fn new(left: f64, right: f64) -> Self {
-        Self { root: Node::new(left, right, 0) }
+    /// Between two coordinates, after so many halvings.
+    pub(super) const fn new(left: f64, right: f64, halvings: u32) -> Self {
+        Self { left, right, halvings, fit: OnceLock::new() }
     }
 
     /// The piece that holds a slip.
-    pub(super) fn find<A, V>(&self, at: f64, making: &Making<'_, A, V>) -> Option<&Found>
-    where
-        A: Fn(usize, (f64, f64)) -> f64,
-        V: Fn(f64) -> Option<(Passage, PhaseSequence)>,
-    {
-        let mut node = Some(&self.root).filter(|root| root.left <= at && at <= root.right)?;
+    pub(super) fn find(&self, at: f64, making: &Making<'_>) -> Option<&Found> {
+        let mut node = Some(self).filter(|root| root.left <= at && at <= root.right)?;
         loop {
             match node.fit.get_or_init(|| fit(node, making)) {
                 Fit::Found(found) => return Some(found),
@@ -114,18 +99,14 @@ impl Tree {
     }
 }
 
-fn fit<A, V>(&Node { left, right, halvings, .. }: &Node, making: &Making<'_, A, V>) -> Fit
-where
-    A: Fn(usize, (f64, f64)) -> f64,
-    V: Fn(f64) -> Option<(Passage, PhaseSequence)>,
-{
-    let Making { basis, tolerance, halvings: most, end, amplification, value } = making;
+fn fit(&Tree { left, right, halvings, .. }: &Tree, making: &Making<'_>) -> Fit {
+    let Making { basis, curves, tolerance, halvings: most, end, value } = making;
     let middle = 0.5 * (left + right);
     let divided = || {
         if halvings < *most {
             Fit::Divided(Box::new([
-                Node::new(left, middle, halvings + 1),
-                Node::new(middle, right, halvings + 1),
+                Tree::new(left, middle, halvings + 1),
+                Tree::new(middle, right, halvings + 1),
             ]))
         } else {
             Fit::Nothing
@@ -154,7 +135,7 @@ where
     }
     // The rounding of the level of an orbit decides where and when it slips, and how far the hoop has come.
     let (first, last) = (&first.0.end, &last.0.end);
-    let least = LEVEL_ROUNDING * tolerance * amplification(last.part, (first.at, last.at));
+    let least = LEVEL_ROUNDING * tolerance * curves.amplification(last.part, (first.at, last.at));
     let relative = Tolerance { relative: *tolerance, least };
     // x comes back to where it was, unlike time; the length of slides is only counted.
     let moved = Tolerance { least: least.max(*tolerance), ..relative };

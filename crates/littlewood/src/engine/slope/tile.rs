@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use crate::engine::orbit::MIN_SEPARATRIX_DISTANCE;
 use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
-use crate::engine::roll::holds;
+use crate::engine::roll::{Known, holds};
 use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::math::series::{DEGREE, Series, convolve, crossing, shifted, value};
@@ -58,15 +58,6 @@ pub(super) struct Linear {
     sizes: [f64; 2],
 }
 
-/// What the coefficients of such a function tell of it on the tile.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Known {
-    Positive,
-    /// It falls through zero once.
-    Falls,
-    Nothing,
-}
-
 impl Linear {
     pub(super) fn new(taylor: [Series; 2]) -> Self {
         let bernstein = [0, 1].map(|part: usize| {
@@ -87,14 +78,7 @@ impl Linear {
     fn known(&self, level: f64) -> Known {
         let [a, b] = &self.bernstein;
         let on_orbit: Series = core::array::from_fn(|k| a[k] + level * b[k]);
-        let positive = on_orbit.iter().take_while(|c| **c > 0.0).count();
-        if positive > DEGREE {
-            Known::Positive
-        } else if positive > 0 && on_orbit[positive..].iter().all(|c| *c <= 0.0) && on_orbit[DEGREE] < 0.0 {
-            Known::Falls
-        } else {
-            Known::Nothing
-        }
+        Known::of(&on_orbit)
     }
 
     pub(super) fn on_orbit(&self, level: f64) -> Series {
@@ -110,7 +94,7 @@ impl Linear {
     pub(super) fn crossing(&self, level: f64, (from, starts_at_zero): (f64, bool)) -> Option<f64> {
         let on_orbit = self.on_orbit(level);
         match self.known(level) {
-            Known::Positive => None,
+            Known::Holds => None,
             Known::Falls if !starts_at_zero => {
                 let bracket = Bracket { low: from, high: WIDTH };
                 Some(bracket.refine_from_secant(|at| value_and_slope(&on_orbit, at)))
