@@ -837,3 +837,32 @@ proptest! {
         agree_within(1e4, &hoop, &starts)?;
     }
 }
+
+/// Whatever is left to the simulation has the same answer, only later, which no test of answers would notice.
+#[test]
+fn little_is_left_to_the_simulation() {
+    let figure_2 = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let painleve = HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4);
+    let painleve = Hoop::new(painleve).expect("a valid hoop");
+    let sloping = tilted(&figure_2, 0.3);
+    // The first phases of motions.
+    let limits = Limits::default().with_transitions(1);
+    for (hoop, many, few) in [(figure_2, 1000, 100), (painleve, 100, 100), (sloping, 100, 100)] {
+        for (engine, least) in
+            [(Engine::new(&hoop), many), (Engine::builder(&hoop).expected_starts(1).build(), few)]
+        {
+            let (mut all, steps) = (0, 60);
+            for (i, j) in (0..steps).flat_map(|i| (0..steps).map(move |j| (f64::from(i), f64::from(j)))) {
+                let part = |k: f64| (2.0 * k + 1.0) / f64::from(steps) - 1.0;
+                for slip in [-0.5, 0.0, 0.5] {
+                    let start = Start::at(PI * part(i), 3.0 * part(j)).with_slip(slip);
+                    engine.summary(start, limits).expect("a valid start");
+                    all += 1;
+                }
+            }
+            let doubts = Vec::from_iter(engine.doubts());
+            let left: u64 = doubts.iter().map(|(_, count)| count).sum();
+            assert!(least * left < all, "of {all}: {doubts:?}");
+        }
+    }
+}

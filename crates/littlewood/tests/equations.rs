@@ -4,7 +4,9 @@
 
 use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start};
 use littlewood::modes::{PhaseSolution, RollingOrbit};
-use littlewood::theory::{Body, ContactForces, PhasePlane, RollingLaw, SlidingLaw, gliding_accelerations};
+use littlewood::theory::{
+    Body, ContactForces, PhasePlane, RollingLaw, SlidingLaw, Window, gliding_accelerations,
+};
 use littlewood::{Direction, Hoop, HoopParameters, Start};
 use proptest::prelude::*;
 
@@ -202,4 +204,24 @@ fn without_a_normal_force_no_friction_is_enough() {
     let demand = |normal, friction| ContactForces { normal, friction }.demand();
     assert_eq!((demand(2.0, -1.0), demand(-1.0, 1.0)), (0.5, f64::INFINITY));
     assert_eq!((demand(0.0, 1.0), demand(0.0, 0.0)), (f64::INFINITY, f64::INFINITY));
+}
+
+const WINDOW: Window = Window { x: [-2.0, 2.0], y: [-1.0, 1.0] };
+
+#[test]
+fn a_curve_is_cut_where_it_leaves() {
+    let pieces = WINDOW.pieces([-2.0, 2.0], 100, &|s| Some([s, s * s]));
+    let [piece] = &pieces[..] else { unreachable!("{pieces:?}") };
+    assert_eq!((piece[0], piece[piece.len() - 1]), ([-1.0, 1.0], [1.0, 1.0]));
+    assert!(piece.iter().all(|[x, y]| *y == x * x));
+}
+
+#[test]
+fn chords_are_close() {
+    let pieces = WINDOW.pieces([0.0, std::f64::consts::TAU], 40, &|s| Some([s.cos(), s.sin()]));
+    let [piece] = &pieces[..] else { unreachable!("{pieces:?}") };
+    for pair in piece.windows(2) {
+        let (x, y) = (0.5 * (pair[0][0] + pair[1][0]), 0.5 * (pair[0][1] + pair[1][1]));
+        assert!((x * x + y * y).sqrt() > 1.0 - 2e-3);
+    }
 }

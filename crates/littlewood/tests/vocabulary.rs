@@ -9,7 +9,7 @@ use std::str::FromStr;
 use littlewood::cases::find_case;
 use littlewood::impact::ImpactCase;
 use littlewood::modes::RecurrenceKind;
-use littlewood::si::SiSetup;
+use littlewood::si::{SiParameters, SiSetup};
 use littlewood::tables::{
     Class, Detail, Dimension, Group, PhaseCode, Quantity, SampleColumn, SampleValue, Setup, SummaryColumn,
     SummaryValue,
@@ -404,4 +404,67 @@ fn many_instants_are_those_of_each() {
     assert_eq!(found.iter().flatten().count(), 4);
     let setup = Setup::new(motion.hoop().parameters(), Start::at(0.0, 0.0));
     assert_eq!(setup.get(Quantity::MuK), Some(0.4));
+}
+
+#[test]
+fn the_lists_have_every_quantity_of_their_groups() {
+    let sorted = |quantities: &[Quantity]| {
+        let mut quantities = quantities.to_vec();
+        quantities.sort_unstable();
+        quantities
+    };
+    let those = |groups: &[Group], is_listed: fn(Quantity) -> bool| -> Vec<Quantity> {
+        let in_groups = |quantity: &Quantity| groups.contains(&quantity.group()) && is_listed(*quantity);
+        Quantity::ALL.into_iter().filter(in_groups).collect()
+    };
+    let is_plain = |quantity: Quantity| !quantity.is_si();
+    let in_si = |quantity: Quantity| quantity.is_si() || quantity.si_twin().is_none();
+    assert_eq!(sorted(&Quantity::HOOP), those(&[Group::Hoop], is_plain));
+    assert_eq!(sorted(&Quantity::START), those(&[Group::Start, Group::Place], is_plain));
+    assert_eq!(sorted(&Quantity::AXES), those(&[Group::Hoop, Group::Start], is_plain));
+    assert_eq!(sorted(&Quantity::SI_HOOP), those(&[Group::Hoop, Group::Units], in_si));
+    assert_eq!(sorted(&Quantity::SI_START), those(&[Group::Start, Group::Place], in_si));
+}
+
+#[test]
+fn a_setup_has_every_quantity_of_a_hoop_and_a_start() {
+    let mut setup = Setup::new(HoopParameters::default(), Start::default());
+    for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
+        setup.set(quantity, f64::from(value));
+    }
+    for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
+        assert_eq!(setup.get(quantity), Some(f64::from(value)));
+        assert_eq!(setup.get(quantity.si_twin().unwrap_or(Quantity::Until)), None);
+    }
+    assert!(Quantity::AXES.iter().all(|axis| setup.get(*axis).is_some()));
+    let bare = Setup::new(HoopParameters::default(), Start::default());
+    assert_eq!(bare.get(Quantity::Restitution), None);
+    assert!(bare.values([Quantity::Restitution])[0].is_nan());
+}
+
+#[test]
+fn units_are_the_powers_of_mass_length_and_gravity() {
+    let (m, r, g) = (0.14_f64, 0.45_f64, 9.81_f64);
+    let si =
+        SiParameters { particle_mass_kg: m, radius_m: r, gravity_m_per_s2: g, ..SiParameters::default() };
+    let units = si.units().expect("three positive numbers");
+    for (dimension, expected) in [
+        (Dimension::Ratio, 1.0),
+        (Dimension::Angle, 1.0),
+        (Dimension::Mass, m),
+        (Dimension::Length, r),
+        (Dimension::Time, (r / g).sqrt()),
+        (Dimension::AngularRate, (g / r).sqrt()),
+        (Dimension::AngularAcceleration, g / r),
+        (Dimension::Velocity, (g * r).sqrt()),
+        (Dimension::Acceleration, g),
+        (Dimension::Force, m * g),
+        (Dimension::Energy, m * g * r),
+        (Dimension::Impulse, m * (g * r).sqrt()),
+        (Dimension::Inertia, m * r * r),
+    ] {
+        assert!((units.unit(dimension) / expected - 1.0).abs() < 1e-15, "{dimension:?}");
+        assert!((units.from_si(dimension, units.to_si(dimension, 0.7)) - 0.7).abs() < 1e-15);
+        assert!((units.to_si(dimension, 0.7) / (0.7 * expected) - 1.0).abs() < 1e-15, "{dimension:?}");
+    }
 }

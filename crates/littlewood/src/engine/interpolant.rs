@@ -132,28 +132,3 @@ impl<const LANES: usize> Interpolant<LANES> {
         core::array::from_fn(|lane| odd[lane] * z + even[lane])
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn smooth_functions_are_interpolated_to_rounding() {
-        let basis = Basis::new();
-        let values = basis.nodes(0.2, 0.5).map(|x| [libm::exp(x), libm::cos(3.0 * x)]);
-        let both = basis.through(0.2, 0.5, &values, &[Tolerance::ROUNDING; 2]).expect("converges");
-        for k in 0..=30 {
-            let x = 0.2 + 0.01 * f64::from(k);
-            let [exponential, cosine] = both.at(x);
-            assert!((exponential - libm::exp(x)).abs() < 2e-15, "{x}");
-            assert!((cosine - libm::cos(3.0 * x)).abs() < 2e-15, "{x}");
-        }
-    }
-
-    #[test]
-    fn a_kink_does_not_converge() {
-        let basis = Basis::new();
-        let values = basis.nodes(-1.0, 1.0).map(|x| [(x - 0.1).abs()]);
-        assert!(basis.through(-1.0, 1.0, &values, &[Tolerance::ROUNDING]).is_none());
-    }
-}

@@ -187,38 +187,6 @@ mod tests {
     use crate::walk::follow::ChainBudget;
     use crate::walk::{Cause, Solver};
 
-    /// Whatever is left to the simulation has the same answer, only later, which no test of answers would notice.
-    #[test]
-    fn little_is_left_to_the_simulation() {
-        let figure_2 = Hoop::figure_2(0.5, 0.4).unwrap();
-        let painleve = HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4);
-        let painleve = Hoop::new(painleve).unwrap();
-        let sloping = Hoop::new(figure_2.parameters().with_slope(0.3)).unwrap();
-        // The first phases of motions.
-        let limits = Limits::default().with_transitions(1);
-        for (engine, least) in [
-            (Engine::new(&figure_2), 1000),
-            (Engine::for_few_starts(&figure_2), 100),
-            (Engine::new(&painleve), 100),
-            (Engine::for_few_starts(&painleve), 100),
-            (Engine::new(&sloping), 100),
-            (Engine::for_few_starts(&sloping), 100),
-        ] {
-            let (mut all, steps) = (0, 60);
-            for (i, j) in (0..steps).flat_map(|i| (0..steps).map(move |j| (f64::from(i), f64::from(j)))) {
-                let part = |k: f64| (2.0 * k + 1.0) / f64::from(steps) - 1.0;
-                for slip in [-0.5, 0.0, 0.5] {
-                    let start = Start::at(core::f64::consts::PI * part(i), 3.0 * part(j)).with_slip(slip);
-                    engine.summary(start, limits).unwrap();
-                    all += 1;
-                }
-            }
-            let left: u64 = engine.doubts().map(|(_, count)| count).sum();
-            let doubts = Vec::from_iter(engine.doubts());
-            assert!(least * left < all, "of {all}: {doubts:?}");
-        }
-    }
-
     /// How many transitions are passed at once from the last slip of the motion from a start that is simulated for so many.
     fn passed_from(hoop: &Hoop, start: Start, transitions: usize) -> usize {
         let engine = Engine::new(hoop);

@@ -320,31 +320,3 @@ impl PhasePlane {
         pieces
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const WINDOW: Window = Window { x: [-2.0, 2.0], y: [-1.0, 1.0] };
-
-    #[test]
-    fn a_curve_is_cut_where_it_leaves() {
-        let pieces = WINDOW.pieces([-2.0, 2.0], 100, &|s| Some([s, s * s]));
-        let [piece] = &pieces[..] else { panic!("{pieces:?}") };
-        assert_eq!((piece[0], piece[piece.len() - 1]), ([-1.0, 1.0], [1.0, 1.0]));
-        assert!(piece.iter().all(|[x, y]| *y == x * x));
-    }
-
-    #[test]
-    fn chords_are_close() {
-        let pieces = WINDOW.pieces([0.0, core::f64::consts::TAU], 40, &|s| {
-            let (sin, cos) = libm::sincos(s);
-            Some([cos, sin])
-        });
-        let [piece] = &pieces[..] else { panic!("{pieces:?}") };
-        for pair in piece.windows(2) {
-            let (x, y) = (0.5 * (pair[0][0] + pair[1][0]), 0.5 * (pair[0][1] + pair[1][1]));
-            assert!((x * x + y * y).sqrt() > 1.0 - 2e-3);
-        }
-    }
-}

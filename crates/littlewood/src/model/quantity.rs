@@ -454,28 +454,3 @@ impl Quantity {
         self.dimensionless().row().hint
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_lists_have_every_quantity_of_their_groups() {
-        let sorted = |quantities: &[Quantity]| {
-            let mut quantities = quantities.to_vec();
-            quantities.sort_unstable();
-            quantities
-        };
-        let those = |groups: &[Group], is_listed: fn(Quantity) -> bool| -> Vec<Quantity> {
-            let in_groups = |quantity: &Quantity| groups.contains(&quantity.group()) && is_listed(*quantity);
-            Quantity::ALL.into_iter().filter(in_groups).collect()
-        };
-        let is_plain = |quantity: Quantity| !quantity.is_si();
-        let in_si = |quantity: Quantity| quantity.is_si() || quantity.si_twin().is_none();
-        assert_eq!(sorted(&Quantity::HOOP), those(&[Group::Hoop], is_plain));
-        assert_eq!(sorted(&Quantity::START), those(&[Group::Start, Group::Place], is_plain));
-        assert_eq!(sorted(&Quantity::AXES), those(&[Group::Hoop, Group::Start], is_plain));
-        assert_eq!(sorted(&Quantity::SI_HOOP), those(&[Group::Hoop, Group::Units], in_si));
-        assert_eq!(sorted(&Quantity::SI_START), those(&[Group::Start, Group::Place], in_si));
-    }
-}

@@ -91,24 +91,3 @@ impl Setup {
         quantities.map(|quantity| copy.value(quantity).unwrap_or(f64::NAN))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_setup_has_every_quantity_of_a_hoop_and_a_start() {
-        let mut setup = Setup::new(HoopParameters::default(), Start::default());
-        for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
-            setup.set(quantity, f64::from(value));
-        }
-        for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
-            assert_eq!(setup.get(quantity), Some(f64::from(value)));
-            assert_eq!(setup.get(quantity.si_twin().unwrap_or(Quantity::Until)), None);
-        }
-        assert!(Quantity::AXES.iter().all(|axis| setup.get(*axis).is_some()));
-        let bare = Setup::new(HoopParameters::default(), Start::default());
-        assert_eq!(bare.get(Quantity::Restitution), None);
-        assert!(bare.values([Quantity::Restitution])[0].is_nan());
-    }
-}

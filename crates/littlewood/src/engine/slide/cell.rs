@@ -320,9 +320,6 @@ impl Cell {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::slide::piece::Piece;
-    use crate::engine::slide::piece::check::is_a_slide;
-    use crate::engine::slide::series::Expansion;
     use crate::model::{Body, Direction, Hoop, HoopParameters};
 
     /// All cells of a hoop whose tiles are halved so often, with their laws and signs.
@@ -337,65 +334,6 @@ mod tests {
                     .filter_map(move |tile| Some((law, sigma, tile, Cell::new(&law, sigma, tile)?)))
             })
             .collect()
-    }
-
-    fn waypoint(cell: &Cell, t: f64, u: f64) -> Waypoint {
-        let direction = rotated(cell.direction, cell.width * t);
-        Waypoint { z: 0.0, u, elapsed: 0.0, slip: 0.1, slip_acceleration: 0.0, direction }
-    }
-
-    #[test]
-    fn a_step_through_a_cell_is_a_slide() {
-        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
-        let (cells, mut steps) = (cells(&hoop, 0), 0);
-        assert_eq!(cells.len(), 2 * TILES);
-        for (law, sigma, tile, cell) in &cells {
-            for (from, u) in [(-0.9, 3.0), (-0.4, 1.3), (0.3, 0.6), (0.0, 20.0)] {
-                let Some((place, step)) = cell.step(&waypoint(cell, from, u)) else { continue };
-                assert!((place.z - from).abs() < 1e-15);
-                steps += 1;
-                assert!((step.u(from) - u).abs() < 1e-15 * (4.0 + u), "{tile:?} {from}");
-                is_a_slide(&step, law, (from, step.end));
-                // The same slide by its own series, as far as that goes.
-                let direction = step.direction(from);
-                let expansion = Expansion::new(law, *sigma, direction, u);
-                let own = Step::new(&expansion, direction, expansion.reach(0), false).unwrap();
-                let turned = step.turned(from, step.end);
-                let t = libm::tan(0.5 * turned) / own.width;
-                if t <= 1.0 {
-                    let (end, there) = (step.u(step.end), own.u(t));
-                    assert!((end - there).abs() < 4e-15 * (1.0 + u), "{tile:?} {from}: {end} {there}");
-                    let [time, expected] = [step.time(from, step.end), own.time(0.0, t)];
-                    assert!((time - expected).abs() < 4e-15, "{tile:?} {from}: {time} {expected}");
-                }
-            }
-        }
-        assert!(steps > 2 * cells.len(), "{steps}");
-    }
-
-    /// What is kept of whole cells is what their series have.
-    #[test]
-    fn crossings_of_whole_cells_are_steps() {
-        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
-        let mut crossings = 0;
-        for (law, sigma, tile, cell) in cells(&hoop, 0) {
-            let next = Cell::new(&law, sigma, Tile::at(tile.exit(), 0).unwrap()).unwrap();
-            let there = rotated(next.direction, -next.width * next.end);
-            for u in [0.6, 1.3, 3.0, 20.0, 1e4] {
-                let Some((level, end)) = cell.crossing(u) else { continue };
-                let (place, step) = cell.step(&waypoint(&cell, -cell.end, u)).unwrap();
-                crossings += 1;
-                assert!((end - step.u(cell.end)).abs() < 4e-15 * (1.0 + u), "{tile:?} {u}");
-                let (time, expected) = (cell.time(level), step.time(place.z, cell.end));
-                assert!((time - expected).abs() < 4e-15 * expected, "{tile:?} {u}: {time} {expected}");
-                let edge = cell.law_at_exit();
-                let (sin, cos) = edge.direction;
-                assert!((sin - there.0).abs() < 1e-15 && (cos - there.1).abs() < 1e-15, "{tile:?}");
-                let accelerates = law.accelerations(libm::atan2(sin, cos), end.sqrt()).slip;
-                assert!((edge.alpha + edge.beta * end - accelerates).abs() < 1e-14 * (1.0 + u));
-            }
-        }
-        assert!(crossings > 80, "{crossings}");
     }
 
     /// Also of light hoops, and next to zeros of P, where p and h change most.
@@ -421,43 +359,6 @@ mod tests {
         assert!(crossings > 1000, "{crossings}");
     }
 
-    /// The sign of η″ is told for a slide as it is at points of the cell.
-    #[test]
-    fn signs_in_a_cell_are_those_of_the_slip_acceleration() {
-        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
-        let (mut same, mut changes) = (0, 0);
-        for (law, sigma, tile, cell) in cells(&hoop, 0) {
-            for u in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {
-                let Some((_, step)) = cell.step(&waypoint(&cell, -0.9, u)) else { continue };
-                let at = |t: f64| {
-                    let (sin, cos) = step.direction(t);
-                    let (alpha, beta) = law.slip_acceleration(sin, cos);
-                    sigma * (alpha + beta * step.u(t))
-                };
-                let seen: Vec<f64> = (0..=40).map(|k| at(-0.9 + 0.0475 * f64::from(k))).collect();
-                let clear = |value: &&f64| value.abs() > step.doubt;
-                let positive = |value: &f64| *value > 0.0;
-                let (first, last) = (positive(&seen[0]), positive(&seen[40]));
-                match step.signs {
-                    Signs::Positive => assert!(seen.iter().all(positive), "{tile:?} {u}"),
-                    Signs::Negative => assert!(!seen.iter().any(positive), "{tile:?} {u}"),
-                    Signs::Falling | Signs::Rising => {
-                        assert_eq!(
-                            (first, last),
-                            (step.signs == Signs::Falling, step.signs == Signs::Rising)
-                        );
-                        let clear: Vec<bool> = seen.iter().filter(clear).map(positive).collect();
-                        assert_eq!(clear.windows(2).filter(|pair| pair[0] != pair[1]).count(), 1);
-                        changes += 1;
-                    }
-                    Signs::Unknown => continue,
-                }
-                same += 1;
-            }
-        }
-        assert!(same > 60 && changes > 3, "{same} {changes}");
-    }
-
     #[test]
     fn angles_lie_between_the_centres_about_them() {
         for halvings in 0..=HALVINGS {
@@ -470,30 +371,6 @@ mod tests {
                 }
             }
             assert_eq!(Tile::about(0.0, halvings), [tile(0), tile(count - 1)]);
-        }
-    }
-
-    #[test]
-    fn tiles_follow_each_other() {
-        for halvings in 0..=HALVINGS {
-            let mut edge = 0;
-            for number in 0..TILES << halvings {
-                let tile = Tile::at(edge, halvings).unwrap();
-                assert_eq!(tile.number, number);
-                // Its first half begins there, too, and a wider tile only where it is the first half of that.
-                if halvings < HALVINGS {
-                    assert_eq!(Tile::at(edge, halvings + 1).unwrap().number, 2 * number);
-                }
-                if halvings > 0 {
-                    assert_eq!(Tile::at(edge, halvings - 1).is_some(), number % 2 == 0);
-                }
-                edge = tile.exit();
-            }
-            assert_eq!(edge, 0);
-        }
-        for turns in [-3.0, 0.0, 7.0] {
-            let expected = TAU * (turns + 5.0 / EDGES as f64);
-            assert!((edge_near(5, expected - 0.6) - expected).abs() < 1e-14, "{turns}");
         }
     }
 

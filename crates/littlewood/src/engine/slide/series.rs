@@ -441,25 +441,6 @@ mod tests {
     }
 
     #[test]
-    fn bernstein_coefficients_are_those_of_the_same_polynomial() {
-        let c: [f64; 5] = [0.3, -1.2, 0.7, 2.0, -0.9];
-        let power = |t: f64| c.iter().rev().fold(0.0, |sum, c| sum * t + c);
-        let (right, both) = (bernstein(c), bernstein(from_both_sides(c)));
-        let binomials = [1.0, 4.0, 6.0, 4.0, 1.0];
-        for x in [0.0, 0.1, 0.5, 0.8, 1.0] {
-            let sum = |b: [f64; 5]| -> f64 {
-                (0..5)
-                    .map(|k| {
-                        b[k] * binomials[k] * libm::pow(x, k as f64) * libm::pow(1.0 - x, 4.0 - k as f64)
-                    })
-                    .sum()
-            };
-            assert!((sum(right) - power(x)).abs() < 1e-15, "{x}");
-            assert!((sum(both) - power(2.0 * x - 1.0)).abs() < 1e-14, "{x}");
-        }
-    }
-
-    #[test]
     fn signs_are_told_only_where_they_are_clear() {
         let [up, down] = [[5.0; SIGN_DEGREE + 1], [-5.0; SIGN_DEGREE + 1]];
         assert_eq!((seen(up), seen(down)), (Signs::Positive, Signs::Negative));

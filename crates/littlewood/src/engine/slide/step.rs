@@ -213,34 +213,3 @@ impl Piece for Step {
         2.0 * self.width * half * sum
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::engine::slide::piece::check::{finds_places, is_a_slide};
-    use crate::mechanics::SlidingLaw;
-    use crate::model::{Body, Direction, Hoop};
-
-    #[test]
-    fn a_step_is_a_slide() {
-        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
-        let (mut rests, mut times) = (0, 0);
-        for (direction, sigma) in [(Direction::Positive, 1.0), (Direction::Negative, -1.0)] {
-            let law = SlidingLaw::of_body(body, 0.4, direction);
-            for (theta, u) in [(0.4, 1.2), (2.0, 3.0), (3.0, 0.7), (5.5, 2.0)] {
-                let seen = libm::sincos(theta);
-                let expansion = Expansion::new(&law, sigma, seen, u);
-                let step = Step::new(&expansion, seen, expansion.reach(0), false).unwrap();
-                is_a_slide(&step, &law, (0.0, 1.0));
-                is_a_slide(&step, &law, (0.1, 0.7));
-                let (found, asked) = finds_places(&step, &law, (0.0, 1.0));
-                (rests, times) = (rests + found, times + asked);
-                let (sin, cos) = step.direction(1.0);
-                let turned = libm::atan2(sin * seen.1 - cos * seen.0, cos * seen.1 + sin * seen.0);
-                assert!((step.turned(0.0, 1.0) - turned).abs() < 1e-14, "{theta}");
-            }
-        }
-        // The guess of where a slide comes to rest is good: it takes one step of Newton's method, or two.
-        assert!(rests > 4 && times <= 2 * rests, "{rests} {times}");
-    }
-}

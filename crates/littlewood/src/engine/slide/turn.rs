@@ -91,31 +91,3 @@ impl Piece for Turn {
         half * sum
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::engine::slide::piece::check::{finds_places, is_a_slide};
-    use crate::mechanics::SlidingLaw;
-    use crate::model::{Body, Direction, Hoop};
-
-    #[test]
-    fn a_turn_is_a_slide_that_comes_back() {
-        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
-        let before = SlidingLaw::of_body(body, 0.4, Direction::Positive);
-        // Seen the other way, the slip goes the other way.
-        let behind = SlidingLaw::of_body(body, 0.4, Direction::Negative);
-        for theta in [3.7, 4.2, 5.0] {
-            let (sin, cos) = libm::sincos(theta);
-            let there = (-sin, cos);
-            let turn = Turn::new(&Expansion::new(&behind, -1.0, there, 0.0), there).unwrap();
-            is_a_slide(&turn, &before, (-1.0, -0.05));
-            is_a_slide(&turn, &before, (0.1, 0.9));
-            finds_places(&turn, &before, (0.1, 0.9));
-            assert_eq!((turn.turned_by(0.0), turn.u(0.0)), (0.0, 0.0));
-            let (back_sin, back_cos) = turn.direction(0.8);
-            let turned = libm::atan2(back_sin * cos - back_cos * sin, back_cos * cos + back_sin * sin);
-            assert!((turn.turned_by(0.8) - turned).abs() < 1e-14, "{theta}");
-        }
-    }
-}

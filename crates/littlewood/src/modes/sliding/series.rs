@@ -1,8 +1,7 @@
 //! Taylor series of a sliding motion about an instant.
 //!
 //! Automatic differentiation by recurrence: every product is a convolution of coefficients. The series are those of
-//! θ, θ′, η′ and of the two quantities whose signs limit sliding, w and P. They solve the equations of [`SlidingLaw`], which a
-//! test checks.
+//! θ, θ′, η′ and of the two quantities whose signs limit sliding, w and P. They solve the equations of [`SlidingLaw`].
 
 use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, convolve, value};
@@ -132,41 +131,5 @@ impl SlideSeries {
             }
         }
         reach
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::*;
-    use crate::model::State;
-
-    proptest! {
-        #[test]
-        fn the_series_begin_with_the_equations_of_sliding(
-            mass in 1.1..4.0_f64, offset in 0.1..1.0_f64, inertia in 0.5..5.0_f64, mu in 0.0..0.5_f64,
-            theta in -7.0..7.0_f64, rate in -3.0..3.0_f64, positive in any::<bool>(),
-            tilt in prop_oneof![Just(-0.0), -2.0..2.0_f64],
-        ) {
-            let body = Heavy { mass, h: offset / mass, offset, inertia, tilt };
-            let law = SlidingLaw { body, friction: if positive { mu } else { -mu }, weight: 1.0 };
-            let series = SlideSeries::new(&law, PhasePoint { theta, rate }, 0.25);
-            let expected = law.accelerations(theta, rate);
-            let size = 1.0 + rate * rate;
-            prop_assert!((series.contact[0] - law.contact(theta, rate)).abs() < 1e-15 * size);
-            prop_assert!((series.solvability[0] - law.solvability(theta)).abs() < 1e-14);
-            prop_assert!((series.theta_rate[1] - expected.theta).abs() < 1e-14 * size);
-            prop_assert!((series.slip[1] - expected.slip).abs() < 1e-13 * size);
-            // The first integral holds along the series, term by term.
-            let at = 0.5 * series.reach(INITIAL_MAX_STEP);
-            let [start, then] = [0.0, at].map(|time| {
-                let [theta, theta_rate, slip] =
-                    [&series.theta, &series.theta_rate, &series.slip].map(|series| value(series, time));
-                State { time, theta, theta_rate, slip, x: 0.0 }
-            });
-            let drift = law.momentum_integral(&then) - law.momentum_integral(&start);
-            prop_assert!(drift.abs() < 1e-13 * size, "{drift}");
-        }
     }
 }

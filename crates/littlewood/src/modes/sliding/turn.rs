@@ -254,29 +254,3 @@ impl Sample {
         (p > 0.0).then_some(Self { lever, lower, inertia, growth: push * load, work })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::*;
-
-    proptest! {
-        #[test]
-        fn the_section_is_the_unstable_equilibrium_or_where_the_slope_of_the_energy_is_least(
-            mass in 1.0..4.0_f64, h in 0.0125..1.0_f64, inertia in 0.1..3.0_f64, mu in 0.0..5.0_f64, positive in any::<bool>(),
-        ) {
-            let body = Heavy { mass, h, offset: mass * h, inertia, tilt: -0.0 };
-            let law = SlidingLaw { body, friction: if positive { mu } else { -mu }, weight: 1.0 };
-            let (sin, cos) = libm::sincos(section(&law));
-            let q = law.q(1.0, sin, cos);
-            let slope = body.h * (cos + law.friction * sin);
-            let size = 1.0 + mu;
-            if mu < body.h * (1.0 + mu * mu).sqrt() {
-                prop_assert!(q.abs() < 1e-14 * size && slope > -1e-7 * size, "{q} {slope}");
-            } else {
-                prop_assert!(slope.abs() < 1e-14 * size && q * law.friction < 0.0, "{q} {slope}");
-            }
-        }
-    }
-}
