@@ -32,14 +32,3 @@ pub fn setups(block: u32) -> impl Iterator<Item = (Setup, Limits)> {
         (setup, Limits::default().with_until(until).with_transitions(TRANSITIONS))
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn blocks_differ() {
-        let first = |block| setups(block).next().map(|(setup, _)| setup.start.theta.to_bits());
-        assert_ne!(first(0), first(1));
-    }
-}

@@ -319,37 +319,4 @@ mod tests {
             [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]
         );
     }
-
-    /// Each decade of a quantity with a bound comes, the largest and the smallest, and the bound itself.
-    #[test]
-    fn every_size_is_drawn() {
-        for quantity in
-            [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip, Quantity::Inertia, Quantity::MassRatio]
-        {
-            let most = largest(quantity);
-            let mut decades = std::collections::BTreeSet::new();
-            let mut draw = Draw::of_case(1, 0, u64::from(quantity.code()));
-            for _ in 0..20_000 {
-                let size = draw.allowed(quantity).abs();
-                assert!(size <= most, "{quantity} {size}");
-                if size > 0.0 {
-                    decades.insert(libm::floor(libm::log10(size)) as i32);
-                }
-            }
-            let top = libm::log10(most) as i32;
-            assert!((-12..=top).all(|decade| decades.contains(&decade)), "{quantity}: {decades:?}");
-        }
-    }
-
-    /// Most differ, though bounds and ties are drawn again and again.
-    #[test]
-    fn motions_differ() {
-        let mut drawn = Vec::from_iter((0..1000).map(|number| {
-            let (hoop, start) = Draw::of_case(7, 1, number).heavy_motion();
-            format!("{hoop:?} {start:?}")
-        }));
-        drawn.sort();
-        drawn.dedup();
-        assert!(drawn.len() > 990, "{}", drawn.len());
-    }
 }

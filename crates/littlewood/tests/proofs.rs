@@ -5,8 +5,10 @@ use crate::common;
 use std::f64::consts::PI;
 
 use littlewood::modes::GrazingOrbit;
-use littlewood::theory::RollingLaw;
-use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, Start, State, Trajectory};
+use littlewood::theory::{RollingLaw, SlidingLaw};
+use littlewood::{
+    Cause, Direction, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, Start, State, Trajectory,
+};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -350,4 +352,36 @@ fn a_motion_passes_where_one_family_of_slips_nearly_ends_before_the_next_begins(
     let between =
         whole.transitions().iter().filter(|one| (1.8..2.2).contains(&energy(&hoop, &one.after))).count();
     assert!(between > 9_000, "{between}");
+}
+
+/// At rest E = ℓ̂ cos θ: no lift-off is proved as far up as P > 0 in both directions of slip, and not beyond.
+#[test]
+fn rest_is_proved_to_last_up_to_the_first_zero_of_p() {
+    let (mut with, mut without) = (0, 0);
+    for h in [0.05, 0.3, 0.7, 1.0] {
+        for mu in [0.1, 0.8, 3.0] {
+            // About the least with which P > 0 everywhere.
+            let bound = 0.25 * mu * mu * (1.0 + h) * (1.0 + h);
+            for part in [0.05, 0.3, 0.6, 0.9, 1.0 + 1e-6, 2.0] {
+                let parameters = HoopParameters::thin(0.0).with_offset(h).with_inertia(bound * part);
+                let hoop = Hoop::new(parameters.with_friction(mu, mu)).expect("a valid hoop");
+                let laws = [Direction::Negative, Direction::Positive]
+                    .map(|direction| SlidingLaw::new(&hoop, direction).expect("heavy"));
+                let first = (0..=20_000)
+                    .map(|k| PI * (1.0 - f64::from(k) / 20_000.0))
+                    .find(|theta| laws.iter().any(|law| law.solvability(*theta) <= 0.0));
+                let is_proved =
+                    |cos: f64| hoop.never_lifts_off(&State::from(Start::at(libm::acos(cos), 0.0)));
+                if let Some(cos) = first.map(libm::cos) {
+                    with += 1;
+                    assert!(is_proved((cos - 1e-3).max(-1.0)), "{h} {mu} {part}");
+                    assert!(!is_proved((cos + 1e-3).min(1.0)), "{h} {mu} {part}");
+                } else {
+                    without += 1;
+                    assert!(is_proved(1.0), "{h} {mu} {part}");
+                }
+            }
+        }
+    }
+    assert!(with > 20 && without > 20, "{with} {without}");
 }

@@ -36,7 +36,6 @@ named! {
     }
 }
 
-/// How often each doubt was met.
 #[derive(Debug, Default)]
 pub(super) struct Tally([AtomicU64; Doubt::ALL.len()]);
 

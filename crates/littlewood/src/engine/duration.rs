@@ -69,7 +69,6 @@ pub(super) fn slowness(bottom: f64, (excess, swing): (f64, f64), (sine, cosine):
     2.0 * ((bottom + swing * (sine * sine)) / (excess + swing * (cosine * cosine))).sqrt()
 }
 
-/// A panel of an orbit.
 struct Panel {
     bottom: f64,
     excess: f64,

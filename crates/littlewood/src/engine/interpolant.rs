@@ -15,10 +15,8 @@ pub(super) struct Tolerance {
 }
 
 impl Tolerance {
-    /// To rounding.
     pub(super) const ROUNDING: Self = Self { relative: 2e-15, least: 0.0 };
 
-    /// The bound for values of this size.
     pub(super) fn of(&self, size: f64) -> f64 {
         (self.relative * size.abs()).max(self.least)
     }
@@ -68,7 +66,6 @@ impl Basis {
         Self { nodes: core::array::from_fn(|k| -cos(1, k)), chebyshev, powers }
     }
 
-    /// The nodes of an interval, in increasing order.
     pub(super) fn nodes(&self, left: f64, right: f64) -> [f64; NODES] {
         let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
         self.nodes.map(|node| centre + half * node)
@@ -116,7 +113,6 @@ impl Basis {
 }
 
 impl<const LANES: usize> Interpolant<LANES> {
-    /// The values at x.
     #[inline]
     pub(super) fn at(&self, x: f64) -> [f64; LANES] {
         let z = (x - self.centre) * self.scale;

@@ -12,7 +12,6 @@ use super::roll::{self, Margins, Octants, RollEnd};
 use super::slide::{self, Cells, Frame, SlideEnd, Waypoint};
 use super::slope::{self, Ramp};
 
-/// The equations of a heavy hoop.
 #[derive(Clone, Debug)]
 pub(super) struct Laws {
     pub(super) body: Heavy,
@@ -27,7 +26,6 @@ pub(super) struct Laws {
     octants: Octants,
     /// Rolling to positive and to negative angles on a slope.
     ramps: Option<Box<[Ramp; 2]>>,
-    /// Why phases were left to the simulation.
     pub(super) tally: Tally,
 }
 
@@ -50,7 +48,6 @@ impl Laws {
         })
     }
 
-    /// The equations of sliding in a direction.
     pub(super) const fn sliding(&self, direction: Direction) -> &SlidingLaw {
         match direction {
             Direction::Negative => &self.sliding[0][0],

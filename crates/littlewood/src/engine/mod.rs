@@ -76,7 +76,6 @@ pub struct Engine {
     chains: Option<Vec<Chains>>,
     /// Whether what is kept is used from the first phase of a motion on.
     is_prepared: bool,
-    /// What proofs have found of the hoop.
     contact: ContactProof,
 }
 

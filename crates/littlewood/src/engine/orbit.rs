@@ -36,7 +36,6 @@ pub(super) struct Orbit<'a> {
     pub(super) swing: f64,
 }
 
-/// How a place on an orbit is reached.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Pass {
     First,
@@ -44,7 +43,6 @@ pub(super) enum Pass {
     WayBack,
 }
 
-/// Where an orbit has led.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reached {
     pub(super) theta: f64,
@@ -80,7 +78,6 @@ impl<'a> Orbit<'a> {
         }
     }
 
-    /// The phase where it is entered.
     fn entry(&self) -> (f64, f64) {
         self.phase(self.z, self.y, self.kinetic)
     }

@@ -1,26 +1,21 @@
-//! Gauss–Legendre quadrature on [−1, 1], with eight, twelve and sixteen nodes.
+//! Gauss–Legendre quadrature on [−1, 1], with eight, twelve and sixteen nodes in increasing order, of the longest rule the positive ones.
 
-/// Number of nodes.
 pub(super) const NODES: usize = 8;
 
-/// Nodes, in increasing order.
 #[rustfmt::skip]
 pub(super) const NODE: [f64; NODES] = [
     -0.960_289_856_497_536_2, -0.796_666_477_413_626_7, -0.525_532_409_916_329, -0.183_434_642_495_649_8,
     0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_2,
 ];
 
-/// Weights.
 #[rustfmt::skip]
 pub(super) const WEIGHT: [f64; NODES] = [
     0.101_228_536_290_376_26, 0.222_381_034_453_374_48, 0.313_706_645_877_887_3, 0.362_683_783_378_362,
     0.362_683_783_378_362, 0.313_706_645_877_887_3, 0.222_381_034_453_374_48, 0.101_228_536_290_376_26,
 ];
 
-/// Number of nodes of the middle rule.
 pub(super) const MIDDLE_NODES: usize = 12;
 
-/// Nodes of the middle rule, in increasing order.
 #[rustfmt::skip]
 pub(super) const MIDDLE_NODE: [f64; MIDDLE_NODES] = [
     -0.981_560_634_246_719_2, -0.904_117_256_370_474_9, -0.769_902_674_194_304_7, -0.587_317_954_286_617_5,
@@ -28,7 +23,6 @@ pub(super) const MIDDLE_NODE: [f64; MIDDLE_NODES] = [
     0.587_317_954_286_617_5, 0.769_902_674_194_304_7, 0.904_117_256_370_474_9, 0.981_560_634_246_719_2,
 ];
 
-/// Its weights.
 #[rustfmt::skip]
 pub(super) const MIDDLE_WEIGHT: [f64; MIDDLE_NODES] = [
     0.047_175_336_386_511_83, 0.106_939_325_995_318_43, 0.160_078_328_543_346_22, 0.203_167_426_723_065_92,
@@ -36,17 +30,14 @@ pub(super) const MIDDLE_WEIGHT: [f64; MIDDLE_NODES] = [
     0.203_167_426_723_065_92, 0.160_078_328_543_346_22, 0.106_939_325_995_318_43, 0.047_175_336_386_511_83,
 ];
 
-/// Number of pairs of nodes of the longest rule.
 pub(super) const PAIRS: usize = 8;
 
-/// Positive nodes of the longest rule.
 #[rustfmt::skip]
 pub(super) const LONG_NODE: [f64; PAIRS] = [
     0.095_012_509_837_637_44, 0.281_603_550_779_258_9, 0.458_016_777_657_227_4, 0.617_876_244_402_643_7,
     0.755_404_408_355_003, 0.865_631_202_387_831_7, 0.944_575_023_073_232_6, 0.989_400_934_991_649_9,
 ];
 
-/// Their weights.
 #[rustfmt::skip]
 pub(super) const LONG_WEIGHT: [f64; PAIRS] = [
     0.189_450_610_455_068_5, 0.182_603_415_044_923_6, 0.169_156_519_395_002_54, 0.149_595_988_816_576_73,

@@ -21,7 +21,6 @@ pub(super) fn side_of(direction: Direction, travel: f64) -> usize {
     usize::from((direction == Direction::Positive) == travel.is_sign_positive())
 }
 
-/// The direction of a slip to a side.
 pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
     if (side == 1) == travel.is_sign_positive() { Direction::Positive } else { Direction::Negative }
 }
@@ -32,7 +31,6 @@ pub(super) const MARGIN_TOLERANCE: f64 = 1e-12;
 /// Slower slips are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
 pub(super) const MIN_RATE: f64 = 4e-3;
 
-/// End of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
     /// Slips at the angle, in the frame of motion, to a side.
@@ -41,7 +39,6 @@ pub(super) enum RollEnd {
     Never,
 }
 
-/// Parts of a turn, each of an eighth.
 const OCTANTS: usize = 8;
 
 /// Directions of the half angle at the ends of the octants.
@@ -131,7 +128,6 @@ pub(super) fn breaks(margins: &[(f64, f64); 2]) -> Option<Option<usize>> {
     Some(broken)
 }
 
-/// The margins on an octant.
 #[derive(Clone, Debug)]
 struct Octant {
     /// In its barycentric coordinates.
@@ -159,7 +155,6 @@ impl Octant {
         Self { levels: holds(0.0, sums), margins }
     }
 
-    /// Whether an orbit holds everywhere on it.
     fn holds(&self, level: f64) -> bool {
         level > self.levels.0 && level < self.levels.1
     }
@@ -220,7 +215,6 @@ impl Known {
     }
 }
 
-/// The margin of a side on the orbit with a level.
 fn on_orbit([a, b]: &[Form<7>; 2], level: f64) -> Form<7> {
     Form(core::array::from_fn(|i| a.0[i] + level * b.0[i]))
 }
@@ -239,7 +233,6 @@ struct Arc {
 }
 
 impl Arc {
-    /// Its parts on the octants, in order.
     fn parts(self) -> impl Iterator<Item = (usize, Self)> {
         let Self { from, to, pass } = self;
         let is_up = cross(from, to) > 0.0;
@@ -391,7 +384,6 @@ fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
     [first, Some(second), Some(third), fourth].into_iter().flatten().filter(|arc| arc.from != arc.to)
 }
 
-/// The slip at a point of an arc.
 fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, Doubt> {
     let [x, y] = on_arc(arc.from, arc.to, at);
     let z = -x;

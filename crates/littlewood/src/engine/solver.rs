@@ -29,7 +29,6 @@ const PHASES_WITHOUT_CELLS: u32 = 4;
 /// A slide from the static limit with equal coefficients, where η″ vanishes, too.
 const ON_LIMIT: Entry = Entry::FromRest { slip_acceleration: 0.0 };
 
-/// Solves the phases of a hoop.
 #[derive(Clone, Debug)]
 pub(super) struct FastSolver<'a> {
     hoop: &'a Hoop,
@@ -91,7 +90,6 @@ impl<'a> FastSolver<'a> {
         Self { phases_without: Cell::new(PHASES_WITHOUT_CELLS), ..self }
     }
 
-    /// The solver that passes chains, if there are any.
     pub(super) fn with_chains(self, chains: Option<&'a [Chains]>) -> Self {
         Self { chains, ..self }
     }
@@ -103,7 +101,6 @@ impl<'a> FastSolver<'a> {
         left == 0 && is_on(Part::KeptCells)
     }
 
-    /// Counts a doubt.
     fn tell(&self, doubt: Doubt) {
         self.laws.tally.add(doubt);
     }
@@ -113,7 +110,6 @@ impl<'a> FastSolver<'a> {
         self.drift.is_told()
     }
 
-    /// Whether so much time is left at a state.
     fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
         elapsed <= self.until() - state.time
     }

@@ -21,7 +21,6 @@ pub(crate) struct Bernstein {
     degree: usize,
 }
 
-/// Binomial coefficients, `BINOMIAL[n][k]`.
 const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
     let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
     let mut n = 0;

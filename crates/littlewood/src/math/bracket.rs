@@ -10,7 +10,6 @@ pub(crate) struct Bracket {
     pub(crate) high: f64,
 }
 
-/// A step towards a root.
 pub(crate) struct Step {
     /// Value at the beginning of the step.
     pub(crate) value: f64,

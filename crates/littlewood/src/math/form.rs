@@ -32,7 +32,6 @@ impl<const N: usize> Form<N> {
         Bernstein::from_form(&self.0)
     }
 
-    /// The value in a direction.
     #[inline]
     pub(crate) fn value(&self, direction: HalfAngle) -> f64 {
         value(&self.0, direction)
@@ -56,7 +55,6 @@ impl<const N: usize> Form<N> {
     }
 }
 
-/// The value of a form in a direction.
 #[inline(always)]
 fn value(form: &[f64], [x, y]: HalfAngle) -> f64 {
     let mut power = 1.0;
@@ -101,7 +99,6 @@ fn multiply_linear(form: &mut [f64], linear: [f64; 2]) {
     }
 }
 
-/// A trigonometric polynomial.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Trigonometric(Vec<f64>);
 
@@ -111,7 +108,6 @@ impl Trigonometric {
         Self(vec![constant + cos, 2.0 * sin, constant - cos])
     }
 
-    /// sin θ.
     pub(crate) fn sin() -> Self {
         Self::linear(0.0, 1.0, 0.0)
     }
@@ -121,7 +117,6 @@ impl Trigonometric {
         Self(form.0.to_vec())
     }
 
-    /// The value at an angle.
     pub(crate) fn value(&self, angle: f64) -> f64 {
         let (y, x) = libm::sincos(0.5 * angle);
         value(&self.0, [x, y])

@@ -15,7 +15,6 @@ pub trait Number:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
-    /// A number that does not change.
     fn constant(value: f64) -> Self;
     fn value(self) -> f64;
     /// A function of this number, from its value and its derivative.
@@ -35,7 +34,6 @@ pub trait Number:
         self.map(self.value().abs(), 1.0_f64.copysign(self.value()))
     }
 
-    /// The smaller of two numbers.
     fn min(self, other: Self) -> Self {
         if other.value() < self.value() { other } else { self }
     }

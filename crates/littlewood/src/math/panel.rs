@@ -41,7 +41,6 @@ fn legendre(x: f64) -> ([f64; NODES + 1], f64) {
 }
 
 impl Rule {
-    /// The rule, computed once.
     pub(crate) fn get() -> &'static Self {
         static RULE: OnceLock<Rule> = OnceLock::new();
         RULE.get_or_init(Self::new)

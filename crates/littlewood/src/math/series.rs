@@ -50,7 +50,6 @@ pub(crate) fn shifted<const N: usize>(mut series: [f64; N], by: f64) -> [f64; N]
     series
 }
 
-/// Product of two polynomials.
 #[inline(always)]
 pub(crate) fn product<const A: usize, const B: usize, const C: usize>(
     a: &[f64; A],

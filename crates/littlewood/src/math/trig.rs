@@ -71,7 +71,6 @@ pub(crate) fn above_bottom<T: Number>((sin, cos): (T, T)) -> T {
     if cos.value() < 0.0 { sin * sin / (-cos + 1.0) } else { cos + 1.0 }
 }
 
-/// (sin x, cos x).
 #[inline]
 pub(crate) fn sincos(x: f64) -> (f64, f64) {
     if x.is_nan() || x.abs() >= MAX_REDUCIBLE_ANGLE {

@@ -21,7 +21,6 @@ type Curve<'a> = &'a dyn Fn(f64) -> Option<Point>;
 
 /// Largest distance of a chord from its curve, in parts of the window.
 const FLAT: f64 = 1.5e-4;
-/// How often an interval is halved at most.
 const DEPTH: u32 = 12;
 
 impl Window {
@@ -139,7 +138,6 @@ fn border(
     }
 }
 
-/// Intervals in which a curve is looked for.
 const CELLS: u32 = 480;
 
 /// Curves in a window, in pieces.

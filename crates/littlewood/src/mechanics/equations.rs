@@ -212,7 +212,6 @@ impl RollingLaw {
         4.0 * self.offset * cos_half * cos_half
     }
 
-    /// D(θ) as a trigonometric polynomial.
     pub(crate) fn denominator_polynomial(&self) -> Trigonometric {
         Trigonometric::linear(self.mean_denominator(), 0.0, 2.0 * self.offset)
     }

@@ -1,17 +1,12 @@
-//! The impact of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of restitution.
+//! The impact of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of restitution (docs/theory/impact.md).
 //!
-//! The normal impulse P is the independent variable (Routh; Keller 1986). With the slip velocity u and the gap rate w of
-//! the contact point, (h sin θ, −(1 + h cos θ)) from the mass centre,
+//! The normal impulse P is the independent variable (Routh; Keller 1986), in which everything is piecewise linear. Of the compliances
 //!
 //! ```text
-//! du = A dJ + B dP,   dw = B dJ + C dP,   dθ′ = [(1 + h cos θ) dJ + h sin θ dP]/Î,
-//! A = 1/m + (1 + h cos θ)²/Î,   B = h sin θ (1 + h cos θ)/Î,   C = 1/m + h² sin²θ/Î,   A C − B² = D/(m² Î).
+//! A = 1/m + (1 + h cos θ)²/Î,   B = h sin θ (1 + h cos θ)/Î,   C = 1/m + h² sin²θ/Î,   A C − B² = D/(m² Î)
 //! ```
 //!
-//! While the body slips, dJ/dP = −μk σ and dw/dP = k1 = C − μk σ B = P_solv/(m Î), with Painlevé's P of sliding. For a
-//! light hoop A, B and C are large and nearly cancel; dθ′/dP is therefore computed first, and du/dP and dw/dP from it.
-//! When slip ends, the body sticks, dJ/dP = −B/A, if |B| ≤ μs A, and otherwise slips in the direction of sign B. In both
-//! cases dw/dP = k2 > 0. All quantities are piecewise linear in P, so the impact has a closed form.
+//! those of a light hoop are large and nearly cancel; dθ′/dP is therefore computed first, and du/dP and dw/dP from it.
 //!
 //! Literature: J. B. Keller, J. Appl. Mech. 53, 1986; W. J. Stronge, Proc. R. Soc. A 431, 1990 (the energetic law);
 //! Y. Wang and M. T. Mason, J. Appl. Mech. 59, 1992 (the cases).
@@ -79,7 +74,6 @@ pub struct ContactVelocities<T = f64> {
 }
 
 impl ContactVelocities {
-    /// The velocities of a state with this gap rate.
     pub(crate) const fn of(state: &State, gap_rate: f64) -> Self {
         Self { theta_rate: state.theta_rate, slip: state.slip, gap_rate }
     }
@@ -333,7 +327,6 @@ struct Course<'a, T> {
     first: T,
 }
 
-/// How an impact ends.
 struct End<T> {
     case: ImpactCase,
     /// P.
@@ -383,7 +376,6 @@ impl<T: Number> Course<'_, T> {
         End { case, normal: first + (opening - at_end) / k2, opening }
     }
 
-    /// The impact, with the work of both parts.
     fn impact(&self, jams: bool, restitution: (T, RestitutionLaw)) -> Impact<T> {
         let End { case, normal, opening } = self.end(jams, restitution);
         let before = self.before;

@@ -161,7 +161,6 @@ pub(crate) struct Bounces<T = f64> {
     slip_acceleration: T,
 }
 
-/// Sums over bounces.
 #[derive(Clone, Copy, Debug)]
 struct Sums<T> {
     duration: T,

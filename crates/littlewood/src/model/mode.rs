@@ -61,7 +61,6 @@ impl Direction {
         }
     }
 
-    /// Index in [`Direction::ALL`].
     pub(crate) const fn index(self) -> usize {
         match self {
             Self::Negative => 0,

@@ -32,6 +32,5 @@ getters! {
     pub coefficient: f64 = self.coefficient;
     /// The law.
     pub law: RestitutionLaw = self.law;
-    /// Coefficient and law.
     pub(crate) parts: (f64, RestitutionLaw) = (self.coefficient, self.law);
 }

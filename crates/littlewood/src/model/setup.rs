@@ -12,7 +12,6 @@ pub struct Setup {
     pub start: Start,
 }
 
-/// The field of a quantity in a setup.
 enum Field<'a> {
     Number(&'a mut f64),
     Optional(&'a mut Option<f64>),

@@ -248,7 +248,6 @@ pub enum SummaryValue {
     F64(f64),
 }
 
-/// A mutable reference to a value of a summary.
 enum Field<'a> {
     Outcome(&'a mut OutcomeKind),
     Sequence(&'a mut PhaseSequence),

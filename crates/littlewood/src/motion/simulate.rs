@@ -56,7 +56,6 @@ impl Hoop {
         })
     }
 
-    /// Checks a start for this hoop.
     pub(crate) fn check(&self, start: Start) -> Result<State, ParameterError> {
         let state = start.check()?;
         match self.body() {

@@ -148,7 +148,6 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
 }
 
 impl<'a> SummaryRecorder<'a> {
-    /// A recorder of a motion with this origin.
     pub(crate) const fn new(hoop: &'a Hoop, origin: Origin) -> Self {
         let summary =
             Summary { impact_energy_lost: 0.0, ..Summary::without_motion(OutcomeKind::NotComputed) };

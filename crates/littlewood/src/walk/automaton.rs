@@ -144,7 +144,6 @@ pub(crate) struct Event {
 }
 
 impl Event {
-    /// An event that ends a mode.
     pub(crate) const fn new(state: State, from: Mode, cause: Cause) -> Self {
         Self { state, from: Some(from), to: None, cause }
     }

@@ -44,7 +44,6 @@ pub struct Candidates {
 }
 
 impl Candidates {
-    /// No consistent motion.
     const fn none(rolling_forces: ContactForces, contact: f64, solvability: [f64; 2]) -> Self {
         Self {
             rolling: false,
@@ -180,7 +179,6 @@ pub(crate) struct Evidence<P> {
     pub(crate) on_limit: bool,
 }
 
-/// Evidence about the slip.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum SlipEvidence {
     /// η′ ≠ 0.

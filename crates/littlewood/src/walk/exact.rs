@@ -44,12 +44,10 @@ impl<'a> Exact<'a> {
         Self::without_event(state, Outcome::TimeLimit { state })
     }
 
-    /// The end of the motion without an event.
     const fn without_event(state: State, verdict: Outcome) -> ExactEnding {
         Ending::Motion { event: None, end: Some(state), verdict }
     }
 
-    /// The end of the motion in an event.
     const fn ended(cause: Cause, state: State, outcome: Outcome) -> ExactEnding {
         Ending::Motion { event: Some((cause, state)), end: Some(state), verdict: outcome }
     }

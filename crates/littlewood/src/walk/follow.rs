@@ -23,7 +23,6 @@ pub(crate) trait Solver {
     fn until(&self) -> f64;
     fn place(&self, state: State) -> Self::Place;
     fn state(place: &Self::Place) -> State;
-    /// The motion that begins.
     fn decide(&self, place: &Self::Place, arrival: Arrival) -> Next;
     /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     fn roll(&self, place: &Self::Place, on_limit: bool) -> SolvedBy<Self>;
@@ -59,15 +58,12 @@ pub(crate) struct ChainSegment<P> {
     pub(crate) place: P,
     pub(crate) direction: Direction,
     pub(crate) transitions: u32,
-    /// Length of the slides.
     pub(crate) slid: f64,
-    /// The phases, if recorded.
     pub(crate) phases: PhaseSequence,
 }
 
 /// What is kept of a solved phase.
 pub(crate) trait Solution {
-    /// The phase, if it is a flight.
     fn flight(&self) -> Option<&Flight>;
     /// The range of the angle of a slide, where it is kept.
     fn theta_range(&self) -> Option<(f64, f64)> {
@@ -98,7 +94,6 @@ pub(crate) enum Ending<P, V> {
 }
 
 impl<P, V> Ending<P, V> {
-    /// The state at the end of the phase, if any.
     pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
         match self {
             Self::Event { place, .. } => Some(of(place)),
@@ -110,13 +105,11 @@ impl<P, V> Ending<P, V> {
     }
 }
 
-/// Records the phases and transitions of a motion.
 pub(crate) trait Recorder<S> {
     fn phase(&mut self, phase: PhaseRecord, solution: S);
     /// Records an event, with its impact and the direction of slip of the motion that begins. It ends the last phase if its `from` is a
     /// mode.
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
-    /// The detail to record of the next phases.
     fn detail(&self) -> PhaseDetail {
         PhaseDetail::Solutions
     }
@@ -124,7 +117,6 @@ pub(crate) trait Recorder<S> {
     fn links(&mut self, _transitions: u32, _phases: PhaseSequence) {}
 }
 
-/// The detail at which a recorder keeps phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PhaseDetail {
     Solutions,
@@ -162,7 +154,6 @@ impl<P> Current<P> {
     }
 }
 
-/// An event and its impact, if any.
 type EventWithImpact = (Event, Option<Box<Impact>>);
 
 /// An event with an impact; the event alone if the state after it is not representable.
@@ -287,7 +278,6 @@ pub(crate) fn next_slip<T: Solver>(
 struct ModeChecker<F> {
     accepts: F,
     accepted: bool,
-    /// Length of the slides.
     slid: f64,
 }
 
@@ -511,7 +501,6 @@ fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Ne
     }
 }
 
-/// Passes a pending event to the recorder.
 #[inline]
 fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Event>, direction: Option<Direction>) {
     if let Some(event) = pending.take() {

@@ -55,7 +55,6 @@ impl Origin {
         )
     }
 
-    /// The time after `elapsed`.
     pub(crate) const fn time(&self, elapsed: f64) -> f64 {
         match self.until {
             // The difference may have lost digits of a limit near zero.
@@ -68,7 +67,6 @@ impl Origin {
         (time - self.time) * self.pace
     }
 
-    /// A duration in the units of the results.
     pub(crate) const fn duration(&self, elapsed: f64) -> f64 {
         elapsed / self.pace
     }
@@ -78,7 +76,6 @@ impl Origin {
         duration * self.pace
     }
 
-    /// A velocity in the units of the results.
     pub(crate) const fn velocity(&self, velocity: f64) -> f64 {
         velocity * self.pace
     }
@@ -88,7 +85,6 @@ impl Origin {
         force * (self.pace * self.pace)
     }
 
-    /// An energy in the units of the results.
     pub(crate) const fn energy(&self, energy: f64) -> f64 {
         self.force(energy) + self.height
     }

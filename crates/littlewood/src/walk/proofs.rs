@@ -35,7 +35,6 @@ fn angle_between(a: f64, b: f64) -> f64 {
     (a - b - turns * TAU).abs()
 }
 
-/// The data of a motion that proofs need.
 #[derive(Debug)]
 pub(crate) struct Proofs<'a> {
     hoop: &'a Hoop,
@@ -85,7 +84,6 @@ struct Slip {
 #[derive(Debug)]
 struct Slips<'a> {
     law: RollingLaw,
-    /// The current slip.
     slip: Option<Slip>,
     /// The slip before it, if its loss proved convergence to a grazing orbit.
     confirmed: Option<Slip>,
@@ -156,7 +154,6 @@ impl<'a> Proofs<'a> {
         }
     }
 
-    /// Whether each state must be examined.
     pub(crate) fn examines_each_state(&self) -> bool {
         self.proof == Proof::Contact
     }
@@ -239,7 +236,6 @@ fn is_same_reversal(visits: &[Visit], earlier: &Visit, state: &State) -> bool {
 }
 
 impl Slips<'_> {
-    /// The levels of the hoop, if any.
     fn levels(&mut self, hoop: &Hoop) -> Option<&Levels> {
         let own = &mut self.own;
         self.shared.or_else(|| own.get_or_insert_with(|| Levels::new(hoop)).as_ref())

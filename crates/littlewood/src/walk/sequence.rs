@@ -115,7 +115,6 @@ impl PhaseSequence {
         }
     }
 
-    /// Adds the phases of another sequence.
     pub(crate) const fn append(&mut self, other: Self) {
         let length = self.len();
         // Phases beyond the capacity are shifted out.

@@ -7,13 +7,10 @@ use super::limit::{SlipCurves, SlipPoint};
 /// A slip on one of the curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::engine) struct Point {
-    /// Index of the part of a curve.
     pub(super) part: usize,
-    /// Coordinate on it.
     pub(super) at: f64,
 }
 
-/// What the coordinate on a part is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Coordinate {
     /// The angle, reduced to a turn.
@@ -24,16 +21,13 @@ enum Coordinate {
     Rate,
 }
 
-/// A part of a curve.
 #[derive(Clone, Debug)]
 struct Part {
     side: usize,
     /// Angles between which the level is monotone.
     piece: (f64, f64),
     coordinate: Coordinate,
-    /// Angles of its ends.
     angles: (f64, f64),
-    /// Coordinates of its ends.
     bounds: (f64, f64),
 }
 
@@ -99,7 +93,6 @@ impl Curves {
         Self { slips, parts }
     }
 
-    /// The coordinates of the ends of the parts.
     pub(super) fn bounds(&self) -> impl Iterator<Item = (f64, f64)> {
         self.parts.iter().map(|part| part.bounds)
     }
@@ -115,7 +108,6 @@ impl Curves {
         })
     }
 
-    /// A slip at a rate.
     pub(super) fn point(&self, slip: SlipPoint, theta_rate: f64) -> Option<Point> {
         let holds = |part: &Part| {
             part.side == slip.side && part.angles.0 <= slip.angle && slip.angle <= part.angles.1

@@ -22,7 +22,6 @@ pub(in crate::engine) struct SlipPoint {
 }
 
 impl SlipPoint {
-    /// Of a state at which a hoop slips.
     pub(super) fn of(state: &State, direction: Direction) -> Self {
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let theta = travel * state.theta;
@@ -30,7 +29,6 @@ impl SlipPoint {
     }
 }
 
-/// The curves of one body.
 #[derive(Clone, Debug)]
 pub(in crate::engine) struct SlipCurves {
     margins: Margins,
@@ -42,7 +40,6 @@ impl SlipCurves {
         Self { margins, law }
     }
 
-    /// θ′² at an angle of the orbit with a level.
     pub(super) fn rate_squared(&self, level: f64, angle: f64) -> f64 {
         (level - self.law.height(angle)) / self.law.denominator(angle)
     }

@@ -34,7 +34,6 @@ const LEVELS: usize = 14;
 /// Successes on a level after which a higher one is tried that has failed.
 const SUCCESSES_BEFORE_RETRY: usize = 2;
 
-/// Follows a motion from a slip to the next.
 pub(super) trait Follow {
     /// The state at the end of the link that begins at a slip with this rate, travelling to positive angles from x = 0 at τ = 0 in the frame
     /// of the chains, with the direction of the slip there, the length of the slides, and the phases; none where the motion comes to

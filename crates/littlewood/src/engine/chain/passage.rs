@@ -15,7 +15,6 @@ pub(in crate::engine) struct Passage {
     pub(in crate::engine) elapsed: f64,
     /// What is added to x.
     pub(in crate::engine) moved: f64,
-    /// Length of the slides.
     pub(in crate::engine) slid: f64,
     pub(in crate::engine) route: Route,
 }
@@ -55,17 +54,14 @@ impl Passage {
         [self.end.at, self.elapsed, self.moved, self.slid]
     }
 
-    /// From the numbers of a route.
     pub(super) const fn with_numbers(route: Route, [at, elapsed, moved, slid]: [f64; 4]) -> Self {
         Self { end: Point { part: route.part, at }, elapsed, moved, slid, route }
     }
 
-    /// Whether the hoop travels back at the end.
     pub(super) fn is_back(&self) -> bool {
         self.route.travel < 0.0
     }
 
-    /// This one, and another from its end.
     pub(super) fn then(&self, next: &Self) -> Self {
         let (first, second) = (&self.route, &next.route);
         Self {

@@ -32,7 +32,6 @@ const LENGTH_TOLERANCE: f64 = 1e-9;
 /// By how many tolerances the polynomials may miss the links between the nodes.
 const MAX_MISS: f64 = 8.0;
 
-/// One piece.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     route: Route,
@@ -41,14 +40,12 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// The links from a slip of the piece.
     #[inline]
     pub(super) fn from(&self, at: f64) -> Passage {
         Passage::with_numbers(self.route, self.numbers.at(at))
     }
 }
 
-/// What has been found on an interval.
 #[derive(Clone, Debug)]
 enum Fit {
     Found(Box<Found>),
@@ -66,13 +63,11 @@ pub(super) struct Tree {
     fit: OnceLock<Fit>,
 }
 
-/// How pieces are made.
 pub(super) struct Making<'a> {
     pub(super) basis: &'a Basis,
     pub(super) curves: &'a Curves,
     /// To which part of a value the polynomials tell it.
     pub(super) tolerance: f64,
-    /// Most halvings of a part.
     pub(super) halvings: u32,
     /// The least coordinate, if chains end there: next to it links are looked for in narrower intervals.
     pub(super) end: Option<f64>,
@@ -86,7 +81,6 @@ impl Tree {
         Self { left, right, halvings, fit: OnceLock::new() }
     }
 
-    /// The piece that holds a slip.
     pub(super) fn find(&self, at: f64, making: &Making<'_>) -> Option<&Found> {
         let mut node = Some(self).filter(|root| root.left <= at && at <= root.right)?;
         loop {

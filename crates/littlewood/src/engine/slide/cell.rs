@@ -50,7 +50,6 @@ pub(super) struct Cell {
     /// p and h at the ends of its tile.
     entry: (f64, f64),
     exit: (f64, f64),
-    /// The law at the end of its tile.
     law_at_exit: LawAt,
     /// p, h, and the weight of 1/√u in the time, at the Gauss nodes of its tile.
     nodes: [[f64; NODES]; 3],
@@ -58,7 +57,6 @@ pub(super) struct Cell {
     terms: (f64, f64),
 }
 
-/// A part of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Tile {
     pub(super) halvings: usize,
@@ -67,7 +65,6 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// The number of such tiles in a turn.
     const fn count(self) -> usize {
         TILES << self.halvings
     }
@@ -221,7 +218,6 @@ impl Cell {
         })
     }
 
-    /// Where a direction is.
     fn place(&self, (sin, cos): (f64, f64)) -> f64 {
         let (middle_sin, middle_cos) = self.direction;
         let (turn_sin, turn_cos) = (sin * middle_cos - cos * middle_sin, cos * middle_cos + sin * middle_sin);
@@ -246,7 +242,6 @@ impl Cell {
         sum
     }
 
-    /// The law at the end of the tile.
     pub(super) const fn law_at_exit(&self) -> &LawAt {
         &self.law_at_exit
     }

@@ -54,11 +54,9 @@ pub(in crate::engine) struct Frame<'a> {
     pub(in crate::engine) laws: &'a [[SlidingLaw; 2]; 2],
     /// −1 where the frame is mirrored.
     pub(in crate::engine) sign: f64,
-    /// The angle at which the slide is.
     pub(in crate::engine) theta: f64,
     /// Sign of η′.
     pub(in crate::engine) sigma: f64,
-    /// The constant of the first integral.
     pub(in crate::engine) integral: f64,
 }
 
@@ -86,7 +84,6 @@ fn mirrored((sin, cos): (f64, f64)) -> (f64, f64) {
     (-sin, cos)
 }
 
-/// How a part of a slide ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum End {
     /// The slide goes on.
@@ -99,7 +96,6 @@ enum End {
     Cut,
 }
 
-/// Where a piece has led.
 #[derive(Clone, Copy, Debug)]
 struct Passed {
     end: End,
@@ -126,13 +122,11 @@ struct Mark {
     piece: usize,
 }
 
-/// A slide on its way.
 struct Slide<'a> {
     frame: Frame<'a>,
     here: Waypoint,
     /// The edge of tiles at which it is.
     edge: Option<usize>,
-    /// Whether the last piece was a turn.
     is_behind_turn: bool,
     /// Turning points so far.
     turns: f64,
@@ -348,7 +342,6 @@ impl<'a> Slide<'a> {
         Passed::to(End::Cut, way.at_time(place, &passed.at, self.allowed))
     }
 
-    /// The end of the slide.
     fn ended(&self, passed: &Passed, rate: f64) -> SlideEnd {
         let Passed { end, at, .. } = passed;
         let event = SlideEvent {

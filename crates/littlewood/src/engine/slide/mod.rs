@@ -17,7 +17,6 @@ pub(super) use cell::Cells;
 pub(super) use follow::{Frame, follow};
 pub(super) use piece::Waypoint;
 
-/// The event that ends a slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SlideEvent {
     pub(super) elapsed: f64,

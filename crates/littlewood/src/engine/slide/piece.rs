@@ -42,7 +42,6 @@ const INSET: f64 = 1e-6;
 
 /// A part of a slide on which u is known as a function of a coordinate z, which grows with time.
 pub(super) trait Piece {
-    /// u at z.
     fn u(&self, z: f64) -> f64;
     /// θ′ at z, from u there.
     fn rate(&self, z: f64, u: f64) -> f64;
@@ -54,14 +53,12 @@ pub(super) trait Piece {
     fn slowness(&self, z: f64, u: f64) -> f64;
     /// Time from one place to another.
     fn time(&self, from: f64, to: f64) -> f64;
-    /// The law of sliding at z.
     #[inline]
     fn law_at(&self, law: &SlidingLaw, z: f64) -> LawAt {
         LawAt::new(law, self.direction(z))
     }
 }
 
-/// A law of sliding at an angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LawAt {
     /// sin ϑ and cos ϑ.
@@ -81,7 +78,6 @@ impl LawAt {
     }
 }
 
-/// A point on the way through a piece.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::engine) struct Waypoint {
     pub(in crate::engine) z: f64,
@@ -99,7 +95,6 @@ pub(super) fn size_of_slip(u: f64, integral: f64) -> f64 {
     1.0 + u.sqrt() + integral.abs()
 }
 
-/// The way of a slide through a piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way<'a, P> {
     pub(super) law: &'a SlidingLaw,

@@ -15,7 +15,6 @@ use crate::math::series::product;
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
 
-/// Degree of the series.
 pub(super) const DEGREE: usize = 32;
 
 /// Number of coefficients of u from which the next follows.
@@ -36,7 +35,6 @@ pub(super) type Series = [f64; DEGREE + 1];
 /// The lowest of them.
 pub(super) type Low = [f64; SIGN_DEGREE + 1];
 
-/// 1/n.
 const RECIPROCALS: Series = {
     let mut table = [0.0; DEGREE + 1];
     let mut n = 1;
@@ -78,7 +76,6 @@ fn root(x: f64) -> f64 {
     x.sqrt().sqrt().sqrt().sqrt().sqrt()
 }
 
-/// x to a power.
 #[inline(always)]
 fn power(x: f64, mut exponent: usize) -> f64 {
     let (mut square, mut result) = (x, 1.0);
@@ -105,7 +102,6 @@ pub(super) enum Signs {
 }
 
 impl Signs {
-    /// In the opposite order.
     pub(super) const fn reversed(self) -> Self {
         match self {
             Self::Falling => Self::Rising,

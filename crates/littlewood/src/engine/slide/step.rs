@@ -114,7 +114,6 @@ impl Step {
         0.5 * (from + to).abs() + (CLEAR_MULTIPLE - 0.5) * (to - from)
     }
 
-    /// Time of the whole step.
     fn whole_time(&self) -> f64 {
         let mut u = [0.0; NODES];
         for (c, powers) in self.u.iter().zip(&POWERS) {
@@ -136,7 +135,6 @@ impl Step {
         -sin / ((1.0 + cos) * self.width)
     }
 
-    /// Angle turned from one t to another.
     pub(super) fn turned(&self, from: f64, to: f64) -> f64 {
         let (from, to) = (self.width * from, self.width * to);
         2.0 * libm::atan((to - from) / (1.0 + from * to))

@@ -32,7 +32,6 @@ const MAX_TURNS: usize = 32;
 /// A turning point nearer than this part of the distance on which time is such a sum is where a leg begins.
 const MAX_PART_BESIDE_TURN: f64 = 0.1;
 
-/// How often a part of a tile is halved.
 const MAX_HALVINGS: u32 = 24;
 
 /// Newton's method for the place at a time ends with a shorter step: its error is of the second order.
@@ -78,7 +77,6 @@ struct Leg<'a> {
     origin: About,
 }
 
-/// A place on a leg.
 #[derive(Clone, Copy)]
 struct Spot {
     /// So many tiles behind the first.
@@ -88,7 +86,6 @@ struct Spot {
     level: f64,
 }
 
-/// How a leg ends.
 enum LegEnd {
     Slip { spot: Spot, side: usize },
     Turn(Spot),
@@ -181,7 +178,6 @@ impl<'a> Leg<'a> {
         slope * slope > swing(law) * separatrix_distance(law)
     }
 
-    /// Whether rolling clearly holds at a spot.
     fn holds(&self, spot: &Spot) -> bool {
         let here = self.tile_of(spot).margins.each_ref().map(|margin| {
             let size = margin.size(spot.level);
@@ -211,7 +207,6 @@ impl<'a> Leg<'a> {
         Err(Doubt::TooLong)
     }
 
-    /// The end on a tile, ahead of a place.
     fn end_on(&self, tile: &Tile, spot: Spot, starts_at_zero: bool) -> Result<Option<LegEnd>, Doubt> {
         let level = spot.level;
         let turn = tile.kinetic.crossing(level, (spot.at, starts_at_zero));

@@ -52,7 +52,6 @@ pub(super) fn rotated((sin, cos): (f64, f64), angle: f64) -> (f64, f64) {
 pub(super) struct Linear {
     /// In powers of the distance from the beginning of the tile.
     pub(super) taylor: [Series; 2],
-    /// In Bernstein form on the tile.
     bernstein: [Series; 2],
     /// Sums of the sizes of their terms.
     sizes: [f64; 2],
@@ -222,7 +221,6 @@ impl About {
     }
 }
 
-/// A tile, in one direction of motion.
 #[derive(Clone, Debug)]
 pub(super) struct Tile {
     /// At its beginning.
@@ -283,7 +281,6 @@ impl Tile {
         }
     }
 
-    /// The time over it.
     pub(super) fn time(&self, level: f64) -> f64 {
         let [gains, weights] = &self.nodes;
         let mut sum = 0.0;

@@ -56,7 +56,6 @@ pub(crate) struct ContactProof {
 }
 
 impl ContactProof {
-    /// [`Hoop::never_lifts_off`].
     pub(crate) fn holds(&self, hoop: &Hoop, state: &State) -> bool {
         let Body::Heavy(body) = hoop.body() else { return false };
         let Some(needed) = hoop.lift_off_energy() else { return false };

@@ -133,7 +133,6 @@ impl Gap {
         Bound { at, gap, slope }
     }
 
-    /// The gap and its derivatives at an argument.
     #[inline]
     fn expansion(&self, at: f64) -> Expansion {
         let Self { h, sin, cos, spin, rise, opening, weight, .. } = *self;
@@ -219,7 +218,6 @@ impl Gap {
         (if weight > 0.0 { flat * weight / (weight + jerk * flat) } else { high }, high)
     }
 
-    /// The maximum of a concave gap.
     pub(super) fn only_apex(&self, landing: f64) -> Bound {
         let guess = if self.opening < 0.0 { self.rise / -self.opening } else { 0.5 * landing };
         self.root(Bracket { low: 0.0, high: landing }, guess, |_, [_, slope, curvature, jerk]| {

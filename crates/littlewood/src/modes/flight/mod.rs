@@ -1,26 +1,15 @@
-//! Free flight (§2e): the mass centre follows a parabola and the hoop turns at constant rate, until the rim touches down.
+//! Free flight (§2e): the mass centre follows a parabola and the hoop turns at constant rate, until the rim touches down
+//! (docs/theory/jumps.md).
 //!
-//! A flight begins with the rim on the plane: where the normal force vanishes, or with a rate v ≥ 0 of the gap after an
-//! impact or a throw. With φ = ω Δτ, ω = |θ′|, and angles positive in the direction of rotation, the gap under the rim is
-//!
-//! ```text
-//! gap = v φ/ω + b φ²/2 − h [c0 C(φ) + s0 S(φ)],   C = cos φ − 1 + φ²/2,   S = φ − sin φ,   b = h c0 − 1/θ′²,
-//! ```
-//!
-//! It has a simple root at the start for v > 0, a double root for v = 0 and b > 0, and a triple root at a lift-off from sliding
-//! (v = b = 0). The search excludes these roots. The difference b loses digits of the weight 1/θ′² of a fast hoop. So this form
-//! is used near the start only. Beyond one radian the gap is computed as
+//! With φ = ω Δτ, ω = |θ′|, C = cos φ − 1 + φ²/2, S = φ − sin φ, and angles positive in the direction of rotation, the gap is
 //!
 //! ```text
-//! gap = v φ/ω − φ²/(2 θ′²) + h [c0 (1 − cos φ) − s0 S(φ)].
+//! v φ/ω + b φ²/2 − h [c0 C(φ) + s0 S(φ)],   b = h c0 − 1/θ′²    up to one radian,
+//! v φ/ω − φ²/(2 θ′²) + h [c0 (1 − cos φ) − s0 S(φ)]             beyond, where b would lose digits of a fast hoop.
 //! ```
 //!
-//! At a lift-off from sliding, h c0 θ′² = 1 holds to the rounding of θ0 and θ′. There b = 0 and c0 = 1/(h θ′²) are set, and
-//! s0 follows from the angle or from c0, whichever is more accurate.
-//!
-//! The zeros of the second derivative b + h (cos(θ0 + φ) − c0) are known. Between them gap′ is monotone, and between the zeros
-//! of gap′ the gap is monotone; its first sign change after the start is the landing. For h θ′² ≤ 1 the gap is concave and has
-//! one landing; the argument is then the time, which also covers a hoop that does not turn.
+//! The search excludes its roots at the start. The zeros of its second derivative are known; between them gap′ is monotone, and between the
+//! zeros of gap′ the gap is. For h θ′² ≤ 1 the gap is concave and the argument is the time, which also covers a hoop that does not turn.
 
 mod gap;
 
@@ -33,7 +22,6 @@ use gap::{Bound, Gap, MAX_RESOLVED_ANGLE};
 
 pub(crate) use gap::sine_follows_from_rate;
 
-/// How the rim leaves the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum TakeOff {
     /// The normal force vanishes: 1 = h cos θ θ′².
@@ -184,7 +172,6 @@ impl Flight {
         self.landing.at < MAX_RESOLVED_ANGLE
     }
 
-    /// Rate of the gap at the landing.
     pub(crate) fn landing_rate(&self) -> f64 {
         self.clock * self.landing.slope
     }

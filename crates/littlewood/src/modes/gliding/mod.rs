@@ -1,16 +1,11 @@
-//! Gliding of a massless hoop (§3c–e): contact with N = F = 0.
+//! Gliding of a massless hoop (§3c–e): contact with N = F = 0 (docs/theory/massless.md).
 //!
-//! The particle falls freely (3.19) and the massless hoop follows: ȳ = 1 + ℓ̂ cos θ, x̄′ = η′ − θ′(1 + ℓ̂c).
-//! The solution is algebraic in the time: with V = ȳ′ = V0 − Δτ,
+//! The particle falls freely (3.19) and the massless hoop follows. With V = ȳ′ = V0 − Δτ and the momentum v, which decreases by τ tan α on a
+//! slope,
 //!
 //! ```text
 //! ℓ̂ (1 − cos θ) = 2 ℓ̂ sin²(θ0/2) − V0 Δτ + Δτ²/2,    θ′ = −V/(ℓ̂ sin θ),    η′ = v + θ′ (1 + ℓ̂ cos θ).
 //! ```
-//!
-//! The zeros of the slip are roots of a cubic polynomial in the height of the particle ([`rest`]).
-//!
-//! Gliding conserves the vertical energy of the particle w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ (the w printed in (3.18) is not
-//! conserved by (3.17)), and on a level plane the energy e_s and the horizontal momentum v. On a slope v decreases by τ tan α ([`tilted`]).
 
 mod particle;
 mod rest;
@@ -72,7 +67,6 @@ pub(crate) fn accelerations<T: Number>([l, pull]: [T; 2], [weight, u]: [T; 2], (
     ((weight - l * cos * u) / (l * sin), slip)
 }
 
-/// How a phase of gliding ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GlidingEnd {
     /// η′ = 0; `presses` if the normal force of rolling is positive there.

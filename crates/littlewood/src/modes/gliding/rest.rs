@@ -19,7 +19,6 @@ use crate::model::Direction;
 
 use super::particle::{Particle, ParticleState};
 
-/// How a glide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GlideEntry {
     /// With η′ ≠ 0.

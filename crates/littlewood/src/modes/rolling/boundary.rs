@@ -1,18 +1,14 @@
-//! The end of rolling: the boundary of 𝓡 (2.14) on an orbit, as roots of forms in the half angle.
+//! The end of rolling: the boundary of 𝓡 (2.14) on an orbit, as roots of forms in the half angle (docs/theory/rolling.md).
 //!
-//! On an orbit with constant K, N D² and F D² are trigonometric polynomials of degree three in θ,
-//! that is, forms of degree six in X = cos(θ/2), Y = sin(θ/2), with 1 = X² + Y², cos θ = X² − Y², sin θ = 2XY:
+//! On an orbit with constant K they are of degree six in X = cos(θ/2), Y = sin(θ/2):
 //!
 //! ```text
 //! N D² = (m + ℓ̂c) D² − ℓ̂ K (ℓ̂ s² + c D)
 //! F D² = s ℓ̂ [(K − D) (D − m − ℓ̂c) − D (m + ℓ̂c)]
 //! ```
 //!
-//! K − D = D θ′² is twice the energy over the top times X² and that over the bottom times Y², and D − m − ℓ̂c = Î + ℓ̂(h + c). So F keeps
-//! its digits where D is large.
-//!
-//! [`crate::math::form`] restricts them to an arc and isolates the first crossing. For a massless hoop the contact force points
-//! at the particle, F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
+//! K − D = D θ′² is twice the energy over the top times X² and that over the bottom times Y². So F keeps its digits where D is large. For a
+//! massless hoop the contact force points at the particle, F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
 
 use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};

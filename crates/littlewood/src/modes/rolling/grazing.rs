@@ -1,25 +1,14 @@
-//! The grazing orbit: the rolling orbit that touches the limit of static friction. Motions with μs = μk can converge to it.
+//! The grazing orbit: the rolling orbit that touches the limit of static friction (docs/ends.md). Motions with μs = μk can converge to it.
 //!
-//! On the orbit with K = D(π) + L the margin (μs N − F) D² is A(θ) + L B(θ), and vanishes where the level −A/B equals L. Rolling
-//! holds for ever below the lowest level L* that the orbit meets. At L* the margin touches zero at an angle θ*, either a
-//! minimum of the level or, in libration, a turning point. (The margin of the other side is the mirror image.)
-//!
-//! With μs = μk a slip at the energy E = E* + ε with small ε begins with η″ = 0. Along the orbit the
-//! excess |F| − μ N is a ε′ − ω t² with ε′ = L − L* = 2ε, the time t from its maximum, and the constants
+//! On the orbit with K = D(π) + L the margin (μs N − F) D² is A(θ) + L B(θ). Rolling holds for ever below the lowest level L* = −A/B that
+//! the orbit meets, at a minimum of the level or at a turning point. (The margin of the other side is the mirror image.) With
 //!
 //! ```text
 //! a = −B/D²,               ω = ½ (A + L* B)″ θ′²/D²       at a minimum of the level,
-//! a = −(B + (A + L* B)′/D′)/D²,  ω = ½ (A + L* B)′ θ″/D²    at a turning point.
+//! a = −(B + (A + L* B)′/D′)/D²,  ω = ½ (A + L* B)′ θ″/D²    at a turning point,
 //! ```
 //!
-//! The slip velocity is the integral of D (|F| − μN)/(m P): it grows from −t0 to t0 = √(aε′/ω), and returns to zero at 2 t0.
-//! The friction force dissipates the energy μ N ∫ |η′| dτ:
-//!
-//! ```text
-//! ΔE = c ε²,    c = 9 μ N a² D/(m P ω).
-//! ```
-//!
-//! So ε decreases like 1/(c n) with the number n of slips, and never vanishes.
+//! a slip at the energy E* + ε dissipates c ε² with c = 9 μ N a² D/(m P ω).
 
 use core::f64::consts::PI;
 
@@ -152,7 +141,6 @@ impl Levels {
         0.5 * over_bottom - self.law.offset
     }
 
-    /// Energy of a rolling state.
     pub(crate) fn energy(&self, state: &State) -> f64 {
         self.law.energy(state.theta, state.theta_rate)
     }

@@ -1,18 +1,10 @@
-//! Rolling on a slope: the kinetic energy as a function of the angle, time as a quadrature, and the end of rolling.
+//! Rolling on a slope (docs/theory/slope.md): the kinetic energy as a function of the angle, time as a quadrature, and the end of rolling.
 //!
 //! In the direction of motion, in which the angle ϑ increases, with T = ± tan α, D θ′² obeys
 //!
 //! ```text
 //! G = D ϑ′² = G0 + 2 [ℓ̂ (cos ϑ0 − cos ϑ) + T (m (ϑ − ϑ0) + ℓ̂ (sin ϑ − sin ϑ0))]
 //! ```
-//!
-//! and dτ = √(D/G) dϑ. G changes by 4π m T in a turn. Its extrema, the equilibria, are at sin(ϑ + atan T) = −sin(atan T)/h, so each turning
-//! point is the only root between two of them. The margins of [`super::limits`] are isolated on an eighth of a half turn at a time.
-//!
-//! *Many turns.* At each angle the margins are linear in G. A margin that falls with G is negative on a set of angles that grows from turn to
-//! turn downhill, one that rises with G on a set that grows uphill. So the turns in which rolling ends follow those in which it does not, and
-//! bisection finds the first. The time of n turns is the quadrature of one turn with Σ (G + k δ)^(−½) in place of G^(−½), a sum of
-//! Euler and Maclaurin.
 
 use core::f64::consts::{FRAC_PI_8, PI, TAU};
 
@@ -42,7 +34,6 @@ pub(super) struct Incline {
     first: Leg,
     /// From there, the other way.
     back: Option<Leg>,
-    /// Whether it stays where it is.
     rests: bool,
 }
 
@@ -479,7 +470,6 @@ impl Leg {
         })
     }
 
-    /// The first point at which rolling ends.
     fn end(&self) -> Option<(Place, RollingLimit)> {
         if self.law().offset == 0.0 {
             // The forces are constant.

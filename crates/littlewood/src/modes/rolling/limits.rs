@@ -1,4 +1,4 @@
-//! The limits of rolling on a slope: margins that are positive while the hoop rolls, as power series in the angle.
+//! The limits of rolling on a slope: margins μs N ∓ F, linear in G, as power series that converge to rounding on an eighth of a half turn.
 //!
 //! In the direction of motion, with T = ± tan α and G = D θ′²,
 //!
@@ -6,9 +6,6 @@
 //! N D² = D [m Î + (m + ℓ̂c)² − T ℓ̂ s (m + ℓ̂c)] − G ℓ̂ (ℓ̂ s² + c D),
 //! F D² = ℓ̂ s [G (Î + ℓ̂(h + c)) − (m + ℓ̂c) D] + T (m Î + ℓ̂² s²) D.
 //! ```
-//!
-//! The margins μs N ∓ F are linear in G. As Taylor polynomials they converge to rounding on an eighth of a half turn, and
-//! [`crate::math::bernstein`] isolates their sign changes.
 
 use crate::math::series::{DEGREE, Series, convolve};
 use crate::math::trig::above_bottom;
@@ -47,7 +44,6 @@ fn scaled(lead: f64, factor: f64, series: &Series) -> Series {
 }
 
 impl Limits {
-    /// In the direction `travel`.
     pub(crate) fn new(hoop: &Hoop, travel: f64) -> Self {
         let law = RollingLaw::of(hoop);
         Self {
@@ -57,7 +53,6 @@ impl Limits {
         }
     }
 
-    /// The other direction.
     pub(super) fn reversed(self) -> Self {
         Self { law: RollingLaw { tilt: -self.law.tilt, ..self.law }, ..self }
     }

@@ -497,7 +497,6 @@ impl Place {
     }
 }
 
-/// Part of an orbit between two places.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     from: Place,

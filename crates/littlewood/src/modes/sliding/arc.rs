@@ -29,7 +29,6 @@ const DISTANCE_FOR_EXPANSION: f64 = 1e-7;
 /// Distance from the section below which an angle counts as on it; the leap then begins one turn later.
 const SECTION_TOLERANCE: f64 = 1e-9;
 
-/// How a slide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Entry {
     /// With η′ ≠ 0.
@@ -39,7 +38,6 @@ pub(crate) enum Entry {
     FromRest { slip_acceleration: f64 },
 }
 
-/// How a slide ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SlidingEnd {
     /// η′ = 0.
@@ -77,13 +75,11 @@ pub struct Sliding {
     cycle: Option<Cycle>,
 }
 
-/// The period of a slide that repeats.
 #[derive(Clone, Copy, Debug)]
 struct Cycle {
     /// Start of a period that the steps cover.
     from: f64,
     period: f64,
-    /// Change of θ in a period.
     advance: f64,
 }
 
@@ -121,7 +117,6 @@ impl Step {
     }
 }
 
-/// A point of the slide.
 #[derive(Clone, Copy, Debug)]
 struct SlidePoint {
     elapsed: f64,
@@ -131,13 +126,11 @@ struct SlidePoint {
     slip: f64,
 }
 
-/// State of the search for leaps.
 #[derive(Clone, Copy, Debug, Default)]
 struct LeapSearch {
     turning: Option<f64>,
     /// Minimum and maximum of the oscillating part of σ η′ at the steps since then.
     range: Option<(f64, f64)>,
-    /// Number of steps before the next attempt.
     next_attempt: usize,
 }
 

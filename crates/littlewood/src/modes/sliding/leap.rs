@@ -1,23 +1,12 @@
-//! Leaps: many turns, or periods, of a slide in one step.
+//! Leaps: many turns, or periods, of a slide in one step, whose sums and proofs docs/theory/many-turns.md derives.
 //!
-//! A slide through n turns takes the time Σ T(ε_k), k = 0 … n − 1, with T the time of a turn and ε_k the linear map of
-//! [`super::turn`]. T is analytic where u > 0 in the turn, and ε_k is analytic in k. On a stretch of M turns a polynomial p(x),
-//! x = 2 k/M − 1, interpolates T at Chebyshev nodes, and its sum is exact:
+//! A polynomial p(x), x = 2 k/M − 1, through the times of M turns at Chebyshev nodes has the sum
 //!
 //! ```text
 //! Σ p = D(x) − D(−1),      D(x + 1/M) − D(x − 1/M) = p(x),      D = (M/2) Σ_j c_j M^(−2j) d^(2j−1)p/dx^(2j−1),
 //! ```
 //!
 //! with c_j the coefficients of z/sinh z (Euler and Maclaurin).
-//!
-//! *A leap skips no event.* At each angle u is monotone in the number of the turn. So P > 0 and w > 0 in all turns of a leap if
-//! they hold in the last turn and at the top of the first: w = 1 − h c u is linear in u and has the slope h s θ′³ at w = 0, so
-//! it can become negative only before a top. In every turn but the last, σ η′ = σ C − μk τ + σ θ′ (1 + h c + f h s) is at least
-//! σ C − μk (time at the end of the last) + the minimum of the oscillating term in the last turn (or in the first, if its lever
-//! changes sign). The Taylor series of the last turn prove both.
-//!
-//! *Libration.* θ′ = 0 does not change σ: the slide retraces u(θ). So (θ, θ′) is periodic while |η′| falls by μk times the period
-//! in each.
 
 use core::f64::consts::{PI, TAU};
 
@@ -37,7 +26,6 @@ const MAX_LEAP_TURNS: f64 = 1e9;
 /// Largest number of turns whose times are summed one by one: half the nodes of a polynomial.
 const MAX_SINGLY_SUMMED: usize = 8;
 
-/// Number of nodes of the polynomial of a stretch.
 const NODES: usize = 16;
 
 /// Largest ratio of min u between the turns of a stretch. The zero of u is then five half widths from the middle, and the
@@ -157,7 +145,6 @@ enum Times {
 /// Consecutive turns whose times are summed together.
 #[derive(Clone, Debug)]
 struct Stretch {
-    /// Number of the first turn.
     first: f64,
     turns: f64,
     begin: f64,
@@ -230,7 +217,6 @@ fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
     sum
 }
 
-/// The law in the direction of travel.
 fn in_travel_direction(law: &SlidingLaw, travel: f64) -> SlidingLaw {
     SlidingLaw { friction: travel * law.friction, ..*law }
 }

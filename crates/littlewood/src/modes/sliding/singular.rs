@@ -24,7 +24,6 @@ const SUM_ERROR: f64 = 8.0 * f64::EPSILON;
 /// Largest number of Newton steps to the zero of P. They start next to it and converge quadratically.
 const MAX_NEWTON_STEPS: usize = 8;
 
-/// The outcome of a slide next to P = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Fate {
     /// Reaches P = 0 with η′ ≠ 0 and unbounded N.
@@ -35,7 +34,6 @@ pub(super) enum Fate {
     Sticks,
 }
 
-/// The end of a slide next to P = 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ending {
     pub(super) fate: Fate,

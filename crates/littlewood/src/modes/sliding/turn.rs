@@ -1,16 +1,8 @@
-//! A slide over whole turns: the linear map of the energy, and the time of a turn as a function of the energy at its beginning.
+//! A slide over whole turns (docs/theory/many-turns.md): the linear map of the energy, and the time of a turn.
 //!
-//! In the direction of travel, θ′ > 0, with f = μk σ, twice the energy relative to the mean drift,
-//! e = (Î + m h² s²) u + 2 m h c, obeys
-//!
-//! ```text
-//! de/dθ = −2 f (1 + h c) N,       N = Î m w/P,       w = 1 − h c u.
-//! ```
-//!
-//! The right side has one sign while N > 0: at each angle u = θ′² decreases from turn to turn for f > 0, and increases for f < 0.
-//! It is linear in e, with periodic coefficients of order f, so nothing cancels as f → 0:
-//! e = e₀(θ) + ε A(θ), where e₀ is the slide with u = 0 at the section θs at which turns are counted. A turn maps
-//! ε to α ε + β, with log α = κ = f ∮ 2 m Î (1 + h c) h c/(P G) dθ, G = Î + m h² s², and u = (e − 2 m h c)/G.
+//! In the direction of travel, with f = μk σ and G = Î + m h² s², twice the energy relative to the mean drift is e = G u + 2 m h c =
+//! e₀(θ) + ε A(θ), where e₀ is the slide with u = 0 at the section θs at which turns are counted. A turn maps ε to α ε + β, with
+//! log α = κ = f ∮ 2 m Î (1 + h c) h c/(P G) dθ.
 //!
 //! The section lies at the minimum of u in each turn: the unstable equilibrium of the slide, q = 0, or the minimum of |q|
 //! if q has no zero.
@@ -24,7 +16,6 @@ use crate::model::Heavy;
 /// Largest number of panel halvings in a turn; only very light hoops would need more.
 const MAX_HALVINGS: usize = 160;
 
-/// Number of panels before any is halved.
 const INITIAL_PANELS: usize = 6;
 
 /// Largest tail of the coefficients of the linear map, relative to their largest value: the map is then exact to rounding.
@@ -170,7 +161,6 @@ impl Turn {
         self.section_inertia * (rate * rate)
     }
 
-    /// The rate at the section.
     pub(super) fn rate(&self, energy: f64) -> f64 {
         (energy / self.section_inertia).sqrt()
     }

@@ -11,7 +11,6 @@ use super::{Derivative, NoDerivative};
 /// The rounding of a condition of some tens of operations, relative to the size of its terms.
 pub(super) const GRAZING: f64 = 64.0 * f64::EPSILON;
 
-/// The condition that ends a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Event {
     /// μs N − |F| = 0 of rolling.
@@ -27,7 +26,6 @@ pub(super) enum Event {
 }
 
 impl Event {
-    /// The condition of a cause.
     pub(super) fn of(cause: Cause, end: &State) -> Derivative<Self> {
         match cause {
             Cause::Slip => Ok(Self::Slip),

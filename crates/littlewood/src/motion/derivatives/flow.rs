@@ -15,13 +15,11 @@ use super::NoDerivative;
 /// Longest step: the series of a body at rest has no time scale.
 const MAX_STEP: f64 = 1.0;
 
-/// Largest number of Taylor steps of a phase.
 const MAX_STEPS: usize = 20_000;
 
 /// Number of coefficients of which one is the scale of a series.
 const LEADING: usize = 5;
 
-/// A state without its time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point<T> {
     pub(super) theta: T,
@@ -58,7 +56,6 @@ pub(super) enum Motion<T> {
     Flies { from: Point<T>, rise: T, lifts_off: bool },
 }
 
-/// The body and its kinetic friction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane<T> {
     pub(super) body: Heavy<T>,
@@ -70,7 +67,6 @@ impl<T: Number> Plane<T> {
         SlidingLaw::of_body(self.body, self.mu_k, direction)
     }
 
-    /// The rates of a state.
     pub(super) fn rates(&self, motion: &Motion<T>, at: &Point<T>) -> Point<T> {
         let (sin, cos) = at.theta.sincos();
         let Point { rate, slip, .. } = *at;

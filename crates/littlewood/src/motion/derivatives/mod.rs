@@ -236,7 +236,6 @@ impl Group for Instants<'_> {
     }
 }
 
-/// The derivatives of transitions and outcome.
 struct Events<'a> {
     motion: &'a Trajectory,
     all: &'a mut Derivatives,

@@ -35,7 +35,6 @@ pub(super) struct Passed<const K: usize> {
     pub(super) work: Dual<K>,
 }
 
-/// The numbers of a recurrence.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Repeats<const K: usize> {
     Libration { period: Dual<K>, theta_min: Dual<K>, theta_max: Dual<K> },
@@ -84,7 +83,6 @@ pub(super) struct Tangents<'a, const K: usize> {
     now: Instant<K>,
     /// Rate of the gap after the last impact or at the start.
     pub(super) gap_rate: Dual<K>,
-    /// The phases that have begun.
     pub(super) begun: Vec<Begun<K>>,
     /// Time of the first jam without a motion before it: it ends no phase, and is not differentiated.
     jam: Option<f64>,
@@ -357,7 +355,6 @@ impl<'a, const K: usize> Tangents<'a, K> {
         rate
     }
 
-    /// Passes infinitely many bounces.
     fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<Passed<K>> {
         let (Some(restitution), Motion::Flies { rise, .. }) = (self.restitution, motion) else {
             return Err(NoDerivative::Singular);
