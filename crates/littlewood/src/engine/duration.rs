@@ -1,13 +1,8 @@
-//! How long rolling takes, by Gauss sums.
+//! How long rolling takes, by Gauss sums of ∫ 2 √(D/κ) dψ (docs/engine.md).
 //!
-//! With ψ, half the angle from the bottom on orbits over the top and the phase of the swing on others, the time is
-//!
-//! ```text
-//! ∫ 2 √(D/κ) dψ,   D = D(π) + β sin²ψ,   κ = |κ(0)| + β cos²ψ,
-//! ```
-//!
-//! where β = 4ℓ̂ over the top, and the energy over the bottom on others. In t = tan(ψ − ψm) about the middle of a panel sine and cosine are
-//! linear functions of t over √(1 + t²), so that a node costs a square root and a division.
+//! ψ is half the angle from the bottom on orbits over the top and the phase of the swing on others, D = D(π) + β sin²ψ and
+//! κ = |κ(0)| + β cos²ψ, where β = 4ℓ̂ over the top, and the energy over the bottom on others. The variable is t = tan(ψ − ψm) about the middle
+//! of a panel, so that a node costs a square root and a division.
 
 use crate::math::trig::sincos;
 

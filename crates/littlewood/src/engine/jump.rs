@@ -1,9 +1,5 @@
-//! The jump out of a slide, which is the same for all hoops.
-//!
-//! At a lift-off from sliding h cos θ0 θ0′² = 1, and the gap in the angle of rotation φ is h times a function of θ0 and φ
-//! alone: −(cos θ0 C(φ) + sin θ0 S(φ)) with C = cos φ − 1 + φ²/2 and S = φ − sin φ. It closes where C/S = −tan θ0. Since
-//! S² − C S′ = (φ cos φ/2 − 2 sin φ/2)² ≥ 0, C/S grows with φ, and there is one landing: the angle by which the hoop turns
-//! in the air is a function of the angle of the lift-off alone, and so is the angle at which the gap is largest.
+//! The jump out of a slide, which is the same for all hoops: the angle by which the hoop turns in the air, and that at which the gap is
+//! largest, are functions of the angle of the lift-off alone (docs/theory/jumps.md).
 
 use std::sync::LazyLock;
 

@@ -101,10 +101,6 @@ impl<'a> FastSolver<'a> {
         left == 0 && is_on(Part::KeptCells)
     }
 
-    fn tell(&self, doubt: Doubt) {
-        self.laws.tally.add(doubt);
-    }
-
     /// Whether rounding may have decided on what follows otherwise than in the simulation.
     pub(super) const fn has_drifted(&self) -> bool {
         self.drift.is_told()
@@ -306,7 +302,7 @@ impl Solver for FastSolver<'_> {
         let state = place.state;
         let travel = place.travel();
         let left_to_the_simulation = |doubt: Doubt| {
-            self.tell(doubt);
+            self.laws.tally.add(doubt);
             Self::take(self.exact.roll(&state, on_limit))
         };
         if self.drift.is_far(state.theta) {
@@ -361,7 +357,7 @@ impl Solver for FastSolver<'_> {
             Solved { solution: None, direction: Some(direction), ending }
         };
         let left_to_the_simulation = |doubt: Doubt| {
-            self.tell(doubt);
+            self.laws.tally.add(doubt);
             // As the simulation has it, but for the last digits of an acceleration from which it begins.
             let solved = self.exact.slide(&state, body, direction, entry);
             if entry != Entry::Moving && entry != ON_LIMIT {

@@ -1,22 +1,8 @@
-//! Reverse chatter: bounces that grow out of rolling, infinitely many in a finite time.
+//! Reverse chatter: bounces that grow out of rolling, infinitely many in a finite time (docs/studies/bounces-out-of-nothing.md).
 //!
-//! In a short flight the gap rate falls by w = cos α − h cos θ θ′² and the slip changes by a = −h sin θ θ′² − sin α per unit of
-//! time. A bounce that begins with the gap rate v and without slip lands with the slip 2 a v/w. If its impact sticks, all bounces are
-//! similar, and each is faster than the one before by the same ratio. With the compliances A, B, C, M = μk A − |B| and the slopes
-//!
-//! ```text
-//! k1 = C − μk |B|,    k2 = C − B²/A,    k2 − k1 = |B| M/A,    p = 2 |a|/(w M)
-//! ```
-//!
-//! of the gap rate in slip and in stick the ratio exceeds e only if a B > 0 and M > 0; it is then, by the energetic law,
-//!
-//! ```text
-//! ratio² = e² (1 + (k2 − k1) p (2 − k1 p))            k1 p ≤ 1: sticks in compression,
-//! ratio² = (e² k2 − (k2 − k1) (k1 p − 1)²)/k1         1 < k1 p < 1 + e: in restitution,
-//! ```
-//!
-//! by Poisson's e (1 + (k2 − k1) p) and (1 + e) k2/k1 − 1 − (k2 − k1) p, and by Newton's e. So p lies between two numbers of the angle
-//! where it exceeds 1, and θ′² between two linear forms. On a level plane a B = −h² sin² θ θ′² (1 + h cos θ)/Î is never positive.
+//! With w = cos α − h cos θ θ′², a = −h sin θ θ′² − sin α, the compliances A, B, C, M = μk A − |B|, p = 2 |a|/(w M) and the slopes
+//! k1 = C − μk |B| and k2 = C − B²/A of the gap rate in slip and in stick, the ratio of successive bounces exceeds e only if a B > 0 and
+//! M > 0. It exceeds 1 where p lies between two numbers of the angle, and so θ′² between two linear forms.
 
 use crate::mechanics::region::PhasePlane;
 use crate::mechanics::settling::RATIO_ROUNDING;

@@ -1,18 +1,8 @@
-//! The motion that follows a state: all candidates that are consistent with the accelerations.
+//! The motion that follows a state: all candidates that are consistent with the accelerations (docs/theory/contact.md).
 //!
-//! At η′ = 0 three motions compete: rolling (|F| ≤ μs N, N > 0), sliding in either direction (N > 0 and σ η″ > 0, or
-//! η″ = 0 and η‴ of that sign) and flight (1 − h cos θ θ′² < 0, or = 0 and falling). With the forces N and F of
-//! rolling, the slip acceleration of sliding is
-//!
-//! ```text
-//! η″ = −D (F + μk σ N)/(m P),
-//! ```
-//!
-//! So for P > 0 only σ = −sign F can slide, and only if |F| > μk N. For μk N < |F| ≤ μs N both rolling and
-//! sliding are consistent with their accelerations; by the definition of static friction the contact then sticks. So
-//! a slide from η′ = 0 is a candidate only if rolling is not.
-//!
-//! The motion continues if there is exactly one candidate. None or several (Painlevé: P ≤ 0) is an outcome.
+//! At η′ = 0 rolling, sliding in either direction and flight compete. Static friction is read as: where rolling and a slide both are
+//! consistent, the contact sticks. So a slide from η′ = 0 is a candidate only if rolling is not. The motion continues if there is exactly
+//! one candidate; none or several (Painlevé: P ≤ 0) is an outcome.
 
 use crate::mechanics::{
     ContactForces, RollingLaw, Settling, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,

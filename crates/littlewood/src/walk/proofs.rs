@@ -251,27 +251,11 @@ impl Slips<'_> {
     /// Adds an event; returns the outcome if the motion slips for ever.
     fn add(&mut self, hoop: &Hoop, event: &Event) -> Option<Outcome> {
         let Event { state, cause, to, .. } = *event;
-        let slip = match cause {
-            Cause::Slip if to == Some(Mode::Sliding) => {
-                self.begins(&state);
-                return None;
-            }
-            Cause::Stick if to == Some(Mode::Rolling) => self.slip,
-            Cause::Slip
-            | Cause::NormalForceZero
-            | Cause::Stick
-            | Cause::Reversal
-            | Cause::Graze
-            | Cause::LiftOff
-            | Cause::Landing
-            | Cause::ParticleAtPlane
-            | Cause::ParticleAtBottom
-            | Cause::ParticleAtTop
-            | Cause::Singularity
-            | Cause::Settle
-            | Cause::Jam => None,
-        };
-        self.slip = None;
+        if (cause, to) == (Cause::Slip, Some(Mode::Sliding)) {
+            self.begins(&state);
+            return None;
+        }
+        let slip = self.slip.take().filter(|_| (cause, to) == (Cause::Stick, Some(Mode::Rolling)));
         let before = self.confirmed.take();
         let slip = slip?;
         let energy = self.law.energy(state.theta, state.theta_rate);

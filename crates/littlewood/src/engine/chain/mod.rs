@@ -1,12 +1,7 @@
-//! Chains of slips: whole powers of the map from one slip out of rolling to the next.
+//! Chains of slips (docs/engine.md): whole powers of the map from one slip out of rolling to the next, a *link*.
 //!
-//! Rolling slips on curves of the phase plane, so that all that follows a slip is a function of one number, its angle. From
-//! slip to slip (a slide, perhaps reversals, a stick, a roll, perhaps through turning points) a motion follows a map
-//! of such slips, a *link*. A light hoop, or one with μk close to μs, makes thousands of links, each of
-//! which takes off a little energy. The map of 2^k links is that of 2^(k−1) links, twice; its polynomials go through these
-//! values at Chebyshev nodes ([`tree`]), and n links take some 2 log₂ n of them.
-//!
-//! Pieces are made when a motion first needs them, and are the same whichever motion that is.
+//! The map of 2^k links is that of 2^(k−1) links, twice; its polynomials go through these values at Chebyshev nodes ([`tree`]), and n links
+//! take some 2 log₂ n of them. Pieces are made when a motion first needs them, and are the same whichever motion that is.
 
 mod curve;
 mod limit;

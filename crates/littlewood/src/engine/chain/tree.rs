@@ -1,8 +1,5 @@
-//! The maps of 2^k links on one curve of slips, by polynomials on pieces that are made when they are needed.
-//!
-//! A piece is accepted if the links from its ends, from its nodes and from between these go through the same phases and turns, and if
-//! its polynomials have converged. Where a phase begins to appear or vanishes, what follows is discontinuous or has a singular
-//! derivative; there pieces are halved until they are too narrow, and motions are followed one by one.
+//! The maps of 2^k links on one curve of slips, by polynomials on pieces that are made when they are needed, and halved where a phase
+//! begins to appear or vanishes.
 
 use std::sync::OnceLock;
 

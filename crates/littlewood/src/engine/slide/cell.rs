@@ -118,25 +118,6 @@ impl Cells {
         cells[tile.number].get_or_init(|| Cell::new(law, sigma, tile).map(Box::new)).as_deref()
     }
 
-    /// The first `found` in the cells about an angle, from tiles halved so often to the finest.
-    pub(super) fn find<T>(
-        &self,
-        (law, sigma): (&SlidingLaw, f64),
-        (theta, halvings): (f64, usize),
-        mut found: impl FnMut(&Cell, Tile) -> Option<T>,
-    ) -> Option<T> {
-        for halvings in halvings..=HALVINGS {
-            for tile in Tile::about(theta, halvings) {
-                if let Some(cell) = self.get(law, sigma, tile)
-                    && let Some(found) = found(cell, tile)
-                {
-                    return Some(found);
-                }
-            }
-        }
-        None
-    }
-
     /// The coarsest tile from an edge, halved at least so often, that a slide with this u crosses; with its cell, u_c, and u at its end.
     pub(super) fn crossing(
         &self,
@@ -307,7 +288,6 @@ impl Cell {
             end,
             known,
             exit: is_whole.then_some((self.exit.0 + level * self.exit.1, self.law_at_exit)),
-            is_tile: is_whole,
         })
     }
 }

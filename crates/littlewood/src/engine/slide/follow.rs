@@ -1,22 +1,15 @@
-//! A slide, followed piece by piece to its event.
+//! A slide, followed piece by piece to its event (docs/engine.md), in the frame of motion, ϑ growing.
 //!
-//! Everything is seen in the frame of motion, ϑ growing. On a piece
-//!
-//! - 1 − h cos ϑ u can fall through zero only where sin ϑ < 0, since there its derivative is h sin ϑ θ′³: where sin ϑ keeps its sign,
-//!   or turns from positive to negative, its sign at the end tells whether it has; over the top its sign there tells;
-//! - the signs of η″ tell whether η′ is monotone, or has one extremum: its values there and at the end tell whether it has
-//!   vanished.
-//!
-//! *Periods.* Friction does not depend on the sign of θ′, so that in a libration θ′² is the same function of the angle in every period,
-//! and η′ falls by μk + σ tan α times the period in each: periods without an event are passed at once. Without kinetic friction rotations
-//! are periodic, too. Where η′ does not fall no event follows a whole period without one.
+//! 1 − h cos ϑ u falls through zero only where sin ϑ < 0: its sign at the end of a piece, or at the top, tells whether it has. The signs of
+//! η″ tell whether η′ is monotone, or has one extremum. In a libration, and without kinetic friction, θ′² is periodic in time: periods
+//! without an event are passed at once.
 
 use core::f64::consts::{PI, TAU};
 
 use crate::engine::doubt::Doubt;
 use crate::mechanics::{SlidingLaw, contact};
 
-use super::cell::{Cells, HALVINGS, TILES, edge_near};
+use super::cell::{Cells, HALVINGS, TILES, Tile, edge_near};
 use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint, size_of_slip};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
@@ -205,11 +198,11 @@ impl<'a> Slide<'a> {
         let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
         let halvings =
             (0..=HALVINGS).find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= here.u * (1_u32 << k) as f64)?;
-        cells.find((law, frame.sigma), (frame.theta, halvings), |cell, tile| {
-            let (place, step) = cell.step(&here)?;
-            let edge = step.is_tile.then(|| tile.exit());
-            Some(self.pass_step(&place, &step, edge))
-        })
+        let mut tiles = (halvings..=HALVINGS).flat_map(|halvings| Tile::about(frame.theta, halvings));
+        let (tile, (place, step)) =
+            tiles.find_map(|tile| Some((tile, cells.get(law, frame.sigma, tile)?.step(&here)?)))?;
+        let edge = step.exit.is_some().then(|| tile.exit());
+        Some(self.pass_step(&place, &step, edge))
     }
 
     /// Crosses whole tiles up to the first with an event, or up to a place where no tile can be crossed.
@@ -485,7 +478,7 @@ fn pass<P: Piece>(
     let lifts_off = w < 0.0;
     let there = if lifts_off { way.lift_off(here, (to, w)) } else { way.at(here, to) };
     // Where the piece ends just at a zero of η′, which may be a touch, rounding would decide.
-    if way.is_doubtful(&there) {
+    if there.slip.abs() <= SIGN_TOLERANCE * way.size_of_slip(&there) {
         return Err(Doubt::Slip);
     }
     let from_rest = here.slip <= 0.0;

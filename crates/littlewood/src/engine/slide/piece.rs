@@ -106,11 +106,6 @@ pub(super) struct Way<'a, P> {
 }
 
 impl<P: Piece> Way<'_, P> {
-    /// Whether the sign of σ η′ at a waypoint is lost in the rounding of the terms of the first integral.
-    pub(super) fn is_doubtful(&self, at: &Waypoint) -> bool {
-        at.slip.abs() <= SIGN_TOLERANCE * self.size_of_slip(at)
-    }
-
     /// The size of the terms of η′ at a waypoint, in the first integral.
     pub(super) fn size_of_slip(&self, at: &Waypoint) -> f64 {
         size_of_slip(at.u, self.integral)

@@ -1,15 +1,7 @@
-//! u = θ′² of a slide as a power series in the tangent of half the angle turned, and the sign of η″.
+//! u = θ′² of a slide as a power series in z, the tangent of half the angle turned, and the sign of η″ (docs/engine.md).
 //!
-//! With z = tan(φ/2), φ the angle from the centre of the expansion, and n = 1 + z², the sine and the cosine of ϑ are S/n and C/n
-//! with quadratic S and C, q = Q/n and P = R/n² with polynomials Q and R of degrees two and four, so that the linear equation of
-//! sliding, du/dϑ = 2 m q (1 − h cos ϑ u)/P, reads
-//!
-//! ```text
-//! n R du/dz = 4 m Q (n − h C u).
-//! ```
-//!
-//! Its coefficients are polynomials: each coefficient of u follows from the six before it. The series converges up to the nearest
-//! zero of P, or to z = ± i.
+//! With n = 1 + z², sin ϑ = S/n, cos ϑ = C/n, q = Q/n and P = R/n², n R du/dz = 4 m Q (n − h C u) has polynomial coefficients: each
+//! coefficient of u follows from the six before it. The series converges up to the nearest zero of P, or to z = ± i.
 
 use crate::math::series::product;
 use crate::mechanics::SlidingLaw;
@@ -187,9 +179,10 @@ impl Polynomials {
         scaled(self.p, width)
     }
 
-    /// The lowest coefficients of b u in powers of t = z/width, where u is given in them, and a bound on what they leave out.
+    /// The lowest coefficients of so much of a, and b u, in powers of t = z/width, where u is given in them, and a bound on what they leave
+    /// out.
     #[inline(always)]
-    fn weighted(&self, u: &Series, width: f64) -> (Low, f64) {
+    pub(super) fn slip_acceleration(&self, u: &Series, width: f64, part_of_a: f64) -> (Low, f64) {
         let b = scaled(self.b, width);
         // Sums of the sizes of the coefficients of u from each on.
         let mut rest = 0.0;
@@ -206,13 +199,6 @@ impl Polynomials {
                 low[k] += b[j] * u[k - j];
             }
         }
-        (low, band)
-    }
-
-    /// The same with a added.
-    #[inline(always)]
-    pub(super) fn slip_acceleration(&self, u: &Series, width: f64, part_of_a: f64) -> (Low, f64) {
-        let (mut low, band) = self.weighted(u, width);
         for (low, a) in low.iter_mut().zip(scaled(self.a, width)) {
             *low += part_of_a * a;
         }

@@ -48,10 +48,8 @@ pub(super) struct Step {
     pub(super) end: f64,
     /// The time from this t to the end, where it is known.
     pub(super) known: Option<(f64, f64)>,
-    /// u and the law at the end, where they are known.
+    /// u and the law at the end, where that is the end of a tile.
     pub(super) exit: Option<(f64, LawAt)>,
-    /// Whether it ends where a tile ends.
-    pub(super) is_tile: bool,
 }
 
 impl Step {
@@ -83,18 +81,7 @@ impl Step {
             step = on(0.5 * width).ok_or(Doubt::Pole)?;
         }
         let (width, u, signs, doubt) = step;
-        Ok(Self {
-            width,
-            u,
-            degree: DEGREE,
-            signs,
-            doubt,
-            direction,
-            end: 1.0,
-            known: None,
-            exit: None,
-            is_tile: false,
-        })
+        Ok(Self { width, u, degree: DEGREE, signs, doubt, direction, end: 1.0, known: None, exit: None })
     }
 
     /// Whether u has no zero near the step between two t by the sizes of its terms: on the same ellipse about the step all but the first

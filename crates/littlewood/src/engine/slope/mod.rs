@@ -1,12 +1,7 @@
-//! Rolling on a slope, to its slip.
+//! Rolling on a slope, to its slip, by tiles of a turn (docs/engine.md).
 //!
-//! A turn has sixteen tiles. In the direction of motion, at the distance φ from the beginning of a tile, G = D ϑ′² is g + γ(φ), with a
-//! function γ that belongs to the body and the slope, and one number g that belongs to the orbit and changes by γ(π/8) from tile to tile. The
-//! margins of static friction ([`Limits`]) are a + g b there, with two series of the body. Three functions of this kind, of which the first to
-//! vanish decides what happens: the two margins, and G itself, at a turning point.
-//!
-//! The time is a Gauss sum of √(D/G), over a tile with what is kept of it, over parts of tiles by closed forms, and next to a turning
-//! point in the square root of the distance from it.
+//! In the direction of motion, at the distance φ from the beginning of a tile, G = D ϑ′² is g + γ(φ), with a function γ of the body and the
+//! slope, and one number g of the orbit. The first to vanish of the two margins of static friction ([`Limits`]) and G decides what happens.
 
 mod tile;
 

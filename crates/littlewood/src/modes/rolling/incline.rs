@@ -97,11 +97,6 @@ impl Incline {
         !self.rests && (self.first.leaves_bounds() || self.back.is_some_and(|back| back.leaves_bounds()))
     }
 
-    /// Time to the first turning point.
-    fn outward(&self) -> f64 {
-        self.first.whole()
-    }
-
     pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
         if self.rests {
             return (self.travel * self.first.start(), 0.0);
@@ -120,7 +115,7 @@ impl Incline {
     /// The leg and the place after a time, and the direction of motion in the frame of the leg.
     fn at(&self, elapsed: f64) -> (Leg, Place, f64) {
         let Some(back) = self.back else { return (self.first, self.first.place_at(elapsed), 1.0) };
-        let outward = self.outward();
+        let outward = self.first.whole();
         if elapsed <= outward {
             return (self.first, self.first.place_at(elapsed), 1.0);
         }
@@ -145,7 +140,7 @@ impl Incline {
             Some(end) => (self.first, 0.0, end),
             None => {
                 let back = self.back.filter(|_| !self.first.leaves_bounds())?;
-                (back, self.outward(), back.end()?)
+                (back, self.first.whole(), back.end()?)
             }
         };
         let frame = self.frame(&leg);

@@ -1,12 +1,6 @@
 //! Rolling (§2a, §3a): η′ = 0, held by static friction.
 //!
-//! With D(θ) = Î + m(1 + h² + 2h cos θ), the denominator of (2.11), energy conservation reads
-//!
-//! ```text
-//! D(θ) (θ′² + 1) = K,     K = 2E + Î + m(1 + h²) constant,
-//! ```
-//!
-//! So θ′², θ″, N and F are functions of θ alone on an orbit: rolling is algebraic. [`orbit`] gives the time as
+//! θ′², θ″, N and F are functions of θ alone on an orbit, D(θ) (θ′² + 1) = K (docs/theory/rolling.md). [`orbit`] gives the time as
 //! an elliptic integral, and [`boundary`] the angle at which rolling ends as a root of a polynomial.
 
 mod boundary;

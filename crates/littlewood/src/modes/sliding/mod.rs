@@ -1,12 +1,5 @@
-//! Sliding (§2b): η′ ≠ 0, kinetic friction F = −μk N σ with σ = sign(η′) (2.15).
-//!
-//! The equations are those of [`crate::theory::SlidingLaw`]. Two first integrals reduce a slide to the single function θ(τ): the
-//! horizontal and vertical balances of momentum, m x̄″ = −μk σ N and m ȳ″ = N − m, give x̄″ + μk σ (ȳ″ + 1) = 0, hence
-//!
-//! ```text
-//! η′ − θ′ (1 + h cos θ + μk σ h sin θ) + μk σ τ = const,
-//! x̄ + μk σ (ȳ + τ²/2) = linear in τ.
-//! ```
+//! Sliding (§2b): η′ ≠ 0, kinetic friction F = −μk N σ with σ = sign(η′) (2.15). Two first integrals of the equations of
+//! [`crate::theory::SlidingLaw`] reduce it to the single function θ(τ) (docs/theory/sliding.md).
 
 mod arc;
 mod leap;

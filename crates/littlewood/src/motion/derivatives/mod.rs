@@ -211,7 +211,7 @@ impl Group for Instants<'_> {
             let mut give = |walk: &Tangents<'_, K>, at: Derivative<_>| {
                 let Some(states) = places.next().and_then(|place| found[place].as_mut()) else { return };
                 states.extend(quantities.iter().enumerate().take(asked).map(|(k, quantity)| {
-                    let at = if walk.one_sided(*quantity) { Err(NoDerivative::OneSided) } else { at };
+                    let at = walk.two_sided(*quantity, at);
                     at.map(|at| State { time: 0.0, ..walk.state(&at, k) })
                 }));
             };
@@ -262,40 +262,34 @@ impl Group for Events<'_> {
         }
         for (row, event) in all.transitions.iter_mut().zip(&passed) {
             for (k, quantity) in quantities.iter().enumerate().take(asked) {
-                let derivative = match (walk.one_sided(*quantity), event) {
-                    (true, _) => Err(NoDerivative::OneSided),
-                    (false, None) => Err(failed.unwrap_or(NoDerivative::Singular)),
-                    (false, Some(Passed { before, after, .. })) => {
-                        let [before, after] = [before, after].map(|at| walk.state(at, k));
-                        Ok(EventDerivative { before, after })
-                    }
-                };
-                row.push(derivative);
+                let event = event.as_ref().ok_or(failed.unwrap_or(NoDerivative::Singular));
+                let derivative = event.map(|Passed { before, after, .. }| {
+                    let [before, after] = [before, after].map(|at| walk.state(at, k));
+                    EventDerivative { before, after }
+                });
+                row.push(walk.two_sided(*quantity, derivative));
             }
         }
         let end = match failed {
             Some(reason) => Err(reason),
             None => walk.outcome(&passed),
         };
-        let numbers = summary::of(&walk, &passed, end.as_ref().map(|(at, _)| *at).map_err(|reason| *reason));
+        let numbers = summary::of(&walk, &passed, end.map(|(at, _)| at));
         for (row, number) in all.summary.iter_mut().zip(numbers) {
-            row.extend(quantities.iter().enumerate().take(asked).map(|(k, quantity)| {
-                if walk.one_sided(*quantity) {
-                    Err(NoDerivative::OneSided)
-                } else {
-                    number.map(|it| it.parts[k])
-                }
-            }));
+            row.extend(
+                quantities
+                    .iter()
+                    .enumerate()
+                    .take(asked)
+                    .map(|(k, quantity)| walk.two_sided(*quantity, number.map(|it| it.parts[k]))),
+            );
         }
         for (k, quantity) in quantities.iter().enumerate().take(asked) {
-            all.outcome.push(match (walk.one_sided(*quantity), &end) {
-                (true, _) => Err(NoDerivative::OneSided),
-                (false, Err(reason)) => Err(*reason),
-                (false, Ok((at, recurrence))) => Ok(OutcomeDerivative {
-                    state: walk.state(at, k),
-                    recurrence: recurrence.map(|numbers| numbers.part(k)),
-                }),
+            let derivative = end.map(|(at, recurrence)| OutcomeDerivative {
+                state: walk.state(&at, k),
+                recurrence: recurrence.map(|numbers| numbers.part(k)),
             });
+            all.outcome.push(walk.two_sided(*quantity, derivative));
         }
     }
 }

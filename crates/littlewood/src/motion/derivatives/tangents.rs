@@ -130,8 +130,12 @@ impl<'a, const K: usize> Tangents<'a, K> {
         }
     }
 
-    /// Whether the motion differs on the two sides of the value of a quantity.
-    pub(super) fn one_sided(&self, quantity: Quantity) -> bool {
+    /// A derivative with respect to a quantity, if the motion does not differ on the two sides of its value.
+    pub(super) fn two_sided<T>(&self, quantity: Quantity, derivative: Derivative<T>) -> Derivative<T> {
+        if self.one_sided(quantity) { Err(NoDerivative::OneSided) } else { derivative }
+    }
+
+    fn one_sided(&self, quantity: Quantity) -> bool {
         let flies = self.motion.phases.first().map(Phase::mode) == Some(Mode::Flight);
         // With inertia it is another body.
         let is_massless = matches!(self.motion.hoop.body(), Body::Massless(_));
