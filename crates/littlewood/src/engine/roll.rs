@@ -1,10 +1,5 @@
-//! Rolling along one orbit, to its slip.
-//!
-//! Where it slips is a zero of the forms of [`crate::modes::rolling`] on the arcs ahead, isolated in Bernstein form; when, an elliptic
-//! integral. Both are those of the exact solver; only the root is found with fewer steps, and no time is computed that is not
-//! needed.
-//!
-//! Everything is seen in the direction of motion.
+//! Rolling along one orbit, to its slip, in the direction of motion (docs/engine.md): a zero of the forms of [`crate::modes::rolling`] on the
+//! arcs ahead, isolated in Bernstein form.
 
 use core::f64::consts::TAU;
 use std::sync::OnceLock;

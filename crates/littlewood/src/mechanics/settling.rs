@@ -1,15 +1,9 @@
-//! Settling: the sum of an infinite sequence of decaying bounces (chatter).
+//! Settling: the sum of an infinite sequence of decaying bounces, or chatter (docs/theory/impact.md).
 //!
 //! Where W = cos α − h cos θ θ′² > 0 and each bounce is slower than the previous one, infinitely many bounces take a finite
 //! time. Once they are short, θ, W, the compliance and the slip acceleration a = −h sin θ θ′² − sin α in flight are nearly
-//! constant. With these fixed, a flight with initial gap rate v takes 2v/W and adds 2 a v/W to the slip, and the impact
-//! is homogeneous in (u, v). Bounces of one kind (stick, reverse or slip) then have a geometric sum. The error is of
-//! the order of the square of the remaining time.
-//!
-//! The ratio of the gap rates of successive bounces decides, not e. In slip it is e. In stick on a level plane, a drives
-//! the slip of each flight against sign B, so k1 = C + μk |B| in slip and k2 < k1 afterwards. The ratio is then below e by
-//! the energetic law and by Poisson's, also for e = 1, and equal to e by Newton's. All three laws give e without friction,
-//! and where B or a vanishes. So bounces with e < 1 never grow there; on a slope they can (reverse chatter).
+//! constant. With these fixed, a flight with initial gap rate v takes 2v/W and adds 2 a v/W to the slip, and bounces of one kind have a
+//! geometric sum, with an error of the order of the square of the remaining time. The ratio of successive gap rates decides, not e.
 
 use thiserror::Error;
 

@@ -1,10 +1,8 @@
-//! The curves of the phase plane on which rolling slips, |F| = μs N.
+//! The curves of the phase plane on which rolling slips, |F| = μs N, in the direction of motion.
 //!
 //! The margins (μs N ∓ F) D² of an orbit are linear in its level L = K − D(π): A(ϑ) + L B(ϑ). The level L*(ϑ) = −A/B at which
 //! a margin vanishes belongs to the body. Between its extrema and poles it is monotone, so that on such a piece a margin
 //! changes sign at most once, whatever the orbit.
-//!
-//! Everything is seen in the direction of motion.
 
 use core::f64::consts::{PI, TAU};
 

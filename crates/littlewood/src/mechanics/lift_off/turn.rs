@@ -23,22 +23,10 @@ pub(super) fn at_most(quantity: f64) -> f64 {
     quantity + ENERGY_ROUNDING * (1.0 + quantity.abs())
 }
 
-/// The proof that a hoop never lifts off, by the work of friction over whole turns.
-///
-/// C is twice the energy without that of the horizontal velocity V of the mass centre, v = −V sign θ′,
-/// ω = |θ′| (1 + h cos θ), and F the friction force in the direction of the rotation. A lift-off requires C = L, twice
-/// [`crate::Hoop::lift_off_energy`]. For C > 2 ℓ̂ the hoop rotates, and
-///
-/// ```text
-/// dC/d|θ| = 2 F (1 + h cos θ),    F = φ m Î w/(J + φ m h sin |θ| (1 + h cos θ)),    J = Î + m h² sin² θ,
-/// ```
-///
-/// where φ = μk for v > ω, φ = −μk for v < ω, and |φ| ≤ μs in rolling, v = ω. F increases with φ.
-///
-/// Hence C grows by at most some Δ in a turn. A motion from C < L − Δ to C = L takes more than one turn for the last Δ,
-/// and C grows over the last turn before L. Let v* be such that the friction with φ = μs where ω ≤ v*, and φ = −μk
-/// elsewhere, does no work on C in a turn. Then v ≥ v* somewhere in the last turn, where twice the energy is at least
-/// L − Δ + m v*². The energy never grows, so a motion that starts below both bounds never lifts off.
+/// The proof that a hoop never lifts off, by the work of friction over whole turns (docs/ends.md): C, twice the energy without that of the
+/// horizontal velocity v of the mass centre against θ′, grows by at most some Δ in a turn, and a lift-off requires C = L. With ω = |θ′| (1 +
+/// h cos θ) and φ = F/N in the direction of the rotation, v* is such that friction with φ = μs where ω ≤ v*, and φ = −μk elsewhere, does no
+/// work on C in a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct WholeTurns {
     /// Upper bound L − Δ of C.

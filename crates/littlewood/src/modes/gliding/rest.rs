@@ -1,17 +1,9 @@
-//! The first rest of the slip, η′ = v + θ′(1 + ℓ̂ cos θ) = 0.
+//! The first rest of the slip, η′ = v + θ′(1 + ℓ̂ cos θ) = 0 (docs/theory/massless.md).
 //!
-//! With L = 1 − ℓ̂ + b and the heights a, b of [`super::particle`], √(ab) η′ = v √(ab) ± z L. So η′ vanishes only where the two
-//! terms have opposite signs, and there its sign is plus or minus the sign of
-//!
-//! ```text
-//! P = v² a b − z² L²,
-//! ```
-//!
-//! a cubic polynomial in the height. It is expanded about both ends of the path, in the height from that end, without cancelling
-//! terms: P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, and at a start from rest the known root is divided out. So roots near the
-//! start (Type II), the turning point, the bottom (ℓ̂ near 1) and the top are as accurate as any other.
-//!
-//! At a start from rest P/f → −2 L0 G as f → 0, with G = ℓ̂ sin θ η″ = 1 + ℓ̂c − ℓ̂(ℓ̂ + c) θ′² (3.17). In rolling N = L0 G/D.
+//! With L = 1 − ℓ̂ + b and the heights a, b of [`super::particle`], √(ab) η′ = v √(ab) ± z L. So η′ vanishes only where the two terms have
+//! opposite signs, at the zeros of P = v² a b − z² L², a cubic polynomial in the height. It is expanded about both ends of the path, in the
+//! height from that end, without cancelling terms: P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, and at a start from rest the known root is
+//! divided out. There P/f → −2 L0 G as f → 0, with G = ℓ̂ sin θ η″ = 1 + ℓ̂c − ℓ̂(ℓ̂ + c) θ′² (3.17). In rolling N = L0 G/D.
 
 use crate::math::bernstein::{Bernstein, first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;

@@ -1,14 +1,6 @@
-//! The first rest of the slip of a glide on a slope.
-//!
-//! With the heights a, b and the fall rate z of [`super::particle`], L = 1 − ℓ̂ + b, and v = v0 − τ tan α, √(ab) η′ = v √(ab) ± z L.
-//! So η′ vanishes only where the two terms have opposite signs, at the zeros of
-//!
-//! ```text
-//! Q = v² a b − z² L²,
-//! ```
-//!
-//! a polynomial of degree six in the time. Both signs are constant between the zeros of v and of z. For ℓ̂ = 1, L = b, and Q/b is of
-//! degree four. It is expanded about both ends of each piece, in the time from that end: about the bottom and the top without cancelling terms.
+//! The first rest of the slip of a glide on a slope, as in [`super::rest`] with v = v0 − τ tan α: there Q = v² a b − z² L² is a polynomial of
+//! degree six in the time. The signs of its terms are constant between the zeros of v and of z. For ℓ̂ = 1, L = b, and Q/b is of degree
+//! four. It is expanded about both ends of each piece, in the time from that end: about the bottom and the top without cancelling terms.
 
 use crate::math::series::shifted;
 use crate::model::Direction;

@@ -1,13 +1,7 @@
-//! Rolling of Littlewood's hoop, massless with the particle on the rim (§3a), in closed form.
+//! Rolling of Littlewood's hoop, massless with the particle on the rim (§3a), in closed form (docs/theory/rolling.md).
 //!
-//! D = 2(1 + cos θ) vanishes at θ = ±π, and (3.1) becomes linear in Z = sin(θ/2): Z″ = Z/4. With
-//! a = Z0 and b = 2Z0′ = θ0′ cos(θ0/2),
-//!
-//! ```text
-//! Z(τ) = a cosh(Δτ/2) + b sinh(Δτ/2),     2Z′(τ) = a sinh(Δτ/2) + b cosh(Δτ/2).
-//! ```
-//!
-//! This is (3.3) without division by α: the α of (3.4) is a + b, for θ0′ of either sign.
+//! D = 2(1 + cos θ) vanishes at θ = ±π, and Z = sin(θ/2) = a cosh(Δτ/2) + b sinh(Δτ/2), with a = Z0 and b = 2Z0′ = θ0′ cos(θ0/2). This is
+//! (3.3) without division by α: the α of (3.4) is a + b, for θ0′ of either sign.
 
 use core::f64::consts::TAU;
 
