@@ -1,32 +1,22 @@
 //! Colours for what has none of its own.
 
+use crate::named::named;
 use crate::rgb::Rgb;
 use crate::theme::Theme;
 
-/// A colour that a picture gives a meaning for itself alone: no mode, class, force or curve has it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Accent {
-    /// The first.
-    Violet,
-    /// The second.
-    Teal,
-    /// The third.
-    Brown,
+named! {
+    /// A colour that a picture gives a meaning for itself alone: no mode, class, force or curve has it.
+    pub enum Accent {
+        /// The first.
+        Violet = "violet",
+        /// The second.
+        Teal = "teal",
+        /// The third.
+        Brown = "brown",
+    }
 }
 
 impl Accent {
-    /// All, in order.
-    pub const ALL: [Self; 3] = [Self::Violet, Self::Teal, Self::Brown];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Violet => "violet",
-            Self::Teal => "teal",
-            Self::Brown => "brown",
-        }
-    }
-
     /// Colour.
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {

@@ -1,35 +1,24 @@
 //! Forces, impulses and the velocity of slip, as arrows and as curves against time.
 
+use crate::named::named;
 use crate::rgb::Rgb;
 use crate::theme::Theme;
 
-/// A vector that pictures of the hoop show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Arrow {
-    /// Normal force N.
-    NormalForce,
-    /// Friction force F.
-    FrictionForce,
-    /// Velocity of slip η′.
-    Slip,
-    /// Impulse (J, P) of an impact.
-    Impulse,
+named! {
+    /// A vector that pictures of the hoop show.
+    pub enum Arrow {
+        /// Normal force N.
+        NormalForce = "normal_force",
+        /// Friction force F.
+        FrictionForce = "friction_force",
+        /// Velocity of slip η′.
+        Slip = "slip",
+        /// Impulse (J, P) of an impact.
+        Impulse = "impulse",
+    }
 }
 
 impl Arrow {
-    /// All, in order.
-    pub const ALL: [Self; 4] = [Self::NormalForce, Self::FrictionForce, Self::Slip, Self::Impulse];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NormalForce => "normal_force",
-            Self::FrictionForce => "friction_force",
-            Self::Slip => "slip",
-            Self::Impulse => "impulse",
-        }
-    }
-
     /// Colour.
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {

@@ -7,50 +7,30 @@ use littlewood::theory::{PhasePlane, Window};
 use crate::arrow::Arrow;
 use crate::dash::Dash;
 use crate::ink::Ink;
+use crate::named::named;
 use crate::rgb::Rgb;
 use crate::theme::Theme;
 use crate::width::{BOLD, CURVE, FINE};
 
-/// A curve of the (θ, θ′) plane. A limit of a force has the colour of the force.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Curve {
-    /// f: static friction gives way in rolling, |F| = μs N (2.13, 3.9).
-    SlipLimit,
-    /// n: N = 0 in rolling (3.8).
-    NormalForceZero,
-    /// Through the unstable equilibrium; without inertia its stable and unstable manifold.
-    Separatrix,
-    /// N = 0 in sliding, beyond which the body leaves the plane (2.18).
-    LiftOff,
-    /// The rates between which bounces grow out of rolling, on a slope.
-    ReverseChatter,
-    /// Constant energy in rolling.
-    Level,
+named! {
+    /// A curve of the (θ, θ′) plane. A limit of a force has the colour of the force.
+    pub enum Curve {
+        /// f: static friction gives way in rolling, |F| = μs N (2.13, 3.9).
+        SlipLimit = "slip_limit",
+        /// n: N = 0 in rolling (3.8).
+        NormalForceZero = "normal_force_zero",
+        /// Through the unstable equilibrium; without inertia its stable and unstable manifold.
+        Separatrix = "separatrix",
+        /// N = 0 in sliding, beyond which the body leaves the plane (2.18).
+        LiftOff = "lift_off",
+        /// The rates between which bounces grow out of rolling, on a slope.
+        ReverseChatter = "chatter",
+        /// Constant energy in rolling.
+        Level = "level",
+    }
 }
 
 impl Curve {
-    /// All, in order.
-    pub const ALL: [Self; 6] = [
-        Self::SlipLimit,
-        Self::NormalForceZero,
-        Self::Separatrix,
-        Self::LiftOff,
-        Self::ReverseChatter,
-        Self::Level,
-    ];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SlipLimit => "slip_limit",
-            Self::NormalForceZero => "normal_force_zero",
-            Self::Separatrix => "separatrix",
-            Self::LiftOff => "lift_off",
-            Self::ReverseChatter => "chatter",
-            Self::Level => "level",
-        }
-    }
-
     /// The letter of the paper, for those that have one.
     pub const fn letter(self) -> Option<&'static str> {
         match self {

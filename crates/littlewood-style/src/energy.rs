@@ -2,36 +2,25 @@
 
 use crate::accent::Accent;
 use crate::arrow::Arrow;
+use crate::named::named;
 use crate::rgb::Rgb;
 use crate::theme::Theme;
 
-/// A part of the energy that a motion has had at its start. What is lost has the colour of what takes it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum EnergyPart {
-    /// Kinetic.
-    Kinetic,
-    /// Potential.
-    Potential,
-    /// Lost to friction in sliding.
-    Friction,
-    /// Lost in impacts.
-    Impacts,
+named! {
+    /// A part of the energy that a motion has had at its start. What is lost has the colour of what takes it.
+    pub enum EnergyPart {
+        /// Kinetic.
+        Kinetic = "kinetic",
+        /// Potential.
+        Potential = "potential",
+        /// Lost to friction in sliding.
+        Friction = "lost_to_friction",
+        /// Lost in impacts.
+        Impacts = "lost_in_impacts",
+    }
 }
 
 impl EnergyPart {
-    /// All, in order.
-    pub const ALL: [Self; 4] = [Self::Kinetic, Self::Potential, Self::Friction, Self::Impacts];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Kinetic => "kinetic",
-            Self::Potential => "potential",
-            Self::Friction => "lost_to_friction",
-            Self::Impacts => "lost_in_impacts",
-        }
-    }
-
     /// In words, for legends.
     pub const fn label(self) -> &'static str {
         match self {

@@ -3,42 +3,29 @@
 use crate::arrow::Arrow;
 use crate::dash::Dash;
 use crate::ink::Ink;
+use crate::named::named;
 use crate::rgb::Rgb;
 use crate::theme::Theme;
 use crate::width::{CURVE, FINE};
 
-/// A line of the plane of impulses. A limit of friction has the colour of the friction force, the line without slip that
-/// of the slip.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ImpulseLine {
-    /// u = 0.
-    Sticking,
-    /// w = 0.
-    Compression,
-    /// Where the law of restitution ends the impact.
-    Termination,
-    /// |J| = μs P.
-    StaticCone,
-    /// |J| = μk P.
-    KineticCone,
+named! {
+    /// A line of the plane of impulses. A limit of friction has the colour of the friction force, the line without slip that
+    /// of the slip.
+    pub enum ImpulseLine {
+        /// u = 0.
+        Sticking = "sticking",
+        /// w = 0.
+        Compression = "greatest_compression",
+        /// Where the law of restitution ends the impact.
+        Termination = "termination",
+        /// |J| = μs P.
+        StaticCone = "static_cone",
+        /// |J| = μk P.
+        KineticCone = "kinetic_cone",
+    }
 }
 
 impl ImpulseLine {
-    /// All, in order.
-    pub const ALL: [Self; 5] =
-        [Self::Sticking, Self::Compression, Self::Termination, Self::StaticCone, Self::KineticCone];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sticking => "sticking",
-            Self::Compression => "greatest_compression",
-            Self::Termination => "termination",
-            Self::StaticCone => "static_cone",
-            Self::KineticCone => "kinetic_cone",
-        }
-    }
-
     /// In words, for legends.
     pub const fn label(self) -> &'static str {
         match self {

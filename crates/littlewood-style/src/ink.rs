@@ -1,60 +1,34 @@
 //! Colours of what is not data: paper, letters, axes, the ground.
 
+use crate::named::named;
 use crate::rgb::Rgb;
 use crate::theme::Theme;
 
-/// A colour without a meaning of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ink {
-    /// The background.
-    Paper,
-    /// Letters, axes, the body.
-    Ink,
-    /// Letters and lines of less weight.
-    Soft,
-    /// Lines of the least weight.
-    Faint,
-    /// Grids, frames, earlier positions of the hoop.
-    Line,
-    /// Hatching of states that cannot occur.
-    Hatch,
-    /// The region where the hoop can roll.
-    Region,
-    /// The ground under the plane.
-    Ground,
-    /// A point without a value in a map of numbers.
-    NoValue,
+named! {
+    /// A colour without a meaning of its own.
+    pub enum Ink {
+        /// The background.
+        Paper = "paper",
+        /// Letters, axes, the body.
+        Ink = "ink",
+        /// Letters and lines of less weight.
+        Soft = "soft",
+        /// Lines of the least weight.
+        Faint = "faint",
+        /// Grids, frames, earlier positions of the hoop.
+        Line = "line",
+        /// Hatching of states that cannot occur.
+        Hatch = "hatch",
+        /// The region where the hoop can roll.
+        Region = "region",
+        /// The ground under the plane.
+        Ground = "ground",
+        /// A point without a value in a map of numbers.
+        NoValue = "no_value",
+    }
 }
 
 impl Ink {
-    /// All, in order.
-    pub const ALL: [Self; 9] = [
-        Self::Paper,
-        Self::Ink,
-        Self::Soft,
-        Self::Faint,
-        Self::Line,
-        Self::Hatch,
-        Self::Region,
-        Self::Ground,
-        Self::NoValue,
-    ];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Paper => "paper",
-            Self::Ink => "ink",
-            Self::Soft => "soft",
-            Self::Faint => "faint",
-            Self::Line => "line",
-            Self::Hatch => "hatch",
-            Self::Region => "region",
-            Self::Ground => "ground",
-            Self::NoValue => "no_value",
-        }
-    }
-
     /// Colour.
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {

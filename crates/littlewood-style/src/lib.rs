@@ -15,6 +15,7 @@ mod impulse;
 mod ink;
 mod ledger;
 mod mode;
+mod named;
 mod rank;
 mod rgb;
 mod scale;

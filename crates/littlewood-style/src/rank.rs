@@ -20,20 +20,3 @@ pub const fn of_rank(rank: usize, is_mirrored: bool, theme: Theme) -> Rgb {
     };
     if is_mirrored { mirrored } else { own }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tints_of_a_hue_and_neighbours_differ_in_lightness() {
-        for theme in Theme::ALL {
-            let lightness = |rank, is_mirrored| of_rank(rank, is_mirrored, theme).lightness();
-            for rank in 0..RANKS {
-                let apart = |other: f64| (lightness(rank, false) - other).abs() > 12.0;
-                assert!(apart(lightness(rank, true)), "{rank}, {theme:?}");
-                assert!(rank == 0 || apart(lightness(rank - 1, false)), "{rank}, {theme:?}");
-            }
-        }
-    }
-}

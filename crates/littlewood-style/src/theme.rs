@@ -1,29 +1,21 @@
 //! Light and dark paper.
 
+use crate::named::named;
 use crate::rgb::Rgb;
 
-/// What a picture is drawn on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Theme {
-    /// Dark on white.
-    #[default]
-    Light,
-    /// Light on black.
-    Dark,
+named! {
+    /// What a picture is drawn on.
+    #[derive(Default)]
+    pub enum Theme {
+        /// Dark on white.
+        #[default]
+        Light = "light",
+        /// Light on black.
+        Dark = "dark",
+    }
 }
 
 impl Theme {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Light, Self::Dark];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Light => "light",
-            Self::Dark => "dark",
-        }
-    }
-
     /// One of two colours.
     pub(crate) const fn pick(self, light: u32, dark: u32) -> Rgb {
         match self {

@@ -6,8 +6,8 @@ use littlewood::Mode;
 use littlewood::tables::Class;
 use littlewood::theory::{BodyClass, EDGES};
 use littlewood_style::{
-    Accent, Arrow, Curve, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_class, of_mode,
-    swatches,
+    Accent, Arrow, Curve, EnergyPart, ImpulseLine, Ink, RANKS, Rgb, Swatch, Theme, dash_of, of_class,
+    of_fraction, of_mode, of_rank, swatches,
 };
 
 /// Distance in the CIE L*a*b* space; about 2 can just be seen.
@@ -224,4 +224,22 @@ fn colours_are_written_as_style_sheets_have_them() {
     let grey = Rgb([0xbf, 0x53, 0x00]).grey();
     assert!((grey.lightness() - Rgb([0xbf, 0x53, 0x00]).lightness()).abs() < 0.3);
     assert!((Rgb([255, 255, 255]).contrast(Rgb([0, 0, 0])) - 21.0).abs() < 1e-12);
+}
+
+#[test]
+fn tints_of_a_hue_and_neighbours_differ_in_lightness() {
+    for theme in Theme::ALL {
+        let lightness = |rank, is_mirrored| of_rank(rank, is_mirrored, theme).lightness();
+        for rank in 0..RANKS {
+            let apart = |other: f64| (lightness(rank, false) - other).abs() > 12.0;
+            assert!(apart(lightness(rank, true)), "{rank}, {theme:?}");
+            assert!(rank == 0 || apart(lightness(rank - 1, false)), "{rank}, {theme:?}");
+        }
+    }
+}
+
+#[test]
+fn a_scale_grows_lighter() {
+    let scale: Vec<f64> = (0..=200).map(|i| of_fraction(f64::from(i) / 200.0).lightness()).collect();
+    assert!(scale.windows(2).all(|pair| pair[1] >= pair[0]) && scale[200] - scale[0] > 70.0, "{scale:?}");
 }
