@@ -2,7 +2,7 @@
 
 use crate::clip;
 use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View, tilted};
-use crate::item::{Item, Paint, STEPS, Step, Words, outline, steps};
+use crate::item::{Item, STEPS, Step, Words, outline, steps};
 use crate::marks::{Canvas, MIDDLE, edge};
 use crate::markup::plain;
 use crate::raster::POINTS;
@@ -80,28 +80,14 @@ impl Canvas {
         }
         for key in &panel.keys {
             let (x, y) = (steps(key.at[0]), steps(key.at[1]));
-            match key.mark {
-                Mark::Fill(colour)
-                | Mark::Region(colour)
-                | Mark::Hatch(colour)
-                | Mark::HatchedRegion(colour) => {
-                    let corners = [(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))];
-                    let is_hatch = matches!(key.mark, Mark::Hatch(_) | Mark::HatchedRegion(_));
-                    if is_hatch {
-                        self.hatch(&[outline(corners)], colour);
-                    } else {
-                        self.rectangle(corners, Paint::Fill(colour));
-                    }
-                    self.rectangle(corners, edge(Stroke::solid(INK, 0.6)));
-                }
-                Mark::Line(_) => self.mark(key.mark, &[vec![(x, y), (x + steps(26.0), y)]], 1.0),
-                Mark::Arrow(_)
-                | Mark::Head(_)
-                | Mark::Dot(..)
-                | Mark::Ring(..)
-                | Mark::Diamond(..)
-                | Mark::Cross(..)
-                | Mark::Hoop { .. } => self.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0),
+            if key.mark.is_area() {
+                let corners = outline([(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))]);
+                self.mark(key.mark, core::slice::from_ref(&corners), 1.0);
+                self.polygon(&corners, edge(Stroke::solid(INK, 0.6)));
+            } else if let Mark::Line(_) = key.mark {
+                self.mark(key.mark, &[vec![(x, y), (x + steps(26.0), y)]], 1.0);
+            } else {
+                self.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0);
             }
             self.text(&key.text, (x + steps(32.0), y), Anchor::Left, SMALL, INK);
         }
@@ -129,7 +115,7 @@ impl Canvas {
             return;
         }
         let line = Stroke::solid(INK, FINE);
-        self.rectangle(corners, edge(line));
+        self.polygon(&outline(corners), edge(line));
         let (mark, apart) = (steps(TICK), 2.0 * TICK);
         for tick in &x.ticks {
             let at = left + libm::round(wide * x.share(tick.value)) as i32;
@@ -185,27 +171,18 @@ impl Canvas {
             }
             let mut pieces: Vec<Vec<Step>> =
                 layer.series.pieces.iter().map(|piece| piece.iter().map(at).collect()).collect();
-            match layer.mark {
-                Mark::Dot(..) | Mark::Ring(..) | Mark::Diamond(..) | Mark::Cross(..) | Mark::Hoop { .. } => {
-                    pieces.iter_mut().for_each(|piece| piece.retain(is_seen));
-                }
-                Mark::Head(_) => pieces.retain(|piece| piece.first().is_some_and(is_seen)),
-                Mark::Line(_)
-                | Mark::Arrow(_)
-                | Mark::Fill(_)
-                | Mark::Region(_)
-                | Mark::Hatch(_)
-                | Mark::HatchedRegion(_) => {
-                    let first = self.0.len();
-                    self.mark(layer.mark, &pieces, unit);
-                    if let Some(bounds) = bounds {
-                        let drawn = self.0.split_off(first);
-                        self.0.extend(drawn.into_iter().filter_map(|item| clip::item(item, bounds)));
-                    }
-                    continue;
-                }
+            let is_whole = layer.mark.is_area() || matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
+            if let Mark::Head(_) = layer.mark {
+                pieces.retain(|piece| piece.first().is_some_and(is_seen));
+            } else if !is_whole {
+                pieces.iter_mut().for_each(|piece| piece.retain(is_seen));
             }
+            let first = self.0.len();
             self.mark(layer.mark, &pieces, unit);
+            if let Some(bounds) = bounds.filter(|_| is_whole) {
+                let drawn = self.0.split_off(first);
+                self.0.extend(drawn.into_iter().filter_map(|item| clip::item(item, bounds)));
+            }
         }
     }
 

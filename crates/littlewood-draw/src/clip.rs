@@ -21,7 +21,7 @@ pub(crate) fn item(item: Item, bounds: [Step; 2]) -> Option<Item> {
         |line: &Vec<Step>| line.iter().map(|&(x, y)| [f64::from(x), f64::from(y)]).collect::<Vec<_>>();
     let bounds = bounds.map(|(x, y)| [f64::from(x), f64::from(y)]);
     let kept: Vec<Vec<Place>> = match paint {
-        Paint::Edge { .. } => lines.iter().flat_map(|points| line(&places(points), bounds)).collect(),
+        Paint::Edge(_) => lines.iter().flat_map(|points| line(&places(points), bounds)).collect(),
         Paint::Fill(_) => lines.iter().map(|line| polygon(&places(line), bounds)).collect(),
     };
     let step = |[x, y]: Place| (libm::round(x) as i32, libm::round(y) as i32);

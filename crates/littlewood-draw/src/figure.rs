@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use littlewood_style::Rgb;
 use littlewood_style::ticks::Tick;
+use littlewood_style::{Curve, Rgb};
 
 use crate::chart::ROOM;
 use crate::clip;
@@ -223,6 +223,25 @@ pub struct Key {
     pub at: [f64; 2],
 }
 
+impl Mark {
+    /// Whether it fills or hatches what its pieces bound.
+    pub(crate) const fn is_area(self) -> bool {
+        matches!(self, Self::Fill(_) | Self::Region(_) | Self::Hatch(_) | Self::HatchedRegion(_))
+    }
+}
+
+impl From<Stroke> for Mark {
+    fn from(stroke: Stroke) -> Self {
+        Self::Line(stroke)
+    }
+}
+
+impl From<Curve> for Mark {
+    fn from(curve: Curve) -> Self {
+        Self::Line(Stroke::of_curve(curve))
+    }
+}
+
 impl PlotAxis {
     fn has_words(&self) -> bool {
         self.scale != Scale::Nothing || !self.title.is_empty()
@@ -233,6 +252,12 @@ impl PlotAxis {
     pub fn new(column: impl Into<Cow<'static, str>>, title: impl Into<String>, range: [f64; 2]) -> Self {
         let (column, title) = (column.into(), title.into());
         Self { column, title, range, linear: f64::INFINITY, scale: Scale::Round, ticks: Vec::new() }
+    }
+
+    /// An axis of which nothing is seen.
+    #[must_use]
+    pub fn silent(column: &'static str, range: [f64; 2]) -> Self {
+        Self { scale: Scale::Nothing, ..Self::new(column, "", range) }
     }
 }
 
@@ -316,8 +341,8 @@ impl Series {
     }
 
     /// Drawn so.
-    pub const fn drawn(self, mark: Mark) -> Layer {
-        Layer { series: self, mark }
+    pub fn drawn(self, mark: impl Into<Mark>) -> Layer {
+        Layer { series: self, mark: mark.into() }
     }
 }
 

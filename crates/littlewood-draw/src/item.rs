@@ -1,9 +1,10 @@
 //! What is on a sheet: shapes and words, without the language of any file.
 
-use littlewood_style::{Dash, Rgb};
+use littlewood_style::Rgb;
 
 use crate::figure::{Anchor, Image};
 use crate::letters::width;
+use crate::stroke::Stroke;
 
 /// A place in steps.
 pub(crate) type Step = (i32, i32);
@@ -36,11 +37,6 @@ impl Item {
         lines.iter_mut().for_each(Vec::dedup);
         Self::Path { lines, paint }
     }
-
-    /// A rectangle by its left upper and its right lower corner.
-    pub(crate) fn rectangle(corners: [Step; 2], paint: Paint) -> Self {
-        Self::path(&[outline(corners)], paint)
-    }
 }
 
 /// The outline of a rectangle by its left upper and its right lower corner.
@@ -53,8 +49,8 @@ pub(crate) fn outline([(left, top), (right, bottom)]: [Step; 2]) -> Vec<Step> {
 pub(crate) enum Paint {
     /// Its inside.
     Fill(Rgb),
-    /// Its edge, of a width in pixels.
-    Edge { colour: Rgb, width: f64, dash: Dash },
+    /// Its edge.
+    Edge(Stroke),
 }
 
 /// A text, with marks.

@@ -156,18 +156,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_faces_have_the_symbols() {
-        assert_eq!(missing("*θηжτμπωℓ*′ 𝓡 𝓝 ± − × √ ° ≤ ½ *N*_{roll}"), "ж");
-        assert!(width("mm", 10.0) > width("m", 10.0));
-        assert!((width("*μ*_{s}", 20.0) / width("*μ*_{s}", 10.0) - 2.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn digits_are_of_one_width() {
-        assert!(('1'..='9').all(|digit| width(&digit.to_string(), 1.0) == width("0", 1.0)));
-    }
-
-    #[test]
     fn letters_stand_one_after_another() {
         let found = glyphs("*μ*_{s}*N*", 10.0);
         assert_eq!(found.len(), 3);

@@ -62,6 +62,8 @@ pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve, lift_off_cond
 pub use markup::{Run, Script, markdown, plain, runs, unicode};
 pub use pencil::Segment;
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
-pub use sheet::{Content, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet, check_width};
+pub use sheet::{
+    Content, Entries, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet, check_width,
+};
 pub use stroke::*;
 pub use words::{angle, marked, short};

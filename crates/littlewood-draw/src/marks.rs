@@ -131,11 +131,6 @@ impl Canvas {
         }
     }
 
-    /// A rectangle.
-    pub(crate) fn rectangle(&mut self, corners: [Step; 2], paint: Paint) {
-        self.0.push(Item::rectangle(corners, paint));
-    }
-
     /// The colour of the area in which a box lies; the paper, if it is in none or reaches out of it.
     pub(crate) fn below(&self, [left, top, right, bottom]: [f64; 4]) -> Rgb {
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
@@ -223,5 +218,5 @@ pub(crate) const HAIR: f64 = 0.6;
 
 /// A line as a shape has it.
 pub(crate) fn edge(stroke: Stroke) -> Paint {
-    Paint::Edge { colour: stroke.colour, width: stroke.width.max(HAIR), dash: stroke.dash }
+    Paint::Edge(stroke.wide(stroke.width.max(HAIR)))
 }

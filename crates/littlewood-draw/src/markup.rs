@@ -163,34 +163,3 @@ pub fn markdown(text: &str) -> String {
     }
     out
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn marks_are_taken_off() {
-        assert_eq!(plain("|*F*| = *μ*_{s}*N*, *θ*′^{2}"), "|F| = μₛN, θ′²");
-        assert_eq!(plain("10^{−7} *I*_{zz}, *W*^{s}"), "10⁻⁷ I_zz, W^s");
-        assert_eq!(markdown("*μ*_{s} = ½"), "*μ*<sub>s</sub> = ½");
-        assert_eq!(plain("{x}"), "{x}");
-        assert_eq!(unicode("*h*, *μ*_{s}*N*, ϱ, *ϱ*, *I*_{z}"), "ℎ, 𝜇ₛ𝑁, ϱ, 𝜚, 𝐼\u{e07a}");
-        assert_eq!(
-            (plain("`E`_{1}"), markdown("`E`_{1}")),
-            ("E₁".to_owned(), "**E**<sub>1</sub>".to_owned())
-        );
-    }
-
-    #[test]
-    fn a_run_knows_how_it_is_set() {
-        let found = runs("*m*_{1}*R*");
-        assert_eq!(
-            found,
-            [
-                Run { text: "m", italic: true, bold: false, script: Script::Line },
-                Run { text: "1", italic: false, bold: false, script: Script::Sub },
-                Run { text: "R", italic: true, bold: false, script: Script::Line },
-            ]
-        );
-    }
-}

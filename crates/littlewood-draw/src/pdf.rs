@@ -12,7 +12,8 @@ use crate::font::Font;
 use crate::item::{Item, Words};
 use crate::letters::glyphs;
 use crate::markup::plain;
-use crate::pencil::{Edge, Path, Pencil, Segment, draw};
+use crate::pencil::{Path, Pencil, Segment, draw};
+use crate::stroke::Stroke;
 
 /// Level of compression.
 const LEVEL: u8 = 8;
@@ -91,7 +92,7 @@ impl Pencil for Page {
         self.0.fill_nonzero();
     }
 
-    fn stroke(&mut self, path: &Path, edge: Edge) {
+    fn stroke(&mut self, path: &Path, edge: Stroke) {
         let [r, g, b] = shares(edge.colour);
         let cap = if edge.dash == Dash::Solid { LineCapStyle::RoundCap } else { LineCapStyle::ButtCap };
         self.0.set_stroke_rgb(r, g, b).set_line_width(edge.width as f32).set_line_cap(cap);

@@ -1,11 +1,11 @@
 //! A sheet as paths: what PDF and pictures have in common.
 
-use littlewood_style::{Dash, Rgb};
+use littlewood_style::Rgb;
 
 use crate::figure::Image;
 use crate::item::{Item, Paint, STEPS, Step, Words};
 use crate::letters::outlines;
-use crate::stroke::PAPER;
+use crate::stroke::{PAPER, Stroke};
 
 /// A piece of a path, in pixels, downwards positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub(crate) trait Pencil {
     /// Fills a path.
     fn fill(&mut self, path: &Path, colour: Rgb);
     /// Draws along a path.
-    fn stroke(&mut self, path: &Path, edge: Edge);
+    fn stroke(&mut self, path: &Path, edge: Stroke);
     /// Draws pixels in a rectangle by its left upper and its right lower corner.
     fn image(&mut self, corners: [[f64; 2]; 2], image: &Image);
     /// Draws a text: the outlines of its letters, unless there is a better way.
@@ -52,21 +52,6 @@ pub(crate) trait Pencil {
         Self: Sized,
     {
         written(words, self);
-    }
-}
-
-/// A line.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Edge {
-    pub(crate) colour: Rgb,
-    pub(crate) width: f64,
-    pub(crate) dash: Dash,
-}
-
-impl Edge {
-    /// Lengths of dashes and gaps in pixels; empty for a solid line.
-    pub(crate) fn pattern(&self) -> impl Iterator<Item = f64> {
-        self.dash.pattern().iter().map(|part| part * self.width)
     }
 }
 
@@ -97,7 +82,7 @@ pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl 
 fn painted(path: &Path, paint: Paint, pencil: &mut impl Pencil) {
     match paint {
         Paint::Fill(colour) => pencil.fill(path, colour),
-        Paint::Edge { colour, width, dash } => pencil.stroke(path, Edge { colour, width, dash }),
+        Paint::Edge(edge) => pencil.stroke(path, edge),
     }
 }
 
@@ -106,15 +91,10 @@ fn pixels((x, y): Step) -> [f64; 2] {
 }
 
 fn polygon(points: &[Step], paint: Paint) -> Vec<Segment> {
-    let mut path: Vec<Segment> = points
-        .iter()
-        .enumerate()
-        .map(|(i, point)| if i == 0 { Segment::Move(pixels(*point)) } else { Segment::Line(pixels(*point)) })
-        .collect();
-    if !matches!(paint, Paint::Edge { .. }) {
-        path.push(Segment::Close);
-    }
-    path
+    let begin = points.first().map(|point| Segment::Move(pixels(*point)));
+    let rest = points.iter().skip(1).map(|point| Segment::Line(pixels(*point)));
+    let end = matches!(paint, Paint::Fill(_)).then_some(Segment::Close);
+    begin.into_iter().chain(rest).chain(end).collect()
 }
 
 fn rectangle([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Vec<Segment> {
@@ -132,18 +112,13 @@ fn circle([x, y]: [f64; 2], radius: f64) -> Vec<Segment> {
     // Puts the middle of each curve on the circle.
     const HANDLE: f64 = 0.552_284_749_830_793_4;
     let at = |a: f64, b: f64| [x + radius * a, y + radius * b];
-    let mut path = vec![Segment::Move(at(1.0, 0.0))];
-    for [a, b] in [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]] {
+    let quarter = |[a, b]: [f64; 2]| {
         // The direction in which the circle goes on, a quarter of a turn further.
         let [c, d] = [-b, a];
-        path.push(Segment::Curve(
-            at(a + HANDLE * c, b + HANDLE * d),
-            at(c + HANDLE * a, d + HANDLE * b),
-            at(c, d),
-        ));
-    }
-    path.push(Segment::Close);
-    path
+        Segment::Curve(at(a + HANDLE * c, b + HANDLE * d), at(c + HANDLE * a, d + HANDLE * b), at(c, d))
+    };
+    let quarters = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]].map(quarter);
+    [&[Segment::Move(at(1.0, 0.0))], &quarters[..], &[Segment::Close]].concat()
 }
 
 /// A text by the outlines of its letters.
@@ -159,6 +134,6 @@ fn written(words: &Words, pencil: &mut impl Pencil) {
     let path: Vec<Segment> = letters.iter().flat_map(|(path, _)| path).copied().collect();
     pencil.fill(&path, words.colour);
     for (path, width) in letters.iter().filter(|(_, bold)| *bold > 0.0) {
-        pencil.stroke(path, Edge { colour: words.colour, width: *width, dash: Dash::Solid });
+        pencil.stroke(path, Stroke::solid(words.colour, *width));
     }
 }

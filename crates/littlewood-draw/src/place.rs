@@ -5,6 +5,7 @@ use crate::item::{ASCENT, DESCENT, Item, STEPS};
 use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE};
 use crate::space::Space;
+use crate::stroke::Stroke;
 
 /// Left, top, right and bottom in pixels.
 pub(crate) type Frame = [f64; 4];
@@ -33,20 +34,16 @@ impl Drawn {
         let [columns, rows] = sheet.map(|side| libm::ceil(side / CELL) as usize + 1);
         let mut drawn = Self { columns, cells: vec![0.0; columns * rows] };
         for layer in &panel.layers {
-            let stroke = match layer.mark {
-                Mark::Line(stroke) | Mark::Arrow(stroke) => Some(stroke.colour),
-                Mark::Head(colour)
-                | Mark::Dot(colour, _)
-                | Mark::Ring(colour, _)
-                | Mark::Diamond(colour, _)
-                | Mark::Cross(colour, _) => Some(colour),
-                Mark::Fill(_)
-                | Mark::Region(_)
-                | Mark::Hatch(_)
-                | Mark::HatchedRegion(_)
-                | Mark::Hoop { .. } => None,
+            let (Mark::Line(Stroke { colour, .. })
+            | Mark::Arrow(Stroke { colour, .. })
+            | Mark::Head(colour)
+            | Mark::Dot(colour, _)
+            | Mark::Ring(colour, _)
+            | Mark::Diamond(colour, _)
+            | Mark::Cross(colour, _)) = layer.mark
+            else {
+                continue;
             };
-            let Some(colour) = stroke else { continue };
             let dark = (1.0 - colour.lightness() / 100.0) as f32;
             let names = panel.axes().into_iter().map(|axis| layer.series.column(&axis.column));
             let Some(columns) = names.collect::<Option<Vec<usize>>>() else { continue };
@@ -84,13 +81,10 @@ impl Drawn {
     fn below(&self, [left, top, right, bottom]: Frame) -> f64 {
         let [left, top, right, bottom] =
             [left, top, right, bottom].map(|side| (side / CELL).max(0.0) as usize);
-        let rows = top..=bottom;
-        let cells = rows.flat_map(|row| (left..=right).map(move |column| (row, column)));
-        let cells = cells.filter(|(_, column)| *column < self.columns);
-        cells
-            .filter_map(|(row, column)| self.cells.get(row * self.columns + column))
-            .map(|dark| f64::from(*dark))
-            .sum()
+        let columns = left..=right.min(self.columns - 1);
+        let cells = (top..=bottom).flat_map(|row| columns.clone().map(move |column| (row, column)));
+        let cells = cells.filter_map(|(row, column)| self.cells.get(row * self.columns + column));
+        cells.map(|dark| f64::from(*dark)).sum()
     }
 }
 
@@ -139,10 +133,8 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
     }
     let all = [0.0, 0.0, sheet[0], sheet[1]];
     let [[left, top], [right, bottom]] = panel.axes_frame();
-    let (has_axes, room) = match panel.view {
-        View::Plane { axes: true, .. } => (true, [left, top, right, bottom]),
-        View::Plane { axes: false, .. } | View::Space { .. } => (false, all),
-    };
+    let has_axes = matches!(panel.view, View::Plane { axes: true, .. });
+    let room = if has_axes { [left, top, right, bottom] } else { all };
     let space = match &panel.view {
         View::Plane { .. } => None,
         View::Space { x, y, z, yaw, pitch } => Some(Space::new(panel.frame, [x, y, z], [*yaw, *pitch])),
@@ -167,8 +159,7 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
     }
     for label in &panel.labels {
         let Some(here) = at(&label.at) else { continue };
-        let is_seen = !has_axes || is_within([here[0], here[1], here[0], here[1]], grown(room, 1.0));
-        if !is_seen {
+        if has_axes && !is_within([here[0], here[1], here[0], here[1]], grown(room, 1.0)) {
             continue;
         }
         let room = if label.is_fixed { all } else { room };
@@ -206,49 +197,4 @@ fn inwards(label: Label, here: [f64; 2], room: Frame) -> Label {
     let [left, right] = [room[0] + EDGE, room[2] - EDGE];
     let by = (left - own[0]).max(0.0) - (own[2] - right).max(0.0);
     Label { shift: [label.shift[0] + by, label.shift[1]], ..label }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::{Content, INK, Label, Mark, PlotAxis, Series, Sheet, Stroke};
-
-    fn placed(labels: Vec<Label>) -> (crate::Figure, usize) {
-        let count = labels.len();
-        let line = Series::of_rows("line", &["x", "y"], vec![vec![0.0, 0.5], vec![1.0, 0.5]]);
-        let axis = |column| PlotAxis::new(column, "", [0.0, 1.0]);
-        let layers = vec![line.drawn(Mark::Line(Stroke::solid(INK, 1.0)))];
-        let content = Content { name: "plane", x: axis("x"), y: axis("y"), layers, labels };
-        let sheet = Sheet::new(Some(84.0), 620.0).expect("a width");
-        (sheet.plot("labels", "Labels", "A caption.".to_owned(), 430.0, content, Vec::new()).fitted(), count)
-    }
-
-    #[test]
-    fn a_label_leaves_a_curve_and_stays_in_the_axes() {
-        let (figure, _) =
-            placed(vec![Label::new("on the line", &[0.5, 0.5]), Label::new("at the end", &[1.0, 1.0])]);
-        let panel = &figure.panels[0];
-        let [[left, top], [right, bottom]] = panel.axes_frame();
-        let line = panel.place([0.5, 0.5]).expect("a plane")[1];
-        for (text, [l, t, r, b]) in figure.texts().iter().filter(|(text, _)| text.contains(" the ")) {
-            assert!(*l >= left && *r <= right && *t >= top && *b <= bottom, "{text}");
-            assert!(*b < line || *t > line, "{text}");
-        }
-    }
-
-    #[test]
-    fn what_has_no_room_is_named_in_the_caption() {
-        let names = (0..200).map(|i| Label::new(format!("transition {i}"), &[0.5, 0.5]));
-        let (figure, count) = placed(names.collect());
-        let drawn = figure.panels[0].labels.len();
-        let named = figure.caption.matches("transition ").count();
-        assert!(drawn > 1 && named > 0 && drawn + named == count, "{drawn} and {named} of {count}");
-        let seen = figure.texts().iter().filter(|(text, _)| text.starts_with("transition")).count();
-        assert_eq!(seen, drawn);
-    }
-
-    #[test]
-    fn a_label_of_what_is_out_of_sight_is_no_label() {
-        let (figure, _) = placed(vec![Label::new("far off", &[2.0, 0.5])]);
-        assert!(figure.panels[0].labels.is_empty() && !figure.caption.contains("far off"));
-    }
 }

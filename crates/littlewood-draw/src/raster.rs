@@ -8,8 +8,8 @@ use tiny_skia::{
 
 use crate::error::DrawError;
 use crate::figure::{Figure, Image};
-use crate::pencil::{Edge, Path, Pencil, Segment, draw};
-use crate::stroke::PAPER;
+use crate::pencil::{Path, Pencil, Segment, draw};
+use crate::stroke::{self, PAPER};
 
 /// Least number of pixels of a picture to one of the drawing.
 pub const LEAST_SCALE: f64 = 0.25;
@@ -80,7 +80,7 @@ impl Pencil for Picture {
         }
     }
 
-    fn stroke(&mut self, path: &Path, edge: Edge) {
+    fn stroke(&mut self, path: &Path, edge: stroke::Stroke) {
         let line_cap = if edge.dash == Dash::Solid { LineCap::Round } else { LineCap::Butt };
         let dash = StrokeDash::new(edge.pattern().map(|part| part as f32).collect(), 0.0);
         let stroke = Stroke {
@@ -119,8 +119,8 @@ impl Figure {
         let scale = scale * self.points() / POINTS;
         let size = [self.width, self.height].map(|side| libm::ceil(side * scale) as u32);
         let pixels = self.pixels(size, scale)?;
-        let metres = self.print_mm.map(|mm| mm / 1000.0);
-        Ok(pixels.file(metres.map(|metres| libm::round(scale * self.width / metres) as u32)))
+        let to_a_metre = self.print_mm.map(|mm| libm::round(scale * self.width / (mm / 1000.0)) as u32);
+        Ok(pixels.file(to_a_metre).unwrap_or_default())
     }
 
     /// The figure in so many pixels to the right and downwards, so many to one of the drawing.
@@ -136,45 +136,35 @@ impl Figure {
         // To the last pixel, which is not always covered whole.
         let sides = [width, height].map(|side| f64::from(side) / scale);
         draw(&self.items(), sides, &mut picture);
-        Ok(opaque(&picture.pixels))
+        // Paper covers all, so that there is nothing to see through.
+        let colours =
+            picture.pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
+        Ok(Image { size: [width, height].map(|side| side as usize), pixels: colours.collect() })
     }
 }
 
 impl Image {
     /// As a PNG file.
     pub fn png(&self) -> Vec<u8> {
-        self.file(None)
+        // Nothing that a file in memory could fail of: an image without pixels is an empty file.
+        self.file(None).unwrap_or_default()
     }
 
     /// The same, with its pixels to a metre if its width in print is known.
-    fn file(&self, to_a_metre: Option<u32>) -> Vec<u8> {
-        // Nothing that a file in memory could fail of: an image without pixels is an empty file.
-        encoded(self, to_a_metre).unwrap_or_default()
+    fn file(&self, to_a_metre: Option<u32>) -> Result<Vec<u8>, png::EncodingError> {
+        let mut bytes = Vec::new();
+        let [width, height] = self.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let dimensions = |count| png::PixelDimensions { xppu: count, yppu: count, unit: png::Unit::Meter };
+        encoder.set_pixel_dims(to_a_metre.map(dimensions));
+        encoder.set_compression(png::Compression::Balanced);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(&self.pixels)?;
+        writer.finish()?;
+        Ok(bytes)
     }
-}
-
-fn encoded(image: &Image, to_a_metre: Option<u32>) -> Result<Vec<u8>, png::EncodingError> {
-    let mut bytes = Vec::new();
-    let [width, height] = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_pixel_dims(to_a_metre.map(|count| png::PixelDimensions {
-        xppu: count,
-        yppu: count,
-        unit: png::Unit::Meter,
-    }));
-    encoder.set_compression(png::Compression::Balanced);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&image.pixels)?;
-    writer.finish()?;
-    Ok(bytes)
-}
-
-/// The colours of pixels; paper covers all, so that there is nothing to see through.
-fn opaque(pixels: &Pixmap) -> Image {
-    let colours = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
-    Image { size: [pixels.width() as usize, pixels.height() as usize], pixels: colours.collect() }
 }
 
 /// Points to a pixel: 72 and 96 to the inch.

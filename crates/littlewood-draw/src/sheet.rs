@@ -37,6 +37,9 @@ const NARROWEST: f64 = 300.0;
 const FLATTEST: f64 = 0.7;
 const HIGHEST: f64 = 1.15;
 
+/// What marks mean, with marks of text: the lines of a key that have no place yet.
+pub type Entries = Vec<(Mark, String)>;
+
 /// A sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct Sheet {
@@ -103,7 +106,7 @@ impl Sheet {
     }
 
     /// Keys in rows from a height downwards, in columns where it takes more than one row, and the height of all.
-    pub fn keys(&self, entries: Vec<(Mark, String)>, top: f64) -> (Vec<Key>, f64) {
+    pub fn keys(&self, entries: Entries, top: f64) -> (Vec<Key>, f64) {
         let widths: Vec<f64> = entries.iter().map(|(_, text)| SAMPLE + width(text, SMALL) + GAP).collect();
         let room = self.width - 10.0 + GAP;
         let all: f64 = widths.iter().sum();
@@ -141,16 +144,18 @@ impl Sheet {
 
     /// A panel in a frame, the coordinates of its data turned by an angle against its axes.
     pub fn tilted(frame: [f64; 4], content: Content, tilt: f64) -> Panel {
+        Self::framed(frame, content, true, tilt)
+    }
+
+    /// The same without axes.
+    pub fn bare(frame: [f64; 4], content: Content, tilt: f64) -> Panel {
+        Self::framed(frame, content, false, tilt)
+    }
+
+    fn framed(frame: [f64; 4], content: Content, axes: bool, tilt: f64) -> Panel {
         let Content { name, x, y, layers, labels } = content;
-        Panel {
-            name,
-            frame,
-            view: View::Plane { x, y, axes: true, tilt },
-            layers,
-            labels,
-            image: None,
-            keys: Vec::new(),
-        }
+        let view = View::Plane { x, y, axes, tilt };
+        Panel { name, frame, view, layers, labels, image: None, keys: Vec::new() }
     }
 
     /// A figure of one panel, so high on a screen, with its keys above it.
@@ -161,7 +166,7 @@ impl Sheet {
         caption: String,
         own_height: f64,
         content: Content,
-        entries: Vec<(Mark, String)>,
+        entries: Entries,
     ) -> Figure {
         let (keys, room) = self.keys(entries, 6.0);
         let [left, inner] = self.span();
@@ -179,7 +184,7 @@ impl Sheet {
         caption: String,
         own_height: f64,
         contents: [Content; 2],
-        entries: Vec<(Mark, String)>,
+        entries: Entries,
     ) -> Figure {
         let (keys, room) = self.keys(entries, 6.0);
         let (top, height) = (ABOVE + room, self.height(own_height));

@@ -71,6 +71,11 @@ impl Stroke {
         Self { dash, ..self }
     }
 
+    /// Lengths of dashes and gaps in pixels; empty for a solid line.
+    pub(crate) fn pattern(&self) -> impl Iterator<Item = f64> {
+        self.dash.pattern().iter().map(|part| part * self.width)
+    }
+
     /// The same of another width.
     #[must_use]
     pub const fn wide(self, width: f64) -> Self {

@@ -54,32 +54,23 @@ impl Sheet {
     fn add(&mut self, item: &Item) {
         match item {
             Item::Path { lines, paint } => {
-                let close = if matches!(paint, Paint::Edge { .. }) { "" } else { "z" };
+                let close = if matches!(paint, Paint::Edge(_)) { "" } else { "z" };
                 let lines: Vec<String> = lines.iter().map(|line| data(line) + close).collect();
                 let paint = Self::paint(*paint);
                 let _ = writeln!(self.body, "<path d=\"{}\" {paint}/>", lines.concat());
             }
             Item::Image { corners: [(left, top), (right, bottom)], image } => {
+                let [x, y, wide, high] = [*left, *top, right - left, bottom - top].map(number);
                 let _ = writeln!(
                     self.body,
-                    "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+                    "<image x=\"{x}\" y=\"{y}\" width=\"{wide}\" height=\"{high}\" preserveAspectRatio=\"none\" \
                      xlink:href=\"data:image/png;base64,{}\"/>",
-                    number(*left),
-                    number(*top),
-                    number(right - left),
-                    number(bottom - top),
                     STANDARD.encode(image.png())
                 );
             }
             Item::Circle { centre: (x, y), radius, paint } => {
-                let paint = Self::paint(*paint);
-                let _ = writeln!(
-                    self.body,
-                    "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {paint}/>",
-                    number(*x),
-                    number(*y),
-                    number(*radius)
-                );
+                let ([x, y, radius], paint) = ([*x, *y, *radius].map(number), Self::paint(*paint));
+                let _ = writeln!(self.body, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {paint}/>");
             }
             Item::Words(words) => self.outlined(words),
         }
@@ -88,20 +79,17 @@ impl Sheet {
     fn paint(paint: Paint) -> String {
         match paint {
             Paint::Fill(colour) => format!("fill=\"{}\"", colour.hex()),
-            Paint::Edge { colour, width, dash } => {
-                let mut out = format!(
-                    "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                    colour.hex(),
-                    decimal(width)
-                );
-                if dash == Dash::Solid {
-                    out += " stroke-linecap=\"round\"";
+            Paint::Edge(edge) => {
+                let (colour, width) = (edge.colour.hex(), decimal(edge.width));
+                let ends = if edge.dash == Dash::Solid {
+                    "stroke-linecap=\"round\"".to_owned()
                 } else {
-                    let pattern: Vec<String> =
-                        dash.pattern().iter().map(|part| decimal(part * width)).collect();
-                    let _ = write!(out, " stroke-dasharray=\"{}\"", pattern.join(" "));
-                }
-                out
+                    let pattern: Vec<String> = edge.pattern().map(decimal).collect();
+                    format!("stroke-dasharray=\"{}\"", pattern.join(" "))
+                };
+                format!(
+                    "fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\" {ends}"
+                )
             }
         }
     }
@@ -117,25 +105,18 @@ impl Sheet {
                 "<rect x=\"{x}\" y=\"{y}\" width=\"{wide}\" height=\"{high}\" fill=\"{colour}\"/>"
             );
         }
-        let [x, y] = words.at;
+        let ([x, y], colour) = (words.at.map(decimal), words.colour.hex());
         let turn = if words.upwards { " rotate(-90)" } else { "" };
         let _ = writeln!(
             self.body,
-            "<g aria-label=\"{}\" transform=\"translate({} {}){turn}\" fill=\"{}\">",
+            "<g aria-label=\"{}\" transform=\"translate({x} {y}){turn}\" fill=\"{colour}\">",
             escape(&plain(&words.text)),
-            decimal(x),
-            decimal(y),
-            words.colour.hex()
         );
         let back = words.back();
-        let glyphs = glyphs(&words.text, words.size);
-        for glyph in &glyphs {
-            let bold = format!(
-                " stroke=\"{}\" stroke-width=\"{}\"",
-                words.colour.hex(),
-                decimal(glyph.bold / glyph.unit)
-            );
-            self.glyph(glyph, back, if glyph.bold > 0.0 { &bold } else { "" });
+        for glyph in glyphs(&words.text, words.size) {
+            let width = decimal(glyph.bold / glyph.unit);
+            let bold = format!(" stroke=\"{colour}\" stroke-width=\"{width}\"");
+            self.glyph(&glyph, back, if glyph.bold > 0.0 { &bold } else { "" });
         }
         self.body += "</g>\n";
     }
@@ -146,14 +127,12 @@ impl Sheet {
             return;
         }
         self.outlines.insert(id, glyph.letter.path);
-        let [x, y] = glyph.at;
+        let [x, y] = [glyph.at[0] - back, glyph.at[1]].map(decimal);
         let unit = format!("{:.5}", glyph.unit);
         let unit = unit.trim_end_matches('0');
         let _ = writeln!(
             self.body,
-            "<use xlink:href=\"#{id}\" transform=\"matrix({unit} 0 0 -{unit} {} {})\"{attributes}/>",
-            decimal(x - back),
-            decimal(y)
+            "<use xlink:href=\"#{id}\" transform=\"matrix({unit} 0 0 -{unit} {x} {y})\"{attributes}/>"
         );
     }
 }
