@@ -8,11 +8,9 @@ use std::sync::atomic::Ordering;
 use littlewood::Trajectory;
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity};
-use littlewood_film::{
-    ApngFilm, Encoder, EnergyBar, FfmpegFilm, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Video, With,
-};
+use littlewood_film::{Encoder, FfmpegFilm, Film, FilmError, FrameSize, GifFilm, Pace, Video};
 
-use crate::args::{AnimateArgs, Bar, Beside, Camera};
+use crate::args::AnimateArgs;
 use crate::error::Error;
 use crate::interrupt;
 use crate::output::Output;
@@ -27,7 +25,6 @@ const SLOW_SI: f64 = 10.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Gif,
-    Apng,
     Video(Video),
 }
 
@@ -51,26 +48,12 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
     let problem = Problem::resolve(Request::new(&problem, Some(&run))?)?;
     let units = problem.units;
     let slow = slow.unwrap_or(if units.is_some() { SLOW_SI } else { SLOW });
-    let framing = match camera {
-        Camera::Auto => Framing::Auto,
-        Camera::Whole => Framing::Whole,
-        Camera::Follow => Framing::Follow,
-    };
     let trajectory = problem.simulate()?;
     let pace = Pace { fps, slow, units, hold_s: hold, slow_impacts };
-    let bar = match energy_bar {
-        Bar::Auto => EnergyBar::Auto,
-        Bar::Always => EnergyBar::Always,
-        Bar::Never => EnergyBar::Never,
-    };
-    let film = Film::new(&trajectory, &pace, size, framing).map_err(Error::Film)?;
+    let film = Film::new(&trajectory, &pace, size, camera).map_err(Error::Film)?;
     let film = match with {
-        None => film.with_energy_bar(bar),
-        Some(pane) => film.with_pane(match pane {
-            Beside::Plane => With::Plane,
-            Beside::Friction => With::Friction,
-            Beside::Energy => With::Energy,
-        }),
+        None => film.with_energy_bar(energy_bar),
+        Some(pane) => film.with_pane(pane),
     };
     let output = Output::open(Some(&out))?;
     let made = match kind {
@@ -78,11 +61,6 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
             let mut encoder = GifFilm::new(writer, &film)?;
             play(&film, &mut encoder)?;
             encoder.finish().map(drop)
-        }),
-        Kind::Apng => write(output, |writer| {
-            let mut encoder = ApngFilm::new(writer, &film)?;
-            play(&film, &mut encoder)?;
-            encoder.finish()
         }),
         Kind::Video(video) => write_with_ffmpeg(output, &film, video),
     };
@@ -93,13 +71,12 @@ fn kind_of(out: &Path) -> Result<Kind, Error> {
     let ending = out.extension().and_then(OsStr::to_str).map(str::to_lowercase);
     match ending.as_deref() {
         Some("gif") => Ok(Kind::Gif),
-        Some("png" | "apng") => Ok(Kind::Apng),
         Some("mp4") => Ok(Kind::Video(Video::Mp4)),
         Some("webm") => Ok(Kind::Video(Video::WebM)),
         _ => Err(Error::Out {
             path: out.to_owned(),
             reason: "its ending does not say what the film is to be".to_owned(),
-            hint: "the endings are .gif, .png or .apng, .mp4, and .webm".to_owned(),
+            hint: "the endings are .gif, .mp4 and .webm".to_owned(),
         }),
     }
 }
@@ -107,10 +84,10 @@ fn kind_of(out: &Path) -> Result<Kind, Error> {
 /// Says up to when a motion without end is shown.
 fn say_what_is_shown(film: &Film<'_>, trajectory: &Trajectory, units: Option<&Units>) -> Result<(), Error> {
     let schedule = film.schedule();
-    let Some(part) = schedule.part().label() else { return Ok(()) };
+    let Some(part) = schedule.part.label() else { return Ok(()) };
     let until = match units {
-        Some(units) => format!("t = {:.4} s", units.to_si(Dimension::Time, schedule.end())),
-        None => format!("{} = {:.4}", Quantity::Until.sign(), schedule.end()),
+        Some(units) => format!("t = {:.4} s", units.to_si(Dimension::Time, schedule.end)),
+        None => format!("{} = {:.4}", Quantity::Until.sign(), schedule.end),
     };
     let outcome = trajectory.outcome().kind().label();
     Output::Stdout.write(|writer| {
@@ -121,7 +98,7 @@ fn say_what_is_shown(film: &Film<'_>, trajectory: &Trajectory, units: Option<&Un
 /// Draws the film until it is finished or Ctrl-C comes.
 fn play(film: &Film<'_>, encoder: &mut impl Encoder) -> Result<(), FilmError> {
     let stop = interrupt::asked();
-    let (bar, total) = (Progress::new(), film.schedule().frames());
+    let (bar, total) = (Progress::new(), film.schedule().frames);
     film.play(encoder, |done| {
         bar.show("frames", Count { done, total });
         !stop.load(Ordering::Relaxed)

@@ -48,17 +48,13 @@ fn the_three_films_of_the_paper_are_made_by_name_and_are_the_same_every_time() {
 #[test]
 fn the_ending_says_what_the_film_is() {
     let folder = TempDir::new().unwrap();
-    for (name, magic) in [("a.GIF", &b"GIF89a"[..]), ("b.png", b"\x89PNG"), ("c.apng", b"\x89PNG")] {
-        let out = path(&folder, name);
-        animate(&["figure-3", "--until", "1"], &out);
-        assert!(fs::read(&out).unwrap().starts_with(magic), "{name}");
-    }
-    let png = fs::read(path(&folder, "b.png")).unwrap();
-    assert!(png.windows(4).any(|name| name == b"acTL"));
-    for name in ["film", "film.avi"] {
+    let out = path(&folder, "a.GIF");
+    animate(&["figure-3", "--until", "1"], &out);
+    assert!(fs::read(&out).unwrap().starts_with(b"GIF89a"));
+    for name in ["film", "film.avi", "film.png", "film.APNG"] {
         let out = path(&folder, name);
         let message = complaint(&["animate", "figure-3", "--out", &out], 2);
-        assert!(message.contains("hint: the endings are .gif, .png or .apng, .mp4, and .webm"), "{message}");
+        assert!(message.contains("hint: the endings are .gif, .mp4 and .webm"), "{message}");
     }
 }
 

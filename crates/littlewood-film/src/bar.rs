@@ -20,24 +20,19 @@ const LOST: f64 = 0.55;
 
 /// What is lost is pale, so that it is told from what is left in grey, too.
 fn of_energy(part: EnergyPart) -> Rgb {
-    let colour = colour::of_energy(part);
-    match part {
-        EnergyPart::Kinetic | EnergyPart::Potential => colour,
-        EnergyPart::Friction | EnergyPart::Impacts => colour.over(PAPER, LOST),
-    }
+    let is_lost = matches!(part, EnergyPart::Friction | EnergyPart::Impacts);
+    colour::of_energy(part).over(PAPER, if is_lost { LOST } else { 1.0 })
 }
 
-/// The column: its left end, its upper and its lower edge in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Column {
-    pub(crate) left: f64,
-    pub(crate) top: f64,
-    pub(crate) bottom: f64,
-}
-
-/// The bar as high as `most` has room; what is lost hangs from the top of what was there at the start.
-pub(crate) fn draw_bar(canvas: &mut Canvas, column: Column, parts: &EnergyParts, most: f64, unit: f64) {
-    let Column { left, top, bottom } = column;
+/// The bar as high as `most` has room, in a column by its left end, its upper and its lower edge in pixels; what is lost hangs
+/// from the top of what was there at the start.
+pub(crate) fn draw_bar(
+    canvas: &mut Canvas,
+    [left, top, bottom]: [f64; 3],
+    parts: &EnergyParts,
+    most: f64,
+    unit: f64,
+) {
     canvas.rectangle((left, top), COLUMN * unit, bottom - top, PAPER);
     let left = left + BESIDE * unit;
     let (top, bottom) = (top + ABOVE * unit, bottom - BELOW * unit);

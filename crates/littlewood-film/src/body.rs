@@ -2,9 +2,9 @@
 
 use core::f64::consts::PI;
 
-use littlewood::Hoop;
 use littlewood::modes::Position;
 use littlewood::tables::SampleColumn;
+use littlewood::{Hoop, Sample};
 use littlewood_draw::marked;
 
 use crate::camera::View;
@@ -13,7 +13,7 @@ use crate::colour::{FRICTION_FORCE, IMPULSE, INK, LINE, NORMAL_FORCE, PAPER, SLI
 use crate::ground::CONTACT;
 use crate::letters::Style;
 use crate::scene::{DrawnArrow, Scene};
-use crate::trail::{Step, Trail};
+use crate::trail::Trail;
 use littlewood_style::Rgb;
 
 /// Width of the rim, in radii. Its outer edge is the circle of radius 1.
@@ -27,9 +27,9 @@ const SHORTEST: f64 = 1e-3;
 
 /// The trail of the centre and, in the colour of the mode, that of the mass centre.
 pub(crate) fn draw_trail(canvas: &mut Canvas, view: &View, trail: &Trail, scene: &Scene, unit: f64) {
-    let pieces = trail.pieces(Step::of(scene));
-    let place = |points: &[Step], which: fn(&Step) -> Position| -> Vec<Place> {
-        points.iter().map(|step| view.place(which(step))).collect()
+    let pieces = trail.pieces(scene.sample);
+    let place = |points: &[Sample], which: fn(&Sample) -> Position| -> Vec<Place> {
+        points.iter().map(|sample| view.place(which(sample))).collect()
     };
     for (_, steps) in &pieces {
         canvas.line(&place(steps, |step| step.centre), 1.4 * unit, LINE);
@@ -100,11 +100,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     if let Some(slip) = visible(&scene.slip) {
         let (tail, head) = (view.place(slip.tail), view.place(slip.head));
         let [tail, head] = [tail, head].map(|place| view.moved(place, 0.0, lowered));
-        let side = if slip.is_cut {
-            draw_arrow(canvas, tail, head, true, SLIP, unit)
-        } else {
-            Shape::Thin.draw(canvas, tail, head, SLIP, unit)
-        };
+        let side = Shape::Thin.unless_cut(slip).draw(canvas, tail, head, SLIP, unit);
         canvas.label(
             &marked(SampleColumn::Slip.sign()),
             (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit + 11.0 * unit * side.1),
@@ -117,11 +113,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         // From the edge of the point of contact, so that a short arrow is seen beside it.
         let beside = (CONTACT + 1.2) * unit * if friction.value < 0.0 { -1.0 } else { 1.0 };
         let [tail, head] = [tail, head].map(|place| view.moved(place, beside, 0.0));
-        let side = if friction.is_cut {
-            draw_arrow(canvas, tail, head, true, FRICTION_FORCE, unit)
-        } else {
-            Shape::Hollow.draw(canvas, tail, head, FRICTION_FORCE, unit)
-        };
+        let side = Shape::Hollow.unless_cut(friction).draw(canvas, tail, head, FRICTION_FORCE, unit);
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
         canvas.label(
             &marked(SampleColumn::Friction.sign()),
@@ -132,7 +124,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     }
     if let Some(normal) = visible(&scene.normal) {
         let (tail, head) = ends(view, normal);
-        draw_arrow(canvas, tail, head, normal.is_cut, NORMAL_FORCE, unit);
+        Shape::Solid.unless_cut(normal).draw(canvas, tail, head, NORMAL_FORCE, unit);
         // On the side where the particle is not.
         let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
         canvas.label(
@@ -158,9 +150,15 @@ pub(crate) enum Shape {
     Open,
     /// A narrow head on a thin line: the slip velocity.
     Thin,
+    /// Two heads that are filled: what would be longer than can be shown.
+    Cut,
 }
 
 impl Shape {
+    fn unless_cut(self, arrow: &DrawnArrow) -> Self {
+        if arrow.is_cut { Self::Cut } else { self }
+    }
+
     /// Draws an arrow; returns its direction.
     pub(crate) fn draw(
         self,
@@ -170,10 +168,25 @@ impl Shape {
         colour: Rgb,
         unit: f64,
     ) -> (f64, f64) {
-        let Some(((x, y), length)) = direction(tail, head) else { return (0.0, 0.0) };
+        let along = (head.0 - tail.0, head.1 - tail.1);
+        let length = libm::hypot(along.0, along.1);
+        if length == 0.0 {
+            return (0.0, 0.0);
+        }
+        let (x, y) = (along.0 / length, along.1 / length);
         let at = |back: f64, aside: f64| (head.0 - back * x - aside * y, head.1 - back * y + aside * x);
         match self {
-            Self::Solid => return draw_arrow(canvas, tail, head, false, colour, unit),
+            Self::Solid | Self::Cut => {
+                let tip = (9.0 * unit).min(length);
+                let half = 0.42 * tip;
+                canvas.line(&[tail, at(0.8 * tip, 0.0)], (0.3 * tip).max(1.2 * unit), colour);
+                for back in [0.0, 0.75 * tip].into_iter().take(if self == Self::Cut { 2 } else { 1 }) {
+                    let point = at(back, 0.0);
+                    let base = (point.0 - tip * x, point.1 - tip * y);
+                    let side = |half: f64| (base.0 - half * y, base.1 + half * x);
+                    canvas.polygon(&[point, side(half), side(-half)], colour);
+                }
+            }
             Self::Hollow => {
                 let tip = (10.5 * unit).min(length);
                 let half = 0.5 * tip;
@@ -208,7 +221,7 @@ pub(crate) fn draw_impulse(canvas: &mut Canvas, view: &View, scene: &Scene, word
     if length < unit {
         return;
     }
-    draw_arrow(canvas, tail, head, false, IMPULSE, 1.4 * unit);
+    Shape::Solid.draw(canvas, tail, head, IMPULSE, 1.4 * unit);
     // On the side where the particle is not.
     let (side, anchor) = if scene.particle.x > scene.centre.x { (-9.0, 1.0) } else { (9.0, 0.0) };
     let style = Style { size: 11.5 * unit, is_bold: true, anchor };
@@ -229,36 +242,4 @@ fn visible(arrow: &Option<DrawnArrow>) -> Option<&DrawnArrow> {
 
 fn ends(view: &View, arrow: &DrawnArrow) -> (Place, Place) {
     (view.place(arrow.tail), view.place(arrow.head))
-}
-
-/// Direction and length from one place to another; none between places that are the same.
-fn direction(tail: Place, head: Place) -> Option<((f64, f64), f64)> {
-    let along = (head.0 - tail.0, head.1 - tail.1);
-    let length = libm::hypot(along.0, along.1);
-    (length != 0.0).then_some(((along.0 / length, along.1 / length), length))
-}
-
-/// An arrow; returns its direction. One that is cut has two heads.
-pub(crate) fn draw_arrow(
-    canvas: &mut Canvas,
-    tail: Place,
-    head: Place,
-    is_cut: bool,
-    colour: Rgb,
-    unit: f64,
-) -> (f64, f64) {
-    let Some(((x, y), length)) = direction(tail, head) else { return (0.0, 0.0) };
-    let tip = (9.0 * unit).min(length);
-    let half = 0.42 * tip;
-    let shaft = (head.0 - 0.8 * tip * x, head.1 - 0.8 * tip * y);
-    canvas.line(&[tail, shaft], (0.3 * tip).max(1.2 * unit), colour);
-    for back in [0.0, 0.75 * tip].into_iter().take(if is_cut { 2 } else { 1 }) {
-        let point = (head.0 - back * x, head.1 - back * y);
-        let base = (point.0 - tip * x, point.1 - tip * y);
-        canvas.polygon(
-            &[point, (base.0 - half * y, base.1 + half * x), (base.0 + half * y, base.1 - half * x)],
-            colour,
-        );
-    }
-    (x, y)
 }

@@ -8,13 +8,14 @@ use crate::schedule::Schedule;
 
 /// What the picture shows of the path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Framing {
-    /// The whole path if the hoop is large all the same, else as `Follow`.
+    /// The whole path if the hoop is large all the same, else the camera goes with the hoop
     #[default]
     Auto,
-    /// The whole path, however small the hoop is.
+    /// The whole path, however small the hoop is
     Whole,
-    /// The camera follows the mass centre; the whole path is shown in small beside it.
+    /// The camera goes with the mass centre; the whole path is shown in small
     Follow,
 }
 
@@ -107,7 +108,7 @@ impl Camera {
         let tilt = Tilt::of(trajectory.hoop());
         let [mut left, mut right] = [f64::INFINITY, f64::NEG_INFINITY];
         let [mut lowest, mut top, mut rise] = [f64::INFINITY, f64::NEG_INFINITY, 2.0_f64];
-        for sample in trajectory.sample_evenly(EXAMINED, schedule.end()) {
+        for sample in trajectory.sample_evenly(EXAMINED, schedule.end) {
             let [from, to, low, high] = Scene::of(sample, scale).extent(tilt);
             (left, right) = (left.min(from), right.max(to));
             (lowest, top) = (lowest.min(low), top.max(high));

@@ -28,8 +28,7 @@ impl Canvas {
         let mut pixels =
             Pixmap::new(size.width(), size.height()).ok_or(FilmError::from(SizeError { size }))?;
         let Rgb([red, green, blue]) = PAPER;
-        let white = PremultipliedColorU8::from_rgba(red, green, blue, 255);
-        if let Some(white) = white {
+        if let Some(white) = PremultipliedColorU8::from_rgba(red, green, blue, 255) {
             pixels.pixels_mut().fill(white);
         }
         Ok(Self { pixels })
@@ -40,23 +39,20 @@ impl Canvas {
         self.pixels.data_mut().copy_from_slice(other);
     }
 
-    /// Takes over what another picture of the same size has to the right of a column, from a row on.
-    pub(crate) fn restore(&mut self, other: &[u8], [column, row]: [usize; 2]) {
-        let [width, height] = [self.pixels.width(), self.pixels.height()].map(|side| side as usize);
-        self.restore_rows(other, [column.min(width), row.min(height), width, height]);
-    }
-
-    /// Takes over what another picture of the same size has in a box: left, top, width, height.
-    pub(crate) fn restore_box(&mut self, other: &[u8], [left, top, width, height]: [f64; 4]) {
-        let [right, bottom] = [self.pixels.width(), self.pixels.height()].map(f64::from);
-        let within = |value: f64, most: f64| libm::round(value.clamp(0.0, most)) as usize;
-        let bounds = [
-            within(left, right),
-            within(top, bottom),
-            within(left + width, right),
-            within(top + height, bottom),
-        ];
-        self.restore_rows(other, bounds);
+    /// Takes over what another picture of the same size has in a box, as far as there is such: left, top, width, height.
+    pub(crate) fn restore(&mut self, other: &[u8], [left, top, width, height]: [f64; 4]) {
+        let sides = [self.pixels.width(), self.pixels.height()];
+        let [columns, rows] = [[left, left + width], [top, top + height]];
+        let within = |ends: [f64; 2], side: u32| {
+            ends.map(|value| libm::round(value.clamp(0.0, f64::from(side))) as usize)
+        };
+        let ([left, right], [top, bottom]) = (within(columns, sides[0]), within(rows, sides[1]));
+        let stride = 4 * sides[0] as usize;
+        let data = self.pixels.data_mut();
+        for row in top..bottom {
+            let range = row * stride + 4 * left..row * stride + 4 * right;
+            data[range.clone()].copy_from_slice(&other[range]);
+        }
     }
 
     /// Draws an image with its left upper corner at a place, its columns up to one.
@@ -71,15 +67,6 @@ impl Canvas {
                     *to = colour;
                 }
             }
-        }
-    }
-
-    fn restore_rows(&mut self, other: &[u8], [left, top, right, bottom]: [usize; 4]) {
-        let stride = 4 * self.pixels.width() as usize;
-        let data = self.pixels.data_mut();
-        for row in top..bottom {
-            let range = row * stride + 4 * left..row * stride + 4 * right;
-            data[range.clone()].copy_from_slice(&other[range]);
         }
     }
 

@@ -1,27 +1,13 @@
-//! Colours of the films: those of [`littlewood_style`] on white paper.
+//! Colours of the films: those of the figures.
 
 use littlewood::Mode;
-use littlewood_style::{Arrow, EnergyPart, Ink, Rgb, Theme};
+use littlewood_draw::{REGION, THEME};
+use littlewood_style::{Arrow, EnergyPart, Ink, Rgb};
 
-/// What films are drawn on.
-pub(crate) const THEME: Theme = Theme::Light;
+pub(crate) use littlewood_draw::{FRICTION_FORCE, GRID as LINE, IMPULSE, INK, NORMAL_FORCE, PAPER, SOFT};
 
-pub(crate) const PAPER: Rgb = Ink::Paper.colour(THEME);
-pub(crate) const INK: Rgb = Ink::Ink.colour(THEME);
-pub(crate) const SOFT: Rgb = Ink::Soft.colour(THEME);
-pub(crate) const LINE: Rgb = Ink::Line.colour(THEME);
 pub(crate) const GROUND: Rgb = Ink::Ground.colour(THEME);
-
-pub(crate) const NORMAL_FORCE: Rgb = Arrow::NormalForce.colour(THEME);
-pub(crate) const FRICTION_FORCE: Rgb = Arrow::FrictionForce.colour(THEME);
 pub(crate) const SLIP: Rgb = Arrow::Slip.colour(THEME);
-
-pub(crate) const IMPULSE: Rgb = Arrow::Impulse.colour(THEME);
-
-/// Colour of the region where the hoop can roll.
-pub(crate) const fn of_region() -> Rgb {
-    Ink::Region.colour(THEME)
-}
 
 /// Colour of a part of the energy.
 pub(crate) const fn of_energy(part: EnergyPart) -> Rgb {
@@ -42,7 +28,7 @@ pub(crate) fn on_mode(mode: Mode) -> Rgb {
 /// are mixtures at edges.
 pub(crate) fn all(with_energies: bool) -> Vec<Rgb> {
     let energies = EnergyPart::ALL.map(of_energy).into_iter().chain([IMPULSE]).filter(|_| with_energies);
-    [PAPER, INK, SOFT, LINE, GROUND, of_region(), NORMAL_FORCE, FRICTION_FORCE, SLIP]
+    [PAPER, INK, SOFT, LINE, GROUND, REGION, NORMAL_FORCE, FRICTION_FORCE, SLIP]
         .into_iter()
         .chain(Mode::ALL.map(of_mode))
         .chain(energies)

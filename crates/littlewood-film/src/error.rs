@@ -10,6 +10,7 @@ use crate::size::{FrameSize, SizeError};
 
 /// A film that cannot be made, or not be written.
 #[derive(Debug, Error)]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum FilmError {
     /// A side that is too short to read, or too long.
     #[error(transparent)]
@@ -19,89 +20,40 @@ pub enum FilmError {
     Pane(#[from] DrawError),
     /// H.264 halves the resolution of colour.
     #[error("size = {size} px: both sides of an MP4 must be even")]
-    OddSize {
-        /// The size that was asked for.
-        size: FrameSize,
-    },
+    OddSize { size: FrameSize },
     /// A rate of frames outside the bounds.
     #[error("fps = {fps} must be between 1 and {most} frames per second in {format}")]
-    FrameRate {
-        /// The rate that was asked for.
-        fps: u32,
-        /// The greatest.
-        most: u32,
-        /// The format that sets the bound.
-        format: &'static str,
-    },
+    FrameRate { fps: u32, most: u32, format: &'static str },
     /// A slowness that is no duration.
     #[error("slow = {slow} must be a finite number greater than 0")]
-    Slow {
-        /// The value that was given.
-        slow: f64,
-    },
+    Slow { slow: f64 },
     /// A factor that does not slow down.
     #[error("slow_impacts = {factor} must be a finite number of at least 1")]
-    SlowImpacts {
-        /// The value that was given.
-        factor: f64,
-    },
+    SlowImpacts { factor: f64 },
     /// A last picture that is shown for no possible time.
     #[error("hold = {hold_s} s must be between 0 and {most_s} s")]
-    Hold {
-        /// The value that was given.
-        hold_s: f64,
-        /// The greatest.
-        most_s: f64,
-    },
+    Hold { hold_s: f64, most_s: f64 },
     /// No motion begins at the start.
     #[error("there is no motion to show: {}", outcome.label())]
-    NoMotion {
-        /// What there is instead.
-        outcome: OutcomeKind,
-    },
+    NoMotion { outcome: OutcomeKind },
     /// More frames than anyone will look at.
     #[error("the film would have {frames:.0} frames, the most is {most}")]
-    TooLong {
-        /// The number of frames.
-        frames: f64,
-        /// The greatest.
-        most: u64,
-    },
+    TooLong { frames: f64, most: u64 },
     /// The caller has asked to stop.
     #[error("stopped after {done} of {total} frames")]
-    Stopped {
-        /// Frames that were drawn.
-        done: u64,
-        /// All frames.
-        total: u64,
-    },
+    Stopped { done: u64, total: u64 },
     /// The film cannot be written.
     #[error("writing failed: {0}")]
     Write(#[from] io::Error),
     /// An encoder has refused a frame.
     #[error("encoding the {format} failed: {message}")]
-    Encoding {
-        /// The format.
-        format: &'static str,
-        /// Its message.
-        message: String,
-    },
+    Encoding { format: &'static str, message: String },
     /// ffmpeg cannot be started.
     #[error("a video needs ffmpeg, and '{program}' cannot be started: {source}")]
-    NoFfmpeg {
-        /// The program that was tried.
-        program: String,
-        /// Why.
-        source: io::Error,
-    },
+    NoFfmpeg { program: String, source: io::Error },
     /// ffmpeg has failed.
     #[error("ffmpeg failed ({status}): {message}")]
-    Ffmpeg {
-        /// Its exit status.
-        status: String,
-        /// The end of its messages.
-        message: String,
-    },
+    Ffmpeg { status: String, message: String },
 }
 
 impl FilmError {
@@ -111,10 +63,10 @@ impl FilmError {
             Self::Size { .. } | Self::Pane(_) => {
                 "a size is WIDTHxHEIGHT in pixels, such as 640x360 or 1920x1080"
             }
-            Self::OddSize { .. } => "add a pixel, or write a GIF or an APNG",
+            Self::OddSize { .. } => "add a pixel, or write a GIF",
             Self::FrameRate { format: "GIF", .. } => {
                 "a GIF counts hundredths of a second, and programs slow down what is shown for less than two; take \
-                 fewer frames, or write an APNG or an MP4"
+                 fewer frames, or write an MP4"
             }
             Self::FrameRate { .. } => "25 or 30 is usual, 60 is smooth",
             Self::Slow { .. } => {
@@ -131,11 +83,11 @@ impl FilmError {
             Self::Stopped { .. } => "no film has been written",
             Self::Write(_) | Self::Encoding { .. } => "make room, or choose a folder that can be written to",
             Self::NoFfmpeg { .. } => {
-                "install ffmpeg (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or write a .gif or \
-                 a .png, which need no other program"
+                "install ffmpeg (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or write a .gif, \
+                 which needs no other program"
             }
             Self::Ffmpeg { .. } => {
-                "it must be able to write H.264 (libx264), or VP9 (libvpx-vp9); or write a .gif or a .png"
+                "it must be able to write H.264 (libx264), or VP9 (libvpx-vp9); or write a .gif"
             }
         }
     }

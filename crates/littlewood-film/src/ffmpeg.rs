@@ -25,38 +25,10 @@ pub enum Video {
 
 impl Video {
     /// Codec, quality and container, as ffmpeg takes them.
-    const fn arguments(self) -> &'static [&'static str] {
+    const fn arguments(self) -> &'static str {
         match self {
-            Self::Mp4 => &[
-                "-c:v",
-                "libx264",
-                "-preset",
-                "slow",
-                "-tune",
-                "animation",
-                "-crf",
-                "20",
-                "-movflags",
-                "+faststart",
-                "-f",
-                "mp4",
-            ],
-            Self::WebM => &[
-                "-c:v",
-                "libvpx-vp9",
-                "-deadline",
-                "good",
-                "-cpu-used",
-                "2",
-                "-crf",
-                "30",
-                "-b:v",
-                "0",
-                "-row-mt",
-                "0",
-                "-f",
-                "webm",
-            ],
+            Self::Mp4 => "-c:v libx264 -preset slow -tune animation -crf 20 -movflags +faststart -f mp4",
+            Self::WebM => "-c:v libvpx-vp9 -deadline good -cpu-used 2 -crf 30 -b:v 0 -row-mt 0 -f webm",
         }
     }
 }
@@ -83,11 +55,11 @@ impl FfmpegFilm {
         let mut ffmpeg = Command::new(program)
             .args(["-hide_banner", "-loglevel", "error", "-nostats", "-y"])
             .args(["-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", &size.to_string()])
-            .args(["-framerate", &film.schedule().fps().to_string(), "-i", "pipe:0"])
+            .args(["-framerate", &film.schedule().fps.to_string(), "-i", "pipe:0"])
             .args(["-an", "-pix_fmt", "yuv420p"])
             // The same bytes from one version of ffmpeg, whatever the number of cores.
             .args(["-threads", "2", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"])
-            .args(video.arguments())
+            .args(video.arguments().split(' '))
             .arg(path)
             .stdin(Stdio::piped())
             .stdout(Stdio::null())

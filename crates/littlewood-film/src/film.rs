@@ -4,7 +4,7 @@ use littlewood::Trajectory;
 use littlewood::si::Units;
 use littlewood_style::{EnergyParts, Ledger};
 
-use crate::bar::{COLUMN, Column, draw_bar};
+use crate::bar::{COLUMN, draw_bar};
 use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};
 use crate::camera::{Camera, EXAMINED, Framing, Window};
 use crate::canvas::Canvas;
@@ -22,13 +22,14 @@ use crate::trail::Trail;
 
 /// Whether a film shows where the energy of the start has gone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum EnergyBar {
-    /// Where impacts take energy: for a hoop with a coefficient of restitution.
+    /// If the hoop has a coefficient of restitution
     #[default]
     Auto,
-    /// Yes.
+    /// In any case
     Always,
-    /// No.
+    /// Not at all
     Never,
 }
 
@@ -39,7 +40,6 @@ pub enum EnergyBar {
 pub struct Film<'a> {
     trajectory: &'a Trajectory,
     schedule: Schedule,
-    camera: Camera,
     scale: ArrowScale,
     size: FrameSize,
     framing: Framing,
@@ -83,17 +83,14 @@ impl<'a> Film<'a> {
         framing: Framing,
     ) -> Result<Self, FilmError> {
         let schedule = Schedule::new(trajectory, pace)?;
-        let impacts = ShownImpact::all(trajectory, schedule.end());
-        let samples = trajectory.sample_evenly(EXAMINED, schedule.end());
+        let impacts = ShownImpact::all(trajectory, schedule.end);
+        let samples = trajectory.sample_evenly(EXAMINED, schedule.end);
         let scale = ArrowScale::fitting(trajectory.hoop(), samples, &impacts);
-        let energies = Self::energies(EnergyBar::Auto, trajectory, &schedule);
-        let window = window_of(size, energies.is_some(), false);
-        let camera = Camera::new(trajectory, &schedule, framing, window, size.unit(), scale);
         let (units, note, slow_impacts) = (pace.units, note(pace), pace.slow_impacts);
-        Ok(Self {
+        let (energies, with) = (None, None);
+        let film = Self {
             trajectory,
             schedule,
-            camera,
             scale,
             size,
             framing,
@@ -102,38 +99,27 @@ impl<'a> Film<'a> {
             slow_impacts,
             impacts,
             energies,
-            with: None,
-        })
-    }
-
-    fn energies(bar: EnergyBar, trajectory: &Trajectory, schedule: &Schedule) -> Option<Energies> {
-        let is_shown = match bar {
-            EnergyBar::Auto => trajectory.hoop().restitution().is_some(),
-            EnergyBar::Always => true,
-            EnergyBar::Never => false,
+            with,
         };
-        is_shown.then(|| Energies::new(trajectory, schedule.end())).flatten()
+        Ok(film.with_energy_bar(EnergyBar::Auto))
     }
 
     /// The same film with a bar of the energy, or without.
     #[must_use]
     pub fn with_energy_bar(self, bar: EnergyBar) -> Self {
-        let energies = Self::energies(bar, self.trajectory, &self.schedule);
-        Self { energies, ..self }.framed()
+        let is_shown = match bar {
+            EnergyBar::Auto => self.trajectory.hoop().restitution().is_some(),
+            EnergyBar::Always => true,
+            EnergyBar::Never => false,
+        };
+        let energies = is_shown.then(|| Energies::new(self.trajectory, self.schedule.end)).flatten();
+        Self { energies, ..self }
     }
 
     /// The same film with a pane beside the hoop in which the motion runs along; it takes the place of a bar of the energy.
     #[must_use]
     pub fn with_pane(self, with: With) -> Self {
-        Self { with: Some(with), energies: None, ..self }.framed()
-    }
-
-    /// With a camera for what else is in the picture.
-    fn framed(self) -> Self {
-        let window = window_of(self.size, self.energies.is_some(), self.with.is_some());
-        let unit = self.size.unit();
-        let camera = Camera::new(self.trajectory, &self.schedule, self.framing, window, unit, self.scale);
-        Self { camera, ..self }
+        Self { with: Some(with), energies: None, ..self }
     }
 
     /// Whether impulses or energies are drawn, which have inks of their own.
@@ -146,8 +132,16 @@ impl<'a> Film<'a> {
         &self.schedule
     }
 
+    /// Where the motion is seen, beside the bar or the pane if there is one.
     fn window(&self) -> Window {
-        window_of(self.size, self.energies.is_some(), self.with.is_some())
+        let u = self.size.unit();
+        let (width, height) = (f64::from(self.size.width()), f64::from(self.size.height()));
+        let column = match (self.with, &self.energies) {
+            (Some(_), _) => PANE,
+            (None, Some(_)) => COLUMN,
+            (None, None) => 0.0,
+        };
+        Window { left: 0.0, top: HEAD * u, width: width - u * column, height: height - (HEAD + FOOT) * u }
     }
 
     /// Lengths of the arrows.
@@ -206,7 +200,7 @@ impl<'a> Film<'a> {
         mut watch: impl FnMut(u64) -> bool,
     ) -> Result<(), FilmError> {
         let mut reel = Reel::new(self)?;
-        let total = self.schedule.frames();
+        let total = self.schedule.frames;
         for index in 0..total {
             if !watch(index) {
                 return Err(FilmError::Stopped { done: index, total });
@@ -230,6 +224,7 @@ impl<'a> Film<'a> {
 /// The frame that is being drawn, and what it shares with those before it.
 struct Reel<'a> {
     film: &'a Film<'a>,
+    camera: Camera,
     panel: Panel,
     canvas: Canvas,
     trail: Trail,
@@ -245,9 +240,10 @@ impl<'a> Reel<'a> {
         let panel = Panel::new(film.size, film.units);
         let (size, unit) = (film.size, film.size.unit());
         let (trajectory, schedule) = (film.trajectory, &film.schedule);
+        let camera = Camera::new(trajectory, schedule, film.framing, film.window(), unit, film.scale);
         panel.draw_still(&mut canvas, trajectory, schedule, &film.note);
-        if film.camera.is_still() {
-            let view = film.camera.view(&film.scene(0)?);
+        if camera.is_still() {
+            let view = camera.view(&film.scene(0)?);
             draw_plane(&mut canvas, &view, film.window(), unit, film.units.as_ref());
         }
         let pane =
@@ -256,22 +252,22 @@ impl<'a> Reel<'a> {
         if let Some(pane) = &pane {
             pane.draw_still(&mut canvas);
         }
-        let inset = (!film.camera.is_still()).then(|| {
+        let inset = (!camera.is_still()).then(|| {
             let inset = Inset::new(trajectory, schedule, inset_of(size), unit);
             inset.draw_still(&mut canvas);
             inset
         });
         let ground = canvas.data().to_vec();
-        Ok(Self { film, panel, canvas, trail: Trail::new(), pane, inset, ground })
+        Ok(Self { film, camera, panel, canvas, trail: Trail::new(), pane, inset, ground })
     }
 
     fn draw(&mut self, index: u64) -> Result<&[u8], FilmError> {
-        let Self { film, panel, canvas, trail, pane, inset, ground } = self;
+        let Self { film, camera, panel, canvas, trail, pane, inset, ground } = self;
         let (scene, unit) = (film.scene(index)?, film.size.unit());
-        let view = film.camera.view(&scene);
-        trail.extend(film.trajectory, &film.schedule, film.scale, scene.time());
+        let view = camera.view(&scene);
+        trail.extend(film.trajectory, &film.schedule, scene.time());
         canvas.copy(ground);
-        if !film.camera.is_still() {
+        if !camera.is_still() {
             draw_plane(canvas, &view, film.window(), unit, film.units.as_ref());
         }
         draw_trail(canvas, &view, trail, &scene, unit);
@@ -279,21 +275,29 @@ impl<'a> Reel<'a> {
         draw_contact(canvas, &view, &scene, &panel.gap(&scene), unit);
         draw_arrows(canvas, &view, &scene, unit);
         draw_impulse(canvas, &view, &scene, &panel.impulse(&scene), unit);
-        // What has gone out of the window is covered by what stands beside it.
-        cover(canvas, film, ground);
+        // A trail or an arrow may have run out of the window.
+        let [width, height] = [film.size.width(), film.size.height()].map(f64::from);
+        if film.with.is_some() {
+            let left = libm::round(film.window().width);
+            canvas.restore(ground, [left, HEAD * unit, width, height]);
+        }
+        if !camera.is_still() {
+            canvas.restore(ground, inset_of(film.size));
+        }
+        canvas.restore(ground, [0.0, 0.0, width, HEAD * unit]);
+        canvas.restore(ground, [0.0, height - FOOT * unit, width, height]);
         if let Some(pane) = pane {
             pane.draw_moving(canvas, &scene.sample);
         }
         if let Some(inset) = inset {
-            inset.draw_moving(canvas, scene.time(), scene.centre, scene.mass_centre);
+            inset.draw_moving(canvas, &scene);
         }
         if let (Some(parts), Some(energies)) = (film.energy(index)?, &film.energies) {
             let Window { left, top, width, .. } = film.window();
-            let top = if film.camera.is_still() { top } else { beside_inset(film.size) };
-            let bottom = film.camera.floor();
-            draw_bar(canvas, Column { left: left + width, top, bottom }, &parts, energies.most, unit);
+            let top = if camera.is_still() { top } else { beside_inset(film.size) };
+            draw_bar(canvas, [left + width, top, camera.floor()], &parts, energies.most, unit);
         }
-        let is_last = index + 1 == film.schedule.frames() && !film.schedule.closes();
+        let is_last = index + 1 == film.schedule.frames && !film.schedule.closes();
         let outcome = is_last.then(|| film.trajectory.outcome());
         panel.draw_moving(canvas, &scene, &film.schedule, outcome);
         if let Some(factor) = film.slow_impacts.filter(|_| film.schedule.is_slow(index)) {
@@ -301,34 +305,6 @@ impl<'a> Reel<'a> {
         }
         Ok(canvas.data())
     }
-}
-
-/// Puts back what is not of the window: a trail or an arrow may have run into it.
-fn cover(canvas: &mut Canvas, film: &Film<'_>, ground: &[u8]) {
-    if film.with.is_some() {
-        let from = libm::round(film.window().width) as usize;
-        canvas.restore(ground, [from, libm::round(HEAD * film.size.unit()) as usize]);
-    }
-    if !film.camera.is_still() {
-        canvas.restore_box(ground, inset_of(film.size));
-    }
-    canvas.restore_box(ground, [0.0, 0.0, f64::from(film.size.width()), HEAD * film.size.unit()]);
-    let foot = f64::from(film.size.height()) - FOOT * film.size.unit();
-    canvas.restore(ground, [0, libm::round(foot) as usize]);
-}
-
-/// Where the motion is seen, beside the bar or the pane if there is one.
-fn window_of(size: FrameSize, has_bar: bool, has_pane: bool) -> Window {
-    let u = size.unit();
-    let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-    let column = u * if has_pane {
-        PANE
-    } else if has_bar {
-        COLUMN
-    } else {
-        0.0
-    };
-    Window { left: 0.0, top: HEAD * u, width: width - column, height: height - (HEAD + FOOT) * u }
 }
 
 /// The upper end of what stands under the inset.

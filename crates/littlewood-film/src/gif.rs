@@ -33,7 +33,7 @@ impl<W: Write> GifFilm<W> {
     /// # Errors
     /// More frames per second than a GIF can have, or a failure to write.
     pub fn new(writer: W, film: &Film<'_>) -> Result<Self, FilmError> {
-        let (fps, size) = (film.schedule().fps(), film.size());
+        let (fps, size) = (film.schedule().fps, film.size());
         if fps > MOST_FPS {
             return Err(FilmError::FrameRate { fps, most: MOST_FPS, format: "GIF" });
         }

@@ -7,6 +7,7 @@ use crate::camera::{EXAMINED, Tilt, View, Window};
 use crate::canvas::{Canvas, Place};
 use crate::colour::{INK, LINE, PAPER, SOFT, of_mode};
 use crate::letters::Style;
+use crate::scene::Scene;
 use crate::schedule::Schedule;
 
 /// Size in units of lettering.
@@ -32,7 +33,7 @@ impl Inset {
         let [mut from, mut to] = [f64::INFINITY, f64::NEG_INFINITY];
         let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
         let mut steps = Vec::with_capacity(EXAMINED);
-        for sample in trajectory.sample_evenly(EXAMINED, schedule.end()) {
+        for sample in trajectory.sample_evenly(EXAMINED, schedule.end) {
             let centre = tilt.level(sample.centre);
             let foot = tilt.level(Position { y: 0.0, ..sample.centre });
             (from, to) = (from.min(centre.x - 1.0), to.max(centre.x + 1.0));
@@ -70,39 +71,23 @@ impl Inset {
     }
 
     /// The path up to a time, and the hoop on it.
-    pub(crate) fn draw_moving(
-        &self,
-        canvas: &mut Canvas,
-        time: f64,
-        centre: Position,
-        mass_centre: Position,
-    ) {
-        let u = self.unit;
-        let mut piece: Vec<Place> = Vec::new();
-        let mut mode = None;
-        for (_, now, point) in self.steps.iter().take_while(|(at, _, _)| *at <= time) {
-            if mode.is_some_and(|mode| mode != *now) {
-                let last = piece.last().copied();
-                self.flush(canvas, &mut piece, mode);
-                piece.extend(last);
-            }
-            mode = Some(*now);
-            piece.push(self.view.place(*point));
+    pub(crate) fn draw_moving(&self, canvas: &mut Canvas, scene: &Scene) {
+        let (u, Scene { centre, mass_centre, .. }) = (self.unit, *scene);
+        let seen = &self.steps[..self.steps.partition_point(|(at, ..)| *at <= scene.time())];
+        let mut pieces = seen.chunk_by(|(_, a, _), (_, b, _)| a == b).peekable();
+        let mut last = None;
+        while let Some(piece) = pieces.next() {
+            let own = piece.iter().map(|(.., point)| *point);
+            let here = pieces.peek().is_none().then_some(mass_centre);
+            let points = last.into_iter().chain(own).chain(here).map(|point| self.view.place(point));
+            canvas.line(&points.collect::<Vec<Place>>(), 1.8 * u, of_mode(piece[0].1));
+            last = piece.last().map(|(.., point)| *point);
         }
-        piece.push(self.view.place(mass_centre));
-        self.flush(canvas, &mut piece, mode);
         let radius = self.view.scale.max(2.0 * u);
         let foot = self.view.place(Position { y: 0.0, ..centre });
         let above = (self.view.scale * centre.y).max(radius);
         canvas.ring(self.view.moved(foot, 0.0, -above), radius - 0.5 * u, 1.2 * u, INK);
         let style = Style { size: 8.5 * u, is_bold: false, anchor: 0.0 };
         canvas.label("whole path", (self.window.left + 5.0 * u, self.window.top + 10.5 * u), style, SOFT);
-    }
-
-    fn flush(&self, canvas: &mut Canvas, piece: &mut Vec<Place>, mode: Option<Mode>) {
-        if let Some(mode) = mode.filter(|_| piece.len() > 1) {
-            canvas.line(piece, 1.8 * self.unit, of_mode(mode));
-        }
-        piece.clear();
     }
 }

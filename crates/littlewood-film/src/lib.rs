@@ -2,8 +2,8 @@
 //!
 //! A [`Film`] shows a [`Trajectory`](littlewood::Trajectory): the hoop with its particle, the contact point and the gap,
 //! normal force, friction and slip velocity, the trails of the mass centre and of the centre C, the mode and the clock.
-//! Frames are drawn one by one and handed to an [`Encoder`]: [`GifFilm`] and [`ApngFilm`] need no other program and
-//! write to any [`std::io::Write`], [`FfmpegFilm`] needs ffmpeg.
+//! Frames are drawn one by one and handed to an [`Encoder`]: [`GifFilm`] needs no other program and writes
+//! to any [`std::io::Write`], [`FfmpegFilm`] needs ffmpeg.
 //!
 //! ```
 //! use littlewood::cases::find_case;
@@ -33,7 +33,6 @@
 //! shapes are opaque, straight, circular or quadratic: of the rasteriser only operations are used whose results do not
 //! depend on the processor, with its vector code or without.
 
-mod apng;
 mod bar;
 mod body;
 mod camera;
@@ -57,7 +56,6 @@ mod size;
 mod timeline;
 mod trail;
 
-pub use apng::ApngFilm;
 pub use camera::Framing;
 pub use encoder::Encoder;
 pub use error::FilmError;

@@ -20,27 +20,14 @@ use crate::schedule::Schedule;
 
 /// What a film shows beside the hoop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum With {
-    /// The plane of θ and θ′ with the curves of rolling and of lift-off.
+    /// The plane of theta and theta' with the curves f, n and that of lift-off
     Plane,
-    /// |F|/N with its limits against the time.
+    /// |F|/N with mu_s and mu_k against the time
     Friction,
-    /// The energy and what it has become against the time.
+    /// Kinetic and potential energy, and what is lost, against the time
     Energy,
-}
-
-impl With {
-    /// All, in order.
-    pub const ALL: [Self; 3] = [Self::Plane, Self::Friction, Self::Energy];
-
-    /// Lower-case name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Plane => "plane",
-            Self::Friction => "friction",
-            Self::Energy => "energy",
-        }
-    }
 }
 
 /// Width of the pane in units of lettering.
@@ -98,8 +85,8 @@ impl Pane {
         unit: f64,
         units: Option<Units>,
     ) -> Result<Self, DrawError> {
-        let samples: Vec<Sample> = trajectory.sample_evenly(SAMPLES, schedule.end()).collect();
-        let times = [schedule.start(), schedule.end().max(schedule.start() + 1e-9)];
+        let samples: Vec<Sample> = trajectory.sample_evenly(SAMPLES, schedule.end).collect();
+        let times = [schedule.start, schedule.end.max(schedule.start + 1e-9)];
         let parts = |ledger: &Ledger| -> Vec<(f64, EnergyParts)> {
             let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
             samples.iter().filter_map(parts).collect()

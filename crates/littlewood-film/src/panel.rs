@@ -2,13 +2,14 @@
 
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn, Setup};
-use littlewood::{Direction, Hoop, Mode, Outcome, Start, Trajectory};
+use littlewood::{Direction, Hoop, Mode, Outcome, Start, Trajectory, Transition};
 use littlewood_draw::marked;
 
 use crate::body::{Shape, WEIGHT, draw_mass_centre};
 use crate::canvas::Canvas;
 use crate::colour::{FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode};
 use crate::letters::Style;
+use crate::pane::unit_sign;
 use crate::scene::Scene;
 use crate::schedule::Schedule;
 use crate::size::FrameSize;
@@ -30,14 +31,6 @@ pub(crate) struct Panel {
     units: Option<Units>,
     /// Decimals of the clock.
     time_decimals: usize,
-}
-
-/// A part of the line of phases: mode, words, left and right end in pixels.
-struct Band {
-    mode: Mode,
-    words: String,
-    from: f64,
-    to: f64,
 }
 
 impl Panel {
@@ -62,23 +55,31 @@ impl Panel {
         let u = self.unit;
         let (top, tall) = (self.height - 52.0 * u, 15.0 * u);
         let mut last = None;
-        for band in self.bands(trajectory, schedule) {
-            canvas.rectangle((band.from, top), band.to - band.from, tall, of_mode(band.mode));
-            let style = self.style(10.5, true, 0.5);
-            if style.width(&band.words) + 6.0 * u < band.to - band.from {
-                let place = (0.5 * (band.from + band.to), top + 11.2 * u);
-                canvas.words(&band.words, place, style, on_mode(band.mode));
+        let left = MARGIN * u;
+        for phase in trajectory.phases() {
+            let mode = phase.mode();
+            let [begin, to] =
+                [phase.start().time, phase.end_time()].map(|time| self.place_of(time, schedule));
+            let from = if last.is_none() { left } else { begin };
+            canvas.rectangle((from, top), to - from, tall, of_mode(mode));
+            let (words, style) = (mode.with_arrow(phase.direction()), self.style(10.5, true, 0.5));
+            if style.width(&words) + 6.0 * u < to - from {
+                canvas.words(&words, (0.5 * (from + to), top + 11.2 * u), style, on_mode(mode));
             }
             // Between bounces that are shorter than can be seen there is nothing to set off.
-            let is_dense = last == Some(band.mode) && band.to - band.from < 4.0 * u;
-            last = Some(band.mode);
-            if band.from > MARGIN * u + 0.5 && !is_dense {
-                canvas.rectangle((band.from - 0.5 * u, top), u, tall, PAPER);
+            let is_dense = last == Some(mode) && to - from < 4.0 * u;
+            last = Some(mode);
+            if from > left + 0.5 && !is_dense {
+                canvas.rectangle((from - 0.5 * u, top), u, tall, PAPER);
+            }
+            // Beyond thousands of phases there is nothing to tell apart.
+            if to >= left + (self.width - 2.0 * left) {
+                break;
             }
         }
         self.draw_impacts(canvas, trajectory, schedule);
         let style = self.style(10.0, false, 0.0);
-        if let Some(part) = schedule.part().label() {
+        if let Some(part) = schedule.part.label() {
             canvas.words(part, (MARGIN * u, 66.0 * u), style, SOFT);
         }
         let base = self.height - 9.0 * u;
@@ -88,37 +89,12 @@ impl Panel {
         self.draw_signs(canvas, trajectory.hoop());
     }
 
-    fn bands(&self, trajectory: &Trajectory, schedule: &Schedule) -> Vec<Band> {
-        let left = MARGIN * self.unit;
-        let wide = self.width - 2.0 * left;
-        let place = |time: f64| self.place_of(time, schedule);
-        let mut bands = Vec::new();
-        for phase in trajectory.phases() {
-            let (from, to) = (place(phase.start().time), place(phase.end_time()));
-            let from = if bands.is_empty() { left } else { from };
-            bands.push(Band {
-                mode: phase.mode(),
-                words: phase.mode().with_arrow(phase.direction()),
-                from,
-                to,
-            });
-            // Beyond thousands of phases there is nothing to tell apart.
-            if to >= left + wide {
-                break;
-            }
-        }
-        bands
-    }
-
     /// A mark over the line of phases for each impact.
     fn draw_impacts(&self, canvas: &mut Canvas, trajectory: &Trajectory, schedule: &Schedule) {
         let u = self.unit;
         let top = self.height - 52.0 * u;
-        for transition in trajectory.transitions().iter().filter(|transition| transition.impact.is_some()) {
-            let time = transition.time();
-            if time > schedule.end() {
-                break;
-            }
+        let impacts = trajectory.transitions().iter().filter(|transition| transition.impact.is_some());
+        for time in impacts.map(Transition::time).take_while(|time| *time <= schedule.end) {
             let place = self.place_of(time, schedule);
             canvas.rectangle((place - 0.8 * u, top - 4.0 * u), 1.6 * u, 4.0 * u, IMPULSE);
         }
@@ -127,8 +103,8 @@ impl Panel {
     /// Where a time stands on the line of phases.
     fn place_of(&self, time: f64, schedule: &Schedule) -> f64 {
         let left = MARGIN * self.unit;
-        let span = schedule.end() - schedule.start();
-        let part = if span > 0.0 { (time - schedule.start()) / span } else { 1.0 };
+        let span = schedule.end - schedule.start;
+        let part = if span > 0.0 { (time - schedule.start) / span } else { 1.0 };
         left + (self.width - 2.0 * left) * part.clamp(0.0, 1.0)
     }
 
@@ -243,7 +219,7 @@ impl Panel {
 
     /// The normal and the friction impulse that the scene shows.
     pub(crate) fn impulse(&self, scene: &Scene) -> Vec<String> {
-        let of = |sign: &str, value: f64| format!("*{sign}* = {}", self.value(value, Dimension::Impulse));
+        let of = |sign: &str, value: f64| format!("*{sign}* = {}", self.value(value, Dimension::Impulse, 2));
         scene.impulse.map_or_else(Vec::new, |drawn| {
             vec![of("P", drawn.impulse.normal), of("J", drawn.impulse.friction)]
         })
@@ -259,9 +235,9 @@ impl Panel {
 
     fn values(&self, scene: &Scene) -> [(String, String, Rgb); 4] {
         let sample = &scene.sample;
-        let force = |value| format!(" = {}", self.value(value, Dimension::Force));
+        let force = |value| format!(" = {}", self.value(value, Dimension::Force, 2));
         // In flight that of the lowest point of the rim, as in figures and tables.
-        let slip = format!(" = {}", self.value(sample.state.slip, Dimension::Velocity));
+        let slip = format!(" = {}", self.value(sample.state.slip, Dimension::Velocity, 2));
         [
             (marked(SampleColumn::Normal.sign()), force(sample.normal), NORMAL_FORCE),
             (marked(SampleColumn::Friction.sign()), force(sample.friction), FRICTION_FORCE),
@@ -272,24 +248,14 @@ impl Panel {
 
     /// The gap in words.
     pub(crate) fn gap(&self, scene: &Scene) -> String {
-        let gap = scene.sample.gap;
-        match self.units {
-            Some(_) => self.in_si(gap, Dimension::Length, 3),
-            None => format!("{} {}", number(gap, 3), marked(Dimension::Length.scale_sign())),
-        }
+        self.value(scene.sample.gap, Dimension::Length, 3)
     }
 
-    fn value(&self, value: f64, dimension: Dimension) -> String {
-        match self.units {
-            Some(_) => self.in_si(value, dimension, 2),
-            None => format!("{} {}", number(value, 2), marked(dimension.scale_sign())),
-        }
-    }
-
-    /// A value in SI units, to so many decimals of the unit of (2.9).
-    fn in_si(&self, value: f64, dimension: Dimension, usual: i32) -> String {
+    /// A value to so many decimals of the unit of (2.9).
+    fn value(&self, value: f64, dimension: Dimension, usual: i32) -> String {
         let unit = self.units.map_or(1.0, |units| units.unit(dimension));
-        format!("{} {}", number(value * unit, decimals(unit, usual)), dimension.si_sign())
+        let sign = unit_sign(self.units.as_ref(), dimension);
+        format!("{} {sign}", number(value * unit, decimals(unit, usual)))
     }
 }
 

@@ -83,14 +83,19 @@ impl Pace {
 /// The instants of the frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
-    start: f64,
-    end: f64,
+    /// First instant.
+    pub start: f64,
+    /// Last instant of the motion that is shown.
+    pub end: f64,
     /// Dimensionless time from frame to frame.
-    step: f64,
-    fps: u32,
-    frames: u64,
+    pub step: f64,
+    /// Frames per second.
+    pub fps: u32,
+    /// Number of frames.
+    pub frames: u64,
+    /// What the film shows of the motion.
+    pub part: Part,
     hold_ms: u32,
-    part: Part,
     /// Where the film is slower about impacts.
     timeline: Option<Timeline>,
 }
@@ -153,39 +158,9 @@ impl Schedule {
         })
     }
 
-    /// Number of frames.
-    pub const fn frames(&self) -> u64 {
-        self.frames
-    }
-
-    /// Frames per second.
-    pub const fn fps(&self) -> u32 {
-        self.fps
-    }
-
-    /// First instant.
-    pub const fn start(&self) -> f64 {
-        self.start
-    }
-
-    /// Last instant of the motion that is shown.
-    pub const fn end(&self) -> f64 {
-        self.end
-    }
-
-    /// Dimensionless time from frame to frame.
-    pub const fn step(&self) -> f64 {
-        self.step
-    }
-
     /// Whether the film goes on with its first frame after the last, because the motion comes back to its start.
     pub const fn closes(&self) -> bool {
         matches!(self.part, Part::Period)
-    }
-
-    /// What the film shows of the motion.
-    pub const fn part(&self) -> Part {
-        self.part
     }
 
     /// The instant that a frame shows. The last is the end of the motion, to the last bit; it comes less than a frame
@@ -236,16 +211,6 @@ impl Shown {
     pub fn centiseconds(&self) -> u64 {
         let until = |frames: u64| rounded(100 * frames, u64::from(self.fps));
         until(self.index + 1) - until(self.index) + rounded(u64::from(self.hold_ms), 10)
-    }
-
-    /// Duration as a fraction of seconds.
-    pub fn fraction(&self) -> (u16, u16) {
-        let fps = self.fps.min(u32::from(u16::MAX)) as u16;
-        if self.hold_ms == 0 {
-            return (1, fps);
-        }
-        let milliseconds = rounded(1000, u64::from(self.fps)) + u64::from(self.hold_ms);
-        (u16::try_from(milliseconds).unwrap_or(u16::MAX), 1000)
     }
 
     /// How often a film without durations repeats the frame.

@@ -57,7 +57,9 @@ impl Timeline {
             let (begin, stop) = ((at - AROUND).max(from), (at + AROUND).min(next).min(end));
             timeline.push([from, begin], pace, Kind::Even);
             timeline.push([begin, *at], factor * pace, Kind::Slow);
-            timeline.hold(*at, *number);
+            let still = timeline.seconds();
+            let (seconds, times) = ([still, still + STILL_S], [*at, *at]);
+            timeline.parts.push(Part { seconds, times, kind: Kind::Impact(*number) });
             timeline.push([*at, stop], factor * pace, Kind::Slow);
             from = stop;
         }
@@ -70,15 +72,6 @@ impl Timeline {
             let from = self.seconds();
             self.parts.push(Part { seconds: [from, from + pace * (times[1] - times[0])], times, kind });
         }
-    }
-
-    fn hold(&mut self, at: f64, number: usize) {
-        let from = self.seconds();
-        self.parts.push(Part {
-            seconds: [from, from + STILL_S],
-            times: [at, at],
-            kind: Kind::Impact(number),
-        });
     }
 
     /// Seconds of film.

@@ -2,10 +2,8 @@
 
 use std::collections::VecDeque;
 
-use littlewood::modes::Position;
-use littlewood::{Mode, Trajectory};
+use littlewood::{Mode, Phase, Sample, Trajectory};
 
-use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;
 
 /// Instants of the trail for a frame.
@@ -14,24 +12,10 @@ const FINENESS: u64 = 4;
 /// Most instants that are kept.
 const MOST: usize = 8192;
 
-/// An instant of the path.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
-    pub(crate) mode: Mode,
-    pub(crate) centre: Position,
-    pub(crate) mass_centre: Position,
-}
-
-impl Step {
-    pub(crate) const fn of(scene: &Scene) -> Self {
-        Self { mode: scene.mode(), centre: scene.centre, mass_centre: scene.mass_centre }
-    }
-}
-
 /// The trail up to an instant.
 #[derive(Debug)]
 pub(crate) struct Trail {
-    steps: VecDeque<Step>,
+    steps: VecDeque<Sample>,
     /// Number of the next grid instant and of the phase that it is in.
     next: u64,
     phase: usize,
@@ -43,31 +27,21 @@ impl Trail {
     }
 
     /// Extends the trail to a time.
-    pub(crate) fn extend(
-        &mut self,
-        trajectory: &Trajectory,
-        schedule: &Schedule,
-        scale: ArrowScale,
-        until: f64,
-    ) {
+    pub(crate) fn extend(&mut self, trajectory: &Trajectory, schedule: &Schedule, until: f64) {
         loop {
-            let time = schedule.start() + self.next as f64 * (schedule.step() / FINENESS as f64);
+            let time = schedule.start + self.next as f64 * (schedule.step / FINENESS as f64);
             let phases = trajectory.phases();
             let phase = phases.get(self.phase).filter(|phase| trajectory.end_of(phase).is_some());
-            let change = phase.map(littlewood::Phase::end_time);
+            let change = phase.map(Phase::end_time);
             match change {
                 Some(change) if change <= time && change <= until => {
-                    let before = phase.and_then(littlewood::Phase::last);
-                    let after = phases.get(self.phase + 1).map(littlewood::Phase::first);
-                    for sample in before.into_iter().chain(after) {
-                        self.push(Step::of(&Scene::of(sample, scale)));
-                    }
+                    let before = phase.and_then(Phase::last);
+                    let after = phases.get(self.phase + 1).map(Phase::first);
+                    before.into_iter().chain(after).for_each(|sample| self.push(sample));
                     self.phase += 1;
                 }
                 _ if time <= until => {
-                    if let Some(sample) = trajectory.at(time) {
-                        self.push(Step::of(&Scene::of(sample, scale)));
-                    }
+                    trajectory.at(time).into_iter().for_each(|sample| self.push(sample));
                     self.next += 1;
                 }
                 _ => return,
@@ -75,7 +49,7 @@ impl Trail {
         }
     }
 
-    fn push(&mut self, step: Step) {
+    fn push(&mut self, step: Sample) {
         if self.steps.len() == MOST {
             self.steps.pop_front();
         }
@@ -83,8 +57,8 @@ impl Trail {
     }
 
     /// Pieces in one mode each, in order; a piece begins where the one before it ends.
-    pub(crate) fn pieces(&self, last: Step) -> Vec<(Mode, Vec<Step>)> {
-        let mut pieces: Vec<(Mode, Vec<Step>)> = Vec::new();
+    pub(crate) fn pieces(&self, last: Sample) -> Vec<(Mode, Vec<Sample>)> {
+        let mut pieces: Vec<(Mode, Vec<Sample>)> = Vec::new();
         for step in self.steps.iter().copied().chain([last]) {
             match pieces.last_mut() {
                 Some((mode, piece)) if *mode == step.mode => piece.push(step),

@@ -8,7 +8,7 @@ use littlewood::cases::find_case;
 use littlewood::tables::Setup;
 use littlewood::{Hoop, Limits, Trajectory};
 use littlewood_film::{
-    ApngFilm, Encoder, FfmpegFilm, Film, FilmError, FrameSize, Framing, GifFilm, Pace, SizeError, Video,
+    Encoder, FfmpegFilm, Film, FilmError, FrameSize, Framing, GifFilm, Pace, SizeError, Video,
 };
 
 fn motion(name: &str) -> Trajectory {
@@ -25,14 +25,6 @@ fn gif(film: &Film<'_>) -> Vec<u8> {
     let mut encoder = GifFilm::new(Vec::new(), film).expect("it can be made");
     film.play(&mut encoder, |_| true).expect("it can be made");
     encoder.finish().expect("it can be made")
-}
-
-fn apng(film: &Film<'_>) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut encoder = ApngFilm::new(&mut bytes, film).expect("it can be made");
-    film.play(&mut encoder, |_| true).expect("it can be made");
-    encoder.finish().expect("it can be made");
-    bytes
 }
 
 #[test]
@@ -61,46 +53,10 @@ fn a_gif_has_all_frames_their_durations_and_their_pixels() {
         }
         count += 1;
     }
-    assert_eq!(count, film.schedule().frames());
+    assert_eq!(count, film.schedule().frames);
     // 15 frames a second, and the last stays 1.5 s longer.
     let exact = 100.0 * count as f64 / 15.0 + 150.0;
     assert!((duration as f64 - exact).abs() <= 1.0, "{duration} {exact}");
-}
-
-#[test]
-fn an_apng_has_all_frames_their_durations_and_their_pixels() {
-    let motion = motion("figure-7");
-    let film = film(&motion, 12, (320, 180));
-    let bytes = apng(&film);
-    let mut decoder = png::Decoder::new(io::Cursor::new(&bytes));
-    decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::ALPHA);
-    let mut reader = decoder.read_info().unwrap();
-    let control = *reader.info().animation_control().unwrap();
-    assert_eq!(u64::from(control.num_frames), film.schedule().frames());
-    assert_eq!(control.num_plays, 0);
-    let mut screen = vec![0; 320 * 180 * 4];
-    for index in 0..film.schedule().frames() {
-        let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut buffer).unwrap();
-        let frame = *reader.info().frame_control().unwrap();
-        let is_last = index + 1 == film.schedule().frames();
-        // 1/12 s is 83 ms.
-        let delay = if is_last { (1583, 1000) } else { (1, 12) };
-        assert_eq!((frame.delay_num, frame.delay_den), delay);
-        let width = info.width as usize;
-        for (i, pixel) in buffer[..info.buffer_size()].chunks_exact(4).enumerate() {
-            if pixel[3] == 255 {
-                let (x, y) = (frame.x_offset as usize + i % width, frame.y_offset as usize + i / width);
-                screen[4 * (320 * y + x)..][..4].copy_from_slice(pixel);
-            }
-        }
-        if index % 10 == 0 || is_last {
-            // The colours are those of a GIF.
-            let drawn = film.still(index).unwrap();
-            let worst = screen.iter().zip(&drawn).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
-            assert!(worst <= 60, "{worst} in frame {index}");
-        }
-    }
 }
 
 #[test]
@@ -167,9 +123,6 @@ fn a_full_disk_is_an_error_of_its_own() {
     assert!(is_full(GifFilm::new(FullDisk(10), &film).unwrap_err()));
     let mut encoder = GifFilm::new(FullDisk(4000), &film).unwrap();
     assert!(is_full(film.play(&mut encoder, |_| true).unwrap_err()));
-    assert!(is_full(ApngFilm::new(FullDisk(10), &film).unwrap_err()));
-    let mut encoder = ApngFilm::new(FullDisk(4000), &film).unwrap();
-    assert!(is_full(film.play(&mut encoder, |_| true).unwrap_err()));
 }
 
 #[test]
@@ -179,7 +132,6 @@ fn a_gif_has_at_most_50_frames_a_second() {
     let film = film(&motion, 51, (160, 160));
     let error = GifFilm::new(Vec::new(), &film).unwrap_err();
     assert!(matches!(error, FilmError::FrameRate { fps: 51, most: 50, format: "GIF" }));
-    assert!(ApngFilm::new(Vec::new(), &film).is_ok());
 }
 
 #[test]
@@ -236,10 +188,10 @@ fn ffmpeg_receives_every_frame_and_repeats_of_the_last() {
     encoder.finish().unwrap();
     let mut received = BufReader::new(File::open(&path).unwrap());
     // The last picture is there for 0.1 s + 1.5 s.
-    for index in 0..film.schedule().frames() + 15 {
+    for index in 0..film.schedule().frames + 15 {
         let mut frame = vec![0; 160 * 170 * 3];
         io::Read::read_exact(&mut received, &mut frame).unwrap();
-        let drawn = film.still(index.min(film.schedule().frames() - 1)).unwrap();
+        let drawn = film.still(index.min(film.schedule().frames - 1)).unwrap();
         let colours: Vec<u8> =
             drawn.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
         assert!(frame == colours, "frame {index}");

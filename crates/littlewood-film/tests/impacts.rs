@@ -17,7 +17,7 @@ fn film<'a>(motion: &'a Trajectory, pace: &Pace) -> Film<'a> {
 }
 
 fn energies(film: &Film<'_>) -> Vec<EnergyParts> {
-    (0..film.schedule().frames())
+    (0..film.schedule().frames)
         .map(|index| film.energy(index).expect("it can be made").expect("a bar"))
         .collect()
 }
@@ -95,7 +95,7 @@ fn an_impulse_is_an_arrow_at_the_instant_and_to_scale() {
     let landing = motion.transitions().iter().find(|transition| transition.impact.is_some()).unwrap();
     let impact = landing.impact.unwrap();
     let mut frames = 0;
-    for index in 0..film.schedule().frames() {
+    for index in 0..film.schedule().frames {
         let (time, scene) = (film.schedule().time(index), film.scene(index).unwrap());
         assert!(scene.impulse.is_none() || time >= landing.time(), "not before the impact");
         if let Some(drawn) = scene.impulse.filter(|drawn| drawn.impulse == impact.impulse) {
@@ -123,7 +123,7 @@ fn a_replay_is_slower_by_the_factor_and_goes_through_the_impact() {
     let impact = landing.impact.unwrap();
     let compliance = motion.hoop().compliance(landing.before.theta).unwrap();
     let (mut still, mut last) = (0, 0.0);
-    for index in 1..schedule.frames() - 1 {
+    for index in 1..schedule.frames - 1 {
         let (before, now) = (schedule.time(index - 1), schedule.time(index));
         assert!(now >= before, "time does not run back");
         let near = |time: f64| (time - landing.time()).abs() < 0.055;
@@ -145,7 +145,7 @@ fn a_replay_is_slower_by_the_factor_and_goes_through_the_impact() {
     }
     assert!((29..=31).contains(&still), "1.2 s at 25 frames a second: {still}");
     // Small bounces are not slowed down: of 26 landings three have a tenth of the largest impulse.
-    let slow = (0..schedule.frames()).filter(|index| schedule.is_slow(*index)).count() as f64 / 25.0;
+    let slow = (0..schedule.frames).filter(|index| schedule.is_slow(*index)).count() as f64 / 25.0;
     let each = 2.0 * 0.06 * 3.0 * 8.0 + 1.2;
     let large = motion.transitions().iter().filter_map(|transition| transition.impact);
     let large = large.filter(|other| other.impulse.normal > 0.1 * impact.impulse.normal).count();
@@ -209,7 +209,7 @@ fn a_motion_that_bounces_for_ever_is_shown_for_some_bounces() {
     let motion = motion("bounces-forever");
     assert_eq!(motion.outcome().kind(), OutcomeKind::TransitionLimit);
     let schedule = Schedule::new(&motion, &PACE).unwrap();
-    let landings = motion.transitions().iter().filter(|landing| landing.time() <= schedule.end()).count();
+    let landings = motion.transitions().iter().filter(|landing| landing.time() <= schedule.end).count();
     assert!((4..=16).contains(&landings), "{landings}");
     assert!(motion.phases().iter().all(|phase| phase.mode() == Mode::Flight));
 }

@@ -16,7 +16,7 @@ fn motion(name: &str) -> Trajectory {
 fn the_film_of_figure_3_runs_to_the_landing() {
     let schedule = Schedule::new(&motion("figure-3"), &PACE).unwrap();
     // 3.847395556686894 × 3 s × 25/s = 288.55 intervals: 289, and the frame at the start.
-    assert_eq!(schedule.frames(), 290);
+    assert_eq!(schedule.frames, 290);
     assert_eq!(schedule.time(0), 0.0);
     assert!((schedule.time(75) - 1.0).abs() < 1e-15);
     assert!((schedule.time(289) - 3.847_395_556_686_894).abs() < 1e-13);
@@ -28,10 +28,10 @@ fn the_film_of_figure_3_runs_to_the_landing() {
 fn an_oscillation_closes() {
     let schedule = Schedule::new(&motion("figure-2-libration"), &PACE).unwrap();
     assert!(schedule.closes());
-    let period = schedule.end();
-    let last = schedule.time(schedule.frames() - 1);
-    assert!(last < period && period - last <= schedule.step() * (1.0 + 1e-9));
-    assert_eq!(schedule.shown(schedule.frames() - 1).hold_ms, 0);
+    let period = schedule.end;
+    let last = schedule.time(schedule.frames - 1);
+    assert!(last < period && period - last <= schedule.step * (1.0 + 1e-9));
+    assert_eq!(schedule.shown(schedule.frames - 1).hold_ms, 0);
     let motion = motion("figure-2-libration");
     let (start, end) = (motion.at(0.0).unwrap().state, motion.at(period).unwrap().state);
     assert!((start.theta - end.theta).abs() < 1e-12 && (start.x - end.x).abs() < 1e-12);
@@ -59,13 +59,13 @@ fn a_rotation_is_shown_for_two_turns_and_a_limit_is_kept() {
     let case = find_case("rolls-forever").unwrap();
     let endless = case.simulate().unwrap();
     let schedule = Schedule::new(&endless, &PACE).unwrap();
-    let turned = endless.at(schedule.end()).unwrap().state.theta - endless.start().theta;
+    let turned = endless.at(schedule.end).unwrap().state.theta - endless.start().theta;
     assert!((turned.abs() - 4.0 * std::f64::consts::PI).abs() < 1e-12, "{turned}");
     let limited = littlewood::Hoop::new(case.setup.hoop)
         .unwrap()
         .simulate(case.setup.start, Limits::until(1.0))
         .unwrap();
-    assert_eq!(Schedule::new(&limited, &PACE).unwrap().end(), 1.0);
+    assert_eq!(Schedule::new(&limited, &PACE).unwrap().end, 1.0);
 }
 
 #[test]
@@ -90,7 +90,7 @@ fn bad_values_are_refused() {
         Err(FilmError::NoMotion { outcome: OutcomeKind::Inconsistent })
     ));
     // Faster than a frame: the start and the end.
-    assert_eq!(Schedule::new(&motion, &Pace { slow: 1e-9, ..PACE }).unwrap().frames(), 2);
+    assert_eq!(Schedule::new(&motion, &Pace { slow: 1e-9, ..PACE }).unwrap().frames, 2);
 }
 
 proptest! {

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use littlewood_film::{EnergyBar, Framing, With};
 
 use super::{ProblemArgs, RunArgs, number, size};
 
@@ -12,13 +13,13 @@ Make a film of a motion: hoop, particle, contact point, gap, forces, impulses of
 The motion is given as in `simulate`. A motion that lasts for ever is shown for one oscillation, two periods, or 10 units \
 of time, unless --until says otherwise; the film says so.
 
-The ending of --out says what the film is: .gif, .png or .apng, or .mp4 (H.264) and .webm (VP9), which need ffmpeg. A GIF or \
-an APNG has the same bytes on every machine. For a slide an .mp4 of 1280x720 is a megabyte or less.";
+The ending of --out says what the film is: .gif, or .mp4 (H.264) and .webm (VP9), which need ffmpeg. A GIF has the \
+same bytes on every machine. For a slide an .mp4 of 1280x720 is a megabyte or less.";
 
 pub(super) const ANIMATE_EXAMPLES: &str = "\
 Examples:
   littlewood animate figure-3 --out figure-3.gif
-  littlewood animate figure-7 --slow 6 --fps 50 --size 1280x720 --out figure-7.png
+  littlewood animate figure-7 --slow 6 --fps 50 --size 1280x720 --out figure-7.gif
   littlewood animate libration --fps 60 --size 1920x1080 --out libration.mp4
   littlewood animate figure-3 --with plane --size 1280x720 --out plane.gif
   littlewood animate figure-3-bounces --slow-impacts 8 --out bounces.gif
@@ -31,7 +32,7 @@ pub(crate) struct AnimateArgs {
     pub(crate) problem: ProblemArgs<true>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
-    /// Film, .gif, .png, .apng, .mp4 or .webm; an existing file is replaced once the film is complete
+    /// Film, .gif, .mp4 or .webm; an existing file is replaced once the film is complete
     #[arg(long, value_name = "FILE", help_heading = "Film")]
     pub(crate) out: PathBuf,
     /// Seconds of film for a unit of time sqrt(R/g) [default: 3]; in SI units, how many times slower than real the
@@ -45,52 +46,19 @@ pub(crate) struct AnimateArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x360", value_parser = size, help_heading = "Film")]
     pub(crate) size: (u32, u32),
     /// What the picture shows of the path
-    #[arg(long, value_enum, default_value_t = Camera::Auto, help_heading = "Film")]
-    pub(crate) camera: Camera,
+    #[arg(long, value_enum, default_value_t, help_heading = "Film")]
+    pub(crate) camera: Framing,
     /// Slow motion around impacts, by this factor; each impact is a still while the impulse grows. Small bounces are not
     /// slowed down
     #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
     pub(crate) slow_impacts: Option<f64>,
     /// Show the energy as a bar: kinetic, potential, lost to friction, lost in impacts
-    #[arg(long, value_enum, default_value_t = Bar::Auto, help_heading = "Film")]
-    pub(crate) energy_bar: Bar,
+    #[arg(long, value_enum, default_value_t, help_heading = "Film")]
+    pub(crate) energy_bar: EnergyBar,
     /// Show a second picture beside the hoop, instead of the energy bar
     #[arg(long, value_enum, help_heading = "Film", conflicts_with = "energy_bar")]
-    pub(crate) with: Option<Beside>,
+    pub(crate) with: Option<With>,
     /// Seconds for which the last frame stays [default: 1.5; 0 for an oscillation, which loops]
     #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]
     pub(crate) hold: Option<f64>,
-}
-
-/// What is shown beside the hoop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Beside {
-    /// The plane of theta and theta' with the curves f, n and that of lift-off
-    Plane,
-    /// |F|/N with mu_s and mu_k against the time
-    Friction,
-    /// Kinetic and potential energy, and what is lost, against the time
-    Energy,
-}
-
-/// When the energy is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Bar {
-    /// If the hoop has a coefficient of restitution
-    Auto,
-    /// In any case
-    Always,
-    /// Not at all
-    Never,
-}
-
-/// What the picture shows of the path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Camera {
-    /// The whole path if the hoop is large all the same, else the camera goes with the hoop
-    Auto,
-    /// The whole path, however small the hoop is
-    Whole,
-    /// The camera goes with the mass centre; the whole path is shown in small
-    Follow,
 }

@@ -16,7 +16,7 @@ mod quantity;
 mod sweep;
 
 #[cfg(feature = "film")]
-pub(crate) use animate::{AnimateArgs, Bar, Beside, Camera};
+pub(crate) use animate::AnimateArgs;
 pub(crate) use elsewhere::ElsewhereArgs;
 #[cfg(not(feature = "film"))]
 pub(crate) use elsewhere::ElsewhereArgs as AnimateArgs;
@@ -104,7 +104,7 @@ pub(crate) enum Command {
     #[cfg_attr(feature = "figures", command(long_about = poster::POSTER, after_help = poster::POSTER_EXAMPLES))]
     #[cfg_attr(not(feature = "figures"), doc = "(requires the feature `figures`)")]
     Poster(Box<PosterArgs>),
-    /// Make a film of a motion: GIF, APNG, MP4 or WebM
+    /// Make a film of a motion: GIF, MP4 or WebM
     #[cfg_attr(feature = "film", command(long_about = animate::ANIMATE, after_help = animate::ANIMATE_EXAMPLES))]
     #[cfg_attr(not(feature = "film"), doc = "(requires the feature `film`)")]
     Animate(Box<AnimateArgs>),

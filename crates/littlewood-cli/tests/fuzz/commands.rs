@@ -243,7 +243,7 @@ fn animate(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     words.extend(limit_words(limits));
     words.extend([
         "--out".to_owned(),
-        draw.one_of(&["a.gif", "b.gif", "a.png", "a.apng", "b.png", "a.txt", "none/a.gif"]).to_owned(),
+        draw.one_of(&["a.gif", "b.gif", "a.png", "a.apng", "a.txt", "none/a.gif"]).to_owned(),
     ]);
     // Few frames, small ones.
     words.extend(["--fps".to_owned(), draw.one_of(&["1", "2", "3", "4", "5", "0", "101"]).to_owned()]);
