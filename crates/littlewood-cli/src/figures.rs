@@ -155,22 +155,15 @@ fn subject(args: &FiguresArgs, entry: &FigureEntry) -> Result<FigureInput, Error
 }
 
 const fn is_about_the_hoop(error: &FigureError) -> bool {
-    matches!(
+    !matches!(
         error,
-        FigureError::NeedsInertia { .. }
-            | FigureError::NeedsMassless { .. }
-            | FigureError::NeedsRim { .. }
-            | FigureError::NeedsStartOnPlane { .. }
-            | FigureError::NeedsOffset { .. }
-            | FigureError::NeedsRestitution { .. }
-            | FigureError::NeedsStaticFriction { .. }
-            | FigureError::NoMotion { .. }
-            | FigureError::NoDuration { .. }
-            | FigureError::NoContact { .. }
-            | FigureError::NoForce { .. }
-            | FigureError::NoImpact { .. }
-            | FigureError::NoTransition { .. }
-            | FigureError::TooManyBands { .. }
+        FigureError::Parameter(_)
+            | FigureError::UnknownCase { .. }
+            | FigureError::ImpactNumber { .. }
+            | FigureError::NeedsLevel { .. }
+            | FigureError::Draw(_)
+            | FigureError::Threads(_)
+            | FigureError::Axis(_)
     )
 }
 

@@ -4,7 +4,11 @@ use littlewood_draw::{Figure, markdown, plain};
 
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::paper;
+use crate::paper::{
+    atlas, bifurcation, bounces, cases, demand, gliding, histories, hodograph, impact, inertia, loci,
+    outcomes, overview, painleve, paths, phase_path, portrait, printed, schematic, state_space, stroboscope,
+    types, wall,
+};
 use crate::si::converted;
 
 /// A figure that can be made.
@@ -73,82 +77,66 @@ const fn entry(
     FigureEntry { name, title, case, make: Make::Soon(make) }
 }
 
+const fn of_starts(
+    name: &'static str,
+    title: &'static str,
+    case: &'static str,
+    make: fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>,
+) -> FigureEntry {
+    FigureEntry { name, title, case, make: Make::OfStarts(make) }
+}
+
 /// All figures, in the order of the paper, then those that it does not have.
 pub const FIGURES: &[FigureEntry] = &[
-    entry("figure-1", "the body and its symbols", "figure-3", paper::schematic::figure),
+    entry("figure-1", "the body and its symbols", "figure-3", schematic::figure),
     entry(
         "figure-2a",
         "loci of slip in rolling, for four coefficients of friction",
         "figure-3",
-        paper::loci::figure,
+        loci::figure,
     ),
-    entry("figure-2b", "phase portrait of rolling", "figure-3", paper::portrait::with_inertia),
-    entry("figure-3a", "a motion in the space of states", "figure-3", paper::state_space::space),
-    entry("figure-3b", "paths of the centre and of the mass centre", "figure-3", paper::paths::centres),
-    entry("figure-4", "phase portrait of the rolling massless hoop", "figure-7", paper::portrait::massless),
-    entry(
-        "figure-5a",
-        "the region R of the massless hoop and its boundaries",
-        "figure-7",
-        paper::types::regions,
-    ),
-    entry("figure-5b", "rolling motions of Types I, II and III", "figure-7", paper::types::motions),
-    entry("figure-6a", "phase portrait of gliding", "figure-7", paper::gliding::alone),
-    entry("figure-6b", "rolling and gliding in one portrait", "figure-7", paper::gliding::combined),
+    entry("figure-2b", "phase portrait of rolling", "figure-3", portrait::with_inertia),
+    entry("figure-3a", "a motion in the space of states", "figure-3", state_space::space),
+    entry("figure-3b", "paths of the centre and of the mass centre", "figure-3", paths::centres),
+    entry("figure-4", "phase portrait of the rolling massless hoop", "figure-7", portrait::massless),
+    entry("figure-5a", "the region R of the massless hoop and its boundaries", "figure-7", types::regions),
+    entry("figure-5b", "rolling motions of Types I, II and III", "figure-7", types::motions),
+    entry("figure-6a", "phase portrait of gliding", "figure-7", gliding::alone),
+    entry("figure-6b", "rolling and gliding in one portrait", "figure-7", gliding::combined),
     entry(
         "figure-7a",
         "rolling, then gliding, in the phase plane and in time",
         "figure-7",
-        paper::state_space::rolling_then_gliding,
+        state_space::gliding,
     ),
-    entry("figure-7b", "path of the particle, a cycloid and a parabola", "figure-7", paper::paths::particle),
-    entry(
-        "forces",
-        "normal and friction force of a motion against time",
-        "figure-3",
-        paper::histories::forces,
-    ),
-    entry("energy", "energies of a motion against time", "figure-3", paper::histories::energy),
-    entry("sheet", "all quantities of a motion against time", "figure-3", paper::overview::figure),
+    entry("figure-7b", "path of the particle, a cycloid and a parabola", "figure-7", paths::particle),
+    entry("forces", "normal and friction force of a motion against time", "figure-3", histories::forces),
+    entry("energy", "energies of a motion against time", "figure-3", histories::energy),
+    entry("sheet", "all quantities of a motion against time", "figure-3", overview::figure),
     entry(
         "stroboscope",
         "the hoop at equal intervals of time, with its forces",
         "figure-3",
-        paper::stroboscope::figure,
+        stroboscope::figure,
     ),
-    entry("phase-path", "a motion in the phase portrait of rolling", "figure-3", paper::phase_path::figure),
-    entry("friction-demand", "friction demand of rolling along orbits", "figure-3", paper::demand::figure),
-    entry("hodograph", "friction against normal force, in the cone", "figure-3", paper::hodograph::figure),
-    entry("painleve", "where sliding has no solution or several", "painleve", paper::painleve::figure),
-    entry("impact", "an impact in the plane of impulses", "figure-3-bounces", paper::impact::figure),
-    entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", paper::bounces::figure),
-    entry("wall", "motions through the surface where they lift off", "figure-3", paper::wall::figure),
-    entry("inertia", "lighter and lighter hoops, and the massless one", "figure-7", paper::inertia::figure),
-    entry(
-        "paper",
-        "orbits and lift-off as the paper prints them, and exactly",
+    entry("phase-path", "a motion in the phase portrait of rolling", "figure-3", phase_path::figure),
+    entry("friction-demand", "friction demand of rolling along orbits", "figure-3", demand::figure),
+    entry("hodograph", "friction against normal force, in the cone", "figure-3", hodograph::figure),
+    entry("painleve", "where sliding has no solution or several", "painleve", painleve::figure),
+    entry("impact", "an impact in the plane of impulses", "figure-3-bounces", impact::figure),
+    entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", bounces::figure),
+    entry("wall", "motions through the surface where they lift off", "figure-3", wall::figure),
+    entry("inertia", "lighter and lighter hoops, and the massless one", "figure-7", inertia::figure),
+    entry("paper", "orbits and lift-off as the paper prints them, and exactly", "figure-3", printed::figure),
+    entry("cases", "all named cases on one page", "figure-3", cases::figure),
+    of_starts("atlas", "the outcome of each start, and the motions of some", "figure-3", atlas::figure),
+    of_starts("outcomes", "outcomes of the starts in the phase plane", "figure-3", outcomes::figure),
+    of_starts(
+        "bifurcation",
+        "transitions along a line of starts or parameters",
         "figure-3",
-        paper::printed::figure,
+        bifurcation::figure,
     ),
-    entry("cases", "all named cases on one page", "figure-3", paper::cases::figure),
-    FigureEntry {
-        name: "atlas",
-        title: "the outcome of each start, and the motions of some",
-        case: "figure-3",
-        make: Make::OfStarts(paper::atlas::figure),
-    },
-    FigureEntry {
-        name: "outcomes",
-        title: "outcomes of the starts in the phase plane",
-        case: "figure-3",
-        make: Make::OfStarts(paper::outcomes::figure),
-    },
-    FigureEntry {
-        name: "bifurcation",
-        title: "transitions along a line of starts or parameters",
-        case: "figure-3",
-        make: Make::OfStarts(paper::bifurcation::figure),
-    },
 ];
 
 /// Pixels of the pictures of the gallery to one of the drawing.
@@ -194,45 +182,4 @@ pub fn gallery_page() -> Result<String, FigureError> {
 /// The figure of this name.
 pub fn find_figure(name: &str) -> Option<&'static FigureEntry> {
     FIGURES.iter().find(|entry| entry.name == name)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use littlewood_draw::View;
-    use littlewood_draw::missing;
-
-    #[test]
-    fn names_are_told_apart_and_found() {
-        for (i, entry) in FIGURES.iter().enumerate() {
-            assert!(FIGURES[..i].iter().all(|other| other.name != entry.name));
-            assert_eq!(find_figure(entry.name).map(|found| found.title), Some(entry.title));
-            assert!(littlewood::cases::find_case(entry.case).is_some(), "{}", entry.case);
-        }
-        assert!(find_figure("figure-8").is_none());
-    }
-
-    #[test]
-    fn the_faces_have_all_letters() {
-        for entry in FIGURES {
-            let figure = entry.of_the_paper().expect("the figure can be made");
-            assert_eq!(figure.name, entry.name);
-            for panel in &figure.panels {
-                for label in &panel.labels {
-                    assert_eq!(missing(&label.text), "", "{}", label.text);
-                }
-                for key in &panel.keys {
-                    assert_eq!(missing(&key.text), "", "{}", key.text);
-                }
-                let axes = match &panel.view {
-                    View::Plane { x, y, .. } => vec![x, y],
-                    View::Space { x, y, z, .. } => vec![x, y, z],
-                };
-                for axis in axes {
-                    assert_eq!(missing(&axis.title), "", "{}", axis.title);
-                    assert!(axis.ticks.iter().all(|tick| missing(&tick.label).is_empty()));
-                }
-            }
-        }
-    }
 }

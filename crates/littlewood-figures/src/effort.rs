@@ -48,8 +48,8 @@ impl Effort {
         if engine.is_exact() && hoop.h() > BALANCED && hoop.mu_k() > 0.0 {
             return Self::Slow;
         }
-        let (long, rolls) = long_motions(hoop, limits, engine);
-        let bounces = bouncing_motions(hoop, limits, engine) > FEW;
+        let [long, rolls, bounces] = long_motions(hoop, limits, engine);
+        let bounces = bounces > FEW;
         if long <= FEW {
             return match (engine.is_prepared(), engine.is_exact()) {
                 _ if bounces => Self::Bounces,
@@ -84,24 +84,18 @@ impl Effort {
     }
 }
 
-/// How many of some motions are long before they lift off, and how many of these roll again and again.
-fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> (usize, usize) {
+/// How many of some motions are long before they lift off, how many of these roll again and again, and how many go on and on after
+/// they have lifted off.
+fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> [usize; 3] {
     let rolls = |summary: &Summary| {
         summary.sequence.codes().skip(IN_CHAIN).flatten().any(|code| code.mode().0 == Mode::Rolling)
     };
-    let long = engine
-        .long_motions(plane_window(hoop), Start::default(), limits, LONG)
-        .filter(|summary| summary.lift_off_time.is_nan());
-    long.fold((0, 0), |(all, rolling), summary| (all + 1, rolling + usize::from(rolls(&summary))))
-}
-
-/// How many of them go on and on after they have lifted off.
-fn bouncing_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> usize {
-    if hoop.restitution().is_none() {
-        return 0;
-    }
-    engine
-        .long_motions(plane_window(hoop), Start::default(), limits, LONG)
-        .filter(|summary| !summary.lift_off_time.is_nan())
-        .count()
+    let motions = engine.long_motions(plane_window(hoop), Start::default(), limits, LONG);
+    motions.fold([0; 3], |[long, rolling, bounces], summary| {
+        if summary.lift_off_time.is_nan() {
+            [long + 1, rolling + usize::from(rolls(&summary)), bounces]
+        } else {
+            [long, rolling, bounces + usize::from(hoop.restitution().is_some())]
+        }
+    })
 }

@@ -6,158 +6,70 @@ use littlewood_sweep::{AxisError, ThreadsError, Varies};
 
 /// A figure that cannot be made.
 #[derive(Debug, thiserror::Error)]
+#[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum FigureError {
     /// A hoop or a start out of bounds.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
     /// A case that is not there.
     #[error("there is no case named '{name}'")]
-    UnknownCase {
-        /// The name.
-        name: String,
-    },
+    UnknownCase { name: String },
     /// A figure of §2 asked for a hoop without inertia.
     #[error("{figure} shows a hoop with inertia; this one has mass ratio 0 and inertia 0")]
-    NeedsInertia {
-        /// Name of the figure.
-        figure: &'static str,
-    },
+    NeedsInertia { figure: &'static str },
     /// A figure of §3 asked for a hoop with inertia.
     #[error("{figure} shows the massless hoop; this one has mass ratio {mass_ratio} and inertia {inertia}")]
-    NeedsMassless {
-        /// Name of the figure.
-        figure: &'static str,
-        /// m̂1.
-        mass_ratio: f64,
-        /// Î_zz.
-        inertia: f64,
-    },
+    NeedsMassless { figure: &'static str, mass_ratio: f64, inertia: f64 },
     /// A figure of §3 asked for a particle inside the rim.
     #[error("{figure} shows the particle on the rim, offset 1; this one has offset {offset}")]
-    NeedsRim {
-        /// Name of the figure.
-        figure: &'static str,
-        /// ℓ̂.
-        offset: f64,
-    },
+    NeedsRim { figure: &'static str, offset: f64 },
     /// A figure that switches inertia off asked for a start above the plane: the rotation of a massless hoop in the air is not determined.
     #[error(
         "{figure} switches inertia off, which a start on the plane needs; this one has the gap rate {gap_rate}"
     )]
-    NeedsStartOnPlane {
-        /// Name of the figure.
-        figure: &'static str,
-        /// Gap rate of the start, √(gR).
-        gap_rate: f64,
-    },
+    NeedsStartOnPlane { figure: &'static str, gap_rate: f64 },
     /// A figure of angles asked for a body whose mass centre is the geometric centre.
     #[error("{figure} shows a loaded hoop; this one has offset 0, and nothing depends on the angle")]
-    NeedsOffset {
-        /// Name of the figure.
-        figure: &'static str,
-    },
+    NeedsOffset { figure: &'static str },
     /// A figure of the region of rolling asked for a massless hoop without static friction, which has none.
     #[error("{figure} shows where static friction holds the massless hoop; with mu_s 0 that is nowhere")]
-    NeedsStaticFriction {
-        /// Name of the figure.
-        figure: &'static str,
-    },
+    NeedsStaticFriction { figure: &'static str },
     /// A figure of contact asked for a motion that never is in contact.
     #[error("{figure} shows a motion in contact, but from this start the hoop leaves the plane at once: {}", outcome.label())]
-    NoContact {
-        /// Name of the figure.
-        figure: &'static str,
-        /// How the motion ends.
-        outcome: OutcomeKind,
-    },
+    NoContact { figure: &'static str, outcome: OutcomeKind },
     /// A figure of a motion that does not begin: no motion, or more than one, is consistent at the start.
     #[error("{figure} shows a motion, but from this start there is none: {}", outcome.label())]
-    NoMotion {
-        /// Name of the figure.
-        figure: &'static str,
-        /// What there is instead.
-        outcome: OutcomeKind,
-    },
+    NoMotion { figure: &'static str, outcome: OutcomeKind },
     /// A figure of a motion that lasts no time.
     #[error("{figure} shows a motion, but this one ends where it begins, at τ = {time}: {}", outcome.label())]
-    NoDuration {
-        /// Name of the figure.
-        figure: &'static str,
-        /// When that is, √(R/g).
-        time: f64,
-        /// How the motion ends.
-        outcome: OutcomeKind,
-    },
+    NoDuration { figure: &'static str, time: f64, outcome: OutcomeKind },
     /// A figure of transitions asked for a line along which no motion has one.
     #[error(
         "{figure} shows how transitions change, but no motion has one where {along} goes from {from} to {to}"
     )]
-    NoTransition {
-        /// Name of the figure.
-        figure: &'static str,
-        /// What varies.
-        along: Varies,
-        /// Its least value.
-        from: f64,
-        /// Its greatest.
-        to: f64,
-    },
+    NoTransition { figure: &'static str, along: Varies, from: f64, to: f64 },
     /// A figure of transitions asked for a line along which motions change all the time.
     #[error(
         "{figure} can show {most} changes of the sequence of phases, but there are more where {along} goes from {from} to {to}"
     )]
-    TooManyBands {
-        /// Name of the figure.
-        figure: &'static str,
-        /// What varies.
-        along: Varies,
-        /// Its least value.
-        from: f64,
-        /// Its greatest.
-        to: f64,
-        /// Changes that can be shown.
-        most: usize,
-    },
+    TooManyBands { figure: &'static str, along: Varies, from: f64, to: f64, most: usize },
     /// A figure of forces asked for a motion in which the plane exerts none.
     #[error("{figure} shows the forces of the plane, but in this motion there are none: {}", outcome.label())]
-    NoForce {
-        /// Name of the figure.
-        figure: &'static str,
-        /// How the motion ends.
-        outcome: OutcomeKind,
-    },
+    NoForce { figure: &'static str, outcome: OutcomeKind },
     /// A figure of impacts asked for a hoop whose motion ends at the landing.
     #[error(
         "{figure} shows what follows a landing; without a coefficient of restitution the motion ends there"
     )]
-    NeedsRestitution {
-        /// Name of the figure.
-        figure: &'static str,
-    },
+    NeedsRestitution { figure: &'static str },
     /// A figure of impacts asked for a motion without one.
     #[error("{figure} shows impacts, but the motion has none: {}", outcome.label())]
-    NoImpact {
-        /// Name of the figure.
-        figure: &'static str,
-        /// How the motion ends.
-        outcome: OutcomeKind,
-    },
+    NoImpact { figure: &'static str, outcome: OutcomeKind },
     /// An impact that the motion does not have.
     #[error("impact {number} is asked for, but the impacts of the motion are 1 to {impacts}")]
-    ImpactNumber {
-        /// The number.
-        number: usize,
-        /// How many impacts there are, without those by which the hoop settles.
-        impacts: usize,
-    },
+    ImpactNumber { number: usize, impacts: usize },
     /// A figure of §3 asked for a slope, on which its lines are others.
     #[error("{figure} shows a level plane, as the paper; this one has the slope {slope} rad")]
-    NeedsLevel {
-        /// Name of the figure.
-        figure: &'static str,
-        /// α.
-        slope: f64,
-    },
+    NeedsLevel { figure: &'static str, slope: f64 },
     /// A width or a scale out of bounds.
     #[error(transparent)]
     Draw(#[from] DrawError),

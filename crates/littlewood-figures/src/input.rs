@@ -1,9 +1,9 @@
 //! What a figure is made of: a hoop, a start, limits.
 
 use littlewood::si::Units;
-use littlewood::theory::Body;
+use littlewood::theory::{Body, Massless};
 use littlewood::{Hoop, Limits, Start, Trajectory};
-use littlewood_draw::Sheet;
+use littlewood_draw::{Content, Entries, Figure, Label, Layer, PlotAxis, Sheet};
 use littlewood_sweep::Axis;
 
 use crate::error::FigureError;
@@ -49,7 +49,26 @@ impl FigureInput {
 
     /// How numbers are said.
     pub(crate) const fn wording(&self) -> Wording {
-        Wording::new(self.units)
+        Wording { units: self.units }
+    }
+
+    /// The hoop and the start, in words.
+    pub(crate) fn in_words(&self) -> String {
+        let say = self.wording();
+        format!("{}; {}", say.hoop(&self.hoop), say.start(&self.hoop, &self.start))
+    }
+
+    /// A figure of a part of the plane (θ, θ′), or of one like it.
+    pub(crate) fn plane(
+        &self,
+        [name, title]: [&'static str; 2],
+        caption: String,
+        [x, y]: [PlotAxis; 2],
+        (layers, labels): (Vec<Layer>, Vec<Label>),
+        entries: Entries,
+    ) -> Result<Figure, FigureError> {
+        let content = Content { name: "plane", x, y, layers, labels };
+        Ok(self.sheet(580.0)?.plot(name, title, caption, 402.0, content, entries))
     }
 
     /// The sheet, so wide on a screen.
@@ -74,11 +93,14 @@ impl FigureInput {
         matches!(self.hoop.body(), Body::Massless(_))
     }
 
+    /// Refuses a massless hoop.
+    pub(crate) fn heavy(&self, figure: &'static str) -> Result<(), FigureError> {
+        if self.is_massless() { Err(FigureError::NeedsInertia { figure }) } else { Ok(()) }
+    }
+
     /// Refuses a massless hoop, and one that is not loaded.
     pub(crate) fn with_inertia(&self, figure: &'static str) -> Result<(), FigureError> {
-        if self.is_massless() {
-            return Err(FigureError::NeedsInertia { figure });
-        }
+        self.heavy(figure)?;
         self.loaded(figure)
     }
 
@@ -99,22 +121,19 @@ impl FigureInput {
     }
 
     /// Refuses all but Littlewood's hoop with static friction.
-    pub(crate) fn littlewood_that_rolls(&self, figure: &'static str) -> Result<(), FigureError> {
-        self.littlewood(figure)?;
+    pub(crate) fn littlewood_that_rolls(&self, figure: &'static str) -> Result<Massless, FigureError> {
+        let body = self.littlewood(figure)?;
         self.level(figure)?;
-        if self.hoop.mu_s() > 0.0 { Ok(()) } else { Err(FigureError::NeedsStaticFriction { figure }) }
+        if self.hoop.mu_s() > 0.0 { Ok(body) } else { Err(FigureError::NeedsStaticFriction { figure }) }
     }
 
     /// Refuses a hoop with inertia.
-    pub(crate) fn massless(&self, figure: &'static str) -> Result<(), FigureError> {
-        if self.is_massless() {
-            return Ok(());
+    pub(crate) fn massless(&self, figure: &'static str) -> Result<Massless, FigureError> {
+        let (mass_ratio, inertia) = (self.hoop.mass_ratio(), self.hoop.inertia());
+        match self.hoop.body() {
+            Body::Massless(body) => Ok(body),
+            Body::Heavy(_) => Err(FigureError::NeedsMassless { figure, mass_ratio, inertia }),
         }
-        Err(FigureError::NeedsMassless {
-            figure,
-            mass_ratio: self.hoop.mass_ratio(),
-            inertia: self.hoop.inertia(),
-        })
     }
 
     /// Refuses a slope.
@@ -126,9 +145,8 @@ impl FigureInput {
     }
 
     /// Refuses all but Littlewood's hoop.
-    pub(crate) fn littlewood(&self, figure: &'static str) -> Result<(), FigureError> {
-        self.massless(figure)?;
-        let offset = self.hoop.offset();
-        if offset == 1.0 { Ok(()) } else { Err(FigureError::NeedsRim { figure, offset }) }
+    pub(crate) fn littlewood(&self, figure: &'static str) -> Result<Massless, FigureError> {
+        let (body, offset) = (self.massless(figure)?, self.hoop.offset());
+        if offset == 1.0 { Ok(body) } else { Err(FigureError::NeedsRim { figure, offset }) }
     }
 }

@@ -4,23 +4,18 @@ use core::f64::consts::TAU;
 
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, HATCH, INK, Label, Mark, Panel, PlotAxis, SMALL, Scale, Series, Sheet, Stroke,
+    Content, Dash, HATCH, INK, Label, Mark, Panel, PlotAxis, SMALL, Series, Sheet, Stroke,
 };
 use littlewood_style::width::{CURVE, FINE};
 
-use crate::columns::{THETA, TIME, X, Y};
-use crate::motion::{bounds, horizon};
+use crate::columns::{TIME, X, Y};
+use crate::motion::{bounds, hoops, horizon};
 
 /// Instants of a path, and of the hoop.
 const INSTANTS: usize = 160;
 const HOOPS: usize = 4;
 /// Turns of a motion that are shown at most.
 const TURNS: f64 = 3.0;
-
-/// An axis without ticks.
-pub(crate) fn silent(column: &'static str, range: [f64; 2]) -> PlotAxis {
-    PlotAxis { scale: Scale::Nothing, ..PlotAxis::new(column, "", range) }
-}
 
 /// Up to when a motion is shown whose centre goes so many radii at most.
 pub(crate) fn end_of(motion: &Trajectory, farthest: f64) -> f64 {
@@ -66,7 +61,6 @@ pub(crate) fn picture(motion: &Trajectory, frame: [f64; 4], unit: f64, title: Op
     let [left, right] = bounds(samples.iter().map(|sample| sample.centre.x), 0.0);
     let middle = 0.5 * (left + right);
     let (x, y) = ([middle - 0.5 * wide, middle + 0.5 * wide], [-0.3, high - 0.3]);
-    let hoop = motion.hoop();
     let mut layers = vec![
         Series::of_rows(
             "ground",
@@ -74,8 +68,7 @@ pub(crate) fn picture(motion: &Trajectory, frame: [f64; 4], unit: f64, title: Op
             vec![vec![x[0], 0.0], vec![x[1], 0.0], vec![x[1], y[0]], vec![x[0], y[0]]],
         )
         .drawn(Mark::Hatch(HATCH)),
-        Series::of_rows("ground", &[X, Y], x.map(|x| vec![x, 0.0]).to_vec())
-            .drawn(Mark::Line(Stroke::solid(INK, FINE))),
+        Series::of_rows("ground", &[X, Y], x.map(|x| vec![x, 0.0]).to_vec()).drawn(Stroke::solid(INK, FINE)),
     ];
     let step = (samples.len().saturating_sub(1)).max(1) / HOOPS;
     // Whole hoops only.
@@ -84,14 +77,11 @@ pub(crate) fn picture(motion: &Trajectory, frame: [f64; 4], unit: f64, title: Op
         centre.x - 1.0 >= x[0] && centre.x + 1.0 <= x[1] && centre.y + 1.0 <= y[1]
     };
     let shown: Vec<Sample> = samples.iter().step_by(step.max(1)).filter(is_whole).copied().collect();
-    let of_hoop =
-        |sample: &Sample| vec![sample.state.time, sample.centre.x, sample.centre.y, sample.state.theta];
     for mode in Mode::ALL {
-        let rows: Vec<Vec<f64>> = shown.iter().filter(|sample| sample.mode == mode).map(of_hoop).collect();
-        if !rows.is_empty() {
-            let rim = Stroke::of_mode(mode).dashed(littlewood_style::Dash::Solid).wide(FINE);
-            let mark = Mark::Hoop { offset: hoop.offset(), h: hoop.h(), radius: 1.0, rim };
-            layers.push(Series::of_rows(format!("hoop, {mode}"), &[TIME, X, Y, THETA], rows).drawn(mark));
+        let mut own = shown.iter().filter(|sample| sample.mode == mode).peekable();
+        if own.peek().is_some() {
+            let rim = Stroke::of_mode(mode).dashed(Dash::Solid).wide(FINE);
+            layers.push(hoops(motion.hoop(), own, format!("hoop, {mode}"), rim));
         }
     }
     let row = |sample: &Sample| vec![sample.state.time, sample.mass_centre.x, sample.mass_centre.y];
@@ -101,5 +91,8 @@ pub(crate) fn picture(motion: &Trajectory, frame: [f64; 4], unit: f64, title: Op
     }
     let label = |text| Label::new(text, &[x[0], y[1]]).left().shifted(6.0, 10.0).sized(SMALL);
     let labels = title.into_iter().map(label).collect();
-    Sheet::panel(frame, Content { name: "motion", x: silent(X, x), y: silent(Y, y), layers, labels })
+    Sheet::panel(
+        frame,
+        Content { name: "motion", x: PlotAxis::silent(X, x), y: PlotAxis::silent(Y, y), layers, labels },
+    )
 }

@@ -3,9 +3,11 @@
 use core::f64::consts::TAU;
 
 use littlewood::tables::Dimension;
-use littlewood::{Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
-use littlewood_draw::Series;
+use littlewood::{Hoop, Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
+use littlewood_draw::{Entries, Layer, Mark, Series, Stroke};
+use littlewood_style::width::BOLD;
 
+use crate::columns::{THETA, TIME, X, Y};
 use crate::wording::Wording;
 
 /// Instants of a phase.
@@ -125,23 +127,45 @@ pub(crate) fn by_mode(
         .collect()
 }
 
-/// Arrows of time: a place on each phase that is shown, by its row, with one a little later.
-pub(crate) fn heads(
+/// Lines of modes, so wide.
+pub(crate) fn lines(modes: Vec<(Mode, Series)>, width: f64) -> impl Iterator<Item = Layer> {
+    modes.into_iter().map(move |(mode, series)| series.drawn(Stroke::of_mode(mode).wide(width)))
+}
+
+/// What they mean.
+pub(crate) fn entries(modes: &[(Mode, Series)], words: impl Fn(Mode) -> String) -> Entries {
+    modes.iter().map(|(mode, _)| (Stroke::of_mode(*mode).wide(BOLD).into(), words(*mode))).collect()
+}
+
+/// The hoop at some instants.
+pub(crate) fn hoops<'a>(
+    hoop: &Hoop,
+    samples: impl Iterator<Item = &'a Sample>,
+    name: impl Into<String>,
+    rim: Stroke,
+) -> Layer {
+    let row = |sample: &Sample| vec![sample.state.time, sample.centre.x, sample.centre.y, sample.state.theta];
+    let mark = Mark::Hoop { offset: hoop.offset(), h: hoop.h(), radius: 1.0, rim };
+    Series::of_rows(name, &[TIME, X, Y, THETA], samples.map(row).collect()).drawn(mark)
+}
+
+/// Arrows of time, those that are seen: from a place on each phase that is shown, by its row, to one a little later.
+pub(crate) fn arrows(
     motion: &Trajectory,
     share: f64,
+    columns: &[&'static str],
     row: &dyn Fn(&Sample) -> Vec<f64>,
-) -> Vec<(Mode, Vec<Vec<f64>>)> {
+    is_seen: impl Fn(Mode, &[Vec<f64>]) -> bool,
+) -> impl Iterator<Item = Layer> {
     let until = horizon(motion);
-    motion
-        .phases()
-        .iter()
-        .filter_map(|phase| {
-            let duration = f64::min(phase.duration(), until - phase.start().time);
-            let at = |share: f64| phase.sample(share * duration);
-            (duration > 0.0).then(|| (phase.mode(), vec![row(&at(share)), row(&at(share + SOON))]))
-        })
-        .filter(|(_, rows)| rows.iter().flatten().all(|value| value.is_finite()))
-        .collect()
+    motion.phases().iter().filter_map(move |phase| {
+        let (mode, duration) = (phase.mode(), f64::min(phase.duration(), until - phase.start().time));
+        let at = |share: f64| row(&phase.sample(share * duration));
+        let rows = (duration > 0.0).then(|| vec![at(share), at(share + SOON)])?;
+        let is_drawn = rows.iter().flatten().all(|value| value.is_finite()) && is_seen(mode, &rows);
+        let arrow = || Series::new("arrow of time", columns, vec![rows]);
+        is_drawn.then(|| arrow().drawn(Mark::Head(Stroke::of_mode(mode).colour)))
+    })
 }
 
 /// How much of a phase passes along an arrow.

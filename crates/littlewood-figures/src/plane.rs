@@ -136,6 +136,12 @@ impl Portrait {
         )
     }
 
+    /// Orbits of these energies, and the separatrix.
+    pub(crate) fn orbits(&self, energies: &[f64]) -> impl Iterator<Item = Layer> {
+        let orbits = energies.iter().map(|energy| self.orbit(*energy).drawn(Curve::Level));
+        orbits.chain([self.separatrix().drawn(Curve::Separatrix)])
+    }
+
     /// The separatrix through the unstable equilibrium.
     pub(crate) fn separatrix(&self) -> Series {
         let energy = self.law.separatrix_energy();
@@ -177,14 +183,16 @@ impl Portrait {
     }
 }
 
-/// The row of a series nearest to a place, measured in parts of the window.
-pub(crate) fn nearest(series: &Series, at: [f64; 2], window: Window) -> Option<[f64; 2]> {
-    let distance = |row: &[f64]| {
-        let dx = (row[0] - at[0]) / (window.x[1] - window.x[0]);
-        let dy = (row[1] - at[1]) / (window.y[1] - window.y[0]);
-        dx * dx + dy * dy
-    };
-    series.rows().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|row| [row[0], row[1]])
+/// The lines *n* of Littlewood's hoop, between the angles at which it slips.
+pub(crate) fn unloading_lines(theta_s: f64) -> Series {
+    let pieces = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]);
+    Series::new("n", &PLANE, pieces.to_vec())
+}
+
+/// Two places of an orbit as they follow each other: to the right where θ′ > 0.
+pub(crate) fn in_time(a: &[f64], b: &[f64]) -> Vec<Vec<f64>> {
+    let [from, to] = if (b[0] - a[0]) * a[1] > 0.0 { [a, b] } else { [b, a] };
+    vec![from.to_vec(), to.to_vec()]
 }
 
 /// For names.
@@ -194,6 +202,17 @@ fn rounded(value: f64) -> f64 {
 
 /// What several figures of the plane have in common.
 impl Portrait {
+    /// A name at the row of a series that is nearest to a place, measured in parts of the window.
+    pub(crate) fn name_of(&self, series: &Series, at: [f64; 2], name: impl Into<String>) -> Option<Label> {
+        let Window { x, y } = self.window;
+        let distance = |row: &[f64]| {
+            let (dx, dy) = ((row[0] - at[0]) / (x[1] - x[0]), (row[1] - at[1]) / (y[1] - y[0]));
+            dx * dx + dy * dy
+        };
+        let nearest = series.rows().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        Some(Label::new(name, &nearest[..2]))
+    }
+
     /// "N < 0" in the hatched regions, where there is room.
     pub(crate) fn mark_of_unloading(&self) -> Vec<Label> {
         let most = self.window.y[1];

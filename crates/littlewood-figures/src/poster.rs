@@ -3,11 +3,11 @@
 use littlewood::Trajectory;
 use littlewood::tables::{Dimension, Quantity, Setup};
 use littlewood_draw::{
-    Figure, GRID, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View, angle, lift_off_condition,
-    marked, plain, short,
+    Figure, GRID, Label, Panel, PlotAxis, SOFT, Series, Sheet, Stroke, angle, lift_off_condition, marked,
+    plain, short,
 };
 
-use crate::catalogue::{FigureEntry, Watch, find_figure};
+use crate::catalogue::{Watch, find_figure};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::paper::atlas;
@@ -98,7 +98,8 @@ impl Content<'_> {
         let column = next(&ends);
         ends[column] = page.equations(self.input, [page.left(column), ends[column]]);
         for reason in self.rows.iter().flatten().filter_map(|figure| figure.as_ref().err()) {
-            ends[column] = page.note(reason, [page.left(column), ends[column]]);
+            let place = [page.left(column), ends[column] + 0.5 * LINE];
+            ends[column] = page.note(reason, place, page.letters());
         }
         (page, f64::max(ends[0] - GAP, ends[1]) + MARGIN)
     }
@@ -124,16 +125,11 @@ fn choose(
             }
             Ok(_) => {}
             Err(error) => {
-                reason.get_or_insert(sentence(entry, &error));
+                reason.get_or_insert(format!("No figure of {}: {error}.", entry.title));
             }
         }
     }
     Err(reason.unwrap_or_else(|| "No other figure applies to this hoop.".to_owned()))
-}
-
-/// Why there is no such figure.
-fn sentence(entry: &FigureEntry, error: &FigureError) -> String {
-    format!("No figure of {}: {error}.", entry.title)
 }
 
 struct Page {
@@ -188,10 +184,9 @@ impl Page {
         MARGIN + (self.column() + BETWEEN) * column as f64
     }
 
-    /// A sentence; returns its lower end.
-    fn note(&mut self, text: &str, [left, top]: [f64; 2]) -> f64 {
-        let mut y = top + 0.5 * LINE;
-        for line in wrapped(text, self.letters(), LINES) {
+    /// A few lines of so many letters; returns their lower end.
+    fn note(&mut self, text: &str, [left, mut y]: [f64; 2], letters: usize) -> f64 {
+        for line in wrapped(text, letters, LINES) {
             self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
             y += LINE;
         }
@@ -212,12 +207,7 @@ impl Page {
             }
             self.panels.push(panel);
         }
-        let mut y = from[1] + figure.height + 16.0;
-        for line in wrapped(&figure.caption, (DENSITY * wide) as usize, LINES) {
-            self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
-            y += LINE;
-        }
-        y
+        self.note(&figure.caption, [left, from[1] + figure.height + 16.0], (DENSITY * wide) as usize)
     }
 
     /// The laws of motion; returns their lower end.
@@ -234,10 +224,7 @@ impl Page {
         }
         let units = "Lengths in radii *R*, times in √(*R*/*g*), masses in that of the particle; ′ is the rate; *m*, *h*: mass \
                      and distance of the mass centre; *I\u{302}*: moment of inertia about it; *σ* = ±1: direction of the slip.";
-        for line in wrapped(units, self.letters(), LINES) {
-            self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
-            y += LINE;
-        }
+        let y = self.note(units, [left, y], self.letters());
         let source =
             "After A. Bronars and O. M. O'Reilly, Proc. R. Soc. A 475 (2019), computed by littlewood.";
         self.labels.push(Label::new(source, &[left, -(y + 8.0)]).left().coloured(SOFT));
@@ -254,18 +241,11 @@ impl Page {
                 key.at[1] += down;
             }
         }
-        let axis = |column, range| PlotAxis { scale: Scale::Nothing, ..PlotAxis::new(column, "", range) };
-        let [x, y] = [axis(COLUMNS[0], [0.0, width]), axis(COLUMNS[1], [down - height, down])];
-        let rules = Series::new("rule", &COLUMNS, lines).drawn(Mark::Line(Stroke::solid(GRID, 1.6)));
-        panels.push(Panel {
-            image: None,
-            name: "page",
-            frame: [0.0, 0.0, width, height],
-            view: View::Plane { x, y, axes: false, tilt: 0.0 },
-            layers: vec![rules],
-            labels,
-            keys: Vec::new(),
-        });
+        let x = PlotAxis::silent(COLUMNS[0], [0.0, width]);
+        let y = PlotAxis::silent(COLUMNS[1], [down - height, down]);
+        let layers = vec![Series::new("rule", &COLUMNS, lines).drawn(Stroke::solid(GRID, 1.6))];
+        let content = littlewood_draw::Content { name: "page", x, y, layers, labels };
+        panels.push(Sheet::bare([0.0, 0.0, width, height], content, 0.0));
         Figure {
             name: "poster",
             title: "Littlewood's hoop".to_owned(),
@@ -300,13 +280,9 @@ fn numbers(input: &FigureInput, quantities: &[Quantity]) -> String {
 
 /// What happens, in a sentence.
 fn story(motion: &Trajectory) -> String {
-    let mut modes: Vec<String> = Vec::new();
     let phases = motion.phases();
-    for phase in phases.iter().take(6) {
-        modes.push(phase.mode().name().to_owned());
-    }
-    let outcome = motion.outcome();
-    let label = outcome.kind().label();
+    let mut modes: Vec<String> = phases.iter().take(6).map(|phase| phase.mode().name().to_owned()).collect();
+    let label = motion.outcome().kind().label();
     if modes.is_empty() {
         return format!("No motion follows: {label}.");
     }

@@ -45,19 +45,8 @@ fn convert(panel: &mut Panel, units: &Units) {
         for column in &mut layer.series.columns {
             *column = si_name(column);
         }
-        match &mut layer.mark {
-            Mark::Hoop { radius: own, .. } => *own *= radius,
-            Mark::Line(_)
-            | Mark::Arrow(_)
-            | Mark::Head(_)
-            | Mark::Fill(_)
-            | Mark::Region(_)
-            | Mark::Hatch(_)
-            | Mark::HatchedRegion(_)
-            | Mark::Dot(..)
-            | Mark::Ring(..)
-            | Mark::Diamond(..)
-            | Mark::Cross(..) => {}
+        if let Mark::Hoop { radius: own, .. } = &mut layer.mark {
+            *own *= radius;
         }
     }
 }

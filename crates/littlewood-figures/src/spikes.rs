@@ -50,7 +50,7 @@ impl Spikes {
         let axis = say.axis(IMPULSE, "*P*, *J*", range_of(&[&tips[0], &tips[1]], &[0.0]));
         let mut layers = vec![transitions(motion, &axis, IMPULSE), zero(range, IMPULSE)];
         let spikes = tips.iter().flat_map(Series::rows).map(|row| vec![vec![row[0], 0.0], row.to_vec()]);
-        layers.push(Series::new("spike", &columns, spikes.collect()).drawn(Mark::Line(SPIKE)));
+        layers.push(Series::new("spike", &columns, spikes.collect()).drawn(SPIKE));
         layers.extend(tips.into_iter().zip(PARTS).map(|(series, (_, _, mark, _))| series.drawn(mark)));
         let labels = PARTS.into_iter().filter_map(|part| self.label(part, range, say)).collect();
         Some(Content { name: "impulses", x: bare(say, range), y: axis, layers, labels })

@@ -1,7 +1,7 @@
 //! Motions against time: histories of a quantity, verticals at the transitions, names of phases and transitions.
 
 use littlewood::{Phase, Sample, Trajectory, Transition};
-use littlewood_draw::{FAINT, Label, Layer, Mark, PlotAxis, SMALL, SOFT, Scale, Series, Stroke, width};
+use littlewood_draw::{FAINT, Label, Layer, PlotAxis, SMALL, SOFT, Scale, Series, Stroke, width};
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
 
@@ -63,8 +63,7 @@ pub(crate) fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static s
         .filter(|time| *time < until)
         .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
         .collect();
-    Series::new("transition", &[TIME, name], pieces)
-        .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)))
+    Series::new("transition", &[TIME, name], pieces).drawn(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))
 }
 
 /// Names over a panel.
@@ -146,8 +145,7 @@ pub(crate) fn bare(say: Wording, range: [f64; 2]) -> PlotAxis {
 
 /// A horizontal line.
 pub(crate) fn level(range: [f64; 2], name: &str, column: &'static str, value: f64, stroke: Stroke) -> Layer {
-    Series::of_rows(name, &[TIME, column], range.map(|time| vec![time, value]).to_vec())
-        .drawn(Mark::Line(stroke))
+    Series::of_rows(name, &[TIME, column], range.map(|time| vec![time, value]).to_vec()).drawn(stroke)
 }
 
 pub(crate) fn zero(range: [f64; 2], column: &'static str) -> Layer {

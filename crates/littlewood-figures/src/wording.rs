@@ -14,14 +14,15 @@ const ROLLING: [Quantity; 5] =
 /// How a figure says numbers: in the units of (2.9), or in SI units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wording {
-    units: Option<Units>,
+    pub(crate) units: Option<Units>,
+}
+
+/// A symbol and its unit, if it has one.
+fn with_unit(symbol: &str, unit: &str) -> String {
+    if unit.is_empty() { symbol.to_owned() } else { format!("{symbol}  ({unit})") }
 }
 
 impl Wording {
-    pub(crate) const fn new(units: Option<Units>) -> Self {
-        Self { units }
-    }
-
     /// The unit of a dimension, with marks; empty for a ratio.
     pub(crate) fn unit(self, dimension: Dimension) -> String {
         match (self.units, dimension) {
@@ -33,8 +34,7 @@ impl Wording {
 
     /// Title of an axis: a symbol, with marks, and its unit.
     pub(crate) fn title(self, symbol: &str, dimension: Dimension) -> String {
-        let unit = self.unit(dimension);
-        if unit.is_empty() { symbol.to_owned() } else { format!("{symbol}  ({unit})") }
+        with_unit(symbol, &self.unit(dimension))
     }
 
     /// Symbol of the time, with marks.
@@ -147,8 +147,7 @@ impl Wording {
 
     /// The axis of what varies along a line.
     pub(crate) fn varied(self, varies: Varies, range: [f64; 2]) -> PlotAxis {
-        let (sign, unit) = (self.sign_of(varies), self.unit_of(varies));
-        let title = if unit.is_empty() { sign } else { format!("{sign}  ({unit})") };
+        let title = with_unit(&self.sign_of(varies), &self.unit_of(varies));
         let is_angle = varies.dimension() == Dimension::Angle;
         let scale = if is_angle { Scale::Angle(Vec::new()) } else { Scale::Round };
         PlotAxis { scale, ..PlotAxis::new(varies.name(), title, range) }
@@ -194,7 +193,7 @@ mod tests {
         }
         .units()
         .expect("units");
-        let (si, own) = (Wording::new(Some(units)), Wording::new(None));
+        let (si, own) = (Wording { units: Some(units) }, Wording { units: None });
         // √(R/g) = 0.2 s.
         assert_eq!(si.quantity(2.0, Dimension::Time), "0.4 s");
         assert_eq!(own.quantity(2.0, Dimension::Time), "2 √(*R*/*g*)");

@@ -3,6 +3,7 @@
 mod beyond;
 mod bifurcation;
 mod captions;
+mod catalogue;
 mod facts;
 mod fates;
 mod files;

@@ -4,7 +4,8 @@ use littlewood::tables::{PhaseCode, Setup};
 use littlewood::theory::Window;
 use littlewood::{Engine, Start, Summary};
 use littlewood_draw::{
-    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, START, Series, Stroke, TRANSITION, View,
+    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, PlotAxis, START, Series, Sheet, Stroke, TRANSITION,
+    View,
 };
 use littlewood_style::ticks::minus;
 use littlewood_style::width::FINE;
@@ -16,7 +17,7 @@ use crate::effort::Effort;
 use crate::error::FigureError;
 use crate::fate::Fates;
 use crate::input::FigureInput;
-use crate::miniature::{picture, silent};
+use crate::miniature::picture;
 
 const NAME: &str = "atlas";
 /// Width of the sheet on a screen, and least width of a motion.
@@ -123,7 +124,6 @@ fn in_order(chosen: &mut [Chosen], length: &dyn Fn(&Chosen, usize) -> f64) {
     }
 }
 
-/// The atlas.
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     wide(input, WIDTH, watch)
 }
@@ -149,7 +149,7 @@ pub(crate) fn wide(input: &FigureInput, width: f64, watch: &mut Watch<'_>) -> Re
     let plane_high = f64::max(PLANE * sheet.width, 260.0);
     let tops = [top, plane_top + plane_high + LEADERS];
     let content = Content { name: "plane", x, y, layers, labels: Vec::new() };
-    let mut plane = littlewood_draw::Sheet::panel([left, plane_top, inner, plane_high], content);
+    let mut plane = Sheet::panel([left, plane_top, inner, plane_high], content);
     plane.keys = keys;
     let (mut leaders, mut starts, mut pictures) = (Vec::new(), Vec::new(), Vec::new());
     for (half, chosen) in halves.iter_mut().enumerate() {
@@ -188,16 +188,10 @@ pub(crate) fn wide(input: &FigureInput, width: f64, watch: &mut Watch<'_>) -> Re
         Series::of_rows("edge of a start", &COLUMNS, starts.clone()).drawn(Mark::Dot(PAPER, 6.0)),
         Series::of_rows("start", &COLUMNS, starts).drawn(START),
     ];
-    let [x, y] = [silent(COLUMNS[0], [0.0, sheet.width]), silent(COLUMNS[1], [-height, 0.0])];
-    let page = Panel {
-        name: "leaders",
-        frame: [0.0, 0.0, sheet.width, height],
-        view: View::Plane { x, y, axes: false, tilt: 0.0 },
-        image: None,
-        layers: marks,
-        labels,
-        keys: Vec::new(),
-    };
+    let x = PlotAxis::silent(COLUMNS[0], [0.0, sheet.width]);
+    let y = PlotAxis::silent(COLUMNS[1], [-height, 0.0]);
+    let content = Content { name: "leaders", x, y, layers: marks, labels };
+    let page = Sheet::bare([0.0, 0.0, sheet.width, height], content, 0.0);
     let say = input.wording();
     // Of each kind of phase that is named.
     let is_named = |code: &PhaseCode| {

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::{Class, PhaseCode, Quantity, Setup};
 use littlewood::{Engine, Hoop, Limits, Mode, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Figure, HATCH, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, Scale, Series, Sheet,
-    THEME, width,
+    BOUNDARY, Content, Entries, Figure, HATCH, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, Scale,
+    Series, Sheet, THEME, width,
 };
 use littlewood_style::ticks::minus;
 use littlewood_style::{of_class, of_mode};
@@ -205,10 +205,9 @@ impl Drawn {
         self.told < self.band.phases.len() as usize
     }
 
-    /// The times of its transitions.
-    fn times(&self) -> impl Iterator<Item = f64> + '_ {
-        let ends = self.places.iter().flat_map(|(_, ends)| self.ends_told(ends));
-        ends.copied().filter(|time| time.is_finite())
+    /// Whether it has a transition.
+    fn has_times(&self) -> bool {
+        self.places.iter().flat_map(|(_, ends)| self.ends_told(ends)).any(|time| time.is_finite())
     }
 
     /// Areas of its phases up to a time, each with its mode.
@@ -332,29 +331,42 @@ fn said(line: &Line, bands: &[Band], fates: Fates, say: Wording) -> String {
     )
 }
 
+/// Areas of bands from side to side of a panel, in the colours of their classes.
+fn areas_of_classes<'a>(
+    line: &Line,
+    bands: impl Iterator<Item = &'a Band> + Clone,
+    columns: [&'static str; 2],
+    top: f64,
+    name: impl Fn(Class) -> &'static str,
+) -> Vec<Layer> {
+    let areas = |own: Class| {
+        let bands = bands.clone().filter(move |band| class(band) == own);
+        let area = |band: &Band| {
+            let [from, to] = band.range.map(|fraction| line.axis.between(fraction));
+            vec![vec![from, 0.0], vec![to, 0.0], vec![to, top], vec![from, top]]
+        };
+        let pieces: Vec<Vec<Vec<f64>>> = bands.map(area).collect();
+        (!pieces.is_empty())
+            .then(|| Series::new(name(own), &columns, pieces).drawn(Mark::Fill(of_class(own, THEME))))
+    };
+    Class::ALL.into_iter().filter_map(areas).collect()
+}
+
+/// The boundaries that are seen, over a panel.
+fn boundaries(line: &Line, bands: &[Band], pixels: f64, columns: [&'static str; 2], top: f64) -> Layer {
+    let lines = seen(bands, pixels).map(|fraction| {
+        let at = line.axis.between(fraction);
+        vec![vec![at, 0.0], vec![at, top]]
+    });
+    Series::new("boundary", &columns, lines.collect()).drawn(BOUNDARY)
+}
+
 /// The panel of sequences and classes.
 fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Content {
     let columns = [line.column, "share"];
     let place = |fraction: f64| line.axis.between(fraction);
-    let mut layers: Vec<Layer> = Vec::new();
-    for own in Class::ALL {
-        let pieces: Vec<Vec<Vec<f64>>> = bands
-            .iter()
-            .filter(|band| class(band) == own)
-            .map(|band| {
-                let [from, to] = band.range.map(place);
-                vec![vec![from, 0.0], vec![to, 0.0], vec![to, 1.0], vec![from, 1.0]]
-            })
-            .collect();
-        if !pieces.is_empty() {
-            layers.push(Series::new(own.name(), &columns, pieces).drawn(Mark::Fill(of_class(own, THEME))));
-        }
-    }
-    let lines = seen(bands, pixels).map(|fraction| {
-        let at = place(fraction);
-        vec![vec![at, 0.0], vec![at, 1.0]]
-    });
-    layers.push(Series::new("boundary", &columns, lines.collect()).drawn(Mark::Line(BOUNDARY)));
+    let mut layers = areas_of_classes(line, bands.iter(), columns, 1.0, Class::name);
+    layers.push(boundaries(line, bands, pixels, columns, 1.0));
     let labels = bands.iter().filter_map(|band| {
         let text = sequence(band);
         let [from, to] = band.range;
@@ -364,7 +376,7 @@ fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Cont
     });
     let labels = labels.collect();
     let x = PlotAxis { title: String::new(), scale: Scale::Nothing, ..x };
-    let y = PlotAxis { scale: Scale::Nothing, ..PlotAxis::new("share", "", [0.0, 1.0]) };
+    let y = PlotAxis::silent("share", [0.0, 1.0]);
     Content { name: "bands", x, y, layers, labels }
 }
 
@@ -389,7 +401,7 @@ fn panel_of_times(
     x: PlotAxis,
     until: f64,
     say: Wording,
-) -> (Content, Vec<(Mark, String)>) {
+) -> (Content, Entries) {
     let columns = [line.column, TIME];
     let areas: Vec<(Mode, Vec<Vec<f64>>)> = drawn.iter().flat_map(|drawn| drawn.areas(line, until)).collect();
     let mut layers: Vec<Layer> = Vec::new();
@@ -409,30 +421,15 @@ fn panel_of_times(
         layers.push(Series::new("further phases", &columns, beyond).drawn(Mark::Hatch(HATCH)));
     }
     let undone = drawn.iter().map(|drawn| &drawn.band).filter(|band| Fate::of(band.kind).no_phase.is_some());
-    for own in Class::ALL {
-        let areas = undone.clone().filter(|band| class(band) == own).map(|band| {
-            let [from, to] = band.range.map(|fraction| line.axis.between(fraction));
-            vec![vec![from, 0.0], vec![to, 0.0], vec![to, until], vec![from, until]]
-        });
-        let areas: Vec<Vec<Vec<f64>>> = areas.collect();
-        if !areas.is_empty() {
-            layers.push(Series::new("no phase", &columns, areas).drawn(Mark::Fill(of_class(own, THEME))));
-        }
-    }
+    layers.extend(areas_of_classes(line, undone, columns, until, |_| "no phase"));
     let wide = drawn.iter().filter(|drawn| is_wide(&drawn.band, pixels));
     let lines = wide.flat_map(|drawn| drawn.lines(line, until)).collect();
-    let transition = Mark::Line(BOUNDARY);
-    layers.push(Series::new("transition", &columns, lines).drawn(transition));
+    layers.push(Series::new("transition", &columns, lines).drawn(BOUNDARY));
     let bands: Vec<Band> = drawn.iter().map(|drawn| drawn.band).collect();
-    let boundaries = seen(&bands, pixels).map(|fraction| {
-        let at = line.axis.between(fraction);
-        vec![vec![at, 0.0], vec![at, until]]
-    });
-    layers.push(Series::new("boundary", &columns, boundaries.collect()).drawn(Mark::Line(BOUNDARY)));
+    layers.push(boundaries(line, &bands, pixels, columns, until));
     (Content { name: "times", x, y: say.clock([0.0, until]), layers, labels: Vec::new() }, entries)
 }
 
-/// How a motion changes along a line.
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let mut line = Line::new(input)?;
@@ -459,10 +456,8 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     }
     let amiss = amiss((&line, &bands), &kind, limits, &mut workers)?;
     let drawn: Vec<Drawn> = bands.iter().map(|band| Drawn::new(&line, *band, limits)).collect();
-    if drawn.iter().flat_map(Drawn::times).next().is_none() {
-        return Err(FigureError::NoTransition { figure: NAME, along: varies, from, to });
-    }
-    let Some(until) = horizon(&drawn, input.limits, input.start.time) else {
+    let until = horizon(&drawn, input.limits, input.start.time);
+    let Some(until) = until.filter(|_| drawn.iter().any(Drawn::has_times)) else {
         return Err(FigureError::NoTransition { figure: NAME, along: varies, from, to });
     };
 
@@ -493,14 +488,11 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let except: Vec<Quantity> = varies.quantities().collect();
     let cut = limits.transitions < input.limits.transitions
         && bands.iter().any(|band| class(band) == Class::InContact);
-    let finer = if amiss > 0 {
-        format!(
-            " Outcomes vary more finely than drawn: of {} other motions {amiss} have another outcome.",
-            MOTIONS - 1
-        )
-    } else {
-        String::new()
-    };
+    let others = MOTIONS - 1;
+    let finer = format!(
+        " Outcomes vary more finely than drawn: of {others} other motions {amiss} have another outcome."
+    );
+    let finer = if amiss > 0 { &*finer } else { "" };
     let cut_short = if drawn.iter().any(Drawn::is_cut) {
         " Phases whose ends change faster than can be drawn are among the further ones."
     } else {

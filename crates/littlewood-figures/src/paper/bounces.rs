@@ -5,8 +5,8 @@ use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Cause, Mode, Phase, Trajectory, Transition};
 use littlewood_draw::{
-    Content, FAINT, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, PlotAxis, SMALL, SOFT, Scale, Series,
-    Sheet, Stroke, short,
+    Content, Entries, FAINT, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, PlotAxis, SMALL, SOFT, Scale,
+    Series, Sheet, Stroke, short,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::{CURVE, FINE};
@@ -103,7 +103,7 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>], say:
         let vertical = y.range.map(|value| vec![at, value]).to_vec();
         layers.push(
             Series::of_rows(end.transition.cause.label(), &[TIME, GAP], vertical)
-                .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
+                .drawn(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)),
         );
         let time = say.value(at, Dimension::Time);
         let text = format!("{}, {} = {time}", end.transition.cause.label(), say.time());
@@ -115,18 +115,14 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>], say:
             label.shifted(-7.0, 14.0).right()
         });
     }
-    layers.push(gap.drawn(Mark::Line(Stroke::of_mode(Mode::Flight).dashed(Dash::Solid).wide(2.0))));
+    layers.push(gap.drawn(Stroke::of_mode(Mode::Flight).dashed(Dash::Solid).wide(2.0)));
     let dots = landings(motion).iter().map(|(at, _)| vec![*at, 0.0]).collect();
     layers.push(Series::of_rows("landing", &[TIME, GAP], dots).drawn(Mark::Dot(IMPULSE, 3.0)));
     Content { name: "gap", x: say.clock(range), y, layers, labels }
 }
 
 /// The rates of the gap before and after each landing.
-fn rate_panel(
-    landings: &[(f64, Impact)],
-    settled: &[Settled<'_>],
-    say: Wording,
-) -> (Content, Vec<(Mark, String)>) {
+fn rate_panel(landings: &[(f64, Impact)], settled: &[Settled<'_>], say: Wording) -> (Content, Entries) {
     let columns = [NUMBER, LOG_GAP_RATE, RATE];
     let row =
         |(i, rate): (usize, f64)| (rate != 0.0).then(|| vec![(i + 1) as f64, libm::log10(rate.abs()), rate]);
@@ -148,7 +144,7 @@ fn rate_panel(
         let line = [from, last].map(|number| vec![number, at + slope * (number - last)]).to_vec();
         layers.push(
             Series::of_rows("limit", &columns[..2], line)
-                .drawn(Mark::Line(Stroke::solid(SOFT, CURVE).dashed(Dash::Dashed))),
+                .drawn(Stroke::solid(SOFT, CURVE).dashed(Dash::Dashed)),
         );
         let text = format!("in the end each *e*_{{eff}} = {} times the one before", short(end.ratio));
         if labels.iter().any(|label: &Label| label.text == text) {
@@ -185,11 +181,8 @@ fn in_words(settled: &[Settled<'_>], landings: usize, say: Wording) -> String {
     }
 }
 
-/// Gap against time, with the accumulation.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
-    if input.is_massless() {
-        return Err(FigureError::NeedsInertia { figure: NAME });
-    }
+    input.heavy(NAME)?;
     if input.hoop.restitution().is_none() {
         return Err(FigureError::NeedsRestitution { figure: NAME });
     }
@@ -222,10 +215,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         NAME,
         "The bounces of a motion",
         format!(
-            "The gap under the rim against time; dots: landings.{below} {} {}; {}.",
+            "The gap under the rim against time; dots: landings.{below} {} {}.",
             in_words(&settled, found.len(), say),
-            say.hoop(&input.hoop),
-            say.start(&input.hoop, &input.start)
+            input.in_words()
         ),
         bottom + 6.0,
         panels,

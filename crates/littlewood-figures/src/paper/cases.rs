@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use littlewood::cases::{CASES, NamedCase};
 use littlewood::{Phase, Sample, Trajectory};
 use littlewood_draw::{
-    Content, FAINT, Figure, INK, Label, Mark, Panel, SMALL, SOFT, START, Series, Sheet, Stroke, View, short,
+    Content, FAINT, Figure, INK, Label, Panel, PlotAxis, SMALL, SOFT, START, Series, Sheet, Stroke, short,
 };
 use littlewood_style::Curve;
 use littlewood_style::width::{CURVE, FINE};
@@ -13,7 +13,7 @@ use littlewood_style::width::{CURVE, FINE};
 use crate::columns::{DEMAND, ENERGY, MU_S, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::miniature::{by_mode, end_of, picture, samples, silent};
+use crate::miniature::{by_mode, end_of, picture, samples};
 use crate::motion::bounds;
 
 const NAME: &str = "cases";
@@ -55,7 +55,7 @@ fn row_of(motion: &Trajectory, [energies, rates]: [[f64; 2]; 2], frames: [[f64; 
     let turn = TAU * libm::round(start.theta / TAU);
     let mut layers = Vec::new();
     for (mode, pieces) in by_mode(&shown, |sample| vec![sample.state.theta - turn, sample.state.theta_rate]) {
-        let mark = Mark::Line(Stroke::of_mode(mode).wide(CURVE));
+        let mark = Stroke::of_mode(mode).wide(CURVE);
         layers.push(Series::new(mode.name(), &[THETA, THETA_RATE], pieces).drawn(mark));
     }
     layers.push(
@@ -65,41 +65,32 @@ fn row_of(motion: &Trajectory, [energies, rates]: [[f64; 2]; 2], frames: [[f64; 
     // A motion to the left goes to larger angles.
     let goes_up = shown.last().is_none_or(|last| last.state.theta >= start.theta);
     let x = if goes_up { [-0.6 * TAU, 1.9 * TAU] } else { [-1.9 * TAU, 0.6 * TAU] };
-    let content = |name, x, y, layers| Content { name, x, y, layers, labels: Vec::new() };
-    panels.push(Sheet::panel(
-        frames[1],
-        content("phase path", silent(THETA, x), silent(THETA_RATE, rates), layers),
-    ));
+    let mut add = |i: usize, name, [x, y]: [(&'static str, [f64; 2]); 2], layers| {
+        let [x, y] = [x, y].map(|(column, range)| PlotAxis::silent(column, range));
+        panels.push(Sheet::panel(frames[i], Content { name, x, y, layers, labels: Vec::new() }));
+    };
+    add(1, "phase path", [(THETA, x), (THETA_RATE, rates)], layers);
     let demand = line(motion, &|phase, sample| {
         (phase.mode().has_normal_force() && sample.normal > 1e-9)
             .then(|| sample.friction.abs() / sample.normal)
     });
     let limit = vec![vec![0.0, hoop.mu_s()], vec![TIMES, hoop.mu_s()]];
     let layers = vec![
-        Series::of_rows(MU_S, &[TIME, DEMAND], limit)
-            .drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(FINE))),
-        Series::new("friction over normal force", &[TIME, DEMAND], demand)
-            .drawn(Mark::Line(Stroke::solid(INK, CURVE))),
+        Series::of_rows(MU_S, &[TIME, DEMAND], limit).drawn(Stroke::of_curve(Curve::SlipLimit).wide(FINE)),
+        Series::new("friction over normal force", &[TIME, DEMAND], demand).drawn(Stroke::solid(INK, CURVE)),
     ];
-    let times = [0.0, TIMES];
-    panels.push(Sheet::panel(
-        frames[2],
-        content("friction", silent(TIME, times), silent(DEMAND, [0.0, DEMANDS]), layers),
-    ));
+    let times = (TIME, [0.0, TIMES]);
+    add(2, "friction", [times, (DEMAND, [0.0, DEMANDS])], layers);
     let energy = line(motion, &|_, sample| Some(sample.energy));
     let zero = vec![vec![0.0, 0.0], vec![TIMES, 0.0]];
     let layers = vec![
-        Series::of_rows("zero", &[TIME, ENERGY], zero).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
-        Series::new("energy", &[TIME, ENERGY], energy).drawn(Mark::Line(Stroke::solid(INK, CURVE))),
+        Series::of_rows("zero", &[TIME, ENERGY], zero).drawn(Stroke::solid(FAINT, FINE)),
+        Series::new("energy", &[TIME, ENERGY], energy).drawn(Stroke::solid(INK, CURVE)),
     ];
-    panels.push(Sheet::panel(
-        frames[3],
-        content("energy", silent(TIME, times), silent(ENERGY, energies), layers),
-    ));
+    add(3, "energy", [times, (ENERGY, energies)], layers);
     panels
 }
 
-/// All named cases, whatever the input.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
@@ -128,30 +119,17 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         top += above;
         if motion.phases().is_empty() {
             let text = motion.outcome().kind().label();
-            labels.push(
-                Label::new(text, &[lefts[0], -(top + 0.5 * HIGH)])
-                    .left()
-                    .shifted(8.0, 0.0)
-                    .sized(SMALL)
-                    .coloured(SOFT),
-            );
+            let label = Label::new(text, &[lefts[0], -(top + 0.5 * HIGH)]).left().shifted(8.0, 0.0);
+            labels.push(label.sized(SMALL).coloured(SOFT));
         } else {
             let frames = core::array::from_fn(|i| [lefts[i], top, SHARES[i] * wide, HIGH]);
             panels.extend(row_of(motion, [energies, [-fastest, fastest]], frames));
         }
         top += HIGH + BETWEEN;
     }
-    let axes = [silent("right", [0.0, sheet.width]), silent("up", [-top, 0.0])];
-    let [x, y] = axes;
-    panels.push(Panel {
-        name: "names",
-        frame: [0.0, 0.0, sheet.width, top],
-        view: View::Plane { x, y, axes: false, tilt: 0.0 },
-        image: None,
-        layers: Vec::new(),
-        labels,
-        keys: Vec::new(),
-    });
+    let [x, y] = [PlotAxis::silent("right", [0.0, sheet.width]), PlotAxis::silent("up", [-top, 0.0])];
+    let content = Content { name: "names", x, y, layers: Vec::new(), labels };
+    panels.push(Sheet::bare([0.0, 0.0, sheet.width, top], content, 0.0));
     let caption = format!(
         "All named cases, each column on one scale. Path of the mass centre, with the hoop at some instants, along the plane; the motion in \
          the plane of *θ* and *θ*′, two turns and a half, rates to ±{} √(*g*/*R*); \

@@ -89,11 +89,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     if input.is_massless() {
         let demand = window.pieces(window.x, 1440, &|theta| Some([theta, plane.forces(theta, 0.0).demand()]));
         let series = Series::new("every orbit", &[THETA, DEMAND], rows(demand));
-        layers.push(series.drawn(Mark::Line(Stroke::of_mode(Mode::Rolling).wide(BOLD))));
+        layers.push(series.drawn(Stroke::of_mode(Mode::Rolling).wide(BOLD)));
     }
     for (name, energy, stroke) in orbits.iter().copied() {
         let series = Series::new(name, &[THETA, DEMAND, ENERGY], demand_on(&plane, energy, window));
-        layers.push(series.drawn(Mark::Line(stroke)));
+        layers.push(series.drawn(stroke));
         let what = if name == "start" { "orbit of the start" } else { name };
         let text = format!("{what}, *E* = {}", say.value(energy, Dimension::Energy));
         keys.push((Mark::Line(stroke), text));
@@ -104,7 +104,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new(text, &[turn[1], most]).shifted(-10.0, 14.0).right()
     } else {
         let limit = Series::of_rows(MU_S, &[THETA, DEMAND], turn.map(|theta| vec![theta, mu_s]).to_vec());
-        layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE))));
+        layers.push(limit.drawn(Stroke::of_curve(Curve::SlipLimit).wide(CURVE)));
         Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0)
     };
     let theta = input.start.theta;

@@ -2,16 +2,16 @@
 
 use core::f64::consts::PI;
 
-use littlewood::theory::{Body, GlidingIntegrals, Massless};
+use littlewood::theory::{GlidingIntegrals, Massless};
 use littlewood::{Limits, Mode, Start};
 use littlewood_draw::{
-    Content, FAINT, Figure, INK, Label, Layer, Mark, REGION, SOFT, Series, Stroke, TRANSITION, short,
+    Entries, FAINT, Figure, INK, Label, Layer, Mark, REGION, SOFT, Series, Stroke, TRANSITION, short,
 };
 
 use crate::columns::{PLANE, THETA, THETA_RATE, W};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::Portrait;
+use crate::plane::{Portrait, in_time, unloading_lines};
 use littlewood::theory::Window;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
@@ -47,33 +47,20 @@ pub(super) fn fastest(body: &Massless, w: f64) -> f64 {
     (2.0 * (w + body.offset)).sqrt()
 }
 
-fn massless(input: &FigureInput) -> Option<Massless> {
-    match input.hoop.body() {
-        Body::Massless(body) => Some(body),
-        Body::Heavy(_) => None,
-    }
-}
-
+/// Where each piece has one of these rates first, pointing along the flow.
 fn heads(pieces: &[Vec<Vec<f64>>], rates: &[f64]) -> Vec<Vec<Vec<f64>>> {
-    let mut heads = Vec::new();
-    for piece in pieces {
-        for wanted in rates {
-            let at = piece.windows(2).find(|pair| (pair[0][1] - wanted) * (pair[1][1] - wanted) <= 0.0);
-            if let Some([a, b]) = at {
-                let forward = (b[0] - a[0]) * a[1] > 0.0;
-                heads.push(if forward { vec![a.clone(), b.clone()] } else { vec![b.clone(), a.clone()] });
-            }
-        }
-    }
-    heads
+    let head = |piece: &Vec<Vec<f64>>, wanted: f64| {
+        let at = piece.windows(2).find(|pair| (pair[0][1] - wanted) * (pair[1][1] - wanted) <= 0.0)?;
+        Some(in_time(&at[0], &at[1]))
+    };
+    pieces.iter().flat_map(|piece| rates.iter().filter_map(move |rate| head(piece, *rate))).collect()
 }
 
 /// Figure 6(a).
 pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-6a";
-    input.littlewood(NAME)?;
+    let body = input.littlewood(NAME)?;
     input.level(NAME)?;
-    let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
     let mut layers: Vec<Layer> = Vec::new();
     let mut flow = Vec::new();
     // Just below 1 they come closest to the top.
@@ -87,7 +74,7 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
                 flow.extend(heads_at_angle(&pieces, side * 0.5 * PI));
             }
             let name = format!("w={w}");
-            layers.push(Series::new(name, &COLUMNS, pieces).drawn(Mark::Line(GLIDING)));
+            layers.push(Series::new(name, &COLUMNS, pieces).drawn(GLIDING));
         }
     }
     for side in [1.0, -1.0] {
@@ -95,11 +82,11 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
         let v = fastest(&body, 1.0);
         let pieces = [line_of(&body, 1.0, side, [-v, -1e-6]), line_of(&body, 1.0, side, [1e-6, v])].concat();
         flow.extend(heads_at_angle(&pieces, side * 0.5 * PI));
-        layers.push(Series::new("w=1", &COLUMNS, pieces).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+        layers.push(Series::new("w=1", &COLUMNS, pieces).drawn(Stroke::solid(INK, CURVE)));
     }
     layers.push(Series::new("flow", &COLUMNS, flow).drawn(Mark::Head(INK)));
     let singular = Series::of_rows("singular", &PLANE, vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]]);
-    layers.push(singular.drawn(Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed))));
+    layers.push(singular.drawn(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed)));
     let labels = vec![
         Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0),
         Label::new("*w* = 1", &[0.0, -1.0]).shifted(32.0, 11.0),
@@ -113,7 +100,7 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
                    is not conserved by (3.17), and its lines are not the orbits.) On the black lines *w* = 1: they alone \
                    pass through *θ* = 0, with *θ*′ = ±1. *θ*′ is unbounded as *θ* → ±π, which is reached in a finite time."
         .to_owned();
-    figure(input, [NAME, "Figure 6(a): phase portrait of gliding"], caption, layers, labels)
+    figure(input, [NAME, "Figure 6(a): phase portrait of gliding"], caption, (layers, labels))
 }
 
 /// The place on each piece over an angle, pointing along the flow.
@@ -122,34 +109,24 @@ fn heads_at_angle(pieces: &[Vec<Vec<f64>>], theta: f64) -> Vec<Vec<Vec<f64>>> {
         .iter()
         .flat_map(|piece| piece.windows(2).filter(|pair| (pair[0][0] - theta) * (pair[1][0] - theta) < 0.0))
         .filter(|pair| pair[0][1].abs() < 2.4)
-        .map(|pair| {
-            let (a, b) = (pair[0].clone(), pair[1].clone());
-            if (b[0] - a[0]) * a[1] > 0.0 { vec![a, b] } else { vec![b, a] }
-        })
+        .map(|pair| in_time(&pair[0], &pair[1]))
         .collect()
-}
-
-fn needs(input: &FigureInput, figure: &'static str) -> FigureError {
-    FigureError::NeedsMassless { figure, mass_ratio: input.hoop.mass_ratio(), inertia: input.hoop.inertia() }
 }
 
 fn figure(
     input: &FigureInput,
-    [name, title]: [&'static str; 2],
+    name: [&'static str; 2],
     caption: String,
-    layers: Vec<Layer>,
-    labels: Vec<Label>,
+    drawn: (Vec<Layer>, Vec<Label>),
 ) -> Result<Figure, FigureError> {
     let say = input.wording();
-    let content = Content { name: "plane", x: say.angle(WINDOW.x), y: say.rate(WINDOW.y), layers, labels };
-    Ok(input.sheet(580.0)?.plot(name, title, caption, 402.0, content, Vec::new()))
+    input.plane(name, caption, [say.angle(WINDOW.x), say.rate(WINDOW.y)], drawn, Entries::new())
 }
 
 /// Figure 6(b).
 pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-6b";
-    input.littlewood_that_rolls(NAME)?;
-    let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
+    let body = input.littlewood_that_rolls(NAME)?;
     let portrait = Portrait::new(&input.hoop, WINDOW);
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
@@ -183,22 +160,17 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
             changes.push(vec![a * end.theta, b * end.theta_rate]);
         }
     }
-    // Rolling goes to the right where θ′ > 0.
     let flow_r = rolling.iter().filter_map(|piece: &Vec<Vec<f64>>| {
-        let [a, b] = [piece.get(piece.len() / 2)?.clone(), piece.get(piece.len() / 2 + 1)?.clone()];
-        Some(if (b[0] - a[0]) * a[1] > 0.0 { vec![a, b] } else { vec![b, a] })
+        let middle = piece.len() / 2;
+        Some(in_time(piece.get(middle)?, piece.get(middle + 1)?))
     });
     let flow_r = flow_r.collect();
-    let flow_g = gliding
-        .iter()
-        .filter_map(|piece: &Vec<Vec<f64>>| {
-            let at = piece
-                .windows(2)
-                .find(|pair| (pair[1][0].abs() - 0.62 * PI) * (pair[0][0].abs() - 0.62 * PI) <= 0.0)?;
-            let (a, b) = (at[0].clone(), at[1].clone());
-            Some(if (b[0] - a[0]) * a[1] > 0.0 { vec![a, b] } else { vec![b, a] })
-        })
-        .collect();
+    let flow_g = gliding.iter().filter_map(|piece: &Vec<Vec<f64>>| {
+        let beyond = |row: &[f64]| row[0].abs() - 0.62 * PI;
+        let at = piece.windows(2).find(|pair| beyond(&pair[1]) * beyond(&pair[0]) <= 0.0)?;
+        Some(in_time(&at[0], &at[1]))
+    });
+    let flow_g = flow_g.collect();
     // Gliding elsewhere: the lines of Figure 6(a), as far as they run outside 𝓡.
     let outside = |row: &Vec<f64>| row[0].abs() > theta_s || row[1].abs() > 1.0;
     let mut elsewhere = Vec::new();
@@ -212,21 +184,16 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
             }
         }
     }
-    layers.push(
-        Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
-    );
-    layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(Mark::Line(GLIDING.wide(THIN))));
-    layers.push(
-        Series::new("rolling", &PLANE, rolling).drawn(Mark::Line(Stroke::of_mode(Mode::Rolling).wide(THIN))),
-    );
+    layers.push(Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Stroke::solid(FAINT, FINE)));
+    layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(GLIDING.wide(THIN)));
+    layers.push(Series::new("rolling", &PLANE, rolling).drawn(Stroke::of_mode(Mode::Rolling).wide(THIN)));
     let manifolds =
         Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
-    layers.push(manifolds.drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
+    layers.push(manifolds.drawn(Curve::Separatrix));
     if let Some((_, limit)) = portrait.massless_limit() {
-        layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
+        layers.push(limit.drawn(Curve::SlipLimit));
     }
-    let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
-    layers.push(Series::new("n", &PLANE, edges).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
+    layers.push(unloading_lines(theta_s).drawn(Curve::NormalForceZero));
     layers.push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(GLIDING.colour)));
     let of_rolling = Mark::Head(Stroke::of_mode(Mode::Rolling).colour);
     layers.push(Series::new("flow of rolling", &PLANE, flow_r).drawn(of_rolling));
@@ -245,5 +212,5 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
          the equilibrium. *μ*_{{s}} = {}. Gliding by the corrected integral, see Figure 6(a); grey: other gliding motions, outside 𝓡.",
         short(input.hoop.mu_s())
     );
-    figure(input, [NAME, "Figure 6(b): combined phase portrait"], caption, layers, labels)
+    figure(input, [NAME, "Figure 6(b): combined phase portrait"], caption, (layers, labels))
 }

@@ -3,8 +3,8 @@
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Hoop, Sample, Trajectory, Transition};
 use littlewood_draw::{
-    Content, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM, SMALL,
-    SOFT, Series, Sheet, Stroke, THEME, marked, short,
+    Content, Entries, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
+    SMALL, SOFT, Series, Sheet, Stroke, THEME, marked, short,
 };
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
@@ -17,11 +17,6 @@ use crate::timeline::{CLOSE, bare, history, level, names, range_of, transitions,
 use crate::wording::Wording;
 use littlewood_style::width::{BOLD, CURVE};
 use littlewood_style::{Curve, Dash, EnergyPart};
-
-fn in_words(input: &FigureInput, motion: &Trajectory) -> String {
-    let (say, hoop) = (input.wording(), motion.hoop());
-    format!("{}; {}", say.hoop(hoop), say.start(hoop, &input.start))
-}
 
 /// Energy that an impact takes.
 const DROP: Stroke = Stroke::solid(IMPULSE, BOLD);
@@ -44,7 +39,7 @@ fn normal_panel(
         transitions(motion, &axis, NORMAL),
         zero(range, NORMAL),
         level(range, NORMAL_WEIGHT, NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
-        normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
+        normal.drawn(Stroke::solid(NORMAL_FORCE, 2.0)),
     ];
     let names = names(motion, axis.range[1], wide);
     let (height, words) = (names.height, names.in_words());
@@ -62,7 +57,7 @@ fn friction_panel(motion: &Trajectory, range: [f64; 2], say: Wording) -> Content
     let layers = vec![
         transitions(motion, &axis, FRICTION),
         zero(range, FRICTION),
-        friction.drawn(Mark::Line(Stroke::solid(FRICTION_FORCE, 2.0))),
+        friction.drawn(Stroke::solid(FRICTION_FORCE, 2.0)),
     ];
     let name = SampleColumn::Friction.long_name();
     Content { name, x: bare(say, range), y: axis, layers, labels: Vec::new() }
@@ -84,8 +79,7 @@ fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes, say: Word
     // Without friction the axis has a length all the same.
     let highest = if highest > 0.0 { highest } else { 0.1 };
     let axis = say.axis(DEMAND, "|*F*|/*N*", [0.0, 1.25 * highest]);
-    let mut layers =
-        vec![transitions(motion, &axis, DEMAND), demand.drawn(Mark::Line(Stroke::solid(INK, 2.0)))];
+    let mut layers = vec![transitions(motion, &axis, DEMAND), demand.drawn(Stroke::solid(INK, 2.0))];
     let limit = Stroke::of_curve(Curve::SlipLimit).wide(1.2);
     let mut labels = Vec::new();
     if is_empty {
@@ -135,7 +129,7 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
             "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; {verticals}. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
              jump where a slide begins or ends.{} {}.",
             if spikes.impulses.is_empty() { "" } else { " Spikes: the impulses *P* and *J* of the impacts; dots: |*J*|/*P*." },
-            in_words(input, &motion)
+            input.in_words()
         ) + &remark(&motion, say),
         tops(last) + height + 6.0,
         panels,
@@ -159,8 +153,7 @@ fn drops(motion: &Trajectory) -> Option<Layer> {
         let transition = motion.end_of(phase).filter(|transition| transition.time() <= until)?;
         Some(step(transition.time(), phase.last()?.energy, transition.impact?.energy_lost()))
     }));
-    (!pieces.is_empty())
-        .then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(Mark::Line(DROP)))
+    (!pieces.is_empty()).then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(DROP))
 }
 
 /// Name of the level that the normal force has at rest.
@@ -218,7 +211,7 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         part(EnergyPart::Potential, Dash::DashDot),
     ];
     let words = ["total *E*", "kinetic *T*", "potential *U*"];
-    let mut entries: Vec<(Mark, String)> =
+    let mut entries: Entries =
         words.into_iter().zip(marks).map(|(text, mark)| (mark, text.to_owned())).collect();
     entries.extend(drops.as_ref().map(|drops| (drops.mark, EnergyPart::Impacts.label().to_owned())));
     let sheet = input.sheet(WIDTH)?;
@@ -246,7 +239,7 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
              against time, and below what has been lost; {verticals}. {}. {}.",
             losses(&motion, say),
-            in_words(input, &motion)
+            input.in_words()
         ) + &remark(&motion, say),
         below + low + 6.0,
         vec![panel, lost],
@@ -280,7 +273,7 @@ fn lost_panel(motion: &Trajectory, range: [f64; 2], say: Wording) -> Content {
     let layers = vec![
         transitions(motion, &axis, LOST),
         zero(range, LOST),
-        Series::of_rows("lost", &[TIME, LOST], rows).drawn(Mark::Line(Stroke::solid(INK, CURVE))),
+        Series::of_rows("lost", &[TIME, LOST], rows).drawn(Stroke::solid(INK, CURVE)),
     ];
     Content { name: "energy lost", x: say.clock(range), y: axis, layers, labels: Vec::new() }
 }

@@ -3,14 +3,14 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Hoop, Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Figure, IMPULSE, Label, Layer, Mark, REGION, SMALL, SOFT, START, Series, Stroke, TRANSITION,
-    marked,
+    Content, Entries, Figure, IMPULSE, Label, Layer, Mark, REGION, SMALL, SOFT, START, Series, Stroke,
+    TRANSITION, marked,
 };
 
 use crate::columns::{FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{NOISE, bounds, by_mode, heads, horizon, remark};
+use crate::motion::{NOISE, arrows, bounds, by_mode, entries, horizon, lines, remark};
 use crate::spikes::Spikes;
 use crate::wording::Wording;
 use littlewood::theory::Window;
@@ -32,9 +32,6 @@ const NAMED: usize = 6;
 fn row(sample: &Sample) -> Vec<f64> {
     vec![sample.state.time, sample.normal, sample.friction]
 }
-
-/// What marks mean.
-type Keys = Vec<(Mark, String)>;
 
 /// A plane of forces or of impulses: its columns, upright to the plane and along it.
 type Columns = [&'static str; 2];
@@ -150,19 +147,24 @@ fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
 }
 
 /// The cones in a window, with the axes where their point is seen, and what they mean.
-fn cones(hoop: &Hoop, window: Window, columns: Columns, [upright, along]: [&str; 2]) -> (Vec<Layer>, Keys) {
+fn cones(
+    hoop: &Hoop,
+    window: Window,
+    columns: Columns,
+    [upright, along]: [&str; 2],
+) -> (Vec<Layer>, Entries) {
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
     let limit = Stroke::of_curve(Curve::SlipLimit).wide(CURVE);
     let cones = [
-        (cone(window, columns, MU_S, mu_s).drawn(Mark::Line(limit)), "*μ*_{s}"),
-        (cone(window, columns, MU_K, mu_k).drawn(Mark::Line(limit.dashed(Dash::Dotted))), "*μ*_{k}"),
+        (cone(window, columns, MU_S, mu_s).drawn(limit), "*μ*_{s}"),
+        (cone(window, columns, MU_K, mu_k).drawn(limit.dashed(Dash::Dotted)), "*μ*_{k}"),
     ];
     let mut layers = vec![inside(window, columns, mu_s).drawn(Mark::Fill(REGION))];
     if window.x[0] < 0.0 {
         let axis = [vec![window.x[0], 0.0], vec![window.x[1], 0.0]].to_vec();
         let upright = [vec![0.0, window.y[0]], vec![0.0, window.y[1]]].to_vec();
         let zero = Series::new("zero", &columns, vec![axis, upright]);
-        layers.push(zero.drawn(Mark::Line(Stroke::solid(SOFT, FINE))));
+        layers.push(zero.drawn(Stroke::solid(SOFT, FINE)));
     }
     let mut keys = Vec::new();
     // With μs = μk there is one cone.
@@ -176,7 +178,7 @@ fn cones(hoop: &Hoop, window: Window, columns: Columns, [upright, along]: [&str;
 }
 
 /// The impulses as dots, which lie in the same cones.
-fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Keys)> {
+fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Entries)> {
     let rows: Vec<Vec<f64>> =
         spikes.impulses.iter().map(|(_, impulse)| vec![impulse.normal, impulse.friction]).collect();
     let most = rows.iter().map(|row| row[0]).fold(0.0, f64::max);
@@ -192,7 +194,7 @@ fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, K
 }
 
 /// The forces of a motion in contact, and whether a cone is seen.
-fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Keys, bool)> {
+fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Entries, bool)> {
     let in_contact: Vec<(Mode, Series)> =
         by_mode(motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| mode.has_normal_force()).collect();
     let all: Vec<Vec<f64>> =
@@ -203,10 +205,7 @@ fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Keys, bool)>
     let window = window_of(&all, motion.hoop().mu_s());
     let (mut layers, of_cones) = cones(motion.hoop(), window, FORCES, ["*N*", "*F*"]);
     let is_seen = !of_cones.is_empty();
-    let mut keys: Keys = in_contact
-        .iter()
-        .map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), mode.to_string()))
-        .collect();
+    let mut keys = entries(&in_contact, |mode| mode.to_string());
     keys.extend(of_cones);
     let jumps = jumps(motion, window);
     if !jumps.is_empty() {
@@ -214,15 +213,10 @@ fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Keys, bool)>
         keys.push((Mark::Line(stroke), "jump".to_owned()));
         layers.push(Series::new("jump", &COLUMNS, jumps).drawn(Mark::Arrow(stroke)));
     }
-    for (mode, series) in in_contact {
-        layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
-    }
-    for (mode, rows) in heads(motion, 0.45, &row) {
-        if mode.has_normal_force() && length(&rows, window) > LEAST_STEP {
-            let mark = Mark::Head(Stroke::of_mode(mode).colour);
-            layers.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(mark));
-        }
-    }
+    layers.extend(lines(in_contact, BOLD));
+    let is_seen_move =
+        |mode: Mode, rows: &[Vec<f64>]| mode.has_normal_force() && length(rows, window) > LEAST_STEP;
+    layers.extend(arrows(motion, 0.45, &COLUMNS, &row, is_seen_move));
     let (dots, labels) = changes(motion, window.x[1]);
     layers.push(dots);
     if let Some(first) = motion.phases().first().filter(|phase| phase.mode().has_normal_force()) {
@@ -234,7 +228,6 @@ fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Keys, bool)>
     Some((Content { name: "plane of forces", x, y, layers, labels }, keys, is_seen))
 }
 
-/// Friction against normal force, and of impacts the impulses beside it.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let motion = input.motion_in_contact(NAME)?;
     let (hoop, say) = (motion.hoop(), input.wording());
@@ -244,17 +237,16 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let caption = format!(
         "Friction force *F* against normal force *N* along the motion, with the friction cone |*F*| ≤ *μ*_{{s}}*N* (shaded) \
          in which rolling stays; a slide runs along |*F*| = *μ*_{{k}}*N*, and in flight both are zero. Cross: start; \
-         diamonds: transitions; arrows: time.{}{} {}; {}.",
+         diamonds: transitions; arrows: time.{}{} {}.",
         if is_far { " The cone is far beyond the window." } else { "" },
         if impulses.is_some() {
             " Dots: the impulses (*P*, *J*) of the impacts, in the same cones."
         } else {
             ""
         },
-        say.hoop(hoop),
-        say.start(hoop, &input.start)
+        input.in_words()
     ) + &remark(&motion, say);
-    let mut keys: Keys = Vec::new();
+    let mut keys: Entries = Vec::new();
     let mut contents = Vec::new();
     for (content, own) in forces.map(|(content, keys, _)| (content, keys)).into_iter().chain(impulses) {
         let is_new = |(mark, _): &(Mark, String)| keys.iter().all(|(known, _)| known != mark);

@@ -3,7 +3,9 @@
 use littlewood::impact::{Impact, ImpactCase};
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, Transition};
-use littlewood_draw::{Content, Figure, INK, Label, Layer, Mark, PAPER, START, Series, Stroke, short};
+use littlewood_draw::{
+    Content, Entries, Figure, INK, Label, Layer, Mark, PAPER, START, Series, Stroke, short,
+};
 use littlewood_style::ImpulseLine;
 use littlewood_style::width::BOLD;
 
@@ -11,7 +13,6 @@ use crate::columns::{FRICTION_IMPULSE, NORMAL_IMPULSE};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
-use crate::wording::Wording;
 use littlewood::theory::Window;
 
 const NAME: &str = "impact";
@@ -122,7 +123,7 @@ impl Diagram {
     fn layers(&self) -> Vec<Layer> {
         let drawn = |line: ImpulseLine, points: &[[f64; 2]]| {
             let rows = points.iter().map(|point| point.to_vec()).collect();
-            Series::of_rows(line.name(), &COLUMNS, rows).drawn(Mark::Line(Stroke::of_impulse_line(line)))
+            Series::of_rows(line.name(), &COLUMNS, rows).drawn(Stroke::of_impulse_line(line))
         };
         let mut layers: Vec<Layer> = self.cones().iter().map(|(line, points)| drawn(*line, points)).collect();
         for (line, coefficients) in self.lines() {
@@ -167,15 +168,13 @@ impl Diagram {
                 ImpulseLine::StaticCone | ImpulseLine::KineticCone => continue,
             };
             let colour = Stroke::of_impulse_line(line).colour;
+            let beside = |at: [f64; 2], to_the_right: bool, down: f64| {
+                let label = Label::new(text, &at).coloured(colour);
+                if to_the_right { label.shifted(8.0, down).left() } else { label.shifted(-8.0, down).right() }
+            };
             if line == ImpulseLine::Sticking {
                 let top = if left[1] > right[1] { left } else { right };
-                let label = Label::new(text, &top).coloured(colour);
-                let inwards = if top[0] > 0.5 * self.window.x[1] {
-                    label.shifted(-8.0, 14.0).right()
-                } else {
-                    label.shifted(8.0, 14.0).left()
-                };
-                labels.push(inwards);
+                labels.push(beside(top, top[0] <= 0.5 * self.window.x[1], 14.0));
                 continue;
             }
             // A jam is compressed most on a line through the origin, where there is no room.
@@ -186,20 +185,22 @@ impl Diagram {
                 continue;
             }
             taken.push(at[1]);
-            let label = Label::new(text, &at).coloured(colour);
             // Where neither this line nor the one without slip runs.
-            labels.push(if at[1] + least > self.window.y[1] {
-                if is_left { label.shifted(-8.0, 14.0).right() } else { label.shifted(8.0, 14.0).left() }
+            let is_top = at[1] + least > self.window.y[1];
+            let down = if is_top {
+                14.0
+            } else if other[1] > at[1] {
+                13.0
             } else {
-                let down = if other[1] > at[1] { 13.0 } else { -13.0 };
-                if is_left { label.shifted(8.0, down).left() } else { label.shifted(-8.0, down).right() }
-            });
+                -13.0
+            };
+            labels.push(beside(at, is_left != is_top, down));
         }
         labels
     }
 
-    fn keys(&self) -> Vec<(Mark, String)> {
-        let mut legend: Vec<(Mark, String)> = Vec::new();
+    fn keys(&self) -> Entries {
+        let mut legend: Entries = Vec::new();
         for (mode, words) in [(Mode::Sliding, "it slips"), (Mode::Rolling, "it sticks")] {
             if self.parts().iter().any(|(other, _)| *other == mode) {
                 legend.push((Mark::Line(Stroke::of_mode(mode).wide(BOLD)), words.to_owned()));
@@ -253,9 +254,7 @@ fn across([a, b, c]: [f64; 3], window: Window) -> Option<[[f64; 2]; 2]> {
 
 /// The impact that is asked for.
 fn chosen(input: &FigureInput) -> Result<(Restitution, Transition, Impact), FigureError> {
-    if input.is_massless() {
-        return Err(FigureError::NeedsInertia { figure: NAME });
-    }
+    input.heavy(NAME)?;
     let Some(restitution) = input.hoop.restitution() else {
         return Err(FigureError::NeedsRestitution { figure: NAME });
     };
@@ -271,16 +270,6 @@ fn chosen(input: &FigureInput) -> Result<(Restitution, Transition, Impact), Figu
     }
 }
 
-/// What an impact has done to the energy.
-fn in_words(impact: &Impact, say: Wording) -> String {
-    let lost = impact.energy_lost();
-    if impact.gains_energy() {
-        return format!("Energy gained by this law: {}.", say.quantity(-lost, Dimension::Energy));
-    }
-    format!("Energy lost: {}.", say.quantity(lost, Dimension::Energy))
-}
-
-/// Routh's diagram.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let (restitution, transition, impact) = chosen(input)?;
     let state = transition.before;
@@ -291,6 +280,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let say = input.wording();
     let velocity = |value: f64| say.value(value, Dimension::Velocity);
     let impulse = |value: f64| say.value(value, Dimension::Impulse);
+    let lost = impact.energy_lost();
     // A compliance is the inverse of a mass.
     let compliance = |value: f64| match input.units {
         Some(units) => format!("{}/{}", short(value / units.mass_kg), Dimension::Mass.si_sign()),
@@ -299,7 +289,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let caption = format!(
         "Impact {} of the motion, at {} = {}, *θ* = {}: {}. Its course in the plane of the impulses *J* along the plane and \
          *P* upwards (Routh), with the slip velocity *u* = *u*_{{0}} + *AJ* + *BP* and the rate of the gap *w* = *w*_{{0}} + \
-         *BJ* + *CP*. *A* = {}, *B* = {}, *C* = {}; *u* from {} to {}, *w* from {} to {}, *J* = {}, *P* = {}. {} {}; {}.",
+         *BJ* + *CP*. *A* = {}, *B* = {}, *C* = {}; *u* from {} to {}, *w* from {} to {}, *J* = {}, *P* = {}. Energy {}: {}. {}.",
         input.impact,
         say.time(),
         say.value(state.time, Dimension::Time),
@@ -314,9 +304,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         velocity(impact.after.gap_rate),
         impulse(impact.impulse.friction),
         impulse(impact.impulse.normal),
-        in_words(&impact, say),
-        say.hoop(&input.hoop),
-        say.start(&input.hoop, &input.start)
+        if impact.gains_energy() { "gained by this law" } else { "lost" },
+        say.quantity(if impact.gains_energy() { -lost } else { lost }, Dimension::Energy),
+        input.in_words()
     );
     let keys = diagram.keys();
     let Window { x, y } = diagram.window;

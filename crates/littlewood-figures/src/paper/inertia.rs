@@ -33,7 +33,6 @@ fn lightened(hoop: &Hoop, inertia: f64) -> Result<Hoop, FigureError> {
     Ok(Hoop::new(thin.with_slope(hoop.slope()))?)
 }
 
-/// Lighter and lighter hoops.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let gap_rate = input.start.gap_rate;
@@ -62,7 +61,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         let rows = motion.sample_evenly(INSTANTS, until.min(motion.end_time()));
         let rows = rows.map(|sample| vec![sample.state.time, sample.particle.x, sample.particle.y]);
         let rows: Vec<Vec<f64>> = rows.filter(|row| row.iter().all(|value| value.is_finite())).collect();
-        paths.push(Series::of_rows(name.clone(), &[TIME, X, Y], rows).drawn(Mark::Line(*stroke)));
+        paths.push(Series::of_rows(name.clone(), &[TIME, X, Y], rows).drawn(*stroke));
         let mut normal = history(motion, "", NORMAL, &|_, sample| Some(sample.normal));
         for piece in &mut normal.pieces {
             piece.retain(|row| row[0] <= until);
@@ -76,7 +75,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             let text = say.number(unit * libm::round(row[1] / unit), Dimension::Force);
             peaks.push(Label::new(text, &row).shifted(0.0, -9.0));
         }
-        forces.push(normal.drawn(Mark::Line(*stroke)));
+        forces.push(normal.drawn(*stroke));
         if !motion.phases().is_empty() {
             let text = format!("{} = {}", marked(Quantity::Inertia.sign()), short(*inertia));
             keys.push((Mark::Line(*stroke), text));
@@ -88,7 +87,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let range = bounds(paths.iter().flat_map(|layer| layer.series.rows().map(|row| row[1])), 0.06);
     let ground = Series::of_rows("plane", &[X, Y], range.map(|x| vec![x, 0.0]).to_vec());
-    paths.insert(0, ground.drawn(Mark::Line(Stroke::solid(FAINT, FINE))));
+    paths.insert(0, ground.drawn(Stroke::solid(FAINT, FINE)));
     let normal = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), [-0.1, 3.0 * most.max(1.0)]);
     forces.insert(0, level(times, "zero", NORMAL, 0.0, Stroke::solid(FAINT, FINE)));
     let heights = bounds(

@@ -8,7 +8,7 @@ use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::plane::Portrait;
 use littlewood::tables::Quantity;
-use littlewood_draw::{Content, Figure, HATCH, INK, Label, Mark, Series, Stroke, marked, short};
+use littlewood_draw::{Figure, HATCH, INK, Label, Mark, Series, Stroke, marked, short};
 use littlewood_style::width::CURVE;
 use littlewood_style::{Curve, Dash};
 
@@ -37,9 +37,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let window = portrait.window;
     let mut layers = vec![portrait.unloaded().drawn(Mark::Hatch(HATCH))];
     for energy in portrait.energies(3, 6) {
-        layers.push(portrait.orbit(energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
+        layers.push(portrait.orbit(energy).drawn(Curve::Level));
     }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(1.2))));
+    layers.push(portrait.separatrix().drawn(Stroke::of_curve(Curve::Separatrix).wide(1.2)));
     let (mut keys, mut loci) = (Vec::new(), Vec::new());
     for (mu_s, dash) in COEFFICIENTS {
         let mark = Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE).dashed(dash));
@@ -75,10 +75,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(unloading.drawn(mark));
     layers.extend(portrait.equilibria());
     let say = input.wording();
-    let [x, y] = portrait.axes(say);
-    Ok(input.sheet(580.0)?.plot(
-        NAME,
-        "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling",
+    input.plane(
+        [NAME, "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling"],
         format!(
             "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
              *μ*_{{s}} grows{} they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
@@ -89,8 +87,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             portrait.remark(),
             say.body(&input.hoop)
         ),
-        402.0,
-        Content { name: "plane", x, y, layers, labels },
+        portrait.axes(say),
+        (layers, labels),
         keys,
-    ))
+    )
 }

@@ -6,8 +6,8 @@ use core::f64::consts::PI;
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, key_of_curve, lift_off_condition,
-    short,
+    BOUNDARY, Content, Entries, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, key_of_curve,
+    lift_off_condition, short,
 };
 use littlewood_style::{Curve, of_class};
 use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
@@ -97,7 +97,7 @@ fn regions_of(
 
 fn key_of(fates: Fates, summary: &Summary) -> u64 {
     let lifts = matches!(Class::of(summary), Class::LeavesAtOnce | Class::LiftsOffLater);
-    u64::from(fates.class(summary).code()) | if fates.go_on() && lifts { LIFTS } else { 0 }
+    u64::from(fates.class(summary).code()) | if fates.go_on && lifts { LIFTS } else { 0 }
 }
 
 /// How many of some starts, spread evenly, end otherwise than is drawn: after many landings ends may change more finely than any
@@ -157,9 +157,9 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let plan = Plan::new(input);
     let (Regions { regions, boundaries }, is_cut) = regions_of(input, &plan, within(window), watch)?;
     let fates = Fates::of(hoop);
-    let amiss = if fates.go_on() { amiss(input, &plan, within(window), &regions)? } else { 0 };
+    let amiss = if fates.go_on { amiss(input, &plan, within(window), &regions)? } else { 0 };
     let mut layers = Vec::new();
-    let mut legend: Vec<(Mark, String)> = Vec::new();
+    let mut legend: Entries = Vec::new();
     let cuts = is_cut && plan.limits.transitions < input.limits.transitions;
     let mut cut = false;
     let mut draw = |name: &'static str, label: &str, mark: Mark, is_part: &dyn Fn(u64) -> bool| {
@@ -181,11 +181,11 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         let is_there = draw(class.name(), fates.label(class), mark, &is_part);
         cut |= is_there && cuts && class == Class::InContact;
     }
-    if fates.go_on() {
+    if fates.go_on {
         draw("lifts_off", "lifts off before", Mark::HatchedRegion(SOFT), &|key| key & LIFTS != 0);
     }
     let lines = boundaries.into_iter().map(|boundary| boundary.points).collect();
-    layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(Mark::Line(BOUNDARY)));
+    layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(BOUNDARY));
     // A massless hoop does not leave the plane.
     let mut remark = String::new();
     let portrait = Portrait::new(hoop, window);
@@ -197,8 +197,8 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         if !series.pieces.is_empty() {
             let stroke = Stroke::of_curve(curve);
             let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);
-            layers.push(series.clone().drawn(Mark::Line(under)));
-            layers.push(series.drawn(Mark::Line(stroke)));
+            layers.push(series.clone().drawn(under));
+            layers.push(series.drawn(stroke));
             legend.push(key_of_curve(curve, hoop.slope()));
         }
     }
@@ -209,13 +209,10 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
             lift_off_condition(hoop.slope())
         );
     }
-    let finer = if amiss > UNSAID {
-        format!(
-            " Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
-        )
-    } else {
-        String::new()
-    };
+    let finer = format!(
+        " Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
+    );
+    let finer = if amiss > UNSAID { &*finer } else { "" };
     let say = input.wording();
     Ok(input.sheet(620.0)?.plot(
         NAME,
@@ -223,9 +220,9 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         format!(
             "Outcome of each start with *η*′ = 0, followed {}{}{}. Each point of a boundary lies between two starts with \
              different outcomes.{finer}{remark} {}.",
-            if fates.go_on() { "through all landings " } else { "" },
+            if fates.go_on { "through all landings " } else { "" },
             followed(input, plan.limits, cut),
-            if fates.go_on() { "; hatched: the body lifts off before" } else { "" },
+            if fates.go_on { "; hatched: the body lifts off before" } else { "" },
             say.hoop(hoop)
         ),
         430.0,

@@ -3,7 +3,7 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Figure, Layer, Mark, Panel, PlotAxis, ROOM, SOFT, Scale, Series, Sheet, Stroke, marked,
+    Content, Entries, Figure, Layer, Mark, Panel, PlotAxis, ROOM, SOFT, Scale, Series, Sheet, Stroke, marked,
 };
 
 use super::histories::{NORMAL_WEIGHT, normal_weight, weight_name};
@@ -57,15 +57,7 @@ const fn has_zero(column: SampleColumn) -> bool {
 }
 
 /// The instants of each phase that is shown.
-struct Samples(Vec<(Mode, Vec<Sample>)>);
-
-impl Samples {
-    fn new(motion: &Trajectory) -> Self {
-        let until = horizon(motion);
-        let phases = motion.phases().iter();
-        Self(phases.map(|phase| (phase.mode(), all_instants(motion, phase, until))).collect())
-    }
-}
+type Samples = [(Mode, Vec<Sample>)];
 
 impl History {
     fn new(samples: &Samples, column: SampleColumn, name: &'static str, others: &[f64]) -> Self {
@@ -73,7 +65,7 @@ impl History {
         let mut by_mode: Vec<(Mode, Vec<Vec<Vec<f64>>>)> = Vec::new();
         let mut values: Vec<f64> = others.to_vec();
         values.extend(Some(0.0).filter(|_| has_zero(column)));
-        for (mode, samples) in &samples.0 {
+        for (mode, samples) in samples {
             let is_bounded = samples.iter().all(|sample| value(sample).is_finite());
             let shown = if is_bounded { samples.len() } else { (BOUNDED * samples.len() as f64) as usize };
             values.extend(samples.iter().take(shown).map(value));
@@ -121,7 +113,7 @@ fn of_mass_centre(samples: &Samples, column: SampleColumn, name: &'static str) -
         SampleColumn::CentreY => SampleColumn::MassCentreY,
         _ => return None,
     };
-    let pieces = samples.0.iter().map(|(_, samples)| {
+    let pieces = samples.iter().map(|(_, samples)| {
         samples
             .iter()
             .map(|sample| vec![sample.state.time, place.of(sample).number()])
@@ -170,31 +162,27 @@ fn panel(
     }
     let mut labels = Vec::new();
     if let Some(weight) = weight {
-        layers.push(level(
-            times,
-            NORMAL_WEIGHT,
-            name,
-            weight,
-            Stroke::solid(SOFT, FINE).dashed(Dash::Dotted),
-        ));
+        let stroke = Stroke::solid(SOFT, FINE).dashed(Dash::Dotted);
+        layers.push(level(times, NORMAL_WEIGHT, name, weight, stroke));
         let normal: Vec<&Series> = by_mode.iter().map(|(_, series)| series).collect();
         labels.push(weight_name(motion.hoop(), &normal, times, range));
     }
-    layers.extend(beside.map(|series| series.drawn(Mark::Line(OF_MASS_CENTRE))));
+    layers.extend(beside.map(|series| series.drawn(OF_MASS_CENTRE)));
     let modes = by_mode.iter().map(|(mode, _)| *mode).collect();
     for (mode, series) in by_mode {
-        layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode))));
+        layers.push(series.drawn(Stroke::of_mode(mode)));
     }
     (Content { name, x: bare(say, times), y: axis, layers, labels }, modes)
 }
 
-/// All quantities of a motion against time.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let times = [motion.start().time, horizon(&motion)];
     let say = input.wording();
-    let samples = Samples::new(&motion);
+    let phases = motion.phases().iter();
+    let samples: Vec<(Mode, Vec<Sample>)> =
+        phases.map(|phase| (phase.mode(), all_instants(&motion, phase, times[1]))).collect();
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
 
@@ -205,7 +193,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         modes.extend(own);
         contents.push(content);
     }
-    let mut entries: Vec<(Mark, String)> = Mode::ALL
+    let mut entries: Entries = Mode::ALL
         .into_iter()
         .filter(|mode| modes.contains(mode))
         .map(|mode| (Mark::Line(Stroke::of_mode(mode)), mode.to_string()))
@@ -237,9 +225,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     panels[0].keys = keys;
     let caption = format!(
         "Angle *θ* and its rate, slip velocity *η*′, position (*x*, *y*) of the geometric centre *C* and of the mass centre \
-         *X̄*, gap under the rim, normal force *N* and friction force *F* against time; {verticals}. {}; {}.",
-        say.hoop(hoop),
-        say.start(hoop, &input.start)
+         *X̄*, gap under the rim, normal force *N* and friction force *F* against time; {verticals}. {}.",
+        input.in_words()
     ) + &remark(&motion, say);
     let bottom = top + step * (count - 1.0) + height + 6.0;
     Ok(sheet.figure(NAME, "A motion on one sheet", caption, bottom, panels))

@@ -6,8 +6,7 @@ use littlewood::tables::Quantity;
 use littlewood::theory::{Body, PhasePlane, SlidingLaw};
 use littlewood::{Direction, Hoop, HoopParameters, ParameterError};
 use littlewood_draw::{
-    Content, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series, Stroke, marked,
-    short,
+    FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series, Stroke, marked, short,
 };
 
 use crate::columns::{MU_K, THETA};
@@ -168,7 +167,7 @@ fn region(pieces: &[Vec<[f64; 2]>], most: f64) -> Series {
 fn of_friction(hoop: &Hoop, own: &Threshold) -> (Vec<Layer>, Vec<Label>) {
     let mu = hoop.mu_k();
     let stroke = Stroke::of_curve(Curve::SlipLimit).wide(CURVE).dashed(Dash::Dotted);
-    let line = Series::of_rows(MU_K, &COLUMNS, vec![vec![0.0, mu], vec![PI, mu]]).drawn(Mark::Line(stroke));
+    let line = Series::of_rows(MU_K, &COLUMNS, vec![vec![0.0, mu], vec![PI, mu]]).drawn(stroke);
     let mut layers = vec![line];
     let ends = own.between(mu).into_iter().flatten().map(|theta| vec![theta, mu]);
     layers.push(Series::of_rows("ends", &COLUMNS, ends.collect()).drawn(Mark::Ring(FRICTION_FORCE, 3.4)));
@@ -203,7 +202,6 @@ fn in_words(hoop: &Hoop, own: &Threshold, say: Wording) -> String {
     format!("{of_hoop} {}.", say.body(hoop))
 }
 
-/// The region in which sliding has no solution.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let hoop = &input.hoop;
@@ -218,7 +216,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let thin = Stroke::solid(SOFT, FINE);
     for (share, threshold) in family(least, hoop, most)? {
         let curve = Series::new(format!("gamma={share:.4}"), &COLUMNS, rows(threshold.curve(window)));
-        layers.push(curve.drawn(Mark::Line(thin)));
+        layers.push(curve.drawn(thin));
         let at = threshold.least();
         let text = if share == 1.0 {
             "massless".to_owned()
@@ -236,9 +234,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let minima = window.pieces([0.0, 0.5 * PI - 1e-6], CELLS, &|theta| Some([theta, libm::tan(theta)]));
     let minima = Series::new("least", &COLUMNS, rows(minima));
-    layers.push(minima.drawn(Mark::Line(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot))));
+    layers.push(minima.drawn(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot)));
     let curve = Series::new("this hoop", &COLUMNS, rows(pieces));
-    layers.push(curve.drawn(Mark::Line(Stroke::solid(INK, BOLD))));
+    layers.push(curve.drawn(Stroke::solid(INK, BOLD)));
     let (lines, marks) = of_friction(hoop, &own);
     layers.extend(lines);
     labels.extend(marks);
@@ -259,13 +257,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
          (dots, dash-dotted: *μ*_{{k}} = tan *θ*). {}",
         in_words(hoop, &own, say)
     );
-    let content = Content {
-        name: "plane",
-        x: say.angle(window.x),
-        y: say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y),
-        layers,
-        labels,
-    };
+    let axes = [say.angle(window.x), say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y)];
     let of_hoop = [
         (Mark::Hatch(HATCH), "no solution or several".to_owned()),
         (Mark::Line(Stroke::solid(INK, BOLD)), "this hoop".to_owned()),
@@ -275,5 +267,5 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         (Mark::Line(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot)), "least *μ*_{k}".to_owned()),
     ];
     let keys = of_hoop.into_iter().filter(|_| !is_far).chain(of_family).collect();
-    Ok(input.sheet(580.0)?.plot(NAME, "Painlevé's paradox", caption, 402.0, content, keys))
+    input.plane([NAME, "Painlevé's paradox"], caption, axes, (layers, labels), keys)
 }

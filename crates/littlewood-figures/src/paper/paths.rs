@@ -3,14 +3,14 @@
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Figure, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale, Series,
-    Sheet, Stroke, short, tilted, width,
+    Content, Entries, Figure, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale,
+    Series, Sheet, Stroke, short, tilted, width,
 };
 
-use crate::columns::{THETA, TIME, X, Y};
+use crate::columns::{TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, heads, horizon, remark};
+use crate::motion::{arrows, bounds, by_mode, entries, hoops, horizon, lines, remark};
 use crate::wording::Wording;
 use littlewood_style::width::{BOLD, FINE};
 
@@ -74,7 +74,7 @@ pub(super) fn ground(x: [f64; 2], y: [f64; 2], width: f64, slope: f64) -> Vec<La
     vec![
         Series::of_rows("ground", &[X, Y], below.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
         Series::of_rows("ground", &[X, Y], vec![vec![x[0], 0.0], vec![x[1], 0.0]])
-            .drawn(Mark::Line(Stroke::solid(INK, 1.4))),
+            .drawn(Stroke::solid(INK, 1.4)),
     ]
 }
 
@@ -145,22 +145,9 @@ impl Picture {
         // The picture is not much higher than wide.
         beside = beside.max(0.5 * (0.9 * (top + 2.3 - low) - (right - left)));
         let x = [left - beside, right + beside];
-        let mut layers = Vec::new();
         let instants = instants(motion);
-        let hoop = motion.hoop();
-        let rows = instants
-            .iter()
-            .map(|(_, sample)| {
-                let centre = sample.centre;
-                vec![sample.state.time, centre.x, centre.y, sample.state.theta]
-            })
-            .collect();
-        layers.push(Series::of_rows("hoop", &[TIME, X, Y, THETA], rows).drawn(Mark::Hoop {
-            offset: hoop.offset(),
-            h: hoop.h(),
-            radius: 1.0,
-            rim: Stroke::solid(SOFT, 1.2),
-        }));
+        let shown = instants.iter().map(|(_, sample)| sample);
+        let hoops = hoops(motion.hoop(), shown, "hoop", Stroke::solid(SOFT, 1.2));
         // Names under the hoops, on a slope where the plane rises; one that is close to another stands further down.
         let unit = (inner - ROOM[0]) / (x[1] - x[0]);
         let mut labels: Vec<Label> = Vec::new();
@@ -178,18 +165,12 @@ impl Picture {
         }
         let rows = 1 + taken.iter().map(|(_, row, _)| *row).max().unwrap_or(0);
         let y = [low - (18.0 + ROW * rows as f64) / unit, top + 1.15];
-        layers.splice(0..0, ground(x, y, sheet.width, slope));
+        let layers = ground(x, y, sheet.width, slope).into_iter().chain([hoops]).collect();
         let transitions = instants.len().saturating_sub(1);
         Ok(Self { sheet, say, slope, x, y, layers, labels, transitions })
     }
 
-    fn figure(
-        self,
-        name: &'static str,
-        title: &str,
-        caption: String,
-        entries: Vec<(Mark, String)>,
-    ) -> Figure {
+    fn figure(self, name: &'static str, title: &str, caption: String, entries: Entries) -> Figure {
         let Self { sheet, say, slope, x, y, layers, labels, .. } = self;
         let [left, inner] = sheet.span();
         // One scale for both axes.
@@ -201,11 +182,6 @@ impl Picture {
         let panel = Panel { keys, ..Sheet::tilted([left, top, inner, height], content, slope) };
         sheet.figure(name, title, caption, top + height + 6.0, vec![panel])
     }
-}
-
-/// What the lines of the modes mean.
-fn path_keys(modes: &[(Mode, Series)], words: impl Fn(Mode) -> String) -> Vec<(Mark, String)> {
-    modes.iter().map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), words(*mode))).collect()
 }
 
 /// Figure 3(b).
@@ -221,39 +197,26 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     } else {
         format!("{} of {all} transitions", picture.transitions)
     };
+    let rows = |sample: &Sample| vec![sample.state.time, sample.mass_centre.x, sample.mass_centre.y];
     let of_centre = by_mode(&motion, "centre, ", &COLUMNS, &|sample| {
-        let centre = sample.centre;
-        vec![sample.state.time, centre.x, centre.y]
+        vec![sample.state.time, sample.centre.x, sample.centre.y]
     });
-    let of_mass_centre = by_mode(&motion, "mass centre, ", &COLUMNS, &|sample| {
-        let centre = sample.mass_centre;
-        vec![sample.state.time, centre.x, centre.y]
-    });
-    let mut keys = path_keys(&of_centre, |mode| mode.to_string());
+    let of_mass_centre = by_mode(&motion, "mass centre, ", &COLUMNS, &rows);
+    let mut keys = entries(&of_centre, |mode| mode.to_string());
     keys.push((Mark::Line(Stroke::solid(INK, BOLD)), "thick: mass centre *X̄*".to_owned()));
     keys.push((Mark::Line(Stroke::solid(INK, FINE)), "thin: centre *C*".to_owned()));
-    for (mode, series) in of_centre {
-        picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(1.2))));
-    }
-    for (mode, series) in of_mass_centre {
-        picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
-    }
+    picture.layers.extend(lines(of_centre, 1.2));
+    picture.layers.extend(lines(of_mass_centre, BOLD));
     let across = picture.x[1] - picture.x[0];
-    let rows = |sample: &Sample| vec![sample.state.time, sample.mass_centre.x, sample.mass_centre.y];
-    for (mode, rows) in heads(&motion, 0.5, &rows) {
-        let step = libm::hypot(rows[1][1] - rows[0][1], rows[1][2] - rows[0][2]);
-        if step > LEAST_STEP * across {
-            let head = Mark::Head(Stroke::of_mode(mode).colour);
-            picture.layers.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(head));
-        }
-    }
+    picture.layers.extend(arrows(&motion, 0.5, &COLUMNS, &rows, |_, rows| {
+        libm::hypot(rows[1][1] - rows[0][1], rows[1][2] - rows[0][2]) > LEAST_STEP * across
+    }));
     let flight = motion.phases().iter().any(|phase| !phase.mode().touches_plane());
     let caption = format!(
-        "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at {hoops}. Black dot: particle; ring: mass centre; arrows: time.{}{} {}; {}.{}",
+        "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at {hoops}. Black dot: particle; ring: mass centre; arrows: time.{}{} {}.{}",
         if flight { " In flight the mass centre follows a parabola." } else { "" },
         camera(hoop.slope()),
-        say.hoop(hoop),
-        say.start(hoop, &input.start),
+        input.in_words(),
         if input.units.is_some() { "" } else { " *m*_{2} = *R* = *g* = 1." }
     ) + &remark(&motion, say);
     let title = "Figure 3(b): paths of the centre and of the mass centre";
@@ -269,17 +232,14 @@ pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
     let say = input.wording();
     let mut picture = Picture::new(&motion, input)?;
     let paths = by_mode(&motion, "", &COLUMNS, &|sample| {
-        let particle = sample.particle;
-        vec![sample.state.time, particle.x, particle.y]
+        vec![sample.state.time, sample.particle.x, sample.particle.y]
     });
-    let keys = path_keys(&paths, |mode| match mode {
+    let keys = entries(&paths, |mode| match mode {
         Mode::Rolling => format!("{mode}: a cycloid"),
         Mode::Gliding => format!("{mode}: a parabola"),
         Mode::Sliding | Mode::Flight => mode.to_string(),
     });
-    for (mode, series) in paths {
-        picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
-    }
+    picture.layers.extend(lines(paths, BOLD));
     let reaches = motion.transitions().iter().any(|transition| transition.cause == Cause::ParticleAtPlane);
     let caption = format!(
         "Path of the particle *m*_{{2}}: on a cycloid while the massless hoop rolls, on a parabola while it glides, \

@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Figure, HATCH, IMPULSE, Label, Layer, Mark, REGION, SMALL, START, Series, Stroke, TRANSITION,
+    Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, REGION, SMALL, START, Series, Stroke, TRANSITION,
     lift_off_condition,
 };
 
@@ -12,7 +12,7 @@ use crate::axes::plane_window;
 use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, heads, horizon, remark};
+use crate::motion::{arrows, bounds, by_mode, entries, horizon, lines, remark};
 use crate::plane::Portrait;
 use littlewood::theory::Window;
 use littlewood_style::Curve;
@@ -59,33 +59,31 @@ fn window_of(input: &FigureInput, rows: &[Vec<f64>]) -> Window {
     Window { x, y: [-most, most] }
 }
 
+fn is_inside(window: Window, row: &[f64]) -> bool {
+    (window.x[0]..=window.x[1]).contains(&row[1]) && (window.y[0]..=window.y[1]).contains(&row[2])
+}
+
 /// Each piece, cut where it leaves the window.
 fn inside(series: Series, window: Window) -> Series {
-    let is_inside = |row: &Vec<f64>| {
-        (window.x[0]..=window.x[1]).contains(&row[1]) && (window.y[0]..=window.y[1]).contains(&row[2])
-    };
     let pieces = series.pieces.iter().flat_map(|piece| {
-        piece.split(|row| !is_inside(row)).filter(|part| part.len() > 1).map(<[Vec<f64>]>::to_vec)
+        piece.split(|row| !is_inside(window, row)).filter(|part| part.len() > 1).map(<[Vec<f64>]>::to_vec)
     });
     let pieces = pieces.collect();
     Series { pieces, ..series }
 }
 
-/// What marks mean.
-type Keys = Vec<(Mark, String)>;
-
 /// What rolling does in the plane: orbits, and the curves that bound it, with their keys.
-fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Keys), FigureError> {
+fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Entries), FigureError> {
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let mut keys = Vec::new();
-    let level = Mark::Line(Stroke::of_curve(Curve::Level));
     if !input.is_massless() {
         layers.push(portrait.unloaded().drawn(Mark::Hatch(HATCH)));
     }
     if !(input.is_massless() && input.hoop.offset() == 1.0) {
-        layers.extend(portrait.energies(2, 4).into_iter().map(|energy| portrait.orbit(energy).drawn(level)));
+        let orbit = |energy| portrait.orbit(energy).drawn(Curve::Level);
+        layers.extend(portrait.energies(2, 4).into_iter().map(orbit));
     }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(FINE))));
+    layers.push(portrait.separatrix().drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)));
     let slip = if input.is_massless() {
         portrait.massless_limit().map(|(_, series)| series)
     } else {
@@ -114,14 +112,11 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Keys)
 /// Dots at the transitions with their names, and impacts, in which the rate jumps.
 fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<Label>) {
     let until = horizon(motion);
-    let is_seen = |row: &[f64]| {
-        (window.x[0]..=window.x[1]).contains(&row[1]) && (window.y[0]..=window.y[1]).contains(&row[2])
-    };
     let (mut dots, mut jumps, mut labels) = (Vec::new(), Vec::new(), Vec::new());
     for transition in motion.transitions().iter().filter(|transition| transition.time() <= until) {
         let [before, after] = [transition.before, transition.after]
             .map(|state| vec![state.time, state.theta - turns, state.theta_rate]);
-        if !is_seen(&before) {
+        if !is_inside(window, &before) {
             continue;
         }
         let label = Label::new(transition.cause.label(), &before[1..]).sized(SMALL);
@@ -131,7 +126,7 @@ fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<
         } else {
             label.shifted(7.0, -10.0).left()
         });
-        if transition.impact.is_some() && is_seen(&after) {
+        if transition.impact.is_some() && is_inside(window, &after) {
             jumps.push(vec![before.clone(), after]);
         }
         dots.push(before);
@@ -148,7 +143,6 @@ fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<
     (layers, labels)
 }
 
-/// A motion in the phase portrait.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let motion = input.motion(NAME)?;
@@ -164,26 +158,17 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let window = window_of(input, &all);
     let portrait = Portrait::new(hoop, window);
     let (mut layers, curves) = ground(&portrait, input)?;
-    let mut keys: Keys = modes
-        .iter()
-        .map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), mode.to_string()))
-        .collect();
+    let mut keys = entries(&modes, |mode| mode.to_string());
     if motion.transitions().iter().any(|transition| transition.time() <= horizon(&motion)) {
         keys.push((TRANSITION, "transition".to_owned()));
     }
     keys.extend(curves);
-    for (mode, series) in modes {
-        layers.push(inside(series, window).drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
-    }
-    for (mode, rows) in heads(&motion, 0.5, &row) {
+    let modes = modes.into_iter().map(|(mode, series)| (mode, inside(series, window)));
+    layers.extend(lines(modes.collect(), BOLD));
+    layers.extend(arrows(&motion, 0.5, &COLUMNS, &row, |_, rows| {
         let part = |i: usize, range: [f64; 2]| (rows[1][i] - rows[0][i]) / (range[1] - range[0]);
-        let is_inside = (window.x[0]..=window.x[1]).contains(&rows[0][1])
-            && (window.y[0]..=window.y[1]).contains(&rows[0][2]);
-        if is_inside && libm::hypot(part(1, window.x), part(2, window.y)) > LEAST_STEP {
-            let head = Mark::Head(Stroke::of_mode(mode).colour);
-            layers.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(head));
-        }
-    }
+        is_inside(window, &rows[0]) && libm::hypot(part(1, window.x), part(2, window.y)) > LEAST_STEP
+    }));
     let (dots, labels) = changes(&motion, turns, window);
     layers.extend(dots);
     let start = motion.start();
@@ -194,13 +179,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let caption = format!(
         "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows an orbit, a line of constant energy (grey). Sliding and \
          flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; dots and \
-         rings: stable and unstable equilibria.{}{} {}; {}.",
+         rings: stable and unstable equilibria.{}{} {}.",
         if is_short { " Shown are the first turns." } else { "" },
         portrait.remark(),
-        say.hoop(hoop),
-        say.start(hoop, &input.start)
+        input.in_words()
     ) + &remark(&motion, say);
-    let [x, y] = portrait.axes(say);
-    let content = Content { name: "plane", x, y, layers, labels };
-    Ok(input.sheet(580.0)?.plot(NAME, "A motion in the phase portrait", caption, 402.0, content, keys))
+    let axes = portrait.axes(say);
+    input.plane([NAME, "A motion in the phase portrait"], caption, axes, (layers, labels), keys)
 }

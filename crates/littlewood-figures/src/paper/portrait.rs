@@ -3,14 +3,14 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use littlewood_draw::{
-    Content, FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Mark, NORMAL_FORCE, REGION, SMALL, Stroke,
+    Entries, FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Mark, NORMAL_FORCE, REGION, SMALL,
     lift_off_condition, short,
 };
 
 use crate::axes::portrait_window;
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::{Portrait, nearest};
+use crate::plane::Portrait;
 use littlewood::theory::Window;
 use littlewood_style::Curve;
 
@@ -27,48 +27,35 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         portrait.unloaded().drawn(Mark::Hatch(HATCH)),
     ];
-    for energy in &energies {
-        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
-    }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
+    layers.extend(portrait.orbits(&energies));
     let slip = portrait.slip_locus(hoop.mu_s())?;
     let unloading = portrait.unloading_locus();
     let mut labels = portrait.mark_of_unloading();
     let high = 0.72 * window.y[1];
-    labels.extend(
-        nearest(&slip, [0.62 * PI, high], window)
-            .map(|at| Label::new("*f*", &at).shifted(11.0, 0.0).coloured(FRICTION_FORCE)),
-    );
-    labels.extend(
-        nearest(&unloading, [0.45 * PI, high], window)
-            .map(|at| Label::new("*n*", &at).shifted(10.0, 0.0).coloured(NORMAL_FORCE)),
-    );
+    let f = portrait.name_of(&slip, [0.62 * PI, high], "*f*");
+    labels.extend(f.map(|f| f.shifted(11.0, 0.0).coloured(FRICTION_FORCE)));
+    let n = portrait.name_of(&unloading, [0.45 * PI, high], "*n*");
+    labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
     // Without friction it has no area.
     labels.extend((hoop.mu_s() > 0.0).then(|| Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0)));
     let lift_off = portrait.lift_off_locus();
-    labels.extend(nearest(&lift_off, [0.3 * PI, 0.93 * window.y[1]], window).map(|at| {
-        Label::new(lift_off_condition(hoop.slope()), &at)
-            .shifted(-8.0, 0.0)
-            .right()
-            .sized(SMALL)
-            .coloured(NORMAL_FORCE)
-    }));
-    layers.push(slip.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
-    layers.push(lift_off.drawn(Mark::Line(Stroke::of_curve(Curve::LiftOff))));
-    layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
+    let condition = lift_off_condition(hoop.slope());
+    let name = portrait.name_of(&lift_off, [0.3 * PI, 0.93 * window.y[1]], condition);
+    labels.extend(name.map(|name| name.shifted(-8.0, 0.0).right().sized(SMALL).coloured(NORMAL_FORCE)));
+    layers.push(slip.drawn(Curve::SlipLimit));
+    layers.push(lift_off.drawn(Curve::LiftOff));
+    layers.push(unloading.drawn(Curve::NormalForceZero));
     let chatter = portrait.reverse_chatter();
     let chatters = !chatter.pieces.is_empty();
     if chatters {
-        layers.push(chatter.drawn(Mark::Line(Stroke::of_curve(Curve::ReverseChatter))));
+        layers.push(chatter.drawn(Curve::ReverseChatter));
     }
     layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
-    let [x, y] = portrait.axes(say);
-    Ok(input.sheet(580.0)?.plot(
-        NAME,
-        "Figure 2(b): phase portrait of rolling",
+    input.plane(
+        [NAME, "Figure 2(b): phase portrait of rolling"],
         format!(
             "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium{}, \
              with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
@@ -82,10 +69,10 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
             if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
             say.rolling(hoop)
         ),
-        402.0,
-        Content { name: "plane", x, y, layers, labels },
-        Vec::new(),
-    ))
+        portrait.axes(say),
+        (layers, labels),
+        Entries::new(),
+    )
 }
 
 /// Energies of orbits of Littlewood's hoop that fill the plane: those that pass over the top by their rate there, those
@@ -110,16 +97,11 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
     let window = portrait.window;
     let energies = portrait.energies(3, 6);
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
-    for energy in &energies {
-        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
-    }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
+    layers.extend(portrait.orbits(&energies));
     let unloading = portrait.unloading_locus();
     let mut labels = Vec::new();
-    labels.extend(
-        nearest(&unloading, [0.3 * PI, 0.7 * window.y[1]], window)
-            .map(|at| Label::new("*n*", &at).shifted(10.0, -4.0).coloured(NORMAL_FORCE)),
-    );
+    let n = portrait.name_of(&unloading, [0.3 * PI, 0.7 * window.y[1]], "*n*");
+    labels.extend(n.map(|n| n.shifted(10.0, -4.0).coloured(NORMAL_FORCE)));
     let limit = portrait.massless_limit();
     if let Some((_, series)) = &limit {
         // Beside each vertical of half a turn, outside of 𝓡.
@@ -130,33 +112,31 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
         }
     }
     labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
-    layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
+    layers.push(unloading.drawn(Curve::NormalForceZero));
     let always = limit.is_none();
-    layers.extend(limit.map(|(_, series)| series.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit)))));
+    layers.extend(limit.map(|(_, series)| series.drawn(Curve::SlipLimit)));
     layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
-    let [x, y] = portrait.axes(say);
     let friction = if always {
         "Static friction always holds, for *μ*_{s} is not less than *ℓ*/√(1 − *ℓ*^{2}); *ℓ* in radii."
     } else {
         "On *f* static friction gives way, |*F*|/*N* = *ℓ* |sin *θ*|/(1 + *ℓ* cos *θ*) = *μ*_{s}, whatever the rate; *ℓ* in radii. \
          Towards the bottom it holds again."
     };
-    Ok(input.sheet(580.0)?.plot(
-        FIGURE_4,
-        "Figure 4 with the particle inside the rim",
+    input.plane(
+        [FIGURE_4, "Figure 4 with the particle inside the rim"],
         format!(
             "Phase portrait of a rolling massless hoop with the particle inside the rim (footnote 7): lines of constant energy. \
              Unlike Littlewood's hoop it has a stable equilibrium (dot), about which it can roll for ever. {friction} On *n* \
              the normal force vanishes. Shaded: 𝓡, where the hoop can roll; black: separatrix. {}.",
             say.rolling(hoop)
         ),
-        402.0,
-        Content { name: "plane", x, y, layers, labels },
-        Vec::new(),
-    ))
+        portrait.axes(say),
+        (layers, labels),
+        Entries::new(),
+    )
 }
 
 /// Figure 4.
@@ -175,19 +155,16 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         portrait.unloaded().drawn(Mark::Hatch(HATCH)),
     ];
-    for energy in &energies {
-        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
-    }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
+    layers.extend(portrait.orbits(&energies));
     let unloading = portrait.unloading_locus();
     let mut labels = vec![
         Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0).coloured(NORMAL_FORCE),
         Label::new("*n*", &[0.8 * PI, -1.0]).shifted(0.0, 11.0).coloured(NORMAL_FORCE),
     ];
     labels.extend([1.75, -1.75].map(|rate| Label::new("*N* < 0", &[-0.25 * PI, rate])));
-    layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
+    layers.push(unloading.drawn(Curve::NormalForceZero));
     if let Some((theta, limit)) = portrait.massless_limit() {
-        layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
+        layers.push(limit.drawn(Curve::SlipLimit));
         labels.push(Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0).coloured(FRICTION_FORCE));
         labels.push(Label::new("*f*", &[-theta, -0.72]).shifted(-10.0, 0.0).coloured(FRICTION_FORCE));
         labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
@@ -212,10 +189,8 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     layers.extend(portrait.equilibria());
     let say = input.wording();
-    let [x, y] = portrait.axes(say);
-    Ok(input.sheet(580.0)?.plot(
-        NAME,
-        "Figure 4: phase portrait of the rolling massless hoop",
+    input.plane(
+        [NAME, "Figure 4: phase portrait of the rolling massless hoop"],
         format!(
             "Phase portrait of the rolling massless hoop (3.1), lines of constant *e* (3.2). There is no equilibrium at \
              *θ* = ±π, where the equation is singular. Shaded: region 𝓡 (3.10), bounded by *f*, where static friction \
@@ -224,8 +199,8 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
              equilibrium. *μ*_{{s}} = {}.",
             short(input.hoop.mu_s())
         ),
-        402.0,
-        Content { name: "plane", x, y, layers, labels },
-        Vec::new(),
-    ))
+        portrait.axes(say),
+        (layers, labels),
+        Entries::new(),
+    )
 }

@@ -16,7 +16,7 @@ use crate::axes::portrait_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::{Portrait, nearest, rows};
+use crate::plane::{Portrait, rows};
 
 const NAME: &str = "paper";
 /// Places in the plane of gliding through which both orbits go.
@@ -49,8 +49,8 @@ fn of_gliding(body: Massless) -> Vec<Layer> {
     let exact = exact.map(|piece| piece.into_iter().map(|row| row[..2].to_vec()).collect()).collect();
     let printed = PLACES.into_iter().flat_map(printed).collect();
     vec![
-        Series::new("exact", &PLANE, exact).drawn(Mark::Line(GLIDING)),
-        Series::new("printed", &PLANE, rows(printed)).drawn(Mark::Line(PRINTED)),
+        Series::new("exact", &PLANE, exact).drawn(GLIDING),
+        Series::new("printed", &PLANE, rows(printed)).drawn(PRINTED),
         Series::of_rows("place", &PLANE, PLACES.map(Vec::from).to_vec()).drawn(START),
     ]
 }
@@ -77,7 +77,6 @@ fn band(portrait: &Portrait) -> Series {
     Series::new("band", &PLANE, pieces)
 }
 
-/// The paper against exact.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
     let hoop = &input.hoop;
@@ -89,15 +88,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let fill = Mark::Fill(Stroke::of_mode(Mode::Sliding).colour.over(PAPER, 0.35));
     let most = portrait.window.y[1];
     let mut labels: Vec<Label> = Vec::new();
-    labels.extend(
-        nearest(&unloading, [0.45 * PI, 0.72 * most], portrait.window)
-            .map(|at| Label::new("*n*", &at).shifted(10.0, 0.0).coloured(NORMAL_FORCE)),
-    );
+    let n = portrait.name_of(&unloading, [0.45 * PI, 0.72 * most], "*n*");
+    labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
     labels.push(Label::new("flight", &[0.0, 0.75 * most]).coloured(INK));
     let curve = |curve: Curve| Mark::Line(Stroke::of_curve(curve));
     let layers = vec![
         band(&portrait).drawn(fill),
-        portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(FINE))),
+        portrait.separatrix().drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)),
         unloading.drawn(curve(Curve::NormalForceZero)),
         lift_off.drawn(curve(Curve::LiftOff)),
     ];

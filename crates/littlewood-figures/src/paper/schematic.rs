@@ -7,7 +7,7 @@ use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::bounds;
 use littlewood_draw::{
-    Figure, HATCH, INK, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View, tilted,
+    Content, Figure, HATCH, INK, Label, Mark, PlotAxis, SOFT, Series, Sheet, Stroke, tilted,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -67,9 +67,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     };
     let mut layers = vec![
         Series::of_rows("ground", &COLUMNS, ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
-        segment("ground", [x_range[0], 0.0], [x_range[1], 0.0]).drawn(Mark::Line(Stroke::solid(INK, 1.4))),
+        segment("ground", [x_range[0], 0.0], [x_range[1], 0.0]).drawn(Stroke::solid(INK, 1.4)),
         segment("normal", [X, 0.0], [X, 2.38]).drawn(dotted),
-        segment("radius", centre, particle).drawn(Mark::Line(Stroke::solid(INK, CURVE))),
+        segment("radius", centre, particle).drawn(Stroke::solid(INK, CURVE)),
         segment("e2", centre, tip).drawn(axis),
         segment("e1", centre, across(centre, 0.62)).drawn(axis),
         segment("E1", [0.0, 0.0], [0.62, 0.0]).drawn(axis),
@@ -82,8 +82,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         segment("x origin", [0.0, 0.0], [0.0, -0.46]).drawn(thin),
     ];
     layers.push(
-        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI))
-            .drawn(Mark::Line(Stroke::solid(SOFT, BOLD))),
+        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI)).drawn(Stroke::solid(SOFT, BOLD)),
     );
     // Lengths beside the radius, on the side away from the angle.
     let beside = |distance: f64, away: f64| across(along(distance), -away);
@@ -144,7 +143,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         };
         let arc = (0..=ARC).map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)).to_vec()).collect();
         layers.push(segment("horizontal", [apex, 0.0], at(1.0, slope)).drawn(dotted));
-        layers.push(Series::of_rows("slope", &COLUMNS, arc).drawn(Mark::Line(Stroke::solid(INK, 1.0))));
+        layers.push(Series::of_rows("slope", &COLUMNS, arc).drawn(Stroke::solid(INK, 1.0)));
         labels.push(Label::new("*α*", &at(0.82, 0.5 * slope)));
     }
     // The coordinates of the plane, turned.
@@ -152,19 +151,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let (x_range, y_range) = (bounds(corners().map(|[x, _]| x), 0.0), bounds(corners().map(|[_, y]| y), 0.0));
     let sheet = input.sheet(SCALE * (x_range[1] - x_range[0]))?;
     let (width, height) = (sheet.width, sheet.width * (y_range[1] - y_range[0]) / (x_range[1] - x_range[0]));
-    let bare = |column: &'static str, range: [f64; 2]| PlotAxis {
-        scale: Scale::Nothing,
-        ..input.wording().axis(column, "", range)
-    };
-    let panel = Panel {
-        image: None,
-        name: "body",
-        frame: [0.0, 0.0, width, height],
-        view: View::Plane { x: bare(X_COLUMN, x_range), y: bare(Y, y_range), axes: false, tilt: slope },
-        layers,
-        labels,
-        keys: Vec::new(),
-    };
+    let [x, y] = [PlotAxis::silent(X_COLUMN, x_range), PlotAxis::silent(Y, y_range)];
+    let panel = Sheet::bare([0.0, 0.0, width, height], Content { name: "body", x, y, layers, labels }, slope);
     Ok(sheet.figure(
         NAME,
         "Figure 1: the body",

@@ -9,11 +9,11 @@ use littlewood_draw::{
     SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
 };
 
-use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
+use crate::columns::{SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{all_instants, bounds, by_mode, heads, horizon, remark};
-use crate::plane::Portrait;
+use crate::motion::{all_instants, arrows, bounds, by_mode, horizon, lines, remark};
+use crate::plane::{Portrait, unloading_lines};
 use crate::wording::Wording;
 use littlewood::theory::Window;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -55,7 +55,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     let names = [THETA, THETA_RATE, SLIP];
     let mut layers = vec![
         Series::of_rows("plane of rolling", &names, floor).drawn(Mark::Fill(REGION.over(PAPER, 0.6))),
-        Series::of_rows("plane of rolling", &names, outline).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
+        Series::of_rows("plane of rolling", &names, outline).drawn(Stroke::solid(FAINT, FINE)),
     ];
     // The shadow of the motion on the plane of rolling.
     for (mode, series) in &on_ground {
@@ -63,13 +63,11 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             let pieces =
                 series.pieces.iter().map(|piece| piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect());
             let stroke = Stroke::solid(FAINT, 1.0).dashed(Dash::Short);
-            layers.push(Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(stroke)));
+            layers.push(Series::new("shadow", &names, pieces.collect()).drawn(stroke));
         }
     }
     let mut labels = Vec::new();
-    for (mode, series) in on_ground {
-        layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
-    }
+    layers.extend(lines(on_ground, BOLD));
     for phase in motion.phases() {
         let (letter, share) = match phase.mode() {
             Mode::Sliding => ("*s*", 0.5),
@@ -96,12 +94,8 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             .map(|(range, i)| (rows[1][i] - rows[0][i]) / (range[1] - range[0]));
         steps.map(|step: f64| step * step).sum::<f64>() > LEAST_STEP * LEAST_STEP
     };
-    for (mode, rows) in heads(&motion, 0.62, &row) {
-        if (mode.touches_plane() || goes_on) && far(&rows) {
-            let colour = Stroke::of_mode(mode).colour;
-            layers.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(Mark::Head(colour)));
-        }
-    }
+    let is_seen = |mode: Mode, rows: &[Vec<f64>]| (mode.touches_plane() || goes_on) && far(rows);
+    layers.extend(arrows(&motion, 0.62, &COLUMNS, &row, is_seen));
     let (mut changes, mut jumps) = (Vec::new(), Vec::new());
     for transition in motion.transitions() {
         let state = transition.before;
@@ -119,7 +113,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     let jump = Stroke::solid(IMPULSE, CURVE).dashed(Dash::Short);
     let has_jumps = !jumps.is_empty();
     if has_jumps {
-        layers.push(Series::new("impact", &COLUMNS, jumps).drawn(Mark::Line(jump)));
+        layers.push(Series::new("impact", &COLUMNS, jumps).drawn(jump));
     }
     layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(TRANSITION));
     layers.push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(START));
@@ -127,7 +121,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     let caption = format!(
         "The motion in the space of *θ*, *θ*′ and the slip velocity *η*′: sliding (*s*), rolling (*r*) in the plane \
          *η*′ = 0, lift-off (*L*).{} Arrows: time; cross: start; diamonds: transitions; grey: shadow of the sliding parts on the plane of \
-         rolling. {}; {}. The zeros of *η*′ are located, not found by a threshold of \
+         rolling. {}. The zeros of *η*′ are located, not found by a threshold of \
          10^{{−9}} as in §2(c) of the paper.",
         if has_jumps {
             " Light: flight, in which *η*′ is the velocity of the lowest point of the rim; red: impacts, in which *θ*′ and \
@@ -135,8 +129,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
         } else {
             ""
         },
-        say.hoop(motion.hoop()),
-        say.start(motion.hoop(), &input.start)
+        input.in_words()
     ) + &remark(&motion, say);
     let title = "Figure 3(a): the motion in the space of states";
     in_space(input, [x, y, z], (NAME, title, caption), (layers, labels))
@@ -183,22 +176,12 @@ fn instant(transition: &Transition, say: Wording) -> String {
     match transition.cause {
         Cause::Slip => format!("{clock}_{{s}} = {time}"),
         Cause::ParticleAtPlane => format!("{clock}_{{g}} = {time}"),
-        Cause::NormalForceZero
-        | Cause::Stick
-        | Cause::Reversal
-        | Cause::Graze
-        | Cause::LiftOff
-        | Cause::Landing
-        | Cause::ParticleAtBottom
-        | Cause::ParticleAtTop
-        | Cause::Singularity
-        | Cause::Settle
-        | Cause::Jam => format!("{} at {clock} = {time}", transition.cause.label()),
+        other => format!("{} at {clock} = {time}", other.label()),
     }
 }
 
 /// Figure 7(a).
-pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, FigureError> {
+pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-7a";
     input.littlewood(NAME)?;
     input.level(NAME)?;
@@ -208,12 +191,9 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
     let modes = by_mode(&motion, "", &COLUMNS, &row);
     let mut plane = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
-    let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
-    plane.push(
-        Series::new("n", &PLANE, edges).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero).wide(1.2))),
-    );
+    plane.push(unloading_lines(theta_s).drawn(Stroke::of_curve(Curve::NormalForceZero).wide(1.2)));
     if let Some((_, limit)) = portrait.massless_limit() {
-        plane.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(1.2))));
+        plane.push(limit.drawn(Stroke::of_curve(Curve::SlipLimit).wide(1.2)));
     }
     let mut trace = vec![
         Series::of_rows(
@@ -221,7 +201,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
             &[TIME, SLIP],
             vec![vec![motion.start().time, 0.0], vec![horizon(&motion), 0.0]],
         )
-        .drawn(Mark::Line(Stroke::solid(SOFT, FINE))),
+        .drawn(Stroke::solid(SOFT, FINE)),
     ];
     let mut labels = vec![
         Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0),
@@ -263,7 +243,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
     let range = bounds(slips.iter().flat_map(|(_, rows)| rows.iter().map(|row| row[1])), 0.1);
     for (mode, rows) in slips {
         let stroke = Stroke::of_mode(mode).wide(BOLD);
-        trace.push(Series::of_rows(mode.name(), &[TIME, SLIP], rows).drawn(Mark::Line(stroke)));
+        trace.push(Series::of_rows(mode.name(), &[TIME, SLIP], rows).drawn(stroke));
     }
     let say = input.wording();
     let mut trace_labels = Vec::new();
@@ -272,7 +252,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
         let vertical = range.map(|slip| vec![time, slip]).to_vec();
         trace.push(
             Series::of_rows("time of transition", &[TIME, SLIP], vertical)
-                .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
+                .drawn(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)),
         );
         // Above the panel, where no curve is, in rows.
         let label = Label::new(instant(transition, say), &[time, range[1]]).sized(SMALL).fixed();
@@ -290,16 +270,9 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
         .map(|transition| of_state(transition.before))
         .filter(|row| row[2].is_finite())
         .collect();
-    for (mode, rows) in heads(&motion, 0.5, &row) {
-        let head = Mark::Head(Stroke::of_mode(mode).colour);
-        plane.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(head));
-    }
+    plane.extend(arrows(&motion, 0.5, &COLUMNS, &row, |_, _| true));
     plane.push(Series::of_rows("transition", &COLUMNS, changes.clone()).drawn(TRANSITION));
-    let start = motion.start();
-    plane.push(
-        Series::of_rows("start", &COLUMNS, vec![vec![start.time, start.theta, start.theta_rate, start.slip]])
-            .drawn(START),
-    );
+    plane.push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(START));
     let ends = motion.transitions().last().is_some_and(|last| last.cause == Cause::ParticleAtPlane);
     let times = if ends {
         " As *τ* → *τ*_{g}, *θ* → ±π and *θ*′ → ±∞, but *η*′ remains finite."

@@ -3,15 +3,15 @@
 use littlewood::tables::Dimension;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM, SMALL,
-    Series, Sheet, Stroke, tilted,
+    Content, Entries, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
+    SMALL, Series, Sheet, Stroke, tilted,
 };
 
 use super::paths::{axes, beneath, camera, extent, ground};
-use crate::columns::{FRICTION, NORMAL, THETA, TIME, X, Y};
+use crate::columns::{FRICTION, NORMAL, TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{bounds, horizon};
+use crate::motion::{bounds, hoops, horizon};
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, FINE};
 
@@ -92,7 +92,6 @@ fn force_of_a_radius(largest: f64) -> f64 {
     libm::ceil(wanted / decade) * decade
 }
 
-/// The hoop at equal times.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
@@ -118,24 +117,14 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let particle: Vec<Vec<f64>> = particle.filter(|row| row.iter().all(|value| value.is_finite())).collect();
     let trace = Mark::Line(Stroke::solid(FAINT, FINE));
     layers.push(Series::of_rows("particle", &[TIME, X, Y], particle).drawn(trace));
-    let mut keys: Vec<(Mark, String)> = Vec::new();
+    let mut keys: Entries = Vec::new();
     for mode in Mode::ALL {
-        let rows: Vec<Vec<f64>> = samples
-            .iter()
-            .filter(|sample| sample.mode == mode)
-            .map(|sample| vec![sample.state.time, sample.centre.x, sample.centre.y, sample.state.theta])
-            .collect();
-        if rows.is_empty() {
-            continue;
+        let mut own = samples.iter().filter(|sample| sample.mode == mode).peekable();
+        if own.peek().is_some() {
+            let rim = Stroke::of_mode(mode).wide(1.0);
+            keys.push((Mark::Line(rim), mode.to_string()));
+            layers.push(hoops(hoop, own, format!("hoop, {mode}"), rim));
         }
-        let rim = Stroke::of_mode(mode).wide(1.0);
-        keys.push((Mark::Line(rim), mode.to_string()));
-        layers.push(Series::of_rows(format!("hoop, {mode}"), &[TIME, X, Y, THETA], rows).drawn(Mark::Hoop {
-            offset: hoop.offset(),
-            h: hoop.h(),
-            radius: 1.0,
-            rim,
-        }));
     }
     let largest = samples.iter().map(|sample| sample.normal.max(sample.friction.abs())).fold(0.0, f64::max);
     let say = input.wording();
@@ -160,7 +149,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         // As long as a radius, where a camera has its right upper corner.
         let ends = [x[1] - 1.2, x[1] - 0.2].map(|right| tilted(-slope, [right, y[1] - 0.25]).to_vec());
         let bar = Series::of_rows("scale of forces", &[X, Y], ends.to_vec());
-        layers.push(bar.drawn(Mark::Line(Stroke::solid(INK, BOLD))));
+        layers.push(bar.drawn(Stroke::solid(INK, BOLD)));
         let [right, up] = tilted(-slope, [x[1] - 1.2, y[1] - 0.25]);
         let label =
             Label::new(say.quantity(force, Dimension::Force), &[right, up]).right().shifted(-6.0, 0.0);
@@ -172,12 +161,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     });
     let labels = labels.chain(bar_label).collect();
     let caption = format!(
-        "The hoop at {count} instants, {} apart.{}{scale}{} Grey: path of the particle. {}; {}.",
+        "The hoop at {count} instants, {} apart.{}{scale}{} Grey: path of the particle. {}.",
         say.quantity(step, Dimension::Time),
         if until < horizon(&motion) { " Shown is the beginning of the motion." } else { "" },
         camera(slope),
-        say.hoop(hoop),
-        say.start(hoop, &input.start)
+        input.in_words()
     );
     let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
     let [x, y] = axes(say, x, y, slope);

@@ -3,18 +3,18 @@
 use littlewood::Mode;
 use littlewood::theory::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
 use littlewood_draw::{
-    Content, FRICTION_FORCE, Figure, INK, Label, Mark, NORMAL_FORCE, PAPER, REGION, Series, Stroke, THEME,
-    short,
+    Entries, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, REGION, Series, Stroke,
+    THEME, short,
 };
 
 use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::{Portrait, rows};
+use crate::plane::{Portrait, in_time, rows, unloading_lines};
 use littlewood::theory::Window;
 use littlewood_style::ticks::Tick;
 use littlewood_style::width::{CURVE, FINE};
-use littlewood_style::{Curve, Dash, Rgb, of_mode};
+use littlewood_style::{Curve, Dash, of_mode};
 
 /// The part of the plane with 𝓡 in it, and θ_s.
 fn portrait_of(input: &FigureInput) -> (Portrait, f64) {
@@ -39,26 +39,19 @@ fn in_region(portrait: &Portrait, theta_s: f64, energy: f64) -> Vec<Vec<[f64; 2]
         .collect()
 }
 
-fn frame(portrait: &Portrait, theta_s: f64) -> Vec<littlewood_draw::Layer> {
-    let limit = portrait.massless_limit().map(|(_, series)| series);
-    let unloading = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
-    let mut layers = Vec::new();
-    layers.extend(limit.map(|series| series.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit)))));
-    layers.push(
-        Series::new("n", &PLANE, unloading).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))),
-    );
-    layers
+fn frame(portrait: &Portrait, theta_s: f64) -> impl Iterator<Item = Layer> {
+    let limit = portrait.massless_limit().map(|(_, series)| series.drawn(Curve::SlipLimit));
+    limit.into_iter().chain([unloading_lines(theta_s).drawn(Curve::NormalForceZero)])
 }
 
 const NOTE: &str = "The caption of the paper has *θ*_{s} = 26.5651°, which is half of *θ*_{s} by (3.9).";
 
 fn figure(
     input: &FigureInput,
-    [name, title]: [&'static str; 2],
+    name: [&'static str; 2],
     caption: String,
-    layers: Vec<littlewood_draw::Layer>,
-    labels: Vec<Label>,
-    keys: Vec<(Mark, String)>,
+    drawn: (Vec<Layer>, Vec<Label>),
+    keys: Entries,
 ) -> Result<Figure, FigureError> {
     let (portrait, theta_s) = portrait_of(input);
     let (say, Window { x, y }) = (input.wording(), portrait.window);
@@ -67,8 +60,7 @@ fn figure(
         label: format!("{}*θ*_{{s}}", if sign < 0.0 { "−" } else { "" }),
     });
     let x = say.angle_with(x, own.to_vec());
-    let content = Content { name: "plane", x, y: say.rate(y), layers, labels };
-    Ok(input.sheet(580.0)?.plot(name, title, caption, 402.0, content, keys))
+    input.plane(name, caption, [x, say.rate(y)], drawn, keys)
 }
 
 /// Figure 5(a).
@@ -93,30 +85,26 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         Series::new("Type I", &PLANE, rows(unloaded_first))
             .drawn(Mark::Fill(of_mode(Mode::Rolling, THEME).over(PAPER, 0.3))),
-        Series::new("Type II", &PLANE, rows(border))
-            .drawn(Mark::Line(Stroke::solid(INK, CURVE).dashed(Dash::DashDot))),
+        Series::new("Type II", &PLANE, rows(border)).drawn(Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
     ];
     let window = Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] };
-    let stable = window.pieces(window.x, 200, &|theta| Some([theta, stable_manifold_rate(theta)]));
-    let unstable = window.pieces(window.x, 200, &|theta| Some([theta, unstable_manifold_rate(theta)]));
-    layers
-        .push(Series::new("Ws", &PLANE, rows(stable)).drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
-    layers.push(
-        Series::new("Wu", &PLANE, rows(unstable)).drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))),
-    );
+    // Towards the equilibrium on W^s, away from it on W^u.
+    type Manifold = (&'static str, &'static str, fn(f64) -> f64, f64);
+    let manifolds: [Manifold; 2] = [
+        ("Ws", "flow on Ws", stable_manifold_rate, 0.98),
+        ("Wu", "flow on Wu", unstable_manifold_rate, 1.02),
+    ];
+    for (name, _, rate, _) in manifolds {
+        let pieces = window.pieces(window.x, 200, &|theta| Some([theta, rate(theta)]));
+        layers.push(Series::new(name, &PLANE, rows(pieces)).drawn(Curve::Separatrix));
+    }
     layers.extend(frame(&portrait, theta_s));
     layers.extend(portrait.equilibria());
-    // Towards the equilibrium on W^s, away from it on W^u.
-    let heads = [0.6, -0.6].map(|share: f64| {
-        let (theta, inward) = (share * theta_s, 0.98 * share * theta_s);
-        vec![vec![theta, stable_manifold_rate(theta)], vec![inward, stable_manifold_rate(inward)]]
-    });
-    layers.push(Series::new("flow on Ws", &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
-    let heads = [0.6, -0.6].map(|share: f64| {
-        let (theta, outward) = (share * theta_s, 1.02 * share * theta_s);
-        vec![vec![theta, unstable_manifold_rate(theta)], vec![outward, unstable_manifold_rate(outward)]]
-    });
-    layers.push(Series::new("flow on Wu", &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
+    for (_, name, rate, onward) in manifolds {
+        let heads = [0.6 * theta_s, -0.6 * theta_s]
+            .map(|theta| [theta, onward * theta].map(|theta| vec![theta, rate(theta)]).to_vec());
+        layers.push(Series::new(name, &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
+    }
 
     let middle = 0.5 * (1.0 + libm::sqrt((two - 1.0) / 2.0));
     let labels = vec![
@@ -150,7 +138,13 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         short(theta_s.to_degrees()),
         short(input.hoop.mu_s())
     );
-    figure(input, [NAME, "Figure 5(a): the region 𝓡 and its boundaries"], caption, layers, labels, Vec::new())
+    figure(
+        input,
+        [NAME, "Figure 5(a): the region 𝓡 and its boundaries"],
+        caption,
+        (layers, labels),
+        Vec::new(),
+    )
 }
 
 /// Figure 5(b).
@@ -188,17 +182,20 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
                 let exit =
                     piece.iter().copied().reduce(|a, b| if a[0] * a[1] >= b[0] * b[1] { a } else { b });
                 exits.extend(exit.map(|[theta, rate]| vec![theta, rate, energy]));
-                heads.extend(head(piece, stroke.colour));
+                let i = piece.len() * 2 / 3;
+                if let Some([a, b]) = piece.get(i..i + 2).and_then(<[_]>::first_chunk) {
+                    heads.push((stroke.colour, in_time(a, b)));
+                }
             }
             let pieces = orbit
                 .into_iter()
                 .map(|piece| piece.into_iter().map(|[theta, rate]| vec![theta, rate, energy]).collect())
                 .collect();
-            layers.push(Series::new(name, &[THETA, THETA_RATE, ENERGY], pieces).drawn(Mark::Line(stroke)));
+            layers.push(Series::new(name, &[THETA, THETA_RATE, ENERGY], pieces).drawn(stroke));
         }
     }
     let manifolds = Series::new("manifolds", &PLANE, rows(in_region(&portrait, theta_s, 1.0)));
-    layers.push(manifolds.drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(FINE))));
+    layers.push(manifolds.drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)));
     layers.extend(frame(&portrait, theta_s));
     for (colour, piece) in heads {
         layers.push(Series::new("flow", &PLANE, vec![piece]).drawn(Mark::Head(colour)));
@@ -221,13 +218,5 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
         short(input.hoop.mu_s()),
         short(theta_s.to_degrees())
     );
-    figure(input, [NAME, "Figure 5(b): motions of Types I, II and III"], caption, layers, labels, keys)
-}
-
-/// Direction of an orbit, along it.
-fn head(piece: &[[f64; 2]], colour: Rgb) -> Option<(Rgb, Vec<Vec<f64>>)> {
-    let i = piece.len() * 2 / 3;
-    let (a, b) = (piece.get(i)?, piece.get(i + 1)?);
-    let (from, to) = if (b[0] - a[0]) * a[1] > 0.0 { (a, b) } else { (b, a) };
-    Some((colour, vec![from.to_vec(), to.to_vec()]))
+    figure(input, [NAME, "Figure 5(b): motions of Types I, II and III"], caption, (layers, labels), keys)
 }

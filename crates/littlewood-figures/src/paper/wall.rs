@@ -27,7 +27,6 @@ const UPRIGHTS: usize = 6;
 const BESIDE: f64 = 0.8;
 const PLANE_OF_STATES: [&str; 3] = [THETA, THETA_RATE, SLIP];
 
-/// The wall and motions through it.
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
     let hoop = &input.hoop;
@@ -87,7 +86,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let mut layers = vec![
         Series::new("R", &PLANE_OF_STATES, tile).drawn(Mark::Fill(REGION)),
         Series::of_rows("plane of rolling", &PLANE_OF_STATES, flat(outline, 0.0))
-            .drawn(Mark::Line(Stroke::solid(SOFT, FINE))),
+            .drawn(Stroke::solid(SOFT, FINE)),
     ];
     let walls = edge.iter().map(|piece| {
         let back = flat(piece.clone(), y[1]).into_iter().rev();
@@ -108,14 +107,14 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let of_wall = Stroke::of_curve(Curve::LiftOff);
     layers.push(
         Series::new("lines of the wall", &PLANE_OF_STATES, lines)
-            .drawn(Mark::Line(Stroke::solid(NORMAL_FORCE.over(PAPER, 0.45), FINE))),
+            .drawn(Stroke::solid(NORMAL_FORCE.over(PAPER, 0.45), FINE)),
     );
     let foot = edge.iter().map(|piece| flat(piece.clone(), 0.0)).collect();
-    layers.push(Series::new("foot of the wall", &PLANE_OF_STATES, foot).drawn(Mark::Line(of_wall)));
+    layers.push(Series::new("foot of the wall", &PLANE_OF_STATES, foot).drawn(of_wall));
     for (i, modes) in all.into_iter().enumerate().rev() {
         for (mode, series) in modes {
             let width = if i == 0 { BOLD } else { CURVE };
-            layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(width))));
+            layers.push(series.drawn(Stroke::of_mode(mode).wide(width)));
         }
     }
     // A motion that begins in flight comes into the picture where it lands.
@@ -131,16 +130,14 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let count = jumps.len();
     layers.push(Series::of_rows("lift-off", &COLUMNS, jumps).drawn(TRANSITION));
     layers.push(Series::of_rows("start", &COLUMNS, starts).drawn(START));
-    let say = input.wording();
     let caption = format!(
         "Lift-off is a wall: {}, a surface in the space of states upright to the plane of rolling, whatever the friction and the slip. \
          In the plane of rolling, *η*′ = 0, the region 𝓡 (shaded). {} motions with the rate of the start times {} (crosses): sliding is \
-         dashed, rolling lies in the plane; {count} of them leave the plane, where they meet the wall (diamonds). {}; {}.",
+         dashed, rolling lies in the plane; {count} of them leave the plane, where they meet the wall (diamonds). {}.",
         lift_off_condition(hoop.slope()),
         motions.len(),
         SHARES.map(|share| share.to_string()).join(", "),
-        say.hoop(hoop),
-        say.start(hoop, &input.start)
+        input.in_words()
     );
     in_space(input, [x, y, z], (NAME, "Lift-off is a wall", caption), (layers, Vec::new()))
 }
