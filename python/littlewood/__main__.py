@@ -12,13 +12,7 @@ OF_THE_PACKAGE = {"certify": certify.main, "fit": fit_command.main, "score": sco
 
 
 def main() -> int:
-    """Run the command line with the arguments of the process.
-
-    Returns
-    -------
-    int
-        Its exit code.
-    """
+    """Run the command line with the arguments of the process, and return its exit code."""
     name, *rest = sys.argv[1:] or [""]
     if name in OF_THE_PACKAGE:
         return OF_THE_PACKAGE[name](rest)

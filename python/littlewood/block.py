@@ -43,30 +43,10 @@ def compute(
     progress: Callable[[int], object] | None = None,
     derivatives: Sequence[str] = (),
 ) -> dict[str, npt.NDArray[Any]]:
-    """Simulate the points of some arrays.
+    """Simulate the points of some arrays, each over its own `axes` of the result.
 
-    Parameters
-    ----------
-    arrays : mapping of str to ndarray
-        The quantities that a sweep can vary, each over its own axes; without those that no point has.
-    axes : mapping of str to tuple of int
-        The places of those axes among the axes of the result.
-    law : str or None
-        Law of restitution.
-    limits : Limits
-        When to stop.
-    starts : int
-        Number of starts of each hoop of the whole result, of which these points may be a part.
-    threads : int
-        Number of threads; 0 for all cores.
-    progress : callable, optional
-        Called with the number of points done.
-    derivatives : sequence of str, optional
-        Names of derivatives that are computed, too.
-
-    Returns
-    -------
-    dict of str to ndarray
+    The result may be a part of one in which each hoop has so many `starts`; 0 `threads` are all cores; `progress` is
+    called with the number of points done.
     """
     sizes = {axis: n for name, array in arrays.items() for axis, n in zip(axes[name], array.shape, strict=True)}
     shape = tuple(sizes[axis] for axis in sorted(sizes))

@@ -62,13 +62,7 @@ def determined(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]
 
 
 def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
-    """Return the names of a calibration, in the order of :data:`CALIBRATION`.
-
-    Raises
-    ------
-    ValueError
-        For a name that is not one of :data:`CALIBRATION`, or that the channels do not determine.
-    """
+    """Return the names of a calibration in order; refuse unknown ones, and those that the channels do not determine."""
     names, channels = tuple(names), tuple(channels)
     unknown = [name for name in names if name not in CALIBRATION]
     if unknown:
@@ -83,15 +77,7 @@ def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
 
 
 def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[str, _Reals]:
-    """Return θ, x and y as a camera with these errors shows them.
-
-    Parameters
-    ----------
-    means : mapping
-        θ, x and y.
-    constants : mapping
-        Sizes by the names of :data:`CALIBRATION`; the exposure is in the means.
-    """
+    """Return θ, x and y as a camera with these errors shows them; the exposure is in the means."""
     if not any(constants.values()):
         return dict(means)
     theta, x, y = means["theta"], means["x"], means["y"]
@@ -110,17 +96,7 @@ def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[s
 
 
 def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals]:
-    """Return θ, x and y of a motion as means over exposures.
-
-    Parameters
-    ----------
-    motion : Trajectory
-        The motion.
-    time : ndarray
-        When exposures begin, √(R/g).
-    exposure : float
-        How long they last, √(R/g).
-    """
+    """Return θ, x and y of a motion as means over exposures that begin at these times, √(R/g)."""
     if exposure == 0.0:
         return _at(motion, time)
     # From transition to transition a motion is smooth: an exposure is taken in such pieces.

@@ -11,15 +11,7 @@ __all__ = ["checked_count", "checked_limits"]
 
 
 def checked_count(name: str, value: SupportsIndex, least: int, most: int) -> int:
-    """Return a count; refuse one beyond its bounds, before anything is computed or allocated.
-
-    Raises
-    ------
-    TypeError
-        For what is no whole number.
-    ValueError
-        Names the count and the bound that it breaks.
-    """
+    """Return a whole number; refuse one beyond its bounds, before anything is computed or allocated."""
     count = operator.index(value)
     if count < least:
         raise ValueError(f"{name} = {count} must not be less than {least}")

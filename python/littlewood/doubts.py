@@ -77,19 +77,7 @@ class Doubt:
 
 @dataclass(frozen=True)
 class _Channel:
-    """Residuals of a channel where it was seen.
-
-    Attributes
-    ----------
-    frames : ndarray of int
-        Their frames.
-    residuals : ndarray
-        Residuals over the relative errors.
-    relative : ndarray
-        Relative errors of these frames.
-    sigma : float
-        Size of the part that differs from frame to frame.
-    """
+    """Residuals of a channel where it was seen, over relative errors; `sigma` is what differs from frame to frame."""
 
     frames: npt.NDArray[np.intp]
     residuals: _Reals
@@ -102,19 +90,7 @@ class _Channel:
 
 
 def doubts_of_residuals(problem: Problem, unknowns: _Reals, known: Iterable[str], robust: bool) -> list[Doubt]:
-    """Return the doubts that the residuals of a fit raise.
-
-    Parameters
-    ----------
-    problem : Problem
-        What was fitted.
-    unknowns : ndarray
-        The fit.
-    known : iterable of str
-        Channels whose errors were given.
-    robust : bool
-        Whether the fit bears outliers.
-    """
+    """Return the doubts that the residuals of a fit raise; `known` are the channels whose errors were given."""
     known = set(known)
     residuals = problem.seen(problem.residuals(unknowns))
     relative = problem.seen({name: problem.track.relative_errors(name) for name in residuals})

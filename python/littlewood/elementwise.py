@@ -14,20 +14,7 @@ if TYPE_CHECKING:
 
 
 def reals(values: Any, name: str | None = None) -> npt.NDArray[np.float64]:
-    """Return numbers as an array; NaN where they are masked.
-
-    Parameters
-    ----------
-    values : array_like
-        The numbers.
-    name : str, optional
-        Of what they are, for the error.
-
-    Raises
-    ------
-    TypeError
-        For dates, texts and complex numbers, which are no real numbers.
-    """
+    """Return numbers as an array, NaN where masked; refuse dates, texts and complex numbers by their `name`."""
     array = np.asanyarray(values)
     owner = "" if name is None else f"{name} must hold real numbers: "
     if array.dtype.kind not in "biufO":
@@ -53,23 +40,9 @@ def flat(values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
 def broadcast(
     function: Callable[..., Any], *arguments: npt.ArrayLike, outputs: int = 1, dtype: Any = np.float64
 ) -> Any:
-    """Call a function of one-dimensional arrays on anything that NumPy or xarray can broadcast.
+    """Call a function of one-dimensional float64 arrays on anything that NumPy or xarray can broadcast.
 
-    Parameters
-    ----------
-    function : callable
-        Takes arrays of shape (n,), all float64, and returns one such array, or a tuple of `outputs`.
-    *arguments : array_like
-        Any shapes that broadcast, or xarray objects, which broadcast by the names of their dimensions.
-    outputs : int, optional
-        Number of arrays that the function returns.
-    dtype : data-type, optional
-        Of the outputs, for arrays of Dask.
-
-    Returns
-    -------
-    numpy.ndarray, scalar or xarray object
-        Of the common shape; a scalar where all arguments are scalars.
+    It returns an array, or a tuple of `outputs`; `dtype` is theirs, for arrays of Dask. Scalars give a scalar.
     """
     xarray = sys.modules.get("xarray")
     if xarray is not None and any(isinstance(a, (xarray.DataArray, xarray.Variable)) for a in arguments):

@@ -24,22 +24,7 @@ _EXTRA_OF = {
 
 
 def require(module: str) -> Any:
-    """Import an optional dependency.
-
-    Parameters
-    ----------
-    module : str
-        Name of the module.
-
-    Returns
-    -------
-    module
-
-    Raises
-    ------
-    ImportError
-        If it is not installed; the message names the extra of this package that brings it.
-    """
+    """Import an optional dependency; if it is not installed, the error names the extra that brings it."""
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
@@ -52,22 +37,7 @@ def require(module: str) -> Any:
 
 @contextmanager
 def progress_bar(total: int, unit: str, wanted: bool) -> Iterator[Callable[[int], object]]:
-    """Show a bar (tqdm) while something is computed.
-
-    Parameters
-    ----------
-    total : int
-        How much there is to do.
-    unit : str
-        Of what.
-    wanted : bool
-        Whether to show it.
-
-    Yields
-    ------
-    callable
-        To be called with how much is done.
-    """
+    """Show a bar (tqdm) while something is computed, if it is wanted; yields what takes how much of `total` is done."""
     if not wanted:
         yield lambda done: None
         return

@@ -223,18 +223,7 @@ def _has_bar() -> bool:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        Those of the command; of the process by default.
-
-    Returns
-    -------
-    int
-        Exit code: 0, or 2 where something was refused.
-    """
+    """Run the command; exit code 0, or 2 where something was refused."""
     options = _parser().parse_args(arguments)
     try:
         _run(options)

@@ -52,20 +52,8 @@ _PRIOR = 0.1
 class Problem:
     """Residuals as a function of the unknowns.
 
-    Parameters
-    ----------
-    track : Track
-        What was tracked.
-    hoop : Hoop
-        The hoop with what is known.
-    names : tuple of str
-        The unknowns: of the hoop, of the start, and last those of the camera.
-    first : dict
-        The guess of the start.
-    noise : dict
-        Errors of the channels.
-    slips : bool
-        Whether the hoop slips at the start.
+    These are, by their `names`, those of the hoop, of the start, and last those of the camera. `first` is the guess of
+    the start; the hoop `slips` there or not.
     """
 
     track: Track

@@ -57,22 +57,7 @@ th {{ border-bottom: 1px solid {LINE}; }}
 
 
 def report_html(result: FitResult, *, title: str, photo: bytes | None = None) -> str:
-    """Return the report of a fit.
-
-    Parameters
-    ----------
-    result : FitResult
-        The fit.
-    title : str
-        What was measured.
-    photo : bytes, optional
-        A picture of the film with the fitted motion, as JPEG.
-
-    Returns
-    -------
-    str
-        A page of HTML, with all pictures in it.
-    """
+    """Return the report of a fit, a page with all pictures in it; the photo is a JPEG of film and fitted motion."""
     shown = "" if photo is None else f'<img class="photo" alt="the film and the fitted motion" src="{_jpeg(photo)}">'
     with canvas.look(25.4 * _WIDTH):
         fitted, forces, more = result.plot(with_doubts=False), _forces(result.motion), _more_friction(result.motion)

@@ -53,19 +53,8 @@ class Noise:
 class Whitening:
     """Measurements as combinations whose errors are independent and of size 1.
 
-    Innovations of the measurements: a Kalman filter whose state is the slow noise.
-
-    Parameters
-    ----------
-    noise : Noise
-        The errors.
-    time, relative : ndarray
-        Times of the measurements, and their errors over the median one.
-
-    Attributes
-    ----------
-    log_determinant : float
-        Logarithm of the determinant of the covariance.
+    Innovations of the measurements: a Kalman filter whose state is the slow noise. `relative` are their errors over the
+    median one, and `log_determinant` is the logarithm of the determinant of the covariance.
     """
 
     def __init__(self, noise: Noise, time: _Reals, relative: _Reals) -> None:

@@ -23,17 +23,8 @@ if TYPE_CHECKING:
 class Points:
     """The points of a sweep.
 
-    Attributes
-    ----------
-    sizes : mapping of str to int
-        Sizes of the dimensions, in order.
-    variables : mapping of str to xarray.Variable
-        The quantities that a sweep can vary, each over some of the dimensions; in memory, or arrays of Dask. Those that
-        no point has are not there.
-    coordinates : mapping of str to xarray.Variable
-        Coordinates of the result.
-    law : str or None
-        Law of restitution.
+    The quantities that it can vary, but for those that no point has, lie over some of the dimensions: in memory, or in
+    arrays of Dask.
     """
 
     sizes: Mapping[str, int]

@@ -25,18 +25,7 @@ _CLOSE = 0.02
 def rise(problem: Problem, unknowns: _Reals, covariance: _Reals, name: str, value: float) -> float:
     """Return by how much the least sum of squares exceeds that of the fit where a parameter has a value.
 
-    Parameters
-    ----------
-    problem : Problem
-        What was fitted.
-    unknowns : ndarray
-        The fit.
-    covariance : ndarray
-        That of the estimates, in the order of the names: it says where the others go.
-    name : str
-        The parameter.
-    value : float
-        Its value.
+    The covariance of the estimates says where the others go.
     """
     values = problem.values(unknowns)
     place = problem.names.index(name)

@@ -60,20 +60,8 @@ class TableFileError(ValueError):
 class TextTable:
     """A table as it stands in a file.
 
-    Attributes
-    ----------
-    path : str
-        The file.
-    head : int
-        Line of the names, from 1.
-    names : list of str
-        Names of the columns.
-    points : list of str
-        The tracked point that each column belongs to, in exports that name them; else "".
-    lines : list of int
-        Line of each row, from 1.
-    rows : list of list of str
-        Cells, each row as long as `names`.
+    The line of the names is `head`, `lines` are those of the rows; each cell is a text. `points` are the tracked points
+    of the columns, in exports that name them; else "".
     """
 
     path: str
@@ -102,15 +90,7 @@ class TextTable:
                 )
 
     def numbers(self, place: int, required: bool) -> list[float]:
-        """Return a column as numbers; NaN where a cell is empty.
-
-        Parameters
-        ----------
-        place : int
-            Place of the column.
-        required : bool
-            Whether each row must have a number.
-        """
+        """Return a column as numbers; NaN where a cell is empty, unless each row must have one."""
         cells = [row[place] for row in self.rows]
         marks: dict[str, int] = {}
         for line, cell in zip(self.lines, cells, strict=True):
@@ -143,17 +123,10 @@ class TextTable:
 
 
 def read_text_table(path: str | Path) -> TextTable:
-    """Read a table: names in its first line, one row a line.
+    """Read a table: names in its first line, one row a line; refuse a file that is none.
 
     Tabs, semicolons, commas or spaces separate the cells, a point or a comma marks decimals; a byte-order mark, quotes,
     and the lines that Tracker, Kinovea and spreadsheets put before the names are understood.
-
-    Raises
-    ------
-    TableFileError
-        If the file is not such a table.
-    OSError
-        If it cannot be opened.
     """
     file = str(path)
     lines = _text(file, Path(path).read_bytes()).splitlines()

@@ -75,23 +75,7 @@ _MARKER = ("marker", "particle", "weight", "spot", "marke", "marque", "marca")
 
 @dataclass(frozen=True)
 class _Column:
-    """A column that is a channel, or the number of a frame.
-
-    Attributes
-    ----------
-    place : int
-        Its place in the table.
-    name : str
-        Its name there.
-    channel : str
-        "time", "theta", "x", "y" or "frame".
-    unit : str or None
-        Its unit, if it has one.
-    point : str
-        The tracked point, in exports that name them.
-    run : int or None
-        Number of the run, in exports that have one.
-    """
+    """A column of a table: `channel` is time, theta, x, y or frame; `point` is tracked, in exports that name them."""
 
     place: int
     name: str

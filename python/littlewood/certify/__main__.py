@@ -87,13 +87,7 @@ def _draw(certificate: Any, given: argparse.Namespace) -> None:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the command line.
-
-    Returns
-    -------
-    int
-        0; 1 where something is not certified or a certificate is refused; 2 where the input is not right.
-    """
+    """Run the command: 0; 1 where something is not certified or refused; 2 where the input is not right."""
     given = parser().parse_args(arguments)
     try:
         if given.picture is not None:

@@ -2095,13 +2095,7 @@ def _value(value: Any) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Check files.
-
-    Returns
-    -------
-    int
-        0; 1 if a certificate is refused; 2 if a file cannot be read.
-    """
+    """Check files: 0; 1 if a certificate is refused; 2 if a file cannot be read."""
     parser = argparse.ArgumentParser(description="Checks certificates of motions of Littlewood's hoop.")
     parser.add_argument("file", metavar="CERTIFICATE", nargs="+", type=Path, help="a certificate, as JSON")
     code, right, files = 0, 0, parser.parse_args(arguments).file

@@ -29,18 +29,7 @@ class OtherSequence(Exception):
 
 
 def simulated(case: Mapping[str, Any]) -> Trajectory:
-    """Follow the motion of a case, as a certificate has it, with the library.
-
-    Parameters
-    ----------
-    case : mapping
-        What a certificate has under `case`.
-
-    Returns
-    -------
-    Trajectory
-        Dimensionless; a hoop that is given in SI units has them.
-    """
+    """Follow the motion of a case, as a certificate has it, with the library."""
     given, start = dict(case["hoop"]), case["start"]
     hoop = Hoop.from_si(**given) if case["units"] == "si" else Hoop(**given)
     clock, speed, _ = _scales(hoop)
@@ -60,23 +49,7 @@ def _scales(hoop: Hoop) -> tuple[float, float, float]:
 
 
 def differences(certificate: Mapping[str, Any]) -> list[Difference]:
-    """Compare the events of a certificate with those of the library.
-
-    Parameters
-    ----------
-    certificate : mapping
-        A certificate that certifies something.
-
-    Returns
-    -------
-    list of Difference
-        One for each number of each event.
-
-    Raises
-    ------
-    OtherSequence
-        If the events are others.
-    """
+    """Compare each number of the events of a certificate with those of the library, which must have the same events."""
     motion = simulated(certificate["case"])
     clock, speed, length = _scales(motion.hoop)
     scale = {"time": clock, "theta": 1.0, "theta_rate": 1 / clock, "slip": speed, "x": length}

@@ -114,18 +114,7 @@ def _named(name: str) -> Trajectory:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        Those of the command; of the process by default.
-
-    Returns
-    -------
-    int
-        Exit code: 0, or 2 where something was refused.
-    """
+    """Run the command; exit code 0, or 2 where something was refused."""
     parser = _parser()
     options = parser.parse_args(arguments)
     if not options.files:

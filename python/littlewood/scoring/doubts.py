@@ -63,19 +63,7 @@ def _off(motion: Trajectory, path: _Path) -> float:
 
 
 def doubts(motion: Trajectory, record: Record) -> Iterator[str]:
-    """Yield what looks like a mistake of the record rather than of the solver.
-
-    Parameters
-    ----------
-    motion : Trajectory
-        The exact motion.
-    record : Record
-        The record as it was given.
-
-    Yields
-    ------
-    str
-    """
+    """Yield what looks like a mistake of the record rather than of the solver."""
     path = _Path(record.time, record.x, record.y, record.theta)
     yield from _wrapped(path)
     if not motion.start.time <= path.time[0] <= motion.end_time:

@@ -151,21 +151,6 @@ def score_gradient(
 
 
 def read_gradient(path: str | Path) -> tuple[_Reals, _Reals, _Reals]:
-    """Read the columns time, x and theta: derivatives of x and θ at fixed times.
-
-    Parameters
-    ----------
-    path : str or Path
-        A table with a line of names.
-
-    Returns
-    -------
-    tuple of ndarray
-
-    Raises
-    ------
-    TableFileError
-        With the line and the column that cannot be read.
-    """
+    """Read the columns time, x and theta of a table: derivatives of x and θ at fixed times."""
     columns = read_table(path, lambda *_: _COLUMNS)
     return columns["time"], columns["x"], columns["theta"]

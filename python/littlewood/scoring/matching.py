@@ -37,22 +37,11 @@ def match(
     farthest: float,
     may_be: Callable[[Event, Event], bool] = is_same,
 ) -> list[tuple[Event | None, Event | None]]:
-    """Pair the events of two motions in their order.
+    """Pair the events of the exact motion and of the solver in their order.
 
-    Parameters
-    ----------
-    exact, found : sequence of Event
-        The events of the exact motion and of the solver.
-    farthest : float
-        Events are the same only if they are not farther apart, √(R/g).
-    may_be : callable
-        Whether two events can be the same.
-
-    Returns
-    -------
-    list of tuple
-        Pairs in order: both, an exact event that was missed and None, or None and a spurious event. Of all
-        pairings that with the least sum of distances, one without a partner counting as `farthest`.
+    Events that may be the same are a pair if they are not `farthest` apart, √(R/g). A missed event is paired with None,
+    and None with a spurious one. Of all pairings this has the least sum of distances, one without a partner counting
+    as `farthest`.
     """
     rows, columns = len(exact), len(found)
     cost = np.empty((rows + 1, columns + 1))

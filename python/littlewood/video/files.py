@@ -88,22 +88,7 @@ def frames(path: str | Path, wanted: Collection[int] | None = None) -> Iterator[
 
 
 class FrameWriter:
-    """Writes frames into a video.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file: `.mp4` or `.mov` (MPEG-4), or `.avi` (Motion JPEG).
-    size : tuple of int
-        Width and height, pixels.
-    fps : float, optional
-        Rate at which it is played: slow motion, as a phone does it.
-
-    Raises
-    ------
-    UnwritableVideoError
-        If OpenCV cannot write it.
-    """
+    """Writes frames into a `.mp4`, `.mov` (MPEG-4) or `.avi` (Motion JPEG), by default in slow motion."""
 
     def __init__(self, path: str | Path, size: tuple[int, int], fps: float = 30.0) -> None:
         cv2 = require("cv2")

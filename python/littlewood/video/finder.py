@@ -453,20 +453,9 @@ def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> tuple[tuple[floa
 
 
 class _Profiles:
-    """Values of a frame along rays of the plane, on both sides of a circle.
+    """Values of a frame along rays of the plane, to so many radii on both sides of a circle.
 
-    Parameters
-    ----------
-    plane : Plane
-        The plane of the motion.
-    image : ndarray
-        One value a pixel.
-    circle : tuple of float
-        Centre and radius, m.
-    window : float
-        How far to both sides the rays go, radii.
-    cut : tuple of slice, optional
-        Which part of the frame the image is.
+    The image has one value a pixel; `cut` says which part of the frame it is.
     """
 
     def __init__(

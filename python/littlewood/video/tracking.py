@@ -228,22 +228,7 @@ def frames_all_over(path: str | Path, first: int, last: int | None) -> list[Fram
 
 
 def background_of(path: str | Path, first: int = 0, last: int | None = None) -> tuple[npt.NDArray[Any], float]:
-    """Return the median of frames of a video, and the standard deviation of the noise of a pixel.
-
-    Parameters
-    ----------
-    path : str or Path
-        The video.
-    first, last : int, optional
-        First frame that is used, and the one after the last.
-
-    Raises
-    ------
-    UnreadableVideoError
-        If the file is missing or cannot be decoded.
-    TooFewFramesError
-        If there are fewer than ten frames.
-    """
+    """Return the median of frames of a video, and the standard deviation of the noise of a pixel."""
     return median_and_noise(frames_all_over(path, first, last))
 
 
