@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from .motion import Start
 from .tables import START
@@ -42,16 +42,8 @@ class BouncingOrbit:
     start: Start
 
     @classmethod
-    def of(
-        cls,
-        angle: float,
-        top_rate: float,
-        bottom_rate: float,
-        gap_rate: float,
-        friction: float,
-        period: float,
-        start: Sequence[float],
-    ) -> BouncingOrbit:
+    def of(cls, angle: float, *numbers: Any) -> BouncingOrbit:
         """Make one of the numbers of the core."""
-        named = Start(**dict(zip(START, start, strict=True)))
-        return cls(angle, top_rate, bottom_rate, gap_rate, friction, period, named)
+        *rest, start = numbers
+        parts: list[Any] = [angle, *rest, Start(**dict(zip(START, start, strict=True)))]
+        return cls(*parts)

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .calibration import CALIBRATION, determined
+from .extras import require
 
 if TYPE_CHECKING:
     from .fit_problem import Problem
@@ -220,7 +221,7 @@ def _structure(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
         portmanteau = count * (count + 2.0) * sum(r * r / (count - lag) for lag, r in enumerate(after, start=1))
         # Residuals below the resolution of any tracker are those of the arithmetic.
         resolved = float(np.std(one.residuals)) > 2.0 * _LEAST_ERROR
-        if resolved and (too_few > _LOUD or _chance(portmanteau) < limit):
+        if resolved and (too_few > _LOUD or require("scipy.special").chdtrc(_LAGS, portmanteau) < limit):
             size = float(np.sqrt(np.mean(np.square(one.residuals))))
             yield Doubt(
                 "structure",
@@ -228,16 +229,6 @@ def _structure(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
                 f"with the next {after[0]:.2f}; {size:.2g}, of which {one.sigma:.2g} differs from frame to frame)",
                 (name,),
             )
-
-
-def _chance(squares: float) -> float:
-    """Return how often the squares of as many normal numbers as lags, an even number, add up to more."""
-    half, term = 0.5 * squares, math.exp(-0.5 * min(squares, 1400.0))
-    total = 0.0
-    for k in range(_LAGS // 2):
-        total += term
-        term *= half / (k + 1)
-    return total
 
 
 def _misfit(channels: Mapping[str, _Channel], known: set[str], unknowns: int) -> Iterator[Doubt]:

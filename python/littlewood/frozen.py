@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
 __all__ = ["Frozen"]
@@ -16,7 +16,7 @@ class Frozen(Mapping[_K, _V]):
 
     _items: dict[Any, Any]
 
-    def __init__(self, items: Mapping[_K, _V]) -> None:
+    def __init__(self, items: Mapping[_K, _V] | Iterable[tuple[_K, _V]]) -> None:
         object.__setattr__(self, "_items", dict(items))
 
     def __getitem__(self, key: _K) -> _V:

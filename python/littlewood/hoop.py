@@ -8,8 +8,9 @@ from typing import Any
 
 from . import _core
 from .bouncing import BouncingOrbit
+from .frozen import Frozen
 from .html import hoop_html
-from .motion import Classification, Start, _frozen
+from .motion import Classification, Start
 from .phase_plane import PhasePlane
 from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START, START
 from .trajectory import Trajectory
@@ -327,7 +328,7 @@ class Hoop:
         """
         start = Start(time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=0.0)
         found = _core.classify(self._given, start.numbers)
-        return Classification(**{**found, "details": _frozen(found["details"])})
+        return Classification(**{**found, "details": Frozen(found["details"])})
 
     def bouncing_orbit(self, angle: float) -> BouncingOrbit | None:
         """Return the motion that bounces for ever with impacts at this angle.

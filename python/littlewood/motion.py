@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from . import _core
-from .frozen import Frozen
 from .tables import FINAL_OUTCOMES, IMPACT_LABELS, OUTCOME_LABELS, START
 
 __all__ = [
@@ -206,10 +205,6 @@ class Transition:
     def time(self) -> float:
         """Time τ, √(R/g)."""
         return self.state.time
-
-
-def _frozen(details: Mapping[str, Any]) -> Mapping[str, Any]:
-    return Frozen(details)
 
 
 @dataclass(frozen=True)

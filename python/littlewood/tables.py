@@ -5,18 +5,11 @@ Names, codes, labels and units stand in the core alone; this module gives them t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import NamedTuple, TypeVar
+from collections.abc import Mapping
+from typing import NamedTuple
 
 from . import _core
 from .frozen import Frozen
-
-_K = TypeVar("_K")
-_V = TypeVar("_V")
-
-
-def _frozen(items: Iterable[tuple[_K, _V]]) -> Mapping[_K, _V]:
-    return Frozen(dict(items))
 
 
 class Quantity(NamedTuple):
@@ -67,7 +60,7 @@ class SummaryColumn(NamedTuple):
     long_name: str
 
 
-QUANTITIES: Mapping[str, Quantity] = _frozen((row["name"], Quantity(**row)) for row in _core.quantities())
+QUANTITIES: Mapping[str, Quantity] = Frozen((row["name"], Quantity(**row)) for row in _core.quantities())
 """All quantities by their names, in SI units as well."""
 
 HOOP: tuple[str, ...] = tuple(_core.HOOP)
@@ -88,12 +81,12 @@ SI_HOOP: tuple[str, ...] = tuple(_core.SI_HOOP)
 SI_START: tuple[str, ...] = tuple(_core.SI_START)
 """Names of the numbers of a start in SI units."""
 
-SAMPLE_COLUMNS: Mapping[str, SampleColumn] = _frozen(
+SAMPLE_COLUMNS: Mapping[str, SampleColumn] = Frozen(
     (row["name"], SampleColumn(**row)) for row in _core.sample_columns()
 )
 """Columns of samples by their names."""
 
-SUMMARY_COLUMNS: Mapping[str, SummaryColumn] = _frozen(
+SUMMARY_COLUMNS: Mapping[str, SummaryColumn] = Frozen(
     (row["name"], SummaryColumn(**row)) for row in _core.summary_columns()
 )
 """Columns of summaries by their names."""
@@ -113,31 +106,31 @@ PROOF: str = _core.PROOF
 MODES: tuple[str, ...] = tuple(name for _, name in _core.MODES)
 """Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
 
-MODE_CODES: Mapping[str, int] = _frozen((name, code) for code, name in _core.MODES)
+MODE_CODES: Mapping[str, int] = Frozen((name, code) for code, name in _core.MODES)
 """Codes of the modes by their names."""
 
 CAUSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CAUSES)
 """Names of the causes of transitions."""
 
-CAUSE_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.CAUSES)
+CAUSE_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.CAUSES)
 """Causes in words."""
 
 IMPACT_CASES: tuple[str, ...] = tuple(name for _, name, _ in _core.IMPACT_CASES)
 """Names of what the contact point does in an impact."""
 
-IMPACT_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.IMPACT_CASES)
+IMPACT_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.IMPACT_CASES)
 """The same in words."""
 
 RESTITUTION_LAWS: tuple[str, ...] = tuple(name for _, name, _ in _core.RESTITUTION_LAWS)
 """Names of the laws of restitution."""
 
-LAW_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.RESTITUTION_LAWS)
+LAW_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.RESTITUTION_LAWS)
 """Laws of restitution in words."""
 
-OUTCOMES: Mapping[int, str] = _frozen((code, name) for code, name, _, _ in _core.OUTCOMES)
+OUTCOMES: Mapping[int, str] = Frozen((code, name) for code, name, _, _ in _core.OUTCOMES)
 """Names of the outcomes by their codes in arrays; `not_computed` and `invalid` are those of points without a motion."""
 
-OUTCOME_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label, _ in _core.OUTCOMES)
+OUTCOME_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label, _ in _core.OUTCOMES)
 """Outcomes in words."""
 
 FINAL_OUTCOMES: frozenset[str] = frozenset(name for _, name, _, is_final in _core.OUTCOMES if is_final)
@@ -146,7 +139,7 @@ FINAL_OUTCOMES: frozenset[str] = frozenset(name for _, name, _, is_final in _cor
 CLASSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CLASSES)
 """Names of the classes of outcomes that maps show; their places are the codes in arrays."""
 
-CLASS_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.CLASSES)
+CLASS_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.CLASSES)
 """Classes in words."""
 
 REGIONS: tuple[str, ...] = tuple(name for _, name in _core.REGIONS)

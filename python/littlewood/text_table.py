@@ -71,9 +71,16 @@ class TextTable:
     lines: list[int]
     rows: list[list[str]]
 
+    def refusal(self, reason: str, *, column: str | None = None, hint: str | None = None) -> TableFileError:
+        """Return the error of the columns as the line of names has them."""
+        return TableFileError(self.path, reason, line=self.head, column=column, hint=hint)
+
     def with_some_of(self, places: list[int]) -> TextTable:
         """Return the rows in which some of these columns are not empty."""
-        kept = [k for k, row in enumerate(self.rows) if any(row[place] for place in places)]
+        return self.with_rows([k for k, row in enumerate(self.rows) if any(row[place] for place in places)])
+
+    def with_rows(self, kept: list[int]) -> TextTable:
+        """Return some of the rows."""
         return replace(self, lines=[self.lines[k] for k in kept], rows=[self.rows[k] for k in kept])
 
     def check_growing(self, place: int, numbers: Sequence[float]) -> None:

@@ -120,21 +120,15 @@ def read_track(
     by_channel = {(one.channel, _OF_MARKER if one.point and one.point == marker else ""): one for one in columns}
     used = [one for one in columns if one.channel in ("theta", "x", "y")]
     if not used:
-        raise TableFileError(
-            table.path, "has neither an angle nor a position", line=table.head, hint="columns are theta_deg, x_m, y_m"
-        )
+        raise table.refusal("has neither an angle nor a position", hint="columns are theta_deg, x_m, y_m")
     # Exports that name points, or call the time t, have units that do not stand in the file.
     is_foreign = any(one.point for one in used) or time.name.lower() == "t" or time.channel == _FRAME
     is_si = is_foreign or time.unit is not None or plane is not None
     if not is_si:
         odd = next((one for one in used if one.unit is not None), None)
         if odd is not None:
-            raise TableFileError(
-                table.path,
-                f"is in SI units, {time.name} has no dimension",
-                line=table.head,
-                column=odd.name,
-                hint="name the time time_s",
+            raise table.refusal(
+                f"is in SI units, {time.name} has no dimension", column=odd.name, hint="name the time time_s"
             )
     # Runs and trajectories differ in length.
     table = table.with_some_of([time.place, *(one.place for one in used)])
@@ -160,7 +154,7 @@ def read_track(
         _not_pixels(table, by_channel, found)
     if "x" + _OF_MARKER in found or "y" + _OF_MARKER in found:
         if "theta" in found or not {"x", "y", "x" + _OF_MARKER, "y" + _OF_MARKER} <= set(found):
-            raise TableFileError(table.path, "needs x and y of both points, and no angle beside them", line=table.head)
+            raise table.refusal("needs x and y of both points, and no angle beside them")
         across, up = (found[name + _OF_MARKER] - found[name] for name in ("x", "y"))
         found["theta"] = np.arctan2(-across, up)
     if is_si and units is None:
@@ -183,17 +177,15 @@ def _recognised(table: TextTable, ignored: set[str]) -> list[_Column]:
             known = [*_CHANNELS, *(spelling for key in COLUMN_OF.values() for spelling in _spellings(key))]
             close = difflib.get_close_matches(name.lower(), known, 1)
             meant = f"is it {close[0]}? " if close else ""
-            raise TableFileError(
-                table.path,
+            raise table.refusal(
                 "is not a column of a track",
-                line=table.head,
                 column=repr(name),
                 hint=f"{meant}Columns are {', '.join(_spellings('theta', 'time', 'x', 'y'))}; "
                 f'ignore=("{name}",) passes over it',
             )
     if unused:
         missing = ", ".join(sorted(unused))
-        raise TableFileError(table.path, f"has no column {missing}, which ignore names", line=table.head)
+        raise table.refusal(f"has no column {missing}, which ignore names")
     return found
 
 
@@ -243,22 +235,17 @@ def _of_run(table: TextTable, columns: list[_Column], run: int | None) -> list[_
     runs = sorted({one.run for one in columns if one.run is not None})
     if run is not None and run not in runs:
         there = f"has runs {', '.join(map(str, runs))}" if runs else "has no runs"
-        raise TableFileError(table.path, f"{there}, run = {run} is none of them", line=table.head)
+        raise table.refusal(f"{there}, run = {run} is none of them")
     if run is None and len(runs) > 1:
-        raise TableFileError(
-            table.path, f"has runs {', '.join(map(str, runs))}", line=table.head, hint=f"choose one: run={runs[0]}"
-        )
+        raise table.refusal(f"has runs {', '.join(map(str, runs))}", hint=f"choose one: run={runs[0]}")
     chosen = [one for one in columns if one.run is None or run is None or one.run == run]
     seen: dict[tuple[str, str], _Column] = {}
     for one in chosen:
         before = seen.setdefault((one.channel, one.point), one)
         if before is not one:
             names = before.name if before.name == one.name else f"{before.name} and {one.name}"
-            raise TableFileError(
-                table.path,
-                f"{names}: two columns of one quantity",
-                line=table.head,
-                hint=f'remove one, or name it in ignore=("{one.name}",)',
+            raise table.refusal(
+                f"{names}: two columns of one quantity", hint=f'remove one, or name it in ignore=("{one.name}",)'
             )
     return chosen
 
@@ -269,20 +256,13 @@ def _time_column(table: TextTable, columns: list[_Column], fps: float | None) ->
         found = next((one for one in columns if one.channel == channel), None)
         if found is not None:
             if channel == _FRAME and fps is None:
-                raise TableFileError(
-                    table.path,
+                raise table.refusal(
                     "has numbers of frames and no time",
-                    line=table.head,
                     column=found.name,
                     hint="give the rate at which they were taken: fps=240",
                 )
             return found
-    raise TableFileError(
-        table.path,
-        f"no column time or time_s among {', '.join(table.names)}",
-        line=table.head,
-        hint="name the time time_s",
-    )
+    raise table.refusal(f"no column time or time_s among {', '.join(table.names)}", hint="name the time time_s")
 
 
 def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, marker: str | None) -> str | None:
@@ -291,7 +271,7 @@ def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, mar
     for given in (centre, marker):
         if given is not None and given not in names:
             there = ", ".join(names) or "none with a name"
-            raise TableFileError(table.path, f"has no point {given!r}", line=table.head, hint=f"its points are {there}")
+            raise table.refusal(f"has no point {given!r}", hint=f"its points are {there}")
     if len(names) == 2 and marker is None:
         if centre is None:
             tells = [name for name in names if any(word in name.lower() for word in _CENTRE)]
@@ -300,14 +280,12 @@ def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, mar
             centre = tells[0] if len(tells) == 1 else rest[0] if len(rest) == 1 else None
         marker = next((name for name in names if centre is not None and name != centre), None)
     if {centre, marker} - {None} != set(names) and not (len(names) == 1 and marker is None):
-        raise TableFileError(
-            table.path,
+        raise table.refusal(
             f"has the points {', '.join(names)}",
-            line=table.head,
             hint='say which are the centre of the hoop and its marker: centre="…", marker="…"; export only these',
         )
     if marker is not None and len(names) == 1:
-        raise TableFileError(table.path, "has the marker alone", line=table.head, hint="track the centre, too")
+        raise table.refusal("has the marker alone", hint="track the centre, too")
     return marker
 
 
@@ -320,37 +298,27 @@ def _values(
         return values
     if one.channel == "theta":
         if one.unit is None:
-            raise TableFileError(
-                table.path,
-                "has no unit",
-                line=table.head,
-                column=one.name,
-                hint="name it theta_deg or theta_rad",
-            )
+            raise table.refusal("has no unit", column=one.name, hint="name it theta_deg or theta_rad")
         return np.asarray(values * _UNITS[one.unit][1])
     unit = one.unit
     if unit is None and plane is None:
         if not is_foreign:
-            raise TableFileError(
-                table.path,
-                "has no dimension, the time is in SI units",
-                line=table.head,
-                column=one.name,
-                hint=f"name it {one.name}_m",
+            raise table.refusal(
+                "has no dimension, the time is in SI units", column=one.name, hint=f"name it {one.name}_m"
             )
         unit = length_unit
     in_pixels = unit is None or math.isnan(_UNITS[unit][1])
     if in_pixels != (plane is not None):
         reason = "is in pixels" if in_pixels else "is not in pixels, which a plane is for"
         hint = "give the plane of the motion: plane=video.Plane.from_points(…)" if in_pixels else "leave plane out"
-        raise TableFileError(table.path, reason, line=table.head, column=one.name, hint=hint)
+        raise table.refusal(reason, column=one.name, hint=hint)
     return values if in_pixels else np.asarray(values * _UNITS[unit or length_unit][1])
 
 
 def _to_metres(table: TextTable, found: dict[str, _Reals], plane: Plane) -> None:
     for owner in ("", _OF_MARKER):
         if ("x" + owner in found) != ("y" + owner in found):
-            raise TableFileError(table.path, "has one coordinate in pixels: a plane needs x and y", line=table.head)
+            raise table.refusal("has one coordinate in pixels: a plane needs x and y")
         if "x" + owner in found:
             found["x" + owner], found["y" + owner] = plane.to_metres(found["x" + owner], found["y" + owner])
 
@@ -361,10 +329,8 @@ def _not_pixels(table: TextTable, columns: dict[tuple[str, str], _Column], found
         if channel in found:
             seen = found[channel][np.isfinite(found[channel])]
             if np.ptp(seen) > 10.0 and np.all(seen == np.round(seen)):
-                raise TableFileError(
-                    table.path,
+                raise table.refusal(
                     "has whole numbers without a unit, as pixels are",
-                    line=table.head,
                     column=columns[channel, ""].name,
                     hint="give plane=video.Plane.from_points(…) for pixels, or name the unit: x_m",
                 )

@@ -15,8 +15,9 @@ from . import _core, derivatives
 from .counts import checked_count, checked_limits
 from .elementwise import flat, reals
 from .extras import require
+from .frozen import Frozen
 from .html import page_html
-from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition, _frozen
+from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition
 from .samples import Samples
 from .tables import CAUSES, IMPACT_CASES, MODES, SAMPLE_COLUMNS, SampleColumn
 from .variables import CONVENTIONS
@@ -150,7 +151,7 @@ class Trajectory:
     def outcome(self) -> Outcome:
         """How the motion ended."""
         kind, state, details, sentence = self._core.outcome()
-        return Outcome(kind, State(*state), _frozen(details), sentence)
+        return Outcome(kind, State(*state), Frozen(details), sentence)
 
     @property
     def sequence(self) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -199,18 +199,18 @@ def read_table(path: str | Path, wanted_of: Callable[[TextTable, list[str]], Seq
     names = [_ALSO.get(name, name) for name in table.names]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise TableFileError(table.path, "occurs twice", line=table.head, column=twice)
+        raise table.refusal("occurs twice", column=twice)
     wanted = wanted_of(table, names)
     missing = next((name for name in wanted if name not in names), None)
     if missing is not None:
         reason = f"is missing among {', '.join(names)}"
-        raise TableFileError(table.path, reason, line=table.head, column=missing, hint=_hint(missing, names))
+        raise table.refusal(reason, column=missing, hint=_hint(missing, names))
     places = {name: names.index(name) for name in wanted}
     time = places[wanted[0]]
     if "event" in names:
         # `littlewood simulate` gives both sides of an event.
-        kept = [k for k, row in enumerate(table.rows) if k == 0 or row[time] != table.rows[k - 1][time]]
-        table = replace(table, lines=[table.lines[k] for k in kept], rows=[table.rows[k] for k in kept])
+        rows = enumerate(table.rows)
+        table = table.with_rows([k for k, row in rows if k == 0 or row[time] != table.rows[k - 1][time]])
     columns = {name: np.array(table.numbers(place, True)) for name, place in places.items()}
     table.check_growing(time, columns[wanted[0]].tolist())
     odd = np.flatnonzero(~np.isin(columns.get(_CONTACT, 0.0), (0.0, 1.0)))
@@ -232,12 +232,10 @@ def _wanted(table: TextTable, names: list[str], units: Units | None) -> list[str
     if has_plain and has_si:
         reason = f"is in SI units, {has_plain[0]} has no dimension"
         hint = "all must be of one kind"
-        raise TableFileError(table.path, reason, line=table.head, column=has_si[0], hint=hint)
+        raise table.refusal(reason, column=has_si[0], hint=hint)
     if has_si and units is None:
         hint = "make the hoop by Hoop.from_si"
-        raise TableFileError(
-            table.path, "is in SI units, and the hoop has none", line=table.head, column=has_si[0], hint=hint
-        )
+        raise table.refusal("is in SI units, and the hoop has none", column=has_si[0], hint=hint)
     rates = _SI_RATES if has_si else _RATES
     wanted = [*(_SI_COLUMNS if has_si else _COLUMNS), *(rates if any(name in names for name in rates[:2]) else ())]
     return [*wanted, *([_CONTACT] if _CONTACT in names else [])]

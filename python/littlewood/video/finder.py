@@ -163,13 +163,10 @@ class Finder:
         of the rim, in light: the mean over the exposure, however the hoop moves meanwhile, and however bright the
         background is. Of a disc, which has no inner edge, it is that of the outer edge.
         """
-        found = self._outline(frame)
+        found = self._line_of(frame)
         if found is None:
             return None
-        difference, outline, seen = found
-        line = self._line(frame, difference, outline)
-        if line is None:
-            return None
+        outline, seen, line = found
         circle, scatter, kept = _fit_circle(*line, outline, self._radius)
         # Neighbouring rays share pixels: there are no more independent edges than pixels along the rim.
         pixels = math.tau * self._radius * self._plane.pixels_per_metre(*circle[:2])
@@ -192,20 +189,20 @@ class Finder:
             return None
         return difference, outline, float(kept.sum()) / _RAYS
 
-    def _line_of(self, frame: Frame) -> tuple[tuple[float, float], _Reals, _Reals] | None:
-        """Return a centre, and points of the mean line of the rim as a frame shows it."""
+    def _line_of(self, frame: Frame) -> tuple[tuple[float, float, float], float, tuple[_Reals, _Reals]] | None:
+        """Return the outline, which part of the rim is seen, and points of its mean line."""
         found = self._outline(frame)
         line = None if found is None else self._line(frame, found[0], found[1])
-        return None if found is None or line is None else (found[1][:2], *line)
+        return None if found is None or line is None else (found[1], found[2], line)
 
     def rim(self, frame: Frame) -> tuple[_Reals, _Reals, float] | None:
         """Return points of the mean line of the rim in pixels, and its outer radius over theirs; None if unseen."""
-        found = self._outline(frame)
-        line = None if found is None else self._line(frame, found[0], found[1])
-        if found is None or line is None:
+        found = self._line_of(frame)
+        if found is None:
             return None
-        circle, _, _ = _fit_circle(*line, found[1], self._radius)
-        return (*self._plane.to_pixels(*line), found[1][2] / circle[2])
+        outline, _, line = found
+        circle, _, _ = _fit_circle(*line, outline, self._radius)
+        return (*self._plane.to_pixels(*line), outline[2] / circle[2])
 
     def rounded(self, frames: Iterable[Frame]) -> Finder:
         """Return a finder that also fits the deviation of the rim from a circle, by errors of the plane.
@@ -220,11 +217,11 @@ class Finder:
         """
         rows, ovals = [], []
         for frame in frames:
-            line = self._line_of(frame)
-            if line is not None:
-                place, oval = _oval(*line)
-                rows.append(place)
-                ovals.append(oval)
+            seen = self._line_of(frame)
+            if seen is not None:
+                outline, _, line = seen
+                rows.append(outline[:2])
+                ovals.append(_oval(outline[:2], *line))
         found = copy.copy(self)
         if rows:
             places = np.column_stack([np.ones(len(rows)), np.array(rows) / self._radius])
@@ -439,8 +436,8 @@ def _light(frame: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
     return np.asarray(_LIGHT[frame])
 
 
-def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> tuple[tuple[float, float], _Reals]:
-    """Return the place of an oval, and its cosine and sine of twice the angle over its radius."""
+def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> _Reals:
+    """Return the cosine and sine of twice the angle of an oval over its radius."""
     angles, distances = np.arctan2(y - centre[1], x - centre[0]), np.hypot(x - centre[0], y - centre[1])
     waves = [np.ones_like(angles), *(wave(k * angles) for k in (1.0, 2.0) for wave in (np.cos, np.sin))]
     matrix = np.column_stack(waves)
@@ -449,7 +446,7 @@ def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> tuple[tuple[floa
         sizes, *_ = np.linalg.lstsq(matrix[kept], distances[kept], rcond=None)
         off = np.abs(matrix @ sizes - distances)
         kept = off <= 4.0 * np.median(off)
-    return centre, sizes[3:] / sizes[0]
+    return np.asarray(sizes[3:] / sizes[0])
 
 
 class _Profiles:
