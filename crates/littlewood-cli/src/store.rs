@@ -51,18 +51,12 @@ impl Kind {
 
     /// Whether it shows the map.
     pub(crate) const fn is_picture(self) -> bool {
-        match self {
-            Self::Picture | Self::Svg | Self::Pdf => true,
-            Self::Zarr | Self::Parquet | Self::Csv => false,
-        }
+        matches!(self, Self::Picture | Self::Svg | Self::Pdf)
     }
 
     /// Whether it shows the map in vectors.
     pub(crate) const fn is_drawing(self) -> bool {
-        match self {
-            Self::Svg | Self::Pdf => true,
-            Self::Zarr | Self::Parquet | Self::Csv | Self::Picture => false,
-        }
+        matches!(self, Self::Svg | Self::Pdf)
     }
 
     const fn ending(self) -> &'static str {
@@ -78,10 +72,7 @@ impl Kind {
 
     /// Whether it is written once all is computed, and not chunk by chunk.
     pub(crate) const fn is_written_at_the_end(self) -> bool {
-        match self {
-            Self::Zarr | Self::Parquet => false,
-            Self::Csv | Self::Picture | Self::Svg | Self::Pdf => true,
-        }
+        !matches!(self, Self::Zarr | Self::Parquet)
     }
 
     /// The target of a run with so many starts; none for what is written at its end.

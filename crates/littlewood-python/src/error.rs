@@ -2,9 +2,9 @@
 
 use std::collections::TryReserveError;
 
+use littlewood::ParameterError as Refusal;
 use littlewood::derivatives::NotDifferentiable;
 use littlewood::tables::{Quantity, UnknownName};
-use littlewood::{ParameterError as Refusal, Proof, RestitutionLaw};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
@@ -20,16 +20,9 @@ pub(crate) fn refuse(py: Python<'_>, error: &Refusal, index: Option<usize>) -> P
     exception(py, error.to_string(), error.quantity().name(), error.hint(), index)
 }
 
-/// The exception of a law of restitution that there is not.
-pub(crate) fn unknown_law(py: Python<'_>, error: &UnknownName) -> PyErr {
-    let hint = format!("leave it out for the {} law", RestitutionLaw::default());
-    exception(py, error.to_string(), "restitution_law", &hint, None)
-}
-
-/// The exception of a proof that there is not.
-pub(crate) fn unknown_proof(py: Python<'_>, error: &UnknownName) -> PyErr {
-    let hint = format!("leave it out for '{}'", Proof::default());
-    exception(py, error.to_string(), "proof", &hint, None)
+/// The exception of a word that there is not, of a parameter that has a default.
+pub(crate) fn unknown(py: Python<'_>, error: &UnknownName, parameter: &str, default: &str) -> PyErr {
+    exception(py, error.to_string(), parameter, &format!("leave it out for {default}"), None)
 }
 
 /// The exception of a quantity that neither a hoop nor a start has; these have the known ones.
@@ -40,14 +33,8 @@ pub(crate) fn unknown_quantity(py: Python<'_>, name: &str, known: impl Iterator<
 
 /// The exception of a quantity with respect to which a motion has no derivatives.
 pub(crate) fn not_differentiable(py: Python<'_>, error: NotDifferentiable) -> PyErr {
-    let name = error.quantity.name();
-    exception(
-        py,
-        error.to_string(),
-        name,
-        "leave it out, or give the hoop a coefficient of restitution",
-        None,
-    )
+    let hint = "leave it out, or give the hoop a coefficient of restitution";
+    exception(py, error.to_string(), error.quantity.name(), hint, None)
 }
 
 /// The exception of arrays for which there is no memory.

@@ -2,10 +2,10 @@
 
 use littlewood::si::SiSetup;
 use littlewood::tables::{Quantity, Setup, UnknownName};
-use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start, State};
+use littlewood::{Hoop, HoopParameters, Limits, Proof, RestitutionLaw, Start, State};
 use pyo3::prelude::*;
 
-use crate::error::{refuse, unknown_law, unknown_proof};
+use crate::error::{refuse, unknown};
 
 /// The values of [`Quantity::HOOP`]; none for one that is absent.
 pub(crate) type HoopNumbers = [Option<f64>; Quantity::HOOP.len()];
@@ -29,7 +29,11 @@ pub(crate) type SiHoopNumbers = [Option<f64>; Quantity::SI_HOOP.len()];
 pub(crate) type SiStartNumbers = [f64; Quantity::SI_START.len()];
 
 pub(crate) fn law(py: Python<'_>, name: &LawName) -> PyResult<Option<RestitutionLaw>> {
-    let parse = |name: &String| name.parse().map_err(|error: UnknownName| unknown_law(py, &error));
+    let parse = |name: &String| {
+        name.parse().map_err(|error: UnknownName| {
+            unknown(py, &error, "restitution_law", &format!("the {} law", RestitutionLaw::default()))
+        })
+    };
     name.as_ref().map(parse).transpose()
 }
 
@@ -39,7 +43,8 @@ pub(crate) fn limits(
     (max_transitions, max_slides): (usize, usize),
     proof: &str,
 ) -> PyResult<Limits> {
-    let proof = proof.parse().map_err(|error: UnknownName| unknown_proof(py, &error))?;
+    let default = || format!("'{}'", Proof::default());
+    let proof = proof.parse().map_err(|error: UnknownName| unknown(py, &error, "proof", &default()))?;
     Ok(Limits::default()
         .with_until(until)
         .with_transitions(max_transitions)

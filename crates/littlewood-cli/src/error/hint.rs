@@ -132,15 +132,8 @@ fn of_list(error: &ListError) -> Cow<'_, str> {
         ListError::UnknownFormat { .. } => {
             "a list is a CSV file, NAME.csv, which a data frame writes with `to_csv(..., index=False)`".into()
         }
-        ListError::Unreadable { .. }
-        | ListError::UnknownColumn { .. }
-        | ListError::DuplicateColumn { .. }
-        | ListError::Empty { .. }
-        | ListError::BadLine { .. }
-        | ListError::BadCell { .. } => {
-            "a list is a CSV file with a header; columns are named as axes are, cells are finite numbers"
-                .into()
-        }
+        _ => "a list is a CSV file with a header; columns are named as axes are, cells are finite numbers"
+            .into(),
     }
 }
 
@@ -153,12 +146,7 @@ fn of_axis(error: &AxisError) -> Cow<'_, str> {
             "an axis of equal factors (log) begins and ends on the same side of 0, such as mu=0.01:1:200:log"
                 .into()
         }
-        AxisError::NotAnAxis { .. }
-        | AxisError::NotFinite { .. }
-        | AxisError::Empty { .. }
-        | AxisError::OnePointTwoEnds { .. }
-        | AxisError::NoExtent { .. }
-        | AxisError::None => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".into(),
+        _ => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".into(),
     }
 }
 
@@ -190,10 +178,6 @@ const fn of_store(error: &StoreError) -> &'static str {
             "make room, then give the same command with --resume; it goes on from there"
         }
         StoreError::Locked { .. } => "wait until it has ended, or give another --out",
-        StoreError::Unreadable { .. }
-        | StoreError::DamagedManifest { .. }
-        | StoreError::DamagedMetadata { .. }
-        | StoreError::DamagedChunk { .. }
-        | StoreError::Encoding { .. } => "give another --out, or remove what is there and run again",
+        _ => "give another --out, or remove what is there and run again",
     }
 }

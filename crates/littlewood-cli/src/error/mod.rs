@@ -117,7 +117,6 @@ impl Error {
             #[cfg(feature = "lab")]
             Self::NoPage { .. } | Self::Port { .. } => FAILURE,
             Self::Drawing(DrawError::NoRoom { .. }) => FAILURE,
-            Self::Drawing(DrawError::Scale { .. } | DrawError::Width { .. }) => BAD_INPUT,
             #[cfg(feature = "film")]
             Self::Film(FilmError::Write(source)) => of_writing(source),
             #[cfg(feature = "film")]
@@ -128,29 +127,11 @@ impl Error {
             #[cfg(feature = "film")]
             Self::Film(FilmError::Stopped { .. }) => STOPPED,
             Self::Sweep(error) => of_sweep(error),
-            Self::Value { .. }
-            | Self::ScenarioValue { .. }
-            | Self::Scenario { .. }
-            | Self::UnknownCase { .. }
-            | Self::TwoErrors { .. }
-            | Self::NotDifferentiable(_)
-            | Self::Missing { .. }
-            | Self::Mixed { .. }
-            | Self::Unreadable { .. }
-            | Self::Out { .. }
-            | Self::LongTable { .. }
-            | Self::UnknownShade { .. }
-            | Self::NotBuilt { .. }
-            | Self::InPackage { .. } => BAD_INPUT,
-            #[cfg(feature = "sweep")]
-            Self::Hoop { .. } | Self::HoopColumn { .. } => BAD_INPUT,
-            #[cfg(feature = "figures")]
-            Self::UnknownFigure { .. } | Self::Figure(_) => BAD_INPUT,
-            #[cfg(feature = "film")]
-            Self::Film(_) => BAD_INPUT,
+            _ => BAD_INPUT,
         }
     }
 
+    /// The place in a file that it is about.
     const fn excerpt(&self) -> Option<&Excerpt> {
         match self {
             Self::ScenarioValue { excerpt, .. } | Self::Scenario { excerpt, .. } => Some(excerpt),
@@ -222,15 +203,6 @@ fn of_sweep(error: &SweepError) -> u8 {
         SweepError::Store(StoreError::Unwritable { source, .. }) => of_writing(source),
         SweepError::Store(StoreError::Encoding { .. })
         | SweepError::Threads(ThreadsError::NotStarted { .. }) => FAILURE,
-        SweepError::Axis(_)
-        | SweepError::Parameter(_)
-        | SweepError::List(_)
-        | SweepError::Store(_)
-        | SweepError::Picture(_)
-        | SweepError::TooManyChunks { .. }
-        | SweepError::LongAxis { .. }
-        | SweepError::ListAsZarr { .. }
-        | SweepError::NotBuilt { .. }
-        | SweepError::Threads(ThreadsError::TooMany { .. }) => BAD_INPUT,
+        _ => BAD_INPUT,
     }
 }

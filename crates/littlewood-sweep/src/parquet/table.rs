@@ -21,11 +21,9 @@ use crate::disk::UNFINISHED;
 use crate::grid::Grid;
 use crate::setup::places;
 use crate::starts::StartList;
-use crate::store::{Format, Header, StoreError, StoreFile};
+use crate::store::{Format, Header, Names, StoreError, StoreFile};
 
-const HEADER: &str = "_run.json";
-const MANIFEST: &str = "_chunks.txt";
-const LOCK: &str = "_lock";
+const NAMES: Names = Names { header: "_run.json", manifest: "_chunks.txt", lock: "_lock" };
 
 pub(super) const RUN_KEY: &str = "littlewood_run";
 
@@ -111,7 +109,7 @@ impl Table {
             let digits = name.strip_prefix("part-")?.strip_suffix(".parquet")?;
             Some(digits.len() == self.digits && digits.bytes().all(|byte| byte.is_ascii_digit()))
         };
-        [HEADER, MANIFEST, LOCK].contains(&name) || part(name) == Some(true)
+        [NAMES.header, NAMES.manifest, NAMES.lock].contains(&name) || part(name) == Some(true)
     }
 }
 
@@ -126,16 +124,8 @@ impl Format for Table {
         &self.description
     }
 
-    fn header_path(&self) -> &'static str {
-        HEADER
-    }
-
-    fn manifest_path(&self) -> &'static str {
-        MANIFEST
-    }
-
-    fn lock_path(&self) -> &'static str {
-        LOCK
+    fn names(&self) -> &'static Names {
+        &NAMES
     }
 
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
@@ -145,17 +135,13 @@ impl Format for Table {
             "status": Header::status(complete),
             "run": self.description.0,
         }))
-        .map_err(StoreError::encoding(HEADER))?;
+        .map_err(StoreError::encoding(NAMES.header))?;
         text.push(b'\n');
         Ok(text)
     }
 
     fn read_header(&self, header: &Value) -> Option<Header> {
         Header::of_attributes(header)
-    }
-
-    fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError> {
-        Ok(Vec::new())
     }
 
     fn paths(&self, chunk: usize) -> Vec<PathBuf> {

@@ -145,9 +145,8 @@ impl Picture {
     /// # Errors
     /// If what is shown is not on a scale.
     pub fn with_contours(mut self) -> Result<Self, PictureError> {
-        match self.shade {
-            Shade::Class | Shade::Sequence => return Err(PictureError::NoScale { shade: self.shade }),
-            Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => {}
+        if !self.shade.is_on_a_scale() {
+            return Err(PictureError::NoScale { shade: self.shade });
         }
         self.has_contours = true;
         Ok(self)

@@ -189,20 +189,9 @@ impl Picture {
                 let value = unit(units, dimension) * value;
                 let text = number(dimension, value);
                 let exact = text.contains('π') || text.replace('−', "-").parse() == Ok(value);
-                let unit = if text.contains('π') || dimension == Dimension::Angle && value == 0.0 {
-                    ""
-                } else {
-                    match units {
-                        None => {
-                            if dimension == Dimension::Angle {
-                                "rad"
-                            } else {
-                                ""
-                            }
-                        }
-                        Some(_) => dimension.si_sign(),
-                    }
-                };
+                let is_angle = dimension == Dimension::Angle;
+                let has_unit = if is_angle { value != 0.0 && !text.contains('π') } else { units.is_some() };
+                let unit = if has_unit { dimension.si_sign() } else { "" };
                 let space = if unit.is_empty() { "" } else { " " };
                 let equals = if exact || units.is_some() { '=' } else { '≈' };
                 format!("{} {equals} {text}{space}{}", sign(units, Varies::One(quantity)), upright(unit))

@@ -45,19 +45,26 @@ impl Header {
     }
 }
 
+/// Files that a store has beside its chunks.
+pub(crate) struct Names {
+    /// Describes the run and says whether it is complete.
+    pub(crate) header: &'static str,
+    /// The list of finished chunks.
+    pub(crate) manifest: &'static str,
+    /// Empty; locked while a run writes.
+    pub(crate) lock: &'static str,
+}
+
 pub(crate) trait Format: Sync {
     fn description(&self) -> &Description;
-    /// The file that describes the run and says whether it is complete.
-    fn header_path(&self) -> &'static str;
-    /// The list of finished chunks.
-    fn manifest_path(&self) -> &'static str;
-    /// An empty file that is locked while a run writes.
-    fn lock_path(&self) -> &'static str;
+    fn names(&self) -> &'static Names;
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError>;
     /// Its content; none if this program has not written it.
     fn read_header(&self, header: &Value) -> Option<Header>;
     /// Files that are written before the first chunk.
-    fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError>;
+    fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError> {
+        Ok(Vec::new())
+    }
     fn paths(&self, chunk: usize) -> Vec<PathBuf>;
     /// The files of a chunk, in the order of [`Format::paths`].
     fn encode(&self, chunk: usize, points: &[Setup], columns: &Columns)

@@ -16,7 +16,7 @@ pub(super) fn lock(
     disk: &dyn Disk,
     complete: bool,
 ) -> Result<Option<File>, StoreError> {
-    let path = root.join(format.lock_path());
+    let path = root.join(format.names().lock);
     let folder = path.parent().unwrap_or(root);
     disk.create_folder(folder).map_err(|source| StoreError::unwritable(folder, source))?;
     let file = match OpenOptions::new().read(true).append(true).create(true).open(&path) {

@@ -8,6 +8,6 @@ mod open;
 mod writer;
 
 pub use error::StoreError;
-pub(crate) use format::{Format, Header, StoreFile};
+pub(crate) use format::{Format, Header, Names, StoreFile};
 pub(crate) use open::broken_chunks;
 pub(crate) use writer::{Store, WrittenChunk};

@@ -36,7 +36,7 @@ fn read_header(root: &Path, format: &dyn Format) -> Result<Option<Header>, Store
         Ok(metadata) if !metadata.is_dir() => return Err(not_a_store()),
         Ok(_) => {}
     }
-    let path = root.join(format.header_path());
+    let path = root.join(format.names().header);
     match fs::read(&path) {
         Ok(bytes) => {
             let header = serde_json::from_slice(&bytes).map_err(|error| StoreError::DamagedMetadata {
@@ -58,8 +58,8 @@ fn read_header(root: &Path, format: &dyn Format) -> Result<Option<Header>, Store
 /// Whether a folder without a header has anything in it but what a kill leaves of the first steps: the lock, and an
 /// unfinished header.
 fn has_other_files(root: &Path, format: &dyn Format) -> io::Result<bool> {
-    let unfinished = format!("{}{UNFINISHED}", format.header_path());
-    let lock = Path::new(format.lock_path());
+    let unfinished = format!("{}{UNFINISHED}", format.names().header);
+    let lock = Path::new(format.names().lock);
     let lock_folder = lock.parent().filter(|folder| !folder.as_os_str().is_empty());
     for entry in fs::read_dir(root)? {
         let name = entry?.file_name();
@@ -93,7 +93,7 @@ pub(crate) fn broken_chunks(
     format: &dyn Format,
     count: usize,
 ) -> Result<BTreeSet<usize>, StoreError> {
-    let path = root.join(format.manifest_path());
+    let path = root.join(format.names().manifest);
     let text = fs::read(&path).map_err(|source| StoreError::unreadable(&path, source))?;
     let manifest = Manifest::parse(&text, format.description().crc(), count)
         .map_err(|line| StoreError::DamagedManifest { path, line })?;

@@ -64,15 +64,15 @@ impl<'a> Store<'a> {
 
     /// Writes what describes the store, as a partial one.
     fn begin(&self) -> Result<(), StoreError> {
-        self.write(Path::new(self.format.header_path()), &self.format.header(false)?)?;
+        self.write(Path::new(self.format.names().header), &self.format.header(false)?)?;
         for (path, bytes) in self.format.initial_files()? {
             self.write(&path, &bytes)?;
         }
-        self.write(Path::new(self.format.manifest_path()), self.manifest.text().as_bytes())
+        self.write(Path::new(self.format.names().manifest), self.manifest.text().as_bytes())
     }
 
     fn resume(&mut self, count: usize, complete: bool, workers: &Workers) -> Result<(), StoreError> {
-        let path = self.root.join(self.format.manifest_path());
+        let path = self.root.join(self.format.names().manifest);
         let claimed = match fs::read(&path) {
             Ok(text) => Manifest::parse(&text, self.manifest.run, count)
                 .map_err(|line| StoreError::DamagedManifest { path: path.clone(), line })?,
@@ -119,7 +119,7 @@ impl<'a> Store<'a> {
         }
         let checksum = Checksum::of(files.iter().map(|(_, bytes)| bytes.as_slice()));
         let entry = ManifestChunk { checksum, tally: chunk.tally };
-        let path = self.root.join(self.format.manifest_path());
+        let path = self.root.join(self.format.names().manifest);
         self.disk
             .append(&path, Manifest::line(chunk.number, &entry).as_bytes())
             .map_err(|source| StoreError::unwritable(&path, source))?;
@@ -131,8 +131,8 @@ impl<'a> Store<'a> {
     /// describes the store is written again where it has been damaged since it was begun.
     pub(crate) fn complete(&self) -> Result<(), StoreError> {
         let mut files = self.format.initial_files()?;
-        files.push((self.format.manifest_path().into(), self.manifest.text().into_bytes()));
-        files.push((self.format.header_path().into(), self.format.header(true)?));
+        files.push((self.format.names().manifest.into(), self.manifest.text().into_bytes()));
+        files.push((self.format.names().header.into(), self.format.header(true)?));
         for (path, bytes) in files {
             if fs::read(self.root.join(&path)).ok().as_deref() != Some(&bytes) {
                 self.write(&path, &bytes)?;

@@ -14,9 +14,13 @@ use crate::chunk::{Chunk, Chunks};
 use crate::columns::{Column, Columns};
 use crate::description::{Description, STORE_FORMAT};
 use crate::grid::Grid;
-use crate::store::{Format, Header, StoreError, StoreFile};
+use crate::store::{Format, Header, Names, StoreError, StoreFile};
 
 pub(super) const METADATA: &str = "zarr.json";
+
+/// The manifest and the lock are in the folder of an array: readers that list the members of the group would complain of
+/// files there.
+const NAMES: Names = Names { header: METADATA, manifest: "outcome/_chunks.txt", lock: "outcome/_lock" };
 
 #[derive(Debug)]
 pub(crate) struct Layout {
@@ -79,18 +83,8 @@ impl Format for Layout {
         &self.description
     }
 
-    fn header_path(&self) -> &'static str {
-        METADATA
-    }
-
-    // The manifest and the lock are in the folder of an array: readers that list the members of the group would
-    // complain of files there.
-    fn manifest_path(&self) -> &'static str {
-        "outcome/_chunks.txt"
-    }
-
-    fn lock_path(&self) -> &'static str {
-        "outcome/_lock"
+    fn names(&self) -> &'static Names {
+        &NAMES
     }
 
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
