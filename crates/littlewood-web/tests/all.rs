@@ -5,3 +5,4 @@ mod moves;
 mod plane;
 mod prediction;
 mod problem;
+mod routh;
