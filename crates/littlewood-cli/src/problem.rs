@@ -243,7 +243,7 @@ impl Inputs {
         };
         match (origin, &self.scenario) {
             (Some(Origin::File(span)), Some(scenario)) => {
-                Error::ScenarioValue { error, excerpt: scenario.excerpt(span) }
+                Error::ScenarioValue { error, excerpt: scenario.source.excerpt(span) }
             }
             (Some(Origin::File(_) | Origin::Case | Origin::Flag) | None, _) => Error::Value { error },
         }
@@ -258,8 +258,9 @@ fn find(case: Option<&str>, scenario: Option<&Scenario>) -> Result<Option<&'stat
     let Some((scenario, (name, span))) = scenario.and_then(|it| Some((it, it.case.as_ref()?))) else {
         return Ok(None);
     };
-    let unknown =
-        || scenario.complain(format!("there is no case named '{name}'"), nearest_case(name), span.clone());
+    let unknown = || {
+        scenario.source.complain(format!("there is no case named '{name}'"), nearest_case(name), span.clone())
+    };
     find_case(name).map(Some).ok_or_else(unknown)
 }
 
@@ -290,5 +291,5 @@ fn mixed_in_file(scenario: &Scenario, plain: &Given, si: &Given) -> Error {
     };
     let message = mixed(plain.quantity, si.quantity);
     let twin = plain.quantity.si_twin().map_or("", Quantity::name);
-    scenario.complain(message, format!("in SI units it is {twin}; or leave out the [si] tables"), span)
+    scenario.source.complain(message, format!("in SI units it is {twin}; or leave out the [si] tables"), span)
 }

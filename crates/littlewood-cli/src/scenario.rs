@@ -22,7 +22,7 @@ use crate::values::{Given, GivenLaw, Origin, si_name};
 
 #[derive(Debug)]
 pub(crate) struct Scenario {
-    source: Source,
+    pub(crate) source: Source,
     /// The name of the case that the file starts from, and its place.
     pub(crate) case: Option<(String, Range<usize>)>,
     /// Of two numbers for the same quantity the later one counts.
@@ -96,16 +96,6 @@ impl Scenario {
         let out = self.run.out.as_ref()?;
         Some(self.source.path.parent().map_or_else(|| out.clone(), |folder| folder.join(out)))
     }
-
-    /// A place in the file, for messages.
-    pub(crate) fn excerpt(&self, span: &Range<usize>) -> Excerpt {
-        self.source.excerpt(span)
-    }
-
-    /// An error at a place in the file.
-    pub(crate) fn complain(&self, message: String, help: String, span: Range<usize>) -> Error {
-        self.source.complain(message, help, span)
-    }
 }
 
 impl Run {
@@ -156,17 +146,17 @@ fn overview() -> String {
 }
 
 #[derive(Debug)]
-struct Source {
+pub(crate) struct Source {
     path: PathBuf,
     text: String,
 }
 
 impl Source {
-    fn excerpt(&self, span: &Range<usize>) -> Excerpt {
+    pub(crate) fn excerpt(&self, span: &Range<usize>) -> Excerpt {
         Excerpt::new(&self.path, &self.text, span)
     }
 
-    fn complain(&self, message: String, help: String, span: Range<usize>) -> Error {
+    pub(crate) fn complain(&self, message: String, help: String, span: Range<usize>) -> Error {
         Error::Scenario { message, help, excerpt: self.excerpt(&span) }
     }
 }

@@ -20,9 +20,8 @@
 //! [`number`] and [`scale`] write single values, without dimension or in SI units.
 
 pub mod csv;
-mod energy;
+mod impact;
 mod instants;
-mod jam;
 pub mod json;
 pub mod link;
 pub mod number;
@@ -35,9 +34,8 @@ pub mod sheet;
 mod subject;
 mod uncertainty;
 
-pub use energy::kinetic_energy;
+pub use impact::{jam_of, kinetic_energy};
 pub use instants::{Instant, instants};
-pub use jam::jam_of;
 pub use record::RESTITUTION_LAW;
 pub use sampling::Sampling;
 pub use subject::Subject;

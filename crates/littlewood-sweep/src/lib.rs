@@ -47,7 +47,6 @@ mod error;
 mod first_turn;
 mod getters;
 mod grid;
-mod maps;
 mod options;
 #[cfg(feature = "parquet")]
 mod parquet;

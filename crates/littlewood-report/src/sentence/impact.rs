@@ -5,7 +5,7 @@ use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, Trajectory, Transition};
 
 use super::to_the;
-use crate::energy::kinetic_energy;
+use crate::kinetic_energy;
 use crate::number::{brief, three};
 use crate::scale::Scale;
 

@@ -18,8 +18,11 @@ use crate::error::SweepError;
 use crate::grid::Grid;
 use crate::options::Options;
 use crate::regions::{Detail, Lattice, Place, Regions};
+use crate::sweep::sweep_grid;
 use crate::tally::Tally;
 use crate::watch::Ledger;
+#[cfg(feature = "zarr")]
+use crate::zarr::ZarrStore;
 
 /// Size of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,6 +124,41 @@ impl Picture {
             ranking: Vec::new(),
             ranks: HashMap::new(),
         })
+    }
+
+    /// Computes a grid and draws it, boundaries as curves; nothing is kept but the picture. A cancelled picture is white
+    /// where it is not computed.
+    ///
+    /// # Errors
+    /// As [`Picture::new`] and [`Workers::compute`].
+    pub fn of_grid(
+        grid: &Grid,
+        limits: Limits,
+        shade: Shade,
+        size: PictureSize,
+        workers: &Workers,
+        options: &Options<'_>,
+    ) -> Result<Self, SweepError> {
+        let mut picture = Self::new(grid, limits, shade, size)?;
+        let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
+        sweep_grid(grid, limits, &[], Some(&mut add), workers, options)?;
+        picture.follow(limits, workers, options)?;
+        Ok(picture)
+    }
+
+    /// Draws a store as it is, without the motions between its points.
+    ///
+    /// # Errors
+    /// As [`Picture::new`]; a chunk that cannot be read.
+    #[cfg(feature = "zarr")]
+    pub fn of_store(store: &ZarrStore, shade: Shade, size: PictureSize) -> Result<Self, SweepError> {
+        let mut picture = Self::new(store.grid(), store.limits(), shade, size)?;
+        for number in 0..store.chunks().count() {
+            if let Some(columns) = store.columns(number)? {
+                picture.add(&store.chunks().chunk(number), &columns);
+            }
+        }
+        Ok(picture)
     }
 
     /// With numbers in SI units.

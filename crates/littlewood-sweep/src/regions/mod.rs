@@ -7,11 +7,17 @@
 mod cell;
 mod chain;
 mod follow;
-mod grid;
 mod line;
 
 use follow::{Fine, Followed};
 pub use line::Band;
+use littlewood::{Limits, ParameterError, Summary};
+
+use crate::compute::Workers;
+use crate::grid::Grid;
+
+/// Points of a grid that are followed before somebody is told.
+const AT_ONCE: usize = 512;
 
 /// A place in the unit square: fractions of the way to the right and upwards.
 pub type Place = [f64; 2];
@@ -110,6 +116,37 @@ impl Regions {
         let segments = cell::segments(cells, detail.halvings, &mut nodes, detail.width, ask)?;
         let (regions, boundaries) = chain::regions(nodes, &segments, &frame, detail.flat);
         Ok(Self { regions, boundaries })
+    }
+
+    /// The regions of the plane of a grid by keys of the summaries of its motions, each of which is followed to the limits.
+    /// `told` is told of the motions that have been followed. The result does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// The first value that has no physical meaning by itself.
+    ///
+    /// # Panics
+    /// If the grid has not two axes of two points or more.
+    pub fn of_grid(
+        grid: &Grid,
+        key: &dyn Fn(&Summary) -> u64,
+        limits: Limits,
+        detail: &Detail,
+        workers: &Workers,
+        told: &mut dyn FnMut(u64),
+    ) -> Result<Self, ParameterError> {
+        assert!(grid.axes().len() == 2, "a plane has two axes, not {}", grid.axes().len());
+        let count = [0, 1].map(|k| grid.axes()[k].count());
+        assert!(count.iter().all(|count| *count > 1), "a plane has two points or more to either side");
+        let mut ask = workers.keys_of_places(grid, limits, key, told);
+        let mut lattice = Lattice::even(count, |_| 0);
+        let [columns, rows] = &lattice.places;
+        let places: Vec<Place> = rows.iter().flat_map(|&y| columns.iter().map(move |&x| [x, y])).collect();
+        let mut keys = Vec::with_capacity(places.len());
+        for some in places.chunks(AT_ONCE) {
+            keys.extend(ask(some)?);
+        }
+        lattice.keys = keys;
+        Self::find(&lattice, detail, &mut ask)
     }
 }
 

@@ -2,7 +2,6 @@
 
 mod error;
 mod format;
-mod lock;
 mod manifest;
 mod open;
 mod writer;

@@ -6,8 +6,7 @@ use littlewood::tables::{DerivativeColumn, Setup, SummaryValue};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use super::array::Array;
-use super::variable;
+use super::array::{Array, from_bytes, to_bytes};
 use crate::attributes::{Attributes, CONVENTIONS, of_axis, of_column};
 use crate::axis::Axis;
 use crate::chunk::{Chunk, Chunks};
@@ -142,9 +141,7 @@ impl Format for Layout {
             .zip(columns.columns())
             .collect::<Vec<_>>()
             .into_par_iter()
-            .map(|((column, array), (_, values))| {
-                array.encode(&variable::to_bytes(*column, values, &places, size))
-            })
+            .map(|((column, array), (_, values))| array.encode(&to_bytes(*column, values, &places, size)))
             .collect();
         self.paths(chunk).into_iter().zip(files).map(|(path, bytes)| Ok((path, bytes?))).collect()
     }
@@ -163,7 +160,7 @@ impl Format for Layout {
             let bytes = array
                 .decode(&encoded)
                 .map_err(|reason| StoreError::DamagedChunk { path: path.clone(), reason })?;
-            columns.push(variable::from_bytes(*column, &bytes, &places));
+            columns.push(from_bytes(*column, &bytes, &places));
         }
         let damaged = |reason| StoreError::DamagedChunk { path: root.to_owned(), reason };
         Columns::from_values(columns, &self.derivatives).map(Some).map_err(damaged)

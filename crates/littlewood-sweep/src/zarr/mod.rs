@@ -15,7 +15,6 @@
 mod array;
 mod layout;
 mod reader;
-mod variable;
 
 pub(crate) use layout::Layout;
 pub use reader::ZarrStore;
