@@ -68,7 +68,8 @@ fn every_way_is_that_of_its_impact() {
 
 fn check_all((motion, found): &(Trajectory, Vec<Option<Routh>>)) -> usize {
     let pairs = motion.transitions().iter().zip(found);
-    pairs.filter_map(|(it, routh)| Some(check(motion.hoop(), it, routh.as_ref()?))).count()
+    let found = pairs.filter_map(|(it, routh)| Some((it, routh.as_ref()?)));
+    found.inspect(|(it, routh)| check(motion.hoop(), it, routh)).count()
 }
 
 fn check(hoop: &Hoop, transition: &Transition, routh: &Routh) {
