@@ -48,19 +48,18 @@ pub(super) const LONG_WEIGHT: [f64; PAIRS] = [
 mod tests {
     use super::*;
 
-    #[test]
-    fn polynomials_are_integrated_exactly() {
-        type Function<'a> = &'a dyn Fn(f64) -> f64;
-        let short = |f: Function<'_>| NODE.iter().zip(WEIGHT).map(|(x, w)| w * f(*x)).sum::<f64>();
-        let middle = |f: Function<'_>| MIDDLE_NODE.iter().zip(MIDDLE_WEIGHT).map(|(x, w)| w * f(*x)).sum();
-        let long =
-            |f: Function<'_>| LONG_NODE.iter().zip(LONG_WEIGHT).map(|(x, w)| w * (f(*x) + f(-x))).sum();
-        let rules: [(i32, &dyn Fn(Function<'_>) -> f64); 3] = [(16, &short), (24, &middle), (32, &long)];
-        for (degree, rule) in rules.iter().flat_map(|(end, rule)| (0..*end).map(move |degree| (degree, rule)))
-        {
+    fn is_exact_below(end: i32, rule: impl Fn(&dyn Fn(f64) -> f64) -> f64) {
+        for degree in 0..end {
             let sum = rule(&|x| (0..degree).fold(1.0, |product, _| product * x));
             let exact = if degree % 2 == 0 { 2.0 / f64::from(degree + 1) } else { 0.0 };
             assert!((sum - exact).abs() < 4e-16, "degree {degree}: {sum}");
         }
+    }
+
+    #[test]
+    fn polynomials_are_integrated_exactly() {
+        is_exact_below(16, |f| NODE.iter().zip(WEIGHT).map(|(x, w)| w * f(*x)).sum());
+        is_exact_below(24, |f| MIDDLE_NODE.iter().zip(MIDDLE_WEIGHT).map(|(x, w)| w * f(*x)).sum());
+        is_exact_below(32, |f| LONG_NODE.iter().zip(LONG_WEIGHT).map(|(x, w)| w * (f(*x) + f(-x))).sum());
     }
 }

@@ -23,6 +23,19 @@ pub(crate) fn last_digit(x: f64) -> f64 {
     0.5 * f64::EPSILON * x.abs()
 }
 
+/// The last of `low`, `low` + 1, … below `high` for which a monotone condition holds; it holds for `low`.
+pub(crate) fn last_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    while high - low > 1.0 {
+        let middle = (0.5 * (low + high)).floor();
+        // Beyond 2⁵³ there may be no number between.
+        if middle <= low {
+            break;
+        }
+        if holds(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
 /// Longest last step of Newton's method on an interval of length 2. The error of order 1e-18 is below rounding.
 const LAST_NEWTON_STEP: f64 = 1e-9;
 

@@ -8,7 +8,7 @@
 
 use core::f64::consts::{FRAC_PI_8, PI, TAU};
 
-use crate::math::bracket::{Bracket, Step};
+use crate::math::bracket::{Bracket, Step, last_of};
 use crate::math::panel::{ROUNDING, TAIL_TOLERANCE, integral};
 use crate::math::series::{Series, crossing};
 use crate::math::trig::{sincos, without_turns};
@@ -389,14 +389,7 @@ impl Leg {
         while beyond <= most && begins(beyond) <= time && beyond < f64::MAX / 4.0 {
             (turns, beyond) = (beyond, 2.0 * beyond);
         }
-        beyond = beyond.min(most + 1.0);
-        while beyond - turns > 1.0 {
-            let middle = (0.5 * (turns + beyond)).floor();
-            if middle <= turns {
-                break;
-            }
-            if begins(middle) <= time { turns = middle } else { beyond = middle }
-        }
+        let turns = last_of(turns, beyond.min(most + 1.0), |turns| begins(turns) <= time);
         // The variable p with the rest as a smooth function of it: its square after a turning point, the square from the far
         // side before one, and the width times sin²(p/2) between two.
         let begins_at_rest = self.kinetic == 0.0 && turns == 0.0;
@@ -479,16 +472,11 @@ impl Leg {
         // Rolling holds in turn `low` and before.
         let mut low = 1.0;
         while low < whole - 1.0 {
-            let mut high = (2.0 * low).min(whole - 1.0);
-            if turn(high).is_none() {
-                low = high;
-                continue;
+            let high = (2.0 * low).min(whole - 1.0);
+            if turn(high).is_some() {
+                return turn(last_of(low, high, |turns| turn(turns).is_none()) + 1.0);
             }
-            while high - low > 1.0 {
-                let middle = (0.5 * (low + high)).floor();
-                if turn(middle).is_some() { high = middle } else { low = middle }
-            }
-            return turn(high);
+            low = high;
         }
         let is_last = reach > 2.0 * TAU && reach <= self.room();
         is_last.then(|| self.crossing(whole, [0.0, reach - TAU * whole])).flatten()

@@ -11,6 +11,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::math::bernstein::Bernstein;
+use crate::math::bracket::last_of;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::mechanics::SlidingLaw;
 
@@ -390,19 +391,6 @@ impl Turns {
         }
         (here, gained)
     }
-}
-
-/// The last of `low`, `low` + 1, … below `high` for which a monotone condition holds; it holds for `low`.
-fn last_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    while high - low > 1.0 {
-        let middle = (0.5 * (low + high)).floor();
-        if holds(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
 }
 
 /// Upper bound of the number of turns whose times can be summed; none if it is below [`MIN_LEAP_TURNS`].
