@@ -41,7 +41,7 @@ pub(crate) fn draw_trail(canvas: &mut Canvas, view: &View, trail: &Trail, scene:
 
 /// The hoop, the particle, the mass centre and the geometric centre.
 pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &Hoop, unit: f64) {
-    let centre = view.place(scene.centre);
+    let centre = view.place(scene.sample.centre);
     let radius = view.scale;
     let rim = (RIM * radius).max(1.5 * unit);
     canvas.ring(centre, radius - 0.5 * rim, rim, SOFT);
@@ -55,12 +55,12 @@ pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &
         let at = |r: f64| (centre.0 - r * sin, centre.1 - r * cos);
         canvas.line(&[at(inner), at(radius - 0.4 * unit)], 1.1 * unit, SOFT);
     }
-    let particle = view.place(scene.particle);
+    let particle = view.place(scene.sample.particle);
     canvas.line(&[centre, particle], 1.4 * unit, SOFT);
     canvas.disc(centre, 3.0 * unit, SOFT);
     canvas.disc(centre, 1.6 * unit, PAPER);
     if hoop.mass_ratio() > 0.0 {
-        draw_mass_centre(canvas, view.place(scene.mass_centre), 4.6 * unit);
+        draw_mass_centre(canvas, view.place(scene.sample.mass_centre), 4.6 * unit);
     }
     canvas.disc(particle, particle_radius(radius, unit) + unit, PAPER);
     canvas.disc(particle, particle_radius(radius, unit), INK);
@@ -126,7 +126,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         let (tail, head) = ends(view, normal);
         Shape::Solid.unless_cut(normal).draw(canvas, tail, head, NORMAL_FORCE, unit);
         // On the side where the particle is not.
-        let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
+        let side = if scene.sample.particle.x > scene.sample.centre.x { -11.0 } else { 11.0 };
         canvas.label(
             &marked(SampleColumn::Normal.sign()),
             view.moved((head.0, head.1 + 6.0 * unit), side * unit, 0.0),
@@ -223,7 +223,8 @@ pub(crate) fn draw_impulse(canvas: &mut Canvas, view: &View, scene: &Scene, word
     }
     Shape::Solid.draw(canvas, tail, head, IMPULSE, 1.4 * unit);
     // On the side where the particle is not.
-    let (side, anchor) = if scene.particle.x > scene.centre.x { (-9.0, 1.0) } else { (9.0, 0.0) };
+    let (side, anchor) =
+        if scene.sample.particle.x > scene.sample.centre.x { (-9.0, 1.0) } else { (9.0, 0.0) };
     let style = Style { size: 11.5 * unit, is_bold: true, anchor };
     for (i, words) in words.iter().enumerate() {
         // Above the plane, however short the arrow is.

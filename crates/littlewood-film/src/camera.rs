@@ -1,7 +1,7 @@
 //! Where the plane and the body lie in the picture: one scale for both directions. The camera is level, and sees the slope.
 
 use littlewood::modes::Position;
-use littlewood::{Hoop, Trajectory};
+use littlewood::{Hoop, Sample, Trajectory};
 
 use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;
@@ -144,7 +144,7 @@ impl Camera {
     /// What the camera sees of a scene.
     pub(crate) fn view(&self, scene: &Scene) -> View {
         let Window { left, top, width, height } = self.window;
-        let Scene { centre, mass_centre, .. } = *scene;
+        let Sample { centre, mass_centre, .. } = scene.sample;
         let [across, base] = if self.follows[0] {
             [self.tilt.level(Position { y: centre.y, ..mass_centre }).x, self.tilt.base(centre)]
         } else {

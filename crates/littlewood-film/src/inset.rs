@@ -1,7 +1,7 @@
 //! The whole path in small, where the camera goes with the hoop.
 
 use littlewood::modes::Position;
-use littlewood::{Mode, Trajectory};
+use littlewood::{Mode, Sample, Trajectory};
 
 use crate::camera::{EXAMINED, Tilt, View, Window};
 use crate::canvas::{Canvas, Place};
@@ -72,7 +72,7 @@ impl Inset {
 
     /// The path up to a time, and the hoop on it.
     pub(crate) fn draw_moving(&self, canvas: &mut Canvas, scene: &Scene) {
-        let (u, Scene { centre, mass_centre, .. }) = (self.unit, *scene);
+        let (u, Sample { centre, mass_centre, .. }) = (self.unit, scene.sample);
         let seen = &self.steps[..self.steps.partition_point(|(at, ..)| *at <= scene.time())];
         let mut pieces = seen.chunk_by(|(_, a, _), (_, b, _)| a == b).peekable();
         let mut last = None;

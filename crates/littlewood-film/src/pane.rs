@@ -105,8 +105,10 @@ impl Pane {
                 continue;
             };
             let entry = (sample.state.time, point);
+            let turns = |last: [f64; 2]| with == With::Plane && (point[0] - last[0]).abs() > PI;
+            let jumps = |piece: &Piece| piece.points.last().is_some_and(|(_, last)| turns(*last));
             match pieces.last_mut() {
-                Some(piece) if !begins && piece.mode == sample.mode && !jumps(with, piece, point) => {
+                Some(piece) if !begins && piece.mode == sample.mode && !jumps(piece) => {
                     piece.points.push(entry);
                 }
                 _ => pieces.push(Piece { mode: sample.mode, points: vec![entry] }),
@@ -329,7 +331,9 @@ fn of_curve(curve: Curve) -> Mark {
 fn place_of(with: With, sample: &Sample) -> Option<[f64; 2]> {
     match with {
         With::Plane => Some([wrapped(sample.state.theta), sample.state.theta_rate]),
-        With::Friction => demand(sample).map(|demand| [sample.state.time, demand]),
+        // |F|/N where there is a normal force.
+        With::Friction => (sample.mode.touches_plane() && sample.normal > 0.0)
+            .then(|| [sample.state.time, sample.friction.abs() / sample.normal]),
         With::Energy => None,
     }
 }
@@ -353,20 +357,6 @@ fn wrapped(theta: f64) -> f64 {
     } else {
         rest
     }
-}
-
-/// Whether a line must not lead from the last point of a piece to the next.
-fn jumps(with: With, piece: &Piece, next: [f64; 2]) -> bool {
-    let Some((_, last)) = piece.points.last() else { return false };
-    match with {
-        With::Plane => (next[0] - last[0]).abs() > PI,
-        With::Friction | With::Energy => false,
-    }
-}
-
-/// |F|/N where there is a normal force.
-fn demand(sample: &Sample) -> Option<f64> {
-    (sample.mode.touches_plane() && sample.normal > 0.0).then(|| sample.friction.abs() / sample.normal)
 }
 
 fn most_demand(trajectory: &Trajectory) -> f64 {

@@ -33,6 +33,14 @@ pub(crate) struct Panel {
     time_decimals: usize,
 }
 
+/// What a word of the row of signs stands beside.
+enum Sign {
+    Particle,
+    MassCentre,
+    Centre,
+    Arrow(Shape, Rgb),
+}
+
 impl Panel {
     pub(crate) fn new(size: FrameSize, units: Option<Units>) -> Self {
         let time_decimals = decimals(units.map_or(1.0, |units| units.time_s), 3);
@@ -108,67 +116,48 @@ impl Panel {
         left + (self.width - 2.0 * left) * part.clamp(0.0, 1.0)
     }
 
-    /// The signs and what they stand for, in a row.
+    /// The signs and what they stand for, in a row, as large as there is room.
     fn draw_signs(&self, canvas: &mut Canvas, hoop: &Hoop) {
-        let room = self.width - 2.0 * MARGIN * self.unit;
-        let mut size = self.unit;
-        // Measured once, then drawn as large as there is room.
-        let wide = self.sign_row(canvas, hoop, size, false);
-        if wide > room {
-            size *= room / wide;
-        }
-        self.sign_row(canvas, hoop, size, true);
-    }
-
-    /// The row of signs in letters of this unit, drawn or only measured; returns its width.
-    fn sign_row(&self, canvas: &mut Canvas, hoop: &Hoop, u: f64, draws: bool) -> f64 {
-        let base = self.height - 23.0 * self.unit;
-        let style = Style { size: 10.0 * u, is_bold: false, anchor: 0.0 };
-        let middle = base - 3.6 * u;
-        let left = MARGIN * self.unit;
-        let mut x = left;
-        let mut word = |canvas: &mut Canvas, sign: f64, words: &str| {
-            let place = x + sign;
-            if draws {
-                canvas.words(words, (place + 4.0 * u, base), style, SOFT);
-            }
-            let from = x;
-            x = place + 4.0 * u + style.width(words) + 11.0 * u;
-            from
-        };
+        let (left, base) = (MARGIN * self.unit, self.height - 23.0 * self.unit);
         let has_disc = hoop.mass_ratio() > 0.0;
-        let at = word(canvas, 9.0 * u, if has_disc { "particle" } else { "particle = mass centre" });
-        if draws {
-            canvas.disc((at + 4.5 * u, middle), 4.0 * u, INK);
-        }
-        if has_disc {
-            let at = word(canvas, 9.0 * u, "mass centre");
-            if draws {
-                draw_mass_centre(canvas, (at + 4.5 * u, middle), 4.2 * u);
-            }
-        }
-        let at = word(canvas, 6.0 * u, "centre *C*");
-        if draws {
-            canvas.disc((at + 3.0 * u, middle), 3.0 * u, SOFT);
-            canvas.disc((at + 3.0 * u, middle), 1.6 * u, PAPER);
-        }
         let arrow = |words: &str, column: SampleColumn| format!("{words} {}", marked(column.sign()));
-        let mut arrows = vec![
-            (arrow(SampleColumn::Normal.long_name(), SampleColumn::Normal), Shape::Solid, NORMAL_FORCE),
-            (arrow("friction", SampleColumn::Friction), Shape::Hollow, FRICTION_FORCE),
-            (format!("weight {WEIGHT}"), Shape::Open, SOFT),
-            (arrow("slip velocity", SampleColumn::Slip), Shape::Thin, SLIP),
-        ];
-        if hoop.restitution().is_some() {
-            arrows.push(("impulse (*J*, *P*)".to_owned(), Shape::Solid, IMPULSE));
-        }
-        for (words, shape, colour) in arrows {
-            let at = word(canvas, 20.0 * u, &words);
-            if draws {
-                shape.draw(canvas, (at, middle), (at + 19.0 * u, middle), colour, 0.8 * u);
+        let particle = if has_disc { "particle" } else { "particle = mass centre" };
+        let mut signs = vec![(9.0, particle.to_owned(), Sign::Particle)];
+        signs.extend(has_disc.then(|| (9.0, "mass centre".to_owned(), Sign::MassCentre)));
+        signs.push((6.0, "centre *C*".to_owned(), Sign::Centre));
+        let normal = arrow(SampleColumn::Normal.long_name(), SampleColumn::Normal);
+        signs.extend([
+            (20.0, normal, Sign::Arrow(Shape::Solid, NORMAL_FORCE)),
+            (20.0, arrow("friction", SampleColumn::Friction), Sign::Arrow(Shape::Hollow, FRICTION_FORCE)),
+            (20.0, format!("weight {WEIGHT}"), Sign::Arrow(Shape::Open, SOFT)),
+            (20.0, arrow("slip velocity", SampleColumn::Slip), Sign::Arrow(Shape::Thin, SLIP)),
+        ]);
+        let impulse = || (20.0, "impulse (*J*, *P*)".to_owned(), Sign::Arrow(Shape::Solid, IMPULSE));
+        signs.extend(hoop.restitution().map(|_| impulse()));
+        let style = |u: f64| Style { size: 10.0 * u, is_bold: false, anchor: 0.0 };
+        let after = |x: f64, u: f64, (room, words, _): &(f64, String, Sign)| {
+            x + room * u + 4.0 * u + style(u).width(words) + 11.0 * u
+        };
+        let (room, wide) =
+            (self.width - 2.0 * left, signs.iter().fold(left, |x, sign| after(x, self.unit, sign)) - left);
+        let u = if wide > room { self.unit * (room / wide) } else { self.unit };
+        let (mut x, middle) = (left, base - 3.6 * u);
+        for entry in &signs {
+            let (room, words, sign) = entry;
+            canvas.words(words, (x + room * u + 4.0 * u, base), style(u), SOFT);
+            match *sign {
+                Sign::Particle => canvas.disc((x + 4.5 * u, middle), 4.0 * u, INK),
+                Sign::MassCentre => draw_mass_centre(canvas, (x + 4.5 * u, middle), 4.2 * u),
+                Sign::Centre => {
+                    canvas.disc((x + 3.0 * u, middle), 3.0 * u, SOFT);
+                    canvas.disc((x + 3.0 * u, middle), 1.6 * u, PAPER);
+                }
+                Sign::Arrow(shape, colour) => {
+                    shape.draw(canvas, (x, middle), (x + 19.0 * u, middle), colour, 0.8 * u);
+                }
             }
+            x = after(x, u, entry);
         }
-        x - left
     }
 
     /// What changes from frame to frame.
@@ -181,7 +170,7 @@ impl Panel {
     ) {
         let u = self.unit;
         let left = MARGIN * u;
-        let words = scene.caption();
+        let words = scene.sample.mode.with_arrow(scene.sample.direction);
         let style = self.style(14.0, true, 0.5);
         // Wide enough for the longest, so that it does not change its size.
         let widest = Mode::ALL

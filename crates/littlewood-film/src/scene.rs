@@ -120,12 +120,6 @@ impl DrawnArrow {
 pub struct Scene {
     /// Everything about the instant.
     pub sample: Sample,
-    /// Geometric centre C.
-    pub centre: Position,
-    /// Particle, at ℓ̂ from C.
-    pub particle: Position,
-    /// Mass centre X̄, at h from C.
-    pub mass_centre: Position,
     /// Lowest point of the rim, below C; in contact it is on the plane, to the last bit.
     pub lowest: Position,
     /// Point of contact X_P; none in flight.
@@ -147,15 +141,11 @@ impl Scene {
     /// infinite, but the body has a place.
     #[must_use]
     pub fn of(sample: Sample, scale: ArrowScale) -> Self {
-        let centre = sample.centre;
-        let lowest = Position { x: centre.x, y: sample.gap };
+        let lowest = Position { x: sample.centre.x, y: sample.gap };
         let contact = sample.mode.touches_plane().then_some(lowest);
         let arrow = |direction, value, scale| DrawnArrow::along(direction, contact?, value, scale);
         Self {
             sample,
-            centre,
-            particle: sample.particle,
-            mass_centre: sample.mass_centre,
             lowest,
             contact,
             normal: arrow((0.0, 1.0), sample.normal, scale.force),
@@ -184,14 +174,10 @@ impl Scene {
         self.sample.mode
     }
 
-    /// The mode in words, with the direction of slip.
-    pub fn caption(&self) -> String {
-        self.sample.mode.with_arrow(self.sample.direction)
-    }
-
     /// Left, right, lower and upper end of what is drawn and of the plane beneath, as a level camera sees them.
     pub(crate) fn extent(&self, tilt: Tilt) -> [f64; 4] {
-        let [centre, foot] = [self.centre, Position { y: 0.0, ..self.centre }].map(|point| tilt.level(point));
+        let centre = self.sample.centre;
+        let [centre, foot] = [centre, Position { y: 0.0, ..centre }].map(|point| tilt.level(point));
         let mut extent = [centre.x - 1.0, centre.x + 1.0, foot.y.min(centre.y - 1.0), centre.y + 1.0];
         for arrow in [self.normal, self.friction, self.slip].into_iter().flatten() {
             let head = tilt.level(arrow.head);

@@ -131,11 +131,15 @@ impl Schedule {
         let start = trajectory.start().time;
         let (end, part) = shown_until(trajectory);
         let closes = part == Part::Period;
-        let timeline = pace
-            .slow_impacts
-            .map(|factor| slowed(trajectory, [start, end], pace.seconds(), factor))
-            .transpose()?
-            .flatten();
+        let timeline = match pace.slow_impacts {
+            Some(factor) if factor.is_finite() && factor >= 1.0 => {
+                let impacts = ShownImpact::all(trajectory, end);
+                let slowed = || Timeline::new([start, end], pace.seconds(), factor, &impacts);
+                (!impacts.is_empty()).then(slowed)
+            }
+            Some(factor) => return Err(FilmError::SlowImpacts { factor }),
+            None => None,
+        };
         let seconds = timeline.as_ref().map_or((end - start) * pace.seconds(), Timeline::seconds);
         let intervals = libm::ceil(seconds * f64::from(fps) - 1e-9).max(0.0);
         let frames = intervals + if closes { 0.0 } else { 1.0 };
@@ -222,20 +226,6 @@ impl Shown {
 /// The whole number nearest to a fraction.
 const fn rounded(numerator: u64, denominator: u64) -> u64 {
     (2 * numerator + denominator) / (2 * denominator)
-}
-
-/// Slower about the impacts; none where there is no impact.
-fn slowed(
-    trajectory: &Trajectory,
-    times: [f64; 2],
-    pace: f64,
-    factor: f64,
-) -> Result<Option<Timeline>, FilmError> {
-    if !(factor.is_finite() && factor >= 1.0) {
-        return Err(FilmError::SlowImpacts { factor });
-    }
-    let impacts = ShownImpact::all(trajectory, times[1]);
-    Ok((!impacts.is_empty()).then(|| Timeline::new(times, pace, factor, &impacts)))
 }
 
 /// Up to when a motion is shown, and what that is of it.

@@ -31,19 +31,22 @@ fn the_body_keeps_its_shape_in_all_modes() {
         let motion = motion(case.name);
         let hoop = motion.hoop();
         for scene in scenes(&film(&motion)) {
-            let to =
-                |point: littlewood::modes::Position| (point.x - scene.centre.x, point.y - scene.centre.y);
+            let to = |point: littlewood::modes::Position| {
+                (point.x - scene.sample.centre.x, point.y - scene.sample.centre.y)
+            };
             let (sin, cos) = libm::sincos(scene.sample.state.theta);
-            for (point, distance) in [(scene.particle, hoop.offset()), (scene.mass_centre, hoop.h())] {
+            for (point, distance) in
+                [(scene.sample.particle, hoop.offset()), (scene.sample.mass_centre, hoop.h())]
+            {
                 // e2 of (2.2) is (−sin θ, cos θ).
                 let (x, y) = to(point);
-                let at = 1e-14 * scene.centre.x.abs().max(1.0);
+                let at = 1e-14 * scene.sample.centre.x.abs().max(1.0);
                 assert!((x + distance * sin).abs() < at && (y - distance * cos).abs() < at, "{}", case.name);
             }
-            assert_eq!(scene.lowest.x, scene.centre.x);
+            assert_eq!(scene.lowest.x, scene.sample.centre.x);
             assert!((to(scene.lowest).1 + 1.0).abs() < 1e-15);
             // The particle never goes through the plane.
-            assert!(scene.particle.y > -1e-14, "{}", case.name);
+            assert!(scene.sample.particle.y > -1e-14, "{}", case.name);
         }
     }
 }
@@ -61,7 +64,7 @@ fn the_contact_point_is_on_the_plane_and_there_is_none_in_flight() {
                 assert!(scene.normal.is_none() && scene.friction.is_none() && scene.slip.is_none());
             } else {
                 assert_eq!(scene.contact.unwrap().y, 0.0);
-                assert_eq!(scene.centre.y, 1.0);
+                assert_eq!(scene.sample.centre.y, 1.0);
             }
         }
     }
@@ -107,8 +110,8 @@ fn a_particle_that_meets_the_plane_is_drawn_there() {
     let film = film(&motion);
     let last = film.scene(film.schedule().frames - 1).unwrap();
     assert!(last.sample.state.theta_rate.is_infinite());
-    assert!(last.particle.y.abs() < 1e-15);
-    assert!((last.particle.x - last.centre.x).abs() < 1e-15);
+    assert!(last.sample.particle.y.abs() < 1e-15);
+    assert!((last.sample.particle.x - last.sample.centre.x).abs() < 1e-15);
     // τ_s = ln 5, τ_g − τ_s = (√89 − 3)/5.
     assert!((last.time() - libm::log(5.0) - (89.0_f64.sqrt() - 3.0) / 5.0).abs() < 1e-14);
 }
@@ -136,7 +139,7 @@ fn the_weight_hangs_from_the_mass_centre_on_the_scale_of_the_forces() {
         let film = film(&motion);
         for scene in scenes(&film) {
             let weight = scene.weight.expect("it is never without weight");
-            assert_eq!(weight.tail, scene.mass_centre);
+            assert_eq!(weight.tail, scene.sample.mass_centre);
             let length = weight.tail.y - weight.head.y;
             assert!((length - film.scale().force * motion.hoop().mass()).abs() < 1e-13, "{name}: {length}");
         }
