@@ -26,9 +26,9 @@ impl Figure {
 
     /// All texts, with the boxes of their letters: left, top, right and bottom in pixels.
     pub fn texts(&self) -> Vec<(String, [f64; 4])> {
-        let texts = self.items().into_iter().filter_map(|item| match item {
-            Item::Words(words) => Some((plain(&words.text), words.frame())),
-            Item::Path { .. } | Item::Image { .. } | Item::Circle { .. } => None,
+        let texts = self.items().into_iter().filter_map(|item| {
+            let Item::Words(words) = item else { return None };
+            Some((plain(&words.text), words.frame()))
         });
         texts.collect()
     }

@@ -87,6 +87,7 @@ pub enum View {
 
 /// An axis: the column that runs along it, from where to where.
 #[derive(Clone, Debug)]
+#[must_use]
 pub struct PlotAxis {
     /// Name of the column.
     pub column: Cow<'static, str>,
@@ -132,15 +133,19 @@ pub struct Layer {
     pub mark: Mark,
 }
 
+/// Rows that are drawn together, such as the points of a line.
+pub type Piece = Vec<Vec<f64>>;
+
 /// Rows of named columns, in pieces that are drawn one by one.
 #[derive(Clone, Debug, PartialEq)]
+#[must_use]
 pub struct Series {
     /// Name.
     pub name: String,
     /// Names of the columns.
     pub columns: Vec<Cow<'static, str>>,
     /// Pieces of rows.
-    pub pieces: Vec<Vec<Vec<f64>>>,
+    pub pieces: Vec<Piece>,
 }
 
 /// How a series is drawn.
@@ -184,6 +189,7 @@ pub enum Mark {
 
 /// A text in a panel.
 #[derive(Clone, Debug)]
+#[must_use]
 pub struct Label {
     /// Text, with marks.
     pub text: String,
@@ -248,14 +254,12 @@ impl PlotAxis {
     }
 
     /// An axis with round ticks.
-    #[must_use]
     pub fn new(column: impl Into<Cow<'static, str>>, title: impl Into<String>, range: [f64; 2]) -> Self {
         let (column, title) = (column.into(), title.into());
         Self { column, title, range, linear: f64::INFINITY, scale: Scale::Round, ticks: Vec::new() }
     }
 
     /// An axis of which nothing is seen.
-    #[must_use]
     pub fn silent(column: &'static str, range: [f64; 2]) -> Self {
         Self { scale: Scale::Nothing, ..Self::new(column, "", range) }
     }
@@ -319,14 +323,12 @@ impl Anchor {
 
 impl Series {
     /// A series of one piece.
-    #[must_use]
-    pub fn of_rows(name: impl Into<String>, columns: &[&'static str], rows: Vec<Vec<f64>>) -> Self {
+    pub fn of_rows(name: impl Into<String>, columns: &[&'static str], rows: Piece) -> Self {
         Self::new(name, columns, vec![rows])
     }
 
     /// A series.
-    #[must_use]
-    pub fn new(name: impl Into<String>, columns: &[&'static str], pieces: Vec<Vec<Vec<f64>>>) -> Self {
+    pub fn new(name: impl Into<String>, columns: &[&'static str], pieces: Vec<Piece>) -> Self {
         Self { name: name.into(), columns: columns.iter().copied().map(Cow::Borrowed).collect(), pieces }
     }
 
@@ -348,7 +350,6 @@ impl Series {
 
 impl Label {
     /// A text of the usual size, its middle at a place.
-    #[must_use]
     pub fn new(text: impl Into<String>, at: &[f64]) -> Self {
         Self {
             text: text.into(),
@@ -362,37 +363,31 @@ impl Label {
     }
 
     /// Where it is asked for.
-    #[must_use]
     pub fn fixed(self) -> Self {
         Self { is_fixed: true, ..self }
     }
 
     /// So far from the place, in pixels.
-    #[must_use]
     pub fn shifted(self, right: f64, down: f64) -> Self {
         Self { shift: [right, down], ..self }
     }
 
     /// Its left end at the place.
-    #[must_use]
     pub fn left(self) -> Self {
         Self { anchor: Anchor::Left, ..self }
     }
 
     /// Its right end at the place.
-    #[must_use]
     pub fn right(self) -> Self {
         Self { anchor: Anchor::Right, ..self }
     }
 
     /// In this colour.
-    #[must_use]
     pub fn coloured(self, colour: Rgb) -> Self {
         Self { colour, ..self }
     }
 
     /// In letters of this size.
-    #[must_use]
     pub fn sized(self, size: f64) -> Self {
         Self { size, ..self }
     }

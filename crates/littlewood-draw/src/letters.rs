@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-use crate::markup::{SCRIPTED, Script, private, runs, small, symbol};
+use crate::markup::{Script, private, runs, scripted, small, symbol};
 use crate::pencil::Segment;
 
 /// Size of an index or exponent.
@@ -62,8 +62,7 @@ pub(crate) fn all() -> impl Iterator<Item = (char, &'static Letter, [f64; 2])> {
     let ascii = ('!'..='~')
         .flat_map(|plain| [Script::Sub, Script::Super].map(|script| (private(plain, script), plain, script)));
     own.chain(
-        SCRIPTED
-            .into_iter()
+        scripted()
             .chain(ascii)
             .filter_map(|(sign, plain, script)| Some((sign, of_text(false, plain)?, script.placed(1.0)))),
     )

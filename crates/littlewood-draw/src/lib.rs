@@ -53,7 +53,7 @@ pub use caption::latex;
 pub use chart::{ROOM, TICK};
 pub use error::DrawError;
 pub use figure::{
-    Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View, tilted,
+    Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View, tilted,
 };
 pub use font::font;
 pub use letters::{missing, outlines, width};

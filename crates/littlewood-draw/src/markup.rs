@@ -58,32 +58,21 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
 }
 
 /// Letters and digits that stand below or above the line by themselves, each as it is on the line, and where it stands.
-pub(crate) const SCRIPTED: [(char, char, Script); 15] = [
-    ('₁', '1', Script::Sub),
-    ('₂', '2', Script::Sub),
-    ('ₛ', 's', Script::Sub),
-    ('ₖ', 'k', Script::Sub),
-    ('⁰', '0', Script::Super),
-    ('¹', '1', Script::Super),
-    ('²', '2', Script::Super),
-    ('³', '3', Script::Super),
-    ('⁴', '4', Script::Super),
-    ('⁵', '5', Script::Super),
-    ('⁶', '6', Script::Super),
-    ('⁷', '7', Script::Super),
-    ('⁸', '8', Script::Super),
-    ('⁹', '9', Script::Super),
-    ('⁻', '−', Script::Super),
-];
+pub(crate) fn scripted() -> impl Iterator<Item = (char, char, Script)> {
+    let all = [("₁₂ₛₖ", "12sk", Script::Sub), ("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", Script::Super)];
+    all.into_iter().flat_map(|(own, plain, script)| {
+        own.chars().zip(plain.chars()).map(move |(own, plain)| (own, plain, script))
+    })
+}
 
 /// Such a letter as it is on the line, and where it stands.
 pub(crate) fn small(letter: char) -> Option<(char, Script)> {
-    SCRIPTED.iter().find(|(own, ..)| *own == letter).map(|&(_, plain, script)| (plain, script))
+    scripted().find(|(own, ..)| *own == letter).map(|(_, plain, script)| (plain, script))
 }
 
 /// The letter that stands there by itself.
-fn scripted(letter: char, place: Script) -> Option<char> {
-    SCRIPTED.iter().find(|&&(_, plain, script)| (plain, script) == (letter, place)).map(|(own, ..)| *own)
+fn raised(letter: char, place: Script) -> Option<char> {
+    scripted().find(|&(_, plain, script)| (plain, script) == (letter, place)).map(|(own, ..)| own)
 }
 
 /// The mathematical symbol of Unicode that is a letter in italics.
@@ -105,7 +94,7 @@ pub(crate) fn symbol(letter: char) -> char {
 pub fn plain(text: &str) -> String {
     let mut out = String::new();
     for Run { text, script, .. } in runs(text) {
-        let small: Option<String> = text.chars().map(|letter| scripted(letter, script)).collect();
+        let small: Option<String> = text.chars().map(|letter| raised(letter, script)).collect();
         match (script, small) {
             (Script::Line, _) => out += text,
             (_, Some(small)) => out += &small,
@@ -129,9 +118,7 @@ pub fn unicode(text: &str) -> String {
                     letter
                 }
             }
-            Script::Sub | Script::Super => {
-                scripted(letter, script).unwrap_or_else(|| private(letter, script))
-            }
+            Script::Sub | Script::Super => raised(letter, script).unwrap_or_else(|| private(letter, script)),
         }));
     }
     out

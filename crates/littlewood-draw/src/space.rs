@@ -42,8 +42,7 @@ impl<'a> Space<'a> {
 
     /// Where a place is seen.
     pub(crate) fn place(&self, at: &[f64]) -> Step {
-        let [x, y, _] = self.seen(core::array::from_fn(|k| self.axes[k].share(at[k])));
-        (steps(x), steps(y))
+        self.step(core::array::from_fn(|k| self.axes[k].share(at[k])))
     }
 
     /// To the right, downwards and to the back, by shares of the axes.

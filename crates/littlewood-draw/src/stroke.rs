@@ -31,6 +31,7 @@ pub const IMPULSE: Rgb = Arrow::Impulse.colour(THEME);
 
 /// A line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct Stroke {
     /// Colour.
     pub colour: Rgb,
@@ -42,31 +43,26 @@ pub struct Stroke {
 
 impl Stroke {
     /// A line without dashes.
-    #[must_use]
     pub const fn solid(colour: Rgb, width: f64) -> Self {
         Self { colour, width, dash: Dash::Solid }
     }
 
     /// A curve of the (θ, θ′) plane.
-    #[must_use]
     pub const fn of_curve(curve: Curve) -> Self {
         Self { colour: curve.colour(THEME), width: curve.width(), dash: curve.dash() }
     }
 
     /// A line of the plane of impulses.
-    #[must_use]
     pub const fn of_impulse_line(line: ImpulseLine) -> Self {
         Self { colour: line.colour(THEME), width: line.width(), dash: line.dash() }
     }
 
     /// A motion in a mode.
-    #[must_use]
     pub const fn of_mode(mode: Mode) -> Self {
         Self { colour: of_mode(mode, THEME), width: width::CURVE, dash: dash_of(mode) }
     }
 
     /// The same with dashes.
-    #[must_use]
     pub const fn dashed(self, dash: Dash) -> Self {
         Self { dash, ..self }
     }
@@ -77,7 +73,6 @@ impl Stroke {
     }
 
     /// The same of another width.
-    #[must_use]
     pub const fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Dash, HATCH, INK, Label, Mark, Panel, PlotAxis, SMALL, Series, Sheet, Stroke,
+    Content, Dash, HATCH, INK, Label, Mark, Panel, Piece, PlotAxis, SMALL, Series, Sheet, Stroke,
 };
 use littlewood_style::width::{CURVE, FINE};
 
@@ -28,15 +28,12 @@ pub(crate) fn end_of(motion: &Trajectory, farthest: f64) -> f64 {
 }
 
 /// Pieces of samples of one mode, each with the first of the next.
-pub(crate) fn by_mode(
-    samples: &[Sample],
-    row: impl Fn(&Sample) -> Vec<f64>,
-) -> Vec<(Mode, Vec<Vec<Vec<f64>>>)> {
-    let mut found: Vec<(Mode, Vec<Vec<Vec<f64>>>)> = Vec::new();
+pub(crate) fn by_mode(samples: &[Sample], row: impl Fn(&Sample) -> Vec<f64>) -> Vec<(Mode, Vec<Piece>)> {
+    let mut found: Vec<(Mode, Vec<Piece>)> = Vec::new();
     let mut begin = 0;
     for chunk in samples.chunk_by(|a, b| a.mode == b.mode) {
         let end = (begin + chunk.len() + 1).min(samples.len());
-        let piece: Vec<Vec<f64>> = samples[begin..end].iter().map(&row).collect();
+        let piece: Piece = samples[begin..end].iter().map(&row).collect();
         begin += chunk.len();
         match found.iter_mut().find(|(mode, _)| *mode == chunk[0].mode) {
             Some((_, pieces)) => pieces.push(piece),

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
-use littlewood_draw::{Entries, Layer, Mark, Series, Stroke};
+use littlewood_draw::{Entries, Layer, Mark, Piece, Series, Stroke};
 use littlewood_style::width::BOLD;
 
 use crate::columns::{THETA, TIME, X, Y};
@@ -52,21 +52,25 @@ pub(crate) fn all_instants(motion: &Trajectory, phase: &Phase, until: f64) -> Ve
 }
 
 /// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns after the last phase
-/// has begun.
+/// has begun. A motion that goes on after its landings has more to show before its last phase, of which a turn is enough.
 pub(crate) fn horizon(motion: &Trajectory) -> f64 {
-    let end = motion.end_time();
+    let (end, goes_on) = (motion.end_time(), motion.hoop().restitution().is_some());
     let Some(last) = motion.phases().last() else { return end };
-    if motion.hoop().restitution().is_some() {
-        return horizon_with_impacts(motion, last);
-    }
-    if let Some(time) = crowded(motion) {
+    if let Some(time) = if goes_on { bouncing(motion) } else { crowded(motion) } {
         return time;
     }
     if end.is_finite() && motion.outcome().is_final() {
         return end;
     }
-    let turns = 14.0 / f64::max(last.start().theta_rate.abs(), 14.0 / 12.0);
+    let rate = last.start().theta_rate.abs();
+    let turns = if goes_on { TAU / f64::max(rate, 1.0) } else { 14.0 / f64::max(rate, 14.0 / 12.0) };
     f64::min(end, last.start().time + turns)
+}
+
+/// Until when a motion is shown that bounces until it is stopped: its first flights.
+fn bouncing(motion: &Trajectory) -> Option<f64> {
+    let is_stopped = motion.outcome().kind() == OutcomeKind::TransitionLimit;
+    motion.transitions().get(TRANSITIONS).filter(|_| is_stopped).map(Transition::time)
 }
 
 /// Until when a motion of very many transitions is shown that ends in none.
@@ -88,23 +92,6 @@ pub(crate) fn remark(motion: &Trajectory, say: Wording) -> String {
     format!(" Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.", say.time())
 }
 
-/// The same of a motion that goes on after its landings: it has more to show before its last phase, of which a turn is
-/// enough. Where it bounces until it is stopped, its first flights.
-fn horizon_with_impacts(motion: &Trajectory, last: &Phase) -> f64 {
-    let end = motion.end_time();
-    let stopped = motion.transitions().get(TRANSITIONS).map(Transition::time);
-    if motion.outcome().kind() == OutcomeKind::TransitionLimit
-        && let Some(time) = stopped
-    {
-        return time;
-    }
-    if end.is_finite() && motion.outcome().is_final() {
-        return end;
-    }
-    let turn = TAU / f64::max(last.start().theta_rate.abs(), 1.0);
-    f64::min(end, last.start().time + turn)
-}
-
 /// The modes of a motion, each with the series of its phases.
 pub(crate) fn by_mode(
     motion: &Trajectory,
@@ -116,7 +103,7 @@ pub(crate) fn by_mode(
     Mode::ALL
         .into_iter()
         .filter_map(|mode| {
-            let pieces: Vec<Vec<Vec<f64>>> = motion
+            let pieces: Vec<Piece> = motion
                 .phases()
                 .iter()
                 .filter(|phase| phase.mode() == mode)

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use littlewood::theory::closed_form::slip_angle;
 use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
 use littlewood::{Hoop, ParameterError};
-use littlewood_draw::{INK, Label, Layer, Mark, PlotAxis, STABLE, Series, UNSTABLE};
+use littlewood_draw::{INK, Label, Layer, Mark, Piece, PlotAxis, STABLE, Series, UNSTABLE};
 use littlewood_style::Curve;
 
 use crate::axes::linear_to;
@@ -30,12 +30,12 @@ pub(crate) struct Portrait {
 const INNER: f64 = 4.0;
 
 /// Rows of the two coordinates.
-pub(crate) fn rows(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Vec<Vec<f64>>> {
+pub(crate) fn rows(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Piece> {
     pieces.into_iter().map(|piece| piece.into_iter().map(Vec::from).collect()).collect()
 }
 
 /// Rows of the two coordinates and a number that belongs to all.
-fn rows_with(pieces: Vec<Vec<[f64; 2]>>, last: f64) -> Vec<Vec<Vec<f64>>> {
+fn rows_with(pieces: Vec<Vec<[f64; 2]>>, last: f64) -> Vec<Piece> {
     pieces.into_iter().map(|piece| piece.into_iter().map(|[x, y]| vec![x, y, last]).collect()).collect()
 }
 
@@ -190,7 +190,7 @@ pub(crate) fn unloading_lines(theta_s: f64) -> Series {
 }
 
 /// Two places of an orbit as they follow each other: to the right where θ′ > 0.
-pub(crate) fn in_time(a: &[f64], b: &[f64]) -> Vec<Vec<f64>> {
+pub(crate) fn in_time(a: &[f64], b: &[f64]) -> Piece {
     let [from, to] = if (b[0] - a[0]) * a[1] > 0.0 { [a, b] } else { [b, a] };
     vec![from.to_vec(), to.to_vec()]
 }

@@ -3,8 +3,8 @@
 use littlewood::Trajectory;
 use littlewood::tables::{Dimension, Quantity, Setup};
 use littlewood_draw::{
-    Figure, GRID, Label, Panel, PlotAxis, SOFT, Series, Sheet, Stroke, angle, lift_off_condition, marked,
-    plain, short,
+    Figure, GRID, Label, Panel, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, angle, lift_off_condition,
+    marked, plain, short,
 };
 
 use crate::catalogue::{Watch, find_figure};
@@ -136,7 +136,7 @@ struct Page {
     width: f64,
     panels: Vec<Panel>,
     labels: Vec<Label>,
-    lines: Vec<Vec<Vec<f64>>>,
+    lines: Vec<Piece>,
 }
 
 impl Page {

@@ -3,7 +3,7 @@
 use littlewood::Trajectory;
 use littlewood::impact::Impulse;
 use littlewood::tables::Dimension;
-use littlewood_draw::{Content, IMPULSE as COLOUR, Label, Layer, Mark, SMALL, Series, Stroke};
+use littlewood_draw::{Content, IMPULSE as COLOUR, Label, Layer, Mark, Piece, SMALL, Series, Stroke};
 use littlewood_style::Dash;
 use littlewood_style::width::CURVE;
 
@@ -63,7 +63,7 @@ impl Spikes {
 
     /// The same as dots, which lie where |F|/N would.
     pub(crate) fn demands(&self) -> Option<Layer> {
-        let rows: Vec<Vec<f64>> =
+        let rows: Piece =
             self.impulses.iter().zip(self.shares()).map(|((time, _), share)| vec![*time, share]).collect();
         (!rows.is_empty()).then(|| {
             Series::of_rows("friction over normal impulse", &[TIME, DEMAND], rows)

@@ -44,6 +44,9 @@ pub(crate) fn range_of(series: &[&Series], also: &[f64]) -> [f64; 2] {
     bounds(values.chain(also.iter().copied()), 0.12)
 }
 
+/// A line at a time.
+pub(crate) const VERTICAL: Stroke = Stroke::solid(FAINT, FINE).dashed(Dash::Dashed);
+
 /// Verticals at the transitions; of bounces that are closer together than can be seen only the first.
 pub(crate) fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static str) -> Layer {
     let until = horizon(motion);
@@ -63,7 +66,7 @@ pub(crate) fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static s
         .filter(|time| *time < until)
         .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
         .collect();
-    Series::new("transition", &[TIME, name], pieces).drawn(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))
+    Series::new("transition", &[TIME, name], pieces).drawn(VERTICAL)
 }
 
 /// Names over a panel.

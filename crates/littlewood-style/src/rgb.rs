@@ -2,6 +2,7 @@
 
 /// A colour of the sRGB space: red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[must_use]
 pub struct Rgb(pub [u8; 3]);
 
 impl Rgb {
@@ -39,13 +40,11 @@ impl Rgb {
     }
 
     /// The more legible of two colours on this one.
-    #[must_use]
     pub fn more_legible(self, a: Self, b: Self) -> Self {
         if self.contrast(a) >= self.contrast(b) { a } else { b }
     }
 
     /// This colour laid over another with an opacity from 0 to 1.
-    #[must_use]
     pub fn over(self, ground: Self, opacity: f64) -> Self {
         let mixed = |(above, below): (u8, u8)| {
             libm::round(opacity * f64::from(above) + (1.0 - opacity) * f64::from(below)) as u8
@@ -56,7 +55,6 @@ impl Rgb {
     }
 
     /// The grey of the same luminance, as a printer without colours shows it.
-    #[must_use]
     pub fn grey(self) -> Self {
         let luminance = self.luminance();
         let value = if luminance <= 0.003_130_8 {

@@ -4,8 +4,8 @@ use littlewood::tables::{PhaseCode, Setup};
 use littlewood::theory::Window;
 use littlewood::{Engine, Start, Summary};
 use littlewood_draw::{
-    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, PlotAxis, START, Series, Sheet, Stroke, TRANSITION,
-    View,
+    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, Piece, PlotAxis, START, Series, Sheet, Stroke,
+    TRANSITION, View,
 };
 use littlewood_style::ticks::minus;
 use littlewood_style::width::FINE;
@@ -15,7 +15,7 @@ use super::outcomes;
 use crate::catalogue::Watch;
 use crate::effort::Effort;
 use crate::error::FigureError;
-use crate::fate::Fates;
+use crate::fate::{Fates, meanings};
 use crate::input::FigureInput;
 use crate::miniature::picture;
 
@@ -178,7 +178,7 @@ pub(crate) fn wide(input: &FigureInput, width: f64, watch: &mut Watch<'_>) -> Re
         let [[left, top], [right, bottom]] = plane.axes_frame();
         (left..=right).contains(x) && (top..=bottom).contains(y)
     });
-    let own: Vec<Vec<f64>> = start.iter().map(|[x, y]| vec![*x, -y]).collect();
+    let own: Piece = start.iter().map(|[x, y]| vec![*x, -y]).collect();
     let labels = own.iter().map(|at| Label::new("start", at).left().shifted(9.0, -9.0)).collect();
     let marks = vec![
         Series::of_rows("own start", &COLUMNS, own).drawn(TRANSITION),
@@ -198,14 +198,11 @@ pub(crate) fn wide(input: &FigureInput, width: f64, watch: &mut Watch<'_>) -> Re
         let words = halves.iter().flatten().filter_map(|own| own.words.split(':').next());
         words.into_iter().any(|letters| letters.contains(&minus(code.name())))
     };
-    let letters = PhaseCode::ALL.into_iter().filter(is_named);
-    let letters: Vec<String> =
-        letters.map(|code| format!("{} {}", minus(code.name()), code.meaning())).collect();
     let caption = format!(
         "The outcome of each start with *η*′ = 0, and the motions of some (crosses; diamond: the start of the other figures): the path of the mass centre, and the hoop at \
          some instants, all on one scale{}. Above each motion its sequence of phases: {}. {}.",
         if input.hoop.slope() == 0.0 { "" } else { ", along the plane" },
-        letters.join(", "),
+        meanings(is_named),
         say.hoop(&input.hoop)
     );
     let panels = core::iter::once(plane).chain(pictures).chain([page]).collect();

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::{Class, PhaseCode, Quantity, Setup};
 use littlewood::{Engine, Hoop, Limits, Mode, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Entries, Figure, HATCH, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, Scale,
-    Series, Sheet, THEME, width,
+    BOUNDARY, Content, Entries, Figure, HATCH, Label, Layer, Mark, Panel, Piece, PlotAxis, ROOM, SMALL,
+    Scale, Series, Sheet, THEME, width,
 };
 use littlewood_style::ticks::minus;
 use littlewood_style::{of_class, of_mode};
@@ -17,7 +17,7 @@ use crate::catalogue::Watch;
 use crate::columns::TIME;
 use crate::effort::Effort;
 use crate::error::FigureError;
-use crate::fate::{Fate, Fates};
+use crate::fate::{Fate, Fates, meanings};
 use crate::input::FigureInput;
 use crate::timeline::CLOSE;
 use crate::wording::Wording;
@@ -58,7 +58,6 @@ const LEAPS: usize = 8;
 struct Line {
     grid: Grid,
     axis: Axis,
-    column: &'static str,
 }
 
 impl Line {
@@ -73,14 +72,14 @@ impl Line {
         };
         let axis = Axis::new(asked.varies(), asked.from(), asked.to(), MOTIONS)?;
         let grid = Grid::new(Setup::new(input.hoop.parameters(), input.start), vec![axis])?;
-        Ok(Self { grid, axis, column: axis.varies().name() })
+        Ok(Self { grid, axis })
     }
 
     /// The part between two fractions, as far as there is such.
     fn part(&self, ends: [f64; 2]) -> Result<Self, FigureError> {
         let [from, to] = ends.map(|end| self.axis.between(end.clamp(0.0, 1.0)));
         let axis = Axis::new(self.axis.varies(), from, to, MOTIONS)?;
-        Ok(Self { grid: Grid::new(*self.grid.base(), vec![axis])?, axis, column: self.column })
+        Ok(Self { grid: Grid::new(*self.grid.base(), vec![axis])?, axis })
     }
 
     fn setup(&self, fraction: f64) -> Setup {
@@ -211,7 +210,7 @@ impl Drawn {
     }
 
     /// Areas of its phases up to a time, each with its mode.
-    fn areas(&self, line: &Line, until: f64) -> Vec<(Mode, Vec<Vec<f64>>)> {
+    fn areas(&self, line: &Line, until: f64) -> Vec<(Mode, Piece)> {
         let codes = self.band.phases.codes().filter_map(Result::ok);
         let value = |at: f64| line.axis.between(at);
         codes
@@ -228,7 +227,7 @@ impl Drawn {
     }
 
     /// The area of the phases that the band does not tell of.
-    fn beyond(&self, line: &Line, until: f64) -> Option<Vec<Vec<f64>>> {
+    fn beyond(&self, line: &Line, until: f64) -> Option<Piece> {
         let begin = |ends: &[f64]| self.told.checked_sub(1).map_or(0.0, |number| ends[number].min(until));
         let end = |ends: &[f64]| ends.last().map_or(until, |end| end.min(until));
         let is_seen = (goes_on(&self.band) || self.is_cut())
@@ -239,10 +238,10 @@ impl Drawn {
     }
 
     /// Lines of its transitions up to a time.
-    fn lines(&self, line: &Line, until: f64) -> Vec<Vec<Vec<f64>>> {
+    fn lines(&self, line: &Line, until: f64) -> Vec<Piece> {
         (0..self.told)
             .flat_map(|number| {
-                let rows: Vec<Vec<f64>> =
+                let rows: Piece =
                     self.places.iter().map(|(at, ends)| vec![line.axis.between(*at), ends[number]]).collect();
                 let is_drawn = |row: &Vec<f64>| row[1] <= until;
                 rows.split(|row| !is_drawn(row))
@@ -345,7 +344,7 @@ fn areas_of_classes<'a>(
             let [from, to] = band.range.map(|fraction| line.axis.between(fraction));
             vec![vec![from, 0.0], vec![to, 0.0], vec![to, top], vec![from, top]]
         };
-        let pieces: Vec<Vec<Vec<f64>>> = bands.map(area).collect();
+        let pieces: Vec<Piece> = bands.map(area).collect();
         (!pieces.is_empty())
             .then(|| Series::new(name(own), &columns, pieces).drawn(Mark::Fill(of_class(own, THEME))))
     };
@@ -363,7 +362,7 @@ fn boundaries(line: &Line, bands: &[Band], pixels: f64, columns: [&'static str; 
 
 /// The panel of sequences and classes.
 fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Content {
-    let columns = [line.column, "share"];
+    let columns = [line.axis.varies().name(), "share"];
     let place = |fraction: f64| line.axis.between(fraction);
     let mut layers = areas_of_classes(line, bands.iter(), columns, 1.0, Class::name);
     layers.push(boundaries(line, bands, pixels, columns, 1.0));
@@ -402,12 +401,12 @@ fn panel_of_times(
     until: f64,
     say: Wording,
 ) -> (Content, Entries) {
-    let columns = [line.column, TIME];
-    let areas: Vec<(Mode, Vec<Vec<f64>>)> = drawn.iter().flat_map(|drawn| drawn.areas(line, until)).collect();
+    let columns = [line.axis.varies().name(), TIME];
+    let areas: Vec<(Mode, Piece)> = drawn.iter().flat_map(|drawn| drawn.areas(line, until)).collect();
     let mut layers: Vec<Layer> = Vec::new();
     let mut entries = Vec::new();
     for mode in Mode::ALL {
-        let pieces: Vec<Vec<Vec<f64>>> =
+        let pieces: Vec<Piece> =
             areas.iter().filter(|(own, _)| *own == mode).map(|(_, area)| area.clone()).collect();
         if !pieces.is_empty() {
             let mark = Mark::Fill(of_mode(mode, THEME));
@@ -415,7 +414,7 @@ fn panel_of_times(
             layers.push(Series::new(mode.name(), &columns, pieces).drawn(mark));
         }
     }
-    let beyond: Vec<Vec<Vec<f64>>> = drawn.iter().filter_map(|drawn| drawn.beyond(line, until)).collect();
+    let beyond: Vec<Piece> = drawn.iter().filter_map(|drawn| drawn.beyond(line, until)).collect();
     if !beyond.is_empty() {
         entries.push((Mark::Hatch(HATCH), "further phases".to_owned()));
         layers.push(Series::new("further phases", &columns, beyond).drawn(Mark::Hatch(HATCH)));
@@ -480,11 +479,8 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         Sheet::panel([left, top + band_height + CLOSE, inner, height], lower),
     ];
     panels[0].keys = keys;
-    let letters: Vec<String> = PhaseCode::ALL
-        .into_iter()
-        .filter(|code| bands.iter().any(|band| band.phases.codes().any(|own| own == Ok(*code))))
-        .map(|code| format!("{} {}", minus(code.name()), code.meaning()))
-        .collect();
+    let is_named =
+        |code: &PhaseCode| bands.iter().any(|band| band.phases.codes().any(|own| own == Ok(*code)));
     let except: Vec<Quantity> = varies.quantities().collect();
     let cut = limits.transitions < input.limits.transitions
         && bands.iter().any(|band| class(band) == Class::InContact);
@@ -503,7 +499,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
          colour of its outcome where none begins; where two transitions meet the sequence changes.{cut_short} {}{finer} {}.",
         if cut { format!(", followed to {} transitions,", limits.transitions) } else { String::new() },
         say.varied_in_words(varies),
-        letters.join(", "),
+        meanings(is_named),
         said(&line, &bands, fates, say),
         say.setup_except(&input.hoop, &input.start, &except)
     );

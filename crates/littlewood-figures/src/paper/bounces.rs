@@ -5,17 +5,18 @@ use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Cause, Mode, Phase, Trajectory, Transition};
 use littlewood_draw::{
-    Content, Entries, FAINT, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, PlotAxis, SMALL, SOFT, Scale,
+    Content, Entries, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, Piece, PlotAxis, SMALL, SOFT, Scale,
     Series, Sheet, Stroke, short,
 };
 use littlewood_style::Dash;
-use littlewood_style::width::{CURVE, FINE};
+use littlewood_style::width::CURVE;
 
 use crate::columns::{LOG_GAP_RATE, TIME};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
 use crate::motion::{bounds, horizon, instants};
+use crate::timeline::VERTICAL;
 use crate::wording::Wording;
 
 const NAME: &str = "bounces";
@@ -85,7 +86,7 @@ fn landings(motion: &Trajectory) -> Vec<(f64, Impact)> {
 /// The gap against time.
 fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>], say: Wording) -> Content {
     let until = range[1];
-    let pieces: Vec<Vec<Vec<f64>>> = motion
+    let pieces: Vec<Piece> = motion
         .phases()
         .iter()
         .filter(|phase| is_flight(phase))
@@ -101,10 +102,7 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>], say:
     for end in settled.iter().filter(|end| end.transition.time() <= until) {
         let at = end.transition.time();
         let vertical = y.range.map(|value| vec![at, value]).to_vec();
-        layers.push(
-            Series::of_rows(end.transition.cause.label(), &[TIME, GAP], vertical)
-                .drawn(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)),
-        );
+        layers.push(Series::of_rows(end.transition.cause.label(), &[TIME, GAP], vertical).drawn(VERTICAL));
         let time = say.value(at, Dimension::Time);
         let text = format!("{}, {} = {time}", end.transition.cause.label(), say.time());
         let label = Label::new(text, &[at, y.range[1]]).sized(SMALL);
@@ -126,7 +124,7 @@ fn rate_panel(landings: &[(f64, Impact)], settled: &[Settled<'_>], say: Wording)
     let columns = [NUMBER, LOG_GAP_RATE, RATE];
     let row =
         |(i, rate): (usize, f64)| (rate != 0.0).then(|| vec![(i + 1) as f64, libm::log10(rate.abs()), rate]);
-    let side = |rate: fn(&Impact) -> f64| -> Vec<Vec<f64>> {
+    let side = |rate: fn(&Impact) -> f64| -> Piece {
         landings.iter().map(|(_, impact)| rate(impact)).enumerate().filter_map(row).collect()
     };
     let (before, after) = (side(|impact| impact.before.gap_rate), side(|impact| impact.after.gap_rate));

@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 use littlewood::cases::{CASES, NamedCase};
 use littlewood::{Phase, Sample, Trajectory};
 use littlewood_draw::{
-    Content, FAINT, Figure, INK, Label, Panel, PlotAxis, SMALL, SOFT, START, Series, Sheet, Stroke, short,
+    Content, FAINT, Figure, INK, Label, Panel, Piece, PlotAxis, SMALL, SOFT, START, Series, Sheet, Stroke,
+    short,
 };
 use littlewood_style::Curve;
 use littlewood_style::width::{CURVE, FINE};
@@ -33,7 +34,7 @@ const TIMES: f64 = 12.0;
 const DEMANDS: f64 = 1.0;
 
 /// A line against time, of the phases of which there is a number.
-fn line(motion: &Trajectory, value: &dyn Fn(&Phase, &Sample) -> Option<f64>) -> Vec<Vec<Vec<f64>>> {
+fn line(motion: &Trajectory, value: &dyn Fn(&Phase, &Sample) -> Option<f64>) -> Vec<Piece> {
     let from = motion.start().time;
     let pieces = motion.phases().iter().take_while(|phase| phase.start().time < from + TIMES).map(|phase| {
         let duration = phase.duration().min(from + TIMES - phase.start().time);

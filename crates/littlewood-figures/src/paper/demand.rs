@@ -5,7 +5,9 @@ use core::f64::consts::{PI, TAU};
 use littlewood::Mode;
 use littlewood::tables::Dimension;
 use littlewood::theory::{PhasePlane, RollingLaw};
-use littlewood_draw::{Content, FRICTION_FORCE, Figure, Label, Mark, SOFT, START, Series, Stroke, short};
+use littlewood_draw::{
+    Content, FRICTION_FORCE, Figure, Label, Mark, Piece, SOFT, START, Series, Stroke, short,
+};
 
 use crate::columns::{DEMAND, ENERGY, MU_S, THETA};
 use crate::error::FigureError;
@@ -19,7 +21,7 @@ use littlewood_style::{Curve, Dash};
 const NAME: &str = "friction-demand";
 
 /// |F|/N on the orbit of an energy, as far as it reaches and N > 0.
-fn demand_on(plane: &PhasePlane, energy: f64, window: Window) -> Vec<Vec<Vec<f64>>> {
+fn demand_on(plane: &PhasePlane, energy: f64, window: Window) -> Vec<Piece> {
     window
         .pieces(window.x, 1440, &|theta| {
             let rate = plane.level_rate(theta, energy)?;

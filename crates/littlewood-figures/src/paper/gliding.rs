@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use littlewood::theory::{GlidingIntegrals, Massless};
 use littlewood::{Limits, Mode, Start};
 use littlewood_draw::{
-    Entries, FAINT, Figure, INK, Label, Layer, Mark, REGION, SOFT, Series, Stroke, TRANSITION, short,
+    Entries, FAINT, Figure, INK, Label, Layer, Mark, Piece, REGION, SOFT, Series, Stroke, TRANSITION, short,
 };
 
 use crate::columns::{PLANE, THETA, THETA_RATE, W};
@@ -25,7 +25,7 @@ const COLUMNS: [&str; 3] = [THETA, THETA_RATE, W];
 
 /// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical velocity V as the
 /// parameter, ℓ̂ cos θ = w − ½ V² and θ′ = −V/(ℓ̂ sin θ).
-pub(super) fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) -> Vec<Vec<Vec<f64>>> {
+pub(super) fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) -> Vec<Piece> {
     let l = body.offset;
     WINDOW
         .pieces(velocities, 600, &|v| {
@@ -48,8 +48,8 @@ pub(super) fn fastest(body: &Massless, w: f64) -> f64 {
 }
 
 /// Where each piece has one of these rates first, pointing along the flow.
-fn heads(pieces: &[Vec<Vec<f64>>], rates: &[f64]) -> Vec<Vec<Vec<f64>>> {
-    let head = |piece: &Vec<Vec<f64>>, wanted: f64| {
+fn heads(pieces: &[Piece], rates: &[f64]) -> Vec<Piece> {
+    let head = |piece: &Piece, wanted: f64| {
         let at = piece.windows(2).find(|pair| (pair[0][1] - wanted) * (pair[1][1] - wanted) <= 0.0)?;
         Some(in_time(&at[0], &at[1]))
     };
@@ -104,7 +104,7 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
 }
 
 /// The place on each piece over an angle, pointing along the flow.
-fn heads_at_angle(pieces: &[Vec<Vec<f64>>], theta: f64) -> Vec<Vec<Vec<f64>>> {
+fn heads_at_angle(pieces: &[Piece], theta: f64) -> Vec<Piece> {
     pieces
         .iter()
         .flat_map(|piece| piece.windows(2).filter(|pair| (pair[0][0] - theta) * (pair[1][0] - theta) < 0.0))
@@ -160,12 +160,12 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
             changes.push(vec![a * end.theta, b * end.theta_rate]);
         }
     }
-    let flow_r = rolling.iter().filter_map(|piece: &Vec<Vec<f64>>| {
+    let flow_r = rolling.iter().filter_map(|piece: &Piece| {
         let middle = piece.len() / 2;
         Some(in_time(piece.get(middle)?, piece.get(middle + 1)?))
     });
     let flow_r = flow_r.collect();
-    let flow_g = gliding.iter().filter_map(|piece: &Vec<Vec<f64>>| {
+    let flow_g = gliding.iter().filter_map(|piece: &Piece| {
         let beyond = |row: &[f64]| row[0].abs() - 0.62 * PI;
         let at = piece.windows(2).find(|pair| beyond(&pair[1]) * beyond(&pair[0]) <= 0.0)?;
         Some(in_time(&at[0], &at[1]))

@@ -3,8 +3,8 @@
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Hoop, Sample, Trajectory, Transition};
 use littlewood_draw::{
-    Content, Entries, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
-    SMALL, SOFT, Series, Sheet, Stroke, THEME, marked, short,
+    Content, Entries, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, Piece,
+    ROOM, SMALL, SOFT, Series, Sheet, Stroke, THEME, marked, short,
 };
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
@@ -141,7 +141,7 @@ fn drops(motion: &Trajectory) -> Option<Layer> {
     let until = horizon(motion);
     let step =
         |time: f64, before: f64, lost: f64| [before, before - lost].map(|energy| vec![time, energy]).to_vec();
-    let mut pieces: Vec<Vec<Vec<f64>>> = Vec::new();
+    let mut pieces: Vec<Piece> = Vec::new();
     // A jam at the start, which ends no phase.
     if let (Some(transition), Some(phase)) = (motion.transitions().first(), motion.phases().first())
         && let (None, Some(impact)) = (transition.from, transition.impact)

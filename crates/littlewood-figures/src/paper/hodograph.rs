@@ -3,7 +3,7 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Hoop, Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Entries, Figure, IMPULSE, Label, Layer, Mark, REGION, SMALL, SOFT, START, Series, Stroke,
+    Content, Entries, Figure, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, SOFT, START, Series, Stroke,
     TRANSITION, marked,
 };
 
@@ -100,7 +100,7 @@ fn inside(window: Window, columns: Columns, mu: f64) -> Series {
 }
 
 /// From the last forces of a phase to the first of the next, where they jump.
-fn jumps(motion: &Trajectory, window: Window) -> Vec<Vec<Vec<f64>>> {
+fn jumps(motion: &Trajectory, window: Window) -> Vec<Piece> {
     let until = horizon(motion);
     let pairs = motion.phases().windows(2).filter(|pair| {
         let is_seen = pair[1].start().time < until;
@@ -179,7 +179,7 @@ fn cones(
 
 /// The impulses as dots, which lie in the same cones.
 fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Entries)> {
-    let rows: Vec<Vec<f64>> =
+    let rows: Piece =
         spikes.impulses.iter().map(|(_, impulse)| vec![impulse.normal, impulse.friction]).collect();
     let most = rows.iter().map(|row| row[0]).fold(0.0, f64::max);
     (most > 0.0).then(|| {
@@ -197,8 +197,7 @@ fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, E
 fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Entries, bool)> {
     let in_contact: Vec<(Mode, Series)> =
         by_mode(motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| mode.has_normal_force()).collect();
-    let all: Vec<Vec<f64>> =
-        in_contact.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
+    let all: Piece = in_contact.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
     if all.iter().all(|row| row[1] <= 0.0) {
         return None;
     }

@@ -4,7 +4,7 @@ use littlewood::impact::{Impact, ImpactCase};
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, Transition};
 use littlewood_draw::{
-    Content, Entries, Figure, INK, Label, Layer, Mark, PAPER, START, Series, Stroke, short,
+    Content, Entries, Figure, INK, Label, Layer, Mark, PAPER, Piece, START, Series, Stroke, short,
 };
 use littlewood_style::ImpulseLine;
 use littlewood_style::width::BOLD;
@@ -88,15 +88,12 @@ impl Diagram {
     }
 
     /// The parts of the course, each with what the contact point does.
-    fn parts(&self) -> Vec<(Mode, Vec<Vec<f64>>)> {
+    fn parts(&self) -> Vec<(Mode, Piece)> {
         let last = match self.impact.case {
             ImpactCase::Slides | ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
                 Mode::Sliding
             }
-            ImpactCase::None
-            | ImpactCase::SticksInCompression
-            | ImpactCase::SticksInRestitution
-            | ImpactCase::Jams => Mode::Rolling,
+            _ => Mode::Rolling,
         };
         let count = self.course.len().saturating_sub(1);
         self.course

@@ -3,7 +3,7 @@
 use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use littlewood::{Hoop, HoopParameters, OutcomeKind, Trajectory};
 use littlewood_draw::{
-    Content, FAINT, Figure, INK, Label, Mark, NORMAL_FORCE, PlotAxis, Series, Stroke, marked, short,
+    Content, FAINT, Figure, INK, Label, Mark, NORMAL_FORCE, Piece, PlotAxis, Series, Stroke, marked, short,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -60,7 +60,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         let name = format!("inertia {inertia}");
         let rows = motion.sample_evenly(INSTANTS, until.min(motion.end_time()));
         let rows = rows.map(|sample| vec![sample.state.time, sample.particle.x, sample.particle.y]);
-        let rows: Vec<Vec<f64>> = rows.filter(|row| row.iter().all(|value| value.is_finite())).collect();
+        let rows: Piece = rows.filter(|row| row.iter().all(|value| value.is_finite())).collect();
         paths.push(Series::of_rows(name.clone(), &[TIME, X, Y], rows).drawn(*stroke));
         let mut normal = history(motion, "", NORMAL, &|_, sample| Some(sample.normal));
         for piece in &mut normal.pieces {

@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Entries, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, key_of_curve,
+    BOUNDARY, Content, Entries, Figure, Mark, PAPER, Piece, SOFT, Series, Stroke, THEME, key_of_curve,
     lift_off_condition, short,
 };
 use littlewood_style::{Curve, of_class};
@@ -133,7 +133,7 @@ fn within(window: Window) -> Window {
 }
 
 /// Rows of places of a window.
-fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Vec<Vec<f64>>> {
+fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Piece> {
     let along = |[from, to]: [f64; 2], fraction: f64| {
         if fraction == 1.0 { to } else { from + (to - from) * fraction }
     };
@@ -187,7 +187,6 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let lines = boundaries.into_iter().map(|boundary| boundary.points).collect();
     layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(BOUNDARY));
     // A massless hoop does not leave the plane.
-    let mut remark = String::new();
     let portrait = Portrait::new(hoop, window);
     let first = match portrait.massless_limit() {
         Some((_, limit)) => Some((Curve::SlipLimit, limit)),
@@ -202,13 +201,15 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
             legend.push(key_of_curve(curve, hoop.slope()));
         }
     }
-    if !input.is_massless() {
-        remark = format!(
+    let remark = if input.is_massless() {
+        String::new()
+    } else {
+        format!(
             " The body leaves the plane at once only beyond {}; between *n* and this curve, where the paper lets it \
              leave, it slides first.",
             lift_off_condition(hoop.slope())
-        );
-    }
+        )
+    };
     let finer = format!(
         " Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
     );

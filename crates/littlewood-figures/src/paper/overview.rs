@@ -3,7 +3,8 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Entries, Figure, Layer, Mark, Panel, PlotAxis, ROOM, SOFT, Scale, Series, Sheet, Stroke, marked,
+    Content, Entries, Figure, Layer, Mark, Panel, Piece, PlotAxis, ROOM, SOFT, Scale, Series, Sheet, Stroke,
+    marked,
 };
 
 use super::histories::{NORMAL_WEIGHT, normal_weight, weight_name};
@@ -62,14 +63,14 @@ type Samples = [(Mode, Vec<Sample>)];
 impl History {
     fn new(samples: &Samples, column: SampleColumn, name: &'static str, others: &[f64]) -> Self {
         let value = |sample: &Sample| column.of(sample).number();
-        let mut by_mode: Vec<(Mode, Vec<Vec<Vec<f64>>>)> = Vec::new();
+        let mut by_mode: Vec<(Mode, Vec<Piece>)> = Vec::new();
         let mut values: Vec<f64> = others.to_vec();
         values.extend(Some(0.0).filter(|_| has_zero(column)));
         for (mode, samples) in samples {
             let is_bounded = samples.iter().all(|sample| value(sample).is_finite());
             let shown = if is_bounded { samples.len() } else { (BOUNDED * samples.len() as f64) as usize };
             values.extend(samples.iter().take(shown).map(value));
-            let rows: Vec<Vec<f64>> = samples
+            let rows: Piece = samples
                 .iter()
                 .map(|sample| vec![sample.state.time, value(sample)])
                 .filter(|row| row[1].is_finite())

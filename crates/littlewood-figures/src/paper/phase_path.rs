@@ -4,8 +4,8 @@ use core::f64::consts::{PI, TAU};
 
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, REGION, SMALL, START, Series, Stroke, TRANSITION,
-    lift_off_condition,
+    Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, START, Series, Stroke,
+    TRANSITION, lift_off_condition,
 };
 
 use crate::axes::plane_window;
@@ -152,8 +152,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let turns = if input.is_massless() && hoop.offset() == 1.0 { turns } else { 0.0 };
     let row = |sample: &Sample| row(sample, turns);
     let modes: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row);
-    let mut all: Vec<Vec<f64>> =
-        modes.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
+    let mut all: Piece = modes.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
     all.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let window = window_of(input, &all);
     let portrait = Portrait::new(hoop, window);

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use littlewood::theory::{Body, Massless, Window};
 use littlewood::{Hoop, Mode};
 use littlewood_draw::{
-    Content, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, SOFT, START, Series, Stroke,
+    Content, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, Piece, SOFT, START, Series, Stroke,
     lift_off_condition,
 };
 use littlewood_style::width::{CURVE, FINE};
@@ -65,7 +65,7 @@ fn band(portrait: &Portrait) -> Series {
     };
     let angles: Vec<f64> =
         (0..=CELLS).map(|i| from + (to - from) * f64::from(i) / f64::from(CELLS)).collect();
-    let mut pieces: Vec<Vec<Vec<f64>>> = Vec::new();
+    let mut pieces: Vec<Piece> = Vec::new();
     for run in angles.chunk_by(|a, b| between(*a).is_some() == between(*b).is_some()) {
         let edge = |end: usize| run.iter().filter_map(move |theta| Some([*theta, between(*theta)?[end]]));
         let polygon: Vec<[f64; 2]> = edge(0).chain(edge(1).collect::<Vec<_>>().into_iter().rev()).collect();

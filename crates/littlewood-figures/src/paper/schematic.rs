@@ -7,7 +7,7 @@ use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::bounds;
 use littlewood_draw::{
-    Content, Figure, HATCH, INK, Label, Mark, PlotAxis, SOFT, Series, Sheet, Stroke, tilted,
+    Content, Figure, HATCH, INK, Label, Mark, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, tilted,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -27,7 +27,7 @@ const GRAVITY: [f64; 2] = [3.45, 2.1];
 /// Length of the horizontal at a slope.
 const SLOPE: f64 = 1.3;
 
-fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<Vec<f64>> {
+fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Piece {
     (0..=ARC)
         .map(|i| {
             let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / f64::from(ARC));

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, State, Transition};
 use littlewood_draw::{
-    Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Layer, Mark, NORMAL_FORCE, PAPER, Panel, REGION,
-    SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
+    Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Layer, Mark, NORMAL_FORCE, PAPER, Panel, Piece,
+    REGION, SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
 };
 
 use crate::columns::{SLIP, THETA, THETA_RATE, TIME};
@@ -14,6 +14,7 @@ use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::{all_instants, arrows, bounds, by_mode, horizon, lines, remark};
 use crate::plane::{Portrait, unloading_lines};
+use crate::timeline::VERTICAL;
 use crate::wording::Wording;
 use littlewood::theory::Window;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -80,11 +81,8 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             0.0 => [4.0, 14.0],
             _ => [-14.0, -6.0],
         };
-        labels.push(
-            Label::new(letter, &[middle.theta, middle.slip, middle.theta_rate])
-                .shifted(shift[0], shift[1])
-                .coloured(Stroke::of_mode(phase.mode()).colour),
-        );
+        let label = Label::new(letter, &[middle.theta, middle.slip, middle.theta_rate]);
+        labels.push(Label { shift, ..label }.coloured(Stroke::of_mode(phase.mode()).colour));
     }
     // Arrows of time where the motion is seen to move.
     let far = |rows: &[Vec<f64>]| {
@@ -232,7 +230,7 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let until = horizon(&motion);
     // η′ is finite where θ′ is not: at the end of a glide.
-    let slips: Vec<(Mode, Vec<Vec<f64>>)> = motion
+    let slips: Vec<(Mode, Piece)> = motion
         .phases()
         .iter()
         .map(|phase| {
@@ -250,10 +248,7 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     for (transition, row) in motion.transitions().iter().zip((0..ROWS).cycle()) {
         let time = transition.time();
         let vertical = range.map(|slip| vec![time, slip]).to_vec();
-        trace.push(
-            Series::of_rows("time of transition", &[TIME, SLIP], vertical)
-                .drawn(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)),
-        );
+        trace.push(Series::of_rows("time of transition", &[TIME, SLIP], vertical).drawn(VERTICAL));
         // Above the panel, where no curve is, in rows.
         let label = Label::new(instant(transition, say), &[time, range[1]]).sized(SMALL).fixed();
         let label = label.shifted(0.0, -10.0 - 16.0 * f64::from(row));
@@ -264,7 +259,7 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
             _ => label,
         });
     }
-    let changes: Vec<Vec<f64>> = motion
+    let changes: Piece = motion
         .transitions()
         .iter()
         .map(|transition| of_state(transition.before))

@@ -3,8 +3,8 @@
 use littlewood::tables::Dimension;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Entries, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
-    SMALL, Series, Sheet, Stroke, tilted,
+    Content, Entries, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, Piece,
+    ROOM, SMALL, Series, Sheet, Stroke, tilted,
 };
 
 use super::paths::{axes, beneath, camera, extent, ground};
@@ -62,7 +62,7 @@ fn arrows(
     part: impl Fn(&Sample) -> ([f64; 2], f64),
 ) -> Vec<Layer> {
     let columns = [TIME, X, Y, column];
-    let pieces: Vec<(f64, Vec<Vec<f64>>)> = samples
+    let pieces: Vec<(f64, Piece)> = samples
         .iter()
         .map(|sample| (sample, part(sample)))
         .map(|(sample, ([dx, dy], force))| {
@@ -73,7 +73,7 @@ fn arrows(
         .filter(|(length, _)| *length > SHORTEST)
         .collect();
     let (long, short): (Vec<_>, Vec<_>) = pieces.into_iter().partition(|(length, _)| length * unit > HEAD);
-    let series = |pieces: Vec<(f64, Vec<Vec<f64>>)>| {
+    let series = |pieces: Vec<(f64, Piece)>| {
         Series::new(name, &columns, pieces.into_iter().map(|(_, rows)| rows).collect())
     };
     // A head would be longer than a short one.
@@ -114,7 +114,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let y = [low - 34.0 / unit, top + 1.65];
     let mut layers = ground(x, y, sheet.width, slope);
     let particle = path.iter().map(|sample| vec![sample.state.time, sample.particle.x, sample.particle.y]);
-    let particle: Vec<Vec<f64>> = particle.filter(|row| row.iter().all(|value| value.is_finite())).collect();
+    let particle: Piece = particle.filter(|row| row.iter().all(|value| value.is_finite())).collect();
     let trace = Mark::Line(Stroke::solid(FAINT, FINE));
     layers.push(Series::of_rows("particle", &[TIME, X, Y], particle).drawn(trace));
     let mut keys: Entries = Vec::new();

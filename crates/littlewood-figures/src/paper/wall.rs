@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 use littlewood::theory::{PhasePlane, Window};
 use littlewood::{Cause, Mode, Trajectory, Transition};
 use littlewood_draw::{
-    Figure, Mark, NORMAL_FORCE, PAPER, REGION, SOFT, START, Series, Stroke, TRANSITION, lift_off_condition,
+    Figure, Mark, NORMAL_FORCE, PAPER, Piece, REGION, SOFT, START, Series, Stroke, TRANSITION,
+    lift_off_condition,
 };
 use littlewood_style::Curve;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -75,10 +76,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let window = Window { x, y: z };
     let portrait = Portrait::new(hoop, window);
     let floor = [[x[0], z[0]], [x[1], z[0]], [x[1], z[1]], [x[0], z[1]]];
-    let flat = |piece: Vec<Vec<f64>>, slip: f64| -> Vec<Vec<f64>> {
+    let flat = |piece: Piece, slip: f64| -> Piece {
         piece.into_iter().map(|row| vec![row[0], row[1], slip]).collect()
     };
-    let mut outline: Vec<Vec<f64>> = floor.map(Vec::from).to_vec();
+    let mut outline: Piece = floor.map(Vec::from).to_vec();
     outline.push(floor[0].to_vec());
     let within = |row: Vec<f64>| vec![row[0].clamp(x[0], x[1]), row[1].clamp(z[0], z[1])];
     let tile = rows(portrait.plane.rolling_region(&window));
@@ -98,7 +99,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     );
     let level = |i: u32| y[0] + (y[1] - y[0]) * f64::from(i) / f64::from(LEVELS);
     let lines = (0..=LEVELS).flat_map(|i| edge.iter().map(move |piece| (piece.clone(), i)));
-    let mut lines: Vec<Vec<Vec<f64>>> = lines.map(|(piece, i)| flat(piece, level(i))).collect();
+    let mut lines: Vec<Piece> = lines.map(|(piece, i)| flat(piece, level(i))).collect();
     for piece in &edge {
         let step = (piece.len() / UPRIGHTS).max(1);
         let places = piece.iter().step_by(step).chain(piece.last());
@@ -120,7 +121,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     // A motion that begins in flight comes into the picture where it lands.
     let begins = |motion: &&Trajectory| motion.phases().first().is_some_and(|it| it.mode().touches_plane());
     let starts = motions.iter().filter(begins).map(|motion| of_state(motion.start())).collect();
-    let jumps: Vec<Vec<f64>> = motions
+    let jumps: Piece = motions
         .iter()
         .filter_map(|motion| {
             motion.transitions().iter().find(|transition| transition.cause == Cause::LiftOff)
