@@ -5,9 +5,10 @@
 use std::f64::consts::PI;
 
 use crate::support::{figure_2, map, workers};
-use littlewood::tables::{Class, Quantity, SummaryColumn};
-use littlewood::{Limits, Start};
-use littlewood_style::{Theme, of_class};
+use littlewood::tables::{Class, Quantity, Setup, SummaryColumn};
+use littlewood::theory::PhasePlane;
+use littlewood::{Hoop, HoopParameters, Limits, Start};
+use littlewood_style::{Curve, Theme, of_class};
 use littlewood_sweep::{
     Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError, sweep_grid,
 };
@@ -152,5 +153,56 @@ fn what_is_no_map_is_refused() {
             &Options::default(),
         );
         assert!(matches!(error, Err(SweepError::Picture(PictureError::Size { .. }))));
+    }
+}
+
+/// The points of the curves over a map of one turn and of rates below 4, as angles and rates.
+fn curves(hoop: HoopParameters, theta_first: bool) -> Vec<(Curve, f64, f64)> {
+    let theta = Axis::new(Quantity::Theta, -PI, PI, 20).unwrap();
+    let rate = Axis::new(Quantity::ThetaRate, -4.0, 4.0, 20).unwrap();
+    let axes = if theta_first { vec![theta, rate] } else { vec![rate, theta] };
+    let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), axes).unwrap();
+    let picture = Picture::new(&grid, Limits::default(), Shade::Class, PictureSize::default());
+    let figure = picture.and_then(Picture::with_curves).unwrap().figure(None).unwrap();
+    let plane = figure.panels.into_iter().find(|panel| panel.name == "plane").unwrap();
+    let named = |name: &str| Curve::ALL.into_iter().find(|curve| curve.name() == name);
+    let known =
+        plane.layers.iter().filter_map(|layer| Some((named(&layer.series.name)?, &layer.series.pieces)));
+    known
+        .flat_map(|(curve, pieces)| pieces.iter().flatten().map(move |point| (curve, point)))
+        .map(|(curve, point)| {
+            let [x, y] = if theta_first { [point[0], point[1]] } else { [point[1], point[0]] };
+            (curve, PI * (2.0 * x - 1.0), 4.0 * (2.0 * y - 1.0))
+        })
+        .collect()
+}
+
+#[test]
+fn each_curve_is_where_its_equation_holds() {
+    let heavy = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+    let massless = HoopParameters::thin(0.0).with_friction(0.5, 0.5);
+    let (tilted, tilted_massless) = (heavy.with_slope(0.4), massless.with_slope(0.3));
+    let cases = [(heavy, true), (heavy, false), (tilted, true), (massless, true), (tilted_massless, true)];
+    for (parameters, theta_first) in cases {
+        let hoop = Hoop::new(parameters).unwrap();
+        let plane = PhasePlane::new(&hoop);
+        let mut seen = [0; 3];
+        for (curve, theta, rate) in curves(parameters, theta_first) {
+            let forces = plane.forces(theta, rate);
+            let (miss, number) = match curve {
+                Curve::SlipLimit if forces.normal.abs() < 1e-9 => (forces.friction, 0),
+                Curve::SlipLimit => (forces.friction.abs() - 0.5 * forces.normal, 0),
+                Curve::NormalForceZero => (forces.normal, 1),
+                Curve::LiftOff => (libm::cos(hoop.slope()) - hoop.h() * libm::cos(theta) * rate * rate, 2),
+                Curve::Separatrix | Curve::ReverseChatter | Curve::Level => (f64::NAN, 0),
+            };
+            // Far up the plane the forces are large, and so are their errors.
+            assert!(miss.abs() < 1e-9 * (1.0 + rate * rate), "{curve:?} at {theta} {rate}: {miss}");
+            seen[number] += 1;
+        }
+        // A massless hoop has verticals and lines, and never lifts off.
+        let least = if parameters.mass_ratio > 0.0 { [20, 20, 20] } else { [8, 8, 0] };
+        assert!(seen.iter().zip(least).all(|(count, least)| *count >= least), "{seen:?}");
+        assert!(parameters.mass_ratio > 0.0 || seen[2] == 0, "{seen:?}");
     }
 }
