@@ -128,3 +128,15 @@ impl<const LANES: usize> Interpolant<LANES> {
         core::array::from_fn(|lane| odd[lane] * z + even[lane])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_kink_does_not_converge() {
+        let basis = Basis::new();
+        let values = basis.nodes(-1.0, 1.0).map(|x| [(x - 0.1).abs()]);
+        assert!(basis.through(-1.0, 1.0, &values, &[Tolerance::ROUNDING]).is_none());
+    }
+}

@@ -156,8 +156,42 @@ impl<'a> Orbit<'a> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
-    use crate::model::Hoop;
+    use crate::model::{Hoop, HoopParameters, State};
+    use crate::modes::Rolling;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Against the elliptic integral, within a period.
+        #[test]
+        fn an_orbit_is_after_a_time_where_rolling_is(
+            mass_ratio in prop_oneof![0.03..3.0_f64, Just(0.0)],
+            offset in 0.05..1.0_f64,
+            inertia in prop_oneof![0.01..2.0_f64, 1e-4..0.01_f64],
+            theta in -7.0..7.0_f64,
+            theta_rate in prop_oneof![0.1..4.0_f64, 0.01..0.1_f64],
+            part in 0.0..1.0_f64,
+        ) {
+            let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia)).unwrap();
+            let law = RollingLaw::of(&hoop);
+            let start = State { time: 0.0, theta, theta_rate, slip: 0.0, x: 0.0 };
+            let rolling = Rolling::new(&hoop, start);
+            let Some(period) = rolling.orbit().recurrence().period() else { return Ok(()) };
+            let Some(orbit) = Orbit::enter(&law, theta, theta_rate) else { return Ok(()) };
+            let Some(found) = orbit.after(part * period) else { return Ok(()) };
+            let expected = rolling.state(part * period);
+            // A change of the constant K by its last digits moves the orbit by so much, next to the separatrix most.
+            let k = law.bottom + orbit.level();
+            let conditioning = k / orbit.excess.min(law.bottom);
+            let allowed = 1e-14 * conditioning * (1.0 + period * (1.0 + expected.theta_rate.abs()));
+            prop_assert!((found.theta - expected.theta).abs() <= allowed, "{found:?} {expected:?} {allowed:e}");
+            let allowed = allowed * (1.0 + expected.theta_rate * expected.theta_rate) * k / law.bottom;
+            prop_assert!((found.theta_rate - expected.theta_rate).abs() <= allowed, "{found:?} {expected:?} {allowed:e}");
+        }
+    }
 
     /// What is not found is computed for much longer, which no test of answers would notice.
     #[test]

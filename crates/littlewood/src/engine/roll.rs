@@ -412,6 +412,92 @@ fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, D
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::chain::SlipCurves;
+    use crate::mechanics::RollingLaw;
+    use crate::model::{Hoop, HoopParameters, State};
+    use crate::modes::Rolling;
+    use crate::modes::rolling::margin_forms;
+
+    fn half_angle(theta: f64) -> HalfAngle {
+        let (y, x) = libm::sincos(0.5 * theta);
+        [x, y]
+    }
+
+    /// Where a margin vanishes and grows behind, on both sides of the body, forth and back: the exact solver's slip, by the orbit alone
+    /// and by what is kept of it.
+    #[test]
+    fn an_orbit_on_the_limit_slips_where_it_does_for_the_exact_solver() {
+        let mut slips = 0;
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.9)] {
+            let hoop = HoopParameters::thin(mass_ratio)
+                .with_offset(0.9)
+                .with_inertia(inertia)
+                .with_friction(mu_s, 0.0);
+            let hoop = Hoop::new(hoop).unwrap();
+            let (margins, law) = (margin_forms(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
+            let curve = SlipCurves::new(margins, law);
+            for (step, side) in (0..300).flat_map(|step| [0, 1].map(|side| (step, side))) {
+                let theta = 0.021 * f64::from(step) - 3.1;
+                let Some(u) = curve.limit(side, theta).filter(|u| *u > 1e-2) else { continue };
+                let rate = u.sqrt();
+                let Some(orbit) = Orbit::enter(&law, theta, rate) else { continue };
+                let ahead = on_orbit(&margins[side], orbit.level()).value(half_angle(theta + 1e-4));
+                if ahead < 1e-9 {
+                    continue;
+                }
+                let start = State { time: 0.0, theta, theta_rate: rate, slip: 0.0, x: 0.0 };
+                let expected = Rolling::new(&hoop, start).orbit().end_from_limit();
+                let octants = Octants::default();
+                for kept in [None, Some(&octants)] {
+                    let found = follow(&orbit, &margins, true, kept);
+                    match (found, expected) {
+                        (Ok(RollEnd::Slip { elapsed, theta, theta_rate, .. }), Some(end)) => {
+                            for (found, expected) in
+                                [(elapsed, end.elapsed), (theta, end.theta), (theta_rate, end.theta_rate)]
+                            {
+                                let allowed = 1e-12 * (1.0 + expected.abs());
+                                assert!((found - expected).abs() < allowed, "{orbit:?}: {found} {expected}");
+                            }
+                            slips += 1;
+                        }
+                        (Ok(RollEnd::Never), _) | (Ok(_), None) => {
+                            panic!("{orbit:?} {found:?} {expected:?}")
+                        }
+                        (Err(_), _) => {}
+                    }
+                }
+            }
+        }
+        assert!(slips > 500, "{slips}");
+    }
+
+    #[test]
+    fn the_parts_of_an_arc_are_the_arc() {
+        let at = |turns: f64| {
+            let (y, x) = libm::sincos(core::f64::consts::PI * turns);
+            [x, y]
+        };
+        // From octants 0.8 to 5.3, back, inside one, and from edge to edge.
+        for (from, to, octants) in [
+            (at(0.1), at(0.66), vec![0, 1, 2, 3, 4, 5]),
+            (at(0.66), at(0.1), vec![5, 4, 3, 2, 1, 0]),
+            (at(0.3), at(0.35), vec![2]),
+            (at(0.35), at(0.3), vec![2]),
+            (EDGES[0], EDGES[4], vec![0, 1, 2, 3]),
+            (EDGES[4], EDGES[8], vec![4, 5, 6, 7]),
+            (EDGES[4], EDGES[2], vec![3, 2]),
+            ([-1.0, 0.0], EDGES[4], vec![7, 6, 5, 4]),
+        ] {
+            let parts: Vec<(usize, Arc)> = Arc { from, to, pass: Pass::First }.parts().collect();
+            assert_eq!(parts.iter().map(|part| part.0).collect::<Vec<_>>(), octants);
+            assert_eq!((parts[0].1.from, parts[parts.len() - 1].1.to), (from, to));
+            assert!(parts.windows(2).all(|pair| pair[0].1.to == pair[1].1.from));
+            for (octant, Arc { from, to, .. }) in parts {
+                let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+                assert!(cross(EDGES[octant], middle) > 0.0 && cross(middle, EDGES[octant + 1]) > 0.0);
+            }
+        }
+    }
 
     #[test]
     fn the_margin_that_is_negative_is_told_where_it_is_clear() {

@@ -130,3 +130,51 @@ impl SlipCurves {
         level.is_finite().then(|| Bracket { low, high }.refine(|angle| self.margin(side, level, angle)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Hoop, HoopParameters};
+    use crate::modes::rolling::margin_forms;
+
+    #[test]
+    fn the_limit_has_its_slope_its_zeros_and_its_extrema() {
+        let mut found = (0, 0);
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
+            let hoop = HoopParameters::thin(mass_ratio)
+                .with_offset(0.9)
+                .with_inertia(inertia)
+                .with_friction(mu_s, mu_s);
+            let hoop = Hoop::new(hoop).unwrap();
+            let curves = SlipCurves::new(margin_forms(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
+            for side in [0, 1] {
+                let mut compared = 0;
+                for k in 1..200 {
+                    let angle = TAU / 200.0 * f64::from(k);
+                    let (u, slope) = curves.limit_and_slope(side, angle);
+                    assert_eq!(curves.limit(side, angle), Some(u));
+                    let [before, after] = [-1e-6, 1e-6].map(|step| curves.limit(side, angle + step).unwrap());
+                    let quotient = (after - before) / 2e-6;
+                    if quotient.abs() < 100.0 {
+                        assert!(
+                            (slope - quotient).abs() < 1e-6 * (1.0 + u * u),
+                            "{angle}: {slope} {quotient}"
+                        );
+                        compared += 1;
+                    }
+                }
+                assert!(compared > 100, "{compared}");
+                let (rests, extrema) = curves.rests_and_extrema(side);
+                found = (found.0 + rests.len(), found.1 + extrema.len());
+                for angle in rests {
+                    assert!(curves.limit(side, angle).unwrap().abs() < 1e-12, "{angle}");
+                }
+                for angle in extrema {
+                    let (u, slope) = curves.limit_and_slope(side, angle);
+                    assert!(slope.abs() < 1e-11 * (1.0 + u * u), "{angle}: {u} {slope}");
+                }
+            }
+        }
+        assert!(found.0 > 4 && found.1 > 4, "{found:?}");
+    }
+}

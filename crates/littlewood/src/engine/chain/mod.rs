@@ -19,8 +19,7 @@ use super::roll::Margins;
 use curve::{Curves, Point};
 use tree::{Found, Making, Tree};
 
-use limit::SlipCurves;
-pub(super) use limit::SlipPoint;
+pub(super) use limit::{SlipCurves, SlipPoint};
 pub(super) use passage::Passage;
 
 /// Powers of two: most limits of transitions are below 2^14.
