@@ -424,8 +424,12 @@ pub(super) fn after(ramps: &[Ramp; 2], place: &Place, time: f64) -> Option<Reach
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::engine::roll::direction_of;
     use crate::model::{HoopParameters, State};
+    use crate::modes::{Rolling, RollingLimit};
 
     fn ramps(hoop: &Hoop) -> [Ramp; 2] {
         [1.0, -1.0].map(|travel| Ramp::new(hoop, travel))
@@ -437,6 +441,46 @@ mod tests {
 
     fn figure_2(slope: f64) -> Hoop {
         Hoop::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4).with_slope(slope)).unwrap()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4_000))]
+
+        /// Against the solver of the simulation, before the slip and at it.
+        #[test]
+        fn an_orbit_slips_and_is_where_rolling_is(
+            mass_ratio in prop_oneof![0.03..3.0_f64, Just(0.0)],
+            offset in 0.05..1.0_f64,
+            inertia in 0.01..2.0_f64,
+            mu_s in 0.05..2.0_f64,
+            slope in -1.2..1.2_f64,
+            theta in -7.0..7.0_f64,
+            theta_rate in prop_oneof![3 => -4.0..4.0_f64, 1 => -0.01..0.01_f64, 1 => Just(0.0)],
+            part in 0.0..1.0_f64,
+        ) {
+            let hoop = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia);
+            let hoop = Hoop::new(hoop.with_friction(mu_s, mu_s).with_slope(slope)).unwrap();
+            let (ramps, place) = (ramps(&hoop), Place::new(at(theta, theta_rate)));
+            let Ok(RollEnd::Slip { elapsed, theta, theta_rate, side, direction: (sin, cos) }) = follow(&ramps, &place) else {
+                return Ok(());
+            };
+            let rolling = Rolling::new(&hoop, place.state);
+            let end = rolling.orbit().end().expect("it slips");
+            let travel = place.travel();
+            prop_assert_eq!(end.limit, RollingLimit::Friction(direction_of(side, travel)));
+            // What the rounding of an angle, or of a margin, changes of a slip whose margin falls slowly.
+            let tolerance = 1e-11 * (1.0 + elapsed);
+            prop_assert!((end.theta - travel * theta).abs() < tolerance, "{} {theta}", end.theta);
+            prop_assert!((end.theta_rate - travel * theta_rate).abs() < tolerance, "{} {theta_rate}", end.theta_rate);
+            prop_assert!((end.elapsed - elapsed).abs() < tolerance, "{} {elapsed}", end.elapsed);
+            let expected = libm::sincos(theta);
+            let rounding = 8.0 * f64::EPSILON * (TAU + theta.abs());
+            prop_assert!((sin - expected.0).abs() < rounding && (cos - expected.1).abs() < rounding, "{theta}");
+            let Some(found) = after(&ramps, &place, part * elapsed) else { return Ok(()) };
+            let expected = rolling.state(part * elapsed);
+            prop_assert!((travel * found.theta - expected.theta).abs() < tolerance, "{found:?} {expected:?}");
+            prop_assert!((travel * found.theta_rate - expected.theta_rate).abs() < tolerance, "{found:?} {expected:?}");
+        }
     }
 
     /// What is not found is computed for much longer, which no test of answers would notice.
