@@ -88,7 +88,7 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         Series::new("Type II", &PLANE, rows(border)).drawn(Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
     ];
     let window = Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] };
-    // Towards the equilibrium on W^s, away from it on W^u.
+    // Towards the equilibrium, and away from it.
     type Manifold = (&'static str, &'static str, fn(f64) -> f64, f64);
     let manifolds: [Manifold; 2] = [
         ("Ws", "flow on Ws", stable_manifold_rate, 0.98),
@@ -101,8 +101,10 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(frame(&portrait, theta_s));
     layers.extend(portrait.equilibria());
     for (_, name, rate, onward) in manifolds {
-        let heads = [0.6 * theta_s, -0.6 * theta_s]
-            .map(|theta| [theta, onward * theta].map(|theta| vec![theta, rate(theta)]).to_vec());
+        let head = |share: f64| {
+            [share * theta_s, onward * share * theta_s].map(|theta| vec![theta, rate(theta)]).to_vec()
+        };
+        let heads = [0.6, -0.6].map(head);
         layers.push(Series::new(name, &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
     }
 
