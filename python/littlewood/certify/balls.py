@@ -69,9 +69,11 @@ def sign(value: Ball, what: str) -> int:
     raise Undecided(f"the sign of {what} is not decided")
 
 
-def least(value: Ball) -> Ball:
-    """Return the lower end of a ball."""
-    return value.lower()
+def discs(center: Ball, radius: Ball) -> Iterator[tuple[Ball, Ball]]:
+    """Yield smaller and smaller radii, each with a square that holds its disc of the complex plane."""
+    for _ in range(60):
+        yield radius, acb(center + arb(0, 1) * radius, arb(0, 1) * radius)
+        radius = (radius * 3 / 4).mid()
 
 
 def ends(value: Ball) -> tuple[Fraction, Fraction]:

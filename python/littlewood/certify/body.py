@@ -65,18 +65,6 @@ class Body:
         """Return w."""
         return self.down - self.h * theta.cos() * rate * rate
 
-    def orbit(self, theta: Ball, rate: Ball) -> Ball:
-        """Return K of rolling on a level plane."""
-        return self.denominator(theta.cos()) * (rate * rate + 1)
-
-    def margin(self, sin: Value, cos: Value, orbit: Ball, side: int) -> Value:
-        """Return (μs N − side F) D² on an orbit of rolling on a level plane."""
-        d, ell, mu = self.denominator(cos), self.offset, self.mu_s
-        level = cos * ell + (self.inertia + self.mass * self.h * self.h)
-        a = (cos * ell + self.mass) * mu + sin * (ell * side)
-        b = (sin * sin * ell + cos * d) * mu + sin * level * side
-        return a * d * d - b * (ell * orbit)
-
     def rolling_forces(self, theta: Ball, rate: Ball) -> tuple[Ball, Ball]:
         """Return N and F of rolling."""
         sin, cos, u = theta.sin(), theta.cos(), rate * rate

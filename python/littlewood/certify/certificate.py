@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from .balls import Ball, Beyond, Undecided, arb, ball, precision, text
-from .body import Body, State
+from .balls import Ball, Beyond, Undecided, arb, precision, text
+from .body import State
 from .case import Case
 from .checker import digest
 from .motion import Event, Motion, Phase, Walk
@@ -40,7 +40,7 @@ def certify(case: Case, most_bits: int = PRECISIONS[-1]) -> dict[str, Any]:
             break
         try:
             with precision(bits):
-                return _sealed(_written(case, Walk(case)))
+                return _sealed(_Writer(case).written())
         except Undecided as undecided:
             reason = f"{undecided} with {bits} bits"
         except Beyond as beyond:
@@ -66,34 +66,6 @@ def _sealed(certificate: dict[str, Any]) -> dict[str, Any]:
     return certificate | {"digest": digest(certificate)}
 
 
-class Scales:
-    """The units in which a certificate is written."""
-
-    def __init__(self, case: Case) -> None:
-        mass, length, gravity = (ball(scale) for scale in case.scales())
-        self.time = (length / gravity).sqrt()
-        self.of = {
-            "time": self.time,
-            "theta": arb(1),
-            "theta_rate": 1 / self.time,
-            "slip": length / self.time,
-            "x": length,
-            "gap": length,
-            "gap_rate": length / self.time,
-            "energy": mass * gravity * length,
-            "energy_lost": mass * gravity * length,
-            "normal": mass * gravity,
-            "friction": mass * gravity,
-            "normal_impulse": mass * length / self.time,
-            "friction_impulse": mass * length / self.time,
-            "period": self.time,
-        }
-
-    def text(self, name: str, value: Ball, where: str) -> list[str]:
-        """Return the text of a quantity."""
-        return _text(value * self.of[name], f"{name} of {where}")
-
-
 def _text(value: Ball, what: str) -> list[str]:
     try:
         return text(value)
@@ -101,95 +73,91 @@ def _text(value: Ball, what: str) -> list[str]:
         raise Undecided(f"{undecided}: {what}") from None
 
 
-def _written(case: Case, walk: Walk) -> dict[str, Any]:
-    scales = Scales(case)
-    motion = walk.follow()
-    body = motion.body
-    sliding = sum((_lost(body, p) for p in motion.phases), arb(0))
-    impacts = sum((e.impact.lost for e in motion.events if e.impact is not None), arb(0))
-    energies = {"start": body.energy(walk.state), "lost_in_slides": sliding, "lost_in_impacts": impacts}
-    return {
-        "format": FORMAT,
-        "version": VERSION,
-        "certified": True,
-        "case": case.written(),
-        "initial": {
-            "mode": motion.initial.mode,
-            "direction": motion.initial.direction,
-            "evidence": _evidence(motion.initial.evidence, "the start"),
-        },
-        "phases": [_phase(scales, body, phase, f"phase {k}") for k, phase in enumerate(motion.phases)],
-        "events": [_event(scales, body, event, f"event {k}") for k, event in enumerate(motion.events)],
-        "end": _end(scales, motion),
-        "energy": {name: scales.text("energy", value, f"{name} in all") for name, value in energies.items()},
-    }
+class _Writer:
+    """Writes a motion in the units of its case."""
 
+    def __init__(self, case: Case) -> None:
+        self.case, self.walk = case, Walk(case)
 
-def _lost(body: Body, phase: Phase) -> Ball:
-    if phase.mode != "sliding" or phase.end is None:
-        return arb(0)
-    return body.energy(phase.start) - body.energy(phase.end)
-
-
-def _evidence(numbers: dict[str, Ball], where: str) -> dict[str, list[str]]:
-    return {name: _text(value, f"{name} of {where}") for name, value in numbers.items()}
-
-
-def _state(scales: Scales, body: Body, state: State, where: str) -> dict[str, list[str]]:
-    values = {
-        "time": state.time,
-        "theta": state.theta,
-        "theta_rate": state.rate,
-        "slip": state.slip,
-        "x": state.x,
-        "gap": state.gap,
-        "gap_rate": state.gap_rate,
-        "energy": body.energy(state),
-    }
-    if state.rate.is_nan():
-        # The particle is at the plane: θ′ is infinite there, and its energy is that of before.
-        del values["theta_rate"], values["energy"]
-    return {name: scales.text(name, value, where) for name, value in values.items()}
-
-
-def _phase(scales: Scales, body: Body, phase: Phase, where: str) -> dict[str, Any]:
-    samples = [
-        _state(scales, body, state, where)
-        | {
-            "normal": scales.text("normal", normal, where),
-            "friction": scales.text("friction", friction, where),
+    def written(self) -> dict[str, Any]:
+        """Return the certificate, but for its digest."""
+        motion, energy = self.walk.follow(), self.walk.body.energy
+        initial = motion.initial
+        slides = ((one.start, one.end) for one in motion.phases if one.mode == "sliding")
+        sliding = sum((energy(start) - energy(end) for start, end in slides if end is not None), arb(0))
+        impacts = sum((one.impact.lost for one in motion.events if one.impact is not None), arb(0))
+        energies = {"start": energy(self.walk.start), "lost_in_slides": sliding, "lost_in_impacts": impacts}
+        return {
+            "format": FORMAT,
+            "version": VERSION,
+            "certified": True,
+            "case": self.case.written(),
+            "initial": {
+                "mode": initial.mode,
+                "direction": initial.direction,
+                "evidence": self._evidence(initial.evidence, "the start"),
+            },
+            "phases": [self._phase(phase, f"phase {k}") for k, phase in enumerate(motion.phases)],
+            "events": [self._event(event, f"event {k}") for k, event in enumerate(motion.events)],
+            "end": self._end(motion),
+            "energy": {name: self._number("energy", value, f"{name} in all") for name, value in energies.items()},
         }
-        for state, normal, friction in phase.samples
-    ]
-    return {"mode": phase.mode, "direction": phase.direction, "samples": samples}
 
+    def _number(self, name: str, value: Ball, where: str) -> list[str]:
+        return _text(value * self.walk.scale[name], f"{name} of {where}")
 
-def _event(scales: Scales, body: Body, event: Event, where: str) -> dict[str, Any]:
-    written: dict[str, Any] = {
-        "cause": event.cause,
-        "to": event.to,
-        "direction": event.direction,
-        "state": _state(scales, body, event.after, where),
-        "evidence": _evidence(event.evidence, where),
-    }
-    if event.impact is not None:
-        hit = event.impact
-        written["impact"] = {
-            "case": hit.case,
-            "normal_impulse": scales.text("normal_impulse", hit.normal, where),
-            "friction_impulse": scales.text("friction_impulse", hit.friction, where),
-            "energy_lost": scales.text("energy_lost", hit.lost, where),
+    def _numbers(self, values: dict[str, Ball], where: str) -> dict[str, list[str]]:
+        return {name: self._number(name, value, where) for name, value in values.items()}
+
+    def _evidence(self, numbers: dict[str, Ball], where: str) -> dict[str, list[str]]:
+        return {name: _text(value, f"{name} of {where}") for name, value in numbers.items()}
+
+    def _state(self, state: State, where: str) -> dict[str, list[str]]:
+        values = {
+            "time": state.time,
+            "theta": state.theta,
+            "theta_rate": state.rate,
+            "slip": state.slip,
+            "x": state.x,
+            "gap": state.gap,
+            "gap_rate": state.gap_rate,
+            "energy": self.walk.body.energy(state),
         }
-        if event.cause != "settle":
-            before = _state(scales, body, event.before, f"before {where}")
-            written["impact"]["before"] = {name: before[name] for name in ("theta_rate", "slip", "gap_rate")}
-    return written
+        if state.rate.is_nan():
+            # The particle is at the plane: θ′ is infinite there, and its energy is that of before.
+            del values["theta_rate"], values["energy"]
+        return self._numbers(values, where)
 
+    def _phase(self, phase: Phase, where: str) -> dict[str, Any]:
+        samples = [
+            self._state(state, where) | self._numbers({"normal": normal, "friction": friction}, where)
+            for state, normal, friction in phase.samples
+        ]
+        return {"mode": phase.mode, "direction": phase.direction, "samples": samples}
 
-def _end(scales: Scales, motion: Motion) -> dict[str, Any]:
-    end: dict[str, Any] = {"kind": motion.ending}
-    if motion.end is not None:
-        end["state"] = _state(scales, motion.body, motion.end, "the end")
-    for name, value in motion.detail.items():
-        end[name] = value if isinstance(value, str) else scales.text(name, value, "the end")
-    return end
+    def _event(self, event: Event, where: str) -> dict[str, Any]:
+        written: dict[str, Any] = {
+            "cause": event.cause,
+            "to": event.to,
+            "direction": event.direction,
+            "state": self._state(event.after, where),
+            "evidence": self._evidence(event.evidence, where),
+        }
+        if event.impact is not None:
+            hit = event.impact
+            numbers = {"normal_impulse": hit.normal, "friction_impulse": hit.friction, "energy_lost": hit.lost}
+            written["impact"] = {"case": hit.case, **self._numbers(numbers, where)}
+            if event.cause != "settle":
+                before = self._state(event.before, f"before {where}")
+                written["impact"]["before"] = {name: before[name] for name in ("theta_rate", "slip", "gap_rate")}
+        return written
+
+    def _end(self, motion: Motion) -> dict[str, Any]:
+        end: dict[str, Any] = {"kind": motion.ending}
+        if motion.end is not None:
+            end["state"] = self._state(motion.end, "the end")
+        if motion.recurrence:
+            end["recurrence"] = motion.recurrence
+        if motion.period is not None:
+            end["period"] = self._number("period", motion.period, "the end")
+        return end

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from .balls import Ball, Beyond, Undecided, acb, arb, sign
+from .balls import Ball, Beyond, Undecided, arb, discs, sign
 from .body import Body, Next, State
 from .model import Model, polynomial
 from .phase import Piece
@@ -66,15 +66,12 @@ class Glide:
         return self.state(-(self.whole - (time - self.start.time)).sqrt())
 
     def _disc(self, at: Ball) -> tuple[Ball, Ball]:
-        radius = arb(0.5)
-        for _ in range(60):
-            near = acb(at + arb(0, 1) * radius, arb(0, 1) * radius)
+        for radius, near in discs(at, arb(0.5)):
             a = self.root - near * near / 2
             b = 2 - near * near * a
             # Away from 0, and from the cut of the square root.
             if a.real > 0 and b.real > 0:
                 return radius, (abs(a).upper() / b.real.lower()).sqrt().upper()
-            radius = (radius * 3 / 4).mid()
         raise Undecided("the particle is too near the top")
 
     def state(self, p: Ball, at_end: bool = False) -> State:

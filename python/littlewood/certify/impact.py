@@ -46,7 +46,7 @@ def impact(body: Body, before: State, restitution: Ball, law: str) -> Impact:
         evidence["slowing"] = slowing
     jams = sigma != 0 and sign(k1, "k1") < 0
     whole = (1 + e) * closing
-    if not jams and sigma != 0 and (first is None or _reaches(k1 * first, whole)):
+    if not jams and sigma and (first is None or sign(k1 * first - whole, "whether slip ends in an impact") >= 0):
         case, normal, opening = "slides", whole / k1, e * closing
         slipping = normal
     else:
@@ -77,7 +77,7 @@ def impact(body: Body, before: State, restitution: Ball, law: str) -> Impact:
         evidence["slip_ends"] = v1
     friction = tangent * slipping + r2 * (normal - slipping)
     after_slip = slip + a * friction + b * normal
-    if case not in ("slides",) and sticks:
+    if case != "slides" and sticks:
         after_slip = arb(0)
     arm, lever = body.h * before.theta.sin(), 1 + body.h * before.theta.cos()
     after = replace(
@@ -89,8 +89,3 @@ def impact(body: Body, before: State, restitution: Ball, law: str) -> Impact:
     )
     lost = -(friction * (slip + after_slip) + normal * (before.gap_rate + opening)) / 2
     return Impact(case, normal, friction, lost, after, evidence)
-
-
-def _reaches(rate: Ball, whole: Ball) -> bool:
-    difference = sign(rate - whole, "whether slip ends in an impact")
-    return difference >= 0

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .balls import Ball, Undecided, arb, arb_poly, arb_series, flint, least
+from .balls import Ball, Undecided, arb, arb_poly, arb_series, flint
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ def first_crossing(guards: Mapping[str, Model], low: Ball, high: Ball, halvings:
             doubtful[name] = bool(slope < 0 and last < 0)
         if len(doubtful) == 1 and all(doubtful.values()):
             name = next(iter(doubtful))
-            return Crossing(name, _refined(guards[name], low, high))
+            return Crossing(name, crossing_of(guards[name], low, high))
         if doubtful:
             if left == 0:
                 raise Undecided(f"whether {' or '.join(sorted(doubtful))} vanishes is not decided")
@@ -161,12 +161,12 @@ def first_crossing(guards: Mapping[str, Model], low: Ball, high: Ball, halvings:
     raise Undecided(f"whether {' or '.join(sorted(guards))} vanishes is not decided on {MOST_INTERVALS} intervals")
 
 
-def _refined(guard: Model, low: Ball, high: Ball) -> Ball:
-    """Newton's method with enclosures, for the one zero between two points."""
+def crossing_of(guard: Model, low: Ball, high: Ball) -> Ball:
+    """Return the one zero between two points, by Newton's method with enclosures."""
     root = low.union(high)
     for _ in range(200):
         middle = root.mid()
-        below, above = least(root), root.upper()
+        below, above = root.lower(), root.upper()
         slope = guard.slope(below, above)
         if not (slope > 0 or slope < 0):
             raise Undecided("a zero is not simple")
@@ -175,8 +175,3 @@ def _refined(guard: Model, low: Ball, high: Ball) -> Ball:
             return step
         root = step
     return root
-
-
-def crossing_of(guard: Model, low: Ball, high: Ball) -> Ball:
-    """Return the zero of a monotone function between two points."""
-    return _refined(guard, low, high)

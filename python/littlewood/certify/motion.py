@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
 
 from .balls import Ball, Beyond, Undecided, arb, ball, ends, sign
 from .body import Body, Next, State, decide
@@ -12,7 +13,6 @@ from .case import Case
 from .flight import Flight
 from .gliding import PLANE, Glide, decide_massless
 from .impact import Impact, impact
-from .incline import SAMPLED, Incline
 from .phase import TIME, Followed, Piece, follow
 from .rolling import SIDES, Roll
 from .settling import Rest, rest_of_bounces
@@ -54,13 +54,13 @@ class Event:
 class Motion:
     """A motion with all its phases and events."""
 
-    body: Body
     initial: Next
     phases: list[Phase] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     ending: str = ""
     end: State | None = None
-    detail: dict[str, object] = field(default_factory=dict)
+    recurrence: str = ""
+    period: Ball | None = None
 
 
 @dataclass
@@ -76,40 +76,40 @@ class Walk:
     """Follows a motion from its start."""
 
     def __init__(self, case: Case) -> None:
-        self.case, self.body = case, Body(case)
+        self.body, self.law = Body(case), case.law
         theta, rate, slip, gap_rate = (ball(Fraction(value)) for value in case.start)
-        _, length, gravity = (ball(scale) for scale in case.scales())
-        self.clock, speed = (length / gravity).sqrt(), (length * gravity).sqrt()
-        self.state = State(arb(0), theta, rate * self.clock, slip / speed, arb(0), arb(0), gap_rate / speed)
+        mass, length, gravity = (ball(scale) for scale in case.scales())
+        self.clock, speed, force = (length / gravity).sqrt(), (length * gravity).sqrt(), mass * gravity
+        self.scale = {"time": self.clock, "period": self.clock, "theta": arb(1), "theta_rate": 1 / self.clock}
+        """The units in which a certificate is written."""
+        self.scale |= dict.fromkeys(("slip", "gap_rate"), speed) | dict.fromkeys(("x", "gap"), length)
+        self.scale |= dict.fromkeys(("normal_impulse", "friction_impulse"), mass * speed)
+        self.scale |= dict.fromkeys(("normal", "friction"), force)
+        self.scale |= dict.fromkeys(("energy", "energy_lost"), force * length)
+        self.start = State(arb(0), theta, rate * self.clock, slip / speed, arb(0), arb(0), gap_rate / speed)
         self.until = None if case.until is None else ball(Fraction(case.until)) / self.clock
-        self.pieces = 0
         self.restitution = None if case.restitution is None else ball(Fraction(case.restitution))
+        self.pieces = 0
+        self.bouncing: _Bouncing | None = None
 
     def follow(self) -> Motion:
         """Follow the motion to its end."""
-        state, body = self.state, self.body
-        if not state.gap_rate.is_zero():
-            now = Next("flight", 0, {"gap_rate": state.gap_rate}, 1)
-        else:
+        state = self.start
+        if state.gap_rate.is_zero():
             now = self._decide(state)
-        motion = Motion(body, now)
-        bouncing: _Bouncing | None = None
+        else:
+            now = Next("flight", 0, {"gap_rate": state.gap_rate}, 1)
+        motion = self.motion = Motion(now)
+        phases = {"rolling": self._roll, "sliding": self._slide, "gliding": self._glide, "flight": self._fly}
         while not motion.ending:
             try:
                 self._count(1)
-                match now.mode:
-                    case "rolling":
-                        state, now = self._roll(motion, state)
-                    case "sliding":
-                        state, now = self._slide(motion, state, now)
-                    case "gliding":
-                        state, now = self._glide(motion, state, now)
-                    case "flight":
-                        state, now, bouncing = self._fly(motion, state, now, bouncing)
-                    case "inconsistent" if self.restitution is not None:
-                        state, now, bouncing = self._hit(motion, "jam", state)
-                    case _:
-                        motion.ending, motion.end = now.mode, state
+                if now.mode in phases:
+                    state, now = phases[now.mode](state, now)
+                elif now.mode == "inconsistent" and self.restitution is not None:
+                    state, now = self._hit("jam", state, self.restitution)
+                else:
+                    self._end(now.mode, state)
             except (Undecided, Beyond) as error:
                 time, theta = (f"{float(one.mid()):.9g}" for one in (state.time * self.clock, state.theta))
                 place = f"{now.mode} from time {time} on, theta {theta}, after {len(motion.events)} events"
@@ -128,97 +128,85 @@ class Walk:
         self._count(len(found.pieces))
         return found
 
-    def _roll(self, motion: Motion, state: State) -> tuple[State, Next]:
-        body = self.body
-        if not body.is_level:
-            return self._roll_on_slope(motion, state)
-        roll = Roll(body, state)
-        slip = roll.slip()
-        end = None if slip is None else roll.at_slip(slip)
-        if self.until is not None and (end is None or sign(end.time - self.until, "the time that is left") > 0):
-            end, slip = roll.at_time(self.until - state.time), None
-            motion.ending, motion.end = TIME, end
-        elif end is None:
-            motion.ending = "rolls_forever"
-            motion.detail = {"recurrence": roll.kind} | ({} if roll.kind == "rest" else {"period": roll.period()})
-        last = end.time if end is not None else state.time + 4
-        samples = []
-        for time in self._times(state.time, last, 4):
-            one = roll.at_time(time - state.time)
-            samples.append((one, *body.rolling_forces(one.theta, one.rate)))
-        motion.phases.append(Phase("rolling", 0, state, end, samples))
-        if end is None or slip is None:
-            return state, motion.initial
-        end = end.at_rest()
-        if body.is_massless:
-            following = decide_massless(body, end, "friction" if slip.direction else "normal")
-        else:
-            following = decide(body, end, slip.direction)
-        cause = "slip" if slip.direction else "normal_force_zero"
-        motion.events.append(Event(cause, end, end, following.mode, following.direction, following.evidence))
-        return end, following
-
-    def _roll_on_slope(self, motion: Motion, state: State) -> tuple[State, Next]:
-        body = self.body
-        roll = Incline(body, state, self.until is not None)
-        found = self._follow(state.time, roll.pieces())
-        end = found.end if found.guard else None
-        samples = []
-        for time in self._times(state.time, state.time + SAMPLED if end is None else end.time, 4):
-            one = found.at(state.time, time)
-            samples.append((one, *body.rolling_forces(one.theta, one.rate)))
-        motion.phases.append(Phase("rolling", 0, state, end, samples))
-        if end is None:
-            motion.ending = "rolls_forever"
-            motion.detail = {"recurrence": "libration", "period": roll.period()}
-            return state, motion.initial
-        if found.guard == TIME:
-            motion.ending, motion.end = TIME, end
-            return end, motion.initial
-        following = decide(body, end, -SIDES[found.guard])
-        motion.events.append(Event("slip", end, end, following.mode, following.direction, following.evidence))
-        return end, following
-
     def _decide(self, state: State) -> Next:
         return decide_massless(self.body, state) if self.body.is_massless else decide(self.body, state)
 
-    def _glide(self, motion: Motion, state: State, now: Next) -> tuple[State, Next]:
+    def _end(self, kind: str, state: State) -> None:
+        self.motion.ending, self.motion.end = kind, state
+
+    def _phase(
+        self,
+        now: Next,
+        start: State,
+        end: State | None,
+        at: Callable[[Ball], State],
+        forces: Callable[[State], tuple[Ball, Ball]] = lambda _: (arb(0), arb(0)),
+        count: int = 4,
+    ) -> None:
+        """Add a phase with at least so many samples; without an end, those of four units of time."""
+        times = self._times(start.time, start.time + 4 if end is None else end.time, count)
+        samples = [(one, *forces(one)) for one in map(at, times)]
+        self.motion.phases.append(Phase(now.mode, now.direction, start, end, samples))
+
+    def _event(
+        self, cause: str, at: State, following: Next, before: State | None = None, hit: Impact | None = None
+    ) -> tuple[State, Next]:
+        """Add an event, and return what follows it."""
+        evidence = (hit.evidence if hit is not None else {}) | following.evidence
+        event = Event(cause, before or at, at, following.mode or None, following.direction, evidence, hit)
+        self.motion.events.append(event)
+        return at, following
+
+    def _roll(self, state: State, now: Next) -> tuple[State, Next]:
+        body = self.body
+        roll = Roll(body, state)
+        found = Followed(state, "", []) if roll.rests else self._follow(state.time, roll.pieces())
+        end, guard = (found.end, found.guard) if found.guard else (None, "")
+        if end is None and self.until is not None:
+            end, guard = roll.at(found, self.until), TIME
+        elif end is not None and guard != TIME:
+            end = end.at_rest()
+        self._phase(now, state, end, partial(roll.at, found), lambda one: body.rolling_forces(one.theta, one.rate))
+        if end is None:
+            self.motion.ending = "rolls_forever"
+            self.motion.recurrence, self.motion.period = roll.recurrence, roll.period
+            return state, now
+        if guard == TIME:
+            self._end(TIME, end)
+            return end, now
+        side = SIDES[guard]
+        if body.is_massless:
+            following = decide_massless(body, end, "friction" if side else "normal")
+        else:
+            following = decide(body, end, -side)
+        return self._event("slip" if side else "normal_force_zero", end, following)
+
+    def _glide(self, state: State, now: Next) -> tuple[State, Next]:
         glide = Glide(state, now.direction, now.order)
         found = self._follow(state.time, glide.pieces())
-        zero = arb(0)
-        samples = [(glide.at_time(time), zero, zero) for time in self._times(state.time, found.end.time, 4)]
         end = found.end
         if found.guard == PLANE:
             end = glide.state(arb(0), at_end=True)
         elif found.guard == SLIP:
             end = end.at_rest()
-        motion.phases.append(Phase("gliding", now.direction, state, end, samples))
+        self._phase(now, state, end, glide.at_time)
         if found.guard == TIME:
-            motion.ending, motion.end = TIME, end
+            self._end(TIME, end)
             return end, now
         if found.guard == PLANE:
-            cause = motion.ending = "particle_at_plane"
-            motion.end = end
-            motion.events.append(Event(cause, end, end, None, 0, {}))
-            return end, now
+            self._end("particle_at_plane", end)
+            return self._event("particle_at_plane", end, Next("", 0, {}))
         following = self._decide(end)
-        cause = "stick" if following.mode == "rolling" else "reversal"
-        motion.events.append(Event(cause, end, end, following.mode, following.direction, following.evidence))
-        return end, following
+        return self._event("stick" if following.mode == "rolling" else "reversal", end, following)
 
-    def _slide(self, motion: Motion, state: State, now: Next) -> tuple[State, Next]:
+    def _slide(self, state: State, now: Next) -> tuple[State, Next]:
         body, sigma = self.body, now.direction
         found = self._follow(state.time, Slide(body, state, sigma, now.order).pieces())
-        samples = []
-        for time in self._times(state.time, found.end.time, 4):
-            one = found.at(state.time, time)
-            samples.append((one, *body.sliding_forces(one.theta, one.rate, sigma)))
-        end = found.end
-        if found.guard == SLIP:
-            end = end.at_rest()
-        motion.phases.append(Phase("sliding", sigma, state, end, samples))
+        end = found.end.at_rest() if found.guard == SLIP else found.end
+        at = partial(found.at, state.time)
+        self._phase(now, state, end, at, lambda one: body.sliding_forces(one.theta, one.rate, sigma))
         if found.guard == TIME:
-            motion.ending, motion.end = TIME, end
+            self._end(TIME, end)
             return end, now
         if found.guard == SOLVABLE:
             raise Beyond("the slide runs into P = 0, where its force is unbounded")
@@ -226,73 +214,73 @@ class Walk:
             opens = -body.h * end.theta.sin() * end.rate**3
             if not opens > 0:
                 raise Undecided("whether the gap opens is not decided")
-            following = Next("flight", 0, {"gap_third_derivative": opens}, 3)
-            motion.events.append(Event("lift_off", end, end, "flight", 0, following.evidence))
-            return end, following
+            return self._event("lift_off", end, Next("flight", 0, {"gap_third_derivative": opens}, 3))
         following = decide(body, end)
-        cause = "reversal" if following.mode == "sliding" else "stick"
         if following.mode == "flight":
             raise Undecided("a slide comes to rest where the plane does not hold the rim")
-        motion.events.append(Event(cause, end, end, following.mode, following.direction, following.evidence))
-        return end, following
+        return self._event("reversal" if following.mode == "sliding" else "stick", end, following)
 
-    def _fly(
-        self, motion: Motion, state: State, now: Next, bouncing: _Bouncing | None
-    ) -> tuple[State, Next, _Bouncing | None]:
-        body = self.body
-        if bouncing is not None and not body.is_level:
-            raise Beyond("bounces on a slope are not proved to settle")
-        if bouncing is not None and self.restitution is not None:
-            rest = rest_of_bounces(body, state, self.restitution, self.case.law)
-            if rest is not None:
-                return self._settle(motion, bouncing, rest)
-        flight = Flight(body, state, now.order)
-        if bouncing is not None and self.restitution is not None:
-            landing = flight.short()
-            if self.until is not None and not landing.time < self.until:
-                raise Undecided("time is up while bounces accumulate")
-            unit = flight.unit(landing)
-            hit = impact(body, unit or landing, self.restitution, self.case.law)
-            if unit is not None:
-                hit = hit.times(state.gap_rate, state.rate)
-            bouncing.normal += hit.normal
-            bouncing.friction += hit.friction
-            if not hit.after.gap_rate > 0:
-                raise Undecided("bounces end one by one")
-            return hit.after, Next("flight", 0, {}, 1), bouncing
+    def _fly(self, state: State, now: Next) -> tuple[State, Next]:
+        flight, e = Flight(self.body, state, now.order), self.restitution
+        if self.bouncing is not None and e is not None:
+            return self._bounce(flight, self.bouncing, e)
         found = self._follow(state.time, flight.pieces())
-        samples = [
-            (found.at(state.time, time), arb(0), arb(0))
-            for time in self._times(state.time, found.end.time, 4 if now.order > 1 else 2)
-        ]
-        motion.phases.append(Phase("flight", 0, state, found.end, samples))
         end = found.end
+        self._phase(now, state, end, partial(found.at, state.time), count=4 if now.order > 1 else 2)
         if found.guard == TIME:
-            motion.ending, motion.end = TIME, end
-            return end, now, None
+            self._end(TIME, end)
+            return end, now
         landing = flight.landing(end)
-        if self.restitution is None:
-            motion.events.append(Event("landing", landing, landing, None, 0, {"gap_rate": landing.gap_rate}))
-            motion.ending, motion.end = "landing", landing
-            return landing, now, None
-        return self._hit(motion, "landing", landing)
+        if e is not None:
+            return self._hit("landing", landing, e)
+        self._end("landing", landing)
+        return self._event("landing", landing, Next("", 0, {"gap_rate": landing.gap_rate}))
 
-    def _hit(self, motion: Motion, cause: str, before: State) -> tuple[State, Next, _Bouncing | None]:
-        assert self.restitution is not None
-        hit = impact(self.body, before, self.restitution, self.case.law)
+    def _hit(self, cause: str, before: State, restitution: Ball) -> tuple[State, Next]:
+        hit = impact(self.body, before, restitution, self.law)
         after = hit.after
+        self.bouncing = None
         if after.gap_rate.is_zero():
-            following = decide(self.body, after)
-        else:
-            if not after.gap_rate > 0:
-                raise Undecided("whether the gap opens after an impact is not decided")
-            following = Next("flight", 0, {"gap_rate": after.gap_rate}, 1)
-        motion.events.append(
-            Event(cause, before, after, following.mode, following.direction, hit.evidence | following.evidence, hit)
-        )
-        slow = following.mode == "flight" and following.order == 1
-        slow = slow and sign(after.gap_rate - LISTED, "the gap rate after an impact, less the least that is listed") < 0
-        return after, following, _Bouncing(after) if slow else None
+            return self._event(cause, after, decide(self.body, after), before, hit)
+        if not after.gap_rate > 0:
+            raise Undecided("whether the gap opens after an impact is not decided")
+        found = self._event(cause, after, Next("flight", 0, {"gap_rate": after.gap_rate}, 1), before, hit)
+        if sign(after.gap_rate - LISTED, "the gap rate after an impact, less the least that is listed") < 0:
+            self.bouncing = _Bouncing(after)
+        return found
+
+    def _bounce(self, flight: Flight, bouncing: _Bouncing, e: Ball) -> tuple[State, Next]:
+        """Follow a bounce that is not listed, or the rest of them."""
+        body, state = self.body, flight.start
+        if not body.is_level:
+            raise Beyond("bounces on a slope are not proved to settle")
+        rest = rest_of_bounces(body, state, e, self.law)
+        if rest is not None:
+            return self._settle(bouncing, rest)
+        landing = flight.short()
+        if self.until is not None and not landing.time < self.until:
+            raise Undecided("time is up while bounces accumulate")
+        unit = flight.unit(landing)
+        hit = impact(body, unit or landing, e, self.law)
+        if unit is not None:
+            hit = hit.times(state.gap_rate, state.rate)
+        bouncing.normal += hit.normal
+        bouncing.friction += hit.friction
+        if not hit.after.gap_rate > 0:
+            raise Undecided("bounces end one by one")
+        return hit.after, Next("flight", 0, {}, 1)
+
+    def _settle(self, bouncing: _Bouncing, rest: Rest) -> tuple[State, Next]:
+        end, body = rest.end, self.body
+        if self.until is not None and not end.time < self.until:
+            raise Undecided("whether bounces settle before the time limit is not decided")
+        self.bouncing = None
+        following = decide(body, end)
+        lost = body.energy(bouncing.before) - body.energy(end)
+        normal, friction = bouncing.normal + rest.normal, bouncing.friction + rest.friction
+        hit = Impact("sticks" if rest.sticks else "slides", normal, friction, lost, end, {})
+        self.motion.phases.append(Phase("flight", 0, bouncing.before, end))
+        return self._event("settle", end, following, hit=hit)
 
     def _times(self, start: Ball, end: Ball, count: int) -> list[Ball]:
         """Return multiples of a power of two strictly between two times, at least so many and about twice as many."""
@@ -304,21 +292,4 @@ class Walk:
             step /= 2
         while step * 2 * (count + 1) <= high - low:
             step *= 2
-        first = low // step + 1
-        found = []
-        while first * step < high:
-            found.append(ball(first * step) / self.clock)
-            first += 1
-        return found
-
-    def _settle(self, motion: Motion, bouncing: _Bouncing, rest: Rest) -> tuple[State, Next, None]:
-        end, body = rest.end, self.body
-        if self.until is not None and not end.time < self.until:
-            raise Undecided("whether bounces settle before the time limit is not decided")
-        following = decide(body, end)
-        lost = body.energy(bouncing.before) - body.energy(end)
-        normal, friction = bouncing.normal + rest.normal, bouncing.friction + rest.friction
-        hit = Impact("sticks" if rest.sticks else "slides", normal, friction, lost, end, {})
-        motion.phases.append(Phase("flight", 0, bouncing.before, end))
-        motion.events.append(Event("settle", end, end, following.mode, following.direction, following.evidence, hit))
-        return end, following, None
+        return [ball(k * step) / self.clock for k in range(low // step + 1, -(-high // step))]

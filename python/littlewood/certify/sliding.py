@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from .balls import Ball, Undecided, acb, arb, arb_series, flint, sign
+from .balls import Ball, Undecided, arb, arb_series, discs, flint, sign
 from .body import Body, State
 from .model import Model, first_crossing, polynomial, sine_and_cosine
 from .phase import Piece
@@ -54,8 +54,10 @@ class Slide:
             if order == 0 and radius < family.radius / 3:
                 turn = self._turning_point(family)
             if turn is not None:
-                at_turn = theta + direction * turn
-                made = self._try_turning(at_turn, direction, turn, elapsed)
+                try:
+                    made = self._turning(theta + direction * turn, direction, turn, elapsed, 0)
+                except Undecided:
+                    made = None
                 if made is not None:
                     piece, theta, u, elapsed = made
                     yield piece
@@ -84,9 +86,7 @@ class Slide:
         b = a * cos * body.h
         factor = (-b.integral()).exp()
         series = factor * (u + (a * body.down / factor).integral())
-        radius = arb(1)
-        for _ in range(60):
-            around = acb(theta + arb(0, 1) * radius, arb(0, 1) * radius)
+        for radius, around in discs(theta, arb(1)):
             near = body.solvability(around.sin(), around.cos(), self.sigma)
             least = abs(near).lower()
             if least > 0:
@@ -95,7 +95,6 @@ class Slide:
                 if growth < 12:
                     bound = (u.abs_upper() + size * radius) * growth.exp()
                     return Model(arb_series([series[k] for k in range(n)], n), arb(bound.abs_upper()), radius)
-            radius = (radius * 3 / 4).mid()
         raise Undecided("the slide runs into P = 0, where its force is unbounded")
 
     @staticmethod
@@ -133,14 +132,6 @@ class Slide:
 
         piece = Piece(arb(0), high, time, self._guards(sin, cos, u, rate, time, order), state)
         return piece, theta + direction * high, u.value(high, high), time.value(high, high)
-
-    def _try_turning(
-        self, theta: Ball, direction: int, distance: Ball, elapsed: Ball
-    ) -> tuple[Piece, Ball, Ball, Ball] | None:
-        try:
-            return self._turning(theta, direction, distance, elapsed, 0)
-        except Undecided:
-            return None
 
     def _turning(
         self, theta: Ball, direction: int, distance: Ball, elapsed: Ball, order: int
