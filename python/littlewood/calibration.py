@@ -7,15 +7,14 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from .elementwise import Reals
 from .trajectory import Trajectory
 
 __all__ = ["CALIBRATION", "checked", "determined", "means", "shown"]
 
-_Reals = npt.NDArray[np.float64]
 # Displacement (δx, δy) of a point, and the rows of its derivatives by x and y.
-_Shift = Callable[[_Reals, _Reals], tuple[tuple[Any, Any], tuple[tuple[Any, Any], tuple[Any, Any]]]]
+_Shift = Callable[[Reals, Reals], tuple[tuple[Any, Any], tuple[tuple[Any, Any], tuple[Any, Any]]]]
 
 
 def _linear(xx: float, xy: float, yx: float, yy: float) -> _Shift:
@@ -34,7 +33,7 @@ _SHIFTS: dict[str, _Shift] = {
     "perspective_y": lambda x, y: ((x * y, y * y), ((y, x), (0.0, 2.0 * y))),
 }
 
-_OF_ANGLE: dict[str, Callable[[_Reals], Any]] = {
+_OF_ANGLE: dict[str, Callable[[Reals], Any]] = {
     "marker": lambda theta: 1.0,
     # The centre that was found against the marker: what moves the centre alone, or the marker by its parallax.
     "middle_x": np.cos,
@@ -76,7 +75,7 @@ def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
     return found
 
 
-def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[str, _Reals]:
+def shown(means: Mapping[str, Reals], constants: Mapping[str, float]) -> dict[str, Reals]:
     """Return θ, x and y as a camera with these errors shows them; the exposure is in the means."""
     if not any(constants.values()):
         return dict(means)
@@ -95,7 +94,7 @@ def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[s
     return {"theta": theta + turned, "x": x + along, "y": y + up}
 
 
-def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals]:
+def means(motion: Trajectory, time: Reals, exposure: float) -> dict[str, Reals]:
     """Return θ, x and y of a motion as means over exposures that begin at these times, √(R/g)."""
     if exposure == 0.0:
         return _at(motion, time)
@@ -118,7 +117,7 @@ def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals
     return found
 
 
-def _at(motion: Trajectory, time: _Reals) -> dict[str, _Reals]:
+def _at(motion: Trajectory, time: Reals) -> dict[str, Reals]:
     """Return θ, x and y at instants; beyond its end a motion goes on evenly, because a fit needs a number there."""
     flat = time.ravel()
     samples = motion(flat)

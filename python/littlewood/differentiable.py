@@ -6,13 +6,11 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from .elementwise import Reals
 from .hoop import Hoop
 from .many import simulate_many
 from .tables import SUMMARY_COLUMNS
-
-_Reals = npt.NDArray[np.float64]
 
 
 class Problem:
@@ -27,15 +25,15 @@ class Problem:
         self._hoop = hoop
         self._fixed = dict(fixed)
 
-    def numbers(self, names: tuple[str, ...], *arrays: Any) -> tuple[_Reals, ...]:
+    def numbers(self, names: tuple[str, ...], *arrays: Any) -> tuple[Reals, ...]:
         """Return the columns, for quantities of these names as arrays of one shape."""
         return self._follow(names, arrays, ())
 
-    def numbers_and_slopes(self, names: tuple[str, ...], *arrays: Any) -> tuple[_Reals, ...]:
+    def numbers_and_slopes(self, names: tuple[str, ...], *arrays: Any) -> tuple[Reals, ...]:
         """Return the columns, then the derivatives of the first by each quantity, of the second, and so on."""
         return self._follow(names, arrays, [f"{column}_by_{name}" for column in self.columns for name in names])
 
-    def _follow(self, names: tuple[str, ...], arrays: Any, derivatives: Iterable[str]) -> tuple[_Reals, ...]:
+    def _follow(self, names: tuple[str, ...], arrays: Any, derivatives: Iterable[str]) -> tuple[Reals, ...]:
         taken = sorted(set(names) & set(self._fixed))
         if taken:
             raise ValueError(f"{', '.join(taken)}: given here, and fixed before")

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .calibration import CALIBRATION, determined
+from .elementwise import Reals
 from .extras import require
 
 if TYPE_CHECKING:
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 
 __all__ = ["DOUBTS", "Doubt", "doubts_of_residuals"]
 
-_Reals = npt.NDArray[np.float64]
 
 DOUBTS: Mapping[str, str] = {
     "identifiability": "a free parameter leaves no trace in the motion",
@@ -81,16 +81,16 @@ class _Channel:
     """Residuals of a channel where it was seen, over relative errors; `sigma` is what differs from frame to frame."""
 
     frames: npt.NDArray[np.intp]
-    residuals: _Reals
-    relative: _Reals
+    residuals: Reals
+    relative: Reals
     sigma: float
 
     @property
-    def scaled(self) -> _Reals:
+    def scaled(self) -> Reals:
         return np.asarray(self.residuals / self.sigma)
 
 
-def doubts_of_residuals(problem: Problem, unknowns: _Reals, known: Iterable[str], robust: bool) -> list[Doubt]:
+def doubts_of_residuals(problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool) -> list[Doubt]:
     """Return the doubts that the residuals of a fit raise; `known` are the channels whose errors were given."""
     known = set(known)
     residuals = problem.seen(problem.residuals(unknowns))
@@ -108,7 +108,7 @@ def doubts_of_residuals(problem: Problem, unknowns: _Reals, known: Iterable[str]
     return found
 
 
-def _from_frame_to_frame(residuals: _Reals, frames: npt.NDArray[np.intp]) -> float:
+def _from_frame_to_frame(residuals: Reals, frames: npt.NDArray[np.intp]) -> float:
     """Return the standard deviation of what differs from frame to frame: by second differences."""
     near = (frames[2:] - frames[:-2]) == 2
     # Waves leave second differences as they are.
@@ -134,11 +134,11 @@ def _outliers(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
             )
 
 
-def _contradictions(problem: Problem, unknowns: _Reals, channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
+def _contradictions(problem: Problem, unknowns: Reals, channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
     """Score tests of what is held: whether the residuals lean along its derivative, apart from those of the fit."""
     weights = {name: 1.0 / (one.sigma * one.relative) for name, one in channels.items()}
 
-    def stacked(columns: Mapping[str, _Reals]) -> _Reals:
+    def stacked(columns: Mapping[str, Reals]) -> Reals:
         return np.concatenate([(values.T * weights[name]).T for name, values in problem.seen(dict(columns)).items()])
 
     free = stacked(problem.derivatives(unknowns))

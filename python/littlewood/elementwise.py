@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-if TYPE_CHECKING:
-    Reals = npt.NDArray[np.float64]
+Reals = npt.NDArray[np.float64]
 
 
-def reals(values: Any, name: str | None = None) -> npt.NDArray[np.float64]:
+def reals(values: Any, name: str | None = None) -> Reals:
     """Return numbers as an array, NaN where masked; refuse dates, texts and complex numbers by their `name`."""
     array = np.asanyarray(values)
     owner = "" if name is None else f"{name} must hold real numbers: "

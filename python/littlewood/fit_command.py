@@ -204,6 +204,13 @@ def _hoop_of(options: argparse.Namespace) -> Hoop:
     )
 
 
+def _plane(options: argparse.Namespace) -> Plane | None:
+    """Return the plane of the measured points, if there are any."""
+    if options.point is None:
+        return None
+    return Plane.from_points([one[:2] for one in options.point], [one[2:] for one in options.point])
+
+
 def _is_film(path: Path) -> bool:
     if path.suffix.lower() in _FILMS:
         return True
@@ -272,10 +279,7 @@ def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, byte
         options.rate = rate = _ask(question, "--rate", played)
     hoop = _hoop_of(options)
     radius_m = hoop.require_units().length_m
-    if options.point is None:
-        plane = video.find_plane(path, radius_m, first=options.first, last=options.last)
-    else:
-        plane = Plane.from_points([one[:2] for one in options.point], [one[2:] for one in options.point])
+    plane = _plane(options) or video.find_plane(path, radius_m, first=options.first, last=options.last)
     bar = _has_bar()
     track = video.track_video(
         path,
@@ -297,9 +301,6 @@ def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, byte
 
 def _from_table(options: argparse.Namespace, path: Path) -> FitResult:
     hoop = _hoop_of(options)
-    plane = None
-    if options.point is not None:
-        plane = Plane.from_points([one[:2] for one in options.point], [one[2:] for one in options.point])
     track = Track.from_csv(
         path,
         hoop.units,
@@ -308,7 +309,7 @@ def _from_table(options: argparse.Namespace, path: Path) -> FitResult:
         marker=options.marker,
         run=options.run,
         fps=options.rate,
-        plane=plane,
+        plane=_plane(options),
         length_unit=options.length_unit,
     )
     return _fit(options, track, hoop, _has_bar())

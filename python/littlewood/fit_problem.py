@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from .calibration import means, shown
 from .derivatives import columns_at
+from .elementwise import Reals
 from .extras import require
 from .hoop import Hoop
 from .noise import Noise, Whitening, estimate_noise
@@ -19,7 +19,6 @@ from .trajectory import Trajectory
 
 __all__ = ["CLOCK", "FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
 
-_Reals = npt.NDArray[np.float64]
 
 OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution", "slope")
 # What is weighed and measured, and a stretch of all times: a fit asks whether the track contradicts them.
@@ -63,6 +62,9 @@ class Problem:
     noise: dict[str, Noise]
     slips: bool
 
+    holdable = (*OF_HOOP, *_MEASURED, CLOCK)
+    """What is either free or held, but for the camera."""
+
     def __post_init__(self) -> None:
         self._seen = {name: np.isfinite(values) for name, values in self.track.channels.items()}
         self._white = {
@@ -70,22 +72,22 @@ class Problem:
             for name, seen in self._seen.items()
         }
         step = self._longest = float(np.median(np.diff(self.track.time)))
-        camera = np.array(self._camera_names, dtype=object)
+        camera = np.array(self.camera_names, dtype=object)
         self._before = np.where(camera == _EXPOSURE, 0.5 * step, 0.0)
         self._deviation = np.where(camera == _EXPOSURE, step / math.sqrt(12.0), _PRIOR)
-        self._last: tuple[tuple[float, ...], dict[str, _Reals]] | None = None
+        self._last: tuple[tuple[float, ...], dict[str, Reals]] | None = None
 
-    def with_camera(self, camera: tuple[str, ...], unknowns: _Reals) -> tuple[Problem, _Reals]:
+    def with_camera(self, camera: tuple[str, ...], unknowns: Reals) -> tuple[Problem, Reals]:
         """Return the same with constants of the camera among the unknowns, and these."""
         names = self.names + tuple(_CAMERA + name for name in camera)
         found = replace(self, names=names)
         return found, np.concatenate([unknowns, found._before])
 
-    def camera_of(self, unknowns: _Reals) -> _Reals:
+    def camera_of(self, unknowns: Reals) -> Reals:
         """Return the unknowns with the constants of the camera that belong to the others."""
-        rest = len(self.names) - len(self._camera_names)
+        rest = len(self.names) - len(self.camera_names)
 
-        def scaled(constants: _Reals) -> _Reals:
+        def scaled(constants: Reals) -> Reals:
             return self.scaled(np.concatenate([unknowns[:rest], constants]))
 
         low, high = self.bounds()
@@ -94,15 +96,11 @@ class Problem:
         return np.concatenate([unknowns[:rest], found.x])
 
     @property
-    def holdable(self) -> tuple[str, ...]:
-        """What is either free or held, but for the camera."""
-        return (*OF_HOOP, *_MEASURED, CLOCK)
-
-    @property
-    def _camera_names(self) -> list[str]:
+    def camera_names(self) -> list[str]:
+        """The constants of the camera, the last of the unknowns."""
         return [name for name in self.names if name.startswith(_CAMERA)]
 
-    def guess(self, **values: float) -> _Reals:
+    def guess(self, **values: float) -> Reals:
         """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
         known = {name: getattr(self.hoop, name) for name in OF_HOOP} | values
         if known["restitution"] is None:
@@ -111,7 +109,7 @@ class Problem:
         known |= {f"start_{name}": value for name, value in {**self.first, **values}.items()}
         return np.array([known[name] for name in self.names])
 
-    def with_restitutions(self, guess: _Reals) -> list[_Reals]:
+    def with_restitutions(self, guess: Reals) -> list[Reals]:
         """Return a guess as it is, and with other coefficients of restitution if that is free."""
         if "restitution" not in self.names:
             return [guess]
@@ -125,18 +123,16 @@ class Problem:
 
     def bounds(self) -> tuple[list[float], list[float]]:
         """Return the least and the largest values of the unknowns."""
-        low = {"mu_s": 0.0 if "mu_k" in self.names else self.hoop.mu_k, "mu_k": 0.0, "inertia": LEAST_INERTIA}
-        low["restitution"] = low[_EXPOSURE] = 0.0
-        low["slope"] = -_STEEPEST
-        high = {"mu_s": _LARGEST_FRICTION, "mu_k": _LARGEST_FRICTION, "inertia": _LARGEST_INERTIA, "restitution": 1.0}
-        high[_EXPOSURE] = self._longest
-        high["slope"] = _STEEPEST
-        if "mu_s" not in self.names:
-            high["mu_k"] = self.hoop.mu_s
-        return (
-            [low.get(name, -math.inf) for name in self.names],
-            [high.get(name, math.inf) for name in self.names],
-        )
+        within = {
+            "mu_s": (0.0 if "mu_k" in self.names else self.hoop.mu_k, _LARGEST_FRICTION),
+            "mu_k": (0.0, _LARGEST_FRICTION if "mu_s" in self.names else self.hoop.mu_s),
+            "inertia": (LEAST_INERTIA, _LARGEST_INERTIA),
+            "restitution": (0.0, 1.0),
+            "slope": (-_STEEPEST, _STEEPEST),
+            _EXPOSURE: (0.0, self._longest),
+        }
+        pairs = [within.get(name, (-math.inf, math.inf)) for name in self.names]
+        return [low for low, _ in pairs], [high for _, high in pairs]
 
     def limits(self, name: str) -> tuple[float, float]:
         """Return the least and the largest value of a parameter, not of the unknown that stands for it."""
@@ -146,12 +142,7 @@ class Problem:
         place = self.names.index(name)
         return low[place], high[place]
 
-    @property
-    def camera_count(self) -> int:
-        """How many of the unknowns, the last ones, are constants of the camera."""
-        return len(self._camera_names)
-
-    def values(self, unknowns: _Reals) -> dict[str, Any]:
+    def values(self, unknowns: Reals) -> dict[str, Any]:
         """Return everything by name; a coefficient of restitution may be absent."""
         found = {name: getattr(self.hoop, name) for name in (*OF_HOOP, *_MEASURED)}
         found |= {f"start_{name}": value for name, value in self.first.items()}
@@ -162,7 +153,7 @@ class Problem:
             found["mu_s"] += found["mu_k"]
         return found
 
-    def motion(self, unknowns: _Reals) -> Trajectory:
+    def motion(self, unknowns: Reals) -> Trajectory:
         """Simulate the motion while the video was taken."""
         return self._motion_of(self.values(unknowns))
 
@@ -178,17 +169,17 @@ class Problem:
             until=begin + (end - begin) * (1.0 + values[CLOCK]) + values[_EXPOSURE],
         )
 
-    def residuals(self, unknowns: _Reals) -> dict[str, _Reals]:
+    def residuals(self, unknowns: Reals) -> dict[str, Reals]:
         """Return what was measured less what the camera would have shown, by channel."""
         return self.residuals_of(self.values(unknowns))
 
-    def residuals_of(self, values: dict[str, Any]) -> dict[str, _Reals]:
+    def residuals_of(self, values: dict[str, Any]) -> dict[str, Reals]:
         """Return the residuals for everything by name."""
         camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
         found = shown(self.track.as_seen(self._plane(values), values["slope"]), camera)
         return {name: measured - found[name] for name, measured in self.track.channels.items()}
 
-    def _plane(self, values: dict[str, Any]) -> dict[str, _Reals]:
+    def _plane(self, values: dict[str, Any]) -> dict[str, Reals]:
         """Return θ, x and y of the plane in the frames: the same for all constants of the camera but the exposure."""
         key = tuple(value for name, value in values.items() if not name.startswith(_CAMERA) or name == _EXPOSURE)
         if self._last is None or self._last[0] != key:
@@ -197,11 +188,11 @@ class Problem:
             self._last = key, means(self._motion_of(values), time, values[_EXPOSURE])
         return self._last[1]
 
-    def seen(self, by_channel: dict[str, _Reals]) -> dict[str, _Reals]:
+    def seen(self, by_channel: dict[str, Reals]) -> dict[str, Reals]:
         """Return values, or columns of them, of the frames in which a channel was seen."""
         return {name: values[self._seen[name]] for name, values in by_channel.items()}
 
-    def scaled(self, unknowns: _Reals) -> _Reals:
+    def scaled(self, unknowns: Reals) -> Reals:
         """Return the residuals as numbers that are independent and of size 1, and then the constants of the camera."""
         residuals = self.residuals(unknowns)
         parts = [self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()]
@@ -209,16 +200,16 @@ class Problem:
         camera = unknowns[unknowns.size - self._before.size :]
         return np.concatenate([*parts, (camera - self._before) / self._deviation])
 
-    def misfit(self, unknowns: _Reals) -> float:
+    def misfit(self, unknowns: Reals) -> float:
         """Return the mean size of the residuals."""
         return float(np.mean(np.abs(self.scaled(unknowns))))
 
-    def reduced_chi_square(self, unknowns: _Reals) -> float:
+    def reduced_chi_square(self, unknowns: Reals) -> float:
         """Return the sum of squares over the number of measurements less that of unknowns."""
         white = self.scaled(unknowns)[: -self._before.size or None]
         return float(white @ white) / max(1, white.size - unknowns.size)
 
-    def noise_of(self, unknowns: _Reals, known: dict[str, Noise], loss: str, correlated: bool) -> dict[str, Noise]:
+    def noise_of(self, unknowns: Reals, known: dict[str, Noise], loss: str, correlated: bool) -> dict[str, Noise]:
         """Estimate the errors of each channel from the residuals."""
         relative = {name: self.track.relative_errors(name)[seen] for name, seen in self._seen.items()}
         residuals = self.seen(self.residuals(unknowns))
@@ -229,14 +220,14 @@ class Problem:
         slopes = self.seen(self.derivatives(unknowns))
         return estimate_noise(times, relative, residuals, slopes, known, correlated)
 
-    def derivatives(self, unknowns: _Reals) -> dict[str, _Reals]:
+    def derivatives(self, unknowns: Reals) -> dict[str, Reals]:
         """Return the derivatives of the residuals of each channel by the unknowns.
 
         They are those of the motion, where it has them and a frame shows an instant; else differences within bounds.
         """
         values = self.values(unknowns)
         exact = self._tangents(values)
-        columns: dict[str, list[_Reals]] = {name: [] for name in self.track.channels}
+        columns: dict[str, list[Reals]] = {name: [] for name in self.track.channels}
         low, high = self.bounds()
         for k, value in enumerate(unknowns):
             if exact is not None and not self.names[k].startswith(_CAMERA):
@@ -251,12 +242,12 @@ class Problem:
                 columns[name].append((above[name] - below[name]) / (ends[1] - ends[0]))
         return {name: np.column_stack(values) for name, values in columns.items()}
 
-    def _tangents(self, values: dict[str, Any]) -> dict[str, _Reals] | None:
+    def _tangents(self, values: dict[str, Any]) -> dict[str, Reals] | None:
         """Return the derivatives of θ, x and y by the unknowns of hoop and start, if the motion has all."""
         if values[_EXPOSURE] != 0.0 or _EXPOSURE in self.names or values[CLOCK] != 0.0:
             return None
         motion = self._motion_of(values)
-        shows_height = "y" in self.track.channels or self._is_turned(values) or self._camera_names
+        shows_height = "y" in self.track.channels or self._is_turned(values) or self.camera_names
         if shows_height and any(phase.mode == "flight" for phase in motion.phases):
             # Those of the height of a flight are not among the derivatives of a state.
             return None
@@ -275,13 +266,13 @@ class Problem:
         """Whether the axes of the track are not those of the plane."""
         return self.track.level and (values["slope"] != 0.0 or "slope" in self.names)
 
-    def _seen_along(self, values: dict[str, Any], name: str, change: dict[str, _Reals]) -> dict[str, _Reals]:
+    def _seen_along(self, values: dict[str, Any], name: str, change: dict[str, Reals]) -> dict[str, Reals]:
         """Return the derivative of what the camera shows, where the motion changes like this."""
         camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
         plane = self._plane(values)
         largest = max(1.0, *(float(np.max(np.abs(rows))) for rows in change.values()))
 
-        def at(step: float) -> dict[str, _Reals]:
+        def at(step: float) -> dict[str, Reals]:
             moved = {channel: rows + step * change[channel] for channel, rows in plane.items()}
             slope = values["slope"] + (step if name == "slope" else 0.0)
             return shown(self.track.as_seen(moved, slope), camera)
@@ -293,13 +284,13 @@ class Problem:
         below, above = at(-step), at(step)
         return {channel: (above[channel] - below[channel]) / (2.0 * step) for channel in below}
 
-    def jacobian(self, unknowns: _Reals) -> _Reals:
+    def jacobian(self, unknowns: Reals) -> Reals:
         """Return the derivatives of :meth:`scaled`."""
         parts = [self._white[name](columns) for name, columns in self.seen(self.derivatives(unknowns)).items()]
         rest = unknowns.size - self._before.size
         return np.vstack([*parts, np.eye(unknowns.size)[rest:] / self._deviation[:, None]])
 
-    def derivative_by(self, name: str, values: dict[str, Any]) -> dict[str, _Reals] | None:
+    def derivative_by(self, name: str, values: dict[str, Any]) -> dict[str, Reals] | None:
         """Return the derivatives of the residuals by something that is held; None without a motion on both sides."""
         value = values.get(name, 0.0)
         low, high = _HELD.get(name, (-math.inf, math.inf))
@@ -314,7 +305,7 @@ class Problem:
         below, above = (self.residuals_of(values | {name: end}) for end in ends)
         return {channel: (above[channel] - below[channel]) / (ends[1] - ends[0]) for channel in below}
 
-    def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, _Reals] | None:
+    def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, Reals] | None:
         """Return the same with a parameter of the hoop fixed, and a guess of the others; None where no hoop has it."""
         value, values = values[name], values | {"mu_k": max(values["mu_k"], 0.0)}
         if values["mu_s"] < values["mu_k"]:
@@ -332,7 +323,7 @@ class Problem:
         low, high = found.bounds()
         return found, np.clip([values[one] for one in found.names], low, high)
 
-    def refine(self, unknowns: _Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS) -> Any:
+    def refine(self, unknowns: Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS) -> Any:
         """Minimise from a guess, until the sum of squares changes by less than a part, in a number of steps."""
         return require("scipy.optimize").least_squares(
             self.scaled,

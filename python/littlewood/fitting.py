@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from .calibration import checked
 from .doubts import Doubt, doubts_of_residuals
+from .elementwise import Reals
 from .extras import progress_bar
 from .fit_problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
 from .fit_result import Estimate, FitResult, FitWarning, IdentifiabilityWarning
@@ -26,7 +27,6 @@ from .trajectory import Trajectory
 
 __all__ = ["fit"]
 
-_Reals = npt.NDArray[np.float64]
 
 # The coefficient of restitution says how a motion goes on that would end at its landing: it is asked for.
 _BY_DEFAULT = ("mu_s", "mu_k", "inertia")
@@ -200,9 +200,9 @@ def fit(
         def step() -> None:
             show(next(done))
 
-        others: list[_Reals] = []
+        others: list[Reals] = []
         if search:
-            unknowns, *others = _search(problem, loss, track.theta is None, start or {}, parts, best_of_part, step)
+            unknowns, *others = _search(problem, loss, start or {}, parts, best_of_part, step)
         elif camera:
             # Without its constants the fit would leave the sequence of phases of a good guess.
             unknowns = problem.guess()
@@ -234,7 +234,7 @@ def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[st
     if unknown:
         raise ValueError(f"start has {', '.join(unknown)}; it can have theta, theta_rate, slip, x")
 
-    def parabola(values: _Reals) -> tuple[float, float]:
+    def parabola(values: Reals) -> tuple[float, float]:
         seen = np.flatnonzero(np.isfinite(values))[: max(6, len(track.time) // 8)]
         if seen.size < 3:
             raise ValueError("fewer than three frames with an angle or a position")
@@ -261,10 +261,9 @@ def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[st
     return guess | given
 
 
-def _guesses(problem: Problem, any_angle: bool, given: Mapping[str, float]) -> list[_Reals]:
+def _guesses(problem: Problem, given: Mapping[str, float]) -> list[Reals]:
     """Return the unknowns at many places."""
-    free = problem.names
-    first = problem.first
+    free, first, any_angle = problem.names, problem.first, problem.track.theta is None
     angles, rates = [first["theta"]], [first["theta_rate"]]
     mu_k: tuple[float, ...] = (problem.hoop.mu_k, *(_TRY_MU_K if "mu_k" in free else ()))
     factors: tuple[float, ...] = _TRY_INERTIA
@@ -294,18 +293,17 @@ def _guesses(problem: Problem, any_angle: bool, given: Mapping[str, float]) -> l
 def _search(
     problem: Problem,
     loss: str,
-    any_angle: bool,
     given: Mapping[str, float],
     parts: Iterable[float],
     best: int,
     step: Callable[[], None],
-) -> list[_Reals]:
+) -> list[Reals]:
     """Refine the best of many guesses; return where they end, the best first.
 
     Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track, and sought anew
     where what fits one part does not foretell the next.
     """
-    guesses = _guesses(problem, any_angle, given)
+    guesses = _guesses(problem, given)
     foretold = 0.0
     for part in parts:
         shorter = problem.part(part)
@@ -323,18 +321,18 @@ def _search(
     return guesses
 
 
-def _distinct(guesses: list[_Reals]) -> list[_Reals]:
+def _distinct(guesses: list[Reals]) -> list[Reals]:
     """Return the guesses without those that one before them leads to the minimum of."""
-    kept: list[_Reals] = []
+    kept: list[Reals] = []
     for guess in guesses:
         if not any(np.allclose(guess, other, rtol=_SAME, atol=_SAME) for other in kept):
             kept.append(guess)
     return kept
 
 
-def _compared(problem: Problem, best: Any, others: list[_Reals]) -> tuple[Any, dict[str, float]]:
+def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, dict[str, float]]:
     """Fit other sequences of phases, and return the most probable fit and the probabilities of all."""
-    rest = len(problem.names) - problem.camera_count
+    rest = len(problem.names) - len(problem.camera_names)
     random = np.random.default_rng(0)
     covariance, _ = _covariance(best.jac)
     low, high = problem.bounds()
@@ -349,7 +347,7 @@ def _compared(problem: Problem, best: Any, others: list[_Reals]) -> tuple[Any, d
     for _ in range(_NEIGHBOURS):
         guesses.append(np.clip(best.x + _SPREAD * root * random.normal(size=root.size), low, high))
     found = {problem.motion(best.x).sequence: best}
-    nearest: dict[str, tuple[float, _Reals]] = {}
+    nearest: dict[str, tuple[float, Reals]] = {}
     for guess in guesses:
         sequence = problem.motion(guess).sequence
         if sequence not in found:
@@ -381,7 +379,7 @@ def _evidence(found: Any) -> float:
     return -float(found.cost) - 0.5 * float(np.linalg.slogdet(normal)[1])
 
 
-def _bounds_met(problem: Problem, best: Any, covariance: _Reals) -> list[str]:
+def _bounds_met(problem: Problem, best: Any, covariance: Reals) -> list[str]:
     """Return the parameters of the hoop that end at their bounds."""
     low, high = problem.bounds()
     met = []
@@ -465,7 +463,7 @@ def _result(
 
 
 def _wrong_intervals(
-    problem: Problem, best: Any, covariance: _Reals, estimates: Mapping[str, Estimate], loss: str
+    problem: Problem, best: Any, covariance: Reals, estimates: Mapping[str, Estimate], loss: str
 ) -> list[Doubt]:
     """Compare the rise of the profile likelihood at the ends of the normal intervals with that of a parabola."""
     wrong: dict[str, float] = {}
@@ -502,7 +500,7 @@ def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:
     return reasons
 
 
-def _covariance(jacobian: _Reals) -> tuple[_Reals, npt.NDArray[np.bool_]]:
+def _covariance(jacobian: Reals) -> tuple[Reals, npt.NDArray[np.bool_]]:
     """Return (JᵀJ)⁻¹, and which unknowns the residuals do not depend on, alone or apart from others."""
     norms = np.linalg.norm(jacobian, axis=0)
     scale = np.where(norms > 0.0, norms, 1.0)

@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
+
+from .elementwise import Reals
 
 __all__ = ["Noise", "Whitening", "estimate_noise"]
 
-_Reals = npt.NDArray[np.float64]
 
 # Variances of the slow part over those of the other, and its times over the median time between two frames.
 _RATIOS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
@@ -54,14 +54,14 @@ class Whitening:
     """Measurements as combinations whose errors are independent and of size 1.
 
     Innovations of the measurements: a Kalman filter whose state is the slow noise. `relative` are their errors over the
-    median one, and `log_determinant` is the logarithm of the determinant of the covariance.
+    median one.
     """
 
-    def __init__(self, noise: Noise, time: _Reals, relative: _Reals) -> None:
+    def __init__(self, noise: Noise, time: Reals, relative: Reals) -> None:
         white = np.square(noise.white * relative)
         self._keeps: list[float] = []
         self._gains: list[float] = []
-        self._matrix: _Reals | None = None
+        self._matrix: Reals | None = None
         total = white
         if noise.slow > 0.0:
             total, slow, left = np.empty(time.size), noise.slow**2, 0.0
@@ -73,9 +73,8 @@ class Whitening:
                 self._keeps.append(keep)
                 self._gains.append(before / float(total[k]))
         self._roots = np.sqrt(total)
-        self.log_determinant = float(np.sum(np.log(total)))
 
-    def __call__(self, values: _Reals) -> _Reals:
+    def __call__(self, values: Reals) -> Reals:
         """Return values, or columns of them, as those combinations."""
         if not self._gains:
             return np.asarray((values.T / self._roots).T)
@@ -84,7 +83,7 @@ class Whitening:
             self._matrix = self._filtered(np.eye(len(self._gains)))
         return self._filtered(values) if self._matrix is None else np.asarray(self._matrix @ values)
 
-    def _filtered(self, values: _Reals) -> _Reals:
+    def _filtered(self, values: Reals) -> Reals:
         found, state = np.empty_like(values), 0.0 * values[0]
         for k, (keep, gain) in enumerate(zip(self._keeps, self._gains, strict=True)):
             new = values[k] - keep * state
@@ -94,10 +93,10 @@ class Whitening:
 
 
 def estimate_noise(
-    times: Mapping[str, _Reals],
-    relative: Mapping[str, _Reals],
-    residuals: Mapping[str, _Reals],
-    jacobians: Mapping[str, _Reals],
+    times: Mapping[str, Reals],
+    relative: Mapping[str, Reals],
+    residuals: Mapping[str, Reals],
+    jacobians: Mapping[str, Reals],
     known: Mapping[str, Noise],
     correlated: bool,
 ) -> dict[str, Noise]:
@@ -113,7 +112,7 @@ def estimate_noise(
         Whether errors may have a slow part.
     """
     shapes = {name: [known[name]] if name in known else _shapes(times[name], correlated) for name in residuals}
-    grams: dict[str, list[tuple[_Reals, float]]] = {}
+    grams: dict[str, list[tuple[Reals, float]]] = {}
     # Unknowns that the residuals do not depend on have no part in a determinant.
     all_rows = np.vstack(list(jacobians.values()))
     norms = np.linalg.norm(all_rows, axis=0)
@@ -146,7 +145,7 @@ def estimate_noise(
     return result
 
 
-def _shapes(time: _Reals, correlated: bool) -> list[Noise]:
+def _shapes(time: Reals, correlated: bool) -> list[Noise]:
     """Return the noises that are tried, of a size of 1."""
     if not correlated or time.size < 8:
         return [Noise(1.0)]
@@ -154,7 +153,7 @@ def _shapes(time: _Reals, correlated: bool) -> list[Noise]:
     return [Noise(1.0), *(Noise(1.0, math.sqrt(ratio), step * length) for ratio in _RATIOS for length in _TIMES)]
 
 
-def _grams(shapes: Sequence[Noise], time: _Reals, relative: _Reals, columns: _Reals) -> list[tuple[_Reals, float]]:
+def _grams(shapes: Sequence[Noise], time: Reals, relative: Reals, columns: Reals) -> list[tuple[Reals, float]]:
     """Return products of whitened columns, and the logarithm of the determinant, for each noise."""
     whites, slows = (np.square([getattr(one, name) for one in shapes]) for name in ("white", "slow"))
     lengths = np.array([one.time if one.slow > 0.0 else 1.0 for one in shapes])
@@ -175,8 +174,8 @@ def _grams(shapes: Sequence[Noise], time: _Reals, relative: _Reals, columns: _Re
 
 
 def _solved(
-    grams: Mapping[str, list[tuple[_Reals, float]]], places: Mapping[str, int], scales: Mapping[str, float]
-) -> tuple[_Reals, _Reals, float]:
+    grams: Mapping[str, list[tuple[Reals, float]]], places: Mapping[str, int], scales: Mapping[str, float]
+) -> tuple[Reals, Reals, float]:
     """Return the change of the unknowns, the inverse of their normal matrix, and the logarithm of its determinant."""
     normal = np.sum([grams[name][place][0] / scales[name] for name, place in places.items()], axis=0)
     values, vectors = np.linalg.eigh(normal[1:, 1:])
@@ -187,7 +186,7 @@ def _solved(
 
 
 def _scales(
-    grams: Mapping[str, list[tuple[_Reals, float]]],
+    grams: Mapping[str, list[tuple[Reals, float]]],
     counts: Mapping[str, int],
     places: Mapping[str, int],
     scales: Mapping[str, float],
@@ -207,7 +206,7 @@ def _scales(
 
 
 def _likelihood(
-    grams: Mapping[str, list[tuple[_Reals, float]]],
+    grams: Mapping[str, list[tuple[Reals, float]]],
     counts: Mapping[str, int],
     places: Mapping[str, int],
     scales: Mapping[str, float],

@@ -6,14 +6,13 @@ import math
 from statistics import NormalDist
 
 import numpy as np
-import numpy.typing as npt
 
+from .elementwise import Reals
 from .fit_problem import OF_HOOP, ROUGH, Problem
 from .fit_result import Estimate
 
 __all__ = ["profile_interval", "rise"]
 
-_Reals = npt.NDArray[np.float64]
 
 _STEPS = 40
 # From where the covariance foretells the others a parabola takes two or three steps.
@@ -22,7 +21,7 @@ _STEPS_OF_RISE = 8
 _CLOSE = 0.02
 
 
-def rise(problem: Problem, unknowns: _Reals, covariance: _Reals, name: str, value: float) -> float:
+def rise(problem: Problem, unknowns: Reals, covariance: Reals, name: str, value: float) -> float:
     """Return by how much the least sum of squares exceeds that of the fit where a parameter has a value.
 
     The covariance of the estimates says where the others go.
@@ -44,8 +43,8 @@ def rise(problem: Problem, unknowns: _Reals, covariance: _Reals, name: str, valu
 
 def profile_interval(
     problem: Problem,
-    unknowns: _Reals,
-    covariance: _Reals,
+    unknowns: Reals,
+    covariance: Reals,
     name: str,
     estimate: Estimate,
     confidence: float,

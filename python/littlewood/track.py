@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .calibration import checked
-from .elementwise import reals
+from .elementwise import Reals, reals
 from .text_table import TableFileError
 from .track_file import read_track
 
@@ -22,10 +22,8 @@ if TYPE_CHECKING:
 
 __all__ = ["TableFileError", "Track"]
 
-_Reals = npt.NDArray[np.float64]
 
-
-def _column(name: str, values: npt.ArrayLike | None, count: int) -> _Reals | None:
+def _column(name: str, values: npt.ArrayLike | None, count: int) -> Reals | None:
     if values is None:
         return None
     # A masked value was not seen.
@@ -67,11 +65,11 @@ class Track:
         was seen, or there is no such exposure or calibration.
     """
 
-    time: _Reals
-    theta: _Reals | None = None
-    x: _Reals | None = None
-    y: _Reals | None = None
-    errors: Mapping[str, _Reals] | None = None
+    time: Reals
+    theta: Reals | None = None
+    x: Reals | None = None
+    y: Reals | None = None
+    errors: Mapping[str, Reals] | None = None
     exposure: float = 0.0
     calibration: tuple[str, ...] = ()
     level: bool = False
@@ -104,7 +102,7 @@ class Track:
             raise ValueError(f"exposure = {self.exposure} must be finite and not negative")
         object.__setattr__(self, "calibration", checked(self.calibration, self.channels))
 
-    def _checked(self, errors: Mapping[str, npt.ArrayLike]) -> Mapping[str, _Reals]:
+    def _checked(self, errors: Mapping[str, npt.ArrayLike]) -> Mapping[str, Reals]:
         unknown = [name for name in errors if name not in self.channels]
         if unknown:
             raise ValueError(f"errors has {', '.join(unknown)}, the track has {', '.join(self.channels)}")
@@ -117,7 +115,7 @@ class Track:
             found[name] = column
         return found
 
-    def as_seen(self, plane: Mapping[str, _Reals], slope: float) -> dict[str, _Reals]:
+    def as_seen(self, plane: Mapping[str, Reals], slope: float) -> dict[str, Reals]:
         """Return θ, x and y of the coordinates of the plane in the axes of the track.
 
         Parameters
@@ -132,7 +130,7 @@ class Track:
         sin, cos, x, y = math.sin(slope), math.cos(slope), plane["x"], plane["y"]
         return {"theta": plane["theta"] + slope, "x": x * cos - y * sin, "y": x * sin + y * cos}
 
-    def relative_errors(self, name: str) -> _Reals:
+    def relative_errors(self, name: str) -> Reals:
         """Return the errors of a channel over their median; 1 without errors."""
         if self.errors is None or name not in self.errors:
             return np.ones(self.time.size)
@@ -166,7 +164,7 @@ class Track:
         Track
         """
 
-        def over(name: str, values: npt.ArrayLike | None, unit: float) -> _Reals | None:
+        def over(name: str, values: npt.ArrayLike | None, unit: float) -> Reals | None:
             return None if values is None else reals(values, name) / unit
 
         return cls(
@@ -244,7 +242,7 @@ class Track:
         return cls.from_si(units, time_s=found.time, theta_rad=found.theta, x_m=found.x, y_m=found.y, level=level)
 
     @property
-    def channels(self) -> dict[str, _Reals]:
+    def channels(self) -> dict[str, Reals]:
         """The measured channels, by name."""
         found = {"theta": self.theta, "x": self.x, "y": self.y}
         return {name: values for name, values in found.items() if values is not None}

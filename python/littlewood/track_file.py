@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from .elementwise import Reals
 from .tables import SAMPLE_COLUMNS
 from .text_table import TableFileError, TextTable, read_text_table
 
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 __all__ = ["COLUMN_OF", "TrackFile", "read_track"]
 
-_Reals = npt.NDArray[np.float64]
 
 COLUMN_OF = {"time": "time", "theta": "theta", "x": "x", "y": "centre_y"}
 """Columns of samples by the channels of a track."""
@@ -90,10 +89,10 @@ class TrackFile:
     """The channels of a file; in s, rad and m, or dimensionless."""
 
     is_si: bool
-    time: _Reals
-    theta: _Reals | None
-    x: _Reals | None
-    y: _Reals | None
+    time: Reals
+    theta: Reals | None
+    x: Reals | None
+    y: Reals | None
 
 
 def read_track(
@@ -132,7 +131,7 @@ def read_track(
             )
     # Runs and trajectories differ in length.
     table = table.with_some_of([time.place, *(one.place for one in used)])
-    found: dict[str, _Reals] = {}
+    found: dict[str, Reals] = {}
     for (channel, owner), one in by_channel.items():
         if channel in ("theta", "x", "y"):
             values = _values(table, one, is_si, is_foreign, plane, length_unit)
@@ -291,7 +290,7 @@ def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, mar
 
 def _values(
     table: TextTable, one: _Column, is_si: bool, is_foreign: bool, plane: Plane | None, length_unit: str
-) -> _Reals:
+) -> Reals:
     """Return a channel in rad, m or pixels; dimensionless as it stands."""
     values = np.array(table.numbers(one.place, False))
     if not is_si:
@@ -315,7 +314,7 @@ def _values(
     return values if in_pixels else np.asarray(values * _UNITS[unit or length_unit][1])
 
 
-def _to_metres(table: TextTable, found: dict[str, _Reals], plane: Plane) -> None:
+def _to_metres(table: TextTable, found: dict[str, Reals], plane: Plane) -> None:
     for owner in ("", _OF_MARKER):
         if ("x" + owner in found) != ("y" + owner in found):
             raise table.refusal("has one coordinate in pixels: a plane needs x and y")
@@ -323,7 +322,7 @@ def _to_metres(table: TextTable, found: dict[str, _Reals], plane: Plane) -> None
             found["x" + owner], found["y" + owner] = plane.to_metres(found["x" + owner], found["y" + owner])
 
 
-def _not_pixels(table: TextTable, columns: dict[tuple[str, str], _Column], found: dict[str, _Reals]) -> None:
+def _not_pixels(table: TextTable, columns: dict[tuple[str, str], _Column], found: dict[str, Reals]) -> None:
     """Refuse whole numbers without a unit: radii are not counted, pixels are."""
     for channel in ("x", "y"):
         if channel in found:

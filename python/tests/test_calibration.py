@@ -169,7 +169,6 @@ def test_whitening_is_the_root_of_the_covariance():
         whitening = Whitening(noise, time, relative)
         root = whitening(np.eye(40))
         np.testing.assert_allclose(root @ covariance @ root.T, np.eye(40), atol=1e-10)
-        assert whitening.log_determinant == pytest.approx(np.linalg.slogdet(covariance)[1], abs=1e-9)
         values = random.normal(size=40)
         np.testing.assert_allclose(whitening(values), root @ values, atol=1e-10)
 

@@ -103,13 +103,8 @@ def sign(name: str) -> str:
 
 def axis_label(name: str) -> str:
     """Return the symbol with its unit, if it has one."""
-    if name in QUANTITIES:
-        unit = QUANTITIES[name].unit_sign
-    elif name in SAMPLE_COLUMNS:
-        unit = SAMPLE_COLUMNS[name].unit_sign or ""
-    else:
-        unit = ""
-    return f"{sign(name)}  ({unit})" if unit else sign(name)
+    known = QUANTITIES.get(name) or SAMPLE_COLUMNS.get(name)
+    return f"{sign(name)}  ({known.unit_sign})" if known is not None and known.unit_sign else sign(name)
 
 
 _ABOUT = {

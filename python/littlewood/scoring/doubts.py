@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..elementwise import Reals
 from .record import Record
 
 if TYPE_CHECKING:
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 __all__ = ["doubts"]
 
-_Reals = npt.NDArray[np.float64]
 
 _AT_ONCE, _SOON = 1e-3, 0.05
 """What the first row, and those up to `_EARLY`, may be off (R, rad): a start is exact, and errors grow."""
@@ -31,10 +30,10 @@ _MOST_ROWS = 60
 class _Path(NamedTuple):
     """The columns of a record."""
 
-    time: _Reals
-    x: _Reals
-    y: _Reals
-    theta: _Reals
+    time: Reals
+    x: Reals
+    y: Reals
+    theta: Reals
 
 
 Change = Callable[["Trajectory", _Path], _Path]

@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from ..elementwise import Reals
 from .record import Record
 
 __all__ = ["Episode", "Event", "Tolerances", "read_events"]
 
-_Reals = npt.NDArray[np.float64]
 
 FLIGHT, ROLLING, FORWARD, BACKWARD, IMPACT = "flight", "rolling", "sliding +", "sliding -", "impact"
 _OF_CODE = {0: ROLLING, 1: FORWARD, -1: BACKWARD, 2: FLIGHT, 3: IMPACT}
@@ -123,7 +123,7 @@ def _between(a: float, at_a: float, b: float, at_b: float, bound: float) -> floa
     return float(a + np.clip(share, 0.0, 1.0) * (b - a))
 
 
-def _crossing(time: _Reals, gap: _Reals, i: int, bound: float) -> float:
+def _crossing(time: Reals, gap: Reals, i: int, bound: float) -> float:
     if not np.all(np.isfinite(gap[i : i + 2])):
         # The solver says which instants are in contact, and not what is between them.
         return float(0.5 * (time[i] + time[i + 1]))

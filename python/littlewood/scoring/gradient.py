@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ..elementwise import Reals
 from .record import read_table
 
 if TYPE_CHECKING:
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
 
 __all__ = ["GradientScore", "PhaseGradient", "read_gradient", "score_gradient"]
 
-_Reals = npt.NDArray[np.float64]
 
 _COLUMNS = ("time", "x", "theta")
 
@@ -150,7 +150,7 @@ def score_gradient(
     return GradientScore(quantity, tuple(phases))
 
 
-def read_gradient(path: str | Path) -> tuple[_Reals, _Reals, _Reals]:
+def read_gradient(path: str | Path) -> tuple[Reals, Reals, Reals]:
     """Read the columns time, x and theta of a table: derivatives of x and θ at fixed times."""
     columns = read_table(path, lambda *_: _COLUMNS)
     return columns["time"], columns["x"], columns["theta"]

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ..elementwise import reals
+from ..elementwise import Reals, reals
 from ..text_table import NUMBER, TableFileError, TextTable, read_text_table
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Record", "read_table"]
 
-_Reals = npt.NDArray[np.float64]
 
 _FEWEST = 3
 """Instants from which velocities can be told."""
@@ -59,14 +58,14 @@ class Record:
         If a value is not finite, times do not grow, or shapes differ.
     """
 
-    time: _Reals
-    x: _Reals
-    y: _Reals
-    theta: _Reals
+    time: Reals
+    x: Reals
+    y: Reals
+    theta: Reals
     contact: npt.NDArray[np.bool_] | None = None
-    x_rate: _Reals | None = None
-    y_rate: _Reals | None = None
-    theta_rate: _Reals | None = None
+    x_rate: Reals | None = None
+    y_rate: Reals | None = None
+    theta_rate: Reals | None = None
 
     def __post_init__(self) -> None:
         given = [name for name in _RATES if getattr(self, name) is not None]
@@ -98,17 +97,17 @@ class Record:
         return float(np.median(np.diff(self.time)))
 
     @property
-    def rates(self) -> tuple[_Reals, _Reals, _Reals] | None:
+    def rates(self) -> tuple[Reals, Reals, Reals] | None:
         """x′, y′ and θ′, if the solver has given them."""
         if self.x_rate is None or self.y_rate is None or self.theta_rate is None:
             return None
         return self.x_rate, self.y_rate, self.theta_rate
 
     @property
-    def slip_between(self) -> _Reals:
+    def slip_between(self) -> Reals:
         """Slip velocity in the middle of two instants, √(gR)."""
         if self.rates is None:
-            slip: _Reals = np.diff(self.x + self.theta) / np.diff(self.time)
+            slip: Reals = np.diff(self.x + self.theta) / np.diff(self.time)
             return slip
         at = self.rates[0] + self.rates[2]
         return 0.5 * (at[1:] + at[:-1])
@@ -151,7 +150,7 @@ class Record:
         Record
         """
 
-        def over(values: npt.ArrayLike | None, unit: float) -> _Reals | None:
+        def over(values: npt.ArrayLike | None, unit: float) -> Reals | None:
             return None if values is None else reals(values) / unit
 
         return cls(
@@ -193,7 +192,7 @@ class Record:
         return cls(**columns) if "time" in columns or units is None else cls.from_si(units, **columns)
 
 
-def read_table(path: str | Path, wanted_of: Callable[[TextTable, list[str]], Sequence[str]]) -> dict[str, _Reals]:
+def read_table(path: str | Path, wanted_of: Callable[[TextTable, list[str]], Sequence[str]]) -> dict[str, Reals]:
     """Return columns of a table by name; `wanted_of` chooses from its names."""
     table = read_text_table(path)
     names = [_ALSO.get(name, name) for name in table.names]

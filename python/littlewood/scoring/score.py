@@ -9,8 +9,8 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
+from ..elementwise import Reals
 from .doubts import doubts
 from .episodes import Event, Tolerances, read_events
 from .matching import is_same, match, may_show
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 __all__ = ["EventScore", "Score", "score", "true_events"]
 
-_Reals = npt.NDArray[np.float64]
 
 _CHANNELS = ("x", "y", "theta")
 
@@ -109,8 +108,8 @@ class Score:
     record: Record
     tolerances: Tolerances
     events: tuple[EventScore, ...]
-    errors: dict[str, _Reals]
-    energy_error: _Reals
+    errors: dict[str, Reals]
+    energy_error: Reals
     slip_while_rolling: float
     penetration: float
     doubts: tuple[str, ...] = ()
@@ -126,9 +125,9 @@ class Score:
         return tuple(event for event in self.events if event.verdict == "spurious")
 
     @property
-    def error(self) -> _Reals:
+    def error(self) -> Reals:
         """Distance of the states at each instant: the largest of the errors of x, y and θ."""
-        distance: _Reals = np.max(np.abs([self.errors[name] for name in _CHANNELS]), axis=0)
+        distance: Reals = np.max(np.abs([self.errors[name] for name in _CHANNELS]), axis=0)
         return distance
 
     @property
@@ -386,7 +385,7 @@ def _exactly(motion: Trajectory, record: Record) -> Record:
     return Record(record.time, x, y, theta, None if record.contact is None else ~is_high, *rates)
 
 
-def _energy_error(motion: Trajectory, record: Record) -> _Reals:
+def _energy_error(motion: Trajectory, record: Record) -> Reals:
     """Energy (2.8) less that of the exact motion; 0 about an impact, where it depends on the instant."""
     exact = _exactly(motion, record)
     # The same differences of the exact motion: what they leave out is in both.
@@ -400,7 +399,7 @@ def _energy_error(motion: Trajectory, record: Record) -> _Reals:
     return np.where(hit, 0.0, error)
 
 
-def _energy(motion: Trajectory, record: Record) -> _Reals:
+def _energy(motion: Trajectory, record: Record) -> Reals:
     """Energy at the instants of a record with rates, between those of one without."""
     hoop = motion.hoop
     sin, cos = np.sin(record.theta), np.cos(record.theta)
@@ -414,7 +413,7 @@ def _energy(motion: Trajectory, record: Record) -> _Reals:
         x_rate, y_rate, turning = record.rates
         along, up = x_rate - hoop.h * cos * turning, y_rate - hoop.h * sin * turning
     kinetic = hoop.mass * (along**2 + up**2) + hoop.inertia_about_mass_centre * turning**2
-    energy: _Reals = 0.5 * kinetic + hoop.mass * raised
+    energy: Reals = 0.5 * kinetic + hoop.mass * raised
     return energy
 
 

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ..elementwise import Reals
 from ..extras import require
 from .files import Frame
 from .plane import Plane
 
 __all__ = ["MARKERS", "Circle", "Finder", "Marker"]
 
-_Reals = npt.NDArray[np.float64]
 
 MARKERS = {
     "red": (255, 0, 0),
@@ -189,13 +189,13 @@ class Finder:
             return None
         return difference, outline, float(kept.sum()) / _RAYS
 
-    def _line_of(self, frame: Frame) -> tuple[tuple[float, float, float], float, tuple[_Reals, _Reals]] | None:
+    def _line_of(self, frame: Frame) -> tuple[tuple[float, float, float], float, tuple[Reals, Reals]] | None:
         """Return the outline, which part of the rim is seen, and points of its mean line."""
         found = self._outline(frame)
         line = None if found is None else self._line(frame, found[0], found[1])
         return None if found is None or line is None else (found[1], found[2], line)
 
-    def rim(self, frame: Frame) -> tuple[_Reals, _Reals, float] | None:
+    def rim(self, frame: Frame) -> tuple[Reals, Reals, float] | None:
         """Return points of the mean line of the rim in pixels, and its outer radius over theirs; None if unseen."""
         found = self._line_of(frame)
         if found is None:
@@ -235,7 +235,7 @@ class Finder:
                 matrix, values = matrix * weights, values * weights
         return found
 
-    def _outer_edge(self, profiles: _Profiles) -> tuple[_Reals, _Reals]:
+    def _outer_edge(self, profiles: _Profiles) -> tuple[Reals, Reals]:
         """Return where rays from the centre leave the rim: the outermost half of the largest value near it."""
         seen = profiles.values
         last = seen.shape[1] - 1 - np.argmax((seen > 0.5 * profiles.largest[:, None])[:, ::-1], axis=1)
@@ -245,7 +245,7 @@ class Finder:
 
     def _line(
         self, frame: Frame, difference: npt.NDArray[np.uint8], circle: tuple[float, float, float]
-    ) -> tuple[_Reals, _Reals] | None:
+    ) -> tuple[Reals, Reals] | None:
         """Return points of the mean line of the rim; None where there are too few."""
         x, y, radius = circle
         cut = self._cut(x, y, (1.0 + 1.5 * _WINDOW) * radius)
@@ -286,7 +286,7 @@ class Finder:
         angles = 2.0 * _ANGLES[rays]
         return profiles.points(rays, distances / (1.0 + cosine * np.cos(angles) + sine * np.sin(angles)))
 
-    def _means(self, profiles: _Profiles, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> _Reals:
+    def _means(self, profiles: _Profiles, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> Reals:
         """Return the mean distances of the rim along rays, as if it had not been displaced across them.
 
         The share of the rim along a ray is the mean over the exposure of a rim that moves along it. As long as there is
@@ -311,7 +311,7 @@ class Finder:
             blur = np.sqrt(5.0 * np.maximum(along + math.hypot(*sizes[1:]), 0.0))
             if not last:
                 half = np.minimum(rim + blur + foot, half)
-        found: _Reals = np.where(blur < rim, halves, mean) - along / (2.0 * circle[2])
+        found: Reals = np.where(blur < rim, halves, mean) - along / (2.0 * circle[2])
         return found
 
     def _cut(self, x: float, y: float, reach: float) -> tuple[slice, slice] | None:
@@ -353,7 +353,7 @@ class Finder:
         down = np.abs(np.mod(_ANGLES + 0.5 * math.pi + math.pi, math.tau) - math.pi)
         return np.asarray(marked | (down < _SHADOW))
 
-    def outlines(self, difference: npt.NDArray[np.uint8]) -> tuple[_Reals, _Reals] | None:
+    def outlines(self, difference: npt.NDArray[np.uint8]) -> tuple[Reals, Reals] | None:
         """Return the points of the outlines of what differs from the background, m."""
         cv2 = require("cv2")
         level = max(_SIGNAL * self._noise, 0.25 * float(np.percentile(difference, 99.9)))
@@ -436,7 +436,7 @@ def _light(frame: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
     return np.asarray(_LIGHT[frame])
 
 
-def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> _Reals:
+def _oval(centre: tuple[float, float], x: Reals, y: Reals) -> Reals:
     """Return the cosine and sine of twice the angle of an oval over its radius."""
     angles, distances = np.arctan2(y - centre[1], x - centre[0]), np.hypot(x - centre[0], y - centre[1])
     waves = [np.ones_like(angles), *(wave(k * angles) for k in (1.0, 2.0) for wave in (np.cos, np.sin))]
@@ -483,22 +483,22 @@ class _Profiles:
         # A value beside the border is a mean with what is outside of it.
         self.inside = self.values.min(axis=1) > 1e-3 * _OUTSIDE
 
-    def crossing(self, rays: npt.NDArray[Any], above: npt.NDArray[Any], below: npt.NDArray[Any]) -> _Reals:
+    def crossing(self, rays: npt.NDArray[Any], above: npt.NDArray[Any], below: npt.NDArray[Any]) -> Reals:
         """Return the distances at which rays fall to half of their largest value, between two neighbouring places."""
         high, low = self.values[rays, above], self.values[rays, below]
         part = (high - 0.5 * self.largest[rays]) / (high - low)
-        found: _Reals = self.distances[above] + part * (self.distances[below] - self.distances[above])
+        found: Reals = self.distances[above] + part * (self.distances[below] - self.distances[above])
         return found
 
-    def distances_of(self, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> _Reals:
+    def distances_of(self, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> Reals:
         """Return the distances at which rays from near its centre meet a circle."""
         x, y = circle[0] - self.centre[0], circle[1] - self.centre[1]
         cosine, sine = np.cos(_ANGLES[rays]), np.sin(_ANGLES[rays])
         across = y * cosine - x * sine
-        found: _Reals = x * cosine + y * sine + np.sqrt(np.square(circle[2]) - np.square(across))
+        found: Reals = x * cosine + y * sine + np.sqrt(np.square(circle[2]) - np.square(across))
         return found
 
-    def moments(self, rays: npt.NDArray[Any], middle: _Reals, half: _Reals) -> tuple[_Reals, _Reals, _Reals, _Reals]:
+    def moments(self, rays: npt.NDArray[Any], middle: Reals, half: Reals) -> tuple[Reals, Reals, Reals, Reals]:
         """Return sum, mean, median and variance of distances weighted by the values, up to so far from the middle.
 
         On a ray without values they are far away, and no circle takes them.
@@ -516,14 +516,14 @@ class _Profiles:
         median = self.distances[place[:, 0]] + (0.5 - too_much / np.maximum(there, _NOTHING)) * step
         return total * step, middle + mean, median, variance
 
-    def points(self, rays: npt.NDArray[Any], distances: _Reals) -> tuple[_Reals, _Reals]:
+    def points(self, rays: npt.NDArray[Any], distances: Reals) -> tuple[Reals, Reals]:
         """Return points on rays, m."""
         angles = _ANGLES[rays]
         return self.centre[0] + distances * np.cos(angles), self.centre[1] + distances * np.sin(angles)
 
 
 def _fit_circle(
-    x: _Reals, y: _Reals, guess: tuple[float, float, float], scale: float
+    x: Reals, y: Reals, guess: tuple[float, float, float], scale: float
 ) -> tuple[tuple[float, float, float], float, npt.NDArray[np.bool_]]:
     """Fit a circle by distances, with Tukey's weights: circle, scatter of the edge, and which points belong to it."""
     a, b, radius = guess

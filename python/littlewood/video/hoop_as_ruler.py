@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ..elementwise import Reals
 from ..extras import require
 from .errors import NoHoopError
 from .files import Frame
@@ -18,7 +19,6 @@ from .tracking import LEAST_PICTURES, frames_all_over, median_and_noise
 
 __all__ = ["find_plane"]
 
-_Reals = npt.NDArray[np.float64]
 
 # Circles through three points of an outline that are tried in each frame, and how far a point may be off, radii.
 _DRAWS = 400
@@ -125,7 +125,7 @@ def _largest_circle(search: Finder, frame: Frame, number: int) -> tuple[float, f
     return (float(centre_x[best]), float(centre_y[best]), float(radius[best])) if part[best] > _LEAST_SEEN else None
 
 
-def _rectified(plane: Plane, rims: list[tuple[_Reals, _Reals, float]], radius_m: float, shape: Any) -> Plane:
+def _rectified(plane: Plane, rims: list[tuple[Reals, Reals, float]], radius_m: float, shape: Any) -> Plane:
     """Return the plane in which rims are circles, with the floor below them."""
     height, width = shape[:2]
     unit = 0.5 * max(height, width)
@@ -137,11 +137,11 @@ def _rectified(plane: Plane, rims: list[tuple[_Reals, _Reals, float]], radius_m:
     owners = np.repeat(np.arange(len(points)), [one.shape[1] for one in points])
     stacked = np.concatenate(points, axis=1)
 
-    def matrix(unknowns: _Reals) -> _Reals:
+    def matrix(unknowns: Reals) -> Reals:
         stretch, shear, across, up = unknowns
         return np.array([[1.0 + stretch, shear, 0.0], [shear, 1.0 - stretch, 0.0], [across, up, 1.0]])
 
-    def residuals(unknowns: _Reals) -> _Reals:
+    def residuals(unknowns: Reals) -> Reals:
         x, y, weight = matrix(unknowns) @ stacked
         _, distances = _circles(x / weight, y / weight, owners)
         return np.concatenate([(distances / np.median(distances) - 1.0) / _SCATTER, unknowns / _PRIOR])
@@ -161,11 +161,11 @@ def _rectified(plane: Plane, rims: list[tuple[_Reals, _Reals, float]], radius_m:
     return Plane(np.linalg.inv(moved @ turned @ round_))
 
 
-def _circles(x: _Reals, y: _Reals, owners: npt.NDArray[np.intp]) -> tuple[_Reals, _Reals]:
+def _circles(x: Reals, y: Reals, owners: npt.NDArray[np.intp]) -> tuple[Reals, Reals]:
     """Return the centres of circles through the points of each owner, and the distances of the points from them."""
     count = int(owners[-1]) + 1
 
-    def means(values: _Reals) -> _Reals:
+    def means(values: Reals) -> Reals:
         return np.asarray(np.bincount(owners, values, count) / np.bincount(owners, minlength=count))
 
     middle_x, middle_y = means(x), means(y)
@@ -179,7 +179,7 @@ def _circles(x: _Reals, y: _Reals, owners: npt.NDArray[np.intp]) -> tuple[_Reals
     return np.column_stack([middle_x + a, middle_y + b]), np.asarray(distances)
 
 
-def _floor(centres: _Reals) -> tuple[float, float]:
+def _floor(centres: Reals) -> tuple[float, float]:
     """Return the angle of the floor, and the height of centres in contact in axes that are turned by it, radii."""
     best, most = (0.0, float(centres[:, 1].min())), 0
     for i in range(len(centres)):

@@ -16,7 +16,7 @@ from ..trajectory import Trajectory
 from .errors import UnreadableVideoError
 from .files import Frame, FrameWriter, frames
 from .plane import Plane
-from .tracking import background_of
+from .tracking import frames_all_over, median_and_noise
 
 __all__ = ["draw_motion", "overlay_picture", "overlay_video"]
 
@@ -137,7 +137,7 @@ def overlay_picture(
     some = list(frames(video, numbers))
     if not some:
         raise UnreadableVideoError(str(video), "it has no frame of the motion")
-    still, _ = background_of(video)
+    still, _ = median_and_noise(frames_all_over(video, 0, None))
     picture, farthest = still, np.zeros(still.shape[:2])
     for frame in some:
         # What differs most from the background is a hoop.

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from ..elementwise import Reals
+
 if TYPE_CHECKING:
     from .camera import Camera
 
 __all__ = ["Plane"]
 
-_Reals = npt.NDArray[np.float64]
 
-
-def _points(name: str, points: npt.ArrayLike, least: int) -> _Reals:
+def _points(name: str, points: npt.ArrayLike, least: int) -> Reals:
     found = np.array(points, dtype=np.float64)
     if found.ndim != 2 or found.shape[1] != 2 or found.shape[0] < least or not np.all(np.isfinite(found)):
         raise ValueError(
@@ -26,7 +26,7 @@ def _points(name: str, points: npt.ArrayLike, least: int) -> _Reals:
     return found
 
 
-def _centred(points: _Reals) -> tuple[_Reals, _Reals]:
+def _centred(points: Reals) -> tuple[Reals, Reals]:
     """Return points about their mean at a mean distance of √2, and the matrix that makes them so."""
     mean = points.mean(axis=0)
     scale = math.sqrt(2.0) / float(np.mean(np.hypot(*(points - mean).T)))
@@ -34,7 +34,7 @@ def _centred(points: _Reals) -> tuple[_Reals, _Reals]:
     return (points - mean) * scale, matrix
 
 
-def _mapped(matrix: _Reals, a: npt.ArrayLike, b: npt.ArrayLike) -> tuple[_Reals, _Reals]:
+def _mapped(matrix: Reals, a: npt.ArrayLike, b: npt.ArrayLike) -> tuple[Reals, Reals]:
     a, b = np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
     (p, q, w) = (row[0] * a + row[1] * b + row[2] for row in matrix)
     return p / w, q / w
@@ -59,7 +59,7 @@ class Plane:
         If the matrix is not one of a plane that is seen from the side.
     """
 
-    matrix: _Reals
+    matrix: Reals
 
     def __post_init__(self) -> None:
         matrix = np.array(self.matrix, dtype=np.float64)
@@ -140,7 +140,7 @@ class Plane:
         """
         return cls(camera.matrix[:, [0, 1, 3]])
 
-    def to_pixels(self, x: npt.ArrayLike, y: npt.ArrayLike) -> tuple[_Reals, _Reals]:
+    def to_pixels(self, x: npt.ArrayLike, y: npt.ArrayLike) -> tuple[Reals, Reals]:
         """Return points of the plane in the frame, u and v in pixels.
 
         Parameters
@@ -150,7 +150,7 @@ class Plane:
         """
         return _mapped(self.matrix, x, y)
 
-    def to_metres(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[_Reals, _Reals]:
+    def to_metres(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Reals, Reals]:
         """Return the points of the plane that pixels show, x and y in m.
 
         Parameters

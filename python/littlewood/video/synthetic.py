@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ..elementwise import Reals
 from ..extras import require
 from ..trajectory import Trajectory
 from .camera import Camera
@@ -26,7 +27,6 @@ EXPOSURE_S = 1 / 500
 """How long its frames are exposed, s."""
 
 _Pixels = npt.NDArray[np.float32]
-_Reals = npt.NDArray[np.float64]
 
 _GAMMA = 2.2
 # Depth of the floor behind the plane of the motion, up to a wall, m.
@@ -192,7 +192,7 @@ def _frame(
     return np.clip(np.rint(levels), 0, 255).astype(np.uint8)
 
 
-def _instants(motion: Trajectory, begin: float, end: float, scale: float) -> tuple[_Reals, _Reals, float]:
+def _instants(motion: Trajectory, begin: float, end: float, scale: float) -> tuple[Reals, Reals, float]:
     """Return instants of an exposure, √(R/g), their weights, and the way of a point of the rim, pixels.
 
     The instants are those of Gauss between one transition and the next: the mean over them is that of the motion, which
@@ -217,7 +217,7 @@ def _levels(light: _Pixels) -> _Pixels:
 
 
 def _coverage(
-    scene: _Scene, samples: Any, weights: _Reals, offset: float, radius: float, look: Look, scale: float, way: float
+    scene: _Scene, samples: Any, weights: Reals, offset: float, radius: float, look: Look, scale: float, way: float
 ) -> tuple[_Pixels, _Pixels, tuple[Any, ...]]:
     """Return how much of a pixel rim and marker cover on the average, and the pixels that they touch."""
     x = np.asarray(samples.x * radius, dtype=np.float32)

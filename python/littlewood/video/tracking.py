@@ -20,7 +20,6 @@ from .plane import Plane
 
 __all__ = [
     "LEAST_PICTURES",
-    "background_of",
     "colour_of",
     "finder_of",
     "frames_all_over",
@@ -225,11 +224,6 @@ def frames_all_over(path: str | Path, first: int, last: int | None) -> list[Fram
     if end - first < LEAST_PICTURES:
         raise TooFewFramesError(max(0, end - first), LEAST_PICTURES)
     return list(frames(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist())))
-
-
-def background_of(path: str | Path, first: int = 0, last: int | None = None) -> tuple[npt.NDArray[Any], float]:
-    """Return the median of frames of a video, and the standard deviation of the noise of a pixel."""
-    return median_and_noise(frames_all_over(path, first, last))
 
 
 def median_and_noise(some: list[Frame]) -> tuple[npt.NDArray[Any], float]:
