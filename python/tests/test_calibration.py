@@ -102,6 +102,7 @@ def pulls(result, hoop):
     ]
 
 
+@pytest.mark.thorough
 @pytest.mark.filterwarnings("ignore:interval")
 def test_what_the_camera_shows_wrong_is_found(motion):
     track = filmed(motion, 3, WRONG)
@@ -191,6 +192,7 @@ def test_slow_errors_are_told_from_others():
     assert 0.7 < np.median(of_others) < 1.6
 
 
+@pytest.mark.thorough
 @pytest.mark.filterwarnings("ignore::littlewood.fit_result.FitWarning")
 def test_intervals_hold_with_slow_errors(motion):
     """Errors over standard errors of 10 tracks are numbers of size 1, which those of independent errors are not."""

@@ -160,6 +160,7 @@ def mutate() -> Any:
     return script("mutate")
 
 
+@pytest.mark.thorough
 def test_the_checker_refuses_forgeries_of_each_family(mutate: Any) -> None:
     families = {one.given["family"] for one in CASES.values()}
     assert {CASES[name].given["family"] for name in mutate.QUICK} == families

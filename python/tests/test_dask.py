@@ -61,6 +61,7 @@ def test_a_block_is_computed_once(hoop, monkeypatch):
     assert len(calls) == 4
 
 
+@pytest.mark.thorough
 def test_workers_get_the_bits_of_one_machine(hoop, local, client):
     pids = client.run(os.getpid)
     assert len(set(pids.values()) | {os.getpid()}) == 3
@@ -109,6 +110,7 @@ def test_few_starts_a_block_change_no_bit(hoop, client):
     assert bits(lazy.compute()) == bits(eager)
 
 
+@pytest.mark.thorough
 def test_a_worker_that_is_killed_costs_nothing(hoop, local, client, tmp_path):
     path = tmp_path / "map.zarr"
     chunks = {"theta": 24, "theta_rate": 40}

@@ -60,6 +60,7 @@ def test_links_lead_somewhere():
             assert (page.parent / target).exists(), f"{page.name}: {target}"
 
 
+@pytest.mark.thorough
 def test_the_cluster_page_runs_on_a_cluster_of_this_machine(tmp_path, monkeypatch):
     from distributed import Client, LocalCluster
 

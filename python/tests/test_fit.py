@@ -66,6 +66,7 @@ RESTITUTION = ("mu_s", "mu_k", "inertia", "restitution")
 
 
 # Bounces hang on each other: their likelihood is no parabola, and the fit says so.
+@pytest.mark.thorough
 @pytest.mark.filterwarnings("ignore:interval")
 def test_it_recovers_the_restitution_from_bounces(hoop, guess):
     motion = dataclasses.replace(hoop, restitution=0.5).simulate(**BOUNCES)
@@ -221,6 +222,7 @@ def test_a_track_on_a_ramp_of_a_known_slope(hoop, guess, level):
     assert any("slope" in warning.message.parameters for warning in caught)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("level", [False, True])
 def test_the_slope_of_a_ramp_is_found(hoop, guess, level):
     motion = dataclasses.replace(hoop, slope=SLOPE).simulate(**THROW)

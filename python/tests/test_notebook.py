@@ -7,6 +7,7 @@ from nbclient import NotebookClient
 NOTEBOOK = Path(__file__).parents[1] / "notebooks" / "paper.ipynb"
 
 
+@pytest.mark.thorough
 @pytest.mark.filterwarnings("default")
 def test_the_notebook_runs_from_first_cell_to_last(tmp_path):
     notebook = nbformat.read(NOTEBOOK, as_version=4)
