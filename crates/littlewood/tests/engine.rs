@@ -689,7 +689,6 @@ fn chains_of_slips_down_slopes_are_those_of_the_simulation() {
     assert_eq!(longest, 1_000);
 }
 
-/// A very light hoop with next to no friction: each passage of the bottom amplifies rounding by 1e4.
 /// The double at a multiple of 2π may lie to either side of it.
 #[test]
 fn motions_from_the_top_have_their_whole_turns() {
