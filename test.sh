@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # Tests on a fresh machine that has Rust, Python 3.11 and node 20; on Debian, as root, it installs Chromium.
 #
-#   ./test.sh                   the product: tests of the crates (the certified motions among them), of the Python package, of the page and of
-#                               the site
-#   ./test.sh --all             everything: the thorough tests of each, lints, the reference, and the evidence
+#   ./test.sh                   the product: tests of the crates (the certified motions among them), of the Python package and of the page
+#   ./test.sh --all             everything: the thorough tests of each, lints, the documents, and the evidence
 #   ./test.sh STAGE ARGUMENT…   one stage; `./test.sh --list` has all of them
 #
 # At its end it counts, and says what took how long.
@@ -58,8 +57,10 @@ end_beside() {
   return "$code"
 }
 
-compiled=(build) python_side=(python)
-[ -z "${LITTLEWOOD_THOROUGH:-}" ] || compiled=(format first-command clippy rustdoc build core) python_side+=(evidence)
+compiled=(build) python_side=(python) others=(rust page)
+if [ -n "${LITTLEWOOD_THOROUGH:-}" ]; then
+  compiled=(format first-command clippy rustdoc build core) python_side+=(evidence) others+=(documentation)
+fi
 begin_beside environments
 for name in "${compiled[@]}"; do stage "$name"; done
 end_beside
@@ -67,7 +68,7 @@ stage wheel
 export LITTLEWOOD_BUILT=1
 
 begin_beside "${python_side[@]}"
-for name in rust page documentation; do stage "$name"; done
+for name in "${others[@]}"; do stage "$name"; done
 end_beside
 
 echo

@@ -163,6 +163,7 @@ fn check_line(figure: &Figure, input: &FigureInput, axis: Axis, draw: &mut Draw)
 }
 
 #[test]
+#[ignore = "thorough"]
 fn bifurcations_of_all_cases_are_what_the_simulation_does() {
     let mut draw = Draw(32);
     let find = find_figure("bifurcation").expect("a figure");
@@ -203,6 +204,7 @@ fn a_start_with_several_motions_says_so() {
 }
 
 #[test]
+#[ignore = "thorough"]
 fn outcomes_of_all_cases_are_what_the_simulation_does() {
     let mut draw = Draw(33);
     let find = find_figure("outcomes").expect("a figure");

@@ -60,6 +60,7 @@ fn a_gif_has_all_frames_their_durations_and_their_pixels() {
 }
 
 #[test]
+#[ignore = "thorough"]
 fn the_committed_films_are_what_is_drawn() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/films");
     for (file, case, slow, impacts) in [
