@@ -5,7 +5,7 @@ use crate::rgb::Rgb;
 use crate::theme::Theme;
 
 named! {
-    /// A colour without a meaning of its own.
+    /// A colour for lines and areas that mean no mode, class or force.
     pub enum Ink {
         /// The background.
         Paper = "paper",

@@ -155,7 +155,7 @@ fn many_counts_are_in_classes_of_about_equal_size() {
         let least = 1 + 10 * i as u8;
         assert_eq!(*class, [least, least + 9]);
     }
-    // One count that nearly all have is a class of its own, and no count is in two.
+    // A count that most starts have gets a class of its own; classes do not overlap.
     let uneven = classes((1..=40).map(|count| (count, if count == 26 { 90_000 } else { 11 })));
     assert_eq!(uneven.len(), CLASSES);
     assert!(uneven.windows(2).all(|pair| pair[0][0] <= pair[0][1] && pair[0][1] + 1 == pair[1][0]));

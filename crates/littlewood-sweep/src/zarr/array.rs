@@ -87,7 +87,7 @@ impl Array {
     }
 }
 
-/// The values of a chunk in a box of the full chunk size, little-endian, with the fill value where there are none.
+/// The values of a chunk as little-endian bytes. A chunk at the edge of the array is padded to the full size with the fill value.
 pub(super) fn to_bytes(column: Column, values: &ColumnValues, places: &[usize], size: usize) -> Vec<u8> {
     if values.len() == size {
         return bytes(values);
