@@ -15,7 +15,8 @@ checks = {
     "CITATION.cff, version": f"\nversion: {package['version']}\n" in citation,
     "CITATION.cff, repository-code": f"\nrepository-code: {package['repository']}\n" in citation,
     "pyproject.toml, Repository": python["urls"]["Repository"] == package["repository"],
-    "pyproject.toml, Changelog": python["urls"]["Changelog"] == f"{package['repository']}/blob/main/CHANGELOG.md",
+    "pyproject.toml, Changelog": python["urls"]["Changelog"]
+    == f"{package['repository']}/blob/main/CHANGELOG.md",
     "pyproject.toml, description": python["description"] == package["description"],
     "package.json, version": page["version"] == package["version"],
 }

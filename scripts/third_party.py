@@ -7,7 +7,16 @@ from pathlib import Path
 
 
 def metadata(target: str) -> dict:
-    command = ["cargo", "metadata", "--format-version", "1", "--locked", "--all-features", "--filter-platform", target]
+    command = [
+        "cargo",
+        "metadata",
+        "--format-version",
+        "1",
+        "--locked",
+        "--all-features",
+        "--filter-platform",
+        target,
+    ]
     return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
 
 
@@ -30,7 +39,9 @@ def linked(graph: dict, root: str) -> set[str]:
 def notices(package: dict) -> list[Path]:
     folder = Path(package["manifest_path"]).parent
     names = ("license", "licence", "copying", "notice", "copyright", "unlicense")
-    return sorted(path for path in folder.iterdir() if path.is_file() and path.name.lower().startswith(names))
+    return sorted(
+        path for path in folder.iterdir() if path.is_file() and path.name.lower().startswith(names)
+    )
 
 
 def main() -> None:

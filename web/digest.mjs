@@ -1,4 +1,5 @@
-// Compares the digests of all blocks of motions, as the core of the page computes them, with those committed. After `web/build.sh wasm`.
+// Compares the digests of all blocks of motions, as the core of the page computes them, with those
+// committed. After `web/build.sh wasm`.
 
 import { readFileSync } from 'node:fs';
 import { digestLine, initSync } from './src/wasm/littlewood_web.js';

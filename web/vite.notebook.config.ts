@@ -1,4 +1,5 @@
-// The laboratory as one file, for notebooks: `littlewood/laboratory.js` of the Python package, a module for anywidget.
+// The laboratory as one file, for notebooks: `littlewood/laboratory.js` of the Python package, a
+// module for anywidget.
 
 import { readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -31,7 +32,10 @@ function oneFile(): Plugin {
       page = page
         .replace(/<script type="module"[^>]*><\/script>/, '')
         .replace(/<link rel="(stylesheet|icon|manifest|modulepreload)"[^>]*>/g, '')
-        .replace(/(http-equiv="Content-Security-Policy" content=")[^"]*/, (_, head: string) => head + POLICY)
+        .replace(
+          /(http-equiv="Content-Security-Policy" content=")[^"]*/,
+          (_, head: string) => head + POLICY,
+        )
         // There is no other page beside a notebook.
         .replace(/<a href="\.\/story\.html">.*?<\/a>\. /, '')
         .replace('</head>', () => `<style>${style}</style></head>`)

@@ -11,11 +11,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut table = String::from("pub(super) const FILES: &[(&str, &[u8])] = &[\n");
     if env::var_os("CARGO_FEATURE_LAB").is_some() {
         let package = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
-        // A package has the page in itself; in the sources web/build.sh makes it. A path that does not exist would build the
-        // program anew each time; its folder shows when it comes.
+        // A package has the page in itself; in the sources web/build.sh makes it. A path that does
+        // not exist would build the program anew each time; its folder shows when it comes.
         let (ours, web) = (package.join("page"), package.join("../../web"));
         let built = web.join("dist");
-        if let Some(path) = [&ours, &built, &web, &package.join("src")].into_iter().find(|path| path.exists())
+        if let Some(path) = [&ours, &built, &web, &package.join("src")]
+            .into_iter()
+            .find(|path| path.exists())
         {
             println!("cargo:rerun-if-changed={}", path.display());
         }
@@ -37,7 +39,11 @@ fn list(folder: &Path, prefix: &str, table: &mut String) -> Result<(), Box<dyn E
         if entry.file_type()?.is_dir() {
             list(&entry.path(), &format!("{name}/"), table)?;
         } else {
-            writeln!(table, "    ({name:?}, include_bytes!({:?})),", entry.path().canonicalize()?)?;
+            writeln!(
+                table,
+                "    ({name:?}, include_bytes!({:?})),",
+                entry.path().canonicalize()?
+            )?;
         }
     }
     Ok(())

@@ -9,7 +9,9 @@ _HERE = Path(__file__).parent
 _ROOT = _HERE.parents[1]
 sys.path.insert(0, str(_HERE / "extensions"))
 
-_workspace = tomllib.loads((_ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]["package"]
+_workspace = tomllib.loads((_ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"][
+    "package"
+]
 
 project = "littlewood"
 author = "The littlewood authors"
@@ -30,7 +32,8 @@ extensions = [
     "tables",
 ]
 
-# The source folder is the repository, so that documents and their links stay where GitHub shows them, too.
+# The source folder is the repository, so that documents and their links stay where GitHub shows
+# them, too.
 root_doc = "docs/index"
 source_suffix = {".md": "markdown"}
 include_patterns = [
@@ -110,7 +113,8 @@ copybutton_prompt_is_regexp = True
 copybutton_only_copy_prompt_lines = True
 
 nitpicky = True
-# Of names that are not ours, those of these packages: intersphinx links them where LITTLEWOOD_INTERSPHINX asks for it, since that needs a network.
+# Of names that are not ours, those of these packages: intersphinx links them where
+# LITTLEWOOD_INTERSPHINX asks for it, since that needs a network.
 _OTHERS = {
     "python": "https://docs.python.org/3",
     "numpy": "https://numpy.org/doc/stable",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Installs the peers, runs every benchmark side by side in alternating rounds and prints one table.
 
-    python3 evidence/bench/compare.py [--rounds 5] [--quick] [--only NAME]
+python3 evidence/bench/compare.py [--rounds 5] [--quick] [--only NAME]
 """
 
 import argparse
@@ -19,7 +19,8 @@ HERE = Path(__file__).resolve().parent
 PYTHON = HERE / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BENCHMARKS = ("trajectory", "map", "rolling", "threads")
 
-# Times of stick, slip and lift-off in figure 3 (reference/), and the angles that reference.py prints.
+# Times of stick, slip and lift-off in figure 3 (reference/), and the angles that reference.py
+# prints.
 FIGURE_3 = ("0.5641075531019967503127", "0.9732230747724054053601", "1.518670213819436998469")
 ANGLES = {10: "7.95652637323792101906061003586", 10**6: "849826.504764716712183225172032"}
 COUNTS = [9784, 12690, 17526, 0]  # of 200 x 200 starts: at once, later, in contact to 50, failed
@@ -40,7 +41,11 @@ class Peer:
             if built.returncode:
                 return last_line(built.stderr)
         self.process = subprocess.Popen(
-            list(map(str, self.command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=self.environment
+            list(map(str, self.command)),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=self.environment,
         )
         return None
 
@@ -52,7 +57,9 @@ class Peer:
         except BrokenPipeError:
             answer = ""
         if not answer:
-            raise RuntimeError(f"stopped with exit status {self.process.wait()}; see its message above")
+            raise RuntimeError(
+                f"stopped with exit status {self.process.wait()}; see its message above"
+            )
         return json.loads(answer)
 
     def stop(self):
@@ -73,7 +80,15 @@ def python_peer(name, environment=None):
 def cargo_peer(name, folder, binary):
     manifest = HERE / folder / "Cargo.toml"
     target = HERE / folder / "target"  # whatever CARGO_TARGET_DIR says
-    build = ["cargo", "build", "--release", "--manifest-path", str(manifest), "--target-dir", str(target)]
+    build = [
+        "cargo",
+        "build",
+        "--release",
+        "--manifest-path",
+        str(manifest),
+        "--target-dir",
+        str(target),
+    ]
     suffix = ".exe" if os.name == "nt" else ""
     return Peer(name, target / "release" / (binary + suffix), build=build)
 
@@ -84,7 +99,9 @@ def install():
         venv.create(HERE / ".venv", with_pip=True)
     for package in (HERE / "requirements.txt").read_text().split():
         print(f"installing {package}", file=sys.stderr)
-        subprocess.run([PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", package])
+        subprocess.run(
+            [PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", package]
+        )
 
 
 def why_missing(name):
@@ -113,12 +130,21 @@ def measure(table, peers, options):
     large = 200 if options.quick else 1000
     plan = []
     if "trajectory" in options.only:
-        plan += [(name, "trajectory", 0, "trajectory") for name in ("ours", "heyoka", "SciPy", "numba", "diffsol")]
+        plan += [
+            (name, "trajectory", 0, "trajectory")
+            for name in ("ours", "heyoka", "SciPy", "numba", "diffsol")
+        ]
     if "map" in options.only:
-        plan += [(name, "map", cells, f"map {cells}") for name in ("ours", "heyoka", "SciPy", "numba")]
+        plan += [
+            (name, "map", cells, f"map {cells}") for name in ("ours", "heyoka", "SciPy", "numba")
+        ]
         plan += [("ours", "map", large, f"map {large}"), ("ours", "final", large, f"final {large}")]
     if "rolling" in options.only:
-        plan += [(name, "rolling", until, f"rolling {until}") for until in ANGLES for name in ("ours", "heyoka")]
+        plan += [
+            (name, "rolling", until, f"rolling {until}")
+            for until in ANGLES
+            for name in ("ours", "heyoka")
+        ]
     if "threads" in options.only:
         plan += [("ours", "threads", large, f"threads {large}")]
     for turn in range(options.rounds):
@@ -147,7 +173,9 @@ def row(section, tool, answers, base, per=1, error="", note=""):
     """One line: the median, the range over the rounds and the ratio of the median to ours, all for one of `per`."""
     seconds = [answer["seconds"] / per for answer in answers]
     median = statistics.median(seconds)
-    spread = f"{duration(min(seconds))} to {duration(max(seconds))}" if len(seconds) > 1 else "one round"
+    spread = (
+        f"{duration(min(seconds))} to {duration(max(seconds))}" if len(seconds) > 1 else "one round"
+    )
     ratio = significant(median / base) if base else "–"
     return f"| {section} | {tool} | {duration(median)} | {spread} | {ratio} | {error} | {note} |"
 
@@ -164,8 +192,12 @@ def trajectory_lines(table):
         "Engine::new": "preparation, once for each hoop and friction",
     }
     for name, answers in rows.items():
-        found = [(t, reference) for t, reference in zip(answers[-1]["times"], FIGURE_3) if t is not None]
-        worst = max((abs(float(Fraction(t) - Fraction(reference))) for t, reference in found), default=None)
+        found = [
+            (t, reference) for t, reference in zip(answers[-1]["times"], FIGURE_3) if t is not None
+        ]
+        worst = max(
+            (abs(float(Fraction(t) - Fraction(reference))) for t, reference in found), default=None
+        )
         error = "" if worst is None else f"{worst:.0e}"
         note = notes.get(name, given if name.startswith(("heyoka", "diffsol")) else "")
         yield row("figure 3", name, answers, base if found else None, error=error, note=note)
@@ -192,7 +224,9 @@ def map_lines(table):
             if name != "Engine":
                 expected = ours[-1]["outcomes"]
                 if last["pick"]:
-                    expected = "".join(expected[i * cells + j] for i in last["pick"] for j in last["pick"])
+                    expected = "".join(
+                        expected[i * cells + j] for i in last["pick"] for j in last["pick"]
+                    )
                     note = f"{len(last['pick'])} × {len(last['pick'])} of the starts; " + note
                 error = f"{sum(a != b for a, b in zip(outcomes, expected))} cells differ"
             elif cells == STARTS and kind == "map":
@@ -218,12 +252,21 @@ def thread_lines(table):
             label, base = f"{cells} × {cells}, to the end", table.median(section, "1")
             yield row(label, "Engine, one thread", one, base)
             note = f"{base / table.median(section, '2'):.2f} times as fast; shortest to shortest {shortest[0] / shortest[1]:.2f}"
-            yield row(label, "Engine, two threads", two, base, error="same counts" if same else "counts differ", note=note)
+            yield row(
+                label,
+                "Engine, two threads",
+                two,
+                base,
+                error="same counts" if same else "counts differ",
+                note=note,
+            )
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=5, metavar="N", help="rounds of every benchmark (default 5)")
+    parser.add_argument(
+        "--rounds", type=int, default=5, metavar="N", help="rounds of every benchmark (default 5)"
+    )
     parser.add_argument("--quick", action="store_true", help="fewer cells: 50 × 50 and 200 × 200")
     parser.add_argument("--only", choices=BENCHMARKS, help="only this benchmark")
     options = parser.parse_args()
@@ -241,7 +284,10 @@ def main():
         sys.exit(f"bench/ours does not build: {reason}")
     install()
     table, peers = Table(), {"ours": ours}
-    for peer in (*map(python_peer, ("heyoka", "SciPy", "numba")), cargo_peer("diffsol", "diffsol", "diffsol-peer")):
+    for peer in (
+        *map(python_peer, ("heyoka", "SciPy", "numba")),
+        cargo_peer("diffsol", "diffsol", "diffsol-peer"),
+    ):
         reason = why_missing(peer.name) if peer.build is None else None
         reason = reason or peer.start()
         if reason:
@@ -260,7 +306,10 @@ def main():
             print(line)
     for name, reason in table.missing:
         print(f"| – | {name} | missing | | | | {reason} |")
-    print(f"\n{options.rounds} rounds, {os.cpu_count()} cores; load before the first {before:.2f}", end="")
+    print(
+        f"\n{options.rounds} rounds, {os.cpu_count()} cores; load before the first {before:.2f}",
+        end="",
+    )
     print(f", after the last {os.getloadavg()[0]:.2f}." if hasattr(os, "getloadavg") else ".")
 
 

@@ -42,7 +42,11 @@ Runs = dict[str, list[Run]]
 
 def scored(runs: list[Run], case: str, setting: str) -> list[Run]:
     """The scored runs of a case with a setting, by falling step."""
-    found = [run for run in runs if (run["case"], run["setting"], run["status"]) == (case, setting, "scored")]
+    found = [
+        run
+        for run in runs
+        if (run["case"], run["setting"], run["status"]) == (case, setting, "scored")
+    ]
     return sorted(found, key=lambda run: -run["step"])
 
 
@@ -54,7 +58,9 @@ def number(value: float | None) -> str:
 def cell(runs: list[Run], case: str, setting: str) -> str:
     """The error at the step of the tables, and how many events are wrong; or why there is none."""
     mine = [run for run in runs if (run["case"], run["setting"]) == (case, setting)]
-    at = next((run for run in mine if run["status"] == "scored" and run["step"] == TABLE_STEP), None)
+    at = next(
+        (run for run in mine if run["status"] == "scored" and run["step"] == TABLE_STEP), None
+    )
     if at is not None:
         wrong = at["missed"] + at["spurious"]
         return number(at["error"]) + (f", {wrong} wrong" if wrong else "")
@@ -80,7 +86,9 @@ def category(name: str, every: dict[str, Engine], runs: Runs) -> list[str]:
     for engine, setting in rows_of(every, runs):
         cells = [cell(runs[engine.name], case, setting) for case in cases]
         if not set(cells) <= {"–", "cannot"}:
-            rows.append(f"| {' | '.join([engine.title, engine.said['contact'], setting, *cells])} |")
+            rows.append(
+                f"| {' | '.join([engine.title, engine.said['contact'], setting, *cells])} |"
+            )
     return rows
 
 
@@ -100,7 +108,11 @@ def order(runs: list[Run]) -> float | None:
 
 def event(run: Run, kind: str) -> float | None:
     """Size of the error of the last event of a kind; None where it was missed."""
-    errors = [abs(one["error"]) for one in run["events"] if one["kind"] == kind and one["error"] is not None]
+    errors = [
+        abs(one["error"])
+        for one in run["events"]
+        if one["kind"] == kind and one["error"] is not None
+    ]
     return errors[-1] if errors else None
 
 
@@ -108,7 +120,11 @@ def cost(runs: list[Run]) -> float | None:
     """Processor time at which the error is GOAL, between two runs by a line through the logarithms."""
     for coarse, fine in zip([None, *runs], runs, strict=False):
         if fine["error"] <= GOAL:
-            if coarse is None or coarse["cpu_s"] == fine["cpu_s"] or coarse["error"] <= fine["error"]:
+            if (
+                coarse is None
+                or coarse["cpu_s"] == fine["cpu_s"]
+                or coarse["error"] <= fine["error"]
+            ):
                 return float(fine["cpu_s"])
             share = math.log(GOAL / coarse["error"]) / math.log(fine["error"] / coarse["error"])
             return float(coarse["cpu_s"] * (fine["cpu_s"] / coarse["cpu_s"]) ** share)
@@ -133,7 +149,11 @@ def summary(every: dict[str, Engine], runs: Runs) -> list[str]:
             continue
         law = None if engine.is_adaptive else order(mine)
         cells = [number(event(at, kind)) for kind in ("stick", "lift_off", "landing")]
-        cells += [number(at["error"]), number(abs(at["energy_error_at_end"])), str(at["missed"] + at["spurious"])]
+        cells += [
+            number(at["error"]),
+            number(abs(at["energy_error_at_end"])),
+            str(at["missed"] + at["spurious"]),
+        ]
         cells += ["–" if law is None else f"{round(law, 1) + 0.0:.1f}", number(cost(mine))]
         rows.append(f"| {' | '.join([*head, *cells])} |")
     return rows
@@ -141,7 +161,10 @@ def summary(every: dict[str, Engine], runs: Runs) -> list[str]:
 
 def gradients(every: dict[str, Engine]) -> list[str]:
     """The table of derivatives: error over size in each phase, and signs that are wrong."""
-    rows = ["| engine | setting | case | with respect to | step | phases |", "|---|---|---|---|---|---|"]
+    rows = [
+        "| engine | setting | case | with respect to | step | phases |",
+        "|---|---|---|---|---|---|",
+    ]
     found: dict[tuple[str, ...], list[str]] = {}
     for row in read_rows(RESULTS / "gradients.csv"):
         key = tuple(row[name] for name in ("engine", "setting", "case", "quantity", "step"))
@@ -162,8 +185,15 @@ def settings(every: dict[str, Engine], runs: Runs) -> list[str]:
     rows = ["| engine | version | settings | author's reply |", "|---|---|---|---|"]
     for name in runs:
         engine = every[name]
-        words = name.replace("mjwarp", "mujoco-warp").replace("physx", "sapien").replace("hoppinghoop", "hopping-hoop")
-        package = next((one for one in engine.requires if words.replace("mjx", "mujoco-mjx") in one.lower()), "–")
+        words = (
+            name.replace("mjwarp", "mujoco-warp")
+            .replace("physx", "sapien")
+            .replace("hoppinghoop", "hopping-hoop")
+        )
+        package = next(
+            (one for one in engine.requires if words.replace("mjx", "mujoco-mjx") in one.lower()),
+            "–",
+        )
         version = package.rpartition("==")[2] or package.rpartition("@")[2][:10]
         adapter = f"[adapter](../evidence/engines/adapters/{engine.adapter.name})"
         docs = engine.said["docs"]
@@ -183,17 +213,33 @@ def picture(every: dict[str, Engine], runs: Runs) -> Figure:
         for name in runs
         if any(scored(runs[name], FIRST, setting) for setting in every[name].settings)
     }
-    drawn, axes = panels(len(lines), columns=4, height=165.0, letters=False, sharex=True, sharey=True)
+    drawn, axes = panels(
+        len(lines), columns=4, height=165.0, letters=False, sharex=True, sharey=True
+    )
     # One line with gaps is all others.
     gap = {"cpu_s": math.nan, "error": math.nan}
     others = [run for some in lines.values() for mine in some for run in (*mine, gap)]
     for panel, (name, some) in zip(axes, lines.items(), strict=True):
         panel.loglog(*points(others), color=LINE, linewidth=FINE, linestyle="solid")
         for mine, dashes in zip(some, DASHES, strict=False):
-            panel.plot(*points(mine), color=INK, linewidth=BOLD, linestyle=dashes, marker="o", markersize=2.5)
+            panel.plot(
+                *points(mine),
+                color=INK,
+                linewidth=BOLD,
+                linestyle=dashes,
+                marker="o",
+                markersize=2.5,
+            )
         panel.set_title(every[name].title.split(" (")[0])
-    settings = [Line2D([], [], color=INK, lw=BOLD, ls=dashes, marker="o", ms=2.5) for dashes in DASHES]
-    drawn.legend(settings, ["first setting of the tables", "second", "third"], loc="outside upper left", ncols=3)
+    settings = [
+        Line2D([], [], color=INK, lw=BOLD, ls=dashes, marker="o", ms=2.5) for dashes in DASHES
+    ]
+    drawn.legend(
+        settings,
+        ["first setting of the tables", "second", "third"],
+        loc="outside upper left",
+        ncols=3,
+    )
     drawn.supxlabel("processor time, s")
     drawn.supylabel("largest error of *x*, *y*, *θ*")
     return drawn
@@ -216,7 +262,11 @@ def main() -> None:
     every, runs = engines(), read(RESULTS)
     write(lambda: picture(every, runs), PICTURE, PAGE)
     text = PAGE.read_text(encoding="utf-8")
-    tables = {"summary": summary(every, runs), "gradients": gradients(every), "settings": settings(every, runs)}
+    tables = {
+        "summary": summary(every, runs),
+        "gradients": gradients(every),
+        "settings": settings(every, runs),
+    }
     for name in CATEGORIES:
         tables[f"{name} cases"] = listed(name)
         tables[name] = category(name, every, runs)

@@ -1,12 +1,14 @@
 """Runs the engines, each in its own virtual environment, checks and scores what they compute, and writes their rows.
 
-python evidence/engines/run.py [NAME ...] [--changed COMMIT] [--step STEP ...] [--case CASE ...] [--setting SETTING ...]
+python evidence/engines/run.py [NAME ...] [--changed COMMIT] [--step STEP ...] [--case CASE ...]
+[--setting SETTING ...]
                                [--out FOLDER]
 
-An engine is one file, adapters/NAME_adapter.py (.cjs, .rs), whose first comment says what it is and needs; template.py
-is one. The Python that runs this has the package of this repository; environments and logs are made under
-target/engines, or where LITTLEWOOD_ENGINES says. results/NAME.csv has a row for each run, results/machines.csv what
-each engine ran on. What is run replaces the runs of the same case and setting; all others stay.
+An engine is one file, adapters/NAME_adapter.py (.cjs, .rs), whose first comment says what it is and
+needs; template.py is one. The Python that runs this has the package of this repository;
+environments and logs are made under target/engines, or where LITTLEWOOD_ENGINES says.
+results/NAME.csv has a row for each run, results/machines.csv what each engine ran on. What is run
+replaces the runs of the same case and setting; all others stay.
 """
 
 from __future__ import annotations
@@ -99,12 +101,20 @@ class Engine:
         begin = f"error: {self.adapter.name}:"
         for key in ("engine", "contact", "settings", "docs"):
             if key not in self.said:
-                raise SystemExit(f"{begin} its first comment has no line `{key}: …`, as template.py has")
+                raise SystemExit(
+                    f"{begin} its first comment has no line `{key}: …`, as template.py has"
+                )
         if self.said["contact"] not in CONTACTS:
-            raise SystemExit(f"{begin} contact is {self.said['contact']}, not {' or '.join(CONTACTS)}")
+            raise SystemExit(
+                f"{begin} contact is {self.said['contact']}, not {' or '.join(CONTACTS)}"
+            )
         for one in self.requires:
-            if not re.fullmatch(r"cargo:\w+|git:[\w/.-]+@[0-9a-f]{40}|(npm:|debian:)?[\w@/.-]+==[\w.+]+", one):
-                raise SystemExit(f"{begin} requires {one}, which has no exact version: NAME==VERSION")
+            if not re.fullmatch(
+                r"cargo:\w+|git:[\w/.-]+@[0-9a-f]{40}|(npm:|debian:)?[\w@/.-]+==[\w.+]+", one
+            ):
+                raise SystemExit(
+                    f"{begin} requires {one}, which has no exact version: NAME==VERSION"
+                )
 
 
 def engines() -> dict[str, Engine]:
@@ -125,7 +135,15 @@ def prepared(engine: Engine) -> list[str]:
         return [os.environ.get("LITTLEWOOD_SYSTEM_PYTHON", DEBIAN), str(adapter)]
     if needs[0].startswith("cargo:"):
         manifest = HERE / "requirements" / needs[0].removeprefix("cargo:") / "Cargo.toml"
-        options = ["--quiet", "--release", "--locked", "--manifest-path", str(manifest), "--target-dir", str(folder)]
+        options = [
+            "--quiet",
+            "--release",
+            "--locked",
+            "--manifest-path",
+            str(manifest),
+            "--target-dir",
+            str(folder),
+        ]
         subprocess.run(["cargo", "build", *options], check=True)
         return [str(folder / "release" / adapter.stem)]
     made = folder.with_suffix(".txt")
@@ -134,7 +152,12 @@ def prepared(engine: Engine) -> list[str]:
         made.write_text("\n".join(needs), encoding="utf-8")
     if needs[0].startswith("npm:"):
         return ["env", f"NODE_PATH={folder / 'node_modules'}", "node", str(adapter)]
-    return ["env", f"LITTLEWOOD_SOURCES={folder / 'sources'}", str(folder / "bin" / "python"), str(adapter)]
+    return [
+        "env",
+        f"LITTLEWOOD_SOURCES={folder / 'sources'}",
+        str(folder / "bin" / "python"),
+        str(adapter),
+    ]
 
 
 def make(folder: Path, needs: list[str]) -> None:
@@ -143,10 +166,20 @@ def make(folder: Path, needs: list[str]) -> None:
     npm = [one.removeprefix("npm:").replace("==", "@") for one in needs if one.startswith("npm:")]
     if npm:
         folder.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["npm", "install", "--silent", "--no-save", "--prefix", str(folder), *npm], check=True)
+        subprocess.run(
+            ["npm", "install", "--silent", "--no-save", "--prefix", str(folder), *npm], check=True
+        )
         return
     venv.create(folder, clear=True, with_pip=True)
-    install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", *packages]
+    install = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--no-deps",
+        *packages,
+    ]
     subprocess.run([folder / "bin" / "python", *install], check=True)
     for one in needs:
         if one.startswith("git:"):
@@ -188,12 +221,16 @@ def outcome(code: int | None, message: str) -> dict[str, str]:
     return {"status": "refused" if code == REFUSED else "failed", "reason": last[0]}
 
 
-def run_adapter(prefix: list[str], case: Path, step: float, setting: str, record: Path, log: Path) -> dict[str, Any]:
+def run_adapter(
+    prefix: list[str], case: Path, step: float, setting: str, record: Path, log: Path
+) -> dict[str, Any]:
     """Run one adapter once: its status, and its cost. What it prints is in the log."""
     command = [*prefix, str(case), repr(step), setting, str(record)]
     record.unlink(missing_ok=True)
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
+        done = subprocess.run(
+            command, capture_output=True, text=True, timeout=PATIENCE, check=False
+        )
     except subprocess.TimeoutExpired:
         log.write_text(f"longer than {PATIENCE:g} s\n", encoding="utf-8")
         return outcome(None, "")
@@ -204,7 +241,10 @@ def run_adapter(prefix: list[str], case: Path, step: float, setting: str, record
         cost = json.loads(done.stdout.strip().splitlines()[-1])
         return {"status": "scored", "cpu_s": float(f"{cost['cpu_s']:.2g}"), "steps": cost["steps"]}
     except (IndexError, KeyError, ValueError):
-        return {"status": "failed", "reason": "the last line that it prints is not the JSON of adapter.main"}
+        return {
+            "status": "failed",
+            "reason": "the last line that it prints is not the JSON of adapter.main",
+        }
 
 
 def kept(score: dict[str, Any]) -> dict[str, Any]:
@@ -269,8 +309,13 @@ def scored(label: str, record: Path, log: Path) -> dict[str, Any]:
         return {"status": "failed", "reason": str(error).replace(str(record), "the record")}
     with log.open("a", encoding="utf-8") as file:
         print(one, *(f"warning: {doubt}" for doubt in one.doubts), sep="\n", file=file)
-    # A question names what would explain the first rows; a solver that is far off soon is another matter.
-    mistakes = [doubt for doubt in one.doubts if doubt.startswith("the first row is not") or doubt.endswith("?")]
+    # A question names what would explain the first rows; a solver that is far off soon is another
+    # matter.
+    mistakes = [
+        doubt
+        for doubt in one.doubts
+        if doubt.startswith("the first row is not") or doubt.endswith("?")
+    ]
     return {"status": "failed", "reason": mistakes[0]} if mistakes else kept(one.as_dict())
 
 
@@ -284,24 +329,54 @@ def gradient_runs(engine: Engine, options: argparse.Namespace) -> Iterator[dict[
         for label in GRADIENT_CASES:
             if options.case and label not in options.case:
                 continue
-            settings = [one for one in engine.settings if not options.setting or one in options.setting]
+            settings = [
+                one for one in engine.settings if not options.setting or one in options.setting
+            ]
             # A slip that is 0 at the start has no derivative.
-            quantities = [one for one in engine.gradients if BENCHMARK[label].given["start"].get(one) != 0.0]
+            quantities = [
+                one for one in engine.gradients if BENCHMARK[label].given["start"].get(one) != 0.0
+            ]
             for setting, quantity in ((one, other) for one in settings for other in quantities):
                 for step in options.step or GRADIENT_STEPS:
-                    file.write_text(json.dumps({**case_file(BENCHMARK[label]), "gradient": quantity}), encoding="utf-8")
-                    run: dict[str, Any] = {"engine": engine.name, "case": label, "quantity": quantity}
+                    file.write_text(
+                        json.dumps({**case_file(BENCHMARK[label]), "gradient": quantity}),
+                        encoding="utf-8",
+                    )
+                    run: dict[str, Any] = {
+                        "engine": engine.name,
+                        "case": label,
+                        "quantity": quantity,
+                    }
                     run |= {"setting": setting, "step": step}
                     log = logs / f"gradient-{label}-{quantity}-{setting}-{step:g}.log"
                     ran = run_adapter(prefix, file, step, setting, record, log)
-                    print(engine.name, label, quantity, setting, step, ran["status"], ran.get("reason", ""), flush=True)
+                    print(
+                        engine.name,
+                        label,
+                        quantity,
+                        setting,
+                        step,
+                        ran["status"],
+                        ran.get("reason", ""),
+                        flush=True,
+                    )
                     if ran["status"] != "scored":
                         yield run | {"phase": "", "status": ran["status"], "reason": ran["reason"]}
                         continue
-                    found = score_gradient(BENCHMARK[label].motion, *read_gradient(record), quantity)
+                    found = score_gradient(
+                        BENCHMARK[label].motion, *read_gradient(record), quantity
+                    )
                     for number, phase in enumerate(found.phases):
-                        numbers = {"exact": phase.size, "error": phase.error, "wrong_signs": phase.wrong_signs}
-                        yield run | {"phase": f"{number} {phase.mode}", "status": "scored", **rounded(numbers)}
+                        numbers = {
+                            "exact": phase.size,
+                            "error": phase.error,
+                            "wrong_signs": phase.wrong_signs,
+                        }
+                        yield run | {
+                            "phase": f"{number} {phase.mode}",
+                            "status": "scored",
+                            **rounded(numbers),
+                        }
 
 
 GRADIENT_CASES = ("rolls", "slides-and-sticks", "lands", "bounces")
@@ -333,7 +408,9 @@ in the record; a dash where it does not."""
 
 def event_text(event: dict[str, Any]) -> str:
     """One event of a cell."""
-    times = ("-" if event[key] is None else f"{event[key]:.8g}" for key in ("exact", "read", "found"))
+    times = (
+        "-" if event[key] is None else f"{event[key]:.8g}" for key in ("exact", "read", "found")
+    )
     return f"{event['kind']} {' '.join(times)}"
 
 
@@ -386,17 +463,26 @@ def write(folder: Path, name: str, runs: list[dict[str, Any]]) -> None:
     for run in runs:
         row = {key: "" if run.get(key) is None else run[key] for key in COLUMNS}
         row["step"] = f"{run['step']:g}"
-        rows.append(row | {"events": "; ".join(event_text(event) for event in run.get("events") or [])})
+        rows.append(
+            row | {"events": "; ".join(event_text(event) for event in run.get("events") or [])}
+        )
     write_rows(folder / f"{name}.csv", COLUMNS, rows)
 
 
-def merged(old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Sequence[str]) -> list[dict[str, Any]]:
+def merged(
+    old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Sequence[str]
+) -> list[dict[str, Any]]:
     """Runs, of which new ones replace those of the same case and setting; by case, setting and falling step."""
     again = {(run["case"], run["setting"]) for run in new}
-    kept_runs = [run for run in old if (run["case"], run["setting"]) not in again and run["case"] in BENCHMARK]
+    kept_runs = [
+        run
+        for run in old
+        if (run["case"], run["setting"]) not in again and run["case"] in BENCHMARK
+    ]
     order = {label: at for at, label in enumerate(BENCHMARK)}
     return sorted(
-        [*kept_runs, *new], key=lambda run: (order[run["case"]], settings.index(run["setting"]), -run["step"])
+        [*kept_runs, *new],
+        key=lambda run: (order[run["case"]], settings.index(run["setting"]), -run["step"]),
     )
 
 
@@ -416,16 +502,26 @@ def machine() -> dict[str, str]:
 def changed(commit: str) -> list[str]:
     """Engines whose adapter, or manifest, differs from a commit."""
     command = ["git", "diff", "--name-only", "--diff-filter=d", commit, "--", str(HERE)]
-    paths = subprocess.run(command, capture_output=True, text=True, check=True, cwd=HERE).stdout.split()
-    return [name for name in engines() if any(f"/{name}_adapter." in one or f"/{name}/" in one for one in paths)]
+    paths = subprocess.run(
+        command, capture_output=True, text=True, check=True, cwd=HERE
+    ).stdout.split()
+    return [
+        name
+        for name in engines()
+        if any(f"/{name}_adapter." in one or f"/{name}/" in one for one in paths)
+    ]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run engines and write their results; 1 if one fails on any case."""
     parser = argparse.ArgumentParser(description="Run engines, score them, and write their rows.")
     every = engines()
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"engines, by default all: {', '.join(every)}")
-    parser.add_argument("--changed", metavar="COMMIT", help="those whose adapter differs from this commit")
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help=f"engines, by default all: {', '.join(every)}"
+    )
+    parser.add_argument(
+        "--changed", metavar="COMMIT", help="those whose adapter differs from this commit"
+    )
     parser.add_argument("--case", action="append", choices=BENCHMARK)
     parser.add_argument("--setting", action="append")
     parser.add_argument("--step", action="append", type=float)
@@ -434,7 +530,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     for name in options.names:
         if name not in every:
-            parser.error(f"no engine {name}: there are {', '.join(every)}; adapters/{name}_adapter.py would be one")
+            parser.error(
+                f"no engine {name}: there are {', '.join(every)}; adapters/{name}_adapter.py would be one"
+            )
     names = options.names or (list(every) if options.changed is None else changed(options.changed))
     failed = 0
     for name in names:
@@ -443,7 +541,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             path = options.out / "gradients.csv"
             rows = list(gradient_runs(engine, options))
             rows += [row for row in read_rows(path) if row["engine"] != name]
-            write_rows(path, GRADIENT_COLUMNS, sorted(rows, key=lambda row: list(every).index(row["engine"])))
+            write_rows(
+                path,
+                GRADIENT_COLUMNS,
+                sorted(rows, key=lambda row: list(every).index(row["engine"])),
+            )
             continue
         found = list(runs(engine, options))
         failed += sum(run["status"] == "failed" for run in found)

@@ -18,7 +18,8 @@ def simulate(case, step, setting):
     """Yield rows: time, x and y of the geometric centre, theta."""
     case.one_coefficient()  # refuses a case with two
     case.without_restitution()  # refuses a case that bounces
-    # Copy to adapters/NAME_adapter.py, and replace these lines, in which a hoop falls through the plane.
+    # Copy to adapters/NAME_adapter.py, and replace these lines, in which a hoop falls through the
+    # plane.
     x, y = case.mass_centre()
     vx, vy = case.mass_centre_rates()
     theta = case.theta

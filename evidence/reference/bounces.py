@@ -3,15 +3,18 @@
     python3 -m pip install mpmath gmpy2        (gmpy2 only makes it faster)
     python3 bounces.py                         writes bounces.json beside this file
 
-What is independent here.  A flight is the parabola of the mass centre and a rotation at constant rate, evaluated
-naively with 80 digits; its first landing is found on a scan and refined by bisection.  An impact has no table of
-cases: Newton's and Euler's equations are followed in the normal impulse from event to event (slip ends, greatest
-compression, end by the law), and what a contact at rest does next is found from what friction could do.  Bounces are
-followed one by one until they are slower than 1e-32; what would still follow is shorter than 1e-28.
+What is independent here.  A flight is the parabola of the mass centre and a rotation at constant
+rate, evaluated naively with 80 digits; its first landing is found on a scan and refined by
+bisection.  An impact has no table of cases: Newton's and Euler's equations are followed in the
+normal impulse from event to event (slip ends, greatest compression, end by the law), and what a
+contact at rest does next is found from what friction could do.  Bounces are followed one by one
+until they are slower than 1e-32; what would still follow is shorter than 1e-28.
 
-Units: mass of the particle, radius and gravity are 1.  theta: angle of the particle from the upward vertical,
-counterclockwise; eta' = x' + theta': velocity of the lowest point of the hoop, x being the centre of the hoop.
+Units: mass of the particle, radius and gravity are 1.  theta: angle of the particle from the upward
+vertical, counterclockwise; eta' = x' + theta': velocity of the lowest point of the hoop, x being
+the centre of the hoop.
 """
+
 import json
 import os
 import random
@@ -21,17 +24,19 @@ from mpmath import mpf
 
 mp.mp.dps = 80
 DIGITS = 25
-LAST_RATE = mpf(10)**-32
+LAST_RATE = mpf(10) ** -32
 
 
 class Hoop:
     """Mass, place of the mass centre and inertia about it, from the hoop and the particle."""
 
     def __init__(self, mass_ratio, offset, inertia, mu_s, mu_k):
-        self.m1, self.l, self.izz, self.mu_s, self.mu_k = map(mpf, (mass_ratio, offset, inertia, mu_s, mu_k))
+        self.m1, self.l, self.izz, self.mu_s, self.mu_k = map(
+            mpf, (mass_ratio, offset, inertia, mu_s, mu_k)
+        )
         self.m = self.m1 + 1
         self.h = self.l / self.m
-        self.i = self.izz + self.m1 * self.h**2 + (self.l - self.h)**2
+        self.i = self.izz + self.m1 * self.h**2 + (self.l - self.h) ** 2
 
 
 class Body:
@@ -75,7 +80,11 @@ def impact(body, e, law):
     u, w = body.contact()
     closing = -w
     slips = int(mp.sign(u))
-    taken, given, compressed = mpf(0), mpf(0), None          # work taken up and given back, impulse of compression
+    taken, given, compressed = (
+        mpf(0),
+        mpf(0),
+        None,
+    )  # work taken up and given back, impulse of compression
     total, course = mpf(0), []
     while True:
         ratio, slips = friction(body, slips)
@@ -93,7 +102,7 @@ def impact(body, e, law):
         elif law == "newton":
             ahead.append(((e * closing - w) / dw, "end"))
         else:
-            left = e * e * taken - given                     # w p + dw p^2/2 = left
+            left = e * e * taken - given  # w p + dw p^2/2 = left
             ahead.append(((mp.sqrt(w * w + 2 * dw * left) - w) / dw, "end"))
         step, event = min(ahead)
         work = w * step + dw * step * step / 2
@@ -133,7 +142,7 @@ class Flight:
         """The first zero of the gap after the start."""
         b, (_, rate, _, opening) = self.b, self.start
         weight = 1 - b.h * mp.cos(self.theta) * rate**2
-        if weight > 0 and opening / weight < mpf(10)**-4 / (1 + abs(rate)):
+        if weight > 0 and opening / weight < mpf(10) ** -4 / (1 + abs(rate)):
             low, high = opening / weight, 4 * opening / weight
         else:
             largest = mpf(1) / 500 / (1 + abs(rate))
@@ -146,7 +155,14 @@ class Flight:
                     break
                 low, step = high, min(2 * step, largest)
         assert self.gap(low) >= 0 and self.gap(high) < 0
-        return mp.findroot(self.gap, (low, high), solver="anderson", tol=mpf(10)**-150, maxsteps=400, verify=False)
+        return mp.findroot(
+            self.gap,
+            (low, high),
+            solver="anderson",
+            tol=mpf(10) ** -150,
+            maxsteps=400,
+            verify=False,
+        )
 
     def after(self, e, law):
         """Time of the landing, the state after the impact, and how the slip went."""
@@ -159,7 +175,7 @@ class Flight:
 
 
 def text(x):
-    return mp.nstr(mpf(x) if abs(x) > mpf(10)**-34 else mpf(0), DIGITS)
+    return mp.nstr(mpf(x) if abs(x) > mpf(10) ** -34 else mpf(0), DIGITS)
 
 
 def record(time, state):
@@ -170,36 +186,46 @@ def flights():
     """Ordinary, slow, fast, tiny and nearly weightless ones."""
     draw = random.Random(11)
     cases = [
-        ((1.0, 1.0, 1.0), (0.3, 0.0, 0.4, 1.0)),                      # does not turn
+        ((1.0, 1.0, 1.0), (0.3, 0.0, 0.4, 1.0)),  # does not turn
         ((1.0, 1.0, 1.0), (2.0, 1e-9, 0.0, 0.5)),
-        ((1.0, 1.0, 1.0), (0.4, 1.2, 0.3, 1e-8)),                      # short
+        ((1.0, 1.0, 1.0), (0.4, 1.2, 0.3, 1e-8)),  # short
         ((1.0, 1.0, 1.0), (-0.4, 1.2, 0.3, 1e-8)),
         ((1.0, 1.0, 1.0), (3.0, -1.9, 0.3, 1e-5)),
-        ((1.0, 1.0, 1.0), (0.1, 1.425, 0.0, 1e-3)),                    # nearly weightless at the start
+        ((1.0, 1.0, 1.0), (0.1, 1.425, 0.0, 1e-3)),  # nearly weightless at the start
         ((1.0, 1.0, 1.0), (-0.1, 1.42, 0.0, 1e-6)),
-        ((1.0, 1.0, 1.0), (-0.5, 1.6, 0.0, 1e-9)),                     # opens again before it closes
+        ((1.0, 1.0, 1.0), (-0.5, 1.6, 0.0, 1e-9)),  # opens again before it closes
         ((1.0, 1.0, 1.0), (-0.9, 1.75, 0.0, 1e-4)),
-        ((1.0, 1.0, 1.0), (0.9, 3.0, 0.0, 0.7)),                       # many turns
+        ((1.0, 1.0, 1.0), (0.9, 3.0, 0.0, 0.7)),  # many turns
         ((0.1, 1.0, 0.1), (2.0, -6.0, -0.4, 2.5)),
         ((0.1, 1.0, 0.1), (-1.0, 9.0, 0.4, 0.01)),
-        ((1.0, 0.0, 1.0), (0.2, 1.3, -0.3, 0.8)),                      # balanced
-        ((1e-6, 1.0, 1e-6), (1.0, 2.0, 0.0, 0.3)),                     # light
-        ((1.0, 1.0, 1.0), (0.7, 60.0, 0.2, 1.5)),                      # fast
+        ((1.0, 0.0, 1.0), (0.2, 1.3, -0.3, 0.8)),  # balanced
+        ((1e-6, 1.0, 1e-6), (1.0, 2.0, 0.0, 0.3)),  # light
+        ((1.0, 1.0, 1.0), (0.7, 60.0, 0.2, 1.5)),  # fast
         ((0.5, 1.0, 0.5), (2.5, -45.0, 0.2, 0.4)),
-        ((1.0, 1.0, 1.0), (-1.5, 20.0, 0.2, 1.0)),                     # 70 turns
+        ((1.0, 1.0, 1.0), (-1.5, 20.0, 0.2, 1.0)),  # 70 turns
     ]
     for _ in range(40):
-        hoop = tuple(round(draw.uniform(0.05, 3), 3) for _ in range(1)) + (round(draw.uniform(0.1, 1), 3), round(draw.uniform(0.05, 3), 3))
-        gap_rate = draw.choice([draw.uniform(0, 2), 10**draw.uniform(-9, 0)])
-        cases.append((hoop, (draw.uniform(-3.2, 3.2), draw.uniform(-4, 4), draw.uniform(-1, 1), gap_rate)))
+        hoop = tuple(round(draw.uniform(0.05, 3), 3) for _ in range(1)) + (
+            round(draw.uniform(0.1, 1), 3),
+            round(draw.uniform(0.05, 3), 3),
+        )
+        gap_rate = draw.choice([draw.uniform(0, 2), 10 ** draw.uniform(-9, 0)])
+        cases.append(
+            (hoop, (draw.uniform(-3.2, 3.2), draw.uniform(-4, 4), draw.uniform(-1, 1), gap_rate))
+        )
     found = []
     for hoop, state in cases:
         b = Hoop(*hoop, 0.5, 0.4)
         flight = Flight(b, tuple(map(mpf, state)))
         t = flight.landing()
         body = flight.body(t)
-        found.append({"hoop": hoop, "start": state,
-                      "landing": record(t, (body.theta, body.spin, *body.contact()))})
+        found.append(
+            {
+                "hoop": hoop,
+                "start": state,
+                "landing": record(t, (body.theta, body.spin, *body.contact())),
+            }
+        )
     return found
 
 
@@ -210,14 +236,16 @@ def bounces():
     slippery = (1.0, 0.6, 0.7, 0.08, 0.05)
     cases = []
     for e in (0.2, 0.5, 0.8, 0.9, 0.99):
-        cases.append((thin, e, "energetic", (2.8, 1.1, 0.0, 0.02)))            # sticks each time
-        cases.append((thin, e, "energetic", (2.0, 0.9, 1.5, 0.02)))            # slips each time
+        cases.append((thin, e, "energetic", (2.8, 1.1, 0.0, 0.02)))  # sticks each time
+        cases.append((thin, e, "energetic", (2.0, 0.9, 1.5, 0.02)))  # slips each time
     for law in ("poisson", "newton"):
         for e in (0.3, 0.7):
             cases.append((thin, e, law, (2.8, 1.1, 0.01, 0.05)))
             cases.append((light, e, law, (1.0, 0.7, 0.0, 0.05)))
     for e in (0.4, 0.85):
-        cases.append((slippery, e, "energetic", (1.2, 1.0, 0.0, 0.03)))        # reverses, and slips in the end
+        cases.append(
+            (slippery, e, "energetic", (1.2, 1.0, 0.0, 0.03))
+        )  # reverses, and slips in the end
         cases.append((light, e, "energetic", (-1.0, 1.1, -0.02, 0.03)))
         cases.append(((1.0, 0.0, 1.0, 0.5, 0.4), e, "energetic", (0.5, 0.4, 0.3, 0.2)))
     # With e = 1 friction alone makes bounces shrink, where they stick or reverse.
@@ -230,13 +258,33 @@ def bounces():
         cases.append((light, e, "poisson", (1.0, 0.7, 0.0, 0.05)))
     # Light hoops at the bottom: what an impact does changes within a ten thousandth of a turn.
     for inertia, e, law, mu_s, mu_k, state in (
-        (1.9848315108045228e-07, 0.7, "energetic", 0.5, 0.5, (3.1415936917102525, 18.15417179932406, 0.0, 4.972981385995499e-07)),
-        (5.379514142957841e-05, 0.9, "poisson", 1.2, 0.6, (3.1415927904824628, 27.672050935894934, 0.0, 2.5688104915541483e-06)),
+        (
+            1.9848315108045228e-07,
+            0.7,
+            "energetic",
+            0.5,
+            0.5,
+            (3.1415936917102525, 18.15417179932406, 0.0, 4.972981385995499e-07),
+        ),
+        (
+            5.379514142957841e-05,
+            0.9,
+            "poisson",
+            1.2,
+            0.6,
+            (3.1415927904824628, 27.672050935894934, 0.0, 2.5688104915541483e-06),
+        ),
     ):
         cases.append(((0.0, 1.0, inertia, mu_s, mu_k), e, law, state))
     ring = 7.645132811504882e-06
-    cases.append(((ring, 1.0, ring, 1.2, 0.6), 0.7, "poisson",
-                  (3.1416000431203654, 887.8663583564115, -0.0023764263955505026, 0.003724320279507337)))
+    cases.append(
+        (
+            (ring, 1.0, ring, 1.2, 0.6),
+            0.7,
+            "poisson",
+            (3.1416000431203654, 887.8663583564115, -0.0023764263955505026, 0.003724320279507337),
+        )
+    )
     found = []
     for hoop, e, law, state in cases:
         b, now, time, count = Hoop(*hoop), tuple(map(mpf, state)), mpf(0), 0
@@ -244,8 +292,18 @@ def bounces():
             before = now
             t, now, course = Flight(b, now).after(mpf(e), law)
             time, count = time + t, count + 1
-        found.append({"hoop": hoop, "restitution": e, "law": law, "start": state, "bounces": count,
-                      "sticks": abs(now[2]) < mpf(10)**-28, "ratio": text(now[3] / before[3]), "end": record(time, now)})
+        found.append(
+            {
+                "hoop": hoop,
+                "restitution": e,
+                "law": law,
+                "start": state,
+                "bounces": count,
+                "sticks": abs(now[2]) < mpf(10) ** -28,
+                "ratio": text(now[3] / before[3]),
+                "end": record(time, now),
+            }
+        )
         print(found[-1])
     return found
 

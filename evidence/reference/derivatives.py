@@ -2,8 +2,9 @@
 
     python3 derivatives.py        writes derivatives.json beside this file
 
-The package `follower` follows each motion with every quantity moved by 1e-13 to both sides, from Newton-Euler alone: the differences have 25 digits.
-Quantities on whose two sides the motion differs (a slip velocity of 0, the inertia of a massless hoop, equal coefficients of friction) are left out.
+The package `follower` follows each motion with every quantity moved by 1e-13 to both sides, from
+Newton-Euler alone: the differences have 25 digits. Quantities on whose two sides the motion differs
+(a slip velocity of 0, the inertia of a massless hoop, equal coefficients of friction) are left out.
 
 Needs gmpy2 and python-flint.
 """
@@ -18,23 +19,37 @@ from follower.arithmetic import FINE, Tie, Work
 from follower.motion import NUMBERS, follow
 from gmpy2 import mpfr
 
-HOOP, START = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k", "slope"), ("theta", "theta_rate", "slip", "gap_rate")
+HOOP, START = (
+    ("mass_ratio", "offset", "inertia", "mu_s", "mu_k", "slope"),
+    ("theta", "theta_rate", "slip", "gap_rate"),
+)
 STEP = "1e-13"
 KINDS = {"usual": 20, "slope": 14, "light": 8, "massless": 12, "bounces": 10}
 LAWS = ("energetic", "poisson", "newton")
-MOST = 5                         # transitions of a motion
+MOST = 5  # transitions of a motion
 
 
 def drawn(kind, rng):
     """A hoop, a start, and a coefficient and law of restitution or none."""
     mass, inertia = rng.uniform(0, 3), rng.uniform(0.05, 3)
     if kind == "light":
-        mass = inertia = 10**rng.uniform(-4, -1)
+        mass = inertia = 10 ** rng.uniform(-4, -1)
     if kind == "massless":
         mass = inertia = 0.0
     static = rng.uniform(0.05, 1.2)
-    slope = rng.uniform(-1.2, 1.2) if kind == "slope" or kind == "massless" and rng.random() < 0.3 else 0.0
-    hoop = [mass, rng.choice([1.0, rng.uniform(0.1, 1)]), inertia, static, static * rng.random(), slope]
+    slope = (
+        rng.uniform(-1.2, 1.2)
+        if kind == "slope" or kind == "massless" and rng.random() < 0.3
+        else 0.0
+    )
+    hoop = [
+        mass,
+        rng.choice([1.0, rng.uniform(0.1, 1)]),
+        inertia,
+        static,
+        static * rng.random(),
+        slope,
+    ]
     slip = rng.choice([0.0, rng.uniform(-2, 2)])
     start = [rng.uniform(-math.pi, math.pi), rng.uniform(-2.5, 2.5), slip, 0.0]
     if kind == "bounces" and rng.random() < 0.5:
@@ -53,7 +68,9 @@ def events(hoop, start, bounce):
 
 
 def numbers_of(event, after):
-    return [event.get("after", {}).get(name, event[name]) if after else event[name] for name in NUMBERS]
+    return [
+        event.get("after", {}).get(name, event[name]) if after else event[name] for name in NUMBERS
+    ]
 
 
 def differentiated(problem):
@@ -64,13 +81,17 @@ def differentiated(problem):
         found.pop()
     if not found:
         return None
-    places = [(name, 0, i) for i, name in enumerate(HOOP)] + [(name, 1, i) for i, name in enumerate(START)]
+    places = [(name, 0, i) for i, name in enumerate(HOOP)] + [
+        (name, 1, i) for i, name in enumerate(START)
+    ]
     if bounce:
         places.append(("restitution", 2, 0))
     rows = [{"cause": event["cause"], "before": {}, "after": {}} for event in found]
     for name, group, i in places:
         value = (hoop, start, bounce)[group][i]
-        if (kind == "massless" and name in ("mass_ratio", "inertia")) or (name in ("slip", "gap_rate") and value == 0):
+        if (kind == "massless" and name in ("mass_ratio", "inertia")) or (
+            name in ("slip", "gap_rate") and value == 0
+        ):
             continue
         step = mpfr(STEP) * max(1, abs(value))
         sides = []
@@ -84,7 +105,9 @@ def differentiated(problem):
             for when in ("before", "after"):
                 plus, minus = (numbers_of(side[k], when == "after") for side in sides)
                 row[when][name] = [float((p - m) / (2 * step)) for p, m in zip(plus, minus)]
-    hoops = dict(zip(HOOP, hoop), restitution=bounce and bounce[0], restitution_law=bounce and bounce[1])
+    hoops = dict(
+        zip(HOOP, hoop), restitution=bounce and bounce[0], restitution_law=bounce and bounce[1]
+    )
     return {"kind": kind, "hoop": hoops, "start": dict(zip(START, start)), "events": rows}
 
 
@@ -96,7 +119,12 @@ def main():
             found = [row for row in pool.imap(differentiated, problems, chunksize=1) if row]
             print(kind, len(found), "of", len(problems), flush=True)
             out += found[:count]
-    head = {"made_by": "derivatives.py", "working_digits": 40, "step": float(STEP), "numbers": NUMBERS}
+    head = {
+        "made_by": "derivatives.py",
+        "working_digits": 40,
+        "step": float(STEP),
+        "numbers": NUMBERS,
+    }
     lines = ",\n".join(json.dumps(row) for row in out)
     text = json.dumps(head)[:-1] + ', "motions": [\n' + lines + "\n]}\n"
     Path(__file__).with_name("derivatives.json").write_text(text, encoding="ascii")

@@ -3,15 +3,18 @@
     python3 -m pip install mpmath gmpy2        (gmpy2 only makes it faster)
     python3 flights.py                         writes flights.json beside this file
 
-What is independent here.  The height of the mass centre is a parabola in time and that of the rim below it a cosine, added up as
-they stand with 110 digits; there are no series and no expansion at the start.  The landing is the first instant at which that
-height vanishes: instants at which its second derivative vanishes are written down, between them zeros of the first derivative
-are bisected, and between those the height is monotone.  Turns that pass high up are skipped, by the lowest point that a rim
-could have at any angle.
+What is independent here.  The height of the mass centre is a parabola in time and that of the rim
+below it a cosine, added up as they stand with 110 digits; there are no series and no expansion at
+the start.  The landing is the first instant at which that height vanishes: instants at which its
+second derivative vanishes are written down, between them zeros of the first derivative are
+bisected, and between those the height is monotone.  Turns that pass high up are skipped, by the
+lowest point that a rim could have at any angle.
 
-Units: mass of the particle, radius and gravity are 1.  The hoop itself has no mass, so that the mass centre is at the particle,
-h = offset.  theta: angle of the particle from the upward vertical, counterclockwise.
+Units: mass of the particle, radius and gravity are 1.  The hoop itself has no mass, so that the
+mass centre is at the particle, h = offset.  theta: angle of the particle from the upward vertical,
+counterclockwise.
 """
+
 import json
 import os
 import random
@@ -27,12 +30,21 @@ class Flight:
     """The height of the rim as a function of time, in the direction in which the hoop turns."""
 
     def __init__(self, h, theta, rate, gap_rate):
-        self.h, self.theta, self.rate, self.gap_rate = h, theta * mp.sign(rate or 1), abs(rate), gap_rate
+        self.h, self.theta, self.rate, self.gap_rate = (
+            h,
+            theta * mp.sign(rate or 1),
+            abs(rate),
+            gap_rate,
+        )
         self.cos, sin = mp.cos_sin(self.theta)
-        self.rise = gap_rate - h * sin * self.rate       # of the mass centre
+        self.rise = gap_rate - h * sin * self.rate  # of the mass centre
 
     def gap(self, time):
-        return self.rise * time - time * time / 2 + self.h * (self.cos - mp.cos(self.theta + self.rate * time))
+        return (
+            self.rise * time
+            - time * time / 2
+            + self.h * (self.cos - mp.cos(self.theta + self.rate * time))
+        )
 
     def slope(self, time):
         return self.rise - time + self.h * self.rate * mp.sin(self.theta + self.rate * time)
@@ -49,13 +61,14 @@ class Flight:
         while True:
             for side in (-level, level):
                 time = (side + 2 * mp.pi * turn - self.theta) / self.rate
-                if time > low + mpf(10)**-40:
+                if time > low + mpf(10) ** -40:
                     yield time
             turn += 1
 
     def window(self):
         """Instants before and after the landing, few turns apart; the rim is above the plane from soon after the start to the first."""
-        # The rim is no lower than with the mass centre over it, and no higher than with the mass centre under it.
+        # The rim is no lower than with the mass centre over it, and no higher than with the mass
+        # centre under it.
         lowest, highest = self.h * (self.cos - 1), self.h * (self.cos + 1)
         last = self.rise + mp.sqrt(self.rise**2 + 2 * highest)
         turn = 2 * mp.pi / self.rate if self.rate else last
@@ -103,13 +116,13 @@ def bisect(function, derivative, a, b, falls):
         if not a < x + step < b:
             step = (a + b) / 2 - x
         x += step
-        if abs(step) <= abs(x) * mpf(10)**-40:
+        if abs(step) <= abs(x) * mpf(10) ** -40:
             return x
     raise AssertionError("does not converge")
 
 
 def log_uniform(low, high):
-    return 10**random.uniform(low, high)
+    return 10 ** random.uniform(low, high)
 
 
 def start_of(kind):
@@ -123,7 +136,7 @@ def start_of(kind):
             theta = random.uniform(-3.14, 3.14) + 6.283185307179586 * turns
             gap_rate = random.choice([log_uniform(-12, 6), log_uniform(-3, 1), 0.1 * h * abs(rate)])
             return h, theta, rate, gap_rate, mpf(theta)
-        need = h * mpf(rate)**2
+        need = h * mpf(rate) ** 2
         if need <= 1:
             continue
         level = mp.acos(1 / need)
@@ -131,9 +144,11 @@ def start_of(kind):
         if kind == "lift_off":
             return h, float(exact), rate, 0.0, exact
         # Unloaded: nearer to the top.
-        part = random.choice([random.uniform(-1, 1), 1 - log_uniform(-9, 0), log_uniform(-9, 0) - 1])
+        part = random.choice(
+            [random.uniform(-1, 1), 1 - log_uniform(-9, 0), log_uniform(-9, 0) - 1]
+        )
         theta = float(part * level + 2 * mp.pi * turns)
-        if h * mp.cos(mpf(theta)) * mpf(rate)**2 > 1 + mpf(10)**-12:
+        if h * mp.cos(mpf(theta)) * mpf(rate) ** 2 > 1 + mpf(10) ** -12:
             return h, theta, rate, 0.0, mpf(theta)
 
 
@@ -149,8 +164,14 @@ def main(counts=(("thrown", 200), ("unloaded", 100), ("lift_off", 100)), seed=5)
             h, theta, rate, gap_rate, exact = start_of(kind)
             flight = Flight(mpf(h), exact, mpf(rate), mpf(gap_rate))
             time = flight.landing()
-            flights.append({"kind": kind, "h": h, "start": [theta, rate, gap_rate],
-                            "landing": {"time": text(time), "gap_rate": text(flight.slope(time))}})
+            flights.append(
+                {
+                    "kind": kind,
+                    "h": h,
+                    "start": [theta, rate, gap_rate],
+                    "landing": {"time": text(time), "gap_rate": text(flight.slope(time))},
+                }
+            )
     return flights
 
 

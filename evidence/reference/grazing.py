@@ -3,13 +3,15 @@
     python3 -m pip install mpmath
     python3 grazing.py                         writes grazing.json beside this file
 
-What is independent here.  N and F come from the Newton-Euler balances of a body that rolls, solved for the angular acceleration at
-each angle and energy; the greatest |F|/N of an orbit is looked for on a grid of angles, and its energy on
-a grid of energies from above; both are then refined with 40 digits from the equations that hold there.
+What is independent here.  N and F come from the Newton-Euler balances of a body that rolls, solved
+for the angular acceleration at each angle and energy; the greatest |F|/N of an orbit is looked for
+on a grid of angles, and its energy on a grid of energies from above; both are then refined with 40
+digits from the equations that hold there.
 
-Units: mass of the particle, radius and gravity are 1.  theta: angle of the particle from the upward vertical,
-counterclockwise.
+Units: mass of the particle, radius and gravity are 1.  theta: angle of the particle from the upward
+vertical, counterclockwise.
 """
+
 import json
 import math
 import os
@@ -21,7 +23,8 @@ mp.mp.dps = 40
 DIGITS = 25
 ANGLES = 240
 
-# mass ratio, offset, inertia about the centre, coefficient of friction, energy below which the orbit is looked for
+# mass ratio, offset, inertia about the centre, coefficient of friction, energy below which the
+# orbit is looked for
 CASES = [
     (1, 1, 1, 0.5, 10.0),
     (0.25, 1, 0.25, 0.75, 10.0),
@@ -53,7 +56,8 @@ class Hoop:
         """|F|/N of rolling: the balances are linear in the angular acceleration."""
         s, c, u = sin(theta), cos(theta), self.square_rate(theta, energy)
         m, h = self.m, self.h
-        # m (x - h sin theta)'' = F with x = -theta,  m (h cos theta)'' = N - m,  i theta'' = h s N + (1 + h c) F
+        # m (x - h sin theta)'' = F with x = -theta,  m (h cos theta)'' = N - m,  i theta'' = h s
+        # N + (1 + h c) F
         forces = lambda a: (m + m * h * (-s * a - c * u), m * (-(1 + h * c) * a + h * s * u))
         residual = lambda a: self.i * a - h * s * forces(a)[0] - (1 + h * c) * forces(a)[1]
         at_zero = residual(0)
@@ -100,7 +104,10 @@ def grazing(case, below):
         return mp.diff(lambda angle: hoop.demand(angle, e), t)
 
     angle, energy = mp.findroot(
-        lambda t, e: (hoop.demand(t, e) - hoop.mu, slope(t, e)), (mpf(theta), mpf(high)), tol=mpf("1e-50"))
+        lambda t, e: (hoop.demand(t, e) - hoop.mu, slope(t, e)),
+        (mpf(theta), mpf(high)),
+        tol=mpf("1e-50"),
+    )
     return hoop, angle, energy
 
 
@@ -113,11 +120,21 @@ def main():
     for mass_ratio, offset, inertia, mu, below in CASES:
         hoop, theta, energy = grazing((mass_ratio, offset, inertia, mu), below)
         rate = mp.sqrt(max(hoop.square_rate(theta, energy), mpf(0)))
-        orbits.append({
-            "hoop": {"mass_ratio": mass_ratio, "offset": offset, "inertia": inertia, "mu_s": mu, "mu_k": mu},
-            "below": below, "energy": text(energy), "theta": text(theta),
-            "theta_rate": "0.0" if rate < mpf("1e-15") else text(rate),
-        })
+        orbits.append(
+            {
+                "hoop": {
+                    "mass_ratio": mass_ratio,
+                    "offset": offset,
+                    "inertia": inertia,
+                    "mu_s": mu,
+                    "mu_k": mu,
+                },
+                "below": below,
+                "energy": text(energy),
+                "theta": text(theta),
+                "theta_rate": "0.0" if rate < mpf("1e-15") else text(rate),
+            }
+        )
     place = os.path.join(os.path.dirname(os.path.abspath(__file__)), "grazing.json")
     with open(place, "w", encoding="utf-8") as file:
         json.dump({"orbits": orbits}, file, indent=1)

@@ -3,14 +3,18 @@
     python3 -m pip install mpmath gmpy2        (gmpy2 only makes it faster)
     python3 jams.py                            writes jams.json beside this file
 
-What is independent here.  Newton's and Euler's equations are solved for the forces at each angle, and rate, slip and time
-are integrated in s = -ln(xi), xi being the distance of the angle from that of P = 0, by the extrapolated midpoint rule of Gragg,
-with 80 digits, to xi = 1e-32.  The first integral of sliding is not used.  From there on the angle does not change any more, and a
-slide is an impulse: rate and slip change in the ratio in which they answer to it.  What of the force is left then falls as
-C xi^lambda - (tan(theta)/(lambda - 1)) xi, the equation of w to the first order in xi.
+What is independent here.  Newton's and Euler's equations are solved for the forces at each angle,
+and rate, slip and time are integrated in s = -ln(xi), xi being the distance of the angle from that
+of P = 0, by the extrapolated midpoint rule of Gragg, with 80 digits, to xi = 1e-32.  The first
+integral of sliding is not used.  From there on the angle does not change any more, and a slide is
+an impulse: rate and slip change in the ratio in which they answer to it.  What of the force is left
+then falls as C xi^lambda - (tan(theta)/(lambda - 1)) xi, the equation of w to the first order in
+xi.
 
-Units and angles as in bounces.py.  All slides have a positive slip; their mirror images have the other one.
+Units and angles as in bounces.py.  All slides have a positive slip; their mirror images have the
+other one.
 """
+
 import json
 import os
 import random
@@ -22,7 +26,7 @@ mp.mp.dps = 80
 DIGITS = 25
 LAST = mpf(32) * mp.log(10)
 COLUMNS = 12
-LARGEST_ERROR = mpf(10)**-32
+LARGEST_ERROR = mpf(10) ** -32
 
 
 class Hoop:
@@ -32,7 +36,7 @@ class Hoop:
         m1, l, izz, self.mu = map(mpf, (mass_ratio, offset, inertia, mu))
         self.m = m1 + 1
         self.h = l / self.m
-        self.i = izz + m1 * self.h**2 + (l - self.h)**2
+        self.i = izz + m1 * self.h**2 + (l - self.h) ** 2
 
     def impulses(self, theta):
         """Change of rate, slip and rate of the gap by a unit of normal impulse, with friction against a positive slip."""
@@ -46,7 +50,7 @@ class Hoop:
         grid = [mp.pi * k / 400 for k in range(1, 400)]
         for low, high in zip(grid, grid[1:]):
             if f(low) < 0 <= f(high):
-                return mp.findroot(f, (low, high), solver="anderson", tol=mpf(10)**-95)
+                return mp.findroot(f, (low, high), solver="anderson", tol=mpf(10) ** -95)
         return None
 
 
@@ -83,8 +87,10 @@ class Slide:
             f = self.slope(s + width, now)
             row = [tuple((a + b + h * d) / 2 for a, b, d in zip(before, now, f))]
             for k in range(1, column + 1):
-                factor = mpf(n)**2 / mpf(2 * (column + 1 - k))**2 - 1
-                row.append(tuple(a + (a - b) / factor for a, b in zip(row[k - 1], table[-1][k - 1])))
+                factor = mpf(n) ** 2 / mpf(2 * (column + 1 - k)) ** 2 - 1
+                row.append(
+                    tuple(a + (a - b) / factor for a, b in zip(row[k - 1], table[-1][k - 1]))
+                )
             table.append(row)
         end, other = table[-1][-1], table[-1][-2]
         return end, max(abs(a - b) for a, b in zip(end, other))
@@ -104,11 +110,11 @@ class Slide:
             except (ValueError, TypeError, ZeroDivisionError):
                 turns = True
             if turns:
-                if width < mpf(10)**-3:
+                if width < mpf(10) ** -3:
                     return None
                 width /= 2
                 continue
-            factor = (LARGEST_ERROR / max(error, mpf(10)**-60))**(mpf(1) / (2 * COLUMNS))
+            factor = (LARGEST_ERROR / max(error, mpf(10) ** -60)) ** (mpf(1) / (2 * COLUMNS))
             if error <= LARGEST_ERROR:
                 s, y = s + width, end
                 nodes.append((s, y))
@@ -121,7 +127,13 @@ class Slide:
         """The zero of f(s, y) within a step."""
         s, y = node
         state = lambda part: (s + part, self.step(s, y, part)[0])
-        part = mp.findroot(lambda part: f(*state(part)), (mpf(0), width), solver="anderson", tol=mpf(10)**-60, maxsteps=60)
+        part = mp.findroot(
+            lambda part: f(*state(part)),
+            (mpf(0), width),
+            solver="anderson",
+            tol=mpf(10) ** -60,
+            maxsteps=60,
+        )
         return state(part)
 
 
@@ -171,7 +183,7 @@ def spent(slide, nodes):
 
 def exponent(hoop, zero):
     """lambda, from a difference of the answer of the gap."""
-    tiny = mpf(10)**-25
+    tiny = mpf(10) ** -25
     slope = (hoop.impulses(zero + tiny)[2] - hoop.impulses(zero - tiny)[2]) / (2 * tiny)
     return 2 * mp.cos(zero) / (mp.sin(zero) * slope * hoop.m)
 
@@ -182,10 +194,10 @@ def cases(count):
     while count:
         kind = draw.random()
         if kind < 0.4:
-            mass = 10**draw.uniform(-2, 0)
+            mass = 10 ** draw.uniform(-2, 0)
             numbers = (mass, 1.0, mass)
         elif kind < 0.7:
-            numbers = (0.0, 1.0, 10**draw.uniform(-6, -1))
+            numbers = (0.0, 1.0, 10 ** draw.uniform(-6, -1))
         else:
             numbers = (draw.uniform(0, 0.3), draw.uniform(0.5, 1), draw.uniform(0.001, 0.1))
         free = Hoop(*numbers, 0)
@@ -197,7 +209,7 @@ def cases(count):
         zero = hoop.zero()
         if zero is None:
             continue
-        far = 10**draw.choice([draw.uniform(-12, -9), draw.uniform(-3, 0), draw.uniform(-1, 0.3)])
+        far = 10 ** draw.choice([draw.uniform(-12, -9), draw.uniform(-3, 0), draw.uniform(-1, 0.3)])
         theta = float(zero + far)
         if not zero < theta < 3.1:
             continue
@@ -205,7 +217,7 @@ def cases(count):
         most = 1 / (hoop.h * cos) if cos > 0 else mpf(4)
         rate = -float(mp.sqrt(most * draw.uniform(0.2, 0.999)))
         slide = Slide(hoop, zero)
-        nodes = slide.path(mpf(theta), mpf(rate)**2)
+        nodes = slide.path(mpf(theta), mpf(rate) ** 2)
         if nodes is None:
             continue
         count -= 1
@@ -219,14 +231,29 @@ def jams():
         boundary = spent(slide, nodes)
         slips = [draw.uniform(0.05, 2.0)]
         if boundary is not None and boundary > 0:
-            slips = [float(boundary * (1 + side * 10**-k)) for side in (-1, 1) for k in (0.3, draw.uniform(2, 8), draw.uniform(8, 11))]
+            slips = [
+                float(boundary * (1 + side * 10**-k))
+                for side in (-1, 1)
+                for k in (0.3, draw.uniform(2, 8), draw.uniform(8, 11))
+            ]
         for slip in slips:
             kind, s, angle, last, left, time = end_of(slide, nodes, mpf(slip))
-            found.append({
-                "hoop": numbers, "mu": mu, "start": (theta, rate, slip), "exponent": text(exponent(slide.hoop, slide.zero)),
-                "zero": text(slide.zero), "distance": None if s is None else text(mp.exp(-s)),
-                "margin": None if boundary is None else text(slip - boundary),
-                "end": kind, "time": text(time), "theta": text(angle), "theta_rate": text(last), "slip": text(left)})
+            found.append(
+                {
+                    "hoop": numbers,
+                    "mu": mu,
+                    "start": (theta, rate, slip),
+                    "exponent": text(exponent(slide.hoop, slide.zero)),
+                    "zero": text(slide.zero),
+                    "distance": None if s is None else text(mp.exp(-s)),
+                    "margin": None if boundary is None else text(slip - boundary),
+                    "end": kind,
+                    "time": text(time),
+                    "theta": text(angle),
+                    "theta_rate": text(last),
+                    "slip": text(left),
+                }
+            )
     return found
 
 
@@ -237,4 +264,5 @@ if __name__ == "__main__":
         json.dump(data, f, indent=1)
         f.write("\n")
     from collections import Counter
+
     print(Counter((j["end"], j["distance"] is None) for j in data["jams"]))

@@ -3,9 +3,10 @@
     python3 motions.py                         writes motions.json beside this file
     python3 motions.py --list [NAME ...]       prints the transitions, writes nothing
 
-The package `follower` follows each motion with 60 digits, and again to each sample; the motions in CHECKED also with 40: the largest difference is written into the
-file.  What is computed here: forces by elimination at a state, the gap of a flight from the fall of its mass centre, and the energy, the sum over
-the two bodies.
+The package `follower` follows each motion with 60 digits, and again to each sample; the motions in
+CHECKED also with 40: the largest difference is written into the file.  What is computed here:
+forces by elimination at a state, the gap of a flight from the fall of its mass centre, and the
+energy, the sum over the two bodies.
 
 Needs gmpy2 and python-flint.
 """
@@ -21,10 +22,13 @@ from follower.hoop import Hoop, rolling_forces, slide_acceleration
 from follower.motion import NUMBERS, follow
 from gmpy2 import mpfr
 
-DIGITS = 25                      # significant digits written
-MOST = 1000                      # transitions of a motion
+DIGITS = 25  # significant digits written
+MOST = 1000  # transitions of a motion
 CHECKED = ("figure_3", "many_transitions", "very_light_hoop", "equal_friction")
-HOOP, START = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k", "slope"), ("theta", "theta_rate", "slip")
+HOOP, START = (
+    ("mass_ratio", "offset", "inertia", "mu_s", "mu_k", "slope"),
+    ("theta", "theta_rate", "slip"),
+)
 PI = 3.141592653589793
 
 # name: (mass_ratio, offset, inertia, mu_s, mu_k[, slope]), (theta, theta_rate, slip), until
@@ -34,7 +38,8 @@ MOTIONS = {
     "slide_reverses": ((1.0, 1.0, 1.0, 0.2, 0.15), (0.5, -1.2, 0.5), 10.0),
     "slide_sticks": ((1.0, 0.5, 1.0, 0.8, 0.6), (2.0, 1.0, 0.8), 3.0),
     "frictionless": ((2.0, 0.8, 1.0, 0.0, 0.0), (1.0, 1.1, 0.0), 7.0),
-    # with mu_k = 0 a slide that began at the static limit also ends at it: the run stops before that tie
+    # with mu_k = 0 a slide that began at the static limit also ends at it: the run stops before
+    # that tie
     "no_kinetic_friction": ((1.0, 1.0, 1.0, 0.3, 0.0), (2.0, 1.7, 0.1), 3.0),
     "no_kinetic_friction_reversal": ((1.0, 1.0, 1.0, 0.3, 0.0), (PI / 2, 2.0, 0.0), 6.0),
     "strong_friction": ((1.0, 0.7, 0.8, 1.5, 1.2), (1.2, 2.6, 0.0), 8.0),
@@ -64,16 +69,24 @@ def gap_of(hoop, begin, t):
     theta, rate, d = begin["theta"], begin["theta_rate"], t - begin["time"]
     (s0, c0), (s, c) = gmpy2.sin_cos(theta), gmpy2.sin_cos(theta + rate * d)
     up = -hoop.h * s0 * rate
-    return up * d - hoop.down * d * d / 2 - hoop.h * (c - c0), up - hoop.down * d + hoop.h * s * rate
+    return up * d - hoop.down * d * d / 2 - hoop.h * (
+        c - c0
+    ), up - hoop.down * d + hoop.h * s * rate
 
 
 def energy(hoop, state, gap):
     """Sum over hoop and particle; the potential energy is that of the paper plus mass times gap, and that of the fall along the plane."""
-    (height, rise), rate, m1, izz = gap, state["theta_rate"], *map(mpfr, (hoop.numbers[0], hoop.numbers[2]))
+    (height, rise), rate, m1, izz = (
+        gap,
+        state["theta_rate"],
+        *map(mpfr, (hoop.numbers[0], hoop.numbers[2])),
+    )
     s, c = gmpy2.sin_cos(state["theta"])
     vx = state["slip"] - rate
-    particle = (vx - hoop.l * c * rate)**2 + (rise - hoop.l * s * rate)**2
-    up = hoop.down * (hoop.l * c + hoop.m * height) + hoop.along * (hoop.m * state["x"] - hoop.l * s)
+    particle = (vx - hoop.l * c * rate) ** 2 + (rise - hoop.l * s * rate) ** 2
+    up = hoop.down * (hoop.l * c + hoop.m * height) + hoop.along * (
+        hoop.m * state["x"] - hoop.l * s
+    )
     return (m1 * (vx**2 + rise**2) + izz * rate**2 + particle) / 2 + up
 
 
@@ -100,8 +113,16 @@ def motion(numbers, start, until, times=None):
         first, transitions, how, end = follow(numbers, (*start, 0), time, most=MOST)
         if how == "rolls_forever" and end["time"] < time:
             # It has turned once: on to the limit.
-            theta, rate, _ = drift(hoop, "rolling", 0, (end["theta"], end["theta_rate"], mpfr(0)), time - end["time"])
-            end = dict(end, time=mpfr(time), theta=theta, theta_rate=rate, x=end["x"] - (theta - end["theta"]))
+            theta, rate, _ = drift(
+                hoop, "rolling", 0, (end["theta"], end["theta_rate"], mpfr(0)), time - end["time"]
+            )
+            end = dict(
+                end,
+                time=mpfr(time),
+                theta=theta,
+                theta_rate=rate,
+                x=end["x"] - (theta - end["theta"]),
+            )
         return first, transitions, how, end
 
     (mode, sigma), transitions, how, end = to(until)
@@ -109,17 +130,33 @@ def motion(numbers, start, until, times=None):
     for stop in [*transitions, *([] if how == "landing" else [end])]:
         first, last = begins["time"], stop["time"]
         # Samples at doubles, so that a program in double precision can be asked at the same times.
-        at = times[len(phases)] if times else [float(first + (last - first) * k / 6) for k in range(1, 6)]
+        at = (
+            times[len(phases)]
+            if times
+            else [float(first + (last - first) * k / 6) for k in range(1, 6)]
+        )
         samples = [sample(hoop, mode, sigma, begins, to(t)[3]) for t in at]
         phases.append(dict(mode=mode, direction=sigma, start=first, end=last, samples=samples))
         landed = stop.get("cause") == "landing"
         last_phase = mode, sigma, begins
         if "cause" in stop and not landed:
             mode, sigma, begins = stop["to"], stop["direction"], stop
-    rows = [dict(cause=t["cause"], **{k: t[k] for k in NUMBERS}, to=None if t["cause"] == "landing" else t["to"],
-                 direction=None if t["cause"] == "landing" else t["direction"]) for t in transitions]
-    return dict(initial=initial, transitions=rows, phases=phases, ended="landing" if how == "landing" else "time_limit",
-                end=sample(hoop, *last_phase, end))
+    rows = [
+        dict(
+            cause=t["cause"],
+            **{k: t[k] for k in NUMBERS},
+            to=None if t["cause"] == "landing" else t["to"],
+            direction=None if t["cause"] == "landing" else t["direction"],
+        )
+        for t in transitions
+    ]
+    return dict(
+        initial=initial,
+        transitions=rows,
+        phases=phases,
+        ended="landing" if how == "landing" else "time_limit",
+        end=sample(hoop, *last_phase, end),
+    )
 
 
 def written(v):
@@ -154,7 +191,14 @@ def main(args):
         found = motion(*MOTIONS[name])
         print(f"{name}: {found['initial']} {found['ended']}", flush=True)
         for e in found["transitions"]:
-            print("   ", e["cause"], "->", e["to"], e["direction"], *("{0:.20g}".format(e[k]) for k in NUMBERS))
+            print(
+                "   ",
+                e["cause"],
+                "->",
+                e["to"],
+                e["direction"],
+                *("{0:.20g}".format(e[k]) for k in NUMBERS),
+            )
         hoop, start, until = MOTIONS[name]
         # Energy may change in a slide with friction only.
         for p in found["phases"]:
@@ -163,10 +207,23 @@ def main(args):
                 drift = max(drift, max(energies) - min(energies))
         if name in CHECKED and "--list" not in args:
             checks[name] = "{0:.3g}".format(checked(MOTIONS[name], found))
-        out.append(dict(name=name, hoop=dict(zip(HOOP, hoop)), start=dict(zip(START, start)), until=until, **written(found)))
+        out.append(
+            dict(
+                name=name,
+                hoop=dict(zip(HOOP, hoop)),
+                start=dict(zip(START, start)),
+                until=until,
+                **written(found),
+            )
+        )
     print(f"largest change of the energy within a conservative phase: {drift:.3g}", checks)
     if "--list" not in args:
-        head = dict(made_by="motions.py", working_digits=60, written_digits=DIGITS, largest_difference_from_40_digits=checks)
+        head = dict(
+            made_by="motions.py",
+            working_digits=60,
+            written_digits=DIGITS,
+            largest_difference_from_40_digits=checks,
+        )
         text = json.dumps(dict(head, largest_energy_drift=f"{drift:.3g}", motions=out), indent=1)
         Path(__file__).with_name("motions.json").write_text(text + "\n", encoding="ascii")
 

@@ -3,10 +3,12 @@
     python3 -m pip install gmpy2 python-flint
     python3 reverse_chatter.py                 writes reverse_chatter.json beside this file
 
-What is independent here.  Nothing knows of a ratio, of a region, or of fixed angles: flights, and impacts of the package `follower`
-(here the parabola of the mass centre, there the balances in the normal impulse from event to event), 150 digits, one after the other.  A hoop at a
-place of contact without slip is thrown with the rate 1e-32: the ratio is that of its first bounce.  Where it grows, the hoop is thrown
-with the rate 2^-20, and followed until a bounce is faster than 0.02.  Half of the places are drawn so that bounces grow.
+What is independent here.  Nothing knows of a ratio, of a region, or of fixed angles: flights, and
+impacts of the package `follower` (here the parabola of the mass centre, there the balances in the
+normal impulse from event to event), 150 digits, one after the other.  A hoop at a place of contact
+without slip is thrown with the rate 1e-32: the ratio is that of its first bounce.  Where it grows,
+the hoop is thrown with the rate 2^-20, and followed until a bounce is faster than 0.02.  Half of
+the places are drawn so that bounces grow.
 
 Units: mass of the particle, radius and gravity are 1.
 """
@@ -30,7 +32,9 @@ def bounce(hoop, state, gap_rate, law):
     (s, c), h = gmpy2.sin_cos(theta), hoop.h
     up, along = gap_rate - h * s * rate, slip - rate - h * c * rate  # velocity of the mass centre
     t = 2 * gap_rate / unloaded(hoop, theta, rate)
-    for _ in range(200):  # Newton's iteration on the parabola of the mass centre and the cosine of the rim below it
+    for _ in range(
+        200
+    ):  # Newton's iteration on the parabola of the mass centre and the cosine of the rim below it
         gap = up * t - hoop.down * t * t / 2 + h * (c - gmpy2.cos(theta + rate * t))
         step = gap / (up - hoop.down * t + h * rate * gmpy2.sin(theta + rate * t))
         t -= step
@@ -98,7 +102,10 @@ def case(numbers, place, law):
             rates.append(opening)
             time += more
         end = {"time": time, **dict(zip(("theta", "theta_rate", "slip", "x"), state))}
-        found.update(rates=[text(value) for value in rates], end={name: text(value) for name, value in end.items()})
+        found.update(
+            rates=[text(value) for value in rates],
+            end={name: text(value) for name, value in end.items()},
+        )
     return found
 
 
@@ -113,7 +120,9 @@ def main():
             entry = {"hoop": numbers, "start": place, "restitution": law[0], "law": law[1], **found}
             cases["end" in found].append(entry)
     lines = ",\n  ".join(json.dumps(entry) for entry in cases[True] + cases[False])
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "reverse_chatter.json"), "w") as file:
+    with open(
+        os.path.join(os.path.dirname(os.path.abspath(__file__)), "reverse_chatter.json"), "w"
+    ) as file:
         file.write(f'{{"cases": [\n  {lines}\n]}}\n')
 
 

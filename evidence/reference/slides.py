@@ -4,17 +4,20 @@
     python3 slides.py                          writes slides.json beside this file
     python3 slides.py NAME ...                 prints these, writes nothing
 
-What is independent here.  None of the reduced equations of motion is used, no map of turns, and no first integral: at each angle
-the balances of linear momentum of the mass centre (two), the balance of moment about it and F = -mu_k sigma N are solved as a
-linear system in (theta'', eta'', N).  While the slip keeps its sign these are linear in u = theta'^2, so that
-du/dtheta = 2 theta'' is a linear equation with periodic coefficients.  It is solved in Fourier series with 45 digits,
-u = e(theta) (r(theta) + C exp(lambda theta)); lambda may be as small as 1e-15, which costs as many digits.  Time and slip are
-integrals of 1/theta' and eta''/theta' over the angle, by Gauss's rule on 20 panels a turn, over sums of turns by the
-Euler-Maclaurin formula.  Events are looked for at 320 places of each turn in which
-one can be.
+What is independent here.  None of the reduced equations of motion is used, no map of turns, and no
+first integral: at each angle the balances of linear momentum of the mass centre (two), the balance
+of moment about it and F = -mu_k sigma N are solved as a linear system in (theta'', eta'', N).
+While the slip keeps its sign these are linear in u = theta'^2, so that du/dtheta = 2 theta'' is a
+linear equation with periodic coefficients.  It is solved in Fourier series with 45 digits, u =
+e(theta) (r(theta) + C exp(lambda theta)); lambda may be as small as 1e-15, which costs as many
+digits.  Time and slip are integrals of 1/theta' and eta''/theta' over the angle, by Gauss's rule on
+20 panels a turn, over sums of turns by the Euler-Maclaurin formula.  Events are looked for at 320
+places of each turn in which one can be.
 
-Units and signs as in the package `follower`; a motion with theta' < 0 is seen in a mirror, (theta, eta) -> (-theta, -eta).
+Units and signs as in the package `follower`; a motion with theta' < 0 is seen in a mirror, (theta,
+eta) -> (-theta, -eta).
 """
+
 import json
 import multiprocessing
 import os
@@ -23,9 +26,9 @@ import sys
 import mpmath as mp
 from mpmath import mpf
 
-DIGITS = 25                      # significant digits written
-HARMONICS = 256                  # points of the Fourier series
-PANELS, NODES = 20, 16           # of a turn, of a panel
+DIGITS = 25  # significant digits written
+HARMONICS = 256  # points of the Fourier series
+PANELS, NODES = 20, 16  # of a turn, of a panel
 
 # name: (mass_ratio, offset, inertia, mu), (theta, theta_rate, slip)
 SLIDES = {
@@ -42,6 +45,7 @@ SLIDES = {
     "rim_particle_alone": ((0.0, 1.0, 1.0, 2e-4), (0.1, 0.9, -3.0)),
     "four_million_time_units": ((0.2387, 0.001, 1e9, 3e-7), (-5.16, 4.59, 1.33)),
 }
+
 
 def fourier(values):
     """Coefficients of exp(i k theta), k = 0 ... n - 1, the upper half for negative k."""
@@ -64,10 +68,15 @@ def series(coefficients, theta):
 
 def solve(rows):
     """Three equations, by Cramer's rule."""
+
     def det(i, j, k):
         a, b, c = ([row[n] for row in rows] for n in (i, j, k))
-        return (a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1])
-                + c[0] * (a[1] * b[2] - a[2] * b[1]))
+        return (
+            a[0] * (b[1] * c[2] - b[2] * c[1])
+            - b[0] * (a[1] * c[2] - a[2] * c[1])
+            + c[0] * (a[1] * b[2] - a[2] * b[1])
+        )
+
     whole = det(0, 1, 2)
     return [det(3, 1, 2) / whole, det(0, 3, 2) / whole, det(0, 1, 3) / whole]
 
@@ -79,30 +88,46 @@ class Law:
         m1, l, izz, mu = map(mpf, hoop)
         self.m = m1 + 1
         self.h = l / self.m
-        self.inertia = izz + m1 * self.h**2 + (l - self.h)**2
+        self.inertia = izz + m1 * self.h**2 + (l - self.h) ** 2
         self.f, self.sigma = mu * sigma, sigma
         turn = 2 * mp.pi
         points = [turn * k / HARMONICS for k in range(HARMONICS)]
         solved = [self.balances(theta) for theta in points]
         growth = fourier([2 * s[0][1] for s in solved])
-        self.rate = growth[0].real                                     # lambda
+        self.rate = growth[0].real  # lambda
         half = HARMONICS // 2
+
         def k_of(i):
             return i if i < half else i - HARMONICS
+
         self.log = [mp.mpc(0)] + [c / mp.mpc(0, k_of(i)) for i, c in enumerate(growth) if i]
-        drive = fourier([2 * s[0][0] * mp.exp(-series(self.log, theta)) for theta, s in zip(points, solved)])
+        drive = fourier(
+            [2 * s[0][0] * mp.exp(-series(self.log, theta)) for theta, s in zip(points, solved)]
+        )
         self.part = [c / (mp.mpc(0, k_of(i)) - self.rate) for i, c in enumerate(drive)]
-        worst = max(abs(self.log[half - 1]), abs(self.part[half - 1] / self.part[1]) if self.part[1] else 0)
-        assert worst < mpf(10)**-26, (worst, "more harmonics")
+        worst = max(
+            abs(self.log[half - 1]), abs(self.part[half - 1] / self.part[1]) if self.part[1] else 0
+        )
+        assert worst < mpf(10) ** -26, (worst, "more harmonics")
         x = sorted(gauss(NODES))
         self.width = turn / PANELS
-        self.nodes, self.weights, self.upto = [], [w * self.width / 2 for _, w in x], integrals(x, self.width)
+        self.nodes, self.weights, self.upto = (
+            [],
+            [w * self.width / 2 for _, w in x],
+            integrals(x, self.width),
+        )
         for p in range(PANELS):
             row = []
             for node, _ in x:
                 theta = self.width * (p + (node + 1) / 2)
-                row.append((mp.exp(series(self.log, theta)), series(self.part, theta), mp.exp(self.rate * theta),
-                            *self.balances(theta)))
+                row.append(
+                    (
+                        mp.exp(series(self.log, theta)),
+                        series(self.part, theta),
+                        mp.exp(self.rate * theta),
+                        *self.balances(theta),
+                    )
+                )
             self.nodes.append(row)
 
     def balances(self, theta):
@@ -111,18 +136,24 @@ class Law:
         s, c = mp.sin(theta), mp.cos(theta)
         out = []
         for u in (0, 1):
-            rows = [[-m * (1 + h * c), m, f, -m * h * s * u],
-                    [-m * h * s, mpf(0), mpf(-1), m * h * c * u - m],
-                    [self.inertia, mpf(0), -(h * s - f * (1 + h * c)), mpf(0)]]
+            rows = [
+                [-m * (1 + h * c), m, f, -m * h * s * u],
+                [-m * h * s, mpf(0), mpf(-1), m * h * c * u - m],
+                [self.inertia, mpf(0), -(h * s - f * (1 + h * c)), mpf(0)],
+            ]
             out.append(solve(rows))
         return [(out[0][i], out[1][i] - out[0][i]) for i in range(3)]
 
     def level(self, theta, u):
         """C of the slide through a place."""
-        return (u / mp.exp(series(self.log, theta)) - series(self.part, theta)) * mp.exp(-self.rate * theta)
+        return (u / mp.exp(series(self.log, theta)) - series(self.part, theta)) * mp.exp(
+            -self.rate * theta
+        )
 
     def u(self, level, theta):
-        return mp.exp(series(self.log, theta)) * (series(self.part, theta) + level * mp.exp(self.rate * theta))
+        return mp.exp(series(self.log, theta)) * (
+            series(self.part, theta) + level * mp.exp(self.rate * theta)
+        )
 
     def shift(self, level, turns):
         """C of the slide whole turns further on, with the angle counted from there."""
@@ -157,7 +188,11 @@ class Law:
         for x, w in RULE:
             # Towards a turning point theta = b - (b - a) y^2 takes the root out.
             y = (1 - x) / 2
-            theta, weight = (b - (b - a) * y * y, (b - a) * y * w) if turns else (b - (b - a) * y, (b - a) * w / 2)
+            theta, weight = (
+                (b - (b - a) * y * y, (b - a) * y * w)
+                if turns
+                else (b - (b - a) * y, (b - a) * w / 2)
+            )
             for i, value in enumerate(self.integrands(level, theta)):
                 total[i] += weight * value
         return total
@@ -209,7 +244,8 @@ def sum_of_turns(law, level, count):
         return total
     for n in list(range(few)) + list(range(count - few, count)):
         total += law.turn(law.shift(level, n))
-    # The sum over a <= n < b: the integral on stretches that keep their distance from both ends, and corrections there.
+    # The sum over a <= n < b: the integral on stretches that keep their distance from both ends,
+    # and corrections there.
     a, b = mpf(few), mpf(count - few)
     cuts, step = [a], mpf(few)
     while cuts[-1] + 2 * step < (a + b) / 2:
@@ -218,7 +254,9 @@ def sum_of_turns(law, level, count):
     cuts += [a + b - c for c in reversed(cuts)]
     for left, right in zip(cuts, cuts[1:]):
         for x, w in RULE:
-            total += law.turn(law.shift(level, (left + right + (right - left) * x) / 2)) * (w * (right - left) / 2)
+            total += law.turn(law.shift(level, (left + right + (right - left) * x) / 2)) * (
+                w * (right - left) / 2
+            )
     for end, sign in ((a, -1), (b, 1)):
         total += law.turn(law.shift(level, end)) * (-mpf(sign) / 2)
         slopes = derivatives(lambda n: law.turn(law.shift(level, n)), end, mpf(few) / 4)
@@ -247,7 +285,7 @@ class Run:
         theta, rate, slip = map(mpf, start)
         self.sigma = int(mp.sign(slip))
         self.hoop, self.laws = hoop, {}
-        self.side = int(mp.sign(rate))                                  # 1 with theta, -1 in the mirror
+        self.side = int(mp.sign(rate))  # 1 with theta, -1 in the mirror
         turn = 2 * mp.pi
         psi = self.side * theta
         self.turns = int(mp.floor(psi / turn))
@@ -266,7 +304,12 @@ class Run:
     def state(self):
         u = self.law.u(self.level, self.angle)
         rate = mp.sqrt(u) if u > 0 else mpf(0)
-        return [self.time, self.side * (self.angle + 2 * mp.pi * self.turns), self.side * rate, self.side * self.slip]
+        return [
+            self.time,
+            self.side * (self.angle + 2 * mp.pi * self.turns),
+            self.side * rate,
+            self.side * self.slip,
+        ]
 
     def signed(self, slip):
         return self.side * self.sigma * slip
@@ -275,22 +318,24 @@ class Run:
         self.time += change[0]
         self.slip += change[1]
         self.angle = angle
-        if self.angle >= 2 * mp.pi - mpf(10)**-30:
+        if self.angle >= 2 * mp.pi - mpf(10) ** -30:
             self.level = self.law.shift(self.level, 1)
             self.turns, self.angle = self.turns + 1, mpf(0)
 
     def panel(self):
         """To the end of the panel, or to a turning point; true if the slide goes on in this direction."""
-        law, p = self.law, int(mp.floor(self.angle / self.law.width + mpf(10)**-30))
+        law, p = self.law, int(mp.floor(self.angle / self.law.width + mpf(10) ** -30))
         left, right = p * law.width, (p + 1) * law.width
-        inside = abs(self.angle - left) < mpf(10)**-30
+        inside = abs(self.angle - left) < mpf(10) ** -30
         values = law.panel(self.level, p)
-        ahead = [mp.re(v[0]) for (x, v) in zip(self.nodes(p), values) if x > self.angle] + [law.u(self.level, right)]
+        ahead = [mp.re(v[0]) for (x, v) in zip(self.nodes(p), values) if x > self.angle] + [
+            law.u(self.level, right)
+        ]
         if min(ahead) <= 0:
             u = lambda theta: law.u(self.level, theta)
             low, high = self.angle, right
             bad = next(x for x in self.nodes(p) + [right] if x > self.angle and u(x) <= 0)
-            turning = mp.findroot(u, (self.angle, bad), solver="anderson", tol=mpf(10)**-60)
+            turning = mp.findroot(u, (self.angle, bad), solver="anderson", tol=mpf(10) ** -60)
             self.events(p, turning)
             if self.cause:
                 return False
@@ -299,7 +344,9 @@ class Run:
             return False
         if inside:
             change = tuple(sum(w * v[i] for w, v in zip(law.weights, values)) for i in (2, 3))
-            lowest = min(self.signed(self.slip + mp.fdot(row, [v[3] for v in values])) for row in law.upto)
+            lowest = min(
+                self.signed(self.slip + mp.fdot(row, [v[3] for v in values])) for row in law.upto
+            )
         else:
             change = law.between(self.level, self.angle, right)
             lowest = self.signed(self.slip + change[1])
@@ -317,16 +364,20 @@ class Run:
         """The first of the events before an angle, if there is one."""
         law, found = self.law, []
         slip = lambda theta: self.signed(self.slip + law.between(self.level, self.angle, theta)[1])
+
         def normal(theta):
             a, b = law.balances(theta)[2]
             return a + b * law.u(self.level, theta)
+
         for cause, f in (("stick", slip), ("lift_off", normal)):
             low = self.angle
             for x in [x for x in self.nodes(p) if self.angle < x < end] + [end]:
                 if cause == "lift_off" and law.u(self.level, x) <= 0:
                     break
                 if f(x) <= 0:
-                    found.append((mp.findroot(f, (low, x), solver="anderson", tol=mpf(10)**-60), cause))
+                    found.append(
+                        (mp.findroot(f, (low, x), solver="anderson", tol=mpf(10) ** -60), cause)
+                    )
                     break
                 low = x
         if found:
@@ -336,14 +387,20 @@ class Run:
 
     def is_free(self, level):
         """Whether a turn has neither a turning point nor a lift-off."""
-        return all(v[0] > 0 and v[1] > 0 for p in range(PANELS) for v in map(lambda v: (mp.re(v[0]), v[1]), self.law.panel(level, p)))
+        return all(
+            v[0] > 0 and v[1] > 0
+            for p in range(PANELS)
+            for v in map(lambda v: (mp.re(v[0]), v[1]), self.law.panel(level, p))
+        )
 
     def lowest(self, level):
         """Least slip in a turn, less that at its beginning."""
         slip, least = mpf(0), mpf(0)
         for p in range(PANELS):
             values = [v[3] for v in self.law.panel(level, p)]
-            least = min([least] + [self.signed(slip + mp.fdot(row, values)) for row in self.law.upto])
+            least = min(
+                [least] + [self.signed(slip + mp.fdot(row, values)) for row in self.law.upto]
+            )
             slip += mp.fdot(self.law.weights, values)
         return least
 
@@ -361,14 +418,20 @@ class Run:
             middle = (low + high) // 2
             low, high = (middle, high) if self.is_free(law.shift(level, middle)) else (low, middle)
         most = low if most > 1 else 0
-        # The last turn before that in which the slip vanishes: it falls by nearly the same from turn to turn.
+        # The last turn before that in which the slip vanishes: it falls by nearly the same from
+        # turn to turn.
         known = {0: (mp.matrix([0, 0]), self.signed(self.slip) + self.lowest(level))}
+
         def left(n):
             if n not in known:
                 base = max((k for k in known if 0 <= n - k < 64), default=0)
                 change = known[base][0] + sum_of_turns(law, law.shift(level, base), n - base)
-                known[n] = (change, self.signed(self.slip + change[1]) + self.lowest(law.shift(level, n)))
+                known[n] = (
+                    change,
+                    self.signed(self.slip + change[1]) + self.lowest(law.shift(level, n)),
+                )
             return known[n][1]
+
         n = 0
         for _ in range(12):
             loss = -self.signed(law.turn(law.shift(level, n))[1])
@@ -384,8 +447,14 @@ class Run:
             if part > 20:
                 change = sum_of_turns(law, level, part)
                 there = law.shift(level, part)
-                self.places.append([self.time + change[0], self.side * (self.turns + part) * 2 * mp.pi,
-                                    self.side * mp.sqrt(law.u(there, 0)), self.side * (self.slip + change[1])])
+                self.places.append(
+                    [
+                        self.time + change[0],
+                        self.side * (self.turns + part) * 2 * mp.pi,
+                        self.side * mp.sqrt(law.u(there, 0)),
+                        self.side * (self.slip + change[1]),
+                    ]
+                )
         left(n)
         self.time += known[n][0][0]
         self.slip += known[n][0][1]
@@ -410,8 +479,14 @@ class Run:
         if ahead is None:
             return False
         a = self.angle
-        b = mp.findroot(u, (a + (ahead - 1) * step / 2, a + ahead * step / 2), solver="anderson", tol=mpf(10)**-60)
+        b = mp.findroot(
+            u,
+            (a + (ahead - 1) * step / 2, a + ahead * step / 2),
+            solver="anderson",
+            tol=mpf(10) ** -60,
+        )
         middle, half = (a + b) / 2, (b - a) / 2
+
         # theta = middle - half cos psi: the integrands are smooth in psi.
         def integrand(psi):
             theta = middle - half * mp.cos(psi)
@@ -419,6 +494,7 @@ class Run:
             _, eta, _ = law.balances(theta)
             dt = half * mp.sin(psi) / mp.sqrt(w)
             return dt, (eta[0] + eta[1] * w) * dt
+
         cuts = [mp.pi * k / 256 for k in range(257)]
         swing, profile = [mpf(0), mpf(0)], [(mpf(0), mpf(0))]
         for left, right in zip(cuts, cuts[1:]):
@@ -430,7 +506,9 @@ class Run:
         there = min(self.signed(c) for _, c in profile)
         back = min(self.signed(swing[1] + (swing[1] - c)) for _, c in profile)
         lowest = min(there, back)
-        periods = max(0, int(mp.floor((self.signed(self.slip) + lowest) / -self.signed(2 * swing[1]))) - 1)
+        periods = max(
+            0, int(mp.floor((self.signed(self.slip) + lowest) / -self.signed(2 * swing[1]))) - 1
+        )
         self.time += 2 * periods * swing[0]
         self.slip += 2 * periods * swing[1]
         self.passed += periods
@@ -439,6 +517,7 @@ class Run:
         while not self.cause:
             for k, (left, right) in enumerate(zip(cuts, cuts[1:])):
                 if self.signed(self.slip + profile[k + 1][1]) <= 0:
+
                     def partial(psi):
                         out = [mpf(0), mpf(0)]
                         for x, w in RULE:
@@ -446,8 +525,13 @@ class Run:
                             out[0] += w * dt * (psi - left) / 2
                             out[1] += w * change * (psi - left) / 2
                         return out
-                    psi = mp.findroot(lambda psi: self.slip + profile[k][1] + partial(psi)[1], (left, right),
-                                      solver="anderson", tol=mpf(10)**-60)
+
+                    psi = mp.findroot(
+                        lambda psi: self.slip + profile[k][1] + partial(psi)[1],
+                        (left, right),
+                        solver="anderson",
+                        tol=mpf(10) ** -60,
+                    )
                     more = partial(psi)
                     self.time += profile[k][0] + more[0]
                     self.slip += profile[k][1] + more[1]
@@ -485,7 +569,7 @@ class Run:
 
 
 def text(x):
-    return mp.nstr(x, DIGITS) if abs(x) > mpf(10)**-34 else "0.0"
+    return mp.nstr(x, DIGITS) if abs(x) > mpf(10) ** -34 else "0.0"
 
 
 def entry(name):

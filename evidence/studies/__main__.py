@@ -30,9 +30,15 @@ def draw(study: Study) -> None:
 def main() -> int:
     """Compute what is asked for; 1 if a check finds another page."""
     parser = argparse.ArgumentParser(prog="python -m evidence.studies", description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(NAMES)}; all, if none is given")
-    parser.add_argument("--pictures", action="store_true", help="draw only, and leave the numbers of the pages")
-    parser.add_argument("--check", action="store_true", help="write nothing, and say where a page has other numbers")
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help=f"{', '.join(NAMES)}; all, if none is given"
+    )
+    parser.add_argument(
+        "--pictures", action="store_true", help="draw only, and leave the numbers of the pages"
+    )
+    parser.add_argument(
+        "--check", action="store_true", help="write nothing, and say where a page has other numbers"
+    )
     arguments = parser.parse_args()
     for name in arguments.names:
         if name not in NAMES:
@@ -48,7 +54,9 @@ def main() -> int:
         if arguments.check:
             differs = differs or before != after
             sys.stdout.writelines(
-                difflib.unified_diff(before.splitlines(True), after.splitlines(True), "committed", "computed", n=0)
+                difflib.unified_diff(
+                    before.splitlines(True), after.splitlines(True), "committed", "computed", n=0
+                )
             )
         else:
             study.page.write_text(after, encoding="utf-8")

@@ -43,7 +43,9 @@ def area(h: float, kappa: float) -> float:
     for low, high in ((0.0, 0.5 * math.pi), (0.5 * math.pi, end)):
         for node, weight in zip(nodes, weights, strict=True):
             theta = 0.5 * (low + high) + 0.5 * (high - low) * float(node)
-            total += float(weight) * (high - low) * (upper(h, kappa, theta) - max(math.cos(theta), 0.0))
+            total += (
+                float(weight) * (high - low) * (upper(h, kappa, theta) - max(math.cos(theta), 0.0))
+            )
     return total
 
 
@@ -83,7 +85,11 @@ def fates(h: float, mu_k: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     theta, rate = starts(h)
     result = lw.simulate_many(hoop, theta=theta, theta_rate=rate, max_transitions=20_000, threads=1)
     names = lw.sequence_names(result.sequence.values)
-    return np.sin(theta) * rate < 0.0, names, np.array([lw.tables.OUTCOMES[int(one)] for one in result.outcome.values])
+    return (
+        np.sin(theta) * rate < 0.0,
+        names,
+        np.array([lw.tables.OUTCOMES[int(one)] for one in result.outcome.values]),
+    )
 
 
 def share_table() -> list[str]:
@@ -95,7 +101,13 @@ def share_table() -> list[str]:
             first = np.isin(names, ("+F", "-F"))
             cells = [f"{np.sum(first & one)} of {np.sum(one)}" for one in (rises, ~rises)]
             rows.append([f"{h:g}", f"{mu_k:g}", *cells, str(np.sum(outcome == "rolls_forever"))])
-    heads = ["h", "μk", "rising: off in the first slide", "falling: off in the first slide", "roll for ever"]
+    heads = [
+        "h",
+        "μk",
+        "rising: off in the first slide",
+        "falling: off in the first slide",
+        "roll for ever",
+    ]
     return table(heads, rows)
 
 
@@ -108,10 +120,16 @@ def picture() -> Figure:
     cosine = np.cos(angles)
     high = np.where(cosine > 1e-3, 1.0 / np.sqrt(h * np.maximum(cosine, 1e-3)), 99.0)
     left.fill_between(np.degrees(angles), low, high, color=LINE, linewidth=0, label="the band")
-    left.plot(np.degrees(angles), low, **of_curve("normal_force_zero"), label="*n*: *N* = 0 in rolling")
+    left.plot(
+        np.degrees(angles), low, **of_curve("normal_force_zero"), label="*n*: *N* = 0 in rolling"
+    )
     left.plot(np.degrees(angles), high, **of_curve("lift_off"), label="*w* = 0: lift-off")
     left.set(
-        ylim=(0, 6), xlim=(-130, 130), xlabel="*θ*, degrees", ylabel="*θ*′, √(*g*/*R*)", xticks=range(-120, 121, 60)
+        ylim=(0, 6),
+        xlim=(-130, 130),
+        xlabel="*θ*, degrees",
+        ylabel="*θ*′, √(*g*/*R*)",
+        xticks=range(-120, 121, 60),
     )
     left.text(0, 3.4, "off the plane", ha="center")
     left.text(0, 0.7, "rolls or slides", ha="center")
@@ -124,7 +142,10 @@ def picture() -> Figure:
         sizes = [area(float(one), ratio) for one in offsets]
         right.plot(offsets, sizes, **line, label=f"*ϱ* = {ratio:g}")
     middle.set(
-        xlabel="*θ*, degrees", ylabel="thickness in 1/(*hθ*′²), *h* = 0.5", xlim=(0, 90), xticks=range(0, 91, 30)
+        xlabel="*θ*, degrees",
+        ylabel="thickness in 1/(*hθ*′²), *h* = 0.5",
+        xlim=(0, 90),
+        xticks=range(0, 91, 30),
     )
     right.set(xlabel="*h*, *R*", ylabel="area over *θ* and 1/(*hθ*′²)", xlim=(0, 1))
     for axes in (middle, right):

@@ -57,7 +57,8 @@ class Body:
     @property
     def parameters(self) -> dict[str, Any]:
         """Mass ratio, offset and inertia of a hoop with these numbers."""
-        # A particle on the rim if the inertia allows it, and else the disc is a point at the centre.
+        # A particle on the rim if the inertia allows it, and else the disc is a point at the
+        # centre.
         ratio = np.minimum(1.0 / self.h - 1.0, self.gyration / (self.h * self.h))
         mass = 1.0 + ratio
         return {
@@ -106,7 +107,9 @@ def reach(body: Body, energy: float, angle: Any, turned: Any) -> Any:
 def farthest(body: Body, energy: float) -> tuple[float, float]:
     """Return the bound of the length of a jump, and the angle of the lift-off that has it."""
     angles, turned = law()
-    lengths = np.where(angles <= body.earliest(energy), reach(body, energy, angles, turned), -np.inf)
+    lengths = np.where(
+        angles <= body.earliest(energy), reach(body, energy, angles, turned), -np.inf
+    )
     place = int(np.argmax(lengths))
     return float(lengths[place]), float(angles[place])
 
@@ -151,7 +154,9 @@ def searched(energy: float, mu: float, share: float) -> tuple[Any, Any]:
 @cache
 def jump_from_top(h: float, mu: float, rate: float) -> lw.Trajectory:
     """Return the motion of a thin hoop that rolls over the top with a rate."""
-    return thin_hoop(h, mu_k=mu).simulate(theta=0.0, theta_rate=rate, proof="contact", max_transitions=1000)
+    return thin_hoop(h, mu_k=mu).simulate(
+        theta=0.0, theta_rate=rate, proof="contact", max_transitions=1000
+    )
 
 
 @cache
@@ -181,7 +186,9 @@ def least_push(h: float, mu: float) -> float:
 def hops(hoop: lw.Hoop, speed: float, least: float, most: int = 9) -> int:
     """Return how many flights are higher than a gap, of a hoop that rolls over the bottom; no more than `most`."""
     motion = hoop.simulate(theta=math.pi, theta_rate=-speed, until=40.0, max_transitions=400)
-    after = {one.time: one.impact.after.gap_rate for one in motion.transitions if one.impact is not None}
+    after = {
+        one.time: one.impact.after.gap_rate for one in motion.transitions if one.impact is not None
+    }
     count = 0
     for phase in motion.phases:
         if phase.mode != "flight" or phase.end is None:
@@ -189,7 +196,11 @@ def hops(hoop: lw.Hoop, speed: float, least: float, most: int = 9) -> int:
         times = np.linspace(0.0, phase.duration, 41)
         angle, rate = phase.start.theta, phase.start.theta_rate
         opening = after.get(phase.start.time, 0.0) - hoop.h * math.sin(angle) * rate
-        gaps = opening * times - 0.5 * times**2 - hoop.h * (np.cos(angle + rate * times) - math.cos(angle))
+        gaps = (
+            opening * times
+            - 0.5 * times**2
+            - hoop.h * (np.cos(angle + rate * times) - math.cos(angle))
+        )
         count += bool(np.max(gaps) > least)
         if count == most:
             break
@@ -236,8 +247,13 @@ def nudges() -> str:
         name: np.array([getattr(hoop, name) for hoop in drawn])
         for name in ("mass_ratio", "offset", "inertia", "mu_s", "mu_k")
     }
-    found = lw.simulate_many(theta=1e-4, theta_rate=1e-4, proof="contact", max_transitions=1000, threads=2, **columns)
-    lifted, hard = int(np.sum(~np.isnan(found.lift_off_time.to_numpy()))), int(np.sum(found.painleve.to_numpy() != 0))
+    found = lw.simulate_many(
+        theta=1e-4, theta_rate=1e-4, proof="contact", max_transitions=1000, threads=2, **columns
+    )
+    lifted, hard = (
+        int(np.sum(~np.isnan(found.lift_off_time.to_numpy()))),
+        int(np.sum(found.painleve.to_numpy() != 0)),
+    )
     return f"{lifted} of {len(drawn)} leave the plane, and {hard} come to a place with P ≤ 0"
 
 
@@ -248,12 +264,21 @@ def bounds() -> list[str]:
         angle = Body.thin(1.0).earliest(energy)
         offsets = np.linspace(0.1, 0.999, 150)
         lengths = [
-            farthest(Body.thin(float(h)), energy)[0] for h in offsets if energy > Body.thin(float(h)).least_energy
+            farthest(Body.thin(float(h)), energy)[0]
+            for h in offsets
+            if energy > Body.thin(float(h)).least_energy
         ]
         turns = turned_in_air(angle) / (2.0 * math.pi)
-        numbers = [f"{angle / DEGREE:.2f}", f"{height(1.0, angle):.4g}", f"{turns:.3f}", f"{max(lengths):.3g}"]
+        numbers = [
+            f"{angle / DEGREE:.2f}",
+            f"{height(1.0, angle):.4g}",
+            f"{turns:.3f}",
+            f"{max(lengths):.3g}",
+        ]
         rows.append([f"{energy:g}", *numbers])
-    return table(["E/(m g R)", "lift-off at most, °", "height, R", "turns in the air", "length, R"], rows)
+    return table(
+        ["E/(m g R)", "lift-off at most, °", "height, R", "turns in the air", "length, R"], rows
+    )
 
 
 def two_turns() -> str:
@@ -284,7 +309,8 @@ def highest() -> str:
     """Where the highest jump was found."""
     edge = sum(h == 0.99 for (*_, share), (h, _) in search().items() if share == 1.0)
     least = sum(
-        search()[energy, mu, SHARES[-1]][1] == max(search()[energy, mu, share][1] for share in SHARES)
+        search()[energy, mu, SHARES[-1]][1]
+        == max(search()[energy, mu, share][1] for share in SHARES)
         for energy in ENERGIES
         for mu in FRICTIONS
     )
@@ -310,7 +336,9 @@ def least_of_build() -> str:
 
 def speeds() -> str:
     """Between which speeds all of the windows are."""
-    found = [speed for seen in SEEN for mu in MUS for e in RESTITUTIONS for speed in window(mu, e, seen)]
+    found = [
+        speed for seen in SEEN for mu in MUS for e in RESTITUTIONS for speed in window(mu, e, seen)
+    ]
     return f"{min(found):.2f} to {max(found):.2f} m/s"
 
 
@@ -328,7 +356,9 @@ def push_picture() -> Figure:
     left.set(xlim=(0, 1), ylim=(0, 1.1), xlabel="offset of the mass centre *h*, *R*")
     left.set_ylabel("least rate at the top, √(*g*/(*Rh*))")
     key(left)
-    wide, rates = np.meshgrid(np.linspace(0.03, 0.98, 90), np.linspace(0.55, 0.999, 80), indexing="ij")
+    wide, rates = np.meshgrid(
+        np.linspace(0.03, 0.98, 90), np.linspace(0.55, 0.999, 80), indexing="ij"
+    )
     ratio = 1.0 / wide - 1.0
     found = lw.simulate_many(
         theta=0.0, theta_rate=rates / np.sqrt(wide), mass_ratio=ratio, offset=1.0, inertia=ratio, mu_s=0.3, mu_k=0.3,
@@ -336,7 +366,9 @@ def push_picture() -> Figure:
     )  # fmt: skip
     heights = found.jump_height.to_numpy()
     levels = [0.001, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.5]
-    lines = middle.contour(wide, rates, np.nan_to_num(heights), levels=levels, colors=[INK], linewidths=FINE)
+    lines = middle.contour(
+        wide, rates, np.nan_to_num(heights), levels=levels, colors=[INK], linewidths=FINE
+    )
     middle.clabel(lines, fmt="%g")
     middle.set(xlim=(0, 1), ylim=(0.55, 1.0), xlabel="offset of the mass centre *h*, *R*")
     middle.set_ylabel("rate at the top, √(*g*/(*Rh*))")
@@ -345,7 +377,9 @@ def push_picture() -> Figure:
     tops = [height(1.0, Body.thin(1.0).earliest(float(energy))) for energy in energies]
     right.plot(energies, tops, color=FAINT, label="bound, proved")
     for (h, look), marker in zip(listed((0.99, 0.7, 0.5, 0.3)), "osD^", strict=True):
-        jumps = [(energy, float(rolled(Body.thin(np.array([h])), energy, 0.3)[0])) for energy in ENERGIES]
+        jumps = [
+            (energy, float(rolled(Body.thin(np.array([h])), energy, 0.3)[0])) for energy in ENERGIES
+        ]
         right.plot(*zip(*jumps, strict=True), marker, color=look["color"], label=f"*h* = {h:g}")
     right.set(xlim=(1, 10.2), ylim=(0, 12), xlabel="energy over *mgR*", xticks=(1, 4, 7, 10))
     right.set_ylabel("height of the jump, *R*")
@@ -365,8 +399,19 @@ def hops_picture() -> Figure:
             ax.step(speeds, counts, where="mid", **look, label=f"{1000 * weight:.0f} g")
         found = window(mu, restitution, 0.005)
         if found:
-            ax.axvspan(found[0] - 0.01, found[-1] + 0.01, color=LINE, alpha=0.6, linewidth=0, label="once and twice")
-        ax.set(ylim=(0, 9.5), xlabel="speed of the centre at the bottom, m/s", ylabel="hops higher than 5 mm")
+            ax.axvspan(
+                found[0] - 0.01,
+                found[-1] + 0.01,
+                color=LINE,
+                alpha=0.6,
+                linewidth=0,
+                label="once and twice",
+            )
+        ax.set(
+            ylim=(0, 9.5),
+            xlabel="speed of the centre at the bottom, m/s",
+            ylabel="hops higher than 5 mm",
+        )
         key(ax, f"*μ* = {mu:g}, *e* = {restitution:g}", columns=3)
     return figure
 

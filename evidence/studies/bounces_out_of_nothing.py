@@ -85,7 +85,9 @@ class Contact:
             found = np.where(early, e * (1.0 + gain), (1.0 + e) * k2 / k1 - 1.0 - gain)
         else:
             late = (e * e * k2 - (k2 - k1) * (k1 * p - 1.0) ** 2) / k1
-            found = np.sqrt(np.where(early, e * e * (1.0 + gain * (2.0 - k1 * p)), np.maximum(late, 0.0)))
+            found = np.sqrt(
+                np.where(early, e * e * (1.0 + gain * (2.0 - k1 * p)), np.maximum(late, 0.0))
+            )
         return np.where((self.braking > 0.0) & (k1 * p < 1.0 + e), found, e)
 
     def range(self, e: float, law: str) -> tuple[Array, Array]:
@@ -102,7 +104,9 @@ class Contact:
                 low, high = (1.0 - e * e) / (e * gain * (e + z)), (1.0 + z) / k1
             high = np.where(k1 > 0.0, high, np.inf)
         grows = grows & (braking > 0.0)
-        return np.where(grows, 0.5 * braking * low, np.inf), np.where(grows, 0.5 * braking * high, 0.0)
+        return np.where(grows, 0.5 * braking * low, np.inf), np.where(
+            grows, 0.5 * braking * high, 0.0
+        )
 
 
 def rim(h: float) -> float:
@@ -124,22 +128,30 @@ BODIES = {
 }
 
 
-def least_slope(h: float, kappa: float, mu: float, e: float, law: str = "energetic") -> tuple[float, float]:
+def least_slope(
+    h: float, kappa: float, mu: float, e: float, law: str = "energetic"
+) -> tuple[float, float]:
     """Return the least slope on which bounces grow out of rest, and |θ| there: ρ = tan α at rest."""
     low, _ = Contact(h, kappa, ANGLES, mu).range(e, law)
     best = int(np.argmin(low))
     return math.atan(float(low[best])), float(ANGLES[best])
 
 
-def equilibrium_grows(h: float, kappa: float, slope: float, mu: float, e: float, *, stable: bool) -> bool:
+def equilibrium_grows(
+    h: float, kappa: float, slope: float, mu: float, e: float, *, stable: bool
+) -> bool:
     """Whether bounces grow (energetic law) out of an equilibrium, which static friction holds."""
     turned = math.asin(math.sin(slope) / h)
     theta = math.pi + turned - slope if stable else -turned - slope
-    low, high = Contact(h, kappa, np.array([abs(math.remainder(theta, 2.0 * math.pi))]), mu).range(e, "energetic")
+    low, high = Contact(h, kappa, np.array([abs(math.remainder(theta, 2.0 * math.pi))]), mu).range(
+        e, "energetic"
+    )
     return math.tan(slope) <= mu and float(low[0]) < math.tan(slope) < float(high[0])
 
 
-def equilibrium_range(h: float, kappa: float, mu: float, e: float, *, stable: bool) -> tuple[float, float] | None:
+def equilibrium_range(
+    h: float, kappa: float, mu: float, e: float, *, stable: bool
+) -> tuple[float, float] | None:
     """Return the slopes between which bounces grow out of an equilibrium, if there are any."""
     slopes = np.linspace(1e-3, math.asin(h) - 1e-6, 4001)
     inside = [s for s in slopes if equilibrium_grows(h, kappa, float(s), mu, e, stable=stable)]
@@ -159,7 +171,9 @@ def equilibria() -> list[str]:
         cells = []
         for stable in (False, True):
             found = equilibrium_range(h, kappa, 1.0, 0.9, stable=stable)
-            cells.append("none" if found is None else f"{found[0] / DEGREE:.1f} to {found[1] / DEGREE:.1f}")
+            cells.append(
+                "none" if found is None else f"{found[0] / DEGREE:.1f} to {found[1] / DEGREE:.1f}"
+            )
         rows.append([name, *cells, f"{min(math.asin(h), math.atan(1.0)) / DEGREE:.1f}"])
     return table(["", "unstable, °", "stable, °", "equilibria to, °"], rows)
 
@@ -177,7 +191,9 @@ def survey() -> Counter[str]:
         law = str(random.choice(["energetic", "poisson"]))
         e, slope = random.uniform(0.3, 0.95), random.uniform(-1.3, 1.3)
         bouncing = hoop_on(slope, hoop, e, law)
-        for theta, rate in zip(random.uniform(-math.pi, math.pi, 8), random.uniform(-1.5, 1.5, 8), strict=True):
+        for theta, rate in zip(
+            random.uniform(-math.pi, math.pi, 8), random.uniform(-1.5, 1.5, 8), strict=True
+        ):
             found = bouncing.classify(theta=theta, theta_rate=rate)
             if found.region != "rolling_region":
                 continue
@@ -222,10 +238,18 @@ def saddle() -> float:
     return -math.asin(math.sin(EXAMPLE["slope"]) / EXAMPLE["h"]) - EXAMPLE["slope"]
 
 
-def out_of(hoop: lw.Hoop, theta: float, theta_rate: float, gap_rate: float, bounces: int) -> tuple[Array, Array]:
+def out_of(
+    hoop: lw.Hoop, theta: float, theta_rate: float, gap_rate: float, bounces: int
+) -> tuple[Array, Array]:
     """Return the times of the bounces out of a state, and the rate of the gap after each."""
-    motion = hoop.simulate(theta=theta, theta_rate=theta_rate, gap_rate=gap_rate, max_transitions=bounces)
-    hits = [(one.state.time, one.impact.after.gap_rate) for one in motion.transitions if one.impact is not None]
+    motion = hoop.simulate(
+        theta=theta, theta_rate=theta_rate, gap_rate=gap_rate, max_transitions=bounces
+    )
+    hits = [
+        (one.state.time, one.impact.after.gap_rate)
+        for one in motion.transitions
+        if one.impact is not None
+    ]
     times, rates = zip(*hits, strict=True)
     return np.array(times), np.array(rates)
 
@@ -240,7 +264,10 @@ def state_seen(share: float, generations: int) -> tuple[float, float, float]:
     ratio = hoop.classify(theta=theta, theta_rate=0.0).reverse_chatter
     assert ratio is not None
     motion = hoop.simulate(
-        theta=theta, theta_rate=0.0, gap_rate=SEEN * ratio ** (share - generations), max_transitions=generations + 20
+        theta=theta,
+        theta_rate=0.0,
+        gap_rate=SEEN * ratio ** (share - generations),
+        max_transitions=generations + 20,
     )
     for one in motion.transitions:
         if one.impact is not None and one.impact.after.gap_rate > SEEN:
@@ -251,7 +278,8 @@ def state_seen(share: float, generations: int) -> tuple[float, float, float]:
 def ratios() -> str:
     """The ratio of the example in its unstable equilibrium, by two laws."""
     by = {
-        law: example(law).classify(theta=saddle(), theta_rate=0.0).reverse_chatter for law in ("energetic", "poisson")
+        law: example(law).classify(theta=saddle(), theta_rate=0.0).reverse_chatter
+        for law in ("energetic", "poisson")
     }
     return f"{by['energetic']:.3f} by the energetic law and {by['poisson']:.3f} by Poisson's"
 
@@ -265,11 +293,20 @@ def plane() -> Figure:
     rolls = portrait.in_rolling_region(theta, rate)
     ratio = portrait.reverse_chatter(theta, rate)
     left = axes[0]
-    left.contourf(theta / DEGREE, rate, np.where(rolls, 1.0, 0.0), levels=[0.5, 1.5], colors=[REGION])
+    left.contourf(
+        theta / DEGREE, rate, np.where(rolls, 1.0, 0.0), levels=[0.5, 1.5], colors=[REGION]
+    )
     known = np.where(np.isnan(ratio), 0.0, ratio)
     tints = [(ACCENTS["violet"], depth) for depth in (0.3, 0.55, 0.85)]
     left.contourf(theta / DEGREE, rate, known, levels=[1.0, 1.1, 1.2, 10.0], colors=tints)
-    left.contour(theta / DEGREE, rate, known, levels=[1.0], colors=[CURVE_COLOURS["chatter"]], linestyles="dotted")
+    left.contour(
+        theta / DEGREE,
+        rate,
+        known,
+        levels=[1.0],
+        colors=[CURVE_COLOURS["chatter"]],
+        linestyles="dotted",
+    )
     for one in portrait.equilibria:
         angle = one.theta - 2.0 * math.pi if one.theta > 0.0 else one.theta
         stable = one.stability == "stable"
@@ -291,7 +328,12 @@ def plane() -> Figure:
     e = np.linspace(0.4, 0.995, 60)
     for (name, (h, kappa)), look in listed(list(BODIES.items())):
         least = [least_slope(h, kappa, 1.0, float(one))[0] / DEGREE for one in e]
-        right.plot(e, np.where(np.array(least) < 89.9, least, np.nan), **look, label=name.replace("h =", "*h* ="))
+        right.plot(
+            e,
+            np.where(np.array(least) < 89.9, least, np.nan),
+            **look,
+            label=name.replace("h =", "*h* ="),
+        )
     shown = EXAMPLE["e"], EXAMPLE["slope"] / DEGREE
     right.plot(*shown, "D", color=INK, label="hoop of (a)")
     right.set(xlabel="*e*", ylabel="least slope, degrees", ylim=(0, 75))
@@ -321,10 +363,21 @@ def motions() -> Figure:
             right.loglog(times, rates, "o", color=look["color"], markersize=2.2, label="bounces")
     line = np.array([1e-9, 20.0])
     weight = math.cos(hoop.slope)
-    right.loglog(line, 0.5 * weight * (ratio - 1.0) * line, color=INK, linewidth=FINE, label="proportional to *τ*")
+    right.loglog(
+        line,
+        0.5 * weight * (ratio - 1.0) * line,
+        color=INK,
+        linewidth=FINE,
+        label="proportional to *τ*",
+    )
     left.set(xlim=(0.35, 1.3), ylim=(0, None), xlabel="*τ*, √(*R*/*g*)", ylabel="gap, *R*/1000")
     key(left, "gap rate at the start, 10^{−9}√(*gR*)", columns=3)
-    right.set(xlim=(1e-8, 20), ylim=(1e-9, 1), xlabel="*τ*, √(*R*/*g*)", ylabel="gap rate after a bounce, √(*gR*)")
+    right.set(
+        xlim=(1e-8, 20),
+        ylim=(1e-9, 1),
+        xlabel="*τ*, √(*R*/*g*)",
+        ylabel="gap rate after a bounce, √(*gR*)",
+    )
     key(right)
     return figure
 

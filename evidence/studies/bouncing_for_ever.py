@@ -111,7 +111,14 @@ class Orbit:
         dw, dv = self.tangent
         # Of the inertia: D has 2h cos φ in it, and the smooth one a².
         change = -2 * a if self.rough else 2 * a * c
-        return change * w * w / 2 + self.inertia * w * dw + c * w * v + a * (dw * v + w * dv) + v * dv - a
+        return (
+            change * w * w / 2
+            + self.inertia * w * dw
+            + c * w * v
+            + a * (dw * v + w * dv)
+            + v * dv
+            - a
+        )
 
     @property
     def tilt(self) -> Any:
@@ -174,11 +181,19 @@ class Orbit:
         # The end of the flight, from the gap, which is zero there, and closes with v.
         late = [(arms - c * w * time) / v, arms * time / v, time / v]
         angle = [1 + w * late[0], time + w * late[1], w * late[2]]
-        opening = [c * w * (angle[0] - 1) - late[0], arms + c * w * angle[1] - late[1], 1 + c * w * angle[2] - late[2]]
+        opening = [
+            c * w * (angle[0] - 1) - late[0],
+            arms + c * w * angle[1] - late[1],
+            1 + c * w * angle[2] - late[2],
+        ]
         slip = [-w * (end * angle[0] - begin), -w * end * angle[1], -w * end * angle[2]]
         pull = self.friction / self.arm if self.rough else 0
         rate = [-pull * slip[0], 1 - pull * slip[1], -pull * slip[2]]
-        return [angle, rate, [one - end * pull * other for one, other in zip(opening, slip, strict=True)]]
+        return [
+            angle,
+            rate,
+            [one - end * pull * other for one, other in zip(opening, slip, strict=True)],
+        ]
 
     def impact(self, side: int) -> Matrix:
         """Return the derivative of an impact without slip, at φ (side 1) or −φ."""
@@ -188,7 +203,9 @@ class Orbit:
 def product(left: Matrix, right: Matrix) -> Matrix:
     """Return the product of two matrices of any numbers."""
     columns = list(zip(*right, strict=True))
-    return [[sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in left]
+    return [
+        [sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in left
+    ]
 
 
 def family(h: Any, gyration: Any, angle: Any, *, rough: bool = True) -> Orbit:
@@ -213,7 +230,11 @@ def family(h: Any, gyration: Any, angle: Any, *, rough: bool = True) -> Orbit:
     constant = alpha * kappa * angle * angle
     with np.errstate(invalid="ignore", divide="ignore"):
         root = np.sqrt(linear * linear + 4.0 * square * constant)
-        top = np.sqrt(np.where(linear > 0.0, 2.0 * constant / (linear + root), (root - linear) / (2.0 * square)))
+        top = np.sqrt(
+            np.where(
+                linear > 0.0, 2.0 * constant / (linear + root), (root - linear) / (2.0 * square)
+            )
+        )
         fits = (alpha > 0.0) & (angle / top > 2.0 * np.sqrt(h) * np.sin(0.5 * angle))
         rate = np.where(fits, top, np.nan)
         return Orbit(arm, lever, alpha, rate, angle / rate - arm * rate, rough)
@@ -267,7 +288,8 @@ def stable(h: float, *, rough: bool = True) -> tuple[tuple[float, float], ...]:
     angles: Any = np.linspace(0.02, math.pi - 0.02, 4000)
     grid = family(h, thin(h), angles, rough=rough)
     borders = []
-    # A simple zero of Γ or dE/dφ borders a stable interval where |ζ1 ζ2| < 1, which may be narrower than the grid.
+    # A simple zero of Γ or dE/dφ borders a stable interval where |ζ1 ζ2| < 1, which may be narrower
+    # than the grid.
     for name in ("tilt", "energy_slope"):
         values = getattr(grid, name)
 
@@ -306,21 +328,34 @@ def random_orbits(seed: int, count: int) -> Iterator[tuple[lw.Hoop, Orbit, float
         if found is None or abs(found.friction) > 5.0:
             continue
         mu = found.friction + 0.2
-        yield replace(drawn, mu_s=mu, mu_k=mu, restitution=1.0, restitution_law="energetic"), found, angle
+        yield (
+            replace(drawn, mu_s=mu, mu_k=mu, restitution=1.0, restitution_law="energetic"),
+            found,
+            angle,
+        )
 
 
-def after_turn(hoop: lw.Hoop, theta: float, rate: float, gap_rate: float, slip: float = 0.0) -> list[float]:
+def after_turn(
+    hoop: lw.Hoop, theta: float, rate: float, gap_rate: float, slip: float = 0.0
+) -> list[float]:
     """Return θ, θ′ and the rate of the gap after two impacts, as the library simulates them."""
-    motion = hoop.simulate(theta=theta, theta_rate=rate, gap_rate=gap_rate, slip=slip, max_transitions=2)
+    motion = hoop.simulate(
+        theta=theta, theta_rate=rate, gap_rate=gap_rate, slip=slip, max_transitions=2
+    )
     last = motion.transitions[1]
     assert last.impact is not None
-    return [last.after.theta - 2.0 * math.pi, last.impact.after.theta_rate, last.impact.after.gap_rate]
+    return [
+        last.after.theta - 2.0 * math.pi,
+        last.impact.after.theta_rate,
+        last.impact.after.gap_rate,
+    ]
 
 
 def differences(hoop: lw.Hoop, motion: Orbit, angle: float, step: float = 1e-7) -> Matrix:
     """Return the derivative of a turn by central differences of simulated motions.
 
-    The step is small because the second derivatives of an impact jump where the slip changes its sign.
+    The step is small because the second derivatives of an impact jump where the slip changes its
+    sign.
     """
     start = [-angle, motion.rate, motion.gap_rate]
     columns = []
@@ -368,7 +403,9 @@ def drift(h: float, angle: float, loss: float, turns: int) -> Drift:
     hoop = thin_hoop(h, mu_k=0.5, restitution=1.0 - loss)
     begin = orbit(h, thin(h), angle)
     assert begin is not None
-    motion = hoop.simulate(theta=-angle, theta_rate=begin.rate, gap_rate=begin.gap_rate, max_transitions=2 * turns + 2)
+    motion = hoop.simulate(
+        theta=-angle, theta_rate=begin.rate, gap_rate=begin.gap_rate, max_transitions=2 * turns + 2
+    )
     places = np.array([one.state.theta for one in motion.transitions if one.cause == "landing"])
     # Half of what the hoop turns over the top: also right where the two impacts are not opposite.
     tops = 0.5 * (places[2::2] - places[1:-1:2])
@@ -420,7 +457,10 @@ def bands() -> list[str]:
                     smooth if place == 0 else "",
                 ]
             )
-    return table(["h", "stable, rough: φ, °", "friction needed", "turns × (1 − e)", "stable, smooth: φ, °"], rows)
+    return table(
+        ["h", "stable, rough: φ, °", "friction needed", "turns × (1 − e)", "stable, smooth: φ, °"],
+        rows,
+    )
 
 
 def rocks() -> str:
@@ -434,7 +474,9 @@ def rocking_text() -> str:
     parts = []
     for h in (0.1, 0.5, 0.9):
         ends = [*smooth_rocking(h), math.pi]
-        parts.append(f"{' and '.join(spans(zip(ends[::2], ends[1::2], strict=True), 1))} (h = {h:g})")
+        parts.append(
+            f"{' and '.join(spans(zip(ends[::2], ends[1::2], strict=True), 1))} (h = {h:g})"
+        )
     return f"φ = {', '.join(parts)} degrees"
 
 
@@ -458,13 +500,19 @@ STABLE = (ACCENTS["violet"], 0.6)
 def regions_picture() -> Figure:
     """Where motions are stable, for rough and for smooth thin hoops."""
     figure, axes = panels(2, height=400.0)
-    h, angle = np.meshgrid(np.linspace(0.003, 0.997, 500), np.linspace(0.01, math.pi - 0.01, 700), indexing="ij")
+    h, angle = np.meshgrid(
+        np.linspace(0.003, 0.997, 500), np.linspace(0.01, math.pi - 0.01, 700), indexing="ij"
+    )
     degrees = angle / DEGREE
-    for ax, rough, name in zip(axes, (True, False), ("rough: impacts stick", "smooth: no friction"), strict=True):
+    for ax, rough, name in zip(
+        axes, (True, False), ("rough: impacts stick", "smooth: no friction"), strict=True
+    ):
         orbits = family(h, thin(h), angle, rough=rough)
         none = np.isnan(orbits.rate)
         firm = (np.nan_to_num(orbits.margin, nan=-1.0) > 0.0).astype(float)
-        ax.contourf(degrees, h, none.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"])
+        ax.contourf(
+            degrees, h, none.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"]
+        )
         ax.contourf(degrees, h, firm, levels=[0.5, 1.5], colors=[STABLE])
         ax.contour(degrees, h, orbits.energy_slope, levels=[0.0], colors=[INK])
         ax.contour(degrees, h, orbits.tilt, levels=[0.0], colors=[INK], linestyles="dashed")
@@ -472,14 +520,37 @@ def regions_picture() -> Figure:
         ax.contour(degrees, h, flip, levels=[0.0], colors=[INK], linestyles="dotted")
         if rough:
             friction = np.where(none, np.nan, orbits.friction)
-            lines = ax.contour(degrees, h, friction, levels=[0.1, 0.3, 0.6], colors=[ARROW_COLOURS["friction_force"]])
+            lines = ax.contour(
+                degrees,
+                h,
+                friction,
+                levels=[0.1, 0.3, 0.6],
+                colors=[ARROW_COLOURS["friction_force"]],
+            )
             ax.clabel(lines, fmt=lambda mu: f"{mu:g}", manual=[(45, 0.25), (70, 0.55), (85, 0.8)])
             ax.plot([], [], color=ARROW_COLOURS["friction_force"], label="*μ* that it needs")
-        ax.set(xlim=(0, 180), ylim=(0, 1), xlabel="angle of the impacts *φ*, degrees", xticks=range(0, 181, 30))
-        for style, label in (("solid", "d*E*/d*φ* = 0"), ("dashed", "*Γ* = 0"), ("dotted", "*ζ* = −1")):
+        ax.set(
+            xlim=(0, 180),
+            ylim=(0, 1),
+            xlabel="angle of the impacts *φ*, degrees",
+            xticks=range(0, 181, 30),
+        )
+        for style, label in (
+            ("solid", "d*E*/d*φ* = 0"),
+            ("dashed", "*Γ* = 0"),
+            ("dotted", "*ζ* = −1"),
+        ):
             ax.plot([], [], color=INK, linestyle=style, label=label)
         ax.fill_between([], [], color=STABLE, label="stable")
-        ax.fill_between([], [], facecolor="none", edgecolor=HATCH, hatch="////", linewidth=0, label="no such motion")
+        ax.fill_between(
+            [],
+            [],
+            facecolor="none",
+            edgecolor=HATCH,
+            hatch="////",
+            linewidth=0,
+            label="no such motion",
+        )
         ax.set_ylabel("offset of the mass centre *h*, *R*")
         key(ax, name, columns=3)
     return figure
@@ -499,12 +570,23 @@ def losses_picture() -> Figure:
         for low, high in stable(h):
             firm = np.linspace(low, high, 50)
             middle.plot(
-                firm / DEGREE, family(h, thin(h), firm).energy, color=look["color"], linewidth=4.0 * CURVE, alpha=0.45
+                firm / DEGREE,
+                family(h, thin(h), firm).energy,
+                color=look["color"],
+                linewidth=4.0 * CURVE,
+                alpha=0.45,
             )
     left.axhline(1.0, color=INK, linewidth=FINE)
-    left.set(xlim=(28, 150), ylim=(0.2, 200), ylabel="largest multiplier |*ζ*|", xticks=range(30, 151, 30))
+    left.set(
+        xlim=(28, 150),
+        ylim=(0.2, 200),
+        ylabel="largest multiplier |*ζ*|",
+        xticks=range(30, 151, 30),
+    )
     middle.plot([], [], color=FAINT, linewidth=4.0 * CURVE, label="stable")
-    middle.set(xlim=(60, 150), ylim=(1, 8), ylabel="energy *E* over *mgR*", xticks=range(60, 151, 30))
+    middle.set(
+        xlim=(60, 150), ylim=(1, 8), ylabel="energy *E* over *mgR*", xticks=range(60, 151, 30)
+    )
     for axes in (left, middle):
         axes.set_xlabel("angle of the impacts *φ*, degrees")
         key(axes, columns=3)

@@ -77,20 +77,29 @@ class Boundary:
         for width in AWAY:
             if turns[-1].name == name:
                 return turns[-1]
-            turns.append(first_turn(self.gamma, mu * (1.0 + away * width), self.rate, len(name.split()[0])))
+            turns.append(
+                first_turn(self.gamma, mu * (1.0 + away * width), self.rate, len(name.split()[0]))
+            )
         return turns[-1] if turns[-1].name == name else turns[0]
 
     @cached_property
     def kind(self) -> str:
         """What coincides: told by the phases that only one of the sides has."""
-        (one, stop), (other, other_stop) = self.below.split(maxsplit=1), self.above.split(maxsplit=1)
+        (one, stop), (other, other_stop) = (
+            self.below.split(maxsplit=1),
+            self.above.split(maxsplit=1),
+        )
         shorter, longer = sorted((one.rstrip("F"), other.rstrip("F")), key=len)
         if shorter == longer:
             return "two stops"
         if stop != other_stop:
             return NOT_TOLD
         more = len(longer) - len(shorter)
-        places = [place for place in range(len(shorter) + 1) if longer[:place] + longer[place + more :] == shorter]
+        places = [
+            place
+            for place in range(len(shorter) + 1)
+            if longer[:place] + longer[place + more :] == shorter
+        ]
         kinds = {place: _kind(longer, place, more, stop) for place in places}
         told = {place: kind for place, kind in kinds.items() if kind != NOT_TOLD}
         if len(set(told.values())) < 2:
@@ -115,12 +124,16 @@ def _kind(word: str, place: int, more: int, stop: str) -> str:
 
 
 def boundaries(
-    lines: Sequence[Line], least: float | Floats, most: float | Floats, count: int, width: float = WIDTH
+    lines: Sequence[Line],
+    least: float | Floats,
+    most: float | Floats,
+    count: int,
+    width: float = WIDTH,
 ) -> list[Boundary]:
     """Return where the sequence changes between neighbours of a scan, line by line with rising friction.
 
-    Each is told to a part of μ, the last digits by default; all lines are halved at once. Every line may have limits of
-    its own.
+    Each is told to a part of μ, the last digits by default; all lines are halved at once. Every
+    line may have limits of its own.
     """
     if not len(lines):
         return []
@@ -128,7 +141,9 @@ def boundaries(
     every = np.ones(len(lines))
     frictions = np.geomspace(least * every, most * every, count, axis=1)
     rates = np.repeat(rate_of(line_gamma, line_part), count)
-    scanned = names_of(np.repeat(line_gamma, count), frictions.ravel(), rates).reshape(len(lines), count)
+    scanned = names_of(np.repeat(line_gamma, count), frictions.ravel(), rates).reshape(
+        len(lines), count
+    )
     line, place = np.nonzero(scanned[:, 1:] != scanned[:, :-1])
     low, high = frictions[line, place], frictions[line, place + 1]
     below, above = scanned[line, place], scanned[line, place + 1]
@@ -136,14 +151,28 @@ def boundaries(
     while len(line):
         done = high - low < width * high
         found += zip(line[done], low[done], high[done], below[done], above[done], strict=True)
-        line, low, high, below, above = line[~done], low[~done], high[~done], below[~done], above[~done]
+        line, low, high, below, above = (
+            line[~done],
+            low[~done],
+            high[~done],
+            below[~done],
+            above[~done],
+        )
         middle = 0.5 * (low + high)
         names = names_of(line_gamma[line], middle, rate_of(line_gamma[line], line_part[line]))
         left, right = np.flatnonzero(names != below), np.flatnonzero(names != above)
         line = np.concatenate((line[left], line[right]))
-        low, high = np.concatenate((low[left], middle[right])), np.concatenate((middle[left], high[right]))
-        below, above = np.concatenate((below[left], names[right])), np.concatenate((names[left], above[right]))
-    return _merged([Boundary(*lines[k], float(a), float(b), str(c), str(d)) for k, a, b, c, d in sorted(found)])
+        low, high = (
+            np.concatenate((low[left], middle[right])),
+            np.concatenate((middle[left], high[right])),
+        )
+        below, above = (
+            np.concatenate((below[left], names[right])),
+            np.concatenate((names[left], above[right])),
+        )
+    return _merged(
+        [Boundary(*lines[k], float(a), float(b), str(c), str(d)) for k, a, b, c, d in sorted(found)]
+    )
 
 
 def _merged(found: list[Boundary]) -> list[Boundary]:
@@ -151,7 +180,11 @@ def _merged(found: list[Boundary]) -> list[Boundary]:
     joined: list[Boundary] = []
     for one in found:
         last = joined[-1] if joined else None
-        if last and (last.gamma, last.part) == (one.gamma, one.part) and one.low - last.high < NOTHING * one.low:
+        if (
+            last
+            and (last.gamma, last.part) == (one.gamma, one.part)
+            and one.low - last.high < NOTHING * one.low
+        ):
             joined[-1] = Boundary(one.gamma, one.part, last.low, one.high, last.below, one.above)
         else:
             joined.append(one)
@@ -168,10 +201,14 @@ def points_between(
 ) -> Floats:
     """Return the friction near each guess at which one sequence passes into another; NaN where none is found.
 
-    It is looked for in intervals that grow: in the least that has both sequences at its ends no third is hidden.
+    It is looked for in intervals that grow: in the least that has both sequences at its ends no
+    third is hidden.
     """
     found = np.full(len(guess), math.nan)
-    below, above = np.array([one for one, _ in sides], dtype="U32"), np.array([one for _, one in sides], dtype="U32")
+    below, above = (
+        np.array([one for one, _ in sides], dtype="U32"),
+        np.array([one for _, one in sides], dtype="U32"),
+    )
     rate = rate_of(gamma, part)
     for width in widths:
         one = np.flatnonzero(np.isnan(found))
@@ -185,13 +222,20 @@ Places = np.ndarray[tuple[int], np.dtype[np.intp]]
 
 
 def _halved(
-    one: Places, low: Floats, high: Floats, line: tuple[Floats, Floats], sides: tuple[Texts, Texts], tolerance: float
+    one: Places,
+    low: Floats,
+    high: Floats,
+    line: tuple[Floats, Floats],
+    sides: tuple[Texts, Texts],
+    tolerance: float,
 ) -> tuple[Places, Floats, Floats]:
     """Return the intervals whose ends and middles have only the two sequences, halved to a tolerance."""
     (gamma, rate), (below, above) = line, sides
     if not len(one):
         return one, low, high
-    fits = (names_of(gamma[one], low, rate[one]) == below[one]) & (names_of(gamma[one], high, rate[one]) == above[one])
+    fits = (names_of(gamma[one], low, rate[one]) == below[one]) & (
+        names_of(gamma[one], high, rate[one]) == above[one]
+    )
     one, low, high = one[fits], low[fits], high[fits]
     while len(one) and np.any(high - low > tolerance * high):
         middle = 0.5 * (low + high)

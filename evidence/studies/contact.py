@@ -15,7 +15,8 @@ class Contact:
     Parameters
     ----------
     m, h, inertia : float
-        Mass, distance of the mass centre from the centre, and moment of inertia about the mass centre.
+        Mass, distance of the mass centre from the centre, and moment of inertia about the mass
+        centre.
     """
 
     m: float
@@ -38,7 +39,11 @@ class Contact:
     def compliances(self, theta: float) -> tuple[float, float, float]:
         """Return A, B and C of the contact."""
         s, lever = self.h * math.sin(theta), 1.0 + self.h * math.cos(theta)
-        return 1.0 / self.m + lever**2 / self.inertia, s * lever / self.inertia, 1.0 / self.m + s**2 / self.inertia
+        return (
+            1.0 / self.m + lever**2 / self.inertia,
+            s * lever / self.inertia,
+            1.0 / self.m + s**2 / self.inertia,
+        )
 
     def rolling(self, theta: float, u: float) -> tuple[float, float]:
         """Return N and F of rolling."""

@@ -58,7 +58,15 @@ def of_faults() -> list[str]:
             ]
         )
     return table(
-        ["fault", "wrong", "doubted", "wrong and not doubted", "wrong without any doubt", "most raised"], lines
+        [
+            "fault",
+            "wrong",
+            "doubted",
+            "wrong and not doubted",
+            "wrong without any doubt",
+            "most raised",
+        ],
+        lines,
     )
 
 
@@ -91,7 +99,11 @@ def at_most(rows: list[dict[str, str]]) -> float:
 
 def fresh() -> str:
     """How many fits of films not seen before are wrong without any doubt, and what these films leave possible."""
-    rows = {name: [row for row in rows_of(name) if int(row["film"]) >= SEEN] for name in FAULTS if name != "none"}
+    rows = {
+        name: [row for row in rows_of(name) if int(row["film"]) >= SEEN]
+        for name in FAULTS
+        if name != "none"
+    }
     together = [row for one in rows.values() for row in one]
     worst = max(map(at_most, rows.values()))
     return (

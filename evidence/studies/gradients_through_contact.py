@@ -130,7 +130,9 @@ def schemes() -> list[str]:
     rows = []
     for power in (2, 3, 4, 5):
         step = 10.0**-power
-        state = abs(with_impacts(BOUNCES, step, complex(RISE)).real - float(motion_of(BOUNCES)(END).theta))
+        state = abs(
+            with_impacts(BOUNCES, step, complex(RISE)).real - float(motion_of(BOUNCES)(END).theta)
+        )
         values = [
             automatic(with_impacts, BOUNCES, step),
             difference(with_impacts, BOUNCES, step),
@@ -140,7 +142,12 @@ def schemes() -> list[str]:
         rows.append([f"$10^{{-{power}}}$", f"{state:.0e}", *(f"{value:.4f}" for value in values)])
     found = f"{exact(BOUNCES):.4f}"
     rows.append(["exact", "", *[found] * 4])
-    heads = ["impacts, automatic", "impacts, differences", "soft spring, automatic", "stiff spring, automatic"]
+    heads = [
+        "impacts, automatic",
+        "impacts, differences",
+        "soft spring, automatic",
+        "stiff spring, automatic",
+    ]
     return table(["step", "error of θ, impacts", *heads], rows)
 
 
@@ -178,7 +185,9 @@ def picture() -> Figure:
             left.plot(times, found, **look, label=f"∂{label}′/∂*μ*ₖ" if i == 0 else None)
     for transition in motion.transitions[:-1]:
         left.axvline(transition.time, color=FAINT, linewidth=FINE)
-        left.text(transition.time + 0.03, 1.65, CAUSE_LABELS[transition.cause], rotation=90, va="top")
+        left.text(
+            transition.time + 0.03, 1.65, CAUSE_LABELS[transition.cause], rotation=90, va="top"
+        )
     left.set(xlim=(0, motion.end_time), xlabel="time *τ*, √(*R*/*g*)")
     left.set_ylabel("derivative at fixed *τ*, √(*g*/*R*), √(*gR*)")
     steps = np.logspace(-13, -1, 73)

@@ -36,10 +36,17 @@ class Margin:
         g = self.mu * (hoop.m + offset * c) + offset * s
         g1 = offset * (c - self.mu * s)
         g2 = -offset * (s + self.mu * c)
-        a = (g * d * d, g1 * d * d + 2.0 * g * d * d1, g2 * d * d + 4.0 * g1 * d * d1 + 2.0 * g * (d1 * d1 + d * d2))
+        a = (
+            g * d * d,
+            g1 * d * d + 2.0 * g * d * d1,
+            g2 * d * d + 4.0 * g1 * d * d1 + 2.0 * g * (d1 * d1 + d * d2),
+        )
         b = (
             offset * (self.mu * (offset * s * s + c * d) + s * (e + offset * c)),
-            offset * (self.mu * (2.0 * offset * s * c - s * d + c * d1) + c * e + offset * (c * c - s * s)),
+            offset
+            * (
+                self.mu * (2.0 * offset * s * c - s * d + c * d1) + c * e + offset * (c * c - s * s)
+            ),
             offset
             * (
                 self.mu * (2.0 * offset * (c * c - s * s) - c * d - 2.0 * s * d1 + c * d2)
@@ -120,5 +127,15 @@ def grazing_orbits(contact: Contact, mu: float, mu_k: float | None = None) -> li
         fall = 0.5 * (a[2] - constant * b[2]) * u / d**2
         if normal > 0.0 and p > 0.0 and fall > 0.0:
             mobility = d / (contact.m * p)
-            found.append(Grazing(0.5 * (constant - mean), theta, math.sqrt(u), normal, b[0] / d**2, fall, mobility))
+            found.append(
+                Grazing(
+                    0.5 * (constant - mean),
+                    theta,
+                    math.sqrt(u),
+                    normal,
+                    b[0] / d**2,
+                    fall,
+                    mobility,
+                )
+            )
     return sorted(found, key=lambda one: one.energy)

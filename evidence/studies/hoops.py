@@ -11,7 +11,9 @@ import numpy as np
 DEGREE = math.pi / 180.0
 
 
-def thin_hoop(h: float, *, mu_k: float, mu_s: float | None = None, restitution: float | None = None) -> lw.Hoop:
+def thin_hoop(
+    h: float, *, mu_k: float, mu_s: float | None = None, restitution: float | None = None
+) -> lw.Hoop:
     """Return the thin hoop with a particle on its rim whose mass centre is at the distance h; μs = μk if not given."""
     ratio = 1.0 / h - 1.0
     return lw.Hoop(
@@ -27,8 +29,8 @@ def thin_hoop(h: float, *, mu_k: float, mu_s: float | None = None, restitution: 
 def random_hoops(seed: int, count: int) -> Iterator[tuple[lw.Hoop, np.random.Generator]]:
     """Yield hoops with the generator that made them.
 
-    m1/m2 and I_zz from 1e-3 to 1e3 by their logarithms, ℓ/R from 0.02 to 1, μk from 1e-3 to 2, and μs as large or up
-    to twice as large.
+    m1/m2 and I_zz from 1e-3 to 1e3 by their logarithms, ℓ/R from 0.02 to 1, μk from 1e-3 to 2, and
+    μs as large or up to twice as large.
     """
     random = np.random.default_rng(seed)
     for _ in range(count):

@@ -20,7 +20,12 @@ from .study import Study
 ROLLS = next(code for code, name in lw.tables.OUTCOMES.items() if name == "rolls_forever")
 
 
-EXAMPLES = (("Figure 2", 0.5, 0.5), ("heavy hoop", 0.25, 0.2), ("light hoop", 0.75, 0.7), ("small offset", 0.1, 0.2))
+EXAMPLES = (
+    ("Figure 2", 0.5, 0.5),
+    ("heavy hoop", 0.25, 0.2),
+    ("light hoop", 0.75, 0.7),
+    ("small offset", 0.1, 0.2),
+)
 """Names, h and μ of thin hoops with the particle on the rim."""
 
 
@@ -33,7 +38,11 @@ def bottom_rate(hoop: lw.Hoop, energy: float) -> float:
 def counted(hoop: lw.Hoop, energy: float) -> int:
     """Return the number of slips of a motion from the bottom that rolls and slips in turn, and rolls in the end."""
     result = lw.simulate_many(
-        hoop, theta=math.pi, theta_rate=bottom_rate(hoop, energy), max_transitions=10_000_000, threads=1
+        hoop,
+        theta=math.pi,
+        theta_rate=bottom_rate(hoop, energy),
+        max_transitions=10_000_000,
+        threads=1,
     )
     name = str(lw.sequence_names(result.sequence.values))
     if "+-" in name or "-+" in name or int(result.outcome) != ROLLS:
@@ -78,7 +87,10 @@ def scaled(hoop: lw.Hoop, x: float) -> tuple[float, float]:
     orbit = grazing_orbits(Contact.of(hoop), hoop.mu_s, hoop.mu_k)[0]
     unit = gap * orbit.normal / (2.0 * orbit.rise)
     motion = hoop.simulate(
-        theta=math.pi, theta_rate=bottom_rate(hoop, orbit.energy + x * unit), max_transitions=2, proof="none"
+        theta=math.pi,
+        theta_rate=bottom_rate(hoop, orbit.energy + x * unit),
+        max_transitions=2,
+        proof="none",
     )
     slide = motion.phases[1]
     if [one.cause for one in motion.transitions] != ["slip", "stick"]:
@@ -127,7 +139,10 @@ def last_slips(seed: int, count: int, lightest: float) -> tuple[lw.Trajectory, .
     """
     random = np.random.default_rng(seed)
     h, mu = random.uniform(0.05, 0.95, count), 10.0 ** random.uniform(-2.5, 0.3, count)
-    theta, rate = random.uniform(-math.pi, math.pi, count), random.uniform(0.0, 1.5, count) / np.sqrt(h)
+    theta, rate = (
+        random.uniform(-math.pi, math.pi, count),
+        random.uniform(0.0, 1.5, count) / np.sqrt(h),
+    )
     ratio = 1.0 / h - 1.0
     inertia = ratio * lightest ** random.uniform(0.0, 1.0, count)
     result = lw.simulate_many(
@@ -175,7 +190,9 @@ def picture() -> Figure:
         middle.loglog(gaps, counts, "o", color=look["color"])
         nearly = thin_hoop(h, mu_k=mu, mu_s=mu + 1e-3 * mu)
         seen = [scaled(nearly, float(x)) for x in np.linspace(0.05, 4.0, 12)]
-        map_.plot(*zip(*seen, strict=True), marker, color=look["color"], fillstyle="none", label=name)
+        map_.plot(
+            *zip(*seen, strict=True), marker, color=look["color"], fillstyle="none", label=name
+        )
     x = np.linspace(0.0, 4.0, 200)
     map_.plot(x, [scaled_loss(float(one)) for one in x], color=INK, label="*ℓ*(*x*)")
     map_.set(xlabel="*x* = 2*aε*/(*δN*)", ylabel="Δ*E k*/(*μβN*³*δ*²)", ylim=(0, None))

@@ -106,7 +106,9 @@ class Body:
 
     def friction_of(self, exponent: float) -> float:
         """Return the friction with this λ between 0 and 1."""
-        return self.friction_at(zero(lambda cosine: self.exponent(cosine) - exponent, 0.0, self.one))
+        return self.friction_at(
+            zero(lambda cosine: self.exponent(cosine) - exponent, 0.0, self.one)
+        )
 
 
 @dataclass(frozen=True)
@@ -167,13 +169,16 @@ class Slides:
     def beyond(self, end: Array, steps: int = 4000) -> tuple[Array, Array]:
         """Return ξ and u* on to a distance `end` beyond the bottom.
 
-        There a light hoop is fast within an angle of the root of its inertia, which steps in ln ξ would pass over.
+        There a light hoop is fast within an angle of the root of its inertia, which steps in ln ξ
+        would pass over.
         """
         first = np.full_like(self.h, 0.05)
         _, levels = self.boundary(first)
         bottom, width = math.pi - self.theta, np.sqrt(self.k2)
         low, high = (np.arcsinh((xi - bottom) / width) for xi in (first, end))
-        xi = bottom + width * np.sinh(low + (high - low) * np.linspace(0.0, 1.0, steps + 1)[:, None])
+        xi = bottom + width * np.sinh(
+            low + (high - low) * np.linspace(0.0, 1.0, steps + 1)[:, None]
+        )
         u = [levels[-1]]
         for one, two in pairwise(xi):
             u.append(self.path(one, two, u[-1], 1)[1][-1])
@@ -210,7 +215,15 @@ def rim_bounds() -> list[str]:
                 f"{(widest - lower) / (widest - body.painleve):.3f}",
             ]
         )
-    heads = ["γ", "P = 0 from μ", "jams from μ", "to μ = 1/γ", "θ_P first, °", "θ_P at λ = 1, °", "fraction"]
+    heads = [
+        "γ",
+        "P = 0 from μ",
+        "jams from μ",
+        "to μ = 1/γ",
+        "θ_P first, °",
+        "θ_P at λ = 1, °",
+        "fraction",
+    ]
     return table(heads, rows)
 
 
@@ -220,7 +233,9 @@ def approach(hoop: lw.Hoop) -> dict[str, Array]:
     theta = body.angle(hoop.mu_k)
     slides = one_slide(body, hoop.mu_k, theta)
     xi, level = slides.boundary(np.array([0.02 * (1.0 - body.exponent(math.cos(theta)))]))
-    motion = hoop.simulate(theta=theta + float(xi[-1, 0]), theta_rate=-0.9 * math.sqrt(float(level[-1, 0])), slip=40.0)
+    motion = hoop.simulate(
+        theta=theta + float(xi[-1, 0]), theta_rate=-0.9 * math.sqrt(float(level[-1, 0])), slip=40.0
+    )
     end = motion.phases[0].end
     assert end is not None
     assert motion.outcome.kind == "singular"
@@ -252,7 +267,15 @@ def exponents() -> list[str]:
         rest = seen["w"] - math.tan(theta) / (1.0 - exponent) * seen["theta"]
         window = (seen["theta"] > 1e-6) & (seen["theta"] < 1e-4)
         slope = np.polyfit(np.log(seen["theta"][window]), np.log(rest[window]), 1)[0]
-        rows.append([f"{mu:.4f}", f"{theta / DEGREE:.2f}", f"{exponent:g}", f"{slope:.4f}", f"{exponent - 1.0:g}"])
+        rows.append(
+            [
+                f"{mu:.4f}",
+                f"{theta / DEGREE:.2f}",
+                f"{exponent:g}",
+                f"{slope:.4f}",
+                f"{exponent - 1.0:g}",
+            ]
+        )
     return table(["μ", "θ_P, °", "λ", "measured", "N grows as ξ to the power"], rows)
 
 
@@ -270,11 +293,15 @@ class Trial:
     @property
     def found(self) -> str:
         """Return what ends the slide in the simulation."""
-        motion = self.hoop.simulate(theta=self.theta, theta_rate=self.rate, slip=self.slip, max_transitions=1)
+        motion = self.hoop.simulate(
+            theta=self.theta, theta_rate=self.rate, slip=self.slip, max_transitions=1
+        )
         cause = motion.transitions[0].cause if motion.transitions else motion.outcome.kind
         if motion.outcome.kind == "singular" and len(motion.phases) == 1:
             return "jam"
-        return {"lift_off": "lift-off", "stick": "end of slip", "reversal": "end of slip"}.get(cause, cause)
+        return {"lift_off": "lift-off", "stick": "end of slip", "reversal": "end of slip"}.get(
+            cause, cause
+        )
 
 
 def trials(seed: int, count: int) -> list[Trial]:
@@ -297,20 +324,25 @@ def trials(seed: int, count: int) -> list[Trial]:
     )
     exponent, n = slides.exponent, len(drawn)
     # The boundary falls to zero within about (1 − λ) cot θ.
-    reach = np.where(exponent < 1.0, np.minimum(0.5, np.abs(1.0 - exponent) / np.tan(slides.theta)), 0.5)
+    reach = np.where(
+        exponent < 1.0, np.minimum(0.5, np.abs(1.0 - exponent) / np.tan(slides.theta)), 0.5
+    )
     start = reach * 10.0 ** random.uniform(-3.0, 0.0, n)
     _, levels = slides.boundary(start)
     limit = np.where(exponent < 1.0, levels[-1], 0.0)
     c0 = np.cos(slides.theta + start)
     free = np.where(c0 > 0.0, 1.0 / (slides.h * np.maximum(c0, 1e-300)), np.inf)
-    u0 = np.where(limit > 0.0, limit * random.uniform(0.2, 1.3, n), random.uniform(0.0, 1.0, n) / slides.h)
+    u0 = np.where(
+        limit > 0.0, limit * random.uniform(0.2, 1.3, n), random.uniform(0.0, 1.0, n) / slides.h
+    )
     near = start * 1e-9
     xi, u = slides.path(start, near, u0)
     loss, first = spent(slides, xi, u)
     positive = np.all(slides.solvability(xi) > 0.0, axis=0)
     result = []
     for i, (hoop, _, theta) in enumerate(drawn):
-        # Only slides that run to P = 0 or to a lift-off without a turn, and no starts next to a boundary.
+        # Only slides that run to P = 0 or to a lift-off without a turn, and no starts next to a
+        # boundary.
         holds = u0[i] < 0.98 * free[i] and positive[i]
         runs = np.all(u[: first[i] + 1, i] > 0.0)
         clear = limit[i] <= 0.0 or abs(u0[i] / limit[i] - 1.0) > 0.01
@@ -322,7 +354,16 @@ def trials(seed: int, count: int) -> list[Trial]:
         else:
             expected = "jam" if u0[i] < limit[i] else "lift-off"
         rate = -math.sqrt(u0[i])
-        result.append(Trial(hoop, theta + float(start[i]), rate, factor * float(loss[i]), expected, float(exponent[i])))
+        result.append(
+            Trial(
+                hoop,
+                theta + float(start[i]),
+                rate,
+                factor * float(loss[i]),
+                expected,
+                float(exponent[i]),
+            )
+        )
     return result
 
 
@@ -331,7 +372,8 @@ def spent(slides: Slides, xi: Array, u: Array) -> tuple[Array, npt.NDArray[np.in
     s, c = np.sin(slides.theta + xi), np.cos(slides.theta + xi)
     w = 1.0 - slides.h * c * u
     first = np.where((w <= 0.0).any(axis=0), (w <= 0.0).argmax(axis=0), len(xi) - 1)
-    # Until the end of the path, and from there to P = 0 with the rate of P = 0, if w has not vanished before.
+    # Until the end of the path, and from there to P = 0 with the rate of P = 0, if w has not
+    # vanished before.
     speed = np.sqrt(np.maximum(u, 1e-300))
     pieces = 0.5 * (1.0 / speed[1:] + 1.0 / speed[:-1]) * -np.diff(xi, axis=0)
     time = np.vstack([np.zeros(xi.shape[1]), np.cumsum(pieces, axis=0)])
@@ -380,16 +422,23 @@ def thrown() -> str:
         if found != "jam":
             continue
         body = Body.of(trial.hoop)
-        motion = trial.hoop.simulate(theta=trial.theta, theta_rate=trial.rate, slip=trial.slip, max_transitions=3)
+        motion = trial.hoop.simulate(
+            theta=trial.theta, theta_rate=trial.rate, slip=trial.slip, max_transitions=3
+        )
         jam = motion.transitions[0]
-        rate, _ = after_jam(body, math.cos(body.angle(trial.hoop.mu_k)), jam.state.theta_rate, jam.state.slip)
+        rate, _ = after_jam(
+            body, math.cos(body.angle(trial.hoop.mu_k)), jam.state.theta_rate, jam.state.slip
+        )
         jams += 1
         flights += jam.to_mode == "flight"
         worst = max(worst, abs(jam.after.theta_rate / rate - 1.0))
     return f"{flights} of {jams} jams of the sample are followed by a flight, and θ′ differs by {worst:.0e} at most"
 
 
-SPENT = lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=1e-3, mu_s=0.5, mu_k=0.5, restitution=0.0), (1.2, -0.9, 0.5)
+SPENT = (
+    lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=1e-3, mu_s=0.5, mu_k=0.5, restitution=0.0),
+    (1.2, -0.9, 0.5),
+)
 """A slide, θ, θ′ and η′, that still slips where doubles do not resolve its distance from P = 0, and does not jam."""
 
 
@@ -402,7 +451,12 @@ def slip_left(hoop: lw.Hoop, start: tuple[float, float, float], time: float) -> 
     def lever(cosine: float) -> float:
         return 1.0 + body.h * (cosine + mu * math.sqrt((1.0 - cosine) * (1.0 + cosine)))
 
-    return slip - rate * lever(math.cos(theta)) - lever(cosine) / math.sqrt(body.h * cosine) - mu * time
+    return (
+        slip
+        - rate * lever(math.cos(theta))
+        - lever(cosine) / math.sqrt(body.h * cosine)
+        - mu * time
+    )
 
 
 def seeming() -> str:
@@ -435,9 +489,15 @@ def comsol() -> list[str]:
         ["P = 0 somewhere from", f"μ = {body.painleve:.5f}"],
         ["slides can jam from", f"μ = {body.lower:.5f}"],
         ["slides can jam to", f"μ = {body.upper:.5f}"],
-        ["with μ = 1: P < 0 between", f"{lower_angle(body, 1.0) / DEGREE:.4f}° and {theta / DEGREE:.4f}°"],
+        [
+            "with μ = 1: P < 0 between",
+            f"{lower_angle(body, 1.0) / DEGREE:.4f}° and {theta / DEGREE:.4f}°",
+        ],
         ["λ at the upper end", f"{body.exponent(math.cos(theta)):.5f}"],
-        ["slides that jam begin between", f"{theta / DEGREE:.3f}° and {(theta + zone(body, 1.0)) / DEGREE:.3f}°"],
+        [
+            "slides that jam begin between",
+            f"{theta / DEGREE:.3f}° and {(theta + zone(body, 1.0)) / DEGREE:.3f}°",
+        ],
     ]
     return table(["γ = 3/4", ""], rows)
 
@@ -464,7 +524,9 @@ def comsol_motions() -> str:
     for restitution in (0.0, 0.5):
         hoop = thin_hoop(COMSOL, mu_k=1.0, restitution=restitution)
         for rate in rates:
-            motion = hoop.simulate(theta=0.0, theta_rate=-float(rate), until=60.0, max_transitions=200)
+            motion = hoop.simulate(
+                theta=0.0, theta_rate=-float(rate), until=60.0, max_transitions=200
+            )
             slides += sum(one.cause == "jam" for one in motion.transitions)
             hits = [one.impact.case for one in motion.transitions if one.impact is not None]
             landings += len(hits)
@@ -519,8 +581,8 @@ def rolling_starts() -> str:
 def shares(seed: int, count: int) -> tuple[tuple[float, float], ...]:
     """Return, for rim hoops that can jam, what a start at s < 0 has at most of the rate it needs, and the bound of it.
 
-    The slide that is smooth at P = 0 is above all that jam; hoops are left out in which it does not come past the
-    bottom.
+    The slide that is smooth at P = 0 is above all that jam; hoops are left out in which it does not
+    come past the bottom.
     """
     random = np.random.default_rng(seed)
     drawn = []
@@ -539,7 +601,9 @@ def shares(seed: int, count: int) -> tuple[tuple[float, float], ...]:
     g = slides.h * np.cos(slides.theta)
     part = 0.5 * np.sqrt(g * np.maximum(u, 0.0)) * arm
     most = np.where(held & (angles > math.pi), part, -1.0).max(axis=0)
-    return tuple((float(a), float(b)) for a, b in zip(most, 0.5 * (1.0 + g), strict=True) if a > -1.0)
+    return tuple(
+        (float(a), float(b)) for a, b in zip(most, 0.5 * (1.0 + g), strict=True) if a > -1.0
+    )
 
 
 def near() -> str:
@@ -573,7 +637,9 @@ def approach_picture() -> Figure:
             place = np.flatnonzero(kept)[-1]
             # Below the curve, which would cover it.
             law = 0.4 * values[place] * (xi / xi[place]) ** power
-            axis.loglog(xi[kept], law[kept], color=FAINT, linewidth=FINE, zorder=1, label="0.4 of the power")
+            axis.loglog(
+                xi[kept], law[kept], color=FAINT, linewidth=FINE, zorder=1, label="0.4 of the power"
+            )
     for axis, name in zip(axes, names, strict=True):
         axis.set(xlabel="distance *ξ* from *P* = 0, rad", ylabel=name)
         axis.invert_xaxis()
@@ -616,7 +682,13 @@ def phase_picture() -> Figure:
         turning = np.linspace(theta - 0.35 * span, min(theta + span, 0.499 * math.pi), 300)
         off = -1.0 / np.sqrt(h * np.cos(turning))
         axis.plot(turning / DEGREE, off, **of_curve("lift_off"), label="*w* = 0: lift-off")
-        axis.plot(angles[shown], -np.sqrt(level[shown, 0]), color=ACCENTS["violet"], linewidth=BOLD, label="*u*∗")
+        axis.plot(
+            angles[shown],
+            -np.sqrt(level[shown, 0]),
+            color=ACCENTS["violet"],
+            linewidth=BOLD,
+            label="*u*∗",
+        )
         thin: dict[str, Any] = {"color": FAINT, "linewidth": FINE, "zorder": 1, "label": "slides"}
         for rate in np.linspace(0.1, 2.9, 15) / math.sqrt(h):
             ends = (np.array([span]), np.array([span * 1e-6]))
@@ -632,8 +704,22 @@ def phase_picture() -> Figure:
             axis.plot((theta + paths[good, 0]) / DEGREE, -np.sqrt(values[good, 0]), **thin)
         axis.axvline(theta / DEGREE, color=INK)
         left = (theta - 0.35 * span) / DEGREE
-        axis.axvspan(left, theta / DEGREE, facecolor=PAPER, edgecolor=HATCH, hatch="////", linewidth=0, label="*P* < 0")
-        axis.plot([theta / DEGREE], [-1.0 / math.sqrt(h * math.cos(theta))], "o", color=INK, label="*P* = *w* = 0")
+        axis.axvspan(
+            left,
+            theta / DEGREE,
+            facecolor=PAPER,
+            edgecolor=HATCH,
+            hatch="////",
+            linewidth=0,
+            label="*P* < 0",
+        )
+        axis.plot(
+            [theta / DEGREE],
+            [-1.0 / math.sqrt(h * math.cos(theta))],
+            "o",
+            color=INK,
+            label="*P* = *w* = 0",
+        )
         axis.set(
             xlim=((theta - 0.35 * span) / DEGREE, (theta + span) / DEGREE),
             ylim=(-1.6 / math.sqrt(h * math.cos(theta)), 0.0),
@@ -652,19 +738,36 @@ def hoops_picture() -> Figure:
     painleve = np.sqrt(1.0 - gammas**2) / gammas
     cosines = np.array([rim_one(float(gamma)) for gamma in gammas])
     lower = (1.0 - gammas * cosines) / (gammas * np.sqrt(1.0 - cosines**2))
-    left.fill_between(gammas, lower, 1.0 / gammas, color=(ACCENTS["violet"], 0.2), linewidth=0, label="jam")
     left.fill_between(
-        gammas, painleve, lower, facecolor="none", edgecolor=HATCH, hatch="////", linewidth=0, label="lift off"
+        gammas, lower, 1.0 / gammas, color=(ACCENTS["violet"], 0.2), linewidth=0, label="jam"
+    )
+    left.fill_between(
+        gammas,
+        painleve,
+        lower,
+        facecolor="none",
+        edgecolor=HATCH,
+        hatch="////",
+        linewidth=0,
+        label="lift off",
     )
     left.plot(gammas, 1.0 / gammas, color=INK, label="1/*γ*: *λ* = 0")
     left.plot(gammas, lower, color=INK, linestyle=LIST_DASHES[1], label="*λ* = 1")
-    left.plot(gammas, painleve, color=INK, linestyle=LIST_DASHES[2], label="√(1 − *γ*²)/*γ*: first *P* = 0")
+    left.plot(
+        gammas,
+        painleve,
+        color=INK,
+        linestyle=LIST_DASHES[2],
+        label="√(1 − *γ*²)/*γ*: first *P* = 0",
+    )
     left.plot([COMSOL], [1.0], "o", color=INK, label="COMSOL")
     g, mu = np.meshgrid(np.linspace(0.01, 0.999, 400), np.linspace(0.01, 2.4, 300))
     # γ (c + μ s) = 1 with c = g/γ: the larger root of (1 − g)² = μ² (γ² − g²).
     gamma = np.hypot(g, (1.0 - g) / mu)
     cosine = g / gamma
-    jam = cosine < 2.0 * gamma / (3.0 * (1.0 - gamma**2) + np.sqrt(9.0 * (1.0 - gamma**2) ** 2 + 4.0 * gamma**2))
+    jam = cosine < 2.0 * gamma / (
+        3.0 * (1.0 - gamma**2) + np.sqrt(9.0 * (1.0 - gamma**2) ** 2 + 4.0 * gamma**2)
+    )
     part = np.where(jam & (gamma < 1.0), 0.5 * (1.0 + g), np.nan)
     parts = (0.6, 0.7, 0.8, 0.9)
     left.contour(gamma, mu, part, levels=parts, colors=[INK], linewidths=FINE)
@@ -672,11 +775,21 @@ def hoops_picture() -> Figure:
         at = 2.0 * level - 1.0
         height = (1.0 - at) / math.sqrt(0.96**2 - at**2)
         left.text(0.96, height, f"{level:g}", size="small", ha="center", va="bottom")
-    left.set(xlim=(0.3, 1.0), ylim=(0.0, 2.4), xlabel="part of the mass in the particle *γ*", ylabel="friction *μ*ₖ")
+    left.set(
+        xlim=(0.3, 1.0),
+        ylim=(0.0, 2.4),
+        xlabel="part of the mass in the particle *γ*",
+        ylabel="friction *μ*ₖ",
+    )
     key(left)
     hs = np.linspace(0.01, 1.0, 80)
     k2s = np.linspace(0.0, 1.0, 80)[1:]
-    grid = np.array([[Body(float(h), float(k2)).lower if k2 < 1.0 - h * h else math.nan for h in hs] for k2 in k2s])
+    grid = np.array(
+        [
+            [Body(float(h), float(k2)).lower if k2 < 1.0 - h * h else math.nan for h in hs]
+            for k2 in k2s
+        ]
+    )
     levels = [0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 4.0]
     lines = right.contour(hs, k2s, grid, levels=levels, colors=[INK])
     right.clabel(lines)

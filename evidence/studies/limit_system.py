@@ -76,7 +76,11 @@ def first_event(events: dict[str, Callable[[float], float]], length: float) -> t
     for k in range(1, STEPS + 1):
         # Events next to the start of a glide without slip are in its first steps.
         time = length * (k / STEPS) ** 2
-        passed = [(zero(f, before, time), name) for name, f in events.items() if f(time) < 0.0 <= f(before)]
+        passed = [
+            (zero(f, before, time), name)
+            for name, f in events.items()
+            if f(time) < 0.0 <= f(before)
+        ]
         if passed:
             when, name = min(passed)
             return name, when
@@ -102,7 +106,9 @@ class LimitSystem:
     def follow(self, state: State, until: float) -> list[Piece]:
         """Return the motion up to a time, the particle at the top, or a flight."""
         pieces: list[Piece] = []
-        while not pieces or (pieces[-1].end < until and pieces[-1].ended_by not in ("top", "lift-off")):
+        while not pieces or (
+            pieces[-1].end < until and pieces[-1].ended_by not in ("top", "lift-off")
+        ):
             clock = pieces[-1].end if pieces else 0.0
             if self.loses_slip(state):
                 state = State(state.theta, state.rate - 0.5 * state.slip, 0.0)
@@ -111,7 +117,9 @@ class LimitSystem:
             before = pieces[-1].ended_by if pieces else ""
             # On a border the event says on which side the motion goes on.
             sticks = (
-                abs(state.rate) < 1.0 if before == "set" else self.rolls(state) and before not in ("slip", "unloaded")
+                abs(state.rate) < 1.0
+                if before == "set"
+                else self.rolls(state) and before not in ("slip", "unloaded")
             )
             if state.slip == 0.0 and sticks:
                 at = rolling(state)
@@ -131,7 +139,8 @@ class LimitSystem:
                 pieces.append(self._glide(clock, fall, direction, until))
                 while pieces[-1].ended_by == "bounce":
                     fall = self._bounced(fall, pieces[-1].end - pieces[-1].begin)
-                    # η′ = V at the bottom; where the bounce has stopped the slip, it has the sign of θ′ afterwards.
+                    # η′ = V at the bottom; where the bounce has stopped the slip, it has the sign
+                    # of θ′ afterwards.
                     direction = math.copysign(1.0, fall[3]) if fall[3] else -fall[0]
                     pieces.append(self._glide(pieces[-1].end, fall, direction, until))
             state = pieces[-1].at(pieces[-1].end - pieces[-1].begin)
@@ -141,7 +150,9 @@ class LimitSystem:
                 state = State(state.theta, state.rate, 0.0)
         return pieces
 
-    def _glide(self, clock: float, fall: tuple[float, float, float, float], direction: float, until: float) -> Piece:
+    def _glide(
+        self, clock: float, fall: tuple[float, float, float, float], direction: float, until: float
+    ) -> Piece:
         """Return a glide of `gliding` with a direction of slip."""
         side, b, rise, _ = fall
         at = gliding(*fall)
@@ -156,8 +167,15 @@ class LimitSystem:
         name, length = first_event(events, until - clock)
         return Piece("glide", clock, clock + length, at, name)
 
-    def _bounced(self, fall: tuple[float, float, float, float], length: float) -> tuple[float, float, float, float]:
+    def _bounced(
+        self, fall: tuple[float, float, float, float], length: float
+    ) -> tuple[float, float, float, float]:
         """Return the glide after the bounce at the end of another."""
         side, _, rise, drift = fall
         speed = length - rise
-        return -side, 0.0, speed, drift - math.copysign(min(2.0 * self.mu_k * speed, abs(drift)), drift)
+        return (
+            -side,
+            0.0,
+            speed,
+            drift - math.copysign(min(2.0 * self.mu_k * speed, abs(drift)), drift),
+        )

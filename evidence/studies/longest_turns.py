@@ -1,7 +1,8 @@
 """`python -m evidence.studies.longest_turns FAMILY SEED TURNS`: a search for turns with many slides, a line of CSV.
 
-It draws starts, and moves those with the most slides by random steps of all sizes. FAMILY is `shift` or `rim`.
-docs/studies/sequences/longest.csv has the lines of the seeds 1 to 8 with 1,000,000 turns each.
+It draws starts, and moves those with the most slides by random steps of all sizes. FAMILY is
+`shift` or `rim`. docs/studies/sequences/longest.csv has the lines of the seeds 1 to 8 with
+1,000,000 turns each.
 """
 
 from __future__ import annotations
@@ -16,7 +17,10 @@ EACH = 4000
 """Turns between two choices of those that are moved."""
 
 KEPT = 3000
-RANGES = {"shift": ((0.05, 0.02, -6.0), (0.75, 1.0, 0.3)), "rim": ((0.02, 0.02, -6.0), (0.98, 1.0, 0.3))}
+RANGES = {
+    "shift": ((0.05, 0.02, -6.0), (0.75, 1.0, 0.3)),
+    "rim": ((0.02, 0.02, -6.0), (0.98, 1.0, 0.3)),
+}
 """Ends of γ, of ω₀√γ and of the decimal logarithm of μ."""
 
 

@@ -42,10 +42,17 @@ ARRIVAL = math.log(5.0) + (math.sqrt(89.0) - 3.0) / 5.0
 SIZES = tuple(10.0**-k for k in range(2, 8))
 
 
-def light(size: float, family: str, mu_k: float = 0.4, mu_s: float = 0.5, restitution: float | None = None) -> lw.Hoop:
+def light(
+    size: float, family: str, mu_k: float = 0.4, mu_s: float = 0.5, restitution: float | None = None
+) -> lw.Hoop:
     """Return a hoop with the particle on its rim, and I_zz = `size`."""
     return lw.Hoop(
-        mass_ratio=FAMILIES[family] * size, offset=1.0, inertia=size, mu_s=mu_s, mu_k=mu_k, restitution=restitution
+        mass_ratio=FAMILIES[family] * size,
+        offset=1.0,
+        inertia=size,
+        mu_s=mu_s,
+        mu_k=mu_k,
+        restitution=restitution,
     )
 
 
@@ -78,10 +85,25 @@ def regular() -> list[str]:
             angle = motion.transitions[0].state.theta - limit.transitions[0].state.theta
             times = [motion.transitions[i].time - limit.transitions[i].time for i in (0, 1)]
             here, there = motion(2.5), limit(2.5)
-            pairs = ((here.theta, there.theta), (here.theta_rate, there.theta_rate), (here.slip, there.slip))
+            pairs = (
+                (here.theta, there.theta),
+                (here.theta_rate, there.theta_rate),
+                (here.slip, there.slip),
+            )
             numbers = [angle, *times, *(float(a - b) for a, b in pairs)]
-            rows.append([family, f"{inertia:.3g}", *(f"{number / inertia:.4f}" for number in numbers)])
-    heads = ["hoop", "Î", "θ of the slip", "τ of the slip", "τ of the reversal", "θ", "θ′", "η′ at τ = 2.5"]
+            rows.append(
+                [family, f"{inertia:.3g}", *(f"{number / inertia:.4f}" for number in numbers)]
+            )
+    heads = [
+        "hoop",
+        "Î",
+        "θ of the slip",
+        "τ of the slip",
+        "τ of the reversal",
+        "θ",
+        "θ′",
+        "η′ at τ = 2.5",
+    ]
     return table(heads, rows)
 
 
@@ -195,12 +217,16 @@ def after(theta: float, rate: float, slip: float) -> str:
 
 
 @cache
-def jams(seed: int = 4, count: int = 2000, size: float = 1e-6) -> list[tuple[str, str, float, float]]:
+def jams(
+    seed: int = 4, count: int = 2000, size: float = 1e-6
+) -> list[tuple[str, str, float, float]]:
     """Return what is expected to follow and what does, and the errors of θ′ and of the energy lost, over Î."""
     result = []
     for mu, theta, rate, slip in starts(seed, count):
         hoop = light(size, "no mass, only inertia", mu, mu, 0.0)
-        jam = hoop.simulate(theta=theta, theta_rate=rate, slip=slip, max_transitions=1).transitions[0]
+        jam = hoop.simulate(theta=theta, theta_rate=rate, slip=slip, max_transitions=1).transitions[
+            0
+        ]
         lost = 0.5 * slip**2 * math.sin(0.5 * theta) ** 2
         if jam.impact is None or jam.cause != "jam":
             continue
@@ -220,7 +246,8 @@ def jam_table() -> list[str]:
     count = Counter((expected, found) for expected, found, _, _ in jams())
     kinds = ("rolling", "sliding", "flight")
     return table(
-        ["expected", *kinds], [[expected, *(str(count[expected, found]) for found in kinds)] for expected in kinds]
+        ["expected", *kinds],
+        [[expected, *(str(count[expected, found]) for found in kinds)] for expected in kinds],
     )
 
 
@@ -256,10 +283,17 @@ def order_of(pieces: list[Piece], system: LimitSystem) -> float:
 def difference(hoop: lw.Hoop, start: State, time: float, limit: State) -> float:
     """Return the largest difference of a light hoop from the limit at a time, in θ, θ′ and η′."""
     found = hoop.simulate(
-        theta=start.theta, theta_rate=start.rate, slip=start.slip, until=time, max_transitions=500, proof="none"
+        theta=start.theta,
+        theta_rate=start.rate,
+        slip=start.slip,
+        until=time,
+        max_transitions=500,
+        proof="none",
     )(time)
     turned = math.remainder(float(found.theta) - limit.theta, 2.0 * math.pi)
-    return max(abs(turned), abs(float(found.theta_rate) - limit.rate), abs(float(found.slip) - limit.slip))
+    return max(
+        abs(turned), abs(float(found.theta_rate) - limit.rate), abs(float(found.slip) - limit.slip)
+    )
 
 
 @cache
@@ -270,7 +304,9 @@ def comparisons(seed: int, count: int) -> tuple[Comparison, ...]:
     while len(result) < count:
         mu_k = random.uniform(0.1, 1.2)
         system = LimitSystem(mu_k * random.choice([1.0, 1.3]), mu_k)
-        start = State(random.uniform(-3.0, 3.0), random.normal(), random.choice([0.0, 1.5]) * random.normal())
+        start = State(
+            random.uniform(-3.0, 3.0), random.normal(), random.choice([0.0, 1.5]) * random.normal()
+        )
         if math.cos(start.theta) * start.rate**2 > 0.95:
             continue
         pieces = system.follow(start, 5.0)[: int(random.integers(1, 7))]
@@ -282,7 +318,8 @@ def comparisons(seed: int, count: int) -> tuple[Comparison, ...]:
             continue
         family = random.choice(list(FAMILIES))
         off = [
-            difference(light(size, family, system.mu_k, system.mu_s, 0.0), start, time, limit) for size in (1e-5, 1e-7)
+            difference(light(size, family, system.mu_k, system.mu_s, 0.0), start, time, limit)
+            for size in (1e-5, 1e-7)
         ]
         result.append(Comparison(order_of(pieces, system), math.log10(off[0] / off[1]) / 2.0))
     return tuple(result)
@@ -295,7 +332,9 @@ def orders() -> str:
     for exponent, name in ((1.0, "1"), (0.5, "1/2"), (1.0 / 3.0, "1/3")):
         measured = np.array([one.measured for one in found if one.power == exponent])
         low, middle, high = np.quantile(measured, (0.1, 0.5, 0.9))
-        words.append(f"{len(measured)} of the order {name} have {middle:.2f} ({low:.2f} to {high:.2f})")
+        words.append(
+            f"{len(measured)} of the order {name} have {middle:.2f} ({low:.2f} to {high:.2f})"
+        )
     return (
         f"{len(found)} random motions with up to six events the power of Î with which the difference falls from "
         f"I_zz = 1e-5 to 1e-7 is the following, median and middle four fifths: {'; '.join(words)}"
@@ -317,7 +356,11 @@ def drift_left(hoop: lw.Hoop) -> float:
     """Return V of a light hoop half a unit of time after that bounce, over Î^(1/3)."""
     _, time = bounce_speed()
     motion = hoop.simulate(
-        theta=BOUNCE.theta, theta_rate=BOUNCE.rate, slip=BOUNCE.slip, until=time + 0.5, max_transitions=60
+        theta=BOUNCE.theta,
+        theta_rate=BOUNCE.rate,
+        slip=BOUNCE.slip,
+        until=time + 0.5,
+        max_transitions=60,
     )
     seen = motion(time + 0.5)
     drift = float(seen.slip) - (1.0 + hoop.h * math.cos(float(seen.theta))) * float(seen.theta_rate)
@@ -331,7 +374,9 @@ def stopped_law(mu_s: float, mu_k: float) -> float:
 
 def stopped() -> str:
     """V after a bounce that stops the slip."""
-    seen = [drift_left(light(size, "no mass, only inertia", 0.6, 0.72)) for size in (1e-4, 1e-6, 1e-8)]
+    seen = [
+        drift_left(light(size, "no mass, only inertia", 0.6, 0.72)) for size in (1e-4, 1e-6, 1e-8)
+    ]
     numbers = ", ".join(f"{one:.4f}" for one in seen)
     return (
         f"for v = {bounce_speed()[0]:.4f}, μs = 0.72 and μk = 0.6 it is {stopped_law(0.72, 0.6):.4f} Î^⅓, "
@@ -351,16 +396,30 @@ def system_picture() -> Figure:
         hoop = light(1e-4, "no mass, only inertia", mu_k, mu_s, 0.0)
         times = np.linspace(0.0, until, 40_000)
         seen = hoop.simulate(
-            theta=start.theta, theta_rate=start.rate, slip=start.slip, until=until, max_transitions=200
+            theta=start.theta,
+            theta_rate=start.rate,
+            slip=start.slip,
+            until=until,
+            max_transitions=200,
         )(times)
         angles = np.remainder(np.asarray(seen.theta), 2.0 * math.pi) / DEGREE
         if start.rate < 0.0:
             angles = np.where(angles > 270.0, angles - 360.0, angles)
             angles = np.where(angles > 180.0, angles - 360.0, angles)
         rates = np.where(np.abs(np.diff(angles, append=angles[-1])) > 90.0, np.nan, seen.theta_rate)
-        axis.plot(angles, rates, color=LINE, linewidth=3.0 * BOLD, zorder=1, label="light hoop, *Î* = 10^{−4}")
+        axis.plot(
+            angles,
+            rates,
+            color=LINE,
+            linewidth=3.0 * BOLD,
+            zorder=1,
+            label="light hoop, *Î* = 10^{−4}",
+        )
         for piece in system.follow(start, until):
-            states = [piece.at(float(t)) for t in np.linspace(0.0, 0.99999, 600) * (piece.end - piece.begin)]
+            states = [
+                piece.at(float(t))
+                for t in np.linspace(0.0, 0.99999, 600) * (piece.end - piece.begin)
+            ]
             x = np.array([one.theta for one in states]) / DEGREE
             x = x if start.rate < 0.0 else np.remainder(x, 360.0)
             mode = "rolling" if piece.kind == "roll" else "gliding"
@@ -373,7 +432,11 @@ def system_picture() -> Figure:
                     "",
                     (place, before.rate - 0.5 * before.slip),
                     (place, before.rate),
-                    arrowprops={"arrowstyle": "->", "color": ARROW_COLOURS["impulse"], "linewidth": BOLD},
+                    arrowprops={
+                        "arrowstyle": "->",
+                        "color": ARROW_COLOURS["impulse"],
+                        "linewidth": BOLD,
+                    },
                 )
         edge, limit = 2.0 * math.atan(mu_k) / DEGREE, 2.0 * math.atan(mu_s) / DEGREE
         for shift in (0.0,) if start.rate < 0.0 else (0.0, 360.0):
@@ -386,7 +449,9 @@ def system_picture() -> Figure:
                 label="can roll",
             )
         for angle in (0.0, edge):
-            axis.plot([angle] * 2, [-8.0, 8.0], color=INK, linestyle="dotted", zorder=0, label="edge of 𝓢")
+            axis.plot(
+                [angle] * 2, [-8.0, 8.0], color=INK, linestyle="dotted", zorder=0, label="edge of 𝓢"
+            )
         axis.plot([start.theta / DEGREE], [start.rate], **START, label="start", clip_on=False)
         axis.plot([], [], color=ARROW_COLOURS["impulse"], linewidth=BOLD, label="loses its slip")
         axis.set_yscale("symlog", linthresh=1.0)
@@ -416,7 +481,12 @@ def orders_picture() -> Figure:
                 abs(rate * math.sqrt(size) - SPEED),
             )
         )
-    labels = ("*θ* in the glide", "*θ*, *μ*ₛ = *μ*ₖ", "time of the bottom", "*θ*′√*Î* at the bottom")
+    labels = (
+        "*θ* in the glide",
+        "*θ*, *μ*ₛ = *μ*ₖ",
+        "time of the bottom",
+        "*θ*′√*Î* at the bottom",
+    )
     for (values, label), look in listed(list(zip(zip(*rows, strict=True), labels, strict=True))):
         left.loglog(sizes, values, **look, label=label)
     left.set(xlabel="*Î* of the hoop", ylabel="distance from the massless hoop")
@@ -437,7 +507,11 @@ def orders_picture() -> Figure:
         edge = (1.0 - gamma * np.cos(angles)) / (gamma * np.sin(angles))
         middle.plot(angles / DEGREE, edge, **look, label=f"*γ* = {gamma:g}")
     middle.set(
-        xlim=(0, 150), ylim=(0, 2.5), xlabel="angle *θ*, degrees", ylabel="friction *μ*ₖ", xticks=range(0, 151, 50)
+        xlim=(0, 150),
+        ylim=(0, 2.5),
+        xlabel="angle *θ*, degrees",
+        ylabel="friction *μ*ₖ",
+        xticks=range(0, 151, 50),
     )
     for size, look in listed((1e-2, 1e-3, 1e-4)):
         times = np.linspace(2.75, 3.05, 1500)
@@ -445,7 +519,12 @@ def orders_picture() -> Figure:
         right.plot(times, 1.0 + np.cos(seen.theta), **look, label=f"*Î* = {power(size)}")
     times = np.linspace(2.75, ARRIVAL, 200)
     right.plot(
-        times, 1.0 + np.cos(massless()(times).theta), color=FAINT, linewidth=2.0 * BOLD, zorder=1, label="massless"
+        times,
+        1.0 + np.cos(massless()(times).theta),
+        color=FAINT,
+        linewidth=2.0 * BOLD,
+        zorder=1,
+        label="massless",
     )
     right.set(xlabel="time *τ*, √(*R*/*g*)", ylabel="height of the particle, *R*", ylim=(0, None))
     for axis in (left, middle, right):

@@ -37,7 +37,9 @@ def rise(angle: float, turned: float) -> float:
 def turned_in_air(angle: float) -> float:
     """Return the angle by which a hoop turns in the air, after a lift-off `angle` before the top."""
     # C/S < φ/2, so that the landing is behind 2 tan, and C/S > φ/2 − 2/φ − 1 puts an end behind it.
-    return zero(lambda turned: rise(angle, turned), 2.0 * angle, 2.0 * math.tan(angle) + 2.0 * math.pi)
+    return zero(
+        lambda turned: rise(angle, turned), 2.0 * angle, 2.0 * math.tan(angle) + 2.0 * math.pi
+    )
 
 
 @cache
@@ -45,7 +47,9 @@ def turned_at_top(angle: float) -> float:
     """Return the angle at which the gap is largest: its derivative is that of −(c0 C + s0 S)."""
 
     def rate(turned: float) -> float:
-        return math.sin(angle) * (1.0 - math.cos(turned)) - math.cos(angle) * (turned - math.sin(turned))
+        return math.sin(angle) * (1.0 - math.cos(turned)) - math.cos(angle) * (
+            turned - math.sin(turned)
+        )
 
     # In a jump of more than a turn the gap has several maxima, at least a turn apart or so.
     end = turned_in_air(angle)
@@ -63,7 +67,8 @@ class Bounce:
     e : float
         Coefficient of restitution.
     kappa : float
-        ϱ/h² = I/(m h²): square of the radius of gyration about the mass centre over its distance from the centre.
+        ϱ/h² = I/(m h²): square of the radius of gyration about the mass centre over its distance
+        from the centre.
     psi : float
         ψ = μk σ (1 + h cos θ)/h at the landing; 0 without friction.
     """
@@ -88,13 +93,16 @@ class Bounce:
     @staticmethod
     def _fall(angle: float, turned: float) -> float:
         """Return the rate of the gap at the landing over h θ0′: the derivative of `rise` by the angle."""
-        return math.sin(angle) * (1.0 - math.cos(turned)) - math.cos(angle) * (turned - math.sin(turned))
+        return math.sin(angle) * (1.0 - math.cos(turned)) - math.cos(angle) * (
+            turned - math.sin(turned)
+        )
 
     @staticmethod
     def _next(start: float, spin: float, rate: float, square: float) -> float:
         """Return the angle turned until the gap closes again.
 
-        `spin` is θ′ over that of the first flight, `rate` the rate of the gap over h θ0′, and 1/`square` = h θ0′².
+        `spin` is θ′ over that of the first flight, `rate` the rate of the gap over h θ0′, and
+        1/`square` = h θ0′².
         """
 
         # In the time t = θ0′ τ: gap/h = (rate − s1 spin) t − t²/2 cos θ0 − cos(θ1 + spin t) + c1.
@@ -103,7 +111,8 @@ class Bounce:
             turn = -2.0 * math.sin(half) * math.sin(start + half)
             return (rate - math.sin(start) * spin) * t - 0.5 * t * t / square - turn
 
-        # The gap over t begins with `rate`, and grows no faster than a step of this length can tell.
+        # The gap over t begins with `rate`, and grows no faster than a step of this length can
+        # tell.
         step = min(0.01, 0.02 * rate * square)
         t = step
         while gap(t) > 0.0:
@@ -111,11 +120,14 @@ class Bounce:
         return abs(spin) * zero(gap, t - step, t)
 
 
-def jumps_of(seed: int, count: int, restitution: float | None = None) -> Iterator[tuple[lw.Hoop, lw.Trajectory, int]]:
+def jumps_of(
+    seed: int, count: int, restitution: float | None = None
+) -> Iterator[tuple[lw.Hoop, lw.Trajectory, int]]:
     """Yield motions of random hoops with a lift-off out of a slide, and the place of its flight."""
     for drawn, random in random_hoops(seed, count):
         hoop = replace(drawn, restitution=restitution)
-        # Fast enough that some of the starts leave the plane, and slow enough that they slide first.
+        # Fast enough that some of the starts leave the plane, and slow enough that they slide
+        # first.
         rate = random.uniform(0.5, 1.2) / math.sqrt(hoop.h)
         motion = hoop.simulate(
             theta=random.uniform(-math.pi, math.pi),
@@ -127,7 +139,11 @@ def jumps_of(seed: int, count: int, restitution: float | None = None) -> Iterato
         phases = motion.phases
         for place in range(1, len(phases)):
             last = motion.transitions[place - 1]
-            if phases[place].mode == "flight" and phases[place - 1].mode == "sliding" and last.cause == "lift_off":
+            if (
+                phases[place].mode == "flight"
+                and phases[place - 1].mode == "sliding"
+                and last.cause == "lift_off"
+            ):
                 if phases[place].end is not None and motion.outcome.kind != "time_limit":
                     yield hoop, motion, place
                 break
@@ -154,7 +170,13 @@ def laws() -> list[str]:
                 f"{rise(angle, turned_at_top(angle)):.4g}",
             ]
         )
-    heads = ["lift-off before the top, °", "turned in the air, °", "over \\|θ0\\|", "lands behind the top, °", "τ/√h"]
+    heads = [
+        "lift-off before the top, °",
+        "turned in the air, °",
+        "over \\|θ0\\|",
+        "lands behind the top, °",
+        "τ/√h",
+    ]
     return table([*heads, "height/h"], rows)
 
 
@@ -190,7 +212,9 @@ def sample() -> list[tuple[float, float]]:
 def agreement() -> str:
     """How many of the random hoops jump, and by how much they differ from the law."""
     # Where the law is steep its own input, the angle of lift-off, is known to its last digit only.
-    worst = max(abs(turned / turned_in_air(angle) - 1.0) for angle, turned in sample() if 0.01 < angle < 1.3)
+    worst = max(
+        abs(turned / turned_in_air(angle) - 1.0) for angle, turned in sample() if 0.01 < angle < 1.3
+    )
     return f"{len(sample())} of 3000 leave the plane out of a slide; the largest relative difference is {worst:.0e}"
 
 
@@ -212,7 +236,9 @@ def second_sample() -> list[tuple[str, float, float]]:
         sigma = math.copysign(1.0, impact.before.slip) * math.copysign(1.0, first.start.theta_rate)
         h = hoop.h
         psi = hoop.mu_k * sigma * (1.0 + h * math.cos(first.end.theta)) / h
-        expected = Bounce(0.5, hoop.inertia_about_mass_centre / (hoop.mass * h * h), psi).second(angle)
+        expected = Bounce(0.5, hoop.inertia_about_mass_centre / (hoop.mass * h * h), psi).second(
+            angle
+        )
         if expected is not None:
             found.append((impact.case, abs(second.end.theta - second.start.theta), expected))
     return found
@@ -225,7 +251,9 @@ def second_agreement() -> list[str]:
         both = [(turned, expected) for kind, turned, expected in second_sample() if kind == case]
         if both:
             off = np.sort([abs(turned / expected - 1.0) for turned, expected in both])
-            rows.append([IMPACT_LABELS[case], str(len(both)), f"{off[len(off) // 2]:.0e}", f"{off[-1]:.0e}"])
+            rows.append(
+                [IMPACT_LABELS[case], str(len(both)), f"{off[len(off) // 2]:.0e}", f"{off[-1]:.0e}"]
+            )
     return table(["impact", "hops", "median difference", "largest difference"], rows)
 
 
@@ -238,11 +266,22 @@ def law_picture() -> Figure:
     left.plot(angles / DEGREE, turned / DEGREE, **first, label="turned in the air")
     left.plot(angles / DEGREE, (turned - angles) / DEGREE, **second, label="landing behind the top")
     for factor in (4, 3):
-        left.plot([0, 60], [0, 60 * factor], color=FAINT, linestyle="dotted", label="4 |*θ*₀|, 3 |*θ*₀|")
+        left.plot(
+            [0, 60], [0, 60 * factor], color=FAINT, linestyle="dotted", label="4 |*θ*₀|, 3 |*θ*₀|"
+        )
     points = np.array(sample()) / DEGREE
     left.plot(*points.T, ".", color=INK, markersize=2.5, label="random hoops")
     whole = np.arctan(math.pi * np.arange(1, 4)) / DEGREE
-    left.plot(whole, [360, 720, 1080], "o", color=INK, markersize=6, fillstyle="none", zorder=4, label="whole turns")
+    left.plot(
+        whole,
+        [360, 720, 1080],
+        "o",
+        color=INK,
+        markersize=6,
+        fillstyle="none",
+        zorder=4,
+        label="whole turns",
+    )
     left.set(ylim=(0, 1170), ylabel="degrees", yticks=range(0, 1081, 180))
     times = turned * np.sqrt(np.cos(angles))
     middle.plot(angles / DEGREE, times, **first, label="time in the air over √*h*, √(*R*/*g*)")
@@ -261,13 +300,21 @@ def law_picture() -> Figure:
         (middle, 1, None),
         (right, 2, "*e* = 0.5, no friction in the impact"),
     ):
-        axes.set(xlim=(0, 90), xticks=range(0, 91, 30), xlabel="lift-off before the top |*θ*₀|, degrees")
+        axes.set(
+            xlim=(0, 90), xticks=range(0, 91, 30), xlabel="lift-off before the top |*θ*₀|, degrees"
+        )
         key(axes, heading, columns=columns)
     return figure
 
 
 STUDY = Study(
     name="one-angle",
-    texts={"laws": laws, "whole": whole, "steep": steep, "agreement": agreement, "second hop": second_agreement},
+    texts={
+        "laws": laws,
+        "whole": whole,
+        "steep": steep,
+        "agreement": agreement,
+        "second hop": second_agreement,
+    },
     pictures={"law": law_picture},
 )

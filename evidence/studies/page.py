@@ -21,7 +21,9 @@ def put(text: str, label: str, content: list[str] | str) -> str:
     """
     begin, end = f"<!-- {label} -->", f"<!-- /{label} -->"
     if text.count(begin) != 1 or text.count(end) != 1:
-        raise ValueError(f"the page has {text.count(begin)} places {begin} and {text.count(end)} ends of it, not one")
+        raise ValueError(
+            f"the page has {text.count(begin)} places {begin} and {text.count(end)} ends of it, not one"
+        )
     before, rest = text.split(begin)
     after = rest.split(end)[1]
     body = content if isinstance(content, str) else "\n" + "\n".join(content) + "\n"

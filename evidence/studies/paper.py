@@ -61,7 +61,9 @@ def number(study: str, place: str) -> str:
 
 def tabular(study: str, place: str) -> str:
     """Return a table of a page."""
-    head, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in load(study).texts[place]()]
+    head, _, *rows = [
+        [cell.strip() for cell in line.strip("|").split("|")] for line in load(study).texts[place]()
+    ]
     lines = [" & ".join(map(escaped, cells)) + r" \\" for cells in (head, *rows)]
     body = "\n".join([lines[0], r"\midrule", *lines[1:]])
     return f"\\begin{{tabular}}{{{'r' * len(head)}}}\n\\toprule\n{body}\n\\bottomrule\n\\end{{tabular}}"
@@ -73,11 +75,15 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     folder: Path = parser.parse_args().folder
     macros = [f"\\newcommand{{\\num{name}}}{{{number(*place)}}}" for name, place in NUMBERS.items()]
-    macros += [f"\\newcommand{{\\tab{name}}}{{{tabular(*place)}}}" for name, place in TABLES.items()]
+    macros += [
+        f"\\newcommand{{\\tab{name}}}{{{tabular(*place)}}}" for name, place in TABLES.items()
+    ]
     (folder / "numbers.tex").write_text("\n".join(macros) + "\n", encoding="utf-8")
     for study, name in FIGURES:
         with look(WIDTH_MM):
-            load(study).pictures[name]().savefig(folder / f"{study}-{name}.pdf", metadata={"CreationDate": None})
+            load(study).pictures[name]().savefig(
+                folder / f"{study}-{name}.pdf", metadata={"CreationDate": None}
+            )
 
 
 if __name__ == "__main__":

@@ -33,7 +33,9 @@ def said(page: Path, file: Path) -> tuple[str, str]:
         If the page does not show the picture, with a paragraph.
     """
     link = re.escape(file.relative_to(page.parent).as_posix())
-    found = re.search(rf"^!\[([^\n]+)\]\({link}\)\n\n(\S.*?)\n\n", page.read_text(encoding="utf-8"), re.M | re.S)
+    found = re.search(
+        rf"^!\[([^\n]+)\]\({link}\)\n\n(\S.*?)\n\n", page.read_text(encoding="utf-8"), re.M | re.S
+    )
     if found is None:
         raise ValueError(f"{page.name} does not show {file.name} with a paragraph below it")
     return plain(found[1]), plain(found[2])
@@ -41,9 +43,13 @@ def said(page: Path, file: Path) -> tuple[str, str]:
 
 def plain(text: str) -> str:
     """Return a text of a page without its marks."""
-    text = re.sub(r"<!--.*?-->", "", re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", text.replace("\n", " ")))
+    text = re.sub(
+        r"<!--.*?-->", "", re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", text.replace("\n", " "))
+    )
     parts = text.split("$")
-    return "".join(formula(part) if k % 2 else re.sub("[*`]", "", part) for k, part in enumerate(parts))
+    return "".join(
+        formula(part) if k % 2 else re.sub("[*`]", "", part) for k, part in enumerate(parts)
+    )
 
 
 def formula(tex: str) -> str:
@@ -63,6 +69,10 @@ def formula(tex: str) -> str:
     def sign(name: re.Match[str]) -> str:
         return SIGNS[name[1]] if name[1] in SIGNS else html5[f"{name[1]};"] + name[2]
 
-    tex = re.sub(r"\\([A-Za-z]+)( ?)", sign, tex.replace(r"\hat I", "Î").replace(r"\tfrac12", "½").replace("'", "′"))
+    tex = re.sub(
+        r"\\([A-Za-z]+)( ?)",
+        sign,
+        tex.replace(r"\hat I", "Î").replace(r"\tfrac12", "½").replace("'", "′"),
+    )
     tex = re.sub(r"([_^])(?:\{(.*?)\}|(.))", small, tex)
     return tex.replace("-", "−").replace("{", "").replace("}", "")

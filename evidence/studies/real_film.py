@@ -50,15 +50,25 @@ def coverage() -> list[str]:
     for quantity, label in (NAMES | {"exposure_s": "exposure, s"}).items():
         values = pulls(rows, quantity)
         error = float(np.median([row[f"{quantity}_error"] for row in rows]))
-        lines.append([label, str(len(values)), f"{100.0 * part_within(values, 0.95):.0f} %", f"{error:.1e}"])
+        lines.append(
+            [label, str(len(values)), f"{100.0 * part_within(values, 0.95):.0f} %", f"{error:.1e}"]
+        )
     return table(
-        ["coefficient", "films that determine it", "truth in the 95 % interval", "median standard error"], lines
+        [
+            "coefficient",
+            "films that determine it",
+            "truth in the 95 % interval",
+            "median standard error",
+        ],
+        lines,
     )
 
 
 def by_exposure(long: bool) -> str:
     """How often 95 % intervals contain the truth in films that are exposed for more or less than half of the time."""
-    rows = [row for row in rows_of("videos") if (row["exposure_s_true"] * row["rate"] > 0.5) == long]
+    rows = [
+        row for row in rows_of("videos") if (row["exposure_s_true"] * row["rate"] > 0.5) == long
+    ]
     parts = [100.0 * part_within(pulls(rows, name), 0.95) for name in FREE]
     return ", ".join(f"{part:.0f}" for part in parts) + f" % of {len(rows)}"
 
@@ -79,7 +89,10 @@ def beyond(name: str, limit: float) -> str:
 def lost() -> str:
     """In how many searches a coefficient that is told is wrong by more than six standard errors."""
     rows = rows_of("search")
-    off = [max((abs(value) for name in FREE for value in pulls([row], name)), default=0.0) for row in rows]
+    off = [
+        max((abs(value) for name in FREE for value in pulls([row], name)), default=0.0)
+        for row in rows
+    ]
     return f"{sum(value > 6.0 for value in off)} of {len(rows)}"
 
 
@@ -93,7 +106,10 @@ def of_fits() -> str:
     parts = []
     for more in ({}, {"calibration": ()}):
         estimates = fitted(film, track, **more).estimates
-        off = [(estimates[name].value - getattr(film.thrown.hoop, name)) / estimates[name].std_error for name in FREE]
+        off = [
+            (estimates[name].value - getattr(film.thrown.hoop, name)) / estimates[name].std_error
+            for name in FREE
+        ]
         parts.append(", ".join(f"{value:+.1f}" for value in off).replace("-", "−"))
     return f"{parts[0]}, and without the constants of the camera {parts[1]}"
 
@@ -112,13 +128,27 @@ def calibration() -> Figure:
                 **look,
                 label=words(axis, QUANTITIES[quantity].sign),
             )
-    for axis, name, title in ((left, "coverage", "independent noise"), (right, "videos", "through the video")):
+    for axis, name, title in (
+        (left, "coverage", "independent noise"),
+        (right, "videos", "through the video"),
+    ):
         spread = 200.0 * np.sqrt(levels * (1.0 - levels) / len(rows_of(name)))
         axis.fill_between(
-            100.0 * levels, 100.0 * levels - spread, 100.0 * levels + spread, color=LINE, alpha=0.6, lw=0, label="±2*σ*"
+            100.0 * levels,
+            100.0 * levels - spread,
+            100.0 * levels + spread,
+            color=LINE,
+            alpha=0.6,
+            lw=0,
+            label="±2*σ*",
         )
         axis.plot([0, 100], [0, 100], color=INK, lw=FINE, label="as they say")
-        axis.set(xlim=(0, 100), ylim=(0, 100), xlabel="level of the interval, %", ylabel="contain the truth, %")
+        axis.set(
+            xlim=(0, 100),
+            ylim=(0, 100),
+            xlabel="level of the interval, %",
+            ylabel="contain the truth, %",
+        )
         key(axis, title, columns=3)
     return figure
 
@@ -149,14 +179,30 @@ def harder() -> list[str]:
         cells = [hard.words]
         if tracked:
             cells += [part("hoops", "frames"), part("markers", "frames")]
-            cells += [f"{np.median([float(row[key]) for row in tracked]):.2g}" for key in ("centre_px", "marker_px")]
+            cells += [
+                f"{np.median([float(row[key]) for row in tracked]):.2g}"
+                for key in ("centre_px", "marker_px")
+            ]
         else:
             cells += ["", "", "", ""]
         fitted_ones = [float(row["worst_pull"]) for row in rows if row["worst_pull"]]
         doubted = sum(bool(row["doubts"]) for row in rows)
-        cells += [f"{len(fitted_ones)} of {len(rows)}", f"{max(fitted_ones):.1f}" if fitted_ones else "", str(doubted)]
+        cells += [
+            f"{len(fitted_ones)} of {len(rows)}",
+            f"{max(fitted_ones):.1f}" if fitted_ones else "",
+            str(doubted),
+        ]
         lines.append(cells)
-    heads = ["film", "hoop found", "marker found", "centre, pixels", "marker, pixels", "fitted", "worst", "doubted"]
+    heads = [
+        "film",
+        "hoop found",
+        "marker found",
+        "centre, pixels",
+        "marker, pixels",
+        "fitted",
+        "worst",
+        "doubted",
+    ]
     return table(heads, lines)
 
 

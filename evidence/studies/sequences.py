@@ -37,12 +37,19 @@ SCAN = 30
 @cache
 def family() -> Grid:
     """Return the boundaries on all lines of all planes."""
-    return Grid(GAMMAS, PARTS, boundaries([(gamma, part) for gamma in GAMMAS for part in PARTS], LEAST, MOST, SCAN))
+    return Grid(
+        GAMMAS,
+        PARTS,
+        boundaries([(gamma, part) for gamma in GAMMAS for part in PARTS], LEAST, MOST, SCAN),
+    )
 
 
 def kinds_text() -> str:
     """What coincides at the boundaries."""
-    return ", ".join(f"{count} {kind}" for kind, count in Counter(one.kind for one in family().found).most_common())
+    return ", ".join(
+        f"{count} {kind}"
+        for kind, count in Counter(one.kind for one in family().found).most_common()
+    )
 
 
 @cache
@@ -55,7 +62,9 @@ def listed_starts() -> dict[str, tuple[float, float, float]]:
         if not found:
             continue
         ends = [LEAST, *(one.mu for one in found), MOST]
-        for name, low, high in zip([found[0].below, *(one.above for one in found)], ends, ends[1:], strict=False):
+        for name, low, high in zip(
+            [found[0].below, *(one.above for one in found)], ends, ends[1:], strict=False
+        ):
             if high / low > widest.get(name, (0.0,))[0]:
                 widest[name] = high / low, (gamma, part, math.sqrt(low * high))
     return {name: start for name, (_, start) in widest.items()}
@@ -120,7 +129,10 @@ RIM = Region((0.1, 0.97), (0.0, 1.0), (LEAST, MOST), 50_000, rim=True)
 def searched(region: Region, seed: int) -> dict[str, tuple[float, float, float]]:
     """Return the sequences of random starts of a region, each with γ, the part and μ of its start of the largest μ."""
     random = np.random.default_rng(seed)
-    gamma, part = random.uniform(*region.gamma, region.count), random.uniform(*region.part, region.count)
+    gamma, part = (
+        random.uniform(*region.gamma, region.count),
+        random.uniform(*region.part, region.count),
+    )
     mu = np.exp(random.uniform(math.log(region.mu[0]), math.log(region.mu[1]), region.count))
     words = names_of(gamma, mu, rate_of(gamma, part), rim=region.rim)
     order = np.argsort(mu)
@@ -155,7 +167,9 @@ class Recapture:
     @property
     def estimate(self) -> float:
         """Chapman's estimate of how many there are, were all equally easy to find."""
-        return (len(self.first) + 1) * (len(self.second) + 1) / (len(self.first & self.second) + 1) - 1
+        return (len(self.first) + 1) * (len(self.second) + 1) / (
+            len(self.first & self.second) + 1
+        ) - 1
 
     @property
     def told(self) -> str:
@@ -214,7 +228,10 @@ def longest_rows() -> list[dict[str, str]]:
 def longest_text() -> str:
     """How many turns the search has, and how many of these the most slides."""
     told = []
-    for family_of, hoops in (("shift", "of these hoops"), ("rim", "of thin hoops with the particle on the rim")):
+    for family_of, hoops in (
+        ("shift", "of these hoops"),
+        ("rim", "of thin hoops with the particle on the rim"),
+    ):
         rows = [row for row in longest_rows() if row["family"] == family_of]
         counts = [sum(int(row[f"slides_{count}"]) for row in rows) for count in range(10)]
         most = max(count for count, number in enumerate(counts) if number)
@@ -231,7 +248,13 @@ def listed() -> str:
     rows: dict[tuple[str, str], tuple[str, tuple[float, float, float]]] = {}
     for family_of, source, starts in (
         ("shift", "lines", listed_starts()),
-        ("shift", "random", dict(zip(names_drawn, zip(gamma.tolist(), parts, mu.tolist(), strict=True), strict=True))),
+        (
+            "shift",
+            "random",
+            dict(
+                zip(names_drawn, zip(gamma.tolist(), parts, mu.tolist(), strict=True), strict=True)
+            ),
+        ),
         ("shift", "corner", {**searched(CORNER, 1), **searched(CORNER, 2)}),
         ("shift", "other", {unfound().name: (UNFOUND[0], UNFOUND[2], UNFOUND[1])}),
         ("rim", "rim", {**searched(RIM, 1), **searched(RIM, 2)}),
@@ -241,7 +264,9 @@ def listed() -> str:
     lines = ["family,sequence,stop,gamma,rate_times_root_gamma,mu,search"]
     for (family_of, name), (source, start) in sorted(rows.items()):
         word, stop = name.split(maxsplit=1)
-        lines.append(",".join([family_of, word, stop, *(repr(float(one)) for one in start), source]))
+        lines.append(
+            ",".join([family_of, word, stop, *(repr(float(one)) for one in start), source])
+        )
     return "\n".join(lines) + "\n"
 
 
@@ -268,7 +293,9 @@ def picture() -> Figure:
             panel.semilogx(frictions, parts, color=colour, linestyle=dash)
         for kind, points in alone.items():
             parts, frictions = zip(*points, strict=True)
-            panel.semilogx(frictions, parts, ".", color=looks.get(kind, (LINE, ""))[0], markersize=2.5)
+            panel.semilogx(
+                frictions, parts, ".", color=looks.get(kind, (LINE, ""))[0], markersize=2.5
+            )
         for part in degenerate_parts(gamma):
             panel.plot([LEAST], [part], color=INK, marker=">", clip_on=False)
         panel.set(xlim=(LEAST, MOST), ylim=(0.0, 1.0))

@@ -55,7 +55,9 @@ class Body:
         result: Array = self.h * np.cos(psi) - (np.asarray(psi) - slope) * math.sin(slope)
         return result
 
-    def forces(self, theta: Array | float, u: Array | float, slope: Array | float) -> tuple[Array, Array]:
+    def forces(
+        self, theta: Array | float, u: Array | float, slope: Array | float
+    ) -> tuple[Array, Array]:
         """N and F of rolling."""
         s, c, h = np.sin(theta), np.cos(theta), self.h
         down, along = np.cos(slope), np.sin(slope)
@@ -85,7 +87,9 @@ class Body:
         grid = np.linspace(0.0, -6.0 * math.pi, 4001)
         signs = [excess(float(psi)) > 0.0 for psi in grid]
         return [
-            zero(excess, float(grid[i]), float(grid[i + 1])) for i in range(len(grid) - 1) if signs[i] != signs[i + 1]
+            zero(excess, float(grid[i]), float(grid[i + 1]))
+            for i in range(len(grid) - 1)
+            if signs[i] != signs[i + 1]
         ]
 
     def slip_law(self, slope: float, mu: float, delta: float) -> float:
@@ -94,10 +98,14 @@ class Body:
         d, lever = float(self.denominator(slope)), 1.0 + h * c
         # N and F of rolling and w as constant + slope φ, φ = θ + α.
         normal = (-h * delta / d * (c + h * s * s / d), -s * (self.kappa + lever) / d)
-        friction = (-h * s * delta / d**2 * (self.kappa + h * (c + h)), (self.kappa * c - h * s * s) / d)
+        friction = (
+            -h * s * delta / d**2 * (self.kappa + h * (c + h)),
+            (self.kappa * c - h * s * s) / d,
+        )
         leaves = -h * c * delta / (d * s)
         begins, direction = min(
-            (-(friction[0] + way * mu * normal[0]) / (friction[1] + way * mu * normal[1]), way) for way in (1.0, -1.0)
+            (-(friction[0] + way * mu * normal[0]) / (friction[1] + way * mu * normal[1]), way)
+            for way in (1.0, -1.0)
         )
         solvability = self.kappa + h * s * (h * s + mu * direction * lever)
         growth = -d * (friction[1] + direction * mu * normal[1]) / solvability
@@ -121,7 +129,14 @@ def hoops() -> dict[str, lw.Hoop]:
 def on(hoop: lw.Hoop, slope: float, mu: float | None = None) -> lw.Hoop:
     """Return the same hoop on a slope, with this friction."""
     mu = hoop.mu_k if mu is None else mu
-    return lw.Hoop(mass_ratio=hoop.mass_ratio, offset=hoop.offset, inertia=hoop.inertia, mu_s=mu, mu_k=mu, slope=slope)
+    return lw.Hoop(
+        mass_ratio=hoop.mass_ratio,
+        offset=hoop.offset,
+        inertia=hoop.inertia,
+        mu_s=mu,
+        mu_k=mu,
+        slope=slope,
+    )
 
 
 class Jump(NamedTuple):
@@ -149,7 +164,11 @@ def jump(hoop: lw.Hoop, psi: float, rate: float = 0.0) -> Jump | None:
             if phase.mode == "rolling":
                 return Jump(0.0, 0.0, end.theta + hoop.slope, slides, end.theta + hoop.slope)
             slip = abs((end.x + end.theta) - (begin.x + begin.theta))
-            unloaded = math.nan if rolled is None else vanishing(hoop, rolled.theta, rolled.theta_rate) + hoop.slope
+            unloaded = (
+                math.nan
+                if rolled is None
+                else vanishing(hoop, rolled.theta, rolled.theta_rate) + hoop.slope
+            )
             return Jump(slip, end.time - begin.time, end.theta + hoop.slope, slides, unloaded)
     return None
 
@@ -158,11 +177,17 @@ def vanishing(hoop: lw.Hoop, theta: float, rate: float) -> float:
     """Return the next θ at which N of rolling vanishes on an orbit, as if friction held it."""
     body, slope = Body.of(hoop), hoop.slope
     way = math.copysign(1.0, rate)
-    energy = 0.5 * float(body.denominator(theta)) * rate * rate + float(body.potential(theta + slope, slope))
+    energy = 0.5 * float(body.denominator(theta)) * rate * rate + float(
+        body.potential(theta + slope, slope)
+    )
     angles = theta + way * np.linspace(0.0, 2.0, 4001)
 
     def normal(angle: Array | float) -> Array:
-        u = 2.0 * (energy - body.potential(np.asarray(angle) + slope, slope)) / body.denominator(angle)
+        u = (
+            2.0
+            * (energy - body.potential(np.asarray(angle) + slope, slope))
+            / body.denominator(angle)
+        )
         return body.forces(angle, u, slope)[0]
 
     found = np.flatnonzero(normal(angles) < 0.0)
@@ -191,7 +216,9 @@ def slips() -> list[str]:
             time = np.array([one.time for one in jumps]) * clock
             apart = np.array([one.psi - one.unloaded for one in jumps]) / DEGREE
             cells = [f"{np.median(slip):.2g}", f"{slip.max():.2g}", f"{time.max() * FRAMES:.1f}"]
-            rows.append([name, f"{degrees:g}", f"{len(jumps)}", *cells, f"{np.nanmax(np.abs(apart)):.1f}"])
+            rows.append(
+                [name, f"{degrees:g}", f"{len(jumps)}", *cells, f"{np.nanmax(np.abs(apart)):.1f}"]
+            )
     heads = ["", "slope, °", "jump", "median, mm", "most, mm", "frames", "off by, °"]
     return table(heads, rows)
 
@@ -200,9 +227,13 @@ def critical() -> str:
     """The least friction of the jump without slip, and how far the hoop rolls to it from rest."""
     body = Body.of(hoops()[LIKE_FILMS])
     mus = ", ".join(f"{body.least_friction(degrees * DEGREE):.3f}" for degrees in SLOPES)
-    angles = ", ".join(f"{-psi / DEGREE:.0f}°" for degrees in SLOPES for psi in body.releases(degrees * DEGREE))
+    angles = ", ".join(
+        f"{-psi / DEGREE:.0f}°" for degrees in SLOPES for psi in body.releases(degrees * DEGREE)
+    )
     slopes = ", ".join(f"{degrees:g}°" for degrees in SLOPES)
-    return f"$\\mu_c$ = {mus} on slopes of {slopes}, and the release from rest rolls through {angles}"
+    return (
+        f"$\\mu_c$ = {mus} on slopes of {slopes}, and the release from rest rolls through {angles}"
+    )
 
 
 def beside(hoop: lw.Hoop, delta: float) -> float:
@@ -235,7 +266,11 @@ def slope_of(turn: float) -> float:
 def logarithmic_slope(half: float) -> float:
     """Return d ln Φ/dy, y half the turn."""
     s = math.sin(half)
-    return 1.0 / half + 2.0 / math.tan(half) - 2.0 * half * s * s / (half * half - half * math.sin(2.0 * half) + s * s)
+    return (
+        1.0 / half
+        + 2.0 / math.tan(half)
+        - 2.0 * half * s * s / (half * half - half * math.sin(2.0 * half) + s * s)
+    )
 
 
 def best_turn() -> float:
@@ -269,8 +304,12 @@ def friction_for(body: Body, slopes: Array, count: int) -> tuple[Array, Array, A
         here = high + (psi - high) * share
         kinetic = np.maximum(energy - body.h * np.cos(here) + here * sine, 0.0)
         theta = here - slopes[:, None]
-        normal, friction = body.forces(theta, 2.0 * kinetic / body.denominator(theta), slopes[:, None])
-        most = np.maximum(most, np.where(normal > 0.0, np.abs(friction) / np.maximum(normal, 1e-300), np.inf))
+        normal, friction = body.forces(
+            theta, 2.0 * kinetic / body.denominator(theta), slopes[:, None]
+        )
+        most = np.maximum(
+            most, np.where(normal > 0.0, np.abs(friction) / np.maximum(normal, 1e-300), np.inf)
+        )
     return psi, (psi - high) * sine, most
 
 
@@ -313,17 +352,30 @@ def picture() -> Figure:
         left.semilogy(psi, slip, **look, label=f"slope {degrees:g}°")
         body = Body.of(hoop)
         for release in body.releases(hoop.slope):
-            left.plot((release / DEGREE + 330.0) % 360.0 - 330.0, 1.5e-9, "^", color=look["color"], markersize=6)
+            left.plot(
+                (release / DEGREE + 330.0) % 360.0 - 330.0,
+                1.5e-9,
+                "^",
+                color=look["color"],
+                markersize=6,
+            )
     left.plot([], [], "^", color=INK, markersize=6, label="no slip")
     left.axhline(1e-4 / RADIUS, color=INK, linewidth=FINE, label="0.1 mm")
-    left.set(ylim=(1e-9, 2e-2), xlim=(-330, 30), xlabel="released at *ψ*, degrees", ylabel="slip before the jump, *R*")
+    left.set(
+        ylim=(1e-9, 2e-2),
+        xlim=(-330, 30),
+        xlabel="released at *ψ*, degrees",
+        ylabel="slip before the jump, *R*",
+    )
     left.set_xticks(range(-330, 31, 60))
     key(left, columns=3)
     hoop = on(hoops()[LIKE_FILMS], 30.0 * DEGREE)
     body, slope = Body.of(hoop), hoop.slope
     psi = np.linspace(-60.0, 20.0, 801) * DEGREE
     for delta, look in listed([-0.4, -0.1, 0.0, 0.1]):
-        u = (2.0 * (body.level(slope) - body.potential(psi, slope)) + delta) / body.denominator(psi - slope)
+        u = (2.0 * (body.level(slope) - body.potential(psi, slope)) + delta) / body.denominator(
+            psi - slope
+        )
         normal, friction = body.forces(psi - slope, u, slope)
         demand = np.where(normal > 1e-4, friction / normal, np.nan)
         right.plot(psi / DEGREE, demand, **look, label=f"*δ* = {delta:g}".replace("-", "−"))

@@ -53,7 +53,9 @@ class Grid:
     @cached_property
     def lines(self) -> dict[Line, list[int]]:
         """Places of the boundaries of each line."""
-        lines: dict[Line, list[int]] = {(gamma, part): [] for gamma in self.gammas for part in self.parts}
+        lines: dict[Line, list[int]] = {
+            (gamma, part): [] for gamma in self.gammas for part in self.parts
+        }
         for place, one in enumerate(self.found):
             lines[one.gamma, one.part].append(place)
         return lines
@@ -64,7 +66,10 @@ class Grid:
         pairs = []
         for row, gamma in enumerate(self.gammas):
             for column, part in enumerate(self.parts):
-                for other in ((gamma, *self.parts[column + 1 : column + 2]), (*self.gammas[row + 1 : row + 2], part)):
+                for other in (
+                    (gamma, *self.parts[column + 1 : column + 2]),
+                    (*self.gammas[row + 1 : row + 2], part),
+                ):
                     if len(other) == 2:
                         pairs += self._aligned(self.lines[gamma, part], self.lines[other])
         return self._continued(pairs)
@@ -106,7 +111,11 @@ class Grid:
             near = halfway.get((*line, sides[k]), [])
             mu[k] = min(near, key=lambda one: abs(math.log(one / guess[k])), default=math.nan)
         found = zip(pairs, gamma, part, mu, strict=True)
-        return [Link(i, j, float(a), float(b), float(c)) for (i, j), a, b, c in found if math.isfinite(c)]
+        return [
+            Link(i, j, float(a), float(b), float(c))
+            for (i, j), a, b, c in found
+            if math.isfinite(c)
+        ]
 
     def curves(self, gamma: float) -> list[tuple[list[int], list[tuple[float, float]]]]:
         """Return the curves of a plane: places of boundaries and the points (part, μ) through them and halfway."""
@@ -120,7 +129,10 @@ class Grid:
             while places[-1] in onwards:
                 link = onwards[places[-1]]
                 places.append(link.end)
-                points += [(link.part, link.mu), (self.found[link.end].part, self.found[link.end].mu)]
+                points += [
+                    (link.part, link.mu),
+                    (self.found[link.end].part, self.found[link.end].mu),
+                ]
             curves.append((places, points))
         return curves
 

@@ -62,15 +62,27 @@ def of_gaps() -> list[str]:
     lines = []
     for gap_mm in (0.01 * MM_PER_PX, 0.1 * MM_PER_PX, 1.0, MM_PER_PX, 3.0, 10.0):
         late = seconds_until(gap_mm)
-        lines.append([f"{gap_mm:.2g}", f"{gap_mm / MM_PER_PX:.2g}", f"{1e3 * late:.0f}", f"{RATE * late:.1f}"])
-    return table(["gap, mm", "pixels", "ms after the lift-off", f"pictures at {RATE:g} a second"], lines)
+        lines.append(
+            [
+                f"{gap_mm:.2g}",
+                f"{gap_mm / MM_PER_PX:.2g}",
+                f"{1e3 * late:.0f}",
+                f"{RATE * late:.1f}",
+            ]
+        )
+    return table(
+        ["gap, mm", "pixels", "ms after the lift-off", f"pictures at {RATE:g} a second"], lines
+    )
 
 
 @cache
 def heights_mm() -> np.ndarray:
     """Return the heights of the first flights of rolling starts that lift off later."""
     found = lw.outcome_map(
-        HOOP, theta=np.linspace(-math.pi, math.pi, 301), theta_rate=np.linspace(-4.0, 4.0, 201), until=30.0
+        HOOP,
+        theta=np.linspace(-math.pi, math.pi, 301),
+        theta_rate=np.linspace(-4.0, 4.0, 201),
+        until=30.0,
     )
     late = found.jump_height.to_numpy()[found.lift_off_time.to_numpy() > 0.0]
     return RADIUS_MM * np.sort(late[np.isfinite(late)])
@@ -93,9 +105,13 @@ def of_bounces() -> list[str]:
     for begin, end in zip([lift_off(), *impacts], impacts[:6], strict=False):
         gap = float(np.max(motion()(np.linspace(begin, end, 4001)).gap)) * RADIUS_MM
         lasts = (end - begin) * UNITS.time_s
-        lines.append([f"{1e3 * lasts:.0f}", f"{RATE * lasts:.1f}", f"{gap:.2g}", f"{gap / MM_PER_PX:.2g}"])
+        lines.append(
+            [f"{1e3 * lasts:.0f}", f"{RATE * lasts:.1f}", f"{gap:.2g}", f"{gap / MM_PER_PX:.2g}"]
+        )
     numbered = [[str(k), *line] for k, line in enumerate(lines, start=1)]
-    return table(["flight", "ms", f"pictures at {RATE:g} a second", "height, mm", "pixels"], numbered)
+    return table(
+        ["flight", "ms", f"pictures at {RATE:g} a second", "height, mm", "pixels"], numbered
+    )
 
 
 @cache
@@ -111,7 +127,9 @@ def ideal(rate: float, error_px: float) -> lw.FitResult:
     track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.fit_result.FitWarning)
-        return lw.fit(track, HOOP, free=FREE, slips_at_start=False, start=START, sigma=sigma, search=False)
+        return lw.fit(
+            track, HOOP, free=FREE, slips_at_start=False, start=START, sigma=sigma, search=False
+        )
 
 
 def of_errors() -> list[str]:
@@ -119,7 +137,10 @@ def of_errors() -> list[str]:
     lines = []
     for rate in (60.0, 120.0, 240.0, 960.0):
         found = ideal(rate, 0.5).estimates
-        cells = [f"{found[name].std_error:.2g}" if found[name].identifiable else "not told" for name in FREE]
+        cells = [
+            f"{found[name].std_error:.2g}" if found[name].identifiable else "not told"
+            for name in FREE
+        ]
         lines.append([f"{rate:g}", *cells])
     return table(["pictures a second", "μs", "μk", "inertia", "e"], lines)
 
@@ -129,7 +150,9 @@ def instant() -> str:
     result = ideal(RATE, 0.5)
     names = [name.removeprefix("start_") for name in result.estimates]
     place = next(k for k, one in enumerate(result.motion.transitions) if one.cause == "lift_off")
-    slopes = result.motion.derivatives(names).isel(transition=place).time.sel(quantity=names).to_numpy()
+    slopes = (
+        result.motion.derivatives(names).isel(transition=place).time.sel(quantity=names).to_numpy()
+    )
     error = math.sqrt(float(slopes @ result.covariance @ slopes)) * UNITS.time_s
     return f"{1e3 * error:.2g}"
 

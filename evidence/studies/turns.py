@@ -28,11 +28,13 @@ INSTANTS = np.linspace(0.0, 1.0, 33)[1:]
 SWING = 6.0
 """A slide that lasts longer is sampled: it may have swung forth and back, and forth again beyond where it began.
 
-In a slide u depends on θ alone, so that this takes a whole period, 4.7 at least for the family with μ up to 0.3; swings
-are far from small, and with more friction slides are over sooner.
+In a slide u depends on θ alone, so that this takes a whole period, 4.7 at least for the family with
+μ up to 0.3; swings are far from small, and with more friction slides are over sooner.
 """
 
-TRANSITION_LIMIT = next(code for code, name in lw.tables.OUTCOMES.items() if name == "transition_limit")
+TRANSITION_LIMIT = next(
+    code for code, name in lw.tables.OUTCOMES.items() if name == "transition_limit"
+)
 
 TURN = 2.0 * math.pi
 
@@ -53,7 +55,11 @@ class Turn:
 
 def body_of(gamma: Floats, *, rim: bool) -> tuple[Floats, Floats]:
     """Return m1/m2, which is I_zz, too, and ℓ of the bodies whose mass centre is at gamma."""
-    return (1.0 / gamma - 1.0, np.ones_like(gamma)) if rim else (np.full_like(gamma, 1.0 / 3.0), gamma / 0.75)
+    return (
+        (1.0 / gamma - 1.0, np.ones_like(gamma))
+        if rim
+        else (np.full_like(gamma, 1.0 / 3.0), gamma / 0.75)
+    )
 
 
 def hoop_of(mu: float, gamma: float, *, rim: bool = False) -> lw.Hoop:
@@ -62,7 +68,9 @@ def hoop_of(mu: float, gamma: float, *, rim: bool = False) -> lw.Hoop:
     return lw.Hoop(mass_ratio=ratio, offset=offset, inertia=ratio, mu_s=mu, mu_k=mu)
 
 
-def first_turn(gamma: float, mu: float, rate: float, phases: int = 4 * PHASES, *, rim: bool = False) -> Turn:
+def first_turn(
+    gamma: float, mu: float, rate: float, phases: int = 4 * PHASES, *, rim: bool = False
+) -> Turn:
     """Follow a hoop from the top to a revolution, to θ′ = 0 or to lift-off, in so many phases."""
     hoop = hoop_of(mu, gamma, rim=rim)
     motion = hoop.simulate(theta=0.0, theta_rate=rate, proof="none", max_transitions=phases)
@@ -95,7 +103,10 @@ def _stop_of(motion: lw.Trajectory, phase: lw.motion.Phase) -> tuple[str, float]
     for _ in range(7):
         times = low + (high - low) * INSTANTS
         samples = motion(phase.start.time + times, side="before")
-        back, around = (np.asarray(samples["theta_rate"]) <= 0.0, np.asarray(samples["theta"]) >= TURN)
+        back, around = (
+            np.asarray(samples["theta_rate"]) <= 0.0,
+            np.asarray(samples["theta"]) >= TURN,
+        )
         over = np.flatnonzero(back | around)
         if not len(over):
             return (stop, high) if stop else None
@@ -109,7 +120,11 @@ def names_of(gamma: Floats, mu: Floats, rate: Floats, *, rim: bool = False) -> T
     """Return the phases and stops of many first turns."""
     ratio, offset = body_of(gamma, rim=rim)
     # Small swings of the slides of a rim hoop have the period 2π √(k²/h).
-    swing = np.minimum(SWING, SWING * np.sqrt((1.0 - gamma**2) / gamma)) if rim else np.full_like(gamma, SWING)
+    swing = (
+        np.minimum(SWING, SWING * np.sqrt((1.0 - gamma**2) / gamma))
+        if rim
+        else np.full_like(gamma, SWING)
+    )
     names = np.full(len(mu), "", dtype="U32")
     going = np.arange(len(mu))
     theta, time = np.zeros(len(mu)), np.zeros(len(mu))
@@ -145,11 +160,13 @@ def _stops(
 ) -> tuple[Texts, npt.NDArray[np.bool_]]:
     """Return what stops the turns in their last phases, empty where nothing does, and where only samples can tell.
 
-    A hoop rolls through an angle forwards and backwards with the same friction, so that it slips at the first passage;
-    and a slide has one u for an angle. So the ends of a phase tell, but where a slide may have swung to and fro, or has
-    turned back after passing the top.
+    A hoop rolls through an angle forwards and backwards with the same friction, so that it slips at
+    the first passage; and a slide has one u for an angle. So the ends of a phase tell, but where a
+    slide may have swung to and fro, or has turned back after passing the top.
     """
-    end, rate, energy = (state[name].to_numpy() for name in ("end_theta", "end_theta_rate", "energy"))
+    end, rate, energy = (
+        state[name].to_numpy() for name in ("end_theta", "end_theta_rate", "energy")
+    )
     last = np.array([word[-1] for word in words])
     endless = state["outcome"].to_numpy() != TRANSITION_LIMIT
     past, back = end >= TURN, rate <= 0.0

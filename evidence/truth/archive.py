@@ -2,8 +2,9 @@
 
     python3 archive.py [--out FOLDER] [--parquet]
 
-The archive is a tar without compression, in order of names and without times or owners, so that it has the same bytes
-wherever it is built. Parquet, whose bytes depend on the version of pyarrow, is written beside it.
+The archive is a tar without compression, in order of names and without times or owners, so that it
+has the same bytes wherever it is built. Parquet, whose bytes depend on the version of pyarrow, is
+written beside it.
 """
 
 from __future__ import annotations
@@ -95,10 +96,21 @@ MEANINGS = {
     "until": "where the motion is stopped; empty where it goes to its end",
 }
 
-SI_HOOP = ("disc_mass_kg", "particle_mass_kg", "radius_m", "offset_m", "inertia_kg_m2", "gravity_m_per_s2")
+SI_HOOP = (
+    "disc_mass_kg",
+    "particle_mass_kg",
+    "radius_m",
+    "offset_m",
+    "inertia_kg_m2",
+    "gravity_m_per_s2",
+)
 """Numbers of the hoop in SI units; their columns are empty for the others, whose own numbers are empty for these."""
 
-KEYS = {"motions": ["motion"], "events": ["motion", "event"], "samples": ["motion", "phase", "time"]}
+KEYS = {
+    "motions": ["motion"],
+    "events": ["motion", "event"],
+    "samples": ["motion", "phase", "time"],
+}
 
 STATE = ("time", "theta", "theta_rate", "slip", "x", "gap", "gap_rate", "energy")
 START = ("theta", "theta_rate", "slip", "gap_rate")
@@ -122,7 +134,10 @@ def motions() -> Iterator[Row]:
             "motion": name,
             "family": case["family"],
             "units": case["units"],
-            **{key: hoop.get(key, "") for key in ("mass_ratio", "offset", "inertia", *SI_HOOP, "mu_s", "mu_k")},
+            **{
+                key: hoop.get(key, "")
+                for key in ("mass_ratio", "offset", "inertia", *SI_HOOP, "mu_s", "mu_k")
+            },
             "slope": hoop.get("slope", 0.0),
             "restitution": hoop.get("restitution", ""),
             "restitution_law": hoop.get("restitution_law", ""),
@@ -140,12 +155,24 @@ def events() -> Iterator[Row]:
     for name, one in certificates():
         case = one["case"]
         for number, event in enumerate(one.get("events", ())):
-            row: Row = {"motion": name, "family": case["family"], "units": case["units"], "event": number}
-            row |= {"cause": event["cause"], "to": event["to"] or "", "direction": event["direction"]}
+            row: Row = {
+                "motion": name,
+                "family": case["family"],
+                "units": case["units"],
+                "event": number,
+            }
+            row |= {
+                "cause": event["cause"],
+                "to": event["to"] or "",
+                "direction": event["direction"],
+            }
             impact = event.get("impact", {})
             row["impact"] = impact.get("case", "")
             balls = {key: event["state"].get(key) for key in STATE}
-            balls |= {f"{key}_before": impact.get("before", {}).get(key) for key in ("theta_rate", "slip", "gap_rate")}
+            balls |= {
+                f"{key}_before": impact.get("before", {}).get(key)
+                for key in ("theta_rate", "slip", "gap_rate")
+            }
             balls |= {key: impact.get(key) for key in IMPULSES}
             for key, ball in balls.items():
                 row |= dict(zip((key, f"{key}_radius"), ball or ("", ""), strict=True))
@@ -159,7 +186,9 @@ def samples() -> Iterator[Row]:
             for sample in phase["samples"]:
                 row: Row = {"motion": name, "units": one["case"]["units"], "phase": number}
                 row |= {"mode": phase["mode"], "direction": phase["direction"]}
-                yield row | {key: float(Fraction(sample[key][0])) for key in (*STATE, "normal", "friction")}
+                yield row | {
+                    key: float(Fraction(sample[key][0])) for key in (*STATE, "normal", "friction")
+                }
 
 
 TABLES = {"motions": motions, "events": events, "samples": samples}
@@ -178,7 +207,9 @@ def kind(values: list[Any]) -> str:
     """Return the type of a field of a data package; the digits of a ball are a text that no double has."""
     kinds: dict[type, str] = {bool: "boolean", int: "integer", float: "number"}
     found = {kinds.get(type(value), "string") for value in values if value != ""}
-    return found.pop() if len(found) == 1 else "number" if found == {"integer", "number"} else "string"
+    return (
+        found.pop() if len(found) == 1 else "number" if found == {"integer", "number"} else "string"
+    )
 
 
 def field(name: str, values: list[Any]) -> Row:
@@ -186,7 +217,13 @@ def field(name: str, values: list[Any]) -> Row:
     base = name.removesuffix("_radius").removeprefix("start_").removesuffix("_before")
     described: Row = {"name": name, "type": kind(values)}
     meaning = MEANINGS.get(base, "of the hoop, its unit in its name")
-    meaning += " at the start" if name.startswith("start_") else ", before the impact" if "_before" in name else ""
+    meaning += (
+        " at the start"
+        if name.startswith("start_")
+        else ", before the impact"
+        if "_before" in name
+        else ""
+    )
     if name.endswith("_radius"):
         meaning = f"radius of the ball of {name.removesuffix('_radius')}"
     described["description"] = meaning
@@ -227,7 +264,9 @@ def package(tables: dict[str, list[Row]], files: dict[str, bytes]) -> bytes:
         "homepage": HOME,
         "keywords": ["contact mechanics", "friction", "impact", "benchmark", "interval arithmetic"],
         "contributors": CONTRIBUTORS,
-        "licenses": [{"name": "CC0-1.0", "path": "https://creativecommons.org/publicdomain/zero/1.0/"}],
+        "licenses": [
+            {"name": "CC0-1.0", "path": "https://creativecommons.org/publicdomain/zero/1.0/"}
+        ],
         "resources": resources,
     }
     return (json.dumps(described, indent=1, ensure_ascii=False) + "\n").encode()
@@ -291,7 +330,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, default=Path(), help="folder to write to")
     parser.add_argument(
-        "--parquet", action="store_true", help="write the tables in Parquet, too; needs pandas and pyarrow"
+        "--parquet",
+        action="store_true",
+        help="write the tables in Parquet, too; needs pandas and pyarrow",
     )
     given = parser.parse_args()
     given.out.mkdir(parents=True, exist_ok=True)

@@ -2,8 +2,8 @@
 
     python3 choose.py
 
-Hoops and starts are drawn with few decimals, followed by the library, and sorted into families by the events that
-they have.
+Hoops and starts are drawn with few decimals, followed by the library, and sorted into families by
+the events that they have.
 """
 
 from __future__ import annotations
@@ -36,7 +36,11 @@ def hoops(rng: random.Random) -> Draw:
 def starts(rng: random.Random, slips: bool, fastest: float = 3.0) -> Draw:
     """Draw a start."""
     slip = round(rng.uniform(-1.5, 1.5), 2) if slips else 0.0
-    return dict(theta=round(rng.uniform(-3.1, 3.1), 2), theta_rate=round(rng.uniform(-fastest, fastest), 2), slip=slip)
+    return dict(
+        theta=round(rng.uniform(-3.1, 3.1), 2),
+        theta_rate=round(rng.uniform(-fastest, fastest), 2),
+        slip=slip,
+    )
 
 
 def follow(hoop: Draw, start: Draw, until: float | None) -> Any:
@@ -87,7 +91,12 @@ def searched(
             motion = follow(hoop, start, until)
         except ValueError:
             continue
-        if motion.outcome.kind in ("unresolved", "ambiguous", "inconsistent", "singular") or not fits(motion):
+        if motion.outcome.kind in (
+            "unresolved",
+            "ambiguous",
+            "inconsistent",
+            "singular",
+        ) or not fits(motion):
             continue
         found += 1
         yield case(family, found, hoop, start, until)
@@ -119,7 +128,12 @@ def slide_roll_slip() -> Iterator[Draw]:
 
 def lift_off() -> Iterator[Draw]:
     """A slide that leaves the plane, up to the landing."""
-    yield from searched("lift-off", 30, within(12.0), lambda m: "lift_off" in causes(m) and m.outcome.kind == "landing")
+    yield from searched(
+        "lift-off",
+        30,
+        within(12.0),
+        lambda m: "lift_off" in causes(m) and m.outcome.kind == "landing",
+    )
 
 
 def landing() -> Iterator[Draw]:
@@ -136,7 +150,12 @@ def landing() -> Iterator[Draw]:
                 hoop |= dict(restitution=e, law=law)
                 motion = follow(hoop, start, 12.0)
                 times = [one.state.time for one in motion.transitions if one.impact is not None]
-                if not times or motion.outcome.kind in ("unresolved", "ambiguous", "inconsistent", "singular"):
+                if not times or motion.outcome.kind in (
+                    "unresolved",
+                    "ambiguous",
+                    "inconsistent",
+                    "singular",
+                ):
                     continue
                 # Up to the third impact, and a little more.
                 until = round((times[3] + times[2]) / 2 if len(times) > 3 else times[-1] + 0.5, 2)
@@ -153,9 +172,14 @@ def settlement() -> Iterator[Draw]:
 
         def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
             hoop = hoops(rng) | dict(
-                restitution=rng.choice([0.3, 0.5, 0.5, 0.8]), law=rng.choice(["energetic", "poisson", "newton"])
+                restitution=rng.choice([0.3, 0.5, 0.5, 0.8]),
+                law=rng.choice(["energetic", "poisson", "newton"]),
             )
-            return hoop, starts(rng, True, 1.0) | dict(gap_rate=round(rng.uniform(0.1, 0.6), 2)), 4.0
+            return (
+                hoop,
+                starts(rng, True, 1.0) | dict(gap_rate=round(rng.uniform(0.1, 0.6), 2)),
+                4.0,
+            )
 
         def fits(motion: Any, sticks: bool = sticks) -> bool:
             settled = [one for one in motion.transitions if one.cause == "settle"]
@@ -217,14 +241,18 @@ def near_ties() -> Iterator[Draw]:
             for mu in (high * (1 + distance), low * (1 - distance)):
                 number += 1
                 until = None if mu > high else 8.0
-                yield case("near-tie", number, hoop | dict(mu_s=mu, mu_k=round(0.5 * mu, 4)), start, until)
+                yield case(
+                    "near-tie", number, hoop | dict(mu_s=mu, mu_k=round(0.5 * mu, 4)), start, until
+                )
 
 
 def periodic() -> Iterator[Draw]:
     """Restitution 1: the energy stays but for friction, and the bounces up to the time limit are all there are."""
 
     def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
-        hoop = hoops(rng) | dict(restitution=1.0, law=rng.choice(["energetic", "poisson", "newton"]))
+        hoop = hoops(rng) | dict(
+            restitution=1.0, law=rng.choice(["energetic", "poisson", "newton"])
+        )
         return hoop, starts(rng, True, 1.0) | dict(gap_rate=round(rng.uniform(0.3, 1.2), 2)), 5.0
 
     yield from searched("elastic", 12, draw, lambda m: 2 <= causes(m).count("landing") <= 12)
@@ -238,13 +266,25 @@ def elastic_settling() -> Iterator[Draw]:
             ("energetic", (1.0, 1.0, 1.0, 0.5, 0.5), (1.0, 0.3, 0.5, 0.5), 27.5),
             (
                 "energetic",
-                (1.7348422673698543, 0.3937041272098101, 1.28811503780063, 0.7856205442037261, 0.7856205442037261),
+                (
+                    1.7348422673698543,
+                    0.3937041272098101,
+                    1.28811503780063,
+                    0.7856205442037261,
+                    0.7856205442037261,
+                ),
                 (0.9633791393074782, 3.9276452086581672, 0.0, 0.0),
                 2.0,
             ),
             (
                 "poisson",
-                (2.293298154652688, 0.869142754233778, 1.2550335485153497, 0.49625337032117806, 0.49625337032117806),
+                (
+                    2.293298154652688,
+                    0.869142754233778,
+                    1.2550335485153497,
+                    0.49625337032117806,
+                    0.49625337032117806,
+                ),
                 (-0.8343654715312427, -2.6327833968121177, 0.0, 0.0),
                 2.0,
             ),
@@ -311,7 +351,9 @@ def massless() -> Iterator[Draw]:
         hoop = dict(mass_ratio=0.0, offset=1.0, inertia=0.0, mu_s=mu_s, mu_k=round(0.8 * mu_s, 3))
         return hoop, starts(rng, rng.random() < 0.4, 1.2), 6.0
 
-    yield from searched("massless", 28, draw, lambda m: any(phase.mode == "gliding" for phase in m.phases))
+    yield from searched(
+        "massless", 28, draw, lambda m: any(phase.mode == "gliding" for phase in m.phases)
+    )
 
 
 def si() -> Iterator[Draw]:
@@ -319,7 +361,10 @@ def si() -> Iterator[Draw]:
     rng = random.Random(f"{SEED} si")
     number = 0
     while number < 24:
-        disc, particle = rng.choice([0.124, 0.0244, 0.186, 0.14]), rng.choice([0.051, 0.066, 0.0355, 0.14])
+        disc, particle = (
+            rng.choice([0.124, 0.0244, 0.186, 0.14]),
+            rng.choice([0.051, 0.066, 0.0355, 0.14]),
+        )
         radius, inside = rng.choice([0.14, 0.3, 0.45]), rng.choice([0.0, 0.0, 0.02])
         hoop = dict(
             disc_mass_kg=disc,
@@ -369,7 +414,13 @@ def paper() -> Iterator[Draw]:
         None,
     )
     for number, (e, law) in enumerate(
-        [(0.0, "energetic"), (0.5, "energetic"), (0.5, "poisson"), (0.5, "newton"), (0.8, "energetic")]
+        [
+            (0.0, "energetic"),
+            (0.5, "energetic"),
+            (0.5, "poisson"),
+            (0.5, "newton"),
+            (0.8, "energetic"),
+        ]
     ):
         yield case("paper", 3 + number, thin | dict(restitution=e, law=law), start, None)
 
@@ -399,11 +450,31 @@ def ramps() -> Iterator[Draw]:
     parts = [
         ("ramp-rolling", 6, drawn(0.4, None, False, True), rolls_on),
         ("ramp-rolling", 4, drawn(0.4, None, True), lambda m: rolls_on(m) and bool(m.transitions)),
-        ("ramp-rolling", 4, drawn(0.4, 12.0, False), lambda m: not m.transitions and m.sequence == "R"),
+        (
+            "ramp-rolling",
+            4,
+            drawn(0.4, 12.0, False),
+            lambda m: not m.transitions and m.sequence == "R",
+        ),
         ("ramp-rolling", 4, balanced, lambda m: m.sequence.endswith("R")),
-        ("ramp-sliding", 12, drawn(0.8, 6.0, True), lambda m: in_order(causes(m), ["stick", "slip"]) and on_plane(m)),
-        ("ramp-sliding", 4, drawn(1.3, 4.0, True), lambda m: "reversal" in causes(m) and on_plane(m)),
-        ("ramp-jump", 8, drawn(0.8, 20.0, False, True), lambda m: "lift_off" in causes(m) and lands(m)),
+        (
+            "ramp-sliding",
+            12,
+            drawn(0.8, 6.0, True),
+            lambda m: in_order(causes(m), ["stick", "slip"]) and on_plane(m),
+        ),
+        (
+            "ramp-sliding",
+            4,
+            drawn(1.3, 4.0, True),
+            lambda m: "reversal" in causes(m) and on_plane(m),
+        ),
+        (
+            "ramp-jump",
+            8,
+            drawn(0.8, 20.0, False, True),
+            lambda m: "lift_off" in causes(m) and lands(m),
+        ),
         ("ramp-jump", 6, drawn(1.3, 12.0, True), lambda m: "lift_off" in causes(m) and lands(m)),
         ("ramp-jump", 2, drawn(1.3, 12.0, True), lambda m: m.sequence.startswith("F") and lands(m)),
     ]

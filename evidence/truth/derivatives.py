@@ -2,15 +2,16 @@
 
     python3 derivatives.py [MOTION ...]        writes derivatives.json beside this file
 
-A certificate proves which phases and events a motion has, and encloses their times and states. Here the flow of each
-phase is differentiated, in ball arithmetic: Taylor steps of the equations together with their variational equations,
-with the remainder of Lagrange over a box that Picard's condition proves to hold the solution. At an event g(y, p) = 0
-the time moves by δτ = −δg/ġ, where ġ is a ball without 0, so that the derivative exists; impacts are differentiated as
-they stand. The states that come out must overlap with those of the certificate.
+A certificate proves which phases and events a motion has, and encloses their times and states. Here
+the flow of each phase is differentiated, in ball arithmetic: Taylor steps of the equations together
+with their variational equations, with the remainder of Lagrange over a box that Picard's condition
+proves to hold the solution. At an event g(y, p) = 0 the time moves by δτ = −δg/ġ, where ġ is a ball
+without 0, so that the derivative exists; impacts are differentiated as they stand. The states that
+come out must overlap with those of the certificate.
 
-Not differentiated: motions in SI units, of massless hoops and of balanced ones; what comes after a jam, or after
-infinitely many bounces; a slip or a gap rate that is 0 at the start, and two equal coefficients of friction, as these
-have one side only.
+Not differentiated: motions in SI units, of massless hoops and of balanced ones; what comes after a
+jam, or after infinitely many bounces; a slip or a gap rate that is 0 at the start, and two equal
+coefficients of friction, as these have one side only.
 
 Needs python-flint.
 """
@@ -85,7 +86,9 @@ class Number:
             return self.chained(quotient, 1 / other.v)
         top = [arb(0)] * len(other.d) if self.d is None else self.d
         inverse = 1 / other.v
-        return Number(quotient, [(a - quotient * b) * inverse for a, b in zip(top, other.d, strict=True)])
+        return Number(
+            quotient, [(a - quotient * b) * inverse for a, b in zip(top, other.d, strict=True)]
+        )
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -124,7 +127,11 @@ class Number:
 
 def of(value: Any) -> Number:
     """The number itself, or a constant."""
-    return value if isinstance(value, Number) else Number(value if isinstance(value, arb_series) else arb(value))
+    return (
+        value
+        if isinstance(value, Number)
+        else Number(value if isinstance(value, arb_series) else arb(value))
+    )
 
 
 Vector = list[Number]
@@ -150,7 +157,9 @@ def field(body: Body, mode: str, sigma: int) -> Callable[[Vector], Vector]:
         theta, rate, slip, _ = at
         sin, cos = theta.sin(), theta.cos()
         rolls = mode == "rolling"
-        normal, friction = body.rolling_forces(theta, rate) if rolls else body.sliding_forces(theta, rate, sigma)
+        normal, friction = (
+            body.rolling_forces(theta, rate) if rolls else body.sliding_forces(theta, rate, sigma)
+        )
         lever = body.h * cos + 1
         turning = (body.h * sin * normal + lever * friction) / body.inertia
         if rolls:
@@ -194,10 +203,16 @@ def stepped(rates: Callable[[Vector], Vector], at: Vector, step: Any, columns: i
     slopes = flat(rates(at), columns)
     for _ in range(12):
         # Half as large again as the way that these slopes lead, to both sides.
-        box = [a + arb(0, 1.5) * step * (abs(b).upper() + arb(2) ** -20) for a, b in zip(start, slopes, strict=True)]
+        box = [
+            a + arb(0, 1.5) * step * (abs(b).upper() + arb(2) ** -20)
+            for a, b in zip(start, slopes, strict=True)
+        ]
         slopes = flat(rates(packed(box, columns)), columns)
         # Picard's condition: the slopes in the box do not lead out of it.
-        if all(a.contains(b + step.union(arb(0)) * c) for a, b, c in zip(box, start, slopes, strict=True)):
+        if all(
+            a.contains(b + step.union(arb(0)) * c)
+            for a, b, c in zip(box, start, slopes, strict=True)
+        ):
             break
     else:
         raise BoxError("no box holds the solution")
@@ -210,7 +225,9 @@ def stepped(rates: Callable[[Vector], Vector], at: Vector, step: Any, columns: i
     for one, rest in zip(flat(near, columns), flat(far, columns), strict=True):
         value = arb(0)
         for k in reversed(range(ORDER)):
-            value = value * step + (one[k] if isinstance(one, arb_series) else one if k == 0 else arb(0))
+            value = value * step + (
+                one[k] if isinstance(one, arb_series) else one if k == 0 else arb(0)
+            )
         found.append(value + (rest[ORDER] if isinstance(rest, arb_series) else arb(0)) * power)
     return packed(found, columns)
 
@@ -224,7 +241,10 @@ def along(function: Callable[[Vector], Number], at: Vector, slopes: Vector) -> A
 def moved(at: Vector, slopes: Vector, delay: list[Any]) -> Vector:
     """Return a state along an event from that at a fixed time: δy + f δτ."""
     return [
-        Number(one.v, [a + slope.v * b for a, b in zip(one.d or [arb(0)] * len(delay), delay, strict=True)])
+        Number(
+            one.v,
+            [a + slope.v * b for a, b in zip(one.d or [arb(0)] * len(delay), delay, strict=True)],
+        )
         for one, slope in zip(at, slopes, strict=True)
     ]
 
@@ -277,7 +297,12 @@ def differentiated(certificate: dict[str, Any]) -> dict[str, Any]:
     mode, sigma = certificate["initial"]["mode"], certificate["initial"]["direction"]
     for event in certificate["events"][:MOST]:
         cause, state = event["cause"], event["state"]
-        if mode not in ("rolling", "sliding", "flight") or cause in ("settle", "jam", "singularity", "graze"):
+        if mode not in ("rolling", "sliding", "flight") or cause in (
+            "settle",
+            "jam",
+            "singularity",
+            "graze",
+        ):
             break
         end = ball(state["time"])
         closing = None
@@ -301,7 +326,10 @@ def differentiated(certificate: dict[str, Any]) -> dict[str, Any]:
             break
         rows.append({"cause": cause, **row})
         # The certificate's balls are smaller.
-        at = [Number(ball(state[n]), one.d or [arb(0)] * columns) for n, one in zip(NUMBERS[1:], at, strict=True)]
+        at = [
+            Number(ball(state[n]), one.d or [arb(0)] * columns)
+            for n, one in zip(NUMBERS[1:], at, strict=True)
+        ]
         time, mode, sigma = end, event["to"], event["direction"]
     return {"motion": case["name"], "events": rows}
 
@@ -350,7 +378,9 @@ def followed(
     return moved(at, slopes, later), later
 
 
-def flown(body: Body, at: Vector, gap_rate: Number, length: Any, delay: list[Any]) -> tuple[Vector, list[Any], Number]:
+def flown(
+    body: Body, at: Vector, gap_rate: Number, length: Any, delay: list[Any]
+) -> tuple[Vector, list[Any], Number]:
     """Return the state along the landing, the derivatives of its time, and the rate of the gap before it."""
     theta, rate, slip, x = at
     sin, cos = theta.sin(), theta.cos()
@@ -380,7 +410,10 @@ def texts(names: Sequence[str], one: Number, columns: int) -> dict[str, list[str
     for name, value in zip(names, one.d or [arb(0)] * columns, strict=True):
         middle = value.mid().str(DIGITS, radius=False)
         radius = abs(value - arb(middle)).upper()
-        found[name] = [middle, "0" if radius.is_zero() else f"{math.nextafter(float(radius), math.inf) * 1.01:.1e}"]
+        found[name] = [
+            middle,
+            "0" if radius.is_zero() else f"{math.nextafter(float(radius), math.inf) * 1.01:.1e}",
+        ]
     return found
 
 
@@ -400,14 +433,21 @@ def is_within(certificate: dict[str, Any]) -> bool:
     """Whether a motion is one of those that are differentiated."""
     case = certificate["case"]
     has_inertia = case["hoop"].get("inertia", 0) > 0 and case["hoop"].get("offset", 0) > 0
-    return bool(certificate["certified"] and certificate["events"] and has_inertia and case["units"] == "dimensionless")
+    return bool(
+        certificate["certified"]
+        and certificate["events"]
+        and has_inertia
+        and case["units"] == "dimensionless"
+    )
 
 
 def main() -> None:
     """Differentiate motions."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument(
-        "motions", nargs="*", help="by default, those that it can differentiate: 33 minutes of one core"
+        "motions",
+        nargs="*",
+        help="by default, those that it can differentiate: 33 minutes of one core",
     )
     given = parser.parse_args().motions
     paths = sorted((HERE / "certificates").glob("*.json"))
@@ -419,7 +459,9 @@ def main() -> None:
         return
     lines = ",\n".join(json.dumps(one) for one in found)
     head = json.dumps({"made_by": "derivatives.py", "numbers": NUMBERS})[:-1]
-    (HERE / "derivatives.json").write_text(f'{head}, "motions": [\n{lines}\n]}}\n', encoding="ascii")
+    (HERE / "derivatives.json").write_text(
+        f'{head}, "motions": [\n{lines}\n]}}\n', encoding="ascii"
+    )
     print(len(found), "motions")
 
 

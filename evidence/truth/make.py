@@ -34,7 +34,11 @@ def main() -> None:
         began = time.perf_counter()
         certificate = certify(Case.read(one))
         (folder / f"{one['name']}.json").write_text(dump(certificate), encoding="utf-8")
-        said = certificate["end"]["kind"] if certificate["certified"] else f"not certified: {certificate['reason']}"
+        said = (
+            certificate["end"]["kind"]
+            if certificate["certified"]
+            else f"not certified: {certificate['reason']}"
+        )
         print(f"{one['name']:24} {time.perf_counter() - began:6.1f} s  {said}", flush=True)
 
 

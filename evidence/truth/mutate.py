@@ -2,11 +2,12 @@
 
     python3 mutate.py [NAME ...]
 
-Of each kind of place in a certificate (a place without the numbers of phases, events and samples) one digit, or one
-name, is changed; and phases, events, impacts, samples and names are deleted, merged, split, exchanged, replaced and
-added, as well as the last bounces before a settlement given to it. The digest is made to fit, so that nothing but the
-checker can tell. Names are those of files in certificates/, or the beginnings of them; without any, the certificate of
-each family that is checked in the shortest time, and four more that settle.
+Of each kind of place in a certificate (a place without the numbers of phases, events and samples)
+one digit, or one name, is changed; and phases, events, impacts, samples and names are deleted,
+merged, split, exchanged, replaced and added, as well as the last bounces before a settlement given
+to it. The digest is made to fit, so that nothing but the checker can tell. Names are those of files
+in certificates/, or the beginnings of them; without any, the certificate of each family that is
+checked in the shortest time, and four more that settle.
 """
 
 from __future__ import annotations
@@ -54,7 +55,13 @@ Place = tuple[Any, ...]
 
 def places(value: Any, path: Place = ()) -> Iterator[Place]:
     """Yield the places of all numbers and names that a certificate states."""
-    found = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    found = (
+        value.items()
+        if isinstance(value, dict)
+        else enumerate(value)
+        if isinstance(value, list)
+        else ()
+    )
     for key, one in found:
         if isinstance(one, list) and len(one) == 2 and all(isinstance(part, str) for part in one):
             yield from ((*path, key, part) for part in (0, 1))
@@ -67,7 +74,9 @@ def places(value: Any, path: Place = ()) -> Iterator[Place]:
 def kind(place: Place) -> str:
     """Return a place without numbers, but for 0 and 1 of midpoint and radius."""
     names = [str(key) for key in place if isinstance(key, str)]
-    return ".".join(names) + ("" if isinstance(place[-1], str) else (" midpoint", " radius")[place[-1]])
+    return ".".join(names) + (
+        "" if isinstance(place[-1], str) else (" midpoint", " radius")[place[-1]]
+    )
 
 
 def changed(certificate: dict[str, Any], place: Place, rng: random.Random) -> dict[str, Any]:
@@ -91,7 +100,9 @@ def sealed(certificate: dict[str, Any]) -> dict[str, Any]:
     return certificate | {"digest": digest(certificate)}
 
 
-def mutations(certificate: dict[str, Any], seed: int = SEED) -> Iterator[tuple[str, dict[str, Any]]]:
+def mutations(
+    certificate: dict[str, Any], seed: int = SEED
+) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield for each kind in a certificate its name and a certificate that is changed there."""
     rng = random.Random(f"{seed} {certificate['case']['name']}")
     kinds: dict[str, list[Place]] = {}
@@ -114,7 +125,11 @@ def objects(certificate: dict[str, Any]) -> Iterator[Place]:
         if isinstance(value, dict):
             yield path
         for key, one in (
-            value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+            value.items()
+            if isinstance(value, dict)
+            else enumerate(value)
+            if isinstance(value, list)
+            else ()
         ):
             if (*path, key) != ("case",):
                 yield from within(one, (*path, key))
@@ -128,7 +143,9 @@ EACH = 12
 Change: TypeAlias = Callable[[dict[str, Any]], Any]
 
 
-def structures(certificate: dict[str, Any], seed: int = SEED) -> Iterator[tuple[str, dict[str, Any]]]:
+def structures(
+    certificate: dict[str, Any], seed: int = SEED
+) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield forgeries of structure: the name of each, and the certificate."""
     rng = random.Random(f"{seed} structure {certificate['case']['name']}")
     kinds: dict[str, list[Change]] = {}
@@ -153,7 +170,10 @@ def changes(certificate: dict[str, Any], rng: random.Random) -> Iterator[tuple[s
             n = rng.randrange(len(parts))
             yield f"{name} deleted", lambda c, p=place, k=k: at(c, p).pop(k)
             yield f"{name} doubled", lambda c, p=place, k=k: at(c, p).insert(k, at(c, p)[k])
-            yield f"{name} replaced", lambda c, p=place, k=k, n=n: at(c, p).__setitem__(k, at(c, p)[n])
+            yield (
+                f"{name} replaced",
+                lambda c, p=place, k=k, n=n: at(c, p).__setitem__(k, at(c, p)[n]),
+            )
             yield f"{name} exchanged", lambda c, p=place, k=k, n=n: exchange(at(c, p), k, n)
         yield f"{name} reversed", lambda c, p=place: at(c, p).reverse()
         yield f"{name} emptied", lambda c, p=place: at(c, p).clear()
@@ -168,7 +188,10 @@ def changes(certificate: dict[str, Any], rng: random.Random) -> Iterator[tuple[s
         for key in names:
             yield f"{key} deleted", lambda c, p=place, key=key: at(c, p).pop(key)
             other = rng.choice(names)
-            yield "values exchanged", lambda c, p=place, key=key, n=other: exchange(at(c, p), key, n)
+            yield (
+                "values exchanged",
+                lambda c, p=place, key=key, n=other: exchange(at(c, p), key, n),
+            )
         yield "a name added", lambda c, p=place: at(c, p).update(proof={})
 
 
@@ -189,9 +212,18 @@ def split(certificate: dict[str, Any], k: int) -> None:
     phase = certificate["phases"][k]
     samples = phase["samples"]
     half = len(samples) // 2
-    certificate["phases"][k : k + 1] = [phase | {"samples": samples[:half]}, phase | {"samples": samples[half:]}]
+    certificate["phases"][k : k + 1] = [
+        phase | {"samples": samples[:half]},
+        phase | {"samples": samples[half:]},
+    ]
     state = samples[half] if samples else certificate["end"].get("state", {})
-    event = {"cause": "stick", "to": phase["mode"], "direction": phase["direction"], "state": state, "evidence": {}}
+    event = {
+        "cause": "stick",
+        "to": phase["mode"],
+        "direction": phase["direction"],
+        "state": state,
+        "evidence": {},
+    }
     certificate["events"].insert(k, event)
 
 
@@ -206,13 +238,20 @@ def behind_settle(certificate: dict[str, Any]) -> Iterator[dict[str, Any]]:
     """Yield certificates in which some of the last bounces before a settlement are part of it, impulses and all."""
     for place, event in enumerate(certificate["events"]):
         first = place
-        while event["cause"] == "settle" and first > 0 and certificate["events"][first - 1]["cause"] == "landing":
+        while (
+            event["cause"] == "settle"
+            and first > 0
+            and certificate["events"][first - 1]["cause"] == "landing"
+        ):
             first -= 1
             found = copy.deepcopy(certificate)
             # The first of them stays: the bounces after it are given to the settlement.
             given = found["events"][first + 1 : place]
             for name in ("normal_impulse", "friction_impulse", "energy_lost"):
-                whole = sum((Fraction(one["impact"][name][0]) for one in [*given, found["events"][place]]), Fraction(0))
+                whole = sum(
+                    (Fraction(one["impact"][name][0]) for one in [*given, found["events"][place]]),
+                    Fraction(0),
+                )
                 found["events"][place]["impact"][name] = [f"{float(whole)!r}", "1e-17"]
             del found["events"][first + 1 : place], found["phases"][first + 1 : place]
             if given:
@@ -230,14 +269,18 @@ def accepted(certificate: dict[str, Any]) -> bool:
 
 def read(name: str) -> dict[str, Any]:
     """Read a certificate."""
-    found: dict[str, Any] = json.loads((HERE / "certificates" / f"{name}.json").read_text(encoding="utf-8"))
+    found: dict[str, Any] = json.loads(
+        (HERE / "certificates" / f"{name}.json").read_text(encoding="utf-8")
+    )
     return found
 
 
 def main() -> int:
     """Change certificates, and check them."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("name", nargs="*", help="names, or beginnings of names; one of each family without any")
+    parser.add_argument(
+        "name", nargs="*", help="names, or beginnings of names; one of each family without any"
+    )
     wanted = tuple(parser.parse_args().name)
     every = sorted(path.stem for path in (HERE / "certificates").glob("*.json"))
     tried = missed = 0
@@ -246,10 +289,17 @@ def main() -> int:
         certificate = read(name)
         if not certificate["certified"]:
             continue
-        found = [(what, accepted(one)) for forge in (mutations, structures) for what, one in forge(certificate)]
+        found = [
+            (what, accepted(one))
+            for forge in (mutations, structures)
+            for what, one in forge(certificate)
+        ]
         tried += len(found)
         missed += sum(taken for _, taken in found)
-        print(f"{name:24} {len(found)} forgeries, not refused: {[what for what, taken in found if taken]}", flush=True)
+        print(
+            f"{name:24} {len(found)} forgeries, not refused: {[what for what, taken in found if taken]}",
+            flush=True,
+        )
     print(f"{tried} forgeries, {tried - missed} refused, {time.perf_counter() - began:.0f} s")
     return 1 if missed else 0
 

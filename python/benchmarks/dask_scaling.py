@@ -1,8 +1,8 @@
 """Scaling of an outcome map over workers of Dask, side by side with the threads of one process.
 
-Every worker is a process with one thread, and the workers write to Zarr. Runs alternate, so that whatever else the
-machine does disturbs all of them alike; shown are medians, and the median of the ratios within a round. On an idle
-machine:
+Every worker is a process with one thread, and the workers write to Zarr. Runs alternate, so that
+whatever else the machine does disturbs all of them alike; shown are medians, and the median of the
+ratios within a round. On an idle machine:
 
     python benchmarks/dask_scaling.py --starts 4000000 --workers 1 2
 """
@@ -35,14 +35,20 @@ def on_workers(count: int, axes: dict[str, np.ndarray]) -> float:
     ):
         # Imports and the first connections are not what is measured.
         few = {name: axis[:64] for name, axis in axes.items()}
-        lw.outcome_map(HOOP, **few, chunks=16).to_zarr(Path(folder) / "few.zarr", consolidated=False)
+        lw.outcome_map(HOOP, **few, chunks=16).to_zarr(
+            Path(folder) / "few.zarr", consolidated=False
+        )
         began = time.perf_counter()
-        lw.outcome_map(HOOP, **axes, chunks=500).to_zarr(Path(folder) / "map.zarr", consolidated=False)
+        lw.outcome_map(HOOP, **axes, chunks=500).to_zarr(
+            Path(folder) / "map.zarr", consolidated=False
+        )
         return time.perf_counter() - began
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--starts", type=int, default=4_000_000, help="number of starts")
     parser.add_argument("--workers", type=int, nargs="+", default=[1, 2], help="numbers of workers")
     parser.add_argument("--rounds", type=int, default=5, help="runs of each")
@@ -58,7 +64,11 @@ def main() -> None:
     for count in (0, *arguments.workers):
         seconds = statistics.median(one[count] for one in rounds)
         ratio = statistics.median(one[base] / one[count] for one in rounds)
-        name = f"Dask to Zarr, {count} worker{'s' if count > 1 else ''}" if count else "one process, all cores"
+        name = (
+            f"Dask to Zarr, {count} worker{'s' if count > 1 else ''}"
+            if count
+            else "one process, all cores"
+        )
         print(
             f"{name:<26}{seconds:8.2f} s{side * side / seconds / 1e6:8.2f} million starts/s"
             f"{ratio:8.2f} times {base} worker{'s' if base > 1 else ''}"

@@ -1,10 +1,10 @@
 """Littlewood's hoop: exact simulation of a hoop with a particle fixed to it, on a rough plane.
 
-The body is that of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of
-Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019), whose equation numbers the documentation cites. A disc or hoop
-of mass m1, radius R and moment of inertia I_zz carries a particle of mass m2 at the distance ℓ from its centre. θ is
-the angle of the particle from the upward vertical, counterclockwise; η = x + θ, so that η′ is the slip velocity of the
-contact point.
+The body is that of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious
+dynamics of Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019), whose equation numbers the
+documentation cites. A disc or hoop of mass m1, radius R and moment of inertia I_zz carries a
+particle of mass m2 at the distance ℓ from its centre. θ is the angle of the particle from the
+upward vertical, counterclockwise; η = x + θ, so that η′ is the slip velocity of the contact point.
 Everything is dimensionless, m2 = R = g = 1 (2.9); :meth:`Hoop.from_si` converts.
 
 Examples

@@ -39,7 +39,9 @@ class Animation:
         How long it plays.
     """
 
-    def __init__(self, motion: Trajectory, *, frames: int = 150, seconds: float | None = None) -> None:
+    def __init__(
+        self, motion: Trajectory, *, frames: int = 150, seconds: float | None = None
+    ) -> None:
         checked_count("frames", frames, 2, _MOST_FRAMES)
         if not motion.phases:
             raise ValueError(f"there is no motion to show: {motion.outcome}")
@@ -86,7 +88,9 @@ class Animation:
         axes.set_aspect("equal")
         axes.axis("off")
         draw_plane(axes, hoop.slope)
-        label = axes.text(0.01, 0.98, "", transform=axes.transAxes, va="top", color=INK, size="large")
+        label = axes.text(
+            0.01, 0.98, "", transform=axes.transAxes, va="top", color=INK, size="large"
+        )
         names = samples.mode_names
         moving: list[Any] = []
 
@@ -95,7 +99,13 @@ class Animation:
                 artist.remove()
             moving.clear()
             moving.extend(
-                draw_hoop(axes, hoop, float(samples.x[i]), float(samples.centre_y[i]), float(samples.theta[i]))
+                draw_hoop(
+                    axes,
+                    hoop,
+                    float(samples.x[i]),
+                    float(samples.centre_y[i]),
+                    float(samples.theta[i]),
+                )
             )
             begin = 0
             for end in range(1, i + 2):

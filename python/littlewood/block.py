@@ -23,7 +23,9 @@ class Limits(NamedTuple):
     proof: str
 
     @classmethod
-    def checked(cls, until: float | None, max_transitions: int, max_slides: int, proof: str) -> Limits:
+    def checked(
+        cls, until: float | None, max_transitions: int, max_slides: int, proof: str
+    ) -> Limits:
         """Refuse limits without meaning, before anything is computed."""
         transitions, slides = checked_limits(max_transitions, max_slides)
         limits = cls(None if until is None else float(until), transitions, slides, proof)
@@ -45,10 +47,14 @@ def compute(
 ) -> dict[str, npt.NDArray[Any]]:
     """Simulate the points of some arrays, each over its own `axes` of the result.
 
-    The result may be a part of one in which each hoop has so many `starts`; 0 `threads` are all cores; `progress` is
-    called with the number of points done.
+    The result may be a part of one in which each hoop has so many `starts`; 0 `threads` are all
+    cores; `progress` is called with the number of points done.
     """
-    sizes = {axis: n for name, array in arrays.items() for axis, n in zip(axes[name], array.shape, strict=True)}
+    sizes = {
+        axis: n
+        for name, array in arrays.items()
+        for axis, n in zip(axes[name], array.shape, strict=True)
+    }
     shape = tuple(sizes[axis] for axis in sorted(sizes))
 
     def column(name: str) -> npt.NDArray[np.float64]:

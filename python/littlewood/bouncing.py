@@ -20,7 +20,8 @@ class BouncingOrbit:
     Attributes
     ----------
     angle : float
-        Angle φ of the impacts, 0 < φ < π, rad: from θ = −φ the hoop flies over the top to φ, and on to 2π − φ.
+        Angle φ of the impacts, 0 < φ < π, rad: from θ = −φ the hoop flies over the top to φ, and on
+        to 2π − φ.
     top_rate, bottom_rate : float
         Rates θ′ of the flights over the top and under the bottom, √(g/R).
     gap_rate : float

@@ -22,7 +22,8 @@ def _linear(xx: float, xy: float, yx: float, yy: float) -> _Shift:
     return lambda x, y: ((xx * x + xy * y, yx * x + yy * y), ((xx, xy), (yx, yy)))
 
 
-# To first order these are the errors of a homography: but for a shift along x, which is one of the start.
+# To first order these are the errors of a homography: but for a shift along x, which is one of the
+# start.
 _SHIFTS: dict[str, _Shift] = {
     "floor": lambda x, y: ((0.0, 1.0), ((0.0, 0.0), (0.0, 0.0))),
     "turn": _linear(0.0, -1.0, 1.0, 0.0),
@@ -35,7 +36,8 @@ _SHIFTS: dict[str, _Shift] = {
 
 _OF_ANGLE: dict[str, Callable[[Reals], Any]] = {
     "marker": lambda theta: 1.0,
-    # The centre that was found against the marker: what moves the centre alone, or the marker by its parallax.
+    # The centre that was found against the marker: what moves the centre alone, or the marker by
+    # its parallax.
     "middle_x": np.cos,
     "middle_y": np.sin,
 }
@@ -65,13 +67,17 @@ def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
     names, channels = tuple(names), tuple(channels)
     unknown = [name for name in names if name not in CALIBRATION]
     if unknown:
-        raise ValueError(f"calibration has {', '.join(unknown)}; it can have {', '.join(CALIBRATION)}")
+        raise ValueError(
+            f"calibration has {', '.join(unknown)}; it can have {', '.join(CALIBRATION)}"
+        )
     found = determined(names, channels)
     missing = [name for name in names if name not in found]
     if missing:
         there = ", ".join(channels)
         can = ", ".join(determined(CALIBRATION, channels))
-        raise ValueError(f"calibration has {', '.join(missing)}, which {there} do not determine; they determine {can}")
+        raise ValueError(
+            f"calibration has {', '.join(missing)}, which {there} do not determine; they determine {can}"
+        )
     return found
 
 
@@ -102,7 +108,10 @@ def means(motion: Trajectory, time: Reals, exposure: float) -> dict[str, Reals]:
     jumps = np.array([one.time for one in motion.transitions], dtype=np.float64)
     frames = np.searchsorted(time, jumps, side="right") - 1
     inside = (frames >= 0) & (jumps < time[frames] + exposure)
-    begins, owners = np.concatenate([time, jumps[inside]]), np.concatenate([np.arange(time.size), frames[inside]])
+    begins, owners = (
+        np.concatenate([time, jumps[inside]]),
+        np.concatenate([np.arange(time.size), frames[inside]]),
+    )
     order = np.lexsort((begins, owners))
     begins, owners = begins[order], owners[order]
     ends = time[owners] + exposure

@@ -57,7 +57,12 @@ class Case:
 
 
 def _case(
-    name: str, title: str, source: str, hoop: Sequence[float | None], law: str | None, start: Sequence[float]
+    name: str,
+    title: str,
+    source: str,
+    hoop: Sequence[float | None],
+    law: str | None,
+    start: Sequence[float],
 ) -> Case:
     parameters: dict[str, Any] = dict(zip(HOOP, hoop, strict=True))
     body = Hoop(**parameters, restitution_law=law, units=None)

@@ -1,8 +1,9 @@
 """Littlewood's hoop in closed form (section 3 of the paper): massless, the particle on the rim.
 
-Angles θ are in radians, times in √(R/g), rates θ′ in √(g/R), slip velocities in √(gR), energies e in m2 g R, forces in
-m2 g. `theta`, `theta_rate` and `slip` are the state, or the start where there is a time `elapsed` = Δτ since then. All
-arguments broadcast: arrays of any shape, scalars, or xarray objects. Misprints of the paper are corrected and noted.
+Angles θ are in radians, times in √(R/g), rates θ′ in √(g/R), slip velocities in √(gR), energies e
+in m2 g R, forces in m2 g. `theta`, `theta_rate` and `slip` are the state, or the start where there
+is a time `elapsed` = Δτ since then. All arguments broadcast: arrays of any shape, scalars, or
+xarray objects. Misprints of the paper are corrected and noted.
 """
 
 from __future__ import annotations
@@ -45,16 +46,19 @@ def rolling_energy(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
 def alpha(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
     """Amplitude of the growing exponential in (3.3), α = sin(θ0/2) + θ0′ cos(θ0/2).
 
-    It is zero on the stable manifold. Printed in (3.4) as sin(θ0/2) + √((e0 − cos θ0)/2), which holds for θ0′ ≥ 0 only.
+    It is zero on the stable manifold. Printed in (3.4) as sin(θ0/2) + √((e0 − cos θ0)/2), which
+    holds for θ0′ ≥ 0 only.
     """
     return broadcast(_core.alpha, theta, theta_rate)
 
 
-def rolling_half_sine(theta: npt.ArrayLike, theta_rate: npt.ArrayLike, elapsed: npt.ArrayLike) -> Any:
+def rolling_half_sine(
+    theta: npt.ArrayLike, theta_rate: npt.ArrayLike, elapsed: npt.ArrayLike
+) -> Any:
     """Sine of half the angle while rolling, sin(θ/2) = sin(θ0/2) cosh(Δτ/2) + θ0′ cos(θ0/2) sinh(Δτ/2).
 
-    This is (3.3) with the right α and with exponents ±(τ − τ0)/2 (printed: τ − τ0/2). It contains (3.5) to (3.7).
-    Beyond ±1 the motion has ended before.
+    This is (3.3) with the right α and with exponents ±(τ − τ0)/2 (printed: τ − τ0/2). It contains
+    (3.5) to (3.7). Beyond ±1 the motion has ended before.
     """
     return broadcast(_core.rolling_half_sine, theta, theta_rate, elapsed)
 
@@ -98,8 +102,8 @@ def rolling_friction(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
 def slip_angle(mu_s: npt.ArrayLike, offset: npt.ArrayLike = 1.0) -> Any:
     """Angle θ_s > 0 at which the hoop slips (3.9): 2 atan μs for the particle on the rim.
 
-    For ℓ̂ < 1 (footnote 7) it is atan μs + asin(μs/(ℓ̂ √(1 + μs²))). NaN where static friction always suffices.
-    The caption of Figure 5 has half of the right value.
+    For ℓ̂ < 1 (footnote 7) it is atan μs + asin(μs/(ℓ̂ √(1 + μs²))). NaN where static friction
+    always suffices. The caption of Figure 5 has half of the right value.
     """
     return broadcast(_core.slip_angle, mu_s, offset)
 

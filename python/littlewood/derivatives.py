@@ -34,13 +34,20 @@ def _variables(
     values, reasons = rows
     numbers = values.reshape(*shape, len(_core.STATE))
     found: dict[str, Any] = {
-        prefix + name: (dimensions, numbers[..., i], _attributes(name, of)) for i, name in enumerate(_core.STATE)
+        prefix + name: (dimensions, numbers[..., i], _attributes(name, of))
+        for i, name in enumerate(_core.STATE)
     }
-    found[prefix + "reason"] = (dimensions, np.array(reasons, dtype=np.str_).reshape(shape), _REASON)
+    found[prefix + "reason"] = (
+        dimensions,
+        np.array(reasons, dtype=np.str_).reshape(shape),
+        _REASON,
+    )
     return found
 
 
-def _dataset(variables: dict[str, Any], coordinates: dict[str, Any], names: list[str], title: str) -> xarray.Dataset:
+def _dataset(
+    variables: dict[str, Any], coordinates: dict[str, Any], names: list[str], title: str
+) -> xarray.Dataset:
     quantity = ("quantity", names, {"long_name": "quantity of the hoop, the plane or the start"})
     attributes = {"title": title, "source": f"littlewood {_core.__version__}"}
     dataset: xarray.Dataset = require("xarray").Dataset(
@@ -54,22 +61,34 @@ def of_motion(core: _core.Trajectory, quantities: Sequence[str] | None) -> xarra
     names, transitions, outcome, numbers = core.derivatives(quantities)
     count = len(transitions[1]) // len(names) if names else len(core.transitions())
     variables = _variables(
-        transitions, ("transition", "quantity"), (count, len(names)), " after the transition, along it", ""
+        transitions,
+        ("transition", "quantity"),
+        (count, len(names)),
+        " after the transition, along it",
+        "",
     )
     variables |= _variables(outcome, ("quantity",), (len(names),), " at the end, along it", "end_")
-    variables |= {name: ("quantity", values, _attributes(name, "")) for name, values in numbers.items()}
+    variables |= {
+        name: ("quantity", values, _attributes(name, "")) for name, values in numbers.items()
+    }
     place = ("transition", np.arange(count), {"long_name": "index of the transition"})
-    return _dataset(variables, {"transition": place}, names, "derivatives of the events of a motion")
+    return _dataset(
+        variables, {"transition": place}, names, "derivatives of the events of a motion"
+    )
 
 
-def columns_at(core: _core.Trajectory, times: npt.NDArray[np.float64], quantities: Sequence[str]) -> dict[str, Any]:
+def columns_at(
+    core: _core.Trajectory, times: npt.NDArray[np.float64], quantities: Sequence[str]
+) -> dict[str, Any]:
     """Return the derivatives of the state at fixed times as arrays, of times by quantities."""
     _, (values, _) = core.derivatives_at(times, quantities)
     numbers = values.reshape(times.size, len(quantities), len(_core.STATE))
     return {name: numbers[..., i] for i, name in enumerate(_core.STATE)}
 
 
-def at_times(core: _core.Trajectory, times: npt.ArrayLike, quantities: Sequence[str] | None) -> xarray.Dataset:
+def at_times(
+    core: _core.Trajectory, times: npt.ArrayLike, quantities: Sequence[str] | None
+) -> xarray.Dataset:
     """Return the derivatives of the state at fixed times."""
     instants = reals(times)
     if instants.ndim > 1:
@@ -81,5 +100,11 @@ def at_times(core: _core.Trajectory, times: npt.ArrayLike, quantities: Sequence[
     # That of the time itself is zero, and its name that of the instants.
     del variables["time"]
     column = SAMPLE_COLUMNS["time"]
-    time = (dimensions, instants, {"long_name": column.long_name, "units": column.cf_unit, "scale": column.scale})
-    return _dataset(variables, {"time": time}, names, "derivatives of the states of a motion at fixed times")
+    time = (
+        dimensions,
+        instants,
+        {"long_name": column.long_name, "units": column.cf_unit, "scale": column.scale},
+    )
+    return _dataset(
+        variables, {"time": time}, names, "derivatives of the states of a motion at fixed times"
+    )

@@ -31,15 +31,24 @@ class Problem:
 
     def numbers_and_slopes(self, names: tuple[str, ...], *arrays: Any) -> tuple[Reals, ...]:
         """Return the columns, then the derivatives of the first by each quantity, of the second, and so on."""
-        return self._follow(names, arrays, [f"{column}_by_{name}" for column in self.columns for name in names])
+        return self._follow(
+            names, arrays, [f"{column}_by_{name}" for column in self.columns for name in names]
+        )
 
-    def _follow(self, names: tuple[str, ...], arrays: Any, derivatives: Iterable[str]) -> tuple[Reals, ...]:
+    def _follow(
+        self, names: tuple[str, ...], arrays: Any, derivatives: Iterable[str]
+    ) -> tuple[Reals, ...]:
         taken = sorted(set(names) & set(self._fixed))
         if taken:
             raise ValueError(f"{', '.join(taken)}: given here, and fixed before")
-        values = {name: np.asarray(array, dtype=np.float64) for name, array in zip(names, arrays, strict=True)}
+        values = {
+            name: np.asarray(array, dtype=np.float64)
+            for name, array in zip(names, arrays, strict=True)
+        }
         shape = np.broadcast_shapes(*(array.shape for array in values.values()))
         flat = {name: np.broadcast_to(array, shape).reshape(-1) for name, array in values.items()}
         derivatives = tuple(derivatives)
         found = simulate_many(self._hoop, derivatives=derivatives, **(self._fixed | flat))
-        return tuple(found[name].to_numpy().reshape(shape) for name in (*self.columns, *derivatives))
+        return tuple(
+            found[name].to_numpy().reshape(shape) for name in (*self.columns, *derivatives)
+        )

@@ -37,8 +37,8 @@ DOUBTS: Mapping[str, str] = {
 _CAMERA = "camera_"
 # Frames further off than so many standard deviations are outliers: of normal errors one in 10⁹ is.
 _OUTLIER = 6.0
-# Tests of residuals speak up beyond so many standard deviations: with some twenty tests of a track, one good track in
-# 300 is doubted.
+# Tests of residuals speak up beyond so many standard deviations: with some twenty tests of a track,
+# one good track in 300 is doubted.
 _LOUD = 4.2
 _LAGS = 12
 # No tracker resolves a millionth of a radius; residuals of that size are those of the arithmetic.
@@ -90,17 +90,25 @@ class _Channel:
         return np.asarray(self.residuals / self.sigma)
 
 
-def doubts_of_residuals(problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool) -> list[Doubt]:
+def doubts_of_residuals(
+    problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool
+) -> list[Doubt]:
     """Return the doubts that the residuals of a fit raise; `known` are the channels whose errors were given."""
     known = set(known)
     residuals = problem.seen(problem.residuals(unknowns))
     relative = problem.seen({name: problem.track.relative_errors(name) for name in residuals})
-    places = problem.seen({name: np.arange(problem.track.time.size, dtype=np.float64) for name in residuals})
+    places = problem.seen(
+        {name: np.arange(problem.track.time.size, dtype=np.float64) for name in residuals}
+    )
     frames = {name: values.astype(np.intp) for name, values in places.items()}
     channels = {}
     for name, values in residuals.items():
         scaled = values / relative[name]
-        sigma = problem.noise[name].sigma if name in known else _from_frame_to_frame(scaled, frames[name])
+        sigma = (
+            problem.noise[name].sigma
+            if name in known
+            else _from_frame_to_frame(scaled, frames[name])
+        )
         channels[name] = _Channel(frames[name], scaled, relative[name], max(sigma, _LEAST_ERROR))
     found = [*_contradictions(problem, unknowns, channels), *_structure(channels)]
     if not robust:
@@ -115,7 +123,8 @@ def _from_frame_to_frame(residuals: Reals, frames: npt.NDArray[np.intp]) -> floa
     second = (residuals[2:] - 2.0 * residuals[1:-1] + residuals[:-2])[near]
     if second.size < 5:
         return float(np.std(residuals))
-    # Of normal errors half are within 0.6745 standard deviations; a second difference has six variances.
+    # Of normal errors half are within 0.6745 standard deviations; a second difference has six
+    # variances.
     return float(np.median(np.abs(second))) / (0.6745 * math.sqrt(6.0))
 
 
@@ -124,7 +133,9 @@ def _outliers(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
         typical = max(float(np.median(np.abs(one.residuals))) / 0.6745, one.sigma)
         far = np.flatnonzero(np.abs(one.residuals) > _OUTLIER * typical)
         if far.size:
-            places = ", ".join(str(one.frames[k]) for k in far[:5]) + (", …" if far.size > 5 else "")
+            places = ", ".join(str(one.frames[k]) for k in far[:5]) + (
+                ", …" if far.size > 5 else ""
+            )
             frames = "1 frame is" if far.size == 1 else f"{far.size} frames are"
             yield Doubt(
                 "outliers",
@@ -134,12 +145,16 @@ def _outliers(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
             )
 
 
-def _contradictions(problem: Problem, unknowns: Reals, channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
+def _contradictions(
+    problem: Problem, unknowns: Reals, channels: Mapping[str, _Channel]
+) -> Iterator[Doubt]:
     """Score tests of what is held: whether the residuals lean along its derivative, apart from those of the fit."""
     weights = {name: 1.0 / (one.sigma * one.relative) for name, one in channels.items()}
 
     def stacked(columns: Mapping[str, Reals]) -> Reals:
-        return np.concatenate([(values.T * weights[name]).T for name, values in problem.seen(dict(columns)).items()])
+        return np.concatenate(
+            [(values.T * weights[name]).T for name, values in problem.seen(dict(columns)).items()]
+        )
 
     free = stacked(problem.derivatives(unknowns))
     norms = np.linalg.norm(free, axis=0)
@@ -166,7 +181,9 @@ def _contradictions(problem: Problem, unknowns: Reals, channels: Mapping[str, _C
         if name in _COEFFICIENTS:
             change = _DOUBTFUL * float(values[name])
             moved = (
-                np.abs(rows.T @ ((basis.T @ slope) / singular) / norms) * change / np.where(errors > 0.0, errors, 1.0)
+                np.abs(rows.T @ ((basis.T @ slope) / singular) / norms)
+                * change
+                / np.where(errors > 0.0, errors, 1.0)
             )
             # Not to first order alone: a curved valley hides more than its tangent.
             unseen = float(np.linalg.norm(slope - basis @ (basis.T @ slope))) * change < 2.0 * _LOUD
@@ -191,7 +208,8 @@ def _contradictions(problem: Problem, unknowns: Reals, channels: Mapping[str, _C
         return
     shown = [one for one in found if one[0] >= _ALSO * found[0][0]][:3]
     words = [
-        f"{name} {value:.3g} ± {error:.1g} in place of {values.get(name, 0.0):.3g}" for _, name, value, error in shown
+        f"{name} {value:.3g} ± {error:.1g} in place of {values.get(name, 0.0):.3g}"
+        for _, name, value, error in shown
     ]
     of_camera = shown[0][1].startswith(_CAMERA)
     yield Doubt(
@@ -218,10 +236,16 @@ def _structure(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
         clipped = np.clip(one.residuals, -_OUTLIER * typical, _OUTLIER * typical)
         power = float(clipped @ clipped)
         after = [float(clipped[lag:] @ clipped[:-lag]) / power for lag in range(1, _LAGS + 1)]
-        portmanteau = count * (count + 2.0) * sum(r * r / (count - lag) for lag, r in enumerate(after, start=1))
+        portmanteau = (
+            count
+            * (count + 2.0)
+            * sum(r * r / (count - lag) for lag, r in enumerate(after, start=1))
+        )
         # Residuals below the resolution of any tracker are those of the arithmetic.
         resolved = float(np.std(one.residuals)) > 2.0 * _LEAST_ERROR
-        if resolved and (too_few > _LOUD or require("scipy.special").chdtrc(_LAGS, portmanteau) < limit):
+        if resolved and (
+            too_few > _LOUD or require("scipy.special").chdtrc(_LAGS, portmanteau) < limit
+        ):
             size = float(np.sqrt(np.mean(np.square(one.residuals))))
             yield Doubt(
                 "structure",
@@ -238,4 +262,8 @@ def _misfit(channels: Mapping[str, _Channel], known: set[str], unknowns: int) ->
         excess = (float(scaled @ scaled) - scaled.size) / math.sqrt(2.0 * scaled.size)
         if excess > _LOUD:
             ratio = math.sqrt(float(scaled @ scaled) / max(1, scaled.size - unknowns))
-            yield Doubt("misfit", f"residuals of {name} are {ratio:.2g} times as large as the given sigma", (name,))
+            yield Doubt(
+                "misfit",
+                f"residuals of {name} are {ratio:.2g} times as large as the given sigma",
+                (name,),
+            )

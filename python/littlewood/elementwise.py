@@ -37,14 +37,20 @@ def flat(values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
 
 
 def broadcast(
-    function: Callable[..., Any], *arguments: npt.ArrayLike, outputs: int = 1, dtype: Any = np.float64
+    function: Callable[..., Any],
+    *arguments: npt.ArrayLike,
+    outputs: int = 1,
+    dtype: Any = np.float64,
 ) -> Any:
     """Call a function of one-dimensional float64 arrays on anything that NumPy or xarray can broadcast.
 
-    It returns an array, or a tuple of `outputs`; `dtype` is theirs, for arrays of Dask. Scalars give a scalar.
+    It returns an array, or a tuple of `outputs`; `dtype` is theirs, for arrays of Dask. Scalars
+    give a scalar.
     """
     xarray = sys.modules.get("xarray")
-    if xarray is not None and any(isinstance(a, (xarray.DataArray, xarray.Variable)) for a in arguments):
+    if xarray is not None and any(
+        isinstance(a, (xarray.DataArray, xarray.Variable)) for a in arguments
+    ):
         return xarray.apply_ufunc(
             lambda *a: broadcast(function, *a, outputs=outputs),
             *arguments,

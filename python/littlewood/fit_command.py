@@ -35,7 +35,8 @@ _GUESSED = ("inertia_kg_m2", "mu_s", "mu_k", "restitution")
 _MU_S, _MU_K = 0.5, 0.3
 _FREE = tuple(name for name in OF_HOOP if name != "slope")
 _TRIES = 3
-# From where a hoop counts as in flight, radii; how many frames tell how it falls, and by which factor it may seem to.
+# From where a hoop counts as in flight, radii; how many frames tell how it falls, and by which
+# factor it may seem to.
 _IN_FLIGHT = 1.03
 _LEAST_FALL = 6
 _FALL = 1.4
@@ -66,7 +67,11 @@ class WrongClockError(ValueError):
     """
 
     def __init__(self, gravity: float, rate: float | None) -> None:
-        meant = "" if rate is None else f": was the film taken at about {rate / math.sqrt(gravity):.0f} frames a second"
+        meant = (
+            ""
+            if rate is None
+            else f": was the film taken at about {rate / math.sqrt(gravity):.0f} frames a second"
+        )
         super().__init__(
             f"in flight the mass centre falls with {gravity:.3g} g{meant}, or is the radius another? --rate, --radius-m"
         )
@@ -109,8 +114,18 @@ def _parser() -> argparse.ArgumentParser:
         epilog="example: littlewood fit film.mp4 --rate 240 --radius-m 0.3 --offset-m 0.27 --disc-mass-kg 0.25 "
         "--particle-mass-kg 0.25 --slope 0",
     )
-    parser.add_argument("file", metavar="FILE", type=Path, help="the film, or a table with time_s, theta_deg, x_m, y_m")
-    parser.add_argument("--out", metavar="PAGE", type=Path, help="the report (default: FILE-report.html beside FILE)")
+    parser.add_argument(
+        "file",
+        metavar="FILE",
+        type=Path,
+        help="the film, or a table with time_s, theta_deg, x_m, y_m",
+    )
+    parser.add_argument(
+        "--out",
+        metavar="PAGE",
+        type=Path,
+        help="the report (default: FILE-report.html beside FILE)",
+    )
     parser.add_argument("--show", action="store_true", help="open the report in the browser")
     hoop = parser.add_argument_group("the hoop")
     for name in SI_HOOP:
@@ -118,14 +133,22 @@ def _parser() -> argparse.ArgumentParser:
             hoop.add_argument(_flag(name), metavar="X", type=float, help=QUANTITIES[name].help)
         elif name in _GUESSED:
             words = (
-                "all mass at the rim" if name == "inertia_kg_m2" else {"mu_s": _MU_S, "mu_k": _MU_K}.get(name, "none")
+                "all mass at the rim"
+                if name == "inertia_kg_m2"
+                else {"mu_s": _MU_S, "mu_k": _MU_K}.get(name, "none")
             )
             hoop.add_argument(
-                _flag(name), metavar="X", type=float, help=f"{QUANTITIES[name].help}: a first guess (default: {words})"
+                _flag(name),
+                metavar="X",
+                type=float,
+                help=f"{QUANTITIES[name].help}: a first guess (default: {words})",
             )
     slope = hoop.add_mutually_exclusive_group()
     slope.add_argument(
-        "--slope", metavar="RAD", type=float, help="angle by which the plane rises to the right, radians"
+        "--slope",
+        metavar="RAD",
+        type=float,
+        help="angle by which the plane rises to the right, radians",
     )
     slope.add_argument("--slope-deg", metavar="DEGREES", type=float, help="the same in degrees")
     parser.add_argument(
@@ -137,12 +160,23 @@ def _parser() -> argparse.ArgumentParser:
         help=f"what is estimated, of {', '.join(OF_HOOP)} (default: all but slope); the rest is held",
     )
     film = parser.add_argument_group("a film")
-    film.add_argument("--rate", metavar="HZ", type=_positive, help="frames a second at which it was taken")
     film.add_argument(
-        "--exposure-s", metavar="S", type=_positive, help="how long a frame was exposed (default: estimated)"
+        "--rate", metavar="HZ", type=_positive, help="frames a second at which it was taken"
     )
-    film.add_argument("--marker", metavar="COLOUR", help="colour of the marker (default: red); of a table, its point")
-    film.add_argument("--first", metavar="N", type=int, default=0, help="first frame that is used, from 0")
+    film.add_argument(
+        "--exposure-s",
+        metavar="S",
+        type=_positive,
+        help="how long a frame was exposed (default: estimated)",
+    )
+    film.add_argument(
+        "--marker",
+        metavar="COLOUR",
+        help="colour of the marker (default: red); of a table, its point",
+    )
+    film.add_argument(
+        "--first", metavar="N", type=int, default=0, help="first frame that is used, from 0"
+    )
     film.add_argument("--last", metavar="N", type=int, help="the frame after the last that is used")
     film.add_argument(
         "--point",
@@ -154,10 +188,21 @@ def _parser() -> argparse.ArgumentParser:
         "the floor; four or more (default: the hoop itself is the ruler)",
     )
     table = parser.add_argument_group("a table")
-    table.add_argument("--centre", metavar="NAME", help="the point that is the centre, in exports that name points")
-    table.add_argument("--run", metavar="N", type=int, help="number of the run, in exports with several")
-    table.add_argument("--length-unit", metavar="UNIT", default="m", help="m, cm or mm, in exports that do not say it")
-    table.add_argument("--level", action="store_true", help="on a slope: x and y are those of a level camera")
+    table.add_argument(
+        "--centre", metavar="NAME", help="the point that is the centre, in exports that name points"
+    )
+    table.add_argument(
+        "--run", metavar="N", type=int, help="number of the run, in exports with several"
+    )
+    table.add_argument(
+        "--length-unit",
+        metavar="UNIT",
+        default="m",
+        help="m, cm or mm, in exports that do not say it",
+    )
+    table.add_argument(
+        "--level", action="store_true", help="on a slope: x and y are those of a level camera"
+    )
     return parser
 
 
@@ -191,7 +236,9 @@ def _hoop_of(options: argparse.Namespace) -> Hoop:
         given[name] = _ask(QUANTITIES[name].help, _flag(name)) if value is None else value
     slope = options.slope if options.slope_deg is None else math.radians(options.slope_deg)
     if slope is None:
-        slope = math.radians(_ask("Angle by which the plane rises to the right, degrees", "--slope-deg", 0.0))
+        slope = math.radians(
+            _ask("Angle by which the plane rises to the right, degrees", "--slope-deg", 0.0)
+        )
     mu_k = _MU_K if options.mu_k is None else options.mu_k
     mu_s = max(_MU_S, mu_k) if options.mu_s is None else options.mu_s
     if options.mu_k is None:
@@ -200,7 +247,12 @@ def _hoop_of(options: argparse.Namespace) -> Hoop:
     if inertia is None:
         inertia = given["disc_mass_kg"] * given["radius_m"] ** 2
     return Hoop.from_si(
-        **given, inertia_kg_m2=inertia, mu_s=mu_s, mu_k=mu_k, slope=slope, restitution=options.restitution
+        **given,
+        inertia_kg_m2=inertia,
+        mu_s=mu_s,
+        mu_k=mu_k,
+        slope=slope,
+        restitution=options.restitution,
     )
 
 
@@ -259,7 +311,10 @@ def _run(options: argparse.Namespace) -> None:
     from .fit_report import report_html
 
     print(result)
-    out.write_text(report_html(result, title=f"A hoop, measured from {path.name}", photo=picture), encoding="utf-8")
+    out.write_text(
+        report_html(result, title=f"A hoop, measured from {path.name}", photo=picture),
+        encoding="utf-8",
+    )
     print(f"{out}: the report", file=sys.stderr)
     if options.show:
         webbrowser.open(out.resolve().as_uri())
@@ -274,12 +329,15 @@ def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, byte
     rate = options.rate
     if rate is None:
         question = (
-            f"Frames a second at which the film was taken (it is played at {played:g}; slow motion is taken faster)"
+            "Frames a second at which the film was taken "
+            f"(it is played at {played:g}; slow motion is taken faster)"
         )
         options.rate = rate = _ask(question, "--rate", played)
     hoop = _hoop_of(options)
     radius_m = hoop.require_units().length_m
-    plane = _plane(options) or video.find_plane(path, radius_m, first=options.first, last=options.last)
+    plane = _plane(options) or video.find_plane(
+        path, radius_m, first=options.first, last=options.last
+    )
     bar = _has_bar()
     track = video.track_video(
         path,

@@ -21,12 +21,15 @@ __all__ = ["CLOCK", "FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
 
 
 OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution", "slope")
-# What is weighed and measured, and a stretch of all times: a fit asks whether the track contradicts them.
+# What is weighed and measured, and a stretch of all times: a fit asks whether the track contradicts
+# them.
 _MEASURED = ("mass_ratio", "offset")
 CLOCK = "clock"
-# Least inertia that is tried: without any, a hoop without mass is another body, with other equations.
+# Least inertia that is tried: without any, a hoop without mass is another body, with other
+# equations.
 LEAST_INERTIA = 1e-6
-# Largest coefficient of friction and inertia that are tried: beyond them a motion no longer depends on them.
+# Largest coefficient of friction and inertia that are tried: beyond them a motion no longer depends
+# on them.
 _LARGEST_FRICTION = 1e3
 _LARGEST_INERTIA = 1e6
 _STEEPEST = 1.57
@@ -42,8 +45,9 @@ _TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 # By which part the sum of squares still changes in the last step: on the way, and at the end.
 ROUGH, FINE = 1e-6, 1e-12
 _MOST_STEPS = 100
-# What the constants of a camera are before the video is seen: 0 ± 0.1, R or rad. A video tells them far better as a
-# rule; where it does not, they stay reasonable. An exposure is anything from none to the time between two frames.
+# What the constants of a camera are before the video is seen: 0 ± 0.1, R or rad. A video tells them
+# far better as a rule; where it does not, they stay reasonable. An exposure is anything from none
+# to the time between two frames.
 _PRIOR = 0.1
 
 
@@ -51,8 +55,8 @@ _PRIOR = 0.1
 class Problem:
     """Residuals as a function of the unknowns.
 
-    These are, by their `names`, those of the hoop, of the start, and last those of the camera. `first` is the guess of
-    the start; the hoop `slips` there or not.
+    These are, by their `names`, those of the hoop, of the start, and last those of the camera.
+    `first` is the guess of the start; the hoop `slips` there or not.
     """
 
     track: Track
@@ -68,7 +72,9 @@ class Problem:
     def __post_init__(self) -> None:
         self._seen = {name: np.isfinite(values) for name, values in self.track.channels.items()}
         self._white = {
-            name: Whitening(self.noise[name], self.track.time[seen], self.track.relative_errors(name)[seen])
+            name: Whitening(
+                self.noise[name], self.track.time[seen], self.track.relative_errors(name)[seen]
+            )
             for name, seen in self._seen.items()
         }
         step = self._longest = float(np.median(np.diff(self.track.time)))
@@ -92,7 +98,9 @@ class Problem:
 
         low, high = self.bounds()
         bounds = (low[rest:], high[rest:])
-        found = require("scipy.optimize").least_squares(scaled, unknowns[rest:], bounds=bounds, x_scale="jac")
+        found = require("scipy.optimize").least_squares(
+            scaled, unknowns[rest:], bounds=bounds, x_scale="jac"
+        )
         return np.concatenate([unknowns[:rest], found.x])
 
     @property
@@ -105,7 +113,9 @@ class Problem:
         known = {name: getattr(self.hoop, name) for name in OF_HOOP} | values
         if known["restitution"] is None:
             known["restitution"] = _TRY_RESTITUTION[0]
-        known["mu_s"] = max(known["mu_s"] - known["mu_k"], 1e-6) if "mu_k" in self.names else known["mu_s"]
+        known["mu_s"] = (
+            max(known["mu_s"] - known["mu_k"], 1e-6) if "mu_k" in self.names else known["mu_s"]
+        )
         known |= {f"start_{name}": value for name, value in {**self.first, **values}.items()}
         return np.array([known[name] for name in self.names])
 
@@ -119,7 +129,11 @@ class Problem:
     def part(self, part: float) -> Problem:
         """Return the same for the first part of the track."""
         begin, end = float(self.track.time[0]), float(self.track.time[-1])
-        return self if part == 1.0 else replace(self, track=self.track.until(begin + part * (end - begin)))
+        return (
+            self
+            if part == 1.0
+            else replace(self, track=self.track.until(begin + part * (end - begin)))
+        )
 
     def bounds(self) -> tuple[list[float], list[float]]:
         """Return the least and the largest values of the unknowns."""
@@ -158,7 +172,11 @@ class Problem:
         return self._motion_of(self.values(unknowns))
 
     def _motion_of(self, values: dict[str, Any]) -> Trajectory:
-        hoop = replace(self.hoop, units=self.hoop.units, **{name: values[name] for name in (*OF_HOOP, *_MEASURED)})
+        hoop = replace(
+            self.hoop,
+            units=self.hoop.units,
+            **{name: values[name] for name in (*OF_HOOP, *_MEASURED)},
+        )
         begin, end = float(self.track.time[0]), float(self.track.time[-1])
         return hoop.simulate(
             theta=values["start_theta"],
@@ -175,13 +193,21 @@ class Problem:
 
     def residuals_of(self, values: dict[str, Any]) -> dict[str, Reals]:
         """Return the residuals for everything by name."""
-        camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
+        camera = {
+            name.removeprefix(_CAMERA): value
+            for name, value in values.items()
+            if name.startswith(_CAMERA)
+        }
         found = shown(self.track.as_seen(self._plane(values), values["slope"]), camera)
         return {name: measured - found[name] for name, measured in self.track.channels.items()}
 
     def _plane(self, values: dict[str, Any]) -> dict[str, Reals]:
         """Return θ, x and y of the plane in the frames: the same for all constants of the camera but the exposure."""
-        key = tuple(value for name, value in values.items() if not name.startswith(_CAMERA) or name == _EXPOSURE)
+        key = tuple(
+            value
+            for name, value in values.items()
+            if not name.startswith(_CAMERA) or name == _EXPOSURE
+        )
         if self._last is None or self._last[0] != key:
             begin = self.track.time[0]
             time = begin + (self.track.time - begin) * (1.0 + values[CLOCK])
@@ -195,7 +221,9 @@ class Problem:
     def scaled(self, unknowns: Reals) -> Reals:
         """Return the residuals as numbers that are independent and of size 1, and then the constants of the camera."""
         residuals = self.residuals(unknowns)
-        parts = [self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()]
+        parts = [
+            self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()
+        ]
         # Constants of the camera are the last of the unknowns.
         camera = unknowns[unknowns.size - self._before.size :]
         return np.concatenate([*parts, (camera - self._before) / self._deviation])
@@ -209,12 +237,19 @@ class Problem:
         white = self.scaled(unknowns)[: -self._before.size or None]
         return float(white @ white) / max(1, white.size - unknowns.size)
 
-    def noise_of(self, unknowns: Reals, known: dict[str, Noise], loss: str, correlated: bool) -> dict[str, Noise]:
+    def noise_of(
+        self, unknowns: Reals, known: dict[str, Noise], loss: str, correlated: bool
+    ) -> dict[str, Noise]:
         """Estimate the errors of each channel from the residuals."""
-        relative = {name: self.track.relative_errors(name)[seen] for name, seen in self._seen.items()}
+        relative = {
+            name: self.track.relative_errors(name)[seen] for name, seen in self._seen.items()
+        }
         residuals = self.seen(self.residuals(unknowns))
         if loss != "linear":
-            typical = {name: float(np.sqrt(np.mean(np.square(residuals[name] / relative[name])))) for name in relative}
+            typical = {
+                name: float(np.sqrt(np.mean(np.square(residuals[name] / relative[name]))))
+                for name in relative
+            }
             return {name: Noise(max(value, 1e-12)) for name, value in typical.items()} | known
         times = {name: self.track.time[seen] for name, seen in self._seen.items()}
         slopes = self.seen(self.derivatives(unknowns))
@@ -223,7 +258,8 @@ class Problem:
     def derivatives(self, unknowns: Reals) -> dict[str, Reals]:
         """Return the derivatives of the residuals of each channel by the unknowns.
 
-        They are those of the motion, where it has them and a frame shows an instant; else differences within bounds.
+        They are those of the motion, where it has them and a frame shows an instant; else
+        differences within bounds.
         """
         values = self.values(unknowns)
         exact = self._tangents(values)
@@ -231,13 +267,18 @@ class Problem:
         low, high = self.bounds()
         for k, value in enumerate(unknowns):
             if exact is not None and not self.names[k].startswith(_CAMERA):
-                found = self._seen_along(values, self.names[k], {name: rows[:, k] for name, rows in exact.items()})
+                found = self._seen_along(
+                    values, self.names[k], {name: rows[:, k] for name, rows in exact.items()}
+                )
                 for name in columns:
                     columns[name].append(-found[name])
                 continue
             step = _STEP * max(1.0, abs(value))
             ends = max(value - step, low[k]), min(value + step, high[k])
-            below, above = (self.residuals(np.concatenate([unknowns[:k], [end], unknowns[k + 1 :]])) for end in ends)
+            below, above = (
+                self.residuals(np.concatenate([unknowns[:k], [end], unknowns[k + 1 :]]))
+                for end in ends
+            )
             for name in columns:
                 columns[name].append((above[name] - below[name]) / (ends[1] - ends[0]))
         return {name: np.column_stack(values) for name, values in columns.items()}
@@ -252,7 +293,9 @@ class Problem:
             # Those of the height of a flight are not among the derivatives of a state.
             return None
         names = [name for name in self.names if not name.startswith(_CAMERA)]
-        found = columns_at(motion._core, self.track.time, [name.removeprefix("start_") for name in names])
+        found = columns_at(
+            motion._core, self.track.time, [name.removeprefix("start_") for name in names]
+        )
         exact = {name: np.array(found[name]) for name in ("theta", "x")}
         if not all(np.isfinite(rows).all() for rows in exact.values()):
             return None
@@ -266,9 +309,15 @@ class Problem:
         """Whether the axes of the track are not those of the plane."""
         return self.track.level and (values["slope"] != 0.0 or "slope" in self.names)
 
-    def _seen_along(self, values: dict[str, Any], name: str, change: dict[str, Reals]) -> dict[str, Reals]:
+    def _seen_along(
+        self, values: dict[str, Any], name: str, change: dict[str, Reals]
+    ) -> dict[str, Reals]:
         """Return the derivative of what the camera shows, where the motion changes like this."""
-        camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
+        camera = {
+            name.removeprefix(_CAMERA): value
+            for name, value in values.items()
+            if name.startswith(_CAMERA)
+        }
         plane = self._plane(values)
         largest = max(1.0, *(float(np.max(np.abs(rows))) for rows in change.values()))
 
@@ -286,7 +335,10 @@ class Problem:
 
     def jacobian(self, unknowns: Reals) -> Reals:
         """Return the derivatives of :meth:`scaled`."""
-        parts = [self._white[name](columns) for name, columns in self.seen(self.derivatives(unknowns)).items()]
+        parts = [
+            self._white[name](columns)
+            for name, columns in self.seen(self.derivatives(unknowns)).items()
+        ]
         rest = unknowns.size - self._before.size
         return np.vstack([*parts, np.eye(unknowns.size)[rest:] / self._deviation[:, None]])
 
@@ -303,7 +355,9 @@ class Problem:
         if ends[0] >= ends[1]:
             return None
         below, above = (self.residuals_of(values | {name: end}) for end in ends)
-        return {channel: (above[channel] - below[channel]) / (ends[1] - ends[0]) for channel in below}
+        return {
+            channel: (above[channel] - below[channel]) / (ends[1] - ends[0]) for channel in below
+        }
 
     def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, Reals] | None:
         """Return the same with a parameter of the hoop fixed, and a guess of the others; None where no hoop has it."""
@@ -323,7 +377,9 @@ class Problem:
         low, high = found.bounds()
         return found, np.clip([values[one] for one in found.names], low, high)
 
-    def refine(self, unknowns: Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS) -> Any:
+    def refine(
+        self, unknowns: Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS
+    ) -> Any:
         """Minimise from a guess, until the sum of squares changes by less than a part, in a number of steps."""
         return require("scipy.optimize").least_squares(
             self.scaled,

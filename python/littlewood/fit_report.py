@@ -58,11 +58,21 @@ th {{ border-bottom: 1px solid {LINE}; }}
 
 def report_html(result: FitResult, *, title: str, photo: bytes | None = None) -> str:
     """Return the report of a fit, a page with all pictures in it; the photo is a JPEG of film and fitted motion."""
-    shown = "" if photo is None else f'<img class="photo" alt="the film and the fitted motion" src="{_jpeg(photo)}">'
+    shown = (
+        ""
+        if photo is None
+        else f'<img class="photo" alt="the film and the fitted motion" src="{_jpeg(photo)}">'
+    )
     with canvas.look(25.4 * _WIDTH):
-        fitted, forces, more = result.plot(with_doubts=False), _forces(result.motion), _more_friction(result.motion)
+        fitted, forces, more = (
+            result.plot(with_doubts=False),
+            _forces(result.motion),
+            _more_friction(result.motion),
+        )
     # Doubts take the room of the pictures, so that one sheet is enough.
-    fitted.set_size_inches(_WIDTH, max(_LEAST_HEIGHT, _HEIGHT - _DOUBT_HEIGHT * min(len(result.doubts), _DOUBTS)))
+    fitted.set_size_inches(
+        _WIDTH, max(_LEAST_HEIGHT, _HEIGHT - _DOUBT_HEIGHT * min(len(result.doubts), _DOUBTS))
+    )
     doubts = "".join(
         f'<p class="doubt"><b>Doubt: {escape(one.name)}.</b> {escape(one.message)}</p>'
         for one in result.doubts[:_DOUBTS]
@@ -133,7 +143,9 @@ def _row(sign: str, meaning: str, estimate: Estimate) -> str:
 
 def _facts(result: FitResult) -> str:
     hoop, frames = result.hoop, result.track.time.size
-    known = [(QUANTITIES[name].sign, getattr(hoop, name)) for name in ("mass_ratio", "offset", "slope")]
+    known = [
+        (QUANTITIES[name].sign, getattr(hoop, name)) for name in ("mass_ratio", "offset", "slope")
+    ]
     words = ", ".join(f"{sign} = {value:.4g}" for sign, value in known)
     if hoop.units is not None:
         words += f", R = {hoop.units.length_m:.4g} m; the unit of τ is {hoop.units.time_s:.4g} s"
@@ -170,7 +182,9 @@ def _more_friction(motion: Trajectory) -> Figure:
     )
     figure = canvas.sheet(0.5 * _WIDTH, 2.1)
     axes = outcomes(found, figure.add_subplot(), x="mu", y="theta_rate")
-    axes.plot([hoop.mu_k, hoop.mu_s], [start.theta_rate] * 2, "|-", color=PAPER, lw=3.0, ms=9, mew=3.0)
+    axes.plot(
+        [hoop.mu_k, hoop.mu_s], [start.theta_rate] * 2, "|-", color=PAPER, lw=3.0, ms=9, mew=3.0
+    )
     axes.plot([hoop.mu_k, hoop.mu_s], [start.theta_rate] * 2, "|-", color=INK, lw=1.2, ms=8)
     axes.annotate(
         "yours",
@@ -184,7 +198,9 @@ def _more_friction(motion: Trajectory) -> Figure:
 
 def _sentence(motion: Trajectory) -> str:
     hoop, start = motion.hoop, motion.start
-    more = dataclasses.replace(hoop, units=hoop.units, mu_s=_MORE * hoop.mu_s, mu_k=_MORE * hoop.mu_k)
+    more = dataclasses.replace(
+        hoop, units=hoop.units, mu_s=_MORE * hoop.mu_s, mu_k=_MORE * hoop.mu_k
+    )
     until = motion.until
     then = more.simulate(**{name: getattr(start, name) for name in vars(start)}, until=until)
 
@@ -193,7 +209,9 @@ def _sentence(motion: Trajectory) -> str:
         for mode, phases in itertools.groupby(phase.mode for phase in one.phases):
             bounces = len(list(phases)) - 1
             words.append(
-                mode if bounces == 0 or mode != "flight" else f"{mode} with {bounces} bounce{'s' * (bounces > 1)}"
+                mode
+                if bounces == 0 or mode != "flight"
+                else f"{mode} with {bounces} bounce{'s' * (bounces > 1)}"
             )
         return ", ".join(words[:_NAMED]) + ", …" * (len(words) > _NAMED)
 
@@ -206,7 +224,9 @@ def _sentence(motion: Trajectory) -> str:
 def _svg(figure: Figure, title: str) -> str:
     from .plot.sheet import svg
 
-    return "data:image/svg+xml;base64," + base64.b64encode(svg(figure, title, title).encode()).decode()
+    return (
+        "data:image/svg+xml;base64," + base64.b64encode(svg(figure, title, title).encode()).decode()
+    )
 
 
 def _jpeg(content: bytes) -> str:

@@ -112,10 +112,11 @@ class FitResult:
     start : littlewood.motion.State
         The estimated start.
     estimates : mapping of str to littlewood.fit_result.Estimate
-        Estimates of everything that was free: parameters of the hoop, of the start by `start_theta`, …, and of the
-        camera by `camera_floor`, …
+        Estimates of everything that was free: parameters of the hoop, of the start by
+        `start_theta`, …, and of the camera by `camera_floor`, …
     covariance : ndarray
-        Covariance of the estimates, in their order; infinite on the diagonal for those not identifiable.
+        Covariance of the estimates, in their order; infinite on the diagonal for those not
+        identifiable.
     motion : Trajectory
         The fitted motion.
     track : Track
@@ -125,16 +126,18 @@ class FitResult:
     noise : mapping of str to Noise
         Errors of the measurements, given or estimated, by channel.
     reduced_chi_square : float
-        Sum eᵀV⁻¹e of the residuals over the number of measurements less that of free parameters; 1 for a good fit.
+        Sum eᵀV⁻¹e of the residuals over the number of measurements less that of free parameters; 1
+        for a good fit.
     mu_s_at_least : float
         Largest friction |F|/N of rolling in the fitted motion, a lower bound of μs.
     message : str
         How the optimiser ended.
     doubts : tuple of littlewood.fit_result.Doubt
-        What speaks against the fit, each also a :class:`littlewood.fit_result.FitWarning`; empty for a good fit.
+        What speaks against the fit, each also a :class:`littlewood.fit_result.FitWarning`; empty
+        for a good fit.
     sequences : mapping of str to float
-        Sequences of phases that were fitted with the final errors, the most probable first, and their posterior
-        probabilities.
+        Sequences of phases that were fitted with the final errors, the most probable first, and
+        their posterior probabilities.
     """
 
     hoop: Hoop
@@ -184,15 +187,18 @@ class FitResult:
         return (
             f"<div><b>Fitted motion</b> {self.motion.sequence}: {self.motion.outcome}<table>{rows}</table>"
             f"<small>μs is at least {self.mu_s_at_least:.4g}; reduced χ² {self.reduced_chi_square:.3f}</small>"
-            + "".join(f"<div><b>Doubt: {doubt.name}</b> {escape(doubt.message)}</div>" for doubt in self.doubts)
+            + "".join(
+                f"<div><b>Doubt: {doubt.name}</b> {escape(doubt.message)}</div>"
+                for doubt in self.doubts
+            )
             + "</div>"
         )
 
     def profile_interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the interval of the profile likelihood, which holds where that is no parabola.
 
-        The ends are where the least sum of squares, over all other unknowns, exceeds that of the fit by the square of
-        the normal quantile.
+        The ends are where the least sum of squares, over all other unknowns, exceeds that of the
+        fit by the square of the normal quantile.
 
         Parameters
         ----------
@@ -208,7 +214,9 @@ class FitResult:
         """
         from .profile import profile_interval
 
-        return profile_interval(self._problem, self._unknowns, self.covariance, name, self.estimates[name], confidence)
+        return profile_interval(
+            self._problem, self._unknowns, self.covariance, name, self.estimates[name], confidence
+        )
 
     @canvas.on_sheet
     def plot(self, *, with_doubts: bool = True) -> Figure:
@@ -234,7 +242,9 @@ class FitResult:
         seen = self.track.as_seen(plane, self.hoop.slope)
         for k, (name, measured) in enumerate(channels.items()):
             above, below = axes[0, k], axes[1, k]
-            above.plot(self.track.time, measured, "o", ms=2.6, mfc="none", mec=FAINT, label="measured")
+            above.plot(
+                self.track.time, measured, "o", ms=2.6, mfc="none", mec=FAINT, label="measured"
+            )
             fitted = seen[name]
             for mode, part in canvas.phase_slices(samples):
                 line = {"color": MODE_COLOURS[mode], "ls": MODE_DASHES[mode], "label": mode}
@@ -257,7 +267,10 @@ class FitResult:
         unique = dict(zip(labels, handles, strict=True))
         figure.legend(unique.values(), unique.keys(), loc="outside upper left", ncols=5)
         if self.doubts and with_doubts:
-            words = "\n".join(textwrap.fill(f"Doubt: {doubt}", 62 * max(2, len(channels))) for doubt in self.doubts)
+            words = "\n".join(
+                textwrap.fill(f"Doubt: {doubt}", 62 * max(2, len(channels)))
+                for doubt in self.doubts
+            )
             figure.supxlabel(words, fontsize="small", ha="left", x=0.02)
         figure.align_ylabels()
         return figure

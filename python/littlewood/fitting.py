@@ -28,27 +28,29 @@ from .trajectory import Trajectory
 __all__ = ["fit"]
 
 
-# The coefficient of restitution says how a motion goes on that would end at its landing: it is asked for.
+# The coefficient of restitution says how a motion goes on that would end at its landing: it is
+# asked for.
 _BY_DEFAULT = ("mu_s", "mu_k", "inertia")
-# Coefficients and inertias that are tried first, because a motion depends smoothly on them only as long as the sequence
-# of its phases is the same.
+# Coefficients and inertias that are tried first, because a motion depends smoothly on them only as
+# long as the sequence of its phases is the same.
 _TRY_MU_K = (0.05, 0.12, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0)
 _TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
 _TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
 _TRY_SLIP = (0.0, -3.0, -2.0, -1.2, -0.5, 0.5, 1.2, 2.0, 3.0)
 _BEST = 6
-# Parts of the track over which a coefficient of restitution is sought, and how many guesses are followed over each.
+# Parts of the track over which a coefficient of restitution is sought, and how many guesses are
+# followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
 _BEST_OF_PART = 4
-# A guess foretells a longer part where the residuals there are, on average, at most so many times those of the part it
-# fits.
+# A guess foretells a longer part where the residuals there are, on average, at most so many times
+# those of the part it fits.
 _FORETELLS = 2.0
 # Guesses that differ by less lead to the same minimum.
 _SAME = 1e-3
 # How often the errors are estimated from the residuals.
 _TURNS = 4
-# Neighbours of a fit whose sequences are looked at, how far they are in standard errors, how many other sequences are
-# fitted, and the probability from which one is named.
+# Neighbours of a fit whose sequences are looked at, how far they are in standard errors, how many
+# other sequences are fitted, and the probability from which one is named.
 _NEIGHBOURS = 40
 _SPREAD = 3.0
 _MOVES = (1.0, 2.0, 4.0, 8.0)
@@ -58,8 +60,9 @@ _STEPS_OF_RIVAL = 15
 _RIVAL = 0.01
 # A parameter is at a bound if it is nearer to it than this part of its standard error.
 _AT_BOUND = 0.01
-# The profile likelihood is looked at so many standard errors away; a normal interval is wrong where it rises by so many
-# times more, or less, than a parabola: then the interval is wrong by a factor of two, or more.
+# The profile likelihood is looked at so many standard errors away; a normal interval is wrong where
+# it rises by so many times more, or less, than a parabola: then the interval is wrong by a factor
+# of two, or more.
 _PROFILED = 2.0
 _OTHER_RISE = 4.0
 _DEPENDENT = "the motion does not depend on it, apart from the others"
@@ -81,43 +84,45 @@ def fit(
 ) -> FitResult:
     r"""Estimate friction, inertia and restitution of a hoop from a tracked motion.
 
-    The start (angle, rate, position, optionally slip velocity) is estimated, too. Masses and the place
-    of the particle are taken from `hoop`: they are weighed and measured.
+    The start (angle, rate, position, optionally slip velocity) is estimated, too. Masses and the
+    place of the particle are taken from `hoop`: they are weighed and measured.
 
     Parameters
     ----------
     track : Track, str or Path
         The track, or its CSV file (:meth:`Track.from_csv`).
     hoop : Hoop
-        The hoop with what is known; its values of what is free are a first guess. Its law of restitution is taken as it
-        is.
+        The hoop with what is known; its values of what is free are a first guess. Its law of
+        restitution is taken as it is.
     free : iterable of {"mu_s", "mu_k", "inertia", "restitution", "slope"}, optional
-        Parameters to estimate; the first three by default. With "restitution", or with a hoop that has one, the
-        track may continue after a landing. The slope of the plane is that of `hoop`, or with "slope" its first guess,
-        which should be right to about 0.1 rad.
+        Parameters to estimate; the first three by default. With "restitution", or with a hoop that
+        has one, the track may continue after a landing. The slope of the plane is that of `hoop`,
+        or with "slope" its first guess, which should be right to about 0.1 rad.
     slips_at_start : bool, optional
         Whether to estimate the slip velocity at the start; otherwise it is 0.
     start : mapping, optional
-        First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not determine them.
+        First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not determine
+        them.
     sigma : mapping, optional
-        Standard deviations of the measurements of `theta` (rad), `x` and `y` (R), which are then taken for independent.
-        By default the errors of each channel are estimated from the residuals, as a part that differs from frame to
-        frame and one that changes slowly. Where the track has errors of single frames, they are those of a frame
-        whose error is the median.
+        Standard deviations of the measurements of `theta` (rad), `x` and `y` (R), which are then
+        taken for independent. By default the errors of each channel are estimated from the
+        residuals, as a part that differs from frame to frame and one that changes slowly. Where the
+        track has errors of single frames, they are those of a frame whose error is the median.
     until : float, optional
-        Last time τ, √(R/g), that is used. Without a coefficient of restitution leave out what comes after the landing,
-        which is not simulated then.
+        Last time τ, √(R/g), that is used. Without a coefficient of restitution leave out what comes
+        after the landing, which is not simulated then.
     loss : {"linear", "soft_l1", "huber", "cauchy", "arctan"}, optional
         As :func:`scipy.optimize.least_squares` has it; all but the first bear outliers.
     search : bool, optional
-        Whether to begin at many places. Without it the fit begins at the values of `hoop` and `start` alone, which is
-        many times as fast, and finds the sequence of phases only if they have it.
+        Whether to begin at many places. Without it the fit begins at the values of `hoop` and
+        `start` alone, which is many times as fast, and finds the sequence of phases only if they
+        have it.
     calibration : iterable of str, optional
-        Constant errors of the camera to estimate (as `camera_floor`, …):
-        "floor" (the height of the centre), "turn", "scale", "stretch", "shear", "perspective_x" and "perspective_y" of
-        the frame, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and "exposure"
-        (exposure time). By default all for a track of :func:`track_video`,
-        none for others. Those that no channel determines are omitted.
+        Constant errors of the camera to estimate (as `camera_floor`, …): "floor" (the height of the
+        centre), "turn", "scale", "stretch", "shear", "perspective_x" and "perspective_y" of the
+        frame, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and
+        "exposure" (exposure time). By default all for a track of :func:`track_video`, none for
+        others. Those that no channel determines are omitted.
     progress : bool, optional
         Whether to show a progress bar (tqdm).
 
@@ -128,13 +133,13 @@ def fit(
     Warns
     -----
     littlewood.fit_result.FitWarning
-        For each doubt that the fit has (:data:`littlewood.doubts.DOUBTS`), which the result, its table and its
-        picture name, too.
+        For each doubt that the fit has (:data:`littlewood.doubts.DOUBTS`), which the result, its
+        table and its picture name, too.
     littlewood.fit_result.IdentifiabilityWarning
-        If the motion does not depend on something that is free. μs enters by the instant of a slip out of rolling alone
-        (a motion without one gives only a lower bound, the friction that rolling needed), μk by slides and by
-        impacts that slip; the inertia enters by rolling, sliding and impacts, not by flight; the coefficient of
-        restitution by impacts alone.
+        If the motion does not depend on something that is free. μs enters by the instant of a slip
+        out of rolling alone (a motion without one gives only a lower bound, the friction that
+        rolling needed), μk by slides and by impacts that slip; the inertia enters by rolling,
+        sliding and impacts, not by flight; the coefficient of restitution by impacts alone.
 
     Raises
     ------
@@ -147,19 +152,22 @@ def fit(
 
     .. math:: V_{ij} = \sigma^2 w_i^2 \delta_{ij} + s^2 e^{-|t_i - t_j|/T},
 
-    w being the errors that the track has over their median, the fit minimises eᵀV⁻¹e, and the covariance of the
-    estimates is (JᵀV⁻¹J)⁻¹ with the derivatives J of all channels by all unknowns, those of the camera among them. σ, s
-    and T are those of the largest restricted likelihood, over a grid of s/σ and T. With another `loss` errors are taken
-    for independent. Of a constant of the camera 0 ± 0.1 is known beforehand; they are displacements of what is seen,
-    to first order: floor (0, 1), turn (−y, x), scale (x, y), stretch (x, −y), shear (y, x), perspective_x (x², x y),
-    perspective_y (x y, y²), all that is between two homographies but a shift along x; middle_x and middle_y add cos θ
-    and sin θ to the angle. A frame shows the mean over its exposure, which begins at its time.
+    w being the errors that the track has over their median, the fit minimises eᵀV⁻¹e, and the
+    covariance of the estimates is (JᵀV⁻¹J)⁻¹ with the derivatives J of all channels by all
+    unknowns, those of the camera among them. σ, s and T are those of the largest restricted
+    likelihood, over a grid of s/σ and T. With another `loss` errors are taken for independent. Of a
+    constant of the camera 0 ± 0.1 is known beforehand; they are displacements of what is seen, to
+    first order: floor (0, 1), turn (−y, x), scale (x, y), stretch (x, −y), shear (y, x),
+    perspective_x (x², x y), perspective_y (x y, y²), all that is between two homographies but a
+    shift along x; middle_x and middle_y add cos θ and sin θ to the angle. A frame shows the mean
+    over its exposure, which begins at its time.
 
-    A parameter counts as not identifiable where the residuals do not depend on it apart from the others, where its
-    standard error would exceed its value (or half of its range, for the coefficient of restitution), or where the fit
-    ends at the bound μs = μk: there the motion depends on μs to second order only. The exact simulation makes the
-    residuals smooth in all parameters as long as the sequence of phases is the same, and each impact of the same kind;
-    over the sequences the fit starts from several places.
+    A parameter counts as not identifiable where the residuals do not depend on it apart from the
+    others, where its standard error would exceed its value (or half of its range, for the
+    coefficient of restitution), or where the fit ends at the bound μs = μk: there the motion
+    depends on μs to second order only. The exact simulation makes the residuals smooth in all
+    parameters as long as the sequence of phases is the same, and each impact of the same kind; over
+    the sequences the fit starts from several places.
 
     Examples
     --------
@@ -181,14 +189,18 @@ def fit(
         raise ValueError(f"free = {free} must name some of {', '.join(OF_HOOP)}")
     unknown = [name for name in (sigma or {}) if name not in track.channels]
     if unknown:
-        raise ValueError(f"sigma has {', '.join(unknown)}, the track has {', '.join(track.channels)}")
+        raise ValueError(
+            f"sigma has {', '.join(unknown)}, the track has {', '.join(track.channels)}"
+        )
     first = _first_guess(track, hoop.slope, dict(start or {}))
     names = [*(name for name in OF_HOOP if name in free), "start_theta", "start_theta_rate"]
     names += ["start_x"] if track.x is not None else []
     names += ["start_slip"] if slips_at_start else []
     measured = sum(int(np.isfinite(values).sum()) for values in track.channels.values())
     if measured <= len(names):
-        raise ValueError(f"{measured} measurements are not enough for {len(names)} unknowns: {', '.join(names)}")
+        raise ValueError(
+            f"{measured} measurements are not enough for {len(names)} unknowns: {', '.join(names)}"
+        )
     camera = checked(track.calibration if calibration is None else calibration, track.channels)
     known = {name: Noise(float(value)) for name, value in (sigma or {}).items()}
     noise = dict.fromkeys(track.channels, Noise(1.0)) | known
@@ -217,7 +229,11 @@ def fit(
             noise = problem.noise_of(unknowns, known, loss, turn > 0)
             problem = replace(problem, noise=noise)
             last = turn == _TURNS - 1
-            best = problem.refine(unknowns, loss, FINE, 50) if last else problem.refine(unknowns, loss, ROUGH, 30)
+            best = (
+                problem.refine(unknowns, loss, FINE, 50)
+                if last
+                else problem.refine(unknowns, loss, ROUGH, 30)
+            )
             unknowns = best.x
             step()
         if loss == "linear":
@@ -275,11 +291,19 @@ def _guesses(problem: Problem, given: Mapping[str, float]) -> list[Reals]:
             angles = list(np.linspace(-math.pi, math.pi, 24, endpoint=False))
         if problem.slips and "theta_rate" not in given:
             rates = [rates[0] + slip for slip in _TRY_SLIP]
-    inertias = [problem.hoop.inertia * factor for factor in factors] if "inertia" in free else [problem.hoop.inertia]
+    inertias = (
+        [problem.hoop.inertia * factor for factor in factors]
+        if "inertia" in free
+        else [problem.hoop.inertia]
+    )
     velocity = first["slip"] - first["theta_rate"]
     guesses = []
     for angle, rate, kinetic, inertia in itertools.product(angles, rates, mu_k, inertias):
-        static = (problem.hoop.mu_s, *(kinetic + step for step in steps)) if "mu_s" in free else (problem.hoop.mu_s,)
+        static = (
+            (problem.hoop.mu_s, *(kinetic + step for step in steps))
+            if "mu_s" in free
+            else (problem.hoop.mu_s,)
+        )
         start = {"theta": float(angle), "theta_rate": rate}
         if any_angle and problem.slips and "slip" not in given:
             start["slip"] = velocity + rate
@@ -300,8 +324,8 @@ def _search(
 ) -> list[Reals]:
     """Refine the best of many guesses; return where they end, the best first.
 
-    Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track, and sought anew
-    where what fits one part does not foretell the next.
+    Bounces hang on each other: a coefficient of restitution is sought over a growing part of the
+    track, and sought anew where what fits one part does not foretell the next.
     """
     guesses = _guesses(problem, given)
     foretold = 0.0
@@ -338,7 +362,8 @@ def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, di
     low, high = problem.bounds()
     root = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     guesses = [np.concatenate([other[:rest], best.x[rest:]]) for other in others]
-    # Neighbours within a few standard errors, in all directions and by one parameter, which may be of another sequence.
+    # Neighbours within a few standard errors, in all directions and by one parameter, which may be
+    # of another sequence.
     for k, name in enumerate(problem.names):
         if name in OF_HOOP:
             moves = np.zeros((2 * len(_MOVES), root.size))
@@ -361,7 +386,9 @@ def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, di
             found[sequence] = other
     evidence = {sequence: _evidence(one) for sequence, one in found.items()}
     most = max(evidence.values())
-    weights = {sequence: math.exp(max(value - most, -700.0)) for sequence, value in evidence.items()}
+    weights = {
+        sequence: math.exp(max(value - most, -700.0)) for sequence, value in evidence.items()
+    }
     order = sorted(weights, key=lambda sequence: -weights[sequence])
     total = sum(weights.values())
     winner = found[order[0]]
@@ -410,7 +437,9 @@ def _result(
     demand = _demand(motion)
     reasons = {names[i]: _DEPENDENT for i in np.flatnonzero(lost)}
     if at_bound:
-        reasons |= dict.fromkeys(("mu_s", "mu_k"), "the fit ends at mu_s = mu_k: here the two cannot be told apart")
+        reasons |= dict.fromkeys(
+            ("mu_s", "mu_k"), "the fit ends at mu_s = mu_k: here the two cannot be told apart"
+        )
     for i, name in enumerate(names):
         if name == "restitution" and covariance[i, i] > 0.25:
             reasons.setdefault(name, "its standard error would exceed half of its range")
@@ -422,16 +451,23 @@ def _result(
         covariance[i, :] = covariance[:, i] = 0.0
         covariance[i, i] = math.inf
     estimates = {
-        name: Estimate(values[name], math.sqrt(covariance[i, i]), name not in reasons) for i, name in enumerate(names)
+        name: Estimate(values[name], math.sqrt(covariance[i, i]), name not in reasons)
+        for i, name in enumerate(names)
     }
     doubts = []
     if reasons:
         words = "; ".join(f"{name} ({reason})" for name, reason in reasons.items())
-        doubts.append(Doubt("identifiability", f"not identifiable from this motion: {words}", tuple(reasons)))
+        doubts.append(
+            Doubt("identifiability", f"not identifiable from this motion: {words}", tuple(reasons))
+        )
     ends = {name: values[name] for name in met if name not in reasons}
     if ends:
         words = ", ".join(f"{name} = {value:.4g}" for name, value in ends.items())
-        doubts.append(Doubt("bound", f"{words} is at its bound: its interval is one-sided at best", tuple(ends)))
+        doubts.append(
+            Doubt(
+                "bound", f"{words} is at its bound: its interval is one-sided at best", tuple(ends)
+            )
+        )
     second = [(sequence, part) for sequence, part in list(sequences.items())[1:] if part > _RIVAL]
     if second:
         words = ", ".join(f"{sequence} ({part:.2g})" for sequence, part in second)
@@ -490,10 +526,17 @@ def _wrong_intervals(
 def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:
     """Return what nothing in a motion tells of, and why."""
     reasons = {}
-    impacts = [transition.impact for transition in motion.transitions if transition.impact is not None]
+    impacts = [
+        transition.impact for transition in motion.transitions if transition.impact is not None
+    ]
     if not any(transition.cause == "slip" for transition in motion.transitions):
-        reasons["mu_s"] = f"no slip out of rolling was seen, so that only mu_s >= {demand:.4g} is known"
-    if not (any(phase.mode == "sliding" for phase in motion.phases) or any(one.before.slip != 0.0 for one in impacts)):
+        reasons["mu_s"] = (
+            f"no slip out of rolling was seen, so that only mu_s >= {demand:.4g} is known"
+        )
+    if not (
+        any(phase.mode == "sliding" for phase in motion.phases)
+        or any(one.before.slip != 0.0 for one in impacts)
+    ):
         reasons["mu_k"] = "no slide was seen, nor an impact that slips"
     if not impacts:
         reasons["restitution"] = "no impact was seen"

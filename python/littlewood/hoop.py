@@ -33,29 +33,30 @@ class Hoop:
     offset : float
         Distance of the particle from the centre over the radius, 0 ≤ ℓ/R ≤ 1.
     inertia : float
-        Moment of inertia of the disc about its centre, I_zz/(m2 R²) ≥ 0. A thin hoop has m1/m2, a uniform disc half of
-        it, Littlewood's massless hoop 0.
+        Moment of inertia of the disc about its centre, I_zz/(m2 R²) ≥ 0. A thin hoop has m1/m2, a
+        uniform disc half of it, Littlewood's massless hoop 0.
     mu_s : float
         Coefficient of static friction, μs ≥ μk.
     mu_k : float
         Coefficient of kinetic friction, μk ≥ 0.
     slope : float, optional
-        Angle α by which the plane rises to the right, rad, |α| < π/2. On a slope x is measured along the plane and θ
-        from its normal.
+        Angle α by which the plane rises to the right, rad, |α| < π/2. On a slope x is measured
+        along the plane and θ from its normal.
     restitution : float, optional
-        Coefficient of restitution of the impact of the rim on the plane, 0 ≤ e ≤ 1. Without one (None) a motion ends
-        where the rim lands; with one it continues. A massless hoop has none: an impulse would accelerate its rim
-        without bound.
+        Coefficient of restitution of the impact of the rim on the plane, 0 ≤ e ≤ 1. Without one
+        (None) a motion ends where the rim lands; with one it continues. A massless hoop has none:
+        an impulse would accelerate its rim without bound.
     restitution_law : {"energetic", "poisson", "newton"}, optional
-        Definition of e, a ratio of works (Stronge; the default where e is given), impulses or velocities. Only the
-        last can gain energy.
+        Definition of e, a ratio of works (Stronge; the default where e is given), impulses or
+        velocities. Only the last can gain energy.
     units : Units, optional
         Units of the hoop; :meth:`from_si` sets them.
 
     Raises
     ------
     ParameterError
-        A ValueError that names the first value without physical meaning, the bound it breaks and the unit.
+        A ValueError that names the first value without physical meaning, the bound it breaks and
+        the unit.
 
     Examples
     --------
@@ -173,7 +174,10 @@ class Hoop:
     @property
     def attributes(self) -> dict[str, float | str]:
         """Attributes of data sets: the parameters of the hoop, and the slope and the law of restitution, if any."""
-        named = {**{name: getattr(self, name) for name in HOOP}, "restitution_law": self.restitution_law}
+        named = {
+            **{name: getattr(self, name) for name in HOOP},
+            "restitution_law": self.restitution_law,
+        }
         named["slope"] = self.slope or None
         return {name: value for name, value in named.items() if value is not None}
 
@@ -224,7 +228,8 @@ class Hoop:
         slip : float, optional
             Slip velocity η′ of the contact point (2.7), √(gR).
         gap_rate : float, optional
-            Rate ≥ 0 at which the gap under the rim opens, √(gR): that of a hoop thrown from the plane.
+            Rate ≥ 0 at which the gap under the rim opens, √(gR): that of a hoop thrown from the
+            plane.
         x : float, optional
             Horizontal position of the geometric centre, R.
         time : float, optional
@@ -234,11 +239,11 @@ class Hoop:
         max_transitions : int, optional
             Largest number of transitions: a light hoop on a nearly smooth plane may have very many.
         max_slides : int, optional
-            Largest length of all slides together, √(Δτ² + Δθ²) each but at most 32, times 1 + ln(1 + m/Î): on a plane
-            with hardly any friction they are long and many.
+            Largest length of all slides together, √(Δτ² + Δθ²) each but at most 32, times 1 +
+            ln(1 + m/Î): on a plane with hardly any friction they are long and many.
         proof : {"endless", "contact", "none"}, optional
-            Proof that ends a motion without a time limit: that it is periodic or slips for ever; also, as soon as
-            possible, that it never lifts off; or only that a phase is endless.
+            Proof that ends a motion without a time limit: that it is periodic or slips for ever;
+            also, as soon as possible, that it never lifts off; or only that a phase is endless.
 
         Returns
         -------
@@ -249,7 +254,9 @@ class Hoop:
         ParameterError
             For a start or a limit without physical meaning.
         """
-        start = Start(time=time, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=x)
+        start = Start(
+            time=time, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=x
+        )
         return Trajectory(self, start, until, max_transitions, max_slides, proof)
 
     def simulate_si(
@@ -305,11 +312,15 @@ class Hoop:
             "x_m": x_m,
             "time_s": time_s,
         }
-        numbers, until = _core.start_from_si(self.require_units().scales, [given[name] for name in SI_START], until_s)
+        numbers, until = _core.start_from_si(
+            self.require_units().scales, [given[name] for name in SI_START], until_s
+        )
         start = Start(**dict(zip(START, numbers, strict=True)))
         return Trajectory(self, start, until, max_transitions, max_slides, proof)
 
-    def classify(self, *, theta: float, theta_rate: float, slip: float = 0.0, gap_rate: float = 0.0) -> Classification:
+    def classify(
+        self, *, theta: float, theta_rate: float, slip: float = 0.0, gap_rate: float = 0.0
+    ) -> Classification:
         """Return the region of a start and the motion that begins there, without simulating it.
 
         Parameters
@@ -326,14 +337,17 @@ class Hoop:
         ParameterError
             For a start without physical meaning.
         """
-        start = Start(time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=0.0)
+        start = Start(
+            time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=0.0
+        )
         found = _core.classify(self._given, start.numbers)
         return Classification(**{**found, "details": Frozen(found["details"])})
 
     def bouncing_orbit(self, angle: float) -> BouncingOrbit | None:
         """Return the motion that bounces for ever with impacts at this angle.
 
-        It needs e = 1 and enough static friction in the impacts: simulate its start with a hoop of `restitution=1`.
+        It needs e = 1 and enough static friction in the impacts: simulate its start with a hoop of
+        `restitution=1`.
 
         Parameters
         ----------
@@ -343,7 +357,8 @@ class Hoop:
         Returns
         -------
         littlewood.bouncing.BouncingOrbit or None
-            None for a massless or a balanced hoop, for an angle out of range, and where the rim would cross the plane.
+            None for a massless or a balanced hoop, for an angle out of range, and where the rim
+            would cross the plane.
 
         Examples
         --------

@@ -20,7 +20,11 @@ _CELL = "padding:2px 10px;text-align:{};border:none;background:none"
 def _hoop_rows(hoop: Hoop) -> list[tuple[str, str, str]]:
     """Return sign, value and meaning of each parameter that a hoop has."""
     values = [(QUANTITIES[name], hoop.attributes.get(name)) for name in HOOP]
-    rows = [(one.sign, f"{value:.6g}", one.long_name) for one, value in values if isinstance(value, float)]
+    rows = [
+        (one.sign, f"{value:.6g}", one.long_name)
+        for one, value in values
+        if isinstance(value, float)
+    ]
     law = hoop.restitution_law
     return rows if law is None else [*rows, ("", LAW_LABELS[law], "law of restitution")]
 
@@ -40,7 +44,9 @@ def _table(head: tuple[str, ...], rows: list[tuple[str, ...]], left: tuple[int, 
     )
 
 
-def page_html(blocks: Iterable[tuple[str, list[str], list[tuple[str | None, list[str]]], list[int]]]) -> str:
+def page_html(
+    blocks: Iterable[tuple[str, list[str], list[tuple[str | None, list[str]]], list[int]]],
+) -> str:
     """Return the page of a motion for a notebook: facts, tables and notes."""
     parts = []
     for kind, head, rows, numbers in blocks:
@@ -51,7 +57,9 @@ def page_html(blocks: Iterable[tuple[str, list[str], list[tuple[str | None, list
             lines = "<br>".join(escape(line) for _, (line,) in rows)
             label = f'<b style="min-width:6em">{escape(head[0])}</b>'
             # The spaces between quantities stay as they are.
-            parts.append(f'<div style="display:flex">{label}<div style="white-space:pre-wrap">{lines}</div></div>')
+            parts.append(
+                f'<div style="display:flex">{label}<div style="white-space:pre-wrap">{lines}</div></div>'
+            )
         else:
             parts.append(f"<div><small>{escape(head[0])}</small></div>")
     return f"<div>{''.join(parts)}</div>"
@@ -85,11 +93,20 @@ def _sketch(hoop: Hoop) -> str:
 
 def hoop_html(hoop: Hoop) -> str:
     """Return a hoop as a sketch and a table for a notebook."""
-    table: list[tuple[str, ...]] = [(sign, value, escape(name)) for sign, value, name in _hoop_rows(hoop)]
+    table: list[tuple[str, ...]] = [
+        (sign, value, escape(name)) for sign, value, name in _hoop_rows(hoop)
+    ]
     if hoop.units is not None:
-        for name, value in (("radius_m", hoop.units.length_m), ("particle_mass_kg", hoop.units.mass_kg)):
+        for name, value in (
+            ("radius_m", hoop.units.length_m),
+            ("particle_mass_kg", hoop.units.mass_kg),
+        ):
             quantity = QUANTITIES[name]
-            table.append((quantity.sign, f"{value:.6g} {quantity.unit_sign}", escape(quantity.long_name)))
+            table.append(
+                (quantity.sign, f"{value:.6g} {quantity.unit_sign}", escape(quantity.long_name))
+            )
         time = SAMPLE_COLUMNS["time"]
-        table.append((str(time.unit_sign), f"{hoop.units.time_s:.6g} {time.si_unit}", "unit of time"))
+        table.append(
+            (str(time.unit_sign), f"{hoop.units.time_s:.6g} {time.si_unit}", "unit of time")
+        )
     return f'<div style="display:flex;align-items:center;gap:16px">{_sketch(hoop)}{_table((), table, (0, 2))}</div>'

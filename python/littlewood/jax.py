@@ -18,14 +18,16 @@ def summary(
 ) -> Callable[[Mapping[str, Any]], dict[str, Any]]:
     """Return a function of quantities whose values are columns of a summary, with exact derivatives.
 
-    The function is a ``jax.custom_jvp``: ``jax.grad``, ``jax.jvp`` and the others take the derivatives of
-    :func:`littlewood.simulate_many`, also through stick, slip, lift-off and impacts. It can be compiled
-    (``jax.jit``) and mapped (``jax.vmap``); the motions are simulated on the host, many at once.
+    The function is a ``jax.custom_jvp``: ``jax.grad``, ``jax.jvp`` and the others take the
+    derivatives of :func:`littlewood.simulate_many`, also through stick, slip, lift-off and impacts.
+    It can be compiled (``jax.jit``) and mapped (``jax.vmap``); the motions are simulated on the
+    host, many at once.
 
     Parameters
     ----------
     columns : iterable of str
-        Variables of :func:`littlewood.simulate_many` that are real numbers, such as `"jump_length"`.
+        Variables of :func:`littlewood.simulate_many` that are real numbers, such as
+        `"jump_length"`.
     hoop : Hoop, optional
         Supplies the parameters of the hoop that are given nowhere else.
     **fixed
@@ -35,8 +37,8 @@ def summary(
     Returns
     -------
     evaluate : callable
-        It takes a dictionary of quantities, numbers or arrays that broadcast, and returns one of the columns. What
-        does not happen is NaN, and so is a derivative that does not exist.
+        It takes a dictionary of quantities, numbers or arrays that broadcast, and returns one of
+        the columns. What does not happen is NaN, and so is a derivative that does not exist.
 
     Notes
     -----
@@ -56,13 +58,19 @@ def summary(
 
     def on_host(compute: Callable[..., Any], count: int, values: Mapping[str, Any]) -> Any:
         names = tuple(sorted(values))
-        arrays = jnp.broadcast_arrays(*(jnp.asarray(values[name], jnp.result_type(float)) for name in names))
+        arrays = jnp.broadcast_arrays(
+            *(jnp.asarray(values[name], jnp.result_type(float)) for name in names)
+        )
         result = jax.ShapeDtypeStruct(arrays[0].shape, arrays[0].dtype)
         call = partial(_as_type, partial(compute, names), arrays[0].dtype)
         return jax.pure_callback(call, (result,) * count, *arrays, vmap_method="broadcast_all")
 
     def numbers(values: Mapping[str, Any]) -> dict[str, Any]:
-        return dict(zip(problem.columns, on_host(problem.numbers, len(problem.columns), values), strict=True))
+        return dict(
+            zip(
+                problem.columns, on_host(problem.numbers, len(problem.columns), values), strict=True
+            )
+        )
 
     def rule(primals: Any, tangents: Any) -> Any:
         (values,), (rates,) = primals, tangents
@@ -73,7 +81,9 @@ def summary(
         changes = {}
         for place, column in enumerate(problem.columns):
             slopes = found[count + place * len(names) :][: len(names)]
-            changes[column] = sum(slope * rates[name] for slope, name in zip(slopes, names, strict=True))
+            changes[column] = sum(
+                slope * rates[name] for slope, name in zip(slopes, names, strict=True)
+            )
         return summaries, changes
 
     evaluate: Callable[[Mapping[str, Any]], dict[str, Any]] = jax.custom_jvp(numbers)

@@ -19,9 +19,9 @@ _MODULE = Path(__file__).with_suffix(".js")
 class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
     """The page in which a hoop is dragged and watched, in a notebook; :meth:`littlewood.Trajectory.lab` makes it.
 
-    Page and Python share one state: dragging the start changes `motion`,
-    the time line sets `time`, and values set here are shown there. ``laboratory.observe(function, "motion")`` calls a
-    function when the motion changes.
+    Page and Python share one state: dragging the start changes `motion`, the time line sets `time`,
+    and values set here are shown there. ``laboratory.observe(function, "motion")`` calls a function
+    when the motion changes.
 
     Attributes
     ----------
@@ -40,7 +40,9 @@ class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
     link = traitlets.Unicode().tag(sync=True)
     height = traitlets.Int(820, min=200).tag(sync=True)
 
-    def __init__(self, motion: Trajectory, *, time: float | None = None, height: int = 820, **more: Any) -> None:
+    def __init__(
+        self, motion: Trajectory, *, time: float | None = None, height: int = 820, **more: Any
+    ) -> None:
         if not _MODULE.exists():
             raise RuntimeError(
                 "this build of littlewood has no laboratory: run web/build.sh in the repository (it needs node 20 and "
@@ -48,7 +50,9 @@ class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
             )
         self._esm = _MODULE.read_text(encoding="utf-8")
         instant = motion.start.time if time is None else time
-        super().__init__(motion=motion, time=instant, link=link_of(motion, instant), height=height, **more)
+        super().__init__(
+            motion=motion, time=instant, link=link_of(motion, instant), height=height, **more
+        )
         self.observe(self._take_link, "link")
         self.observe(self._write_link, ["motion", "time"])
 

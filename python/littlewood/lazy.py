@@ -18,7 +18,8 @@ from .variables import RESULTS, record
 def lazy_columns(points: Points, limits: Limits, derivatives: Sequence[str]) -> dict[str, Any]:
     """Return the variables of a result as arrays of Dask.
 
-    A block of points is one task, which makes records; each variable picks its field of them. Nothing is computed here.
+    A block of points is one task, which makes records; each variable picks its field of them.
+    Nothing is computed here.
     """
     da = require("dask.array")
     axes = points.axes
@@ -29,7 +30,8 @@ def lazy_columns(points: Points, limits: Limits, derivatives: Sequence[str]) -> 
     for name in varying:
         data = points.variables[name].data
         arguments += [da.asanyarray(data), axes[name]]
-    # The blocks are made alike here: Dask would warn that a product of axes has more of them than each axis.
+    # The blocks are made alike here: Dask would warn that a product of axes has more of them than
+    # each axis.
     _, alike = da.core.unify_chunks(*arguments, warn=False)
     arguments[::2] = alike
     records = da.blockwise(
@@ -48,7 +50,9 @@ def lazy_columns(points: Points, limits: Limits, derivatives: Sequence[str]) -> 
         meta=np.empty((0,) * len(points.sizes), dtype=dtype),
     )
     return {
-        name: records.map_blocks(operator.itemgetter(name), dtype=dtype[name], name=f"{name}-{records.name}")
+        name: records.map_blocks(
+            operator.itemgetter(name), dtype=dtype[name], name=f"{name}-{records.name}"
+        )
         for name in (*RESULTS, *derivatives)
     }
 
@@ -66,7 +70,9 @@ def _records(
     arrays = dict(zip(names, blocks, strict=True))
     arrays.update((name, np.asarray(value)) for name, value in fixed.items())
     # A worker of Dask runs as many blocks at a time as it has threads: one thread for each.
-    columns = compute(arrays, axes, law, Limits(*limits), starts, threads=1, derivatives=derivatives)
+    columns = compute(
+        arrays, axes, law, Limits(*limits), starts, threads=1, derivatives=derivatives
+    )
     records = np.empty(columns["outcome"].shape, dtype=record(derivatives))
     for name, values in columns.items():
         records[name] = values

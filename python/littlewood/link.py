@@ -64,8 +64,9 @@ def motion_of(link: str) -> Trajectory:
     Parameters
     ----------
     link : str
-        As the page writes it: the name of a case, numbers of the hoop and the start, or both. What is not given is that
-        of the case, without one that of the motion which the page shows first; in SI units it has to be there.
+        As the page writes it: the name of a case, numbers of the hoop and the start, or both. What
+        is not given is that of the case, without one that of the motion which the page shows first;
+        in SI units it has to be there.
 
     Returns
     -------
@@ -74,8 +75,8 @@ def motion_of(link: str) -> Trajectory:
     Raises
     ------
     LinkError
-        A ValueError that names the key: one that is not known, a number that cannot be read or is missing, an unknown
-        case.
+        A ValueError that names the key: one that is not known, a number that cannot be read or is
+        missing, an unknown case.
     ValueError
         For a link without a motion.
     ParameterError

@@ -59,8 +59,8 @@ def simulate_many(
 ) -> xarray.Dataset:
     """Simulate many motions and keep a summary of each.
 
-    Starts and hoops broadcast: NumPy arrays by position, DataArrays by the names of their dimensions. All cores are
-    used, the GIL is released, and Ctrl-C stops at once.
+    Starts and hoops broadcast: NumPy arrays by position, DataArrays by the names of their
+    dimensions. All cores are used, the GIL is released, and Ctrl-C stops at once.
 
     Parameters
     ----------
@@ -75,8 +75,8 @@ def simulate_many(
     gap_rate : array_like, optional
         Rate at which the gap under the rim opens, √(gR); 0 by default.
     mass_ratio, offset, inertia, mu_s, mu_k, mu, slope, restitution : array_like, optional
-        Parameters of the hoop, as in :class:`Hoop`; `mu` is both coefficients of friction. Without a coefficient of
-        restitution motions end where the rim lands; NaN is not allowed.
+        Parameters of the hoop, as in :class:`Hoop`; `mu` is both coefficients of friction. Without
+        a coefficient of restitution motions end where the rim lands; NaN is not allowed.
     until : float, optional
         Time τ at which to stop, √(R/g). By default to the end of each motion.
     max_transitions : int, optional
@@ -84,36 +84,39 @@ def simulate_many(
     max_slides : int, optional
         Largest length of all slides of a motion together, as in :meth:`Hoop.simulate`.
     proof : {"endless", "contact", "none"}, optional
-        Proof that ends a motion without a time limit: that it is periodic or slips for ever; also, as soon as
-        possible, that it never lifts off; or only that a phase is endless.
+        Proof that ends a motion without a time limit: that it is periodic or slips for ever; also,
+        as soon as possible, that it never lifts off; or only that a phase is endless.
     chunks : int, dict, tuple or "auto", optional
-        Sizes of blocks, as in :meth:`xarray.Dataset.chunk`, for a lazy result of Dask arrays. Quantities given as Dask
-        arrays also make it lazy.
+        Sizes of blocks, as in :meth:`xarray.Dataset.chunk`, for a lazy result of Dask arrays.
+        Quantities given as Dask arrays also make it lazy.
     threads : int, optional
         Number of threads, at most 1024; all cores by default. Blocks of Dask take one each.
     progress : bool, optional
         Whether to show a progress bar (tqdm); for lazy results Dask has its own.
     derivatives : iterable of str, optional
-        Derivatives to compute, as `"jump_length_by_mu_k"`: of one of the variables that are real numbers by a
-        quantity of the hoop or the start. NaN where it does not exist, or the number is absent. Each motion is then
-        simulated once more, which takes some tenths of a millisecond.
+        Derivatives to compute, as `"jump_length_by_mu_k"`: of one of the variables that are real
+        numbers by a quantity of the hoop or the start. NaN where it does not exist, or the number
+        is absent. Each motion is then simulated once more, which takes some tenths of a
+        millisecond.
 
     Returns
     -------
     xarray.Dataset
-        Of the common shape, with `outcome`, `sequence`, `transitions`, `painleve`, `end_time`, `end_theta`,
-        `end_theta_rate`, `end_slip`, `end_x`, `energy`, `first_slip_time`, `lift_off_time`, `jump_length` and
-        `jump_height` of the first flight, `landings`, `impact_energy_lost` and `settle_time`, with their units and
-        long names, and the derivatives. Events that do not happen are NaN. Dimensions are those of the DataArrays; of
-        arrays `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of restitution, if there is
-        one.
+        Of the common shape, with `outcome`, `sequence`, `transitions`, `painleve`, `end_time`,
+        `end_theta`, `end_theta_rate`, `end_slip`, `end_x`, `energy`, `first_slip_time`,
+        `lift_off_time`, `jump_length` and `jump_height` of the first flight, `landings`,
+        `impact_energy_lost` and `settle_time`, with their units and long names, and the
+        derivatives. Events that do not happen are NaN. Dimensions are those of the DataArrays; of
+        arrays `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of
+        restitution, if there is one.
 
     Raises
     ------
     ParameterError
-        For the first start or hoop, in the order of the points, with a value without physical meaning;
-        `index` is its index. Where two parameters that vary contradict each other (μk > μs, a point mass at the
-        centre, an impact of a massless hoop) the outcome is `invalid` instead.
+        For the first start or hoop, in the order of the points, with a value without physical
+        meaning; `index` is its index. Where two parameters that vary contradict each other (μk >
+        μs, a point mass at the centre, an impact of a massless hoop) the outcome is `invalid`
+        instead.
 
     Notes
     -----
@@ -132,7 +135,9 @@ def simulate_many(
     values = fill(hoop, quantities)
     law = _law(hoop, restitution_law, values)
     points = broadcast(values, law)
-    return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives)
+    return _simulate(
+        points, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives
+    )
 
 
 def outcome_map(
@@ -156,15 +161,16 @@ def outcome_map(
     hoop, restitution_law, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives
         As in :func:`simulate_many`.
     theta, theta_rate, slip, gap_rate : array_like, optional
-        Axes of the start, of shape (n,), in the given order, or numbers. `theta` and `theta_rate` are required.
+        Axes of the start, of shape (n,), in the given order, or numbers. `theta` and `theta_rate`
+        are required.
     mass_ratio, offset, inertia, mu_s, mu_k, mu, slope, restitution : array_like, optional
         Axes of the hoop, likewise; `mu` is both coefficients of friction.
 
     Returns
     -------
     xarray.Dataset
-        The variables of :func:`simulate_many`, over dimensions named by the axes: as in a Zarr store of
-        `littlewood map` or `littlewood sweep`.
+        The variables of :func:`simulate_many`, over dimensions named by the axes: as in a Zarr
+        store of `littlewood map` or `littlewood sweep`.
 
     Raises
     ------
@@ -182,7 +188,9 @@ def outcome_map(
     values = fill(hoop, quantities)
     law = _law(hoop, restitution_law, values)
     points = grid(values, law, [name for name, value in quantities.items() if value is not None])
-    return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives)
+    return _simulate(
+        points, until, max_transitions, max_slides, proof, chunks, threads, progress, derivatives
+    )
 
 
 def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
@@ -196,7 +204,8 @@ def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
     Returns
     -------
     ndarray of str
-        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; … where there are more than 15.
+        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; … where there
+        are more than 15.
     """
     names = _core.sequence_names(flat(sequence, np.uint64))
     return np.array(names, dtype=np.str_).reshape(np.shape(sequence))
@@ -223,21 +232,34 @@ def _simulate(
     if threads is not None and operator.index(threads) < 1:
         raise ValueError(f"threads = {threads} must not be less than 1")
     if threads is not None and operator.index(threads) > _core.MOST_THREADS:
-        raise ValueError(f"threads = {threads} must not exceed {_core.MOST_THREADS}; leave it out for all cores")
+        raise ValueError(
+            f"threads = {threads} must not exceed {_core.MOST_THREADS}; leave it out for all cores"
+        )
     if chunks is not None:
         points = points.chunked(chunks)
     elif not points.is_lazy and points.count > _core.MOST_POINTS:
-        raise ValueError(f"{points.count} points at once: there can be {_core.MOST_POINTS}; chunks= computes more")
+        raise ValueError(
+            f"{points.count} points at once: there can be {_core.MOST_POINTS}; chunks= computes more"
+        )
     data: Mapping[str, Any]
     if points.is_lazy:
         if progress:
-            raise ValueError("progress=True is for results that are computed at once; use the bars of Dask")
+            raise ValueError(
+                "progress=True is for results that are computed at once; use the bars of Dask"
+            )
         data = lazy_columns(points, limits, names)
     else:
         arrays = {name: variable.data for name, variable in points.variables.items()}
         with progress_bar(points.count, "starts", progress) as show:
             data = compute(
-                arrays, points.axes, points.law, limits, points.starts, threads or 0, show if progress else None, names
+                arrays,
+                points.axes,
+                points.law,
+                limits,
+                points.starts,
+                threads or 0,
+                show if progress else None,
+                names,
             )
     dimensions = tuple(points.sizes)
     dataset: xarray.Dataset = require("xarray").Dataset(

@@ -59,7 +59,8 @@ class Start(State):
     time, theta, theta_rate, slip, x : float
         As those of :class:`littlewood.motion.State`.
     gap_rate : float
-        Rate at which the gap under the rim opens, zero or positive, √(gR): that of a hoop thrown from the plane.
+        Rate at which the gap under the rim opens, zero or positive, √(gR): that of a hoop thrown
+        from the plane.
     """
 
     gap_rate: float = 0.0
@@ -218,12 +219,13 @@ class Outcome:
     state : State
         State at the end, or at the start of an endless phase.
     details : mapping
-        More data: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`, `theta_limit`
-        of an endless motion, and of the orbit that one with `slips_forever` approaches; of that orbit
-        `grazing_energy`, `grazing_theta` and `grazing_theta_rate`, and `slips_to_halve` its distance; `theta_gained`
-        and `transitions` in the period of a periodic one; `transitions` at their limit;
-        `consistent`, `rolling_normal`, `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive`
-        where no motion or several are consistent; `solvability` of a singular slide.
+        More data: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`,
+        `theta_limit` of an endless motion, and of the orbit that one with `slips_forever`
+        approaches; of that orbit `grazing_energy`, `grazing_theta` and `grazing_theta_rate`, and
+        `slips_to_halve` its distance; `theta_gained` and `transitions` in the period of a periodic
+        one; `transitions` at their limit; `consistent`, `rolling_normal`, `rolling_friction`,
+        `contact`, `solvability_negative`, `solvability_positive` where no motion or several are
+        consistent; `solvability` of a singular slide.
     sentence : str
         The end in words.
     """
@@ -276,7 +278,8 @@ class Classification:
     rolling_end : tuple of float, float, float and str, or None
         Time until rolling ends, θ and θ′ there, and the cause.
     reverse_chatter : float or None
-        Ratio of successive bounces, if bounces can grow out of rolling: on a slope, with restitution.
+        Ratio of successive bounces, if bounces can grow out of rolling: on a slope, with
+        restitution.
     details : mapping
         As those of :class:`Outcome`, for a start that rolls for ever or is undecided.
     """

@@ -13,7 +13,8 @@ from .elementwise import Reals
 __all__ = ["Noise", "Whitening", "estimate_noise"]
 
 
-# Variances of the slow part over those of the other, and its times over the median time between two frames.
+# Variances of the slow part over those of the other, and its times over the median time between two
+# frames.
 _RATIOS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 _TIMES = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
 _LEAST = 1e-12
@@ -46,15 +47,17 @@ class Noise:
         return math.hypot(self.white, self.slow)
 
     def __str__(self) -> str:
-        slow = f", of which {self.slow:.3g} changes in τ = {self.time:.2g}" if self.slow > 0.0 else ""
+        slow = (
+            f", of which {self.slow:.3g} changes in τ = {self.time:.2g}" if self.slow > 0.0 else ""
+        )
         return f"{self.sigma:.3g}{slow}"
 
 
 class Whitening:
     """Measurements as combinations whose errors are independent and of size 1.
 
-    Innovations of the measurements: a Kalman filter whose state is the slow noise. `relative` are their errors over the
-    median one.
+    Innovations of the measurements: a Kalman filter whose state is the slow noise. `relative` are
+    their errors over the median one.
     """
 
     def __init__(self, noise: Noise, time: Reals, relative: Reals) -> None:
@@ -105,13 +108,17 @@ def estimate_noise(
     Parameters
     ----------
     times, relative, residuals, jacobians : mapping
-        Of the measurements of each channel: times, errors over the median one, residuals, derivatives by the unknowns.
+        Of the measurements of each channel: times, errors over the median one, residuals,
+        derivatives by the unknowns.
     known : mapping
         Channels whose errors are known.
     correlated : bool
         Whether errors may have a slow part.
     """
-    shapes = {name: [known[name]] if name in known else _shapes(times[name], correlated) for name in residuals}
+    shapes = {
+        name: [known[name]] if name in known else _shapes(times[name], correlated)
+        for name in residuals
+    }
     grams: dict[str, list[tuple[Reals, float]]] = {}
     # Unknowns that the residuals do not depend on have no part in a determinant.
     all_rows = np.vstack(list(jacobians.values()))
@@ -123,7 +130,10 @@ def estimate_noise(
     counts = {name: residuals[name].size for name in residuals}
     best = dict.fromkeys(shapes, 0)
     scales = {
-        name: 1.0 if name in known else max(float(grams[name][0][0][0, 0]) / counts[name], _LEAST**2) for name in shapes
+        name: 1.0
+        if name in known
+        else max(float(grams[name][0][0][0, 0]) / counts[name], _LEAST**2)
+        for name in shapes
     }
     free = [name for name in shapes if name not in known]
     value = _likelihood(grams, counts, best, scales)
@@ -150,12 +160,19 @@ def _shapes(time: Reals, correlated: bool) -> list[Noise]:
     if not correlated or time.size < 8:
         return [Noise(1.0)]
     step = float(np.median(np.diff(time)))
-    return [Noise(1.0), *(Noise(1.0, math.sqrt(ratio), step * length) for ratio in _RATIOS for length in _TIMES)]
+    return [
+        Noise(1.0),
+        *(Noise(1.0, math.sqrt(ratio), step * length) for ratio in _RATIOS for length in _TIMES),
+    ]
 
 
-def _grams(shapes: Sequence[Noise], time: Reals, relative: Reals, columns: Reals) -> list[tuple[Reals, float]]:
+def _grams(
+    shapes: Sequence[Noise], time: Reals, relative: Reals, columns: Reals
+) -> list[tuple[Reals, float]]:
     """Return products of whitened columns, and the logarithm of the determinant, for each noise."""
-    whites, slows = (np.square([getattr(one, name) for one in shapes]) for name in ("white", "slow"))
+    whites, slows = (
+        np.square([getattr(one, name) for one in shapes]) for name in ("white", "slow")
+    )
     lengths = np.array([one.time if one.slow > 0.0 else 1.0 for one in shapes])
     state, left = np.zeros((len(shapes), columns.shape[1])), np.zeros(len(shapes))
     found, totals = np.empty((len(time), *state.shape)), np.empty((len(time), len(shapes)))
@@ -174,10 +191,14 @@ def _grams(shapes: Sequence[Noise], time: Reals, relative: Reals, columns: Reals
 
 
 def _solved(
-    grams: Mapping[str, list[tuple[Reals, float]]], places: Mapping[str, int], scales: Mapping[str, float]
+    grams: Mapping[str, list[tuple[Reals, float]]],
+    places: Mapping[str, int],
+    scales: Mapping[str, float],
 ) -> tuple[Reals, Reals, float]:
     """Return the change of the unknowns, the inverse of their normal matrix, and the logarithm of its determinant."""
-    normal = np.sum([grams[name][place][0] / scales[name] for name, place in places.items()], axis=0)
+    normal = np.sum(
+        [grams[name][place][0] / scales[name] for name, place in places.items()], axis=0
+    )
     values, vectors = np.linalg.eigh(normal[1:, 1:])
     # What the measurements do not tell has no finite variance; this bounds it.
     values = np.maximum(values, 1e-13 * values[-1])
@@ -217,5 +238,7 @@ def _likelihood(
     total = 0.0
     for name, place in places.items():
         gram, log = grams[name][place]
-        total -= log + counts[name] * math.log(scales[name]) + float(row @ gram @ row) / scales[name]
+        total -= (
+            log + counts[name] * math.log(scales[name]) + float(row @ gram @ row) / scales[name]
+        )
     return 0.5 * (total - determinant)

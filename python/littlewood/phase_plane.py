@@ -28,7 +28,8 @@ class Equilibrium:
     stability : {"stable", "unstable", "neutral"}
         Centre, saddle, or one of the many of a homogeneous disc.
     rate : float
-        Angular frequency √(ℓ̂/D(π)) of small oscillations about a centre, exponent √(ℓ̂/D(0)) of a saddle; √(g/R).
+        Angular frequency √(ℓ̂/D(π)) of small oscillations about a centre, exponent √(ℓ̂/D(0)) of a
+        saddle; √(g/R).
     """
 
     theta: float
@@ -39,8 +40,8 @@ class Equilibrium:
 class PhasePlane:
     """The phase plane of the rolling motions of one hoop.
 
-    All methods broadcast over arrays of any shape (and xarray objects). Angles in rad, rates in √(g/R), forces in m2 g,
-    energies in m2 g R. Curves are |θ′| over θ, NaN where they do not exist.
+    All methods broadcast over arrays of any shape (and xarray objects). Angles in rad, rates in
+    √(g/R), forces in m2 g, energies in m2 g R. Curves are |θ′| over θ, NaN where they do not exist.
 
     Parameters
     ----------
@@ -85,7 +86,9 @@ class PhasePlane:
         """Region R of (2.14): |F| ≤ μs N and N > 0."""
         return broadcast(self._core.in_rolling_region, theta, theta_rate, dtype=np.bool_)
 
-    def region(self, theta: npt.ArrayLike, theta_rate: npt.ArrayLike, slip: npt.ArrayLike = 0.0) -> Any:
+    def region(
+        self, theta: npt.ArrayLike, theta_rate: npt.ArrayLike, slip: npt.ArrayLike = 0.0
+    ) -> Any:
         """Part of the state space that starts lie in.
 
         Parameters
@@ -117,7 +120,9 @@ class PhasePlane:
         if direction not in (-1, 1):
             raise ValueError(f"direction = {direction} must be -1 or +1")
         core = self._core
-        return broadcast(core.positive_slip_rate if direction > 0 else core.negative_slip_rate, theta)
+        return broadcast(
+            core.positive_slip_rate if direction > 0 else core.negative_slip_rate, theta
+        )
 
     def lift_off_rate(self, theta: npt.ArrayLike) -> Any:
         """|θ′| above which the body cannot stay in contact, h cos θ θ′² = cos α.

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 class Points:
     """The points of a sweep.
 
-    The quantities that it can vary, but for those that no point has, lie over some of the dimensions: in memory, or in
-    arrays of Dask.
+    The quantities that it can vary, but for those that no point has, lie over some of the
+    dimensions: in memory, or in arrays of Dask.
     """
 
     sizes: Mapping[str, int]
@@ -41,17 +41,26 @@ class Points:
     def axes(self) -> dict[str, tuple[int, ...]]:
         """The places of the dimensions of each quantity among the dimensions."""
         place = {dimension: i for i, dimension in enumerate(self.sizes)}
-        return {name: tuple(place[str(d)] for d in one.dims) for name, one in self.variables.items()}
+        return {
+            name: tuple(place[str(d)] for d in one.dims) for name, one in self.variables.items()
+        }
 
     @property
     def starts(self) -> int:
         """Number of starts of a hoop, by which it is prepared or not.
 
-        It is decided by the dimensions alone, not by the values nor by blocks, so that the digits of a result do not
-        depend on how it is cut.
+        It is decided by the dimensions alone, not by the values nor by blocks, so that the digits
+        of a result do not depend on how it is cut.
         """
-        of_hoops = {dimension for name in HOOP if name in self.variables for dimension in self.variables[name].dims}
-        return math.prod(size for dimension, size in self.sizes.items() if dimension not in of_hoops)
+        of_hoops = {
+            dimension
+            for name in HOOP
+            if name in self.variables
+            for dimension in self.variables[name].dims
+        }
+        return math.prod(
+            size for dimension, size in self.sizes.items() if dimension not in of_hoops
+        )
 
     @property
     def is_lazy(self) -> bool:
@@ -66,20 +75,30 @@ class Points:
         if isinstance(chunks, Mapping):
             unknown = [str(name) for name in chunks if name not in self.sizes]
             if unknown:
-                raise ValueError(f"chunks has {', '.join(unknown)}; the dimensions are {', '.join(self.sizes)}")
+                raise ValueError(
+                    f"chunks has {', '.join(unknown)}; the dimensions are {', '.join(self.sizes)}"
+                )
         for size in chunks.values() if isinstance(chunks, Mapping) else [chunks]:
             if isinstance(size, int) and (size == 0 or size < -1):
-                raise ValueError(f"chunks = {size} must be at least 1, or -1 for the whole dimension")
+                raise ValueError(
+                    f"chunks = {size} must be at least 1, or -1 for the whole dimension"
+                )
         shape = tuple(self.sizes.values())
-        probe = xr.Variable(tuple(self.sizes), np.broadcast_to(np.float64(0.0), shape)).chunk(chunks)
+        probe = xr.Variable(tuple(self.sizes), np.broadcast_to(np.float64(0.0), shape)).chunk(
+            chunks
+        )
         blocks = probe.chunksizes
         variables = {
-            name: variable.chunk({d: blocks[str(d)] for d in variable.dims}) if variable.dims else variable
+            name: variable.chunk({d: blocks[str(d)] for d in variable.dims})
+            if variable.dims
+            else variable
             for name, variable in self.variables.items()
         }
         # Indices stay in memory: xarray needs them.
         coordinates = {
-            name: variable if variable.dims in ((), (name,)) else variable.chunk({d: blocks[d] for d in variable.dims})
+            name: variable
+            if variable.dims in ((), (name,))
+            else variable.chunk({d: blocks[d] for d in variable.dims})
             for name, variable in self.coordinates.items()
         }
         return Points(self.sizes, variables, coordinates, self.law)
@@ -111,20 +130,30 @@ def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
         raise TypeError(f"hoop = {hoop!r} must be a Hoop{hint}")
     unknown = [name for name in given if name not in (*AXES, FRICTION)]
     if unknown:
-        raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join((*AXES, FRICTION))}")
+        raise TypeError(
+            f"there is no quantity {', '.join(unknown)}; there are {', '.join((*AXES, FRICTION))}"
+        )
     given = {name: value for name, value in given.items() if value is not None}
     if FRICTION in given:
         twice = [name for name in COEFFICIENTS if name in given]
         if twice:
-            raise TypeError(f"{FRICTION} and {', '.join(twice)}: {FRICTION} gives both coefficients of friction")
+            raise TypeError(
+                f"{FRICTION} and {', '.join(twice)}: {FRICTION} gives both coefficients of friction"
+            )
         given |= dict.fromkeys(COEFFICIENTS, given.pop(FRICTION))
-    values: dict[str, Any] = {name: QUANTITIES[name].default for name in AXES if QUANTITIES[name].default is not None}
+    values: dict[str, Any] = {
+        name: QUANTITIES[name].default for name in AXES if QUANTITIES[name].default is not None
+    }
     if hoop is not None:
-        values.update((name, getattr(hoop, name)) for name in HOOP if getattr(hoop, name) is not None)
+        values.update(
+            (name, getattr(hoop, name)) for name in HOOP if getattr(hoop, name) is not None
+        )
     values.update(given)
     missing = [name for name in AXES if name not in values and not QUANTITIES[name].is_optional]
     if missing:
-        raise TypeError(f"missing: {', '.join(missing)}" + ("; give a hoop" if hoop is None else ""))
+        raise TypeError(
+            f"missing: {', '.join(missing)}" + ("; give a hoop" if hoop is None else "")
+        )
     return values
 
 
@@ -153,8 +182,12 @@ def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
             known[varying[0]] = _worst(varying[0], known)
         numbers = {name: float(value) for name, value in known.items()}
         thrown = numbers.pop("gap_rate", 0.0)
-        Hoop(**{**harmless, **numbers}, units=None).classify(theta=0.0, theta_rate=0.0, gap_rate=thrown)
-    return Hoop(**harmless, restitution=1.0 if "restitution" in values else None, restitution_law=law).restitution_law
+        Hoop(**{**harmless, **numbers}, units=None).classify(
+            theta=0.0, theta_rate=0.0, gap_rate=thrown
+        )
+    return Hoop(
+        **harmless, restitution=1.0 if "restitution" in values else None, restitution_law=law
+    ).restitution_law
 
 
 def _worst(name: str, known: Mapping[str, Any]) -> Any:
@@ -184,7 +217,9 @@ def broadcast(values: Mapping[str, Any], law: str | None) -> Points:
     xr = require("xarray")
     named = {name: value for name, value in values.items() if isinstance(value, xr.DataArray)}
     if named:
-        unnamed = [name for name, value in values.items() if name not in named and np.ndim(value) > 0]
+        unnamed = [
+            name for name, value in values.items() if name not in named and np.ndim(value) > 0
+        ]
         if unnamed:
             raise TypeError(
                 f"{', '.join(unnamed)} and {', '.join(named)} cannot be combined: "
@@ -210,7 +245,11 @@ def broadcast(values: Mapping[str, Any], law: str | None) -> Points:
     for name, array in arrays.items():
         own = dimensions[len(shape) - array.ndim :]
         # An axis of one value that stands for many is no dimension of this quantity.
-        spread = [k for k, d in enumerate(own) if array.shape[k] == 1 != shape[len(shape) - array.ndim + k]]
+        spread = [
+            k
+            for k, d in enumerate(own)
+            if array.shape[k] == 1 != shape[len(shape) - array.ndim + k]
+        ]
         variables[name] = xr.Variable(
             tuple(d for k, d in enumerate(own) if k not in spread),
             array.reshape(tuple(n for k, n in enumerate(array.shape) if k not in spread)),
@@ -226,7 +265,9 @@ def grid(values: Mapping[str, Any], law: str | None, order: Sequence[str]) -> Po
     for name, value in values.items():
         array = _real(name, value.data if isinstance(value, xr.DataArray) else value)
         if array.ndim > 1:
-            raise ValueError(f"{name} has {array.ndim} dimensions: an axis has one, a fixed value none")
+            raise ValueError(
+                f"{name} has {array.ndim} dimensions: an axis has one, a fixed value none"
+            )
         axis = FRICTION if FRICTION in order and name in COEFFICIENTS else name
         variables[name] = xr.Variable((axis,) if array.ndim else (), array)
     coordinates = {}
@@ -241,7 +282,10 @@ def grid(values: Mapping[str, Any], law: str | None, order: Sequence[str]) -> Po
 
 
 def _with_coordinates(
-    sizes: Mapping[str, int], variables: Mapping[str, Any], coordinates: Mapping[str, Any], law: str | None
+    sizes: Mapping[str, int],
+    variables: Mapping[str, Any],
+    coordinates: Mapping[str, Any],
+    law: str | None,
 ) -> Points:
     empty = [name for name, size in sizes.items() if size == 0]
     if empty:
@@ -251,7 +295,8 @@ def _with_coordinates(
         if name in AXES and not one.attrs:
             one.attrs = quantity_attributes(name)
     for name in variables:
-        # An index that came with the arrays stays; so does a dimension that only has the name of a quantity.
+        # An index that came with the arrays stays; so does a dimension that only has the name of a
+        # quantity.
         if name in sizes and (name in described or variables[name].dims != (name,)):
             continue
         described[name] = variables[name].copy(deep=False)

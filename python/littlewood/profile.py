@@ -51,13 +51,19 @@ def profile_interval(
 ) -> tuple[float, float]:
     """Return the interval in which the profile rises by less than the square of the normal quantile."""
     if name not in OF_HOOP:
-        raise ValueError(f"name = {name!r} must be one of {', '.join(one for one in problem.names if one in OF_HOOP)}")
+        raise ValueError(
+            f"name = {name!r} must be one of {', '.join(one for one in problem.names if one in OF_HOOP)}"
+        )
     if not 0.0 < confidence < 1.0:
         raise ValueError(f"confidence = {confidence} must lie between 0 and 1")
     limit = NormalDist().inv_cdf(0.5 + 0.5 * confidence)
     low, high = problem.limits(name)
     covariance = np.where(np.isfinite(covariance), covariance, 1.0)
-    unit = estimate.std_error if math.isfinite(estimate.std_error) else 0.1 * max(1.0, abs(estimate.value))
+    unit = (
+        estimate.std_error
+        if math.isfinite(estimate.std_error)
+        else 0.1 * max(1.0, abs(estimate.value))
+    )
 
     def root(value: float) -> float:
         return math.sqrt(max(rise(problem, unknowns, covariance, name, value), 0.0))

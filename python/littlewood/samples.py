@@ -26,8 +26,8 @@ class Samples(Mapping[str, Any]):
     Attributes
     ----------
     mode : ndarray of int8
-        Codes of the modes, places in :data:`littlewood.tables.MODES`; -1 outside the motion, and before a jam
-        without a consistent motion.
+        Codes of the modes, places in :data:`littlewood.tables.MODES`; -1 outside the motion, and
+        before a jam without a consistent motion.
     direction : ndarray of int8
         Sign of the slip velocity; 0 for rolling and flight.
     time, theta, theta_rate, slip, x : ndarray
@@ -49,7 +49,11 @@ class Samples(Mapping[str, Any]):
     """
 
     def __init__(self, columns: Mapping[str, Any], shape: tuple[int, ...] | None = None) -> None:
-        self._columns = dict(columns) if shape is None else {name: a.reshape(shape)[()] for name, a in columns.items()}
+        self._columns = (
+            dict(columns)
+            if shape is None
+            else {name: a.reshape(shape)[()] for name, a in columns.items()}
+        )
 
     def __getitem__(self, name: str) -> Any:
         return self._columns[name]
@@ -102,7 +106,8 @@ class Samples(Mapping[str, Any]):
         Returns
         -------
         dict of str to ndarray
-            Names as on the command line: `time_s`, `theta_rad`, …; `mode` and `direction` are unchanged.
+            Names as on the command line: `time_s`, `theta_rad`, …; `mode` and `direction` are
+            unchanged.
         """
         columns: dict[str, Any] = {}
         for name, column in SAMPLE_COLUMNS.items():

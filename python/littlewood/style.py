@@ -23,12 +23,18 @@ FINE, CURVE, BOLD = (_POINTS_PER_PIXEL * LENGTHS[name] for name in ("fine", "cur
 
 
 def _colours(group: str) -> Mapping[str, str]:
-    return MappingProxyType({name: colour for kind, name, colour in _core.swatches(False) if kind == group})
+    return MappingProxyType(
+        {name: colour for kind, name, colour in _core.swatches(False) if kind == group}
+    )
 
 
 def _dashes(group: str) -> Mapping[str, Dashes]:
     return MappingProxyType(
-        {name: (0.0, tuple(pattern)) if pattern else "solid" for kind, name, pattern in _core.dashes() if kind == group}
+        {
+            name: (0.0, tuple(pattern)) if pattern else "solid"
+            for kind, name, pattern in _core.dashes()
+            if kind == group
+        }
     )
 
 

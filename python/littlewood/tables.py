@@ -15,8 +15,8 @@ from .frozen import Frozen
 class Quantity(NamedTuple):
     """A quantity: names, units, bounds and default.
 
-    One that is optional has no default, and a meaning where it is absent. `cf_unit` and `scale` are those of a value in
-    the system of (2.9): the value is a multiple of the scale.
+    One that is optional has no default, and a meaning where it is absent. `cf_unit` and `scale` are
+    those of a value in the system of (2.9): the value is a multiple of the scale.
     """
 
     name: str
@@ -60,7 +60,9 @@ class SummaryColumn(NamedTuple):
     long_name: str
 
 
-QUANTITIES: Mapping[str, Quantity] = Frozen((row["name"], Quantity(**row)) for row in _core.quantities())
+QUANTITIES: Mapping[str, Quantity] = Frozen(
+    (row["name"], Quantity(**row)) for row in _core.quantities()
+)
 """All quantities by their names, in SI units as well."""
 
 HOOP: tuple[str, ...] = tuple(_core.HOOP)
@@ -133,7 +135,9 @@ OUTCOMES: Mapping[int, str] = Frozen((code, name) for code, name, _, _ in _core.
 OUTCOME_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label, _ in _core.OUTCOMES)
 """Outcomes in words."""
 
-FINAL_OUTCOMES: frozenset[str] = frozenset(name for _, name, _, is_final in _core.OUTCOMES if is_final)
+FINAL_OUTCOMES: frozenset[str] = frozenset(
+    name for _, name, _, is_final in _core.OUTCOMES if is_final
+)
 """Names of the outcomes of motions that have been followed to their end."""
 
 CLASSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CLASSES)

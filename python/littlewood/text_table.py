@@ -60,8 +60,8 @@ class TableFileError(ValueError):
 class TextTable:
     """A table as it stands in a file.
 
-    The line of the names is `head`, `lines` are those of the rows; each cell is a text. `points` are the tracked points
-    of the columns, in exports that name them; else "".
+    The line of the names is `head`, `lines` are those of the rows; each cell is a text. `points`
+    are the tracked points of the columns, in exports that name them; else "".
     """
 
     path: str
@@ -71,13 +71,17 @@ class TextTable:
     lines: list[int]
     rows: list[list[str]]
 
-    def refusal(self, reason: str, *, column: str | None = None, hint: str | None = None) -> TableFileError:
+    def refusal(
+        self, reason: str, *, column: str | None = None, hint: str | None = None
+    ) -> TableFileError:
         """Return the error of the columns as the line of names has them."""
         return TableFileError(self.path, reason, line=self.head, column=column, hint=hint)
 
     def with_some_of(self, places: list[int]) -> TextTable:
         """Return the rows in which some of these columns are not empty."""
-        return self.with_rows([k for k, row in enumerate(self.rows) if any(row[place] for place in places)])
+        return self.with_rows(
+            [k for k, row in enumerate(self.rows) if any(row[place] for place in places)]
+        )
 
     def with_rows(self, kept: list[int]) -> TextTable:
         """Return some of the rows."""
@@ -124,7 +128,12 @@ class TextTable:
             else:
                 hint = None if required else "leave a cell empty where the point was not seen"
                 raise TableFileError(
-                    self.path, "is not a finite number", line=line, column=self.names[place], value=cell, hint=hint
+                    self.path,
+                    "is not a finite number",
+                    line=line,
+                    column=self.names[place],
+                    value=cell,
+                    hint=hint,
                 )
         return found
 
@@ -132,16 +141,22 @@ class TextTable:
 def read_text_table(path: str | Path) -> TextTable:
     """Read a table: names in its first line, one row a line; refuse a file that is none.
 
-    Tabs, semicolons, commas or spaces separate the cells, a point or a comma marks decimals; a byte-order mark, quotes,
-    and the lines that Tracker, Kinovea and spreadsheets put before the names are understood.
+    Tabs, semicolons, commas or spaces separate the cells, a point or a comma marks decimals; a
+    byte-order mark, quotes, and the lines that Tracker, Kinovea and spreadsheets put before the
+    names are understood.
     """
     file = str(path)
     lines = _text(file, Path(path).read_bytes()).splitlines()
     if lines and lines[0].startswith(_KINOVEA):
         return _kinovea(file, lines)
-    head = next((k for k, line in enumerate(lines) if line.strip() and not line.startswith(("#", "sep="))), None)
+    head = next(
+        (k for k, line in enumerate(lines) if line.strip() and not line.startswith(("#", "sep="))),
+        None,
+    )
     if head is None:
-        raise TableFileError(file, "is empty", hint="a table has a line of names, such as time_s,theta_deg,x_m")
+        raise TableFileError(
+            file, "is empty", hint="a table has a line of names, such as time_s,theta_deg,x_m"
+        )
     # The line of names decides: numbers may have decimal commas.
     named_points = lines[head][:1] in ("\t", ";", ",")
     names_at = head + 1 if named_points else head
@@ -182,7 +197,9 @@ def _text(file: str, content: bytes) -> str:
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         encoding = "utf-16"
     elif b"\0" in content:
-        raise TableFileError(file, f"is not text: byte {content.index(0)} is 0", hint="export the track as CSV")
+        raise TableFileError(
+            file, f"is not text: byte {content.index(0)} is 0", hint="export the track as CSV"
+        )
     else:
         encoding = "utf-8-sig"
     try:
@@ -190,7 +207,10 @@ def _text(file: str, content: bytes) -> str:
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
         raise TableFileError(
-            file, f"byte {content[error.start]:#04x} is not UTF-8", line=line, hint="save the file as UTF-8"
+            file,
+            f"byte {content[error.start]:#04x} is not UTF-8",
+            line=line,
+            hint="save the file as UTF-8",
         ) from None
 
 
@@ -205,7 +225,10 @@ def _separator(line: str) -> str:
 def _cells(line: str, separator: str) -> list[str]:
     if separator == " ":
         return line.split()
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])]
+    return [
+        cell.strip()
+        for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
+    ]
 
 
 def _kinovea(file: str, lines: list[str]) -> TextTable:
@@ -230,7 +253,9 @@ def _kinovea(file: str, lines: list[str]) -> TextTable:
                 raise TableFileError(file, f"has {len(row)} cells, not the three T X Y", line=k)
             if row[0] in cells[point]:
                 hint = "choose milliseconds as the time code of Kinovea"
-                raise TableFileError(file, "occurs twice", line=k, column="T", value=row[0], hint=hint)
+                raise TableFileError(
+                    file, "occurs twice", line=k, column="T", value=row[0], hint=hint
+                )
             cells[point][row[0]] = row[1:]
             numbers.setdefault(row[0], k)
     if not numbers:
@@ -239,7 +264,10 @@ def _kinovea(file: str, lines: list[str]) -> TextTable:
     for point in cells:
         names += ["X", "Y"]
         points += [point, point]
-    rows = [[at, *(cell for rows in cells.values() for cell in rows.get(at, ["", ""]))] for at in numbers]
+    rows = [
+        [at, *(cell for rows in cells.values() for cell in rows.get(at, ["", ""]))]
+        for at in numbers
+    ]
     order = sorted(range(len(rows)), key=lambda k: _seconds(rows[k][0]))
     places = list(numbers.values())
     rows = [[repr(_seconds(rows[k][0])), *rows[k][1:]] for k in order]

@@ -17,9 +17,10 @@ def summary(
 ) -> Callable[[Mapping[str, Any]], dict[str, Any]]:
     """Return a function of quantities whose values are columns of a summary, with exact derivatives.
 
-    Its gradients are the derivatives of :func:`littlewood.simulate_many`, also through stick, slip, lift-off and
-    impacts: an ``torch.autograd.Function``, which is differentiated once. The motions are simulated on the
-    processor in double precision; results have the type and the device of the first quantity.
+    Its gradients are the derivatives of :func:`littlewood.simulate_many`, also through stick, slip,
+    lift-off and impacts: an ``torch.autograd.Function``, which is differentiated once. The motions
+    are simulated on the processor in double precision; results have the type and the device of the
+    first quantity.
 
     Parameters
     ----------
@@ -29,8 +30,8 @@ def summary(
     Returns
     -------
     evaluate : callable
-        It takes a dictionary of quantities, tensors that broadcast, and returns one of the columns. What does not
-        happen is NaN, and so is a derivative that does not exist.
+        It takes a dictionary of quantities, tensors that broadcast, and returns one of the columns.
+        What does not happen is NaN, and so is a derivative that does not exist.
 
     Examples
     --------
@@ -50,9 +51,12 @@ def summary(
         def forward(ctx: Any, names: tuple[str, ...], *values: Any) -> Any:
             arrays = [value.detach().cpu().double().numpy() for value in values]
             compute = problem.numbers_and_slopes if any(ctx.needs_input_grad) else problem.numbers
-            found = [torch.from_numpy(array.copy()).to(values[0]) for array in compute(names, *arrays)]
+            found = [
+                torch.from_numpy(array.copy()).to(values[0]) for array in compute(names, *arrays)
+            ]
             ctx.save_for_backward(*found[len(problem.columns) :])
-            # A column that is not used has no rate: its derivative, which may be NaN, then counts for nothing.
+            # A column that is not used has no rate: its derivative, which may be NaN, then counts
+            # for nothing.
             ctx.set_materialize_grads(False)
             return tuple(found[: len(problem.columns)])
 

@@ -29,7 +29,9 @@ def _column(name: str, values: npt.ArrayLike | None, count: int) -> Reals | None
     # A masked value was not seen.
     column = np.array(reals(values, name))
     if column.shape != (count,):
-        raise ValueError(f"{name} has shape {column.shape}, time has ({count},): they must be the same")
+        raise ValueError(
+            f"{name} has shape {column.shape}, time has ({count},): they must be the same"
+        )
     return column
 
 
@@ -42,27 +44,30 @@ class Track:
     time : array_like
         Times τ, √(R/g), of shape (n,), growing.
     theta : array_like, optional
-        Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). It may jump by 2π.
+        Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). It
+        may jump by 2π.
     x : array_like, optional
         Position of the geometric centre along the plane, to the right, R, shape (n,).
     y : array_like, optional
         Distance of the geometric centre from the plane, R, shape (n,): 1 in contact.
     level : bool, optional
-        Whether the axes are those of a level camera instead: `x` to the right and `y` upwards from a point of the
-        plane, and `theta` from the upward vertical. On a level plane the two are the same.
+        Whether the axes are those of a level camera instead: `x` to the right and `y` upwards from
+        a point of the plane, and `theta` from the upward vertical. On a level plane the two are the
+        same.
     errors : mapping, optional
-        Standard errors of `theta`, `x`, `y`, frame by frame, if the tracker estimates them. A fit uses
-        their ratios only, and finds their size from the residuals.
+        Standard errors of `theta`, `x`, `y`, frame by frame, if the tracker estimates them. A fit
+        uses their ratios only, and finds their size from the residuals.
     exposure : float, optional
-        Exposure of a frame from its time on, √(R/g), over which the track is the mean. 0 for instants.
+        Exposure of a frame from its time on, √(R/g), over which the track is the mean. 0 for
+        instants.
     calibration : iterable of str, optional
         Constant errors of the camera that a fit estimates: names of :func:`fit`.
 
     Raises
     ------
     ValueError
-        If times do not grow, shapes differ, there is neither `theta` nor `x`, an error is not positive where something
-        was seen, or there is no such exposure or calibration.
+        If times do not grow, shapes differ, there is neither `theta` nor `x`, an error is not
+        positive where something was seen, or there is no such exposure or calibration.
     """
 
     time: Reals
@@ -81,14 +86,18 @@ class Track:
         falls = np.flatnonzero(np.diff(time) <= 0.0)
         if falls.size:
             i = int(falls[0])
-            raise ValueError(f"time[{i + 1}] = {time[i + 1]} must be greater than time[{i}] = {time[i]}")
+            raise ValueError(
+                f"time[{i + 1}] = {time[i + 1]} must be greater than time[{i}] = {time[i]}"
+            )
         object.__setattr__(self, "time", time)
         for name in ("theta", "x", "y"):
             column = _column(name, getattr(self, name), time.size)
             object.__setattr__(self, name, column)
             if column is not None and np.any(np.isinf(column)):
                 i = int(np.flatnonzero(np.isinf(column))[0])
-                raise ValueError(f"{name}[{i}] = {column[i]} must be finite, or NaN where it was not seen")
+                raise ValueError(
+                    f"{name}[{i}] = {column[i]} must be finite, or NaN where it was not seen"
+                )
             if column is not None and not np.any(np.isfinite(column)):
                 raise ValueError(f"{name} has no finite value: leave it out if it was not tracked")
         if self.theta is None and self.x is None:
@@ -105,7 +114,9 @@ class Track:
     def _checked(self, errors: Mapping[str, npt.ArrayLike]) -> Mapping[str, Reals]:
         unknown = [name for name in errors if name not in self.channels]
         if unknown:
-            raise ValueError(f"errors has {', '.join(unknown)}, the track has {', '.join(self.channels)}")
+            raise ValueError(
+                f"errors has {', '.join(unknown)}, the track has {', '.join(self.channels)}"
+            )
         found = {}
         for name, values in errors.items():
             column = _column(f"errors of {name}", values, self.time.size)
@@ -195,16 +206,17 @@ class Track:
         Parameters
         ----------
         path : str or Path
-            The file. Its columns are `time`, `theta`, `x`, `y`, or in SI units `time_s`, `theta_rad` (or `theta_deg`),
-            `x_m`, `y_m`; an empty cell is a frame in which something was not seen. Exports of Tracker, Kinovea and
-            PASCO Capstone are read as they are.
+            The file. Its columns are `time`, `theta`, `x`, `y`, or in SI units `time_s`,
+            `theta_rad` (or `theta_deg`), `x_m`, `y_m`; an empty cell is a frame in which something
+            was not seen. Exports of Tracker, Kinovea and PASCO Capstone are read as they are.
         units : Units, optional
             Those of the hoop; SI columns need them.
         level : bool, optional
             As that of :class:`Track`.
         centre, marker : str, optional
-            Names of the points that are the centre of the hoop and the marker of its particle, in exports that name
-            points. A single point is the centre; of two the names may say it ("centre", "marker").
+            Names of the points that are the centre of the hoop and the marker of its particle, in
+            exports that name points. A single point is the centre; of two the names may say it
+            ("centre", "marker").
         run : int, optional
             Number of the run, in exports with several.
         fps : float, optional
@@ -214,8 +226,8 @@ class Track:
         length_unit : {"m", "cm", "mm"}, optional
             Unit of positions in exports of Tracker and Kinovea, whose files do not have it.
         ignore : iterable of str, optional
-            Columns to pass over. Velocities and other quantities that are computed from the track are passed over
-            anyhow; any other unknown column is refused.
+            Columns to pass over. Velocities and other quantities that are computed from the track
+            are passed over anyhow; any other unknown column is refused.
 
         Returns
         -------
@@ -224,7 +236,8 @@ class Track:
         Raises
         ------
         littlewood.track.TableFileError
-            With file, line, column, value and hint, for what cannot be read: nothing is left out in silence.
+            With file, line, column, value and hint, for what cannot be read: nothing is left out in
+            silence.
         """
         found = read_track(
             path,
@@ -239,7 +252,9 @@ class Track:
         )
         if not found.is_si or units is None:
             return cls(found.time, found.theta, found.x, found.y, level=level)
-        return cls.from_si(units, time_s=found.time, theta_rad=found.theta, x_m=found.x, y_m=found.y, level=level)
+        return cls.from_si(
+            units, time_s=found.time, theta_rad=found.theta, x_m=found.x, y_m=found.y, level=level
+        )
 
     @property
     def channels(self) -> dict[str, Reals]:
@@ -250,7 +265,11 @@ class Track:
     def until(self, time: float) -> Track:
         """Return the part up to a time τ, √(R/g)."""
         kept = self.time <= time
-        errors = None if self.errors is None else {name: values[kept] for name, values in self.errors.items()}
+        errors = (
+            None
+            if self.errors is None
+            else {name: values[kept] for name, values in self.errors.items()}
+        )
         channels = {name: values[kept] for name, values in self.channels.items()}
         theta, x, y = (channels.get(name) for name in ("theta", "x", "y"))
         return replace(self, time=self.time[kept], theta=theta, x=x, y=y, errors=errors)

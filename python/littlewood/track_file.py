@@ -61,8 +61,22 @@ _DERIVED = frozenset(
     [
         *(one.name for one in SAMPLE_COLUMNS.values() if one.name not in _CHANNELS),
         *"n step v vx vy |v| a ax ay |a| θv θa θr r ω α px py pθ p k l pathlength pixelx pixely index".split(),
-        *("velocity", "acceleration", "x velocity", "y velocity", "x acceleration", "y acceleration"),
-        *("angular velocity", "angular acceleration", "velocity x", "velocity y", "acceleration x", "acceleration y"),
+        *(
+            "velocity",
+            "acceleration",
+            "x velocity",
+            "y velocity",
+            "x acceleration",
+            "y acceleration",
+        ),
+        *(
+            "angular velocity",
+            "angular acceleration",
+            "velocity x",
+            "velocity y",
+            "acceleration x",
+            "acceleration y",
+        ),
     ]
 )
 _RUN = re.compile(r"\s*run\s*#\s*(\d+)$", re.IGNORECASE)
@@ -116,18 +130,27 @@ def read_track(
     columns = _of_run(table, _recognised(table, set(ignore)), run)
     time = _time_column(table, columns, fps)
     marker = _marker_of(table, columns, centre, marker)
-    by_channel = {(one.channel, _OF_MARKER if one.point and one.point == marker else ""): one for one in columns}
+    by_channel = {
+        (one.channel, _OF_MARKER if one.point and one.point == marker else ""): one
+        for one in columns
+    }
     used = [one for one in columns if one.channel in ("theta", "x", "y")]
     if not used:
-        raise table.refusal("has neither an angle nor a position", hint="columns are theta_deg, x_m, y_m")
+        raise table.refusal(
+            "has neither an angle nor a position", hint="columns are theta_deg, x_m, y_m"
+        )
     # Exports that name points, or call the time t, have units that do not stand in the file.
-    is_foreign = any(one.point for one in used) or time.name.lower() == "t" or time.channel == _FRAME
+    is_foreign = (
+        any(one.point for one in used) or time.name.lower() == "t" or time.channel == _FRAME
+    )
     is_si = is_foreign or time.unit is not None or plane is not None
     if not is_si:
         odd = next((one for one in used if one.unit is not None), None)
         if odd is not None:
             raise table.refusal(
-                f"is in SI units, {time.name} has no dimension", column=odd.name, hint="name the time time_s"
+                f"is in SI units, {time.name} has no dimension",
+                column=odd.name,
+                hint="name the time time_s",
             )
     # Runs and trajectories differ in length.
     table = table.with_some_of([time.place, *(one.place for one in used)])
@@ -137,7 +160,10 @@ def read_track(
             values = _values(table, one, is_si, is_foreign, plane, length_unit)
             if not np.any(np.isfinite(values)):
                 raise TableFileError(
-                    table.path, "has no number", column=one.name, hint="remove the column if it was not tracked"
+                    table.path,
+                    "has no number",
+                    column=one.name,
+                    hint="remove the column if it was not tracked",
                 )
             found[channel + owner] = values
     numbers = np.array(table.numbers(time.place, True))
@@ -157,7 +183,9 @@ def read_track(
         across, up = (found[name + _OF_MARKER] - found[name] for name in ("x", "y"))
         found["theta"] = np.arctan2(-across, up)
     if is_si and units is None:
-        raise TableFileError(table.path, "is in SI units", hint="make the hoop by Hoop.from_si, and give its units")
+        raise TableFileError(
+            table.path, "is in SI units", hint="make the hoop by Hoop.from_si, and give its units"
+        )
     return TrackFile(is_si, numbers, found.get("theta"), found.get("x"), found.get("y"))
 
 
@@ -173,7 +201,10 @@ def _recognised(table: TextTable, ignored: set[str]) -> list[_Column]:
         if one is not None:
             found.append(one)
         elif not _is_derived(name):
-            known = [*_CHANNELS, *(spelling for key in COLUMN_OF.values() for spelling in _spellings(key))]
+            known = [
+                *_CHANNELS,
+                *(spelling for key in COLUMN_OF.values() for spelling in _spellings(key)),
+            ]
             close = difflib.get_close_matches(name.lower(), known, 1)
             meant = f"is it {close[0]}? " if close else ""
             raise table.refusal(
@@ -218,7 +249,8 @@ def _recognise(place: int, name: str, point: str) -> _Column | None:
     if channel is None:
         return None
     if unit is not None and (
-        unit not in _UNITS or _UNITS[unit][0] != {"x": "length", "y": "length"}.get(channel, channel)
+        unit not in _UNITS
+        or _UNITS[unit][0] != {"x": "length", "y": "length"}.get(channel, channel)
     ):
         return None
     return _Column(place, name, channel, unit, point, run)
@@ -236,7 +268,9 @@ def _of_run(table: TextTable, columns: list[_Column], run: int | None) -> list[_
         there = f"has runs {', '.join(map(str, runs))}" if runs else "has no runs"
         raise table.refusal(f"{there}, run = {run} is none of them")
     if run is None and len(runs) > 1:
-        raise table.refusal(f"has runs {', '.join(map(str, runs))}", hint=f"choose one: run={runs[0]}")
+        raise table.refusal(
+            f"has runs {', '.join(map(str, runs))}", hint=f"choose one: run={runs[0]}"
+        )
     chosen = [one for one in columns if one.run is None or run is None or one.run == run]
     seen: dict[tuple[str, str], _Column] = {}
     for one in chosen:
@@ -244,7 +278,8 @@ def _of_run(table: TextTable, columns: list[_Column], run: int | None) -> list[_
         if before is not one:
             names = before.name if before.name == one.name else f"{before.name} and {one.name}"
             raise table.refusal(
-                f"{names}: two columns of one quantity", hint=f'remove one, or name it in ignore=("{one.name}",)'
+                f"{names}: two columns of one quantity",
+                hint=f'remove one, or name it in ignore=("{one.name}",)',
             )
     return chosen
 
@@ -261,10 +296,14 @@ def _time_column(table: TextTable, columns: list[_Column], fps: float | None) ->
                     hint="give the rate at which they were taken: fps=240",
                 )
             return found
-    raise table.refusal(f"no column time or time_s among {', '.join(table.names)}", hint="name the time time_s")
+    raise table.refusal(
+        f"no column time or time_s among {', '.join(table.names)}", hint="name the time time_s"
+    )
 
 
-def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, marker: str | None) -> str | None:
+def _marker_of(
+    table: TextTable, columns: list[_Column], centre: str | None, marker: str | None
+) -> str | None:
     """Return the name of the point that is the marker, if any; the other is the centre, and no point is left out."""
     names = list(dict.fromkeys(one.point for one in columns if one.point))
     for given in (centre, marker):
@@ -289,7 +328,12 @@ def _marker_of(table: TextTable, columns: list[_Column], centre: str | None, mar
 
 
 def _values(
-    table: TextTable, one: _Column, is_si: bool, is_foreign: bool, plane: Plane | None, length_unit: str
+    table: TextTable,
+    one: _Column,
+    is_si: bool,
+    is_foreign: bool,
+    plane: Plane | None,
+    length_unit: str,
 ) -> Reals:
     """Return a channel in rad, m or pixels; dimensionless as it stands."""
     values = np.array(table.numbers(one.place, False))
@@ -297,19 +341,27 @@ def _values(
         return values
     if one.channel == "theta":
         if one.unit is None:
-            raise table.refusal("has no unit", column=one.name, hint="name it theta_deg or theta_rad")
+            raise table.refusal(
+                "has no unit", column=one.name, hint="name it theta_deg or theta_rad"
+            )
         return np.asarray(values * _UNITS[one.unit][1])
     unit = one.unit
     if unit is None and plane is None:
         if not is_foreign:
             raise table.refusal(
-                "has no dimension, the time is in SI units", column=one.name, hint=f"name it {one.name}_m"
+                "has no dimension, the time is in SI units",
+                column=one.name,
+                hint=f"name it {one.name}_m",
             )
         unit = length_unit
     in_pixels = unit is None or math.isnan(_UNITS[unit][1])
     if in_pixels != (plane is not None):
         reason = "is in pixels" if in_pixels else "is not in pixels, which a plane is for"
-        hint = "give the plane of the motion: plane=video.Plane.from_points(…)" if in_pixels else "leave plane out"
+        hint = (
+            "give the plane of the motion: plane=video.Plane.from_points(…)"
+            if in_pixels
+            else "leave plane out"
+        )
         raise table.refusal(reason, column=one.name, hint=hint)
     return values if in_pixels else np.asarray(values * _UNITS[unit or length_unit][1])
 
@@ -319,10 +371,14 @@ def _to_metres(table: TextTable, found: dict[str, Reals], plane: Plane) -> None:
         if ("x" + owner in found) != ("y" + owner in found):
             raise table.refusal("has one coordinate in pixels: a plane needs x and y")
         if "x" + owner in found:
-            found["x" + owner], found["y" + owner] = plane.to_metres(found["x" + owner], found["y" + owner])
+            found["x" + owner], found["y" + owner] = plane.to_metres(
+                found["x" + owner], found["y" + owner]
+            )
 
 
-def _not_pixels(table: TextTable, columns: dict[tuple[str, str], _Column], found: dict[str, Reals]) -> None:
+def _not_pixels(
+    table: TextTable, columns: dict[tuple[str, str], _Column], found: dict[str, Reals]
+) -> None:
     """Refuse whole numbers without a unit: radii are not counted, pixels are."""
     for channel in ("x", "y"):
         if channel in found:

@@ -56,7 +56,13 @@ class Trajectory:
     """
 
     def __init__(
-        self, hoop: Hoop, start: Start, until: float | None, max_transitions: int, max_slides: int, proof: str
+        self,
+        hoop: Hoop,
+        start: Start,
+        until: float | None,
+        max_transitions: int,
+        max_slides: int,
+        proof: str,
     ) -> None:
         counts = checked_limits(max_transitions, max_slides)
         self._hoop = hoop
@@ -88,7 +94,16 @@ class Trajectory:
     def phases(self) -> tuple[Phase, ...]:
         """The phases in order. Empty where no motion, or more than one, is consistent at the start."""
         return tuple(
-            Phase(mode, direction, State(*start), None if end is None else State(*end), energy, lost, limit, ended_by)
+            Phase(
+                mode,
+                direction,
+                State(*start),
+                None if end is None else State(*end),
+                energy,
+                lost,
+                limit,
+                ended_by,
+            )
             for mode, direction, start, end, energy, lost, limit, ended_by in self._core.phases()
         )
 
@@ -96,7 +111,8 @@ class Trajectory:
     def transitions(self) -> tuple[Transition, ...]:
         """The transitions in order.
 
-        Each ends a phase, except a jam without a consistent motion before; :meth:`end_of` finds that of a phase.
+        Each ends a phase, except a jam without a consistent motion before; :meth:`end_of` finds
+        that of a phase.
         """
         return tuple(
             Transition(
@@ -118,28 +134,35 @@ class Trajectory:
     def impacts(self) -> pandas.DataFrame:
         """Return the impacts as a table, one row each.
 
-        The index is that of :attr:`transitions`. Columns: `time`, √(R/g); `cause` (`landing`, `settle` or
-        `jam`), `case` and `to`, the mode that begins, as categories; `theta`, rad; `theta_rate`, √(g/R), `slip` and
-        `gap_rate`, √(gR), each with `_before` and `_after`; `normal_impulse` upwards and `friction_impulse` along E1,
-        m2 √(gR); `energy_lost`, m2 g R, which is negative where Newton's law gains energy. The bounces by which a hoop
-        settles are one row, that of `settle`.
+        The index is that of :attr:`transitions`. Columns: `time`, √(R/g); `cause` (`landing`,
+        `settle` or `jam`), `case` and `to`, the mode that begins, as categories; `theta`, rad;
+        `theta_rate`, √(g/R), `slip` and `gap_rate`, √(gR), each with `_before` and `_after`;
+        `normal_impulse` upwards and `friction_impulse` along E1, m2 √(gR); `energy_lost`, m2 g R,
+        which is negative where Newton's law gains energy. The bounces by which a hoop settles are
+        one row, that of `settle`.
 
         Returns
         -------
         pandas.DataFrame
         """
         pd = require("pandas")
-        found = [(i, one, one.impact) for i, one in enumerate(self.transitions) if one.impact is not None]
+        found = [
+            (i, one, one.impact) for i, one in enumerate(self.transitions) if one.impact is not None
+        ]
         table: dict[str, Any] = {
             "time": [one.time for _, one, _ in found],
             "cause": pd.Categorical([one.cause for _, one, _ in found], categories=list(CAUSES)),
-            "case": pd.Categorical([impact.case for *_, impact in found], categories=list(IMPACT_CASES)),
+            "case": pd.Categorical(
+                [impact.case for *_, impact in found], categories=list(IMPACT_CASES)
+            ),
             "to": pd.Categorical([one.to_mode for _, one, _ in found], categories=list(MODES)),
             "theta": [one.state.theta for _, one, _ in found],
         }
         for side in ("before", "after"):
             for name in ContactVelocities._fields:
-                table[f"{name}_{side}"] = [getattr(getattr(impact, side), name) for *_, impact in found]
+                table[f"{name}_{side}"] = [
+                    getattr(getattr(impact, side), name) for *_, impact in found
+                ]
         for name in Impulse._fields:
             table[f"{name}_impulse"] = [getattr(impact.impulse, name) for *_, impact in found]
         table["energy_lost"] = [impact.energy_lost for *_, impact in found]
@@ -157,8 +180,8 @@ class Trajectory:
     def sequence(self) -> str:
         """The phases, one letter each.
 
-        R rolling; + and - sliding with positive and negative slip velocity; g, n and G gliding with positive, negative
-        and without slip velocity; F flight; … where there are more than 15.
+        R rolling; + and - sliding with positive and negative slip velocity; g, n and G gliding with
+        positive, negative and without slip velocity; F flight; … where there are more than 15.
         """
         return self._core.sequence()
 
@@ -177,7 +200,9 @@ class Trajectory:
         """Energy lost in impacts, m2 g R."""
         return self._core.impact_energy_lost()
 
-    def __call__(self, times: npt.ArrayLike, *, side: Literal["after", "before"] = "after") -> Samples:
+    def __call__(
+        self, times: npt.ArrayLike, *, side: Literal["after", "before"] = "after"
+    ) -> Samples:
         """Return the motion at some times, as the dense output of a SciPy solver does: ``motion(t)``.
 
         Parameters
@@ -185,15 +210,17 @@ class Trajectory:
         times : array_like
             Times τ, √(R/g): one, or an array of any shape.
         side : {"after", "before"}, optional
-            Which side of a transition it is where a time is that of one, to the last bit: the first instant of the
-            motion that begins, or the last of the motion that ends. Forces may jump there, and velocities in an impact.
+            Which side of a transition it is where a time is that of one, to the last bit: the first
+            instant of the motion that begins, or the last of the motion that ends. Forces may jump
+            there, and velocities in an impact.
 
         Returns
         -------
         Samples
-            Of the same shape, with everything by name: ``motion(t).theta``. Before the start and after the end `mode`
-            is -1 and the rest NaN. The start and the end have one side only; but for a start that jams, before which
-            no motion is consistent: `mode` is -1 and forces are NaN.
+            Of the same shape, with everything by name: ``motion(t).theta``. Before the start and
+            after the end `mode` is -1 and the rest NaN. The start and the end have one side only;
+            but for a start that jams, before which no motion is consistent: `mode` is -1 and forces
+            are NaN.
 
         Examples
         --------
@@ -220,8 +247,9 @@ class Trajectory:
         Returns
         -------
         Samples
-            Of shape (n,). A transition appears twice, as the last instant of the phase that ends and as the first of
-            the phase that begins, because forces may jump there, and velocities in an impact.
+            Of shape (n,). A transition appears twice, as the last instant of the phase that ends
+            and as the first of the phase that begins, because forces may jump there, and velocities
+            in an impact.
         """
         number = checked_count("count", count, *_core.SAMPLE_COUNTS)
         if until is None:
@@ -239,17 +267,21 @@ class Trajectory:
     def _instants(self, times: npt.ArrayLike | None, count: int) -> Samples:
         return self.sample(count) if times is None else self(np.atleast_1d(reals(times)))
 
-    def to_xarray(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> xarray.Dataset:
+    def to_xarray(
+        self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False
+    ) -> xarray.Dataset:
         """Return instants of the motion as a data set with units and long names.
 
         Parameters
         ----------
         times : array_like, optional
-            Times τ, √(R/g), of shape (n,). By default evenly spaced ones and both sides of each transition.
+            Times τ, √(R/g), of shape (n,). By default evenly spaced ones and both sides of each
+            transition.
         count : int, optional
             Number of evenly spaced instants.
         si : bool, optional
-            Whether the values should be in SI units, with the unit in each name; `times` are dimensionless anyway.
+            Whether the values should be in SI units, with the unit in each name; `times` are
+            dimensionless anyway.
 
         Returns
         -------
@@ -275,7 +307,9 @@ class Trajectory:
         with_time: xarray.Dataset = dataset.set_coords(time)
         return with_time
 
-    def to_pandas(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> pandas.DataFrame:
+    def to_pandas(
+        self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False
+    ) -> pandas.DataFrame:
         """Return instants of the motion as a table, with the columns of the command line's CSV.
 
         Parameters
@@ -291,7 +325,9 @@ class Trajectory:
         pd = require("pandas")
         samples = self._instants(times, count)
         table: dict[str, Any] = dict(samples.in_si(self.hoop.require_units()) if si else samples)
-        table["mode"] = pd.Categorical.from_codes(np.asarray(samples["mode"]), categories=list(MODES))
+        table["mode"] = pd.Categorical.from_codes(
+            np.asarray(samples["mode"]), categories=list(MODES)
+        )
         frame: pandas.DataFrame = pd.DataFrame(table)
         return frame
 
@@ -350,23 +386,25 @@ class Trajectory:
         Parameters
         ----------
         quantities : list of str, optional
-            Names of quantities of the hoop and of the start, as "mu_k" or "theta_rate"; by default all that the motion
-            has, and "restitution" only with a coefficient.
+            Names of quantities of the hoop and of the start, as "mu_k" or "theta_rate"; by default
+            all that the motion has, and "restitution" only with a coefficient.
 
         Returns
         -------
         xarray.Dataset
-            Of the dimensions `transition` and `quantity`: `time`, `theta`, `theta_rate`, `slip` and `x`, the
-            derivatives of the time and of the state after each transition, along it; and `reason`. The same of the
-            outcome with `end_` before their names, of the dimension `quantity`; and `period`, `theta_min` and
-            `theta_max` of rolling for ever that swings, `period` of rolling that turns. Where a derivative does not
-            exist it is NaN, and `reason` or `end_reason` says why: "grazing", "one_sided", "singular" or "too_long";
-            it is empty where there is one.
+            Of the dimensions `transition` and `quantity`: `time`, `theta`, `theta_rate`, `slip` and
+            `x`, the derivatives of the time and of the state after each transition, along it; and
+            `reason`. The same of the outcome with `end_` before their names, of the dimension
+            `quantity`; and `period`, `theta_min` and `theta_max` of rolling for ever that swings,
+            `period` of rolling that turns. Where a derivative does not exist it is NaN, and
+            `reason` or `end_reason` says why: "grazing", "one_sided", "singular" or "too_long"; it
+            is empty where there is one.
 
         Raises
         ------
         ParameterError
-            For a name that is no such quantity, or "restitution" without a coefficient; `hint` has the names.
+            For a name that is no such quantity, or "restitution" without a coefficient; `hint` has
+            the names.
 
         See Also
         --------
@@ -378,10 +416,12 @@ class Trajectory:
         and the derivative (δy)_τ at a fixed time,
 
         .. math:: \delta\tau = -\frac{g_y (\delta y)_\tau + g_p}{g'}, \qquad
-                  \delta y = (\delta y)_\tau + y' \delta\tau, \qquad \delta y^+ = R_y\, \delta y + R_p .
+                  \delta y = (\delta y)_\tau + y' \delta\tau, \qquad \delta y^+ = R_y\, \delta y +
+                  R_p .
 
-        They are exact to rounding: there is no step. All are dimensionless (2.9), those of a hoop in SI units, too: in
-        SI units one is multiplied by the unit of what is differentiated over that of the quantity.
+        They are exact to rounding: there is no step. All are dimensionless (2.9), those of a hoop
+        in SI units, too: in SI units one is multiplied by the unit of what is differentiated over
+        that of the quantity.
 
         Examples
         --------
@@ -394,7 +434,9 @@ class Trajectory:
         """
         return derivatives.of_motion(self._core, quantities)
 
-    def derivatives_at(self, times: npt.ArrayLike, quantities: Sequence[str] | None = None) -> xarray.Dataset:
+    def derivatives_at(
+        self, times: npt.ArrayLike, quantities: Sequence[str] | None = None
+    ) -> xarray.Dataset:
         r"""Return the exact derivatives of the state at fixed times.
 
         Parameters
@@ -407,9 +449,9 @@ class Trajectory:
         Returns
         -------
         xarray.Dataset
-            Of the dimensions `time` (n, absent for one time) and `quantity`: `theta`, `theta_rate`, `slip`, `x` and
-            `reason`. At a transition they are those of the motion that begins. Outside the motion they are NaN with the
-            reason "outside".
+            Of the dimensions `time` (n, absent for one time) and `quantity`: `theta`, `theta_rate`,
+            `slip`, `x` and `reason`. At a transition they are those of the motion that begins.
+            Outside the motion they are NaN with the reason "outside".
 
         Raises
         ------
@@ -459,7 +501,8 @@ class Trajectory:
         frames : int, optional
             Number of frames.
         seconds : float, optional
-            How long it plays; by default as long as the motion would take with R/g = 0.1 s², as for a metre.
+            How long it plays; by default as long as the motion would take with R/g = 0.1 s², as for
+            a metre.
 
         Returns
         -------
@@ -483,7 +526,8 @@ class Trajectory:
         Returns
         -------
         Laboratory
-            A widget. Its `motion` and `time` follow what is done in the page, and the page follows them.
+            A widget. Its `motion` and `time` follow what is done in the page, and the page follows
+            them.
 
         Raises
         ------
@@ -514,7 +558,9 @@ def _impact(
     impulse: tuple[float, float],
     *energies: float,
 ) -> Impact:
-    return Impact(case, ContactVelocities(*before), ContactVelocities(*after), Impulse(*impulse), *energies)
+    return Impact(
+        case, ContactVelocities(*before), ContactVelocities(*after), Impulse(*impulse), *energies
+    )
 
 
 def _attributes(column: SampleColumn, si: bool) -> tuple[str, dict[str, Any]]:

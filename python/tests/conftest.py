@@ -53,5 +53,7 @@ def hoop() -> lw.Hoop:
 
 def flags(**values: float | str) -> list[str]:
     """Values as flags, to the last digit."""
-    texts = {name: value if isinstance(value, str) else repr(value) for name, value in values.items()}
+    texts = {
+        name: value if isinstance(value, str) else repr(value) for name, value in values.items()
+    }
     return [f"--{name.replace('_', '-')}={text}" for name, text in texts.items()]

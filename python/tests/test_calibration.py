@@ -77,16 +77,23 @@ def test_displacements_are_those_of_homographies():
         # A marker close to the centre, whose direction turns as the derivative says.
         near = 1e-3
         marker_x, marker_y = through(x - near * np.sin(theta), y + near * np.cos(theta))
-        turned = np.mod(np.arctan2(-(marker_x - at_x), marker_y - at_y) - found["theta"] + 1.0, math.tau) - 1.0
+        turned = (
+            np.mod(np.arctan2(-(marker_x - at_x), marker_y - at_y) - found["theta"] + 1.0, math.tau)
+            - 1.0
+        )
         np.testing.assert_allclose(turned, 0.0, atol=2e-8)
 
 
 def filmed(motion, seed, constants, exposure=0.0, count=240):
     random = np.random.default_rng(seed)
     time = np.linspace(0.0, 8.0, count)
-    seen = shown(averaged(motion, time, exposure, 200) if exposure else means(motion, time, 0.0), constants)
+    seen = shown(
+        averaged(motion, time, exposure, 200) if exposure else means(motion, time, 0.0), constants
+    )
     noise = random.normal(0.0, NOISE, (3, count))
-    return lw.Track(time, *(values + errors for values, errors in zip(seen.values(), noise, strict=True)))
+    return lw.Track(
+        time, *(values + errors for values, errors in zip(seen.values(), noise, strict=True))
+    )
 
 
 def fit(track, motion, **more):
@@ -165,7 +172,9 @@ def test_whitening_is_the_root_of_the_covariance():
     time = np.sort(random.uniform(0.0, 3.0, 40))
     relative = random.uniform(0.5, 2.0, 40)
     for noise in (Noise(0.3), Noise(0.3, 0.7, 0.4)):
-        slow = np.exp(-np.abs(time[:, None] - time) / noise.time) if noise.time else np.zeros((40, 40))
+        slow = (
+            np.exp(-np.abs(time[:, None] - time) / noise.time) if noise.time else np.zeros((40, 40))
+        )
         covariance = np.diag((noise.white * relative) ** 2) + noise.slow**2 * slow
         whitening = Whitening(noise, time, relative)
         root = whitening(np.eye(40))
@@ -186,7 +195,8 @@ def test_slow_errors_are_told_from_others():
         ):
             ones = {"x": np.ones(time.size)}
             found = estimate_noise({"x": time}, ones, {"x": values}, {"x": line}, {}, True)["x"]
-            # The variance of a mean over many pictures, times their number: 1 + 2 × 0.5/0.04 = 26, and 1.
+            # The variance of a mean over many pictures, times their number: 1 + 2 × 0.5/0.04 = 26,
+            # and 1.
             long.append(found.white**2 + 2.0 * found.slow**2 * found.time / 0.04)
     assert 15.0 < np.median(of_slow) < 45.0
     assert 0.7 < np.median(of_others) < 1.6
@@ -216,8 +226,14 @@ def test_bad_calibrations_are_refused(motion):
         lw.Track([0.0, 1.0], theta=[0.0, 0.1], calibration=("colour",))
     with pytest.raises(ValueError, match="exposure = -1"):
         lw.Track([0.0, 1.0], theta=[0.0, 0.1], exposure=-1.0)
-    # An angle alone does not tell where the floor is; along the floor a position tells of the scale, not of its height.
-    with pytest.raises(ValueError, match=r"floor, turn, .* which theta do not determine; they determine exposure"):
+    # An angle alone does not tell where the floor is; along the floor a position tells of the
+    # scale, not of its height.
+    with pytest.raises(
+        ValueError, match=r"floor, turn, .* which theta do not determine; they determine exposure"
+    ):
         lw.Track([0.0, 1.0], theta=[0.0, 0.1], calibration=CALIBRATION)
-    with pytest.raises(ValueError, match="calibration has floor, which theta, x do not determine; they determine turn"):
+    with pytest.raises(
+        ValueError,
+        match="calibration has floor, which theta, x do not determine; they determine turn",
+    ):
         lw.Track([0.0, 1.0], theta=[0.0, 0.1], x=[0.0, 0.1], calibration=("scale", "floor"))

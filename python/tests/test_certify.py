@@ -64,11 +64,19 @@ def numbers(value: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     """The places of all pairs of midpoint and radius."""
     if isinstance(value, list) and len(value) == 2 and all(isinstance(one, str) for one in value):
         return [path]
-    found = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    found = (
+        value.items()
+        if isinstance(value, dict)
+        else enumerate(value)
+        if isinstance(value, list)
+        else ()
+    )
     return [place for key, one in found for place in numbers(one, (*path, key))]
 
 
-def with_another_digit(certificate: dict[str, Any], place: tuple[Any, ...], part: int) -> dict[str, Any]:
+def with_another_digit(
+    certificate: dict[str, Any], place: tuple[Any, ...], part: int
+) -> dict[str, Any]:
     """The certificate with the last digit of a number changed, and its digest made to fit."""
     changed = copy.deepcopy(certificate)
     at = changed
@@ -105,9 +113,13 @@ def test_the_table_of_figure_3(figure_3: dict[str, Any]) -> None:
 def test_certificates_contain_the_references_of_40_digits(name: str) -> None:
     data = json.loads((ROOT / "evidence" / "reference" / "motions.json").read_text())
     motion = next(one for one in data["motions"] if one["name"] == name)
-    hoop = tuple(float(motion["hoop"][key]) for key in ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"))
+    hoop = tuple(
+        float(motion["hoop"][key]) for key in ("mass_ratio", "offset", "inertia", "mu_s", "mu_k")
+    )
     start = tuple(float(motion["start"][key]) for key in ("theta", "theta_rate", "slip"))
-    certificate = certify(Case(hoop, (*start, 0.0), float(motion["until"]), slope=motion["hoop"].get("slope", 0.0)))
+    certificate = certify(
+        Case(hoop, (*start, 0.0), float(motion["until"]), slope=motion["hoop"].get("slope", 0.0))
+    )
     assert certificate["certified"]
     events = certificate["events"]
     assert [one["cause"] for one in events] == [one["cause"] for one in motion["transitions"]]
@@ -117,7 +129,10 @@ def test_certificates_contain_the_references_of_40_digits(name: str) -> None:
             middle, radius = map(Fraction, event["state"][key])
             reference = Fraction(transition[key])
             # The reference is rounded to 25 digits.
-            assert abs(middle - reference) <= radius + abs(reference) * Fraction(6, 10**25), (event["cause"], key)
+            assert abs(middle - reference) <= radius + abs(reference) * Fraction(6, 10**25), (
+                event["cause"],
+                key,
+            )
 
 
 def test_the_library_is_within_its_ulps(figure_3: dict[str, Any], thrown: dict[str, Any]) -> None:
@@ -149,7 +164,11 @@ def test_the_checker_refuses_any_changed_digit(thrown: dict[str, Any]) -> None:
 
 
 def test_the_checker_refuses_changed_digits_of_slides_and_rolling(figure_3: dict[str, Any]) -> None:
-    for place in (("events", 0, "state", "time"), ("initial", "evidence", "contact"), ("phases", 0, "samples", 0, "x")):
+    for place in (
+        ("events", 0, "state", "time"),
+        ("initial", "evidence", "contact"),
+        ("phases", 0, "samples", 0, "x"),
+    ):
         for part in (0, 1):
             with pytest.raises(Refused):
                 check(with_another_digit(figure_3, place, part))
@@ -194,8 +213,14 @@ def test_only_a_bounce_below_the_listed_rate_is_left_to_the_settlement() -> None
     for path in sorted((TRUTH / "certificates").glob("*settl*.json")):
         events = json.loads(path.read_text())["events"]
         for before, event in itertools.pairwise(events):
-            if event["cause"] in ("landing", "settle") and before["to"] == "flight" and "impact" in before:
-                assert (float(before["state"]["gap_rate"][0]) < 1e-3) == (event["cause"] == "settle"), path.stem
+            if (
+                event["cause"] in ("landing", "settle")
+                and before["to"] == "flight"
+                and "impact" in before
+            ):
+                assert (float(before["state"]["gap_rate"][0]) < 1e-3) == (
+                    event["cause"] == "settle"
+                ), path.stem
 
 
 def test_the_checker_is_one_file_that_takes_nothing_from_the_package(tmp_path: Path) -> None:
@@ -203,7 +228,11 @@ def test_the_checker_is_one_file_that_takes_nothing_from_the_package(tmp_path: P
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         assert not (isinstance(node, ast.ImportFrom) and node.level)
         if isinstance(node, ast.Import | ast.ImportFrom):
-            names = [one.name for one in node.names] if isinstance(node, ast.Import) else [node.module or ""]
+            names = (
+                [one.name for one in node.names]
+                if isinstance(node, ast.Import)
+                else [node.module or ""]
+            )
             assert {one.split(".")[0] for one in names} <= sys.stdlib_module_names
     # Alone in a folder, without packages and without the folders of this process.
     alone = shutil.copy(file, tmp_path / "checker.py")
@@ -219,7 +248,10 @@ def test_the_checker_is_one_file_that_takes_nothing_from_the_package(tmp_path: P
     assert done.stdout.endswith(f"{len(ALONE)} of {len(ALONE)} are right\n")
     for name in ALONE:
         found = check(json.loads((TRUTH / "certificates" / f"{name}.json").read_text()))
-        assert f"{name}.json: {found['numbers']} numbers of {found['events']} events are right" in done.stdout
+        assert (
+            f"{name}.json: {found['numbers']} numbers of {found['events']} events are right"
+            in done.stdout
+        )
 
 
 ALONE = ("landing-18", "jam-13", "thrown-01")
@@ -304,12 +336,21 @@ def test_every_case_of_the_list_has_its_certificate() -> None:
         (dict(hoop=(1.0, 1.0, -1.0, 0.5, 0.4)), "hoop.inertia = -1.0 must be at least 0"),
         (dict(hoop=(1.0, 1.0, 1.0, 0.3, 0.4)), "hoop.mu_k = 0.4 must be at most mu_s = 0.3"),
         (dict(hoop=(1.0, 1.0, 1.0, 0.3, -0.1)), "hoop.mu_k = -0.1 must be at least 0"),
-        (dict(hoop=(0.0, 1.0, 0.5, 0.5, 0.4)), "hoop.inertia = 0.5 must be 0 if the mass of the hoop, 0.0, is"),
+        (
+            dict(hoop=(0.0, 1.0, 0.5, 0.5, 0.4)),
+            "hoop.inertia = 0.5 must be 0 if the mass of the hoop, 0.0, is",
+        ),
         (dict(hoop=(0.0, 0.5, 0.0, 0.5, 0.4)), "hoop.offset = 0.5 must be the radius, 1"),
-        (dict(hoop=(0.0, 1.0, 0.0, 0.5, 0.4), start=(0.0, 0.0, 0.0, 1.0)), "start.gap_rate = 1.0 must be 0"),
+        (
+            dict(hoop=(0.0, 1.0, 0.0, 0.5, 0.4), start=(0.0, 0.0, 0.0, 1.0)),
+            "start.gap_rate = 1.0 must be 0",
+        ),
         (dict(slope=1.6), "hoop.slope = 1.6 must be at most 1.5707963267948966"),
         (dict(slope=-1.6), "hoop.slope = -1.6 must be at least -1.5707963267948966"),
-        (dict(hoop=(0.0, 1.0, 0.0, 0.5, 0.4), slope=0.1), "hoop.slope = 0.1 must be 0: the hoop has no mass"),
+        (
+            dict(hoop=(0.0, 1.0, 0.0, 0.5, 0.4), slope=0.1),
+            "hoop.slope = 0.1 must be 0: the hoop has no mass",
+        ),
         (dict(start=(math.nan, 1.0, 0.0, 0.0)), "start.theta = nan must be finite"),
         (dict(start=(0.0, 1.0, 0.0, -1.0)), "start.gap_rate = -1.0 must be at least 0"),
         (dict(until=0.0), "until = 0.0 must be above 0"),
@@ -329,9 +370,14 @@ def test_bad_cases_are_refused_by_maker_and_checker(
     hoop: dict[str, Any] = dict(zip(names, whole["hoop"], strict=True))
     hoop |= {"slope": whole["slope"]} if "slope" in whole else {}
     if "restitution" in whole:
-        hoop |= {"restitution": whole["restitution"], "restitution_law": whole.get("law", "energetic")}
+        hoop |= {
+            "restitution": whole["restitution"],
+            "restitution_law": whole.get("law", "energetic"),
+        }
     start = dict(zip(("theta", "theta_rate", "slip", "gap_rate"), whole["start"], strict=True))
-    case = dict(name="", family="", units=whole.get("units", "dimensionless"), hoop=hoop, start=start)
+    case = dict(
+        name="", family="", units=whole.get("units", "dimensionless"), hoop=hoop, start=start
+    )
     with pytest.raises(Refused, match=re.escape("case." + message)):
         check(sealed(thrown | {"case": case | {"until": whole.get("until")}}))
 
@@ -373,16 +419,23 @@ def test_a_case_is_read_with_its_defaults_and_nothing_else() -> None:
 
 def test_what_is_not_certified_says_what_and_where() -> None:
     # Bounces with e = 1 that slip throughout do not settle, and are too slow to be listed.
-    certificate = certify(Case((1.0, 0.5, 1.0, 0.3, 0.0), (0.4, 0.0, 1.0, 9e-4), 1.0, 1.0), most_bits=200)
+    certificate = certify(
+        Case((1.0, 0.5, 1.0, 0.3, 0.0), (0.4, 0.0, 1.0, 9e-4), 1.0, 1.0), most_bits=200
+    )
     reason = certificate["reason"]
-    assert "time is up while bounces accumulate; flight from time 0.99" in reason and "theta 0." in reason, reason
+    assert (
+        "time is up while bounces accumulate; flight from time 0.99" in reason
+        and "theta 0." in reason
+    ), reason
     with pytest.raises(Refused, match="nothing is certified: time is up"):
         check(certificate)
 
 
 def test_bounces_on_a_slope_are_not_certified_to_settle() -> None:
     certificate = certify(Case(THIN, (2.5, 0.3, 0.1, 0.2), 8.0, 0.3, slope=0.1), most_bits=200)
-    assert certificate["reason"].startswith("bounces on a slope are not proved to settle"), certificate["reason"]
+    assert certificate["reason"].startswith("bounces on a slope are not proved to settle"), (
+        certificate["reason"]
+    )
     # Impacts before are.
     certificate = certify(Case(THIN, (2.5, 0.3, 0.1, 0.6), 1.5, 0.8, slope=0.1))
     assert [one["cause"] for one in certificate["events"]] == ["landing"]
@@ -393,8 +446,14 @@ def test_mirrored_slopes_have_mirrored_certificates() -> None:
     """α, θ, θ′ and η′ with the other sign: the same motion from behind, to the last digit."""
     start = (1.26, -0.19, 0.18, 0.0)
     one = certify(Case((1.0, 0.9, 0.5, 0.9, 0.81), start, 12.0, slope=-0.74))
-    other = certify(Case((1.0, 0.9, 0.5, 0.9, 0.81), (*(-value for value in start[:3]), 0.0), 12.0, slope=0.74))
-    assert [event["cause"] for event in one["events"]] == [event["cause"] for event in other["events"]] != []
+    other = certify(
+        Case((1.0, 0.9, 0.5, 0.9, 0.81), (*(-value for value in start[:3]), 0.0), 12.0, slope=0.74)
+    )
+    assert (
+        [event["cause"] for event in one["events"]]
+        == [event["cause"] for event in other["events"]]
+        != []
+    )
     for mine, its in zip(one["events"], other["events"], strict=True):
         for name, (middle, radius) in mine["state"].items():
             factor = 1 if name in ("time", "gap", "gap_rate", "energy") else -1
@@ -431,21 +490,29 @@ def test_a_motion_of_too_many_pieces_is_given_up_soon(monkeypatch: pytest.Monkey
     monkeypatch.setattr(motion, "MOST_PIECES", 5)
     certificate = certify(FIGURE_3)
     assert not certificate["certified"]
-    assert "too many pieces; sliding from time 0 on, theta 1.57079633, after 0 events" in certificate["reason"]
+    assert (
+        "too many pieces; sliding from time 0 on, theta 1.57079633, after 0 events"
+        in certificate["reason"]
+    )
     monkeypatch.setattr(checker, "MOST_STEPS", 20)
     with pytest.raises(Refused, match="more than 19 steps"):
         check(sealed(json.loads((TRUTH / "certificates" / "paper-01.json").read_text())))
 
 
-@pytest.mark.parametrize("start", [(-2.4, 1e6, 0.7, 0.0), (-0.4, 1e6, 0.7, 0.0), (0.4, 9e5, 0.7, 1e6)])
+@pytest.mark.parametrize(
+    "start", [(-2.4, 1e6, 0.7, 0.0), (-0.4, 1e6, 0.7, 0.0), (0.4, 9e5, 0.7, 1e6)]
+)
 def test_fast_hoops_are_certified_and_checked(start: tuple[float, float, float, float]) -> None:
     certificate = certify(Case(THIN, start))
     assert certificate["certified"] and certificate["end"]["kind"] == "landing"
     assert check(certificate)["events"] == len(certificate["events"])
-    # The rim is at the plane: the gap in closed form, from the state where the flight begins, by 60 digits.
+    # The rim is at the plane: the gap in closed form, from the state where the flight begins, by 60
+    # digits.
     events = certificate["events"]
     state = {name: arb60(one) for name, one in events[-1]["state"].items()}
-    first = {name: arb60(one) for name, one in events[-2]["state"].items()} if len(events) > 1 else None
+    first = (
+        {name: arb60(one) for name, one in events[-2]["state"].items()} if len(events) > 1 else None
+    )
     with flint.ctx.workprec(300):
         theta, rate, opening, since = (
             (flint.arb(start[0]), flint.arb(start[1]), flint.arb(start[3]), flint.arb(0))
@@ -454,7 +521,11 @@ def test_fast_hoops_are_certified_and_checked(start: tuple[float, float, float, 
         )
         tau = state["time"] - since
         h = flint.arb(1) / 2
-        gap = (opening - h * theta.sin() * rate) * tau - tau * tau / 2 - h * ((theta + rate * tau).cos() - theta.cos())
+        gap = (
+            (opening - h * theta.sin() * rate) * tau
+            - tau * tau / 2
+            - h * ((theta + rate * tau).cos() - theta.cos())
+        )
         # As far as 30 digits of θ, of θ′ and of the time tell.
         assert gap.contains(0) and gap.rad() < 1e-9 * abs(start[1])
 
@@ -482,7 +553,20 @@ def test_bounces_of_restitution_1_settle_where_another_program_has_it(name: str,
 def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "certificate.json"
     hoop = ["--mass-ratio=1", "--offset=1", "--inertia=1", "--mu-s=0.5", "--mu-k=0.4"]
-    assert main([*hoop, "--theta=0.4", "--theta-rate=-1", "--slip=0.25", "--gap-rate=0.1", "--out", str(file)]) == 0
+    assert (
+        main(
+            [
+                *hoop,
+                "--theta=0.4",
+                "--theta-rate=-1",
+                "--slip=0.25",
+                "--gap-rate=0.1",
+                "--out",
+                str(file),
+            ]
+        )
+        == 0
+    )
     assert json.loads(file.read_text())["events"][0]["cause"] == "landing"
     assert main(["--check", str(file)]) == 0
     assert "numbers" in capsys.readouterr().out
@@ -544,7 +628,9 @@ def test_without_the_extra_the_message_names_it() -> None:
         "from littlewood.certify.__main__ import main\n"
         "sys.exit(main(['--mass-ratio=1','--offset=1','--inertia=1','--mu-s=0.5','--mu-k=0.4']))"
     )
-    done = subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code], capture_output=True, text=True, check=False
+    )
     assert done.returncode == 2
     assert 'pip install "littlewood[certify]"' in done.stderr
 
@@ -559,7 +645,9 @@ def bits() -> Iterator[None]:
 def test_the_arithmetic_of_the_checker_encloses() -> None:
     digits = "3.14159265358979323846264338327950288419716939937510582097494459"
     low, high = pi().ends()
-    assert low < Fraction(digits) + Fraction(1, 10**60) and high > Fraction(digits) - Fraction(1, 10**60)
+    assert low < Fraction(digits) + Fraction(1, 10**60) and high > Fraction(digits) - Fraction(
+        1, 10**60
+    )
     for angle in (Fraction(1, 3), Fraction(-29, 7), Fraction(355, 2)):
         sin, cos = sine_and_cosine(Range.of(angle))
         one = sin * sin + cos * cos
@@ -576,10 +664,17 @@ def test_the_arithmetic_of_the_checker_encloses() -> None:
 def test_the_series_of_the_checker_solve_their_equation() -> None:
     # x′ = y/z, y′ = x z and z′ = −z, from x = 0 and y = z = 1: the residual, by exact fractions.
     one, length = Range.of(1), Range.of(Fraction(1, 4))
-    x, y, z = checker.Integral(Range(0), length), checker.Integral(one, length), checker.Integral(one, length)
+    x, y, z = (
+        checker.Integral(Range(0), length),
+        checker.Integral(one, length),
+        checker.Integral(one, length),
+    )
     x.of, y.of, z.of = y / z, x * z, -z
     count = 20
-    middle = {name: [Fraction(of[k].m, 1 << 256) for k in range(count)] for name, of in (("x", x), ("y", y), ("z", z))}
+    middle = {
+        name: [Fraction(of[k].m, 1 << 256) for k in range(count)]
+        for name, of in (("x", x), ("y", y), ("z", z))
+    }
 
     def product(a: list[Fraction], b: list[Fraction], k: int) -> Fraction:
         return sum((a[j] * b[k - j] for j in range(k + 1)), Fraction(0))
@@ -605,7 +700,9 @@ def product(*roots: Fraction) -> list[Fraction]:
     """The coefficients of the product of all r − s."""
     found = [Fraction(1)]
     for root in roots:
-        found = [root * a - b for a, b in zip([*found, Fraction(0)], [Fraction(0), *found], strict=True)]
+        found = [
+            root * a - b for a, b in zip([*found, Fraction(0)], [Fraction(0), *found], strict=True)
+        ]
     return found
 
 
@@ -613,7 +710,11 @@ def product(*roots: Fraction) -> list[Fraction]:
 def test_a_guard_that_falls_without_a_zero_does_not_hide_the_first_one_of_another() -> None:
     slip = guard(product(Fraction(1, 10), Fraction(1, 5), Fraction(4, 5)))
     contact = guard([Fraction(1), Fraction(-3, 10), Fraction(-69, 100)])
-    for guards in ({"slip": slip}, {"slip": slip, "contact": contact}, {"contact": contact, "slip": slip}):
+    for guards in (
+        {"slip": slip},
+        {"slip": slip, "contact": contact},
+        {"contact": contact, "slip": slip},
+    ):
         _, found = checker.first_zero(guards)
         assert found is not None
         name, s = found
@@ -626,14 +727,23 @@ def test_the_first_zero_of_random_polynomials_is_the_least_of_their_roots() -> N
     for _ in range(150):
         roots: dict[str, list[Fraction]] = {}
         for name in "abc"[: rng.choice([1, 2, 3])]:
-            inside = [Fraction(rng.randrange(1, 1000), 1000) for _ in range(rng.choice([0, 0, 1, 2, 3]))]
-            roots[name] = inside + [Fraction(rng.randrange(1001, 3000), 1000) for _ in range(rng.choice([0, 1, 2]))]
+            inside = [
+                Fraction(rng.randrange(1, 1000), 1000) for _ in range(rng.choice([0, 0, 1, 2, 3]))
+            ]
+            roots[name] = inside + [
+                Fraction(rng.randrange(1001, 3000), 1000) for _ in range(rng.choice([0, 1, 2]))
+            ]
         every = [root for found in roots.values() for root in found if root < 1]
         if len(set(every)) < len(every):
             # A double zero is not decided, and two guards that vanish together are not.
             continue
-        expected = min(((root, name) for name, found in roots.items() for root in found if root < 1), default=None)
-        free, found = checker.first_zero({name: guard(product(*one)) for name, one in roots.items()})
+        expected = min(
+            ((root, name) for name, found in roots.items() for root in found if root < 1),
+            default=None,
+        )
+        free, found = checker.first_zero(
+            {name: guard(product(*one)) for name, one in roots.items()}
+        )
         # Where nothing happens is all that comes before.
         ends = [float(end) for interval in free for end in interval]
         assert ends[1:-1:2] == ends[2::2] and ends[:1] in ([], [0.0])
@@ -648,7 +758,8 @@ def test_the_first_zero_of_random_polynomials_is_the_least_of_their_roots() -> N
 
 
 def test_solutions_part_by_no_more_than_the_checker_says() -> None:
-    # The exponential series by fractions, as far as its terms matter; where it is not bounded, nothing is said.
+    # The exponential series by fractions, as far as its terms matter; where it is not bounded,
+    # nothing is said.
     rng = random.Random(4)
     for _ in range(60):
         a, b, time = (10 ** rng.uniform(-4, 2) for _ in range(3))
@@ -669,7 +780,10 @@ def test_solutions_part_by_no_more_than_the_checker_says() -> None:
             all_of_it = (all_of_it[0] + term[0], all_of_it[1] + term[1])
         found = checker.Apart(theta, rate).after(time, alpha)
         assert found.theta >= all_of_it[0] and found.rate >= all_of_it[1]
-        assert found.theta <= float(all_of_it[0]) * 1.01 + 1e-9 and found.rate <= float(all_of_it[1]) * 1.01 + 1e-9
+        assert (
+            found.theta <= float(all_of_it[0]) * 1.01 + 1e-9
+            and found.rate <= float(all_of_it[1]) * 1.01 + 1e-9
+        )
 
 
 def test_the_precision_is_that_of_one_check_alone(thrown: dict[str, Any]) -> None:
@@ -677,18 +791,28 @@ def test_the_precision_is_that_of_one_check_alone(thrown: dict[str, Any]) -> Non
     cases = [thrown, json.loads((TRUTH / "certificates" / "landing-18.json").read_text())]
     with ThreadPoolExecutor(4) as pool:
         jobs = [pool.submit(check, cases[k % 2], (192 + 64 * k, 1024)) for k in range(8)]
-        assert [job.result()["events"] for job in jobs] == [len(cases[k % 2]["events"]) for k in range(8)]
+        assert [job.result()["events"] for job in jobs] == [
+            len(cases[k % 2]["events"]) for k in range(8)
+        ]
     assert Range.bits == before
 
 
 @pytest.mark.usefixtures("bits")
 def test_the_radius_of_a_number_is_that_of_the_rule() -> None:
-    # Of 31 digits, so that the distance is a whole number of tenths of a unit, and of numbers between.
-    for tail, radius in (("0", "1"), ("1", "11"), ("4", "41"), ("6", "41"), ("9", "11"), ("12345", "13")):
+    # Of 31 digits, so that the distance is a whole number of tenths of a unit, and of numbers
+    # between.
+    for tail, radius in (
+        ("0", "1"),
+        ("1", "11"),
+        ("4", "41"),
+        ("6", "41"),
+        ("9", "11"),
+        ("12345", "13"),
+    ):
         number = Fraction(int("1" * 30 + tail), 10 ** (len(tail) + 29))
-        assert checker.text_of(Range.of(number) if tail == "12345" else Range.of(number).widened(Range(1)))[1] == (
-            f"{radius}e-31"
-        )
+        assert checker.text_of(
+            Range.of(number) if tail == "12345" else Range.of(number).widened(Range(1))
+        )[1] == (f"{radius}e-31")
 
 
 def test_the_discs_of_the_checker_enclose() -> None:
@@ -700,7 +824,9 @@ def test_the_discs_of_the_checker_enclose() -> None:
     for _ in range(200):
         theta, rate = rng.uniform(-9, 9), rng.uniform(-2, 2)
         wide, fast = rng.uniform(0, 0.5), rng.uniform(0, 0.5)
-        bounds = function(*checker.angle_and_rate(checker.Disc(theta, wide), checker.Disc(rate, fast)))
+        bounds = function(
+            *checker.angle_and_rate(checker.Disc(theta, wide), checker.Disc(rate, fast))
+        )
         for _ in range(20):
             z = theta + cmath.rect(wide * rng.random(), rng.uniform(0, 7))
             w = rate + cmath.rect(fast * rng.random(), rng.uniform(0, 7))
@@ -739,7 +865,9 @@ def test_certificates_follow_their_schema(schema: Any) -> None:
 def test_the_checker_reads_what_the_schema_allows(schema: Any) -> None:
     rng = random.Random(1)
     names = ("paper-02", "si-01", "landing-18", "settles-sticking-02", "long-rolling-08")
-    documents = [json.loads((TRUTH / "certificates" / f"{name}.json").read_text()) for name in names]
+    documents = [
+        json.loads((TRUTH / "certificates" / f"{name}.json").read_text()) for name in names
+    ]
     documents.append({key: documents[0][key] for key in ("format", "version", "case", "digest")})
     documents[-1] |= {"certified": False, "reason": "another"}
     counts = [0, 0]
@@ -779,7 +907,11 @@ def with_another_shape(document: Any, rng: random.Random) -> Any:
 
     def places(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
         for key, one in (
-            value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+            value.items()
+            if isinstance(value, dict)
+            else enumerate(value)
+            if isinstance(value, list)
+            else ()
         ):
             yield (*path, key)
             yield from places(one, (*path, key))
@@ -823,7 +955,11 @@ def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
         fields = resource["schema"]["fields"]
         assert header == [field["name"] for field in fields]
         assert all(field["description"] for field in fields)
-        numbers = [field for field in fields if field["type"] == "number" and field["name"].split("_")[-1] not in SI]
+        numbers = [
+            field
+            for field in fields
+            if field["type"] == "number" and field["name"].split("_")[-1] not in SI
+        ]
         assert all(field["unit"] and field["unit_si"] for field in numbers)
         rows = list(csv.DictReader(io.StringIO(data.decode())))
         keys = [tuple(row[key] for key in resource["schema"]["primaryKey"]) for row in rows]
@@ -841,7 +977,11 @@ def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
     } <= set(files)
     for row in csv.DictReader(io.StringIO(files["tables/motions.csv"].decode())):
         given = CASES[row["motion"]].given
-        assert all(float(row[key]) == value for key, value in given["hoop"].items() if key != "restitution_law")
+        assert all(
+            float(row[key]) == value
+            for key, value in given["hoop"].items()
+            if key != "restitution_law"
+        )
         assert all(float(row[f"start_{key}"]) == value for key, value in given["start"].items())
         assert row["until"] == ("" if given["until"] is None else str(given["until"]))
     rows = list(csv.DictReader(io.StringIO(files["tables/events.csv"].decode())))

@@ -14,7 +14,9 @@ def test_figure_7():
     theta = cf.slip_angle(0.5)
     assert math.cos(theta) == pytest.approx(0.6, rel=1e-15)
     assert cf.rolling_angle(0.0, 0.5, math.log(5)) == pytest.approx(theta, rel=1e-14)
-    assert cf.gliding_time_to_plane(theta, 0.75) == pytest.approx((math.sqrt(89) - 3) / 5, rel=1e-14)
+    assert cf.gliding_time_to_plane(theta, 0.75) == pytest.approx(
+        (math.sqrt(89) - 3) / 5, rel=1e-14
+    )
     motion = lw.case("figure-7").simulate()
     assert motion.transitions[0].time == pytest.approx(math.log(5), rel=1e-14)
 
@@ -25,7 +27,9 @@ def test_they_broadcast():
     energy = cf.rolling_energy(theta, rate)
     assert energy.shape == (7, 5)
     np.testing.assert_allclose(energy, (1 + np.cos(theta)) * rate**2 + np.cos(theta), rtol=1e-15)
-    np.testing.assert_allclose(cf.rolling_normal(theta, rate), np.cos(theta / 2) ** 2 * (1 - rate**2), rtol=1e-14)
+    np.testing.assert_allclose(
+        cf.rolling_normal(theta, rate), np.cos(theta / 2) ** 2 * (1 - rate**2), rtol=1e-14
+    )
     assert isinstance(cf.alpha(0.3, 0.2), float)
     with pytest.raises(ValueError, match="broadcast"):
         cf.alpha(np.zeros(3), np.zeros(4))
@@ -47,14 +51,21 @@ def test_the_three_types():
     mu_s = 0.5
     both = 1 + 2 * 0.6
     energies = [0.5, 1.0, both - 0.1, both + 0.1, 3.5, math.nan]
-    assert [cf.ROLLING_TYPES[code] for code in cf.rolling_type(energies, mu_s)] == ["", "III", "III", "I", "", ""]
+    assert [cf.ROLLING_TYPES[code] for code in cf.rolling_type(energies, mu_s)] == [
+        "",
+        "III",
+        "III",
+        "I",
+        "",
+        "",
+    ]
 
 
 def test_what_does_not_exist_is_nan_or_infinite():
     assert math.isnan(cf.rolling_angle(0.0, 0.5, 10.0))
-    assert math.isinf(cf.rolling_time_to_plane(0.8, cf.stable_manifold_rate(0.8) * 0 - math.tan(0.4))) or (
-        cf.rolling_time_to_plane(0.8, -math.tan(0.4)) > 60
-    )
+    assert math.isinf(
+        cf.rolling_time_to_plane(0.8, cf.stable_manifold_rate(0.8) * 0 - math.tan(0.4))
+    ) or (cf.rolling_time_to_plane(0.8, -math.tan(0.4)) > 60)
     assert cf.rolling_time_to_plane(0.0, 0.0) == math.inf
     # Footnote 7: with the particle inside, enough friction always suffices: μs ≥ ℓ/√(1 − ℓ²).
     assert math.isnan(cf.slip_angle(1.0, 0.6))
@@ -103,6 +114,14 @@ def test_regions_have_names(hoop):
 def test_equilibria(hoop):
     top, bottom = hoop.phase_plane.equilibria
     # D(0) = 1.5 + 2 · 1.5² = 6, D(π) = 1.5 + 2 · 0.5² = 2.
-    assert (top.theta, top.stability, top.rate) == (0.0, "unstable", pytest.approx(math.sqrt(1 / 6)))
-    assert (bottom.theta, bottom.stability, bottom.rate) == (math.pi, "stable", pytest.approx(math.sqrt(1 / 2)))
+    assert (top.theta, top.stability, top.rate) == (
+        0.0,
+        "unstable",
+        pytest.approx(math.sqrt(1 / 6)),
+    )
+    assert (bottom.theta, bottom.stability, bottom.rate) == (
+        math.pi,
+        "stable",
+        pytest.approx(math.sqrt(1 / 2)),
+    )
     assert len(lw.case("figure-7").hoop.phase_plane.equilibria) == 1

@@ -43,11 +43,18 @@ def test_both_print_the_same_page(command, name):
 def with_impacts(count):
     """Hoops that are not massless, with a coefficient of restitution and a law; some are thrown from the plane."""
     random = np.random.default_rng(1986)
-    problems = ((hoop, start) for hoop, start in random_problems(2 * count) if hoop["mass_ratio"] + hoop["inertia"] > 0)
+    problems = (
+        (hoop, start)
+        for hoop, start in random_problems(2 * count)
+        if hoop["mass_ratio"] + hoop["inertia"] > 0
+    )
     for i, (hoop, start) in zip(range(count), problems, strict=False):
         e = float(random.choice([0.0, 1.0, random.uniform(0.05, 0.9)]))
         thrown = {"gap_rate": float(random.uniform(0.1, 1.5))} if i % 3 == 0 else {}
-        yield {**hoop, "restitution": e, "restitution_law": lw.tables.RESTITUTION_LAWS[i % 3]}, {**start, **thrown}
+        yield (
+            {**hoop, "restitution": e, "restitution_law": lw.tables.RESTITUTION_LAWS[i % 3]},
+            {**start, **thrown},
+        )
 
 
 def same(ours, said):
@@ -115,10 +122,17 @@ def test_random_motions_with_impacts(command_json):
         assert motion.energy_lost == said["energy_lost"]
         seen |= {(one.cause, one.to_mode) for one in motion.transitions if one.impact is not None}
     # Landings with and without a rebound, and the ends of bounces.
-    assert seen >= {("landing", "flight"), ("landing", "rolling"), ("landing", "sliding"), ("settle", "rolling")}
+    assert seen >= {
+        ("landing", "flight"),
+        ("landing", "rolling"),
+        ("landing", "sliding"),
+        ("settle", "rolling"),
+    }
 
 
-@pytest.mark.parametrize("name", [name for name, case in lw.CASES.items() if case.hoop.restitution is not None])
+@pytest.mark.parametrize(
+    "name", [name for name, case in lw.CASES.items() if case.hoop.restitution is not None]
+)
 def test_cases_with_impacts(name, command_json):
     said = command_json("simulate", name, "--until", "50", "--samples", "7")
     motion = lw.case(name).simulate(until=50.0)
@@ -145,7 +159,17 @@ def test_a_map_is_the_store_of_the_command_line(axes, fixed, command, hoop, tmp_
     path = tmp_path / "map.zarr"
     (x, y) = axes.items()
     spans = [f"{name}={low!r}:{high!r}:{count}" for name, (low, high, count) in (x, y)]
-    done = command("map", "figure-3", "--x", spans[0], "--y", spans[1], *flags(**fixed, until=50.0), "--out", str(path))
+    done = command(
+        "map",
+        "figure-3",
+        "--x",
+        spans[0],
+        "--y",
+        spans[1],
+        *flags(**fixed, until=50.0),
+        "--out",
+        str(path),
+    )
     assert done.returncode == 0, done.stderr
     said = xarray.open_zarr(path, consolidated=False, mask_and_scale=False).load()
     values = {name: said[name].to_numpy() for name in axes}
@@ -167,10 +191,21 @@ def test_a_map_is_the_store_of_the_command_line(axes, fixed, command, hoop, tmp_
 
 
 def test_an_axis_that_contradicts_a_fixed_value_is_refused_by_both(command, hoop):
-    done = command("map", "figure-3", "--x", "mu_k=0.1:0.9:9", "--y", "theta_rate=0:1:5", "--out", "unused.zarr")
+    done = command(
+        "map",
+        "figure-3",
+        "--x",
+        "mu_k=0.1:0.9:9",
+        "--y",
+        "theta_rate=0:1:5",
+        "--out",
+        "unused.zarr",
+    )
     assert done.returncode == 2
     with pytest.raises(lw.ParameterError) as caught:
-        lw.outcome_map(hoop, theta=0.0, mu_k=np.linspace(0.1, 0.9, 9), theta_rate=np.linspace(0, 1, 5))
+        lw.outcome_map(
+            hoop, theta=0.0, mu_k=np.linspace(0.1, 0.9, 9), theta_rate=np.linspace(0, 1, 5)
+        )
     assert str(caught.value) in " ".join(done.stderr.replace("│", " ").split())
 
 

@@ -60,13 +60,18 @@ def test_no_transition_shows_what_is_there_at_once(hoop):
     # The motion of Figure 3 begins with a slide that sticks.
     start = dict(theta=1.5707963267948966, theta_rate=2.0)
     motion = hoop.simulate(**start, max_transitions=0)
-    assert (motion.outcome.kind, [phase.mode for phase in motion.phases]) == ("transition_limit", ["sliding"])
+    assert (motion.outcome.kind, [phase.mode for phase in motion.phases]) == (
+        "transition_limit",
+        ["sliding"],
+    )
     assert hoop.simulate(**start, max_transitions=2**64 - 1).outcome.kind == "landing"
 
 
 @pytest.mark.parametrize("frames", [-1, 1, 300_001, 10**12, 2**70])
 def test_frames_are_bounded(frames, motion):
-    with pytest.raises(ValueError, match=rf"frames = {frames} must not (be less than 2|exceed 300000)"):
+    with pytest.raises(
+        ValueError, match=rf"frames = {frames} must not (be less than 2|exceed 300000)"
+    ):
         motion.animate(frames=frames)
 
 
@@ -97,9 +102,8 @@ hoop = motion.hoop
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + (400 << 20),) * 2)
 for work in (
-    lambda: motion.sample(10_000_000),
-    lambda: motion(np.broadcast_to(1.0, 10_000_000)),
-    lambda: lw.outcome_map(hoop, theta=np.linspace(0, 1, 10_000), theta_rate=np.linspace(0, 1, 10_000)),
+    lambda: motion.sample(10_000_000), lambda: motion(np.broadcast_to(1.0, 10_000_000)), lambda:
+    lw.outcome_map(hoop, theta=np.linspace(0, 1, 10_000), theta_rate=np.linspace(0, 1, 10_000)),
 ):
     try:
         work()
@@ -108,7 +112,11 @@ for work in (
 """
 
 
-@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the limit of memory is that of Linux")
+@pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="the limit of memory is that of Linux"
+)
 def test_too_little_memory_is_an_exception(tmp_path):
-    done = subprocess.run([sys.executable, "-c", LIMITED], cwd=tmp_path, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", LIMITED], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
     assert (done.returncode, done.stdout.split()) == (0, ["refused"] * 3), done.stderr

@@ -24,7 +24,9 @@ def client():
     """Two workers, each a process of its own."""
     with (
         dask.config.set({"distributed.scheduler.allowed-failures": 5}),
-        LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0") as cluster,
+        LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0"
+        ) as cluster,
         Client(cluster) as client,
     ):
         yield client
@@ -36,7 +38,9 @@ def local(hoop):
 
 
 def test_blocks_are_lazy(hoop):
-    lazy = lw.outcome_map(hoop, theta=THETA, theta_rate=THETA_RATE, chunks={"theta": 100, "theta_rate": 50})
+    lazy = lw.outcome_map(
+        hoop, theta=THETA, theta_rate=THETA_RATE, chunks={"theta": 100, "theta_rate": 50}
+    )
     assert dict(lazy.chunksizes) == {"theta": (100, 100, 40), "theta_rate": (50,) * 4}
     for variable in lazy.data_vars.values():
         assert dask.is_dask_collection(variable.data)
@@ -65,7 +69,9 @@ def test_a_block_is_computed_once(hoop, monkeypatch):
 def test_workers_get_the_bits_of_one_machine(hoop, local, client):
     pids = client.run(os.getpid)
     assert len(set(pids.values()) | {os.getpid()}) == 3
-    lazy = lw.outcome_map(hoop, theta=THETA, theta_rate=THETA_RATE, until=50.0, chunks={"theta": 37, "theta_rate": 64})
+    lazy = lw.outcome_map(
+        hoop, theta=THETA, theta_rate=THETA_RATE, until=50.0, chunks={"theta": 37, "theta_rate": 64}
+    )
     assert bits(lazy.compute()) == bits(local)
 
 
@@ -76,7 +82,9 @@ def test_coordinates_of_dask(hoop, client):
     lazy = lw.simulate_many(hoop, theta=theta, theta_rate=rate, mu_k=mu_k, until=30.0)
     assert dask.is_dask_collection(lazy.outcome.data)
     assert dask.is_dask_collection(lazy.theta.data)
-    eager = lw.simulate_many(hoop, theta=theta.compute(), theta_rate=rate.compute(), mu_k=mu_k, until=30.0)
+    eager = lw.simulate_many(
+        hoop, theta=theta.compute(), theta_rate=rate.compute(), mu_k=mu_k, until=30.0
+    )
     assert bits(lazy.compute()) == bits(eager)
     # Arrays of Dask by themselves, too.
     plain = lw.simulate_many(hoop, theta=theta.data, theta_rate=rate.data, until=30.0)
@@ -91,7 +99,9 @@ def test_bounces_have_the_bits_of_one_machine(hoop, client):
         "theta_rate": np.array([1.5, 2.5]),
     }
     eager = lw.outcome_map(hoop, **axes, restitution_law="poisson", until=20.0)
-    lazy = lw.outcome_map(hoop, **axes, restitution_law="poisson", until=20.0, chunks={"restitution": 3, "theta": 17})
+    lazy = lw.outcome_map(
+        hoop, **axes, restitution_law="poisson", until=20.0, chunks={"restitution": 3, "theta": 17}
+    )
     assert bits(lazy.compute()) == bits(eager)
     assert lazy.attrs["restitution_law"] == "poisson"
     # Another law is another result.

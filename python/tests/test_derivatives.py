@@ -29,7 +29,12 @@ def test_rolling_of_littlewoods_hoop_from_the_top():
 def test_slip_of_littlewoods_hoop_from_the_top():
     # It slips at tan(θ/2) = μs, that is at sinh(τ/2) = sin(θ/2)/θ0′.
     mu_s, rate = 0.5, 0.5
-    slip = lw.case("figure-7").simulate().derivatives(["theta_rate", "mu_s", "mu_k"]).isel(transition=0)
+    slip = (
+        lw.case("figure-7")
+        .simulate()
+        .derivatives(["theta_rate", "mu_s", "mu_k"])
+        .isel(transition=0)
+    )
     half_sine, half_cosine = mu_s / math.hypot(1, mu_s), 1 / math.hypot(1, mu_s)
     angle = 2 / (1 + mu_s**2)
     cosh = math.hypot(1, half_sine / rate)
@@ -58,7 +63,9 @@ def test_derivatives_are_those_of_differences_with_40_digits(row):
         for name in names:
             ours = [float(found[column].sel(transition=i, quantity=name)) for column in STATE]
             theirs = np.array(event["after"][name])
-            np.testing.assert_allclose(ours, theirs, rtol=0, atol=bound * max(1.0, np.abs(theirs).max()))
+            np.testing.assert_allclose(
+                ours, theirs, rtol=0, atol=bound * max(1.0, np.abs(theirs).max())
+            )
 
 
 def test_the_command_line_has_the_same_bits(command_json):
@@ -76,7 +83,9 @@ def test_the_command_line_has_the_same_bits(command_json):
             assert str(ours[prefix + "reason"].values) == numbers.get("reason", "")
             for column in numbers.keys() & {*STATE}:
                 assert float(ours[prefix + column]) == numbers[column]
-    recurrence = {"period", "theta_min", "theta_max"} & said["outcome"]["derivatives"]["mu_k"].keys()
+    recurrence = {"period", "theta_min", "theta_max"} & said["outcome"]["derivatives"][
+        "mu_k"
+    ].keys()
     assert recurrence
     for name in recurrence:
         assert [float(value) for value in found[name] if not math.isnan(value)] == [
@@ -110,10 +119,14 @@ def test_quantities_of_a_motion(hoop):
     np.testing.assert_array_equal(found.time.sel(quantity="time"), 1.0)
     bounces = lw.case("figure-3-bounces").simulate().derivatives()
     assert "restitution" in bounces["quantity"]
-    with pytest.raises(lw.ParameterError, match="no quantity of a hoop or a start named 'mu'") as raised:
+    with pytest.raises(
+        lw.ParameterError, match="no quantity of a hoop or a start named 'mu'"
+    ) as raised:
         motion.derivatives(["mu"])
     assert "mu_s, mu_k" in raised.value.hint
-    with pytest.raises(lw.ParameterError, match="no derivatives with respect to restitution") as raised:
+    with pytest.raises(
+        lw.ParameterError, match="no derivatives with respect to restitution"
+    ) as raised:
         motion.derivatives_at(1.0, ["mu_k", "restitution"])
     assert raised.value.quantity == "restitution"
     with pytest.raises(TypeError):
@@ -162,14 +175,18 @@ def test_they_have_no_units():
     )
     motion = hoop.simulate_si(theta_rad=1.5, theta_rate_rad_per_s=9.0)
     start = motion.start
-    plain = lw.Hoop(**{name: getattr(hoop, name) for name in lw.tables.HOOP}).simulate(**vars(start))
+    plain = lw.Hoop(**{name: getattr(hoop, name) for name in lw.tables.HOOP}).simulate(
+        **vars(start)
+    )
     found = motion.derivatives()
     assert found.equals(plain.derivatives())
     for name, variable in found.data_vars.items():
         assert variable.attrs["long_name"]
         assert name.endswith("reason") or variable.attrs["units"] == "1"
     assert (found.time.attrs["scale"], found.end_slip.attrs["scale"]) == ("sqrt(R/g)", "sqrt(g R)")
-    assert lw.case("figure-2-libration").simulate().derivatives().period.attrs["scale"] == "sqrt(R/g)"
+    assert (
+        lw.case("figure-2-libration").simulate().derivatives().period.attrs["scale"] == "sqrt(R/g)"
+    )
 
 
 def test_what_follows_a_jam_without_a_motion_before_is_not_differentiated():

@@ -11,9 +11,16 @@ import littlewood as lw
 
 HOOP = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=0.5)
 START = {"theta": 2.5, "theta_rate": 3.0, "until": 20.0}
-NAMES = ["jump_length_by_mu_k", "end_x_by_theta_rate", "energy_by_inertia", "lift_off_time_by_theta"]
+NAMES = [
+    "jump_length_by_mu_k",
+    "end_x_by_theta_rate",
+    "energy_by_inertia",
+    "lift_off_time_by_theta",
+]
 # The environment of the tests has no torch, which is gigabytes.
-has_torch = pytest.mark.skipif(importlib.util.find_spec("torch") is None, reason="torch is not installed")
+has_torch = pytest.mark.skipif(
+    importlib.util.find_spec("torch") is None, reason="torch is not installed"
+)
 
 
 def _of_motion(name: str, **start: float) -> float:
@@ -31,7 +38,12 @@ def _of_motion(name: str, **start: float) -> float:
 
 
 def test_columns_are_the_derivatives_of_the_events() -> None:
-    names = ["jump_length_by_mu_k", "jump_length_by_theta", "lift_off_time_by_theta", "lift_off_time_by_inertia"]
+    names = [
+        "jump_length_by_mu_k",
+        "jump_length_by_theta",
+        "lift_off_time_by_theta",
+        "lift_off_time_by_inertia",
+    ]
     rates = np.array([2.8, 3.0, 3.2])
     found = lw.simulate_many(HOOP, theta=2.5, theta_rate=rates, until=20.0, derivatives=names)
     assert np.isfinite(found.jump_length).all()
@@ -62,7 +74,9 @@ def test_what_does_not_happen_and_what_has_no_derivative_is_nan() -> None:
 def test_blocks_give_the_same_derivatives() -> None:
     theta, rate = np.linspace(-2, 2, 5), np.linspace(0.5, 3, 4)
     whole = lw.outcome_map(HOOP, theta=theta, theta_rate=rate, until=10.0, derivatives=NAMES)
-    lazy = lw.outcome_map(HOOP, theta=theta, theta_rate=rate, until=10.0, derivatives=NAMES, chunks=2)
+    lazy = lw.outcome_map(
+        HOOP, theta=theta, theta_rate=rate, until=10.0, derivatives=NAMES, chunks=2
+    )
     assert lazy[NAMES[0]].chunks is not None
     assert whole.identical(lazy.compute())
 
@@ -92,16 +106,24 @@ def test_jax_takes_gradients_and_maps() -> None:
 
     jax.config.update("jax_enable_x64", True)
     jump = littlewood.jax.summary(["jump_length", "settle_time", "first_slip_time"], HOOP, **START)
-    expected = lw.simulate_many(HOOP, **START, derivatives=["jump_length_by_mu_k", "jump_length_by_inertia"])
+    expected = lw.simulate_many(
+        HOOP, **START, derivatives=["jump_length_by_mu_k", "jump_length_by_inertia"]
+    )
     values = {"mu_k": 0.4, "inertia": 1.0}
     slopes = jax.grad(lambda given: jump(given)["jump_length"])(values)
     assert float(slopes["mu_k"]) == float(expected.jump_length_by_mu_k)
     assert float(slopes["inertia"]) == float(expected.jump_length_by_inertia)
-    compiled = jax.jit(jax.value_and_grad(lambda mu_k: jump({"mu_k": mu_k, "inertia": 1.0})["jump_length"] ** 2))
+    compiled = jax.jit(
+        jax.value_and_grad(lambda mu_k: jump({"mu_k": mu_k, "inertia": 1.0})["jump_length"] ** 2)
+    )
     value, slope = compiled(0.4)
     assert float(value) == float(expected.jump_length) ** 2
-    np.testing.assert_allclose(slope, 2 * float(expected.jump_length) * float(expected.jump_length_by_mu_k), rtol=1e-15)
-    each = jax.vmap(jax.grad(lambda mu_k: jump({"mu_k": mu_k})["jump_length"]))(np.array([0.35, 0.4]))
+    np.testing.assert_allclose(
+        slope, 2 * float(expected.jump_length) * float(expected.jump_length_by_mu_k), rtol=1e-15
+    )
+    each = jax.vmap(jax.grad(lambda mu_k: jump({"mu_k": mu_k})["jump_length"]))(
+        np.array([0.35, 0.4])
+    )
     many = lw.simulate_many(HOOP, **START, mu_k=[0.35, 0.4], derivatives=["jump_length_by_mu_k"])
     np.testing.assert_array_equal(each, many.jump_length_by_mu_k)
     # One vector of starts, and its tangents.
@@ -109,7 +131,9 @@ def test_jax_takes_gradients_and_maps() -> None:
     start = {name: value for name, value in START.items() if name != "theta_rate"}
     of_rates = littlewood.jax.summary(["end_x"], HOOP, **start)
     _, changes = jax.jvp(of_rates, ({"theta_rate": rates},), ({"theta_rate": np.ones(3)},))
-    straight = lw.simulate_many(HOOP, **start, theta_rate=rates, derivatives=["end_x_by_theta_rate"])
+    straight = lw.simulate_many(
+        HOOP, **start, theta_rate=rates, derivatives=["end_x_by_theta_rate"]
+    )
     np.testing.assert_array_equal(changes["end_x"], straight.end_x_by_theta_rate)
 
 
@@ -133,8 +157,15 @@ def test_torch_takes_gradients() -> None:
     # A column that is not used may be without a derivative.
     jump({"mu_k": mu_k, "inertia": inertia})["jump_length"].sum().backward()
     many = lw.simulate_many(
-        HOOP, **START, mu_k=[0.35, 0.4], derivatives=["jump_length_by_mu_k", "jump_length_by_inertia"]
+        HOOP,
+        **START,
+        mu_k=[0.35, 0.4],
+        derivatives=["jump_length_by_mu_k", "jump_length_by_inertia"],
     )
     np.testing.assert_array_equal(mu_k.grad.numpy(), many.jump_length_by_mu_k)
-    np.testing.assert_allclose(float(inertia.grad), float(many.jump_length_by_inertia.sum()), rtol=1e-15)
-    assert torch.autograd.gradcheck(lambda m: jump({"mu_k": m})["jump_length"], (mu_k,), eps=1e-6, atol=1e-5)
+    np.testing.assert_allclose(
+        float(inertia.grad), float(many.jump_length_by_inertia.sum()), rtol=1e-15
+    )
+    assert torch.autograd.gradcheck(
+        lambda m: jump({"mu_k": m})["jump_length"], (mu_k,), eps=1e-6, atol=1e-5
+    )

@@ -15,7 +15,15 @@ PAGES = [
     PYTHON / "README.md",
     *(
         PYTHON / "docs" / name
-        for name in ("own-hoop.md", "jumps.md", "landing.md", "fit.md", "video.md", "lab.md", "score.md")
+        for name in (
+            "own-hoop.md",
+            "jumps.md",
+            "landing.md",
+            "fit.md",
+            "video.md",
+            "lab.md",
+            "score.md",
+        )
     ),
     PYTHON.parent / "docs" / "start.md",
     PYTHON.parent / "docs" / "studies" / "gradients-through-contact.md",
@@ -37,7 +45,9 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
         # A build without the page: what the widget is in the browser is tested in web/.
         monkeypatch.setattr(laboratory, "_MODULE", tmp_path / "laboratory.js")
         (tmp_path / "laboratory.js").write_text("export default { render() {} };", encoding="utf-8")
-    blocks = re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    blocks = re.findall(
+        r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )
     assert blocks
     names = {"__name__": page.stem}
     for block in blocks:
@@ -49,7 +59,9 @@ def test_the_page_on_sweeps_reads_a_store_of_the_program(binary, tmp_path, monke
     text = (PYTHON.parent / "docs" / "sweep.md").read_text(encoding="utf-8")
     (block,) = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     axes = ["--x", "theta=-pi:pi:9", "--y", "theta_rate=-4:4:7"]
-    subprocess.run([binary, "map", "figure-3", *axes, "--until", "5", "--out", "plane.zarr"], check=True)
+    subprocess.run(
+        [binary, "map", "figure-3", *axes, "--until", "5", "--out", "plane.zarr"], check=True
+    )
     names = {}
     exec(compile(block, "sweep.md", "exec"), names)
     assert names["plane"].outcome.shape == (9, 7)

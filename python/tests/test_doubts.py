@@ -27,7 +27,9 @@ def track_of(motion, seed=1, *, channels=("theta", "x"), scale=1.0, marker=0.0):
     time = np.linspace(0.0, 0.98 * motion.end_time, 300)
     seen = motion(time)
     values = {"theta": seen.theta + marker, "x": scale * seen.x, "y": scale * seen.centre_y}
-    return lw.Track(time, **{name: values[name] + random.normal(0.0, NOISE, time.size) for name in channels})
+    return lw.Track(
+        time, **{name: values[name] + random.normal(0.0, NOISE, time.size) for name in channels}
+    )
 
 
 def fitted(track, motion, **more):
@@ -36,7 +38,9 @@ def fitted(track, motion, **more):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         result = lw.fit(track, given.pop("hoop", motion.hoop), **given)
-    raised = [warning.message.doubt for warning in caught if isinstance(warning.message, FitWarning)]
+    raised = [
+        warning.message.doubt for warning in caught if isinstance(warning.message, FitWarning)
+    ]
     assert raised == list(result.doubts)
     assert {one.name for one in raised} <= set(DOUBTS)
     return result, {one.name: one for one in raised}
@@ -64,7 +68,8 @@ def test_a_wrong_scale_without_heights(motion):
     track = track_of(motion, scale=1.03)
     _, raised = fitted(track, motion)
     assert "camera_scale" in raised["camera"].parameters
-    # It can be estimated from a position along the floor alone; it was left out there once, without a word.
+    # It can be estimated from a position along the floor alone; it was left out there once, without
+    # a word.
     result, raised = fitted(track, motion, calibration=("scale",))
     assert raised == {}
     scale = result.estimates["camera_scale"]
@@ -83,7 +88,10 @@ def test_frames_in_which_the_tracker_was_lost(motion):
     track.x[[50, 51, 200]] += 0.3
     _, raised = fitted(track, motion)
     assert raised["outliers"].parameters == ("x",)
-    assert "3 frames" in raised["outliers"].message and "number 50, 51, 200" in raised["outliers"].message
+    assert (
+        "3 frames" in raised["outliers"].message
+        and "number 50, 51, 200" in raised["outliers"].message
+    )
     _, raised = fitted(track, motion, loss="soft_l1")
     assert "outliers" not in raised
 
@@ -145,7 +153,10 @@ def test_the_profile_is_that_of_a_normal_error_where_the_model_is_nearly_linear(
     result, _ = fitted(track_of(motion), motion)
     for name in FREE:
         normal, profile = result.estimates[name].interval(0.9), result.profile_interval(name, 0.9)
-        assert np.max(np.abs(np.subtract(normal, profile))) < 0.15 * result.estimates[name].std_error * 1.645
+        assert (
+            np.max(np.abs(np.subtract(normal, profile)))
+            < 0.15 * result.estimates[name].std_error * 1.645
+        )
     with pytest.raises(ValueError, match="must be one of mu_s, mu_k, inertia"):
         result.profile_interval("start_theta")
     with pytest.raises(ValueError, match="confidence = 1"):
@@ -154,12 +165,18 @@ def test_the_profile_is_that_of_a_normal_error_where_the_model_is_nearly_linear(
 
 def test_the_profile_has_one_side_where_there_is_no_slip():
     """Without a slip out of rolling every μs above the friction that it needed is as good."""
-    rolling = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4).simulate(theta=2.5, theta_rate=0.0)
+    rolling = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4).simulate(
+        theta=2.5, theta_rate=0.0
+    )
     random = np.random.default_rng(4)
     time = np.linspace(0.0, 15.0, 200)
     track = lw.Track(time, theta=rolling(time).theta + random.normal(0.0, NOISE, 200))
     result, raised = fitted(
-        track, rolling, free=("mu_s",), slips_at_start=False, start={"theta": 2.5, "theta_rate": 0.0}
+        track,
+        rolling,
+        free=("mu_s",),
+        slips_at_start=False,
+        start={"theta": 2.5, "theta_rate": 0.0},
     )
     assert raised["identifiability"].parameters == ("mu_s",)
     low, high = result.profile_interval("mu_s")
@@ -173,7 +190,9 @@ def test_tests_of_residuals_seldom_speak_of_noise():
     for _ in range(2000):
         noise = random.normal(0.0, 0.01, 150)
         frames = np.arange(150)
-        one = doubts._Channel(frames, noise, np.ones(150), doubts._from_frame_to_frame(noise, frames))
+        one = doubts._Channel(
+            frames, noise, np.ones(150), doubts._from_frame_to_frame(noise, frames)
+        )
         spoken += len(list(doubts._structure({"x": one}))) + len(list(doubts._outliers({"x": one})))
     assert spoken <= 6
     # The size of what differs from frame to frame is right, with waves or without.

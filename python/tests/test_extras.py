@@ -35,7 +35,9 @@ except ImportError as error:
 def test_a_missing_extra_is_named(module, extra, call):
     # `None` in sys.modules is how Python marks a module that is not to be imported.
     script = SCRIPT.format(module=module, call=call)
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0, done.stderr
     assert f'{module}, which is not installed: pip install "littlewood[{extra}]"' in done.stdout
 
@@ -43,7 +45,9 @@ def test_a_missing_extra_is_named(module, extra, call):
 def test_numpy_is_enough():
     heavy = "xarray pandas dask distributed zarr matplotlib scipy tqdm cv2"
     script = f"import sys, littlewood; print(*[m for m in {heavy.split()!r} if m in sys.modules])"
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
     assert done.stdout.split() == []
 
 
@@ -61,5 +65,7 @@ track = lw.Track(time, theta=motion(time).theta, x=motion(time).x)
 result = lw.fit(track, motion.hoop, free=["mu_k"], search=False, sigma={"theta": 0.01, "x": 0.01})
 print(abs(result.hoop.mu_k - motion.hoop.mu_k) < 1e-6)
 """
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False
+    )
     assert done.stdout.split() == ["True"], done.stderr

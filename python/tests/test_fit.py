@@ -9,7 +9,8 @@ import littlewood as lw
 from littlewood.fit_problem import Problem
 from littlewood.noise import Noise
 
-# A throw with backspin: it slides, rolls, slips, and lifts off. Few starts tell as much about both coefficients.
+# A throw with backspin: it slides, rolls, slips, and lifts off. Few starts tell as much about both
+# coefficients.
 THROW = {"theta": -1.7, "theta_rate": 1.0, "slip": -1.6}
 NOISE = 0.005
 # As a track has it, whose angles begin between 0 and 2π.
@@ -54,8 +55,8 @@ def test_it_recovers_what_was_put_in(hoop, guess):
         assert result.sigma["theta"] == pytest.approx(NOISE, rel=0.25)
         assert result.estimates["mu_s"].std_error < 0.01
         assert result.estimates["mu_k"].std_error < 0.003
-    # Errors over standard errors are numbers of a standard normal distribution: 48 of them, 3 and 3 of each motion
-    # correlated. Their mean square is 1, to about √(2/16).
+    # Errors over standard errors are numbers of a standard normal distribution: 48 of them, 3 and 3
+    # of each motion correlated. Their mean square is 1, to about √(2/16).
     assert np.max(np.abs(pulls)) < 4.5
     assert 0.4 < np.mean(np.square(pulls)) < 2.0
 
@@ -85,7 +86,8 @@ def test_it_recovers_the_restitution_from_bounces(hoop, guess):
             true = 0.5 if name == "restitution" else getattr(hoop, name)
             pulls.append((estimate.value - true) / estimate.std_error)
         assert result.estimates["restitution"].std_error < 0.001
-    # 18 errors over standard errors, 3 of each motion correlated: a mean square of 1, to about √(2/6).
+    # 18 errors over standard errors, 3 of each motion correlated: a mean square of 1, to about
+    # √(2/6).
     assert np.max(np.abs(pulls)) < 4.5
     assert np.mean(np.square(pulls)) < 1.0 + 4.0 * math.sqrt(2 / 6)
 
@@ -94,7 +96,9 @@ def test_a_known_restitution_follows_the_landing(hoop, guess):
     bouncy = dataclasses.replace(hoop, restitution=0.3, restitution_law="newton")
     motion = bouncy.simulate(**BOUNCES)
     wrong = dataclasses.replace(bouncy, mu_k=0.3)
-    result = lw.fit(tracked(motion, 5, end=6.0, channels=("theta", "x", "y")), wrong, free=("mu_k",))
+    result = lw.fit(
+        tracked(motion, 5, end=6.0, channels=("theta", "x", "y")), wrong, free=("mu_k",)
+    )
     assert (result.hoop.restitution, result.hoop.restitution_law) == (0.3, "newton")
     estimate = result.estimates["mu_k"]
     assert abs(estimate.value - hoop.mu_k) < 4.5 * estimate.std_error
@@ -103,8 +107,12 @@ def test_a_known_restitution_follows_the_landing(hoop, guess):
 
 def test_without_an_impact_there_is_no_restitution_to_see(hoop):
     rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
-    with pytest.warns(lw.fit_result.IdentifiabilityWarning, match="restitution .no impact was seen") as caught:
-        result = lw.fit(tracked(rolling, 1, end=15.0, count=60), hoop, free=("inertia", "restitution"))
+    with pytest.warns(
+        lw.fit_result.IdentifiabilityWarning, match="restitution .no impact was seen"
+    ) as caught:
+        result = lw.fit(
+            tracked(rolling, 1, end=15.0, count=60), hoop, free=("inertia", "restitution")
+        )
     assert caught[0].message.parameters == ("restitution",)
     assert result.estimates["restitution"].std_error == math.inf
 
@@ -118,7 +126,9 @@ def test_given_sigmas_are_taken(hoop, guess):
 
 def test_without_a_slip_there_is_no_friction_to_see(hoop, guess):
     rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
-    with pytest.warns(lw.fit_result.IdentifiabilityWarning, match="mu_s .*only mu_s >= .*mu_k .no slide") as caught:
+    with pytest.warns(
+        lw.fit_result.IdentifiabilityWarning, match="mu_s .*only mu_s >= .*mu_k .no slide"
+    ) as caught:
         result = lw.fit(tracked(rolling, 1, end=15.0), guess)
     assert caught[0].message.parameters == ("mu_s", "mu_k")
     assert not result.estimates["mu_s"].identifiable
@@ -142,7 +152,9 @@ def test_one_thing_at_a_time(hoop):
 @pytest.mark.parametrize("channels", [("x",), ("x", "y")])
 def test_the_centre_alone(hoop, guess, channels):
     """A position says nothing of the angle, nor of its rate where the hoop slips: the fit finds both."""
-    result = lw.fit(tracked(hoop.simulate(**THROW), 5, channels=channels), guess, slips_at_start=True)
+    result = lw.fit(
+        tracked(hoop.simulate(**THROW), 5, channels=channels), guess, slips_at_start=True
+    )
     assert result.motion.sequence == "-R+F"
     for name in ("mu_s", "mu_k", "inertia"):
         estimate = result.estimates[name]
@@ -153,14 +165,22 @@ def test_missing_frames_and_outliers(hoop, guess):
     track = tracked(hoop.simulate(**THROW), 7)
     track.theta[40:60] = np.nan
     track.x[::37] += 0.5
-    result = lw.fit(track, guess, slips_at_start=True, sigma={"theta": NOISE, "x": NOISE}, loss="soft_l1")
+    result = lw.fit(
+        track, guess, slips_at_start=True, sigma={"theta": NOISE, "x": NOISE}, loss="soft_l1"
+    )
     assert abs(result.hoop.mu_k - 0.4) < 0.02
     assert np.isnan(result.residuals["theta"][40:60]).all()
 
 
 def test_a_csv_in_si_units(tmp_path):
     hoop = lw.Hoop.from_si(
-        disc_mass_kg=0.4, particle_mass_kg=0.14, radius_m=0.45, offset_m=0.45, inertia_kg_m2=0.075, mu_s=0.45, mu_k=0.35
+        disc_mass_kg=0.4,
+        particle_mass_kg=0.14,
+        radius_m=0.45,
+        offset_m=0.45,
+        inertia_kg_m2=0.075,
+        mu_s=0.45,
+        mu_k=0.35,
     )
     motion = hoop.simulate_si(theta_rad=-1.7, theta_rate_rad_per_s=4.7, slip_m_per_s=-3.4)
     random = np.random.default_rng(0)
@@ -170,7 +190,9 @@ def test_a_csv_in_si_units(tmp_path):
         file.write("frame,time_s,theta_deg,x_m\n")
         for i, row in table.iterrows():
             angle = math.degrees(row.theta_rad) + random.normal(0, 0.2)
-            file.write(f"{i},{row.time_s},{angle if i % 50 else ''},{row.x_m + random.normal(0, 0.002)}\n")
+            file.write(
+                f"{i},{row.time_s},{angle if i % 50 else ''},{row.x_m + random.normal(0, 0.002)}\n"
+            )
     guess = dataclasses.replace(hoop, mu_s=0.6, mu_k=0.2, inertia=2.0)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
@@ -216,7 +238,9 @@ def test_a_track_on_a_ramp_of_a_known_slope(hoop, guess, level):
     assert np.max(np.abs(pulls)) < 4.5
     # The plane for a level one does not fit, and the fit says that it is steep.
     with pytest.warns(lw.fit_result.FitWarning) as caught:
-        wrong = lw.fit(track, guess, slips_at_start=True, sigma=dict.fromkeys(track.channels, NOISE))
+        wrong = lw.fit(
+            track, guess, slips_at_start=True, sigma=dict.fromkeys(track.channels, NOISE)
+        )
     assert wrong.reduced_chi_square > 2.0
     assert any(warning.message.doubt.name == "misfit" for warning in caught)
     assert any("slope" in warning.message.parameters for warning in caught)
@@ -230,8 +254,12 @@ def test_the_slope_of_a_ramp_is_found(hoop, guess, level):
     for seed in range(8):
         track = on_ramp(motion, seed, level=level)
         free = ("mu_s", "mu_k", "inertia", "slope")
-        first, start = (dataclasses.replace(guess, slope=0.12), {}) if searched(seed) else (motion.hoop, TRUTH)
-        result = lw.fit(track, first, free=free, slips_at_start=True, start=start, search=searched(seed))
+        first, start = (
+            (dataclasses.replace(guess, slope=0.12), {}) if searched(seed) else (motion.hoop, TRUTH)
+        )
+        result = lw.fit(
+            track, first, free=free, slips_at_start=True, start=start, search=searched(seed)
+        )
         assert result.motion.sequence == "-R+F"
         estimate = result.estimates["slope"]
         assert estimate.identifiable and result.hoop.slope == estimate.value
@@ -304,4 +332,6 @@ def test_exact_derivatives_of_the_residuals_are_their_differences(level):
         step = 1e-5 * np.eye(unknowns.size)[k]
         above, below = problem.residuals(unknowns + step), problem.residuals(unknowns - step)
         for name in found:
-            np.testing.assert_allclose(found[name][:, k], (above[name] - below[name]) / 2e-5, atol=1e-7)
+            np.testing.assert_allclose(
+                found[name][:, k], (above[name] - below[name]) / 2e-5, atol=1e-7
+            )

@@ -25,13 +25,17 @@ CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
 RATE = 120.0
 KNOWN = {"disc_mass_kg": 0.25, "particle_mass_kg": 0.25, "radius_m": 0.3, "offset_m": 0.27}
 TRUE = {"mu_s": 0.5, "mu_k": 0.4, "inertia": 0.9344, "restitution": 0.5}
-CAMERA = video.Camera((-1.0, 0.8, 3.4), (-1.2, 0.35, 0.0), focal_px=330.0, width=360, height=200, roll_rad=0.03)
+CAMERA = video.Camera(
+    (-1.0, 0.8, 3.4), (-1.2, 0.35, 0.0), focal_px=330.0, width=360, height=200, roll_rad=0.03
+)
 FLAGS = [f"--{name.replace('_', '-')}={value}" for name, value in KNOWN.items()]
 
 
 @pytest.fixture(scope="module")
 def motion():
-    true = lw.Hoop.from_si(**KNOWN, inertia_kg_m2=0.25 * 0.29**2, mu_s=0.5, mu_k=0.4, restitution=0.5)
+    true = lw.Hoop.from_si(
+        **KNOWN, inertia_kg_m2=0.25 * 0.29**2, mu_s=0.5, mu_k=0.4, restitution=0.5
+    )
     assert true.inertia == pytest.approx(TRUE["inertia"], abs=1e-4)
     return true.simulate(theta=math.pi / 2, theta_rate=2.0)
 
@@ -76,12 +80,16 @@ def test_the_picture_shows_hoop_track_and_floor(film, motion):
     picture = video.overlay_picture(film, motion, plane=plane, fps=RATE, track=track, count=4)
     still, _ = video.tracking.median_and_noise(video.tracking.frames_all_over(film, 0, None))
     assert picture.shape == still.shape
-    violet = np.array([int(lw.style.ACCENTS["violet"].lstrip("#")[k : k + 2], 16) for k in (4, 2, 0)])
+    violet = np.array(
+        [int(lw.style.ACCENTS["violet"].lstrip("#")[k : k + 2], 16) for k in (4, 2, 0)]
+    )
     is_violet = np.abs(picture.astype(int) - violet).max(axis=2) < 40
     for k in range(0, 60, 7):
         sample = motion(track.time[k])
         u, v = plane.to_pixels(0.3 * float(sample.x), 0.3 * float(sample.centre_y))
-        assert is_violet[round(float(v)) - 1 : round(float(v)) + 2, round(float(u)) - 1 : round(float(u)) + 2].any()
+        assert is_violet[
+            round(float(v)) - 1 : round(float(v)) + 2, round(float(u)) - 1 : round(float(u)) + 2
+        ].any()
     # The floor, where no hoop is.
     u, v = plane.to_pixels(0.45, 0.0)
     assert is_violet[round(float(v)) - 1 : round(float(v)) + 2, round(float(u))].any()
@@ -91,10 +99,12 @@ def test_the_hoop_is_the_ruler(film, motion):
     true, found = video.Plane.from_camera(CAMERA), video.find_plane(film, 0.3)
     x, y = np.meshgrid(np.linspace(-2.2, 0.2, 9), np.linspace(0.05, 0.6, 4))
     across, up = found.to_metres(*true.to_pixels(x.ravel(), y.ravel()))
-    # The size of the rim, 32 pixels, is told to a third of a pixel, and with it the scale to a per cent.
+    # The size of the rim, 32 pixels, is told to a third of a pixel, and with it the scale to a per
+    # cent.
     scale = float(across @ x.ravel() / (x.ravel() @ x.ravel()))
     assert abs(scale - 1.0) < 0.01
-    # But for the scale it is the true plane, to a pixel: x = 0 is the first place of the hoop, y = 0 the floor.
+    # But for the scale it is the true plane, to a pixel: x = 0 is the first place of the hoop, y =
+    # 0 the floor.
     there, here = true.to_pixels(across / scale, up / scale), true.to_pixels(x.ravel(), y.ravel())
     assert np.max(np.hypot(there[0] - here[0], there[1] - here[1])) < 1.0
 
@@ -106,8 +116,18 @@ def test_points_may_be_measured_instead(film, tmp_path, capsys):
         u, v = plane.to_pixels(x, y)
         points += ["--point", f"{float(u)}", f"{float(v)}", f"{x}", f"{y}"]
     out = tmp_path / "page.html"
-    free = ["--free", "mu_k", "--mu-s=0.5", "--inertia-kg-m2=0.021025", "--restitution=0.5", "--last=60"]
-    assert main([str(film), f"--rate={RATE}", "--slope=0", *FLAGS, *points, *free, f"--out={out}"]) == 0
+    free = [
+        "--free",
+        "mu_k",
+        "--mu-s=0.5",
+        "--inertia-kg-m2=0.021025",
+        "--restitution=0.5",
+        "--last=60",
+    ]
+    assert (
+        main([str(film), f"--rate={RATE}", "--slope=0", *FLAGS, *points, *free, f"--out={out}"])
+        == 0
+    )
     value, error = estimates(capsys.readouterr().out)["mu_k"]
     assert abs(value - 0.4) < 4.0 * error < 0.02
 
@@ -120,7 +140,9 @@ def test_a_table_of_a_tracker_makes_the_same_report(motion, tmp_path, capsys):
     table = tmp_path / "track.csv"
     columns = [seconds, np.degrees(seen["theta_rad"]) + random.normal(0, 0.3, seconds.size)]
     columns.append(seen["x_m"] + random.normal(0, 0.001, seconds.size))
-    np.savetxt(table, np.column_stack(columns), delimiter=",", header="time_s,theta_deg,x_m", comments="")
+    np.savetxt(
+        table, np.column_stack(columns), delimiter=",", header="time_s,theta_deg,x_m", comments=""
+    )
     free = ["--free", "mu_k", "--mu-s=0.5", "--inertia-kg-m2=0.021025", "--slope-deg=0"]
     assert main([str(table), *FLAGS, *free]) == 0
     value, error = estimates(capsys.readouterr().out)["mu_k"]
@@ -139,12 +161,16 @@ def refused(capsys, *arguments):
 
 def test_without_a_terminal_nothing_is_asked(film, capsys):
     slope = "--slope=0"
-    assert refused(capsys, film, slope, *FLAGS).startswith("error: --rate is missing: Frames a second at which")
+    assert refused(capsys, film, slope, *FLAGS).startswith(
+        "error: --rate is missing: Frames a second at which"
+    )
     assert "it is played at 30" in refused(capsys, film, slope, *FLAGS)
     for k, name in enumerate(KNOWN):
         rest = [*FLAGS[:k], *FLAGS[k + 1 :]]
         flag = "--" + name.replace("_", "-")
-        assert refused(capsys, film, slope, f"--rate={RATE}", *rest).startswith(f"error: {flag} is missing: ")
+        assert refused(capsys, film, slope, f"--rate={RATE}", *rest).startswith(
+            f"error: {flag} is missing: "
+        )
     assert "--slope-deg is missing" in refused(capsys, film, f"--rate={RATE}", *FLAGS)
 
 
@@ -186,9 +212,13 @@ def test_a_slow_motion_film_with_the_rate_of_its_file(film, motion, capsys):
     time = np.linspace(0.0, 4.0, 100)
     seen = motion(time)
     for factor in (1.0, 0.9, 1.1):
-        _check_clock(lw.Track(factor * time, theta=seen.theta, x=seen.x, y=seen.centre_y), motion.hoop, RATE)
+        _check_clock(
+            lw.Track(factor * time, theta=seen.theta, x=seen.x, y=seen.centre_y), motion.hoop, RATE
+        )
     with pytest.raises(WrongClockError) as caught:
-        _check_clock(lw.Track(0.5 * time, theta=seen.theta, x=seen.x, y=seen.centre_y), motion.hoop, None)
+        _check_clock(
+            lw.Track(0.5 * time, theta=seen.theta, x=seen.x, y=seen.centre_y), motion.hoop, None
+        )
     assert caught.value.gravity == pytest.approx(4.0, rel=0.01)
 
 
@@ -221,8 +251,12 @@ def test_films_that_cannot_be_used(film, motion, tmp_path, capsys):
     assert "cannot decode" in refused(capsys, broken, *given)
     assert "no such file" in refused(capsys, tmp_path / "none.mp4", *given)
     assert "none.csv" in refused(capsys, tmp_path / "none.csv", *given)
-    assert "no such folder" in refused(capsys, film, *given, f"--out={tmp_path / 'nowhere' / 'page.html'}")
-    assert "radius_m = -1 m must be greater than 0" in refused(capsys, film, *given, "--radius-m=-1")
+    assert "no such folder" in refused(
+        capsys, film, *given, f"--out={tmp_path / 'nowhere' / 'page.html'}"
+    )
+    assert "radius_m = -1 m must be greater than 0" in refused(
+        capsys, film, *given, "--radius-m=-1"
+    )
     for flags in (["--rate=0"], ["--rate=inf"], ["--free", "colour"]):
         with pytest.raises(SystemExit) as caught:
             main([str(film), *given, *flags])
@@ -252,15 +286,28 @@ def test_a_report_prints_on_one_sheet_with_any_number_of_doubts(motion, tmp_path
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.fit_result.FitWarning)
         free = ("mu_s", "mu_k", "inertia", "restitution")
-        result = lw.fit(track, motion.hoop, free=free, search=False, sigma=dict.fromkeys(track.channels, 0.01))
+        result = lw.fit(
+            track, motion.hoop, free=free, search=False, sigma=dict.fromkeys(track.channels, 0.01)
+        )
     frame = next(iter(video.synthetic_frames(motion, CAMERA)))
     photo = cv2.imencode(".jpg", frame)[1].tobytes()
     for count in (0, 12):
-        doubt = Doubt("structure", "residuals of theta come in waves, and this is said in more words than usual. " * 3)
+        doubt = Doubt(
+            "structure",
+            "residuals of theta come in waves, and this is said in more words than usual. " * 3,
+        )
         page = tmp_path / f"{count}.html"
         doubted = dataclasses.replace(result, doubts=(doubt,) * count)
         page.write_text(report_html(doubted, title="A hoop", photo=photo), encoding="utf-8")
         printed = page.with_suffix(".pdf")
-        flags = ["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", f"--print-to-pdf={printed}"]
-        subprocess.run([CHROMIUM, *flags, page.as_uri()], check=True, capture_output=True, timeout=120)
+        flags = [
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--no-pdf-header-footer",
+            f"--print-to-pdf={printed}",
+        ]
+        subprocess.run(
+            [CHROMIUM, *flags, page.as_uri()], check=True, capture_output=True, timeout=120
+        )
         assert len(re.findall(rb"/Type\s*/Page\b", printed.read_bytes())) == 1

@@ -44,7 +44,9 @@ def test_a_bad_hoop_is_refused_in_the_words_of_the_command_line(change, command)
     assert caught.value.hint in said
 
 
-@pytest.mark.parametrize("change", [{"radius_m": 0.0}, {"offset_m": 0.5}, {"particle_mass_kg": -1.0}])
+@pytest.mark.parametrize(
+    "change", [{"radius_m": 0.0}, {"offset_m": 0.5}, {"particle_mass_kg": -1.0}]
+)
 def test_a_bad_hoop_in_si_is_refused_in_the_words_of_the_command_line(change, command):
     with pytest.raises(lw.ParameterError) as caught:
         lw.Hoop.from_si(**{**GOOD_SI, **change})
@@ -107,10 +109,18 @@ def test_si_units():
 
 def test_a_start_in_si_is_that_of_the_command_line(command_json):
     hoop = lw.Hoop.from_si(**GOOD_SI)
-    start = {"theta_rate_rad_per_s": 9.0, "slip_m_per_s": 0.3, "x_m": 1.0, "time_s": 0.25, "until_s": 2.0}
+    start = {
+        "theta_rate_rad_per_s": 9.0,
+        "slip_m_per_s": 0.3,
+        "x_m": 1.0,
+        "time_s": 0.25,
+        "until_s": 2.0,
+    }
     motion = hoop.simulate_si(theta_rad=1.5, **start)
     said = command_json("simulate", "--si", *flags(**GOOD_SI, theta=1.5, **start))
-    assert [transition.time for transition in motion.transitions] == [t["time"] for t in said["transitions"]]
+    assert [transition.time for transition in motion.transitions] == [
+        t["time"] for t in said["transitions"]
+    ]
     assert motion.start.theta_rate == said["start"]["theta_rate"]
 
 

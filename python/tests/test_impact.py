@@ -23,11 +23,25 @@ def landing(motion):
     return next(one for one in motion.transitions if one.cause == "landing")
 
 
-# Figure 3, from the closed form of the impact at 40 digits: case, mode that follows, θ′, η′ and the rate of the gap
-# after, energy lost.
+# Figure 3, from the closed form of the impact at 40 digits: case, mode that follows, θ′, η′ and the
+# rate of the gap after, energy lost.
 FIGURE_3 = {
-    0.0: ("slides", "sliding", 1.989854986135947259, -0.025733797279415870, 0.0, 4.27572946865290831),
-    0.5: ("sticks_in_restitution", "flight", 1.803947379026181191, 0.0, 0.978517419970790811, 3.36244341922728),
+    0.0: (
+        "slides",
+        "sliding",
+        1.989854986135947259,
+        -0.025733797279415870,
+        0.0,
+        4.27572946865290831,
+    ),
+    0.5: (
+        "sticks_in_restitution",
+        "flight",
+        1.803947379026181191,
+        0.0,
+        0.978517419970790811,
+        3.36244341922728,
+    ),
 }
 
 
@@ -45,8 +59,12 @@ def test_the_landing_of_figure_3(e, hoop):
     # The impulses change the velocities by the compliances at the contact point.
     a, b, c = 0.704169493845475073, -0.0829493464295526, 0.533700402266253778
     normal, friction = impact.impulse
-    assert a * friction + b * normal == pytest.approx(impact.after.slip - impact.before.slip, abs=1e-12)
-    assert b * friction + c * normal == pytest.approx(impact.after.gap_rate - impact.before.gap_rate, abs=1e-12)
+    assert a * friction + b * normal == pytest.approx(
+        impact.after.slip - impact.before.slip, abs=1e-12
+    )
+    assert b * friction + c * normal == pytest.approx(
+        impact.after.gap_rate - impact.before.gap_rate, abs=1e-12
+    )
 
 
 def test_figure_3_settles(hoop):
@@ -55,7 +73,9 @@ def test_figure_3_settles(hoop):
     assert (event.cause, event.from_mode, event.to_mode) == ("settle", "flight", "rolling")
     state = event.after
     expected = (6.92468208301851365, 15.4568461360609139, 2.20041054290320475, 0.0)
-    assert (state.time, state.theta, state.theta_rate, state.slip) == pytest.approx(expected, abs=1e-12)
+    assert (state.time, state.theta, state.theta_rate, state.slip) == pytest.approx(
+        expected, abs=1e-12
+    )
     rolls = motion(event.time)
     # The notes have ten and four digits of these.
     assert rolls.normal == pytest.approx(6.515077719, abs=1e-9)
@@ -74,12 +94,21 @@ def rows_of(motion):
 
 def test_the_jam_of_the_notes():
     case = lw.case("jam")
-    without = dataclasses.replace(case.hoop, restitution=None, restitution_law=None).simulate(**vars(case.start))
+    without = dataclasses.replace(case.hoop, restitution=None, restitution_law=None).simulate(
+        **vars(case.start)
+    )
     assert without.outcome.kind == "inconsistent"
-    assert without.outcome.details["solvability_positive"] == pytest.approx(-0.199638284830513, abs=1e-12)
+    assert without.outcome.details["solvability_positive"] == pytest.approx(
+        -0.199638284830513, abs=1e-12
+    )
     motion = case.simulate()
     event = motion.transitions[0]
-    assert (event.from_mode, event.cause, event.impact.case, event.time) == (None, "jam", "jams", 0.0)
+    assert (event.from_mode, event.cause, event.impact.case, event.time) == (
+        None,
+        "jam",
+        "jams",
+        0.0,
+    )
     assert event.after.theta_rate == -1.0
     assert event.after.slip == 0.0
     # It ends no phase: the first one ends by the next transition.
@@ -104,11 +133,16 @@ def test_both_sides_of_a_jump(hoop):
             assert after.mode_names[k] == event.to_mode
             assert before.theta[k] == after.theta[k]
             # The energy of the samples knows nothing of the works of the impulses.
-            assert before.energy[k] - after.energy[k] == pytest.approx(event.impact.energy_lost, abs=1e-12)
+            assert before.energy[k] - after.energy[k] == pytest.approx(
+                event.impact.energy_lost, abs=1e-12
+            )
         samples = motion.sample(11)
         for event in events:
             two = np.flatnonzero(samples.time == event.time)
-            assert samples.theta_rate[two].tolist() == [event.state.theta_rate, event.after.theta_rate]
+            assert samples.theta_rate[two].tolist() == [
+                event.state.theta_rate,
+                event.after.theta_rate,
+            ]
 
 
 def test_sides_where_nothing_jumps(hoop):
@@ -118,7 +152,10 @@ def test_sides_where_nothing_jumps(hoop):
     for name in after:
         np.testing.assert_array_equal(before[name], after[name])
     stick, slip = motion.transitions[:2]
-    assert motion([stick.time, slip.time], side="before").mode_names.tolist() == ["sliding", "rolling"]
+    assert motion([stick.time, slip.time], side="before").mode_names.tolist() == [
+        "sliding",
+        "rolling",
+    ]
     # Start and end have one side.
     ends = [motion.start.time, motion.end_time]
     assert motion(ends, side="before").mode_names.tolist() == motion(ends).mode_names.tolist()
@@ -173,7 +210,9 @@ def test_energies_add_up(hoop):
     for law in LAWS:
         motion = bouncing(hoop, 0.5, law).simulate(**START)
         samples = motion.sample(11)
-        assert samples.energy[0] - samples.energy[-1] == pytest.approx(motion.energy_lost, abs=1e-12)
+        assert samples.energy[0] - samples.energy[-1] == pytest.approx(
+            motion.energy_lost, abs=1e-12
+        )
         slides = sum(phase.energy_lost for phase in motion.phases)
         assert motion.energy_lost - motion.impact_energy_lost == pytest.approx(slides, abs=1e-12)
 
@@ -183,7 +222,13 @@ def test_only_newtons_law_gains_energy():
     gains = dict.fromkeys(LAWS, 0)
     for _ in range(200):
         mu = float(random.uniform(0.1, 1.5))
-        hoop = lw.Hoop(mass_ratio=random.uniform(0, 0.3), offset=1, inertia=random.uniform(0.01, 0.3), mu_s=mu, mu_k=mu)
+        hoop = lw.Hoop(
+            mass_ratio=random.uniform(0, 0.3),
+            offset=1,
+            inertia=random.uniform(0.01, 0.3),
+            mu_s=mu,
+            mu_k=mu,
+        )
         start = {
             "theta": random.uniform(-3, 3),
             "theta_rate": random.uniform(-4, 4),
@@ -243,11 +288,18 @@ def test_a_bad_restitution_is_refused_in_the_words_of_the_command_line(change, q
 
 
 def test_an_unknown_law_is_refused_with_the_names(hoop):
-    with pytest.raises(lw.ParameterError, match="'elastic'; there are energetic, poisson, newton") as caught:
+    with pytest.raises(
+        lw.ParameterError, match="'elastic'; there are energetic, poisson, newton"
+    ) as caught:
         bouncing(hoop, 0.5, "elastic")
-    assert (caught.value.quantity, caught.value.hint) == ("restitution_law", "leave it out for the energetic law")
+    assert (caught.value.quantity, caught.value.hint) == (
+        "restitution_law",
+        "leave it out for the energetic law",
+    )
     with pytest.raises(lw.ParameterError, match="'elastic'"):
-        lw.simulate_many(hoop, restitution=0.5, restitution_law="elastic", theta=[0.0], theta_rate=1.0)
+        lw.simulate_many(
+            hoop, restitution=0.5, restitution_law="elastic", theta=[0.0], theta_rate=1.0
+        )
     with pytest.raises(TypeError):
         bouncing(hoop, 0.5, 1)
     with pytest.raises(TypeError):
@@ -304,10 +356,16 @@ def test_motions_that_bounce_for_ever(hoop):
         orbit = ball.bouncing_orbit(angle)
         # Each flight is symmetric: the gap closes as fast as it has opened.
         h, sin = hoop.h, math.sin(angle)
-        assert orbit.gap_rate == pytest.approx(angle / orbit.top_rate - h * sin * orbit.top_rate, abs=1e-13)
+        assert orbit.gap_rate == pytest.approx(
+            angle / orbit.top_rate - h * sin * orbit.top_rate, abs=1e-13
+        )
         rest = math.pi - angle
-        assert orbit.gap_rate == pytest.approx(rest / orbit.bottom_rate + h * sin * orbit.bottom_rate, abs=1e-13)
-        assert orbit.period == pytest.approx(2 * (angle / orbit.top_rate + rest / orbit.bottom_rate), abs=1e-13)
+        assert orbit.gap_rate == pytest.approx(
+            rest / orbit.bottom_rate + h * sin * orbit.bottom_rate, abs=1e-13
+        )
+        assert orbit.period == pytest.approx(
+            2 * (angle / orbit.top_rate + rest / orbit.bottom_rate), abs=1e-13
+        )
         if orbit.friction < hoop.mu_s:
             motion = ball.simulate(**vars(orbit.start), until=4.0 * orbit.period)
             assert {one.impact.case for one in motion.transitions} == {"sticks_in_compression"}
@@ -345,4 +403,6 @@ def test_many_bounces_share_a_row(hoop):
     page = motion._repr_html_()
     assert page.count("<tr") == 1 + len(rows)
     assert "e = 0.5 (energetic)" in page
-    assert "gap′ = 1" in bouncing(hoop, 0.5).simulate(**START, gap_rate=1.0, until=1.0)._repr_html_()
+    assert (
+        "gap′ = 1" in bouncing(hoop, 0.5).simulate(**START, gap_rate=1.0, until=1.0)._repr_html_()
+    )

@@ -73,7 +73,9 @@ def test_chunks_are_checked(hoop):
 
 @pytest.mark.parametrize("values", [np.array(["2020-01-01"], "datetime64[D]"), ["1", "2"], [1j]])
 def test_what_is_no_number_is_refused(hoop, motion, values):
-    with pytest.raises(TypeError, match=r"theta must hold real numbers: .* is not a type of real numbers"):
+    with pytest.raises(
+        TypeError, match=r"theta must hold real numbers: .* is not a type of real numbers"
+    ):
         lw.simulate_many(hoop, theta=values, theta_rate=1.0)
     plane = motion.hoop.phase_plane
     for take in (
@@ -84,7 +86,9 @@ def test_what_is_no_number_is_refused(hoop, motion, values):
         lambda values: lw.closed_form.slip_angle(values),
         lambda values: lw.Track([0.0], theta=values[:1]),
         lambda values: lw.Track(values[:1], theta=[0.0]),
-        lambda values: lw.Track.from_si(lw.Units(1.0, 1.0, 1.0, 1.0), time_s=[0.0], theta_rad=values[:1]),
+        lambda values: lw.Track.from_si(
+            lw.Units(1.0, 1.0, 1.0, 1.0), time_s=[0.0], theta_rad=values[:1]
+        ),
         lambda values: lw.scoring.Record(np.arange(3.0), np.zeros(3), np.ones(3), [values[0]] * 3),
     ):
         with pytest.raises(TypeError, match="is not a type of real numbers"):
@@ -95,19 +99,26 @@ def test_masked_values_are_missing(hoop, motion):
     masked = np.ma.masked_array([0.0, 1.0], mask=[False, True])
     assert np.isnan(motion(masked).theta).tolist() == [False, True]
     assert np.isnan(motion.to_pandas(masked).theta).tolist() == [False, True]
-    assert np.isnan(motion.derivatives_at(masked, ["mu_k"]).theta).to_numpy().ravel().tolist() == [False, True]
+    assert np.isnan(motion.derivatives_at(masked, ["mu_k"]).theta).to_numpy().ravel().tolist() == [
+        False,
+        True,
+    ]
     assert np.isnan(motion.hoop.phase_plane.normal(masked, 1.0)).tolist() == [False, True]
     units = lw.Units(1.0, 2.0, 1.0, 1.0)
     track = lw.Track.from_si(units, time_s=[0.0, 1.0], theta_rad=[0.0, 1.0], x_m=masked)
     assert np.isnan(track.x).tolist() == [False, True]
     with pytest.raises(ValueError, match=r"x\[1\] = nan must be finite"):
-        lw.scoring.Record(np.arange(3.0), np.ma.masked_array(np.zeros(3), mask=[0, 1, 0]), np.ones(3), np.zeros(3))
+        lw.scoring.Record(
+            np.arange(3.0), np.ma.masked_array(np.zeros(3), mask=[0, 1, 0]), np.ones(3), np.zeros(3)
+        )
     with pytest.raises(lw.ParameterError, match="theta"):
         lw.simulate_many(hoop, theta=masked, theta_rate=1.0)
 
 
 def test_a_name_is_no_hoop():
-    with pytest.raises(TypeError, match=r"must be a Hoop: littlewood.case\('figure-3'\).hoop is one"):
+    with pytest.raises(
+        TypeError, match=r"must be a Hoop: littlewood.case\('figure-3'\).hoop is one"
+    ):
         lw.simulate_many("figure-3", theta=1.0, theta_rate=1.0)
 
 
@@ -127,7 +138,13 @@ def test_a_motion_as_json_is_that_of_the_command_line(command, tmp_path):
             said = command("simulate", name, "--until", "20", *more, "--format", "json").stdout
             # The name of the case is all that a motion does not know.
             assert motion.to_json(samples=samples) == said.replace(f'  "case": "{name}",\n', "")
-    hula = {"disc_mass_kg": 0.4, "particle_mass_kg": 0.14, "radius_m": 0.45, "offset_m": 0.45, "inertia_kg_m2": 0.081}
+    hula = {
+        "disc_mass_kg": 0.4,
+        "particle_mass_kg": 0.14,
+        "radius_m": 0.45,
+        "offset_m": 0.45,
+        "inertia_kg_m2": 0.081,
+    }
     hoop = lw.Hoop.from_si(**hula, mu_s=0.5, mu_k=0.4)
     motion = hoop.simulate_si(theta_rad=1.5, theta_rate_rad_per_s=9.0)
     given = flags(**hula, mu_s=0.5, mu_k=0.4, theta=1.5, theta_rate_rad_per_s=9.0)
@@ -142,23 +159,37 @@ def test_a_motion_as_json_is_that_of_the_command_line(command, tmp_path):
 
 def test_both_coefficients_of_friction_as_one_axis(hoop, command, tmp_path):
     rates = np.linspace(0.5, 3.0, 6)
-    plane = lw.outcome_map(hoop, mu=np.linspace(0.1, 0.9, 5), theta_rate=rates, theta=1.5, until=20.0)
+    plane = lw.outcome_map(
+        hoop, mu=np.linspace(0.1, 0.9, 5), theta_rate=rates, theta=1.5, until=20.0
+    )
     assert plane.outcome.dims == ("mu", "theta_rate")
     assert plane.mu.attrs["long_name"] == "coefficient of static and kinetic friction"
     for name in ("mu_s", "mu_k"):
-        assert (plane[name].dims, plane[name].to_numpy().tolist()) == (("mu",), plane.mu.to_numpy().tolist())
-    many = lw.simulate_many(hoop, mu=plane.mu.to_numpy()[:, None], theta_rate=rates, theta=1.5, until=20.0)
+        assert (plane[name].dims, plane[name].to_numpy().tolist()) == (
+            ("mu",),
+            plane.mu.to_numpy().tolist(),
+        )
+    many = lw.simulate_many(
+        hoop, mu=plane.mu.to_numpy()[:, None], theta_rate=rates, theta=1.5, until=20.0
+    )
     np.testing.assert_array_equal(many.end_time, plane.end_time)
     path = tmp_path / "map.zarr"
     axes = ("--x", "mu=0.1:0.9:5", "--y", "theta_rate=0.5:3.0:6")
-    assert command("map", "figure-3", *axes, "--theta=1.5", "--until=20", "--out", str(path)).returncode == 0
+    assert (
+        command(
+            "map", "figure-3", *axes, "--theta=1.5", "--until=20", "--out", str(path)
+        ).returncode
+        == 0
+    )
     said = xarray.open_zarr(path, consolidated=False, mask_and_scale=False).load()
     for name, variable in said.data_vars.items():
         assert plane[name].to_numpy().tobytes() == variable.to_numpy().tobytes(), name
     assert plane.mu.attrs == said.mu.attrs
     number = lw.outcome_map(hoop, mu=float(plane.mu[1]), theta=1.5, theta_rate=rates, until=20.0)
     np.testing.assert_array_equal(number.end_time, plane.end_time[1])
-    lazy = lw.outcome_map(hoop, mu=plane.mu.to_numpy(), theta_rate=rates, theta=1.5, until=20.0, chunks={"mu": 2})
+    lazy = lw.outcome_map(
+        hoop, mu=plane.mu.to_numpy(), theta_rate=rates, theta=1.5, until=20.0, chunks={"mu": 2}
+    )
     assert lazy.chunks["mu"] == (2, 2, 1)
     np.testing.assert_array_equal(lazy.end_time, plane.end_time)
     axes = lw.plot.outcomes(plane)
@@ -178,7 +209,16 @@ def test_axes_of_equal_factors_are_logarithmic(hoop):
 
 
 def test_an_inertia_beyond_the_rim_is_doubted():
-    known = {"disc_mass_kg": 1.0, "particle_mass_kg": 1.0, "radius_m": 0.3, "offset_m": 0.3, "mu_s": 0.5, "mu_k": 0.4}
-    with pytest.warns(UserWarning, match="inertia_kg_m2 = 100 exceeds 0.09, that of a disc with all its mass"):
+    known = {
+        "disc_mass_kg": 1.0,
+        "particle_mass_kg": 1.0,
+        "radius_m": 0.3,
+        "offset_m": 0.3,
+        "mu_s": 0.5,
+        "mu_k": 0.4,
+    }
+    with pytest.warns(
+        UserWarning, match="inertia_kg_m2 = 100 exceeds 0.09, that of a disc with all its mass"
+    ):
         lw.Hoop.from_si(**known, inertia_kg_m2=100.0)
     lw.Hoop.from_si(**known, inertia_kg_m2=1.0 * 0.3**2)

@@ -35,8 +35,12 @@ def test_a_link_has_every_bit_of_a_motion(name):
 def test_links_of_the_page_are_read():
     assert motion_of("#case=figure-7&at=2").hoop == lw.case("figure-7").hoop
     motion = motion_of(f"{HULA}&theta=1.2&theta_rate_rad_per_s=11&until_s=2")
-    known = dict(disc_mass_kg=0.4, particle_mass_kg=0.14, radius_m=0.45, offset_m=0.45, inertia_kg_m2=0.081)
-    same = lw.Hoop.from_si(**known, mu_s=0.5, mu_k=0.4).simulate_si(theta_rad=1.2, theta_rate_rad_per_s=11.0, until_s=2)
+    known = dict(
+        disc_mass_kg=0.4, particle_mass_kg=0.14, radius_m=0.45, offset_m=0.45, inertia_kg_m2=0.081
+    )
+    same = lw.Hoop.from_si(**known, mu_s=0.5, mu_k=0.4).simulate_si(
+        theta_rad=1.2, theta_rate_rad_per_s=11.0, until_s=2
+    )
     assert (motion.hoop, motion.start, motion.until) == (same.hoop, same.start, same.until)
     with pytest.raises(ValueError, match="no motion in the link 'loop=1'"):
         motion_of("loop=1")
@@ -70,7 +74,8 @@ def test_the_page_follows_python():
 def test_a_build_without_the_page_says_so(tmp_path, monkeypatch):
     monkeypatch.setattr(laboratory, "_MODULE", tmp_path / "none.js")
     with pytest.raises(
-        RuntimeError, match=r"run web/build\.sh in the repository .* then build and install the wheel again"
+        RuntimeError,
+        match=r"run web/build\.sh in the repository .* then build and install the wheel again",
     ):
         lw.case("figure-3").simulate().lab()
 
@@ -80,7 +85,10 @@ def test_a_build_without_the_page_says_so(tmp_path, monkeypatch):
     ("link", "changed"),
     [
         ("case=figure-3&mu_k=0.3", {"mu_k": 0.3}),
-        ("#case=figure-3&at=0.3&embed=1&theme=dark&rate=4&speed=0.25&loop=1&map=0&shows=hops&follow=0", {}),
+        (
+            "#case=figure-3&at=0.3&embed=1&theme=dark&rate=4&speed=0.25&loop=1&map=0&shows=hops&follow=0",
+            {},
+        ),
         (
             "case=figure-3&mu_k=0.37&theta=1.234567890123456&slip=-0.25",
             {"mu_k": 0.37, "theta": 1.234567890123456, "slip": -0.25},
@@ -103,17 +111,34 @@ def test_a_build_without_the_page_says_so(tmp_path, monkeypatch):
 def test_a_link_of_the_page_is_that_of_a_case_with_what_it_says(link, changed):
     base = lw.case("figure-3")
     motion = motion_of(link)
-    wanted = {**{name: getattr(base.hoop, name) for name in (*HOOP, "restitution_law")}, **vars(base.start), **changed}
-    found = {**{name: getattr(motion.hoop, name) for name in (*HOOP, "restitution_law")}, **vars(motion.start)}
-    assert {name: repr(value) for name, value in found.items()} == {name: repr(value) for name, value in wanted.items()}
+    wanted = {
+        **{name: getattr(base.hoop, name) for name in (*HOOP, "restitution_law")},
+        **vars(base.start),
+        **changed,
+    }
+    found = {
+        **{name: getattr(motion.hoop, name) for name in (*HOOP, "restitution_law")},
+        **vars(motion.start),
+    }
+    assert {name: repr(value) for name, value in found.items()} == {
+        name: repr(value) for name, value in wanted.items()
+    }
 
 
 def test_a_link_of_any_motion_is_read_to_the_last_bit():
     random = np.random.default_rng(34)
     for i in range(200):
         mu_k = random.uniform(0.0, 1.0)
-        parameters = {"mass_ratio": 10 ** random.uniform(-9, 3), "offset": random.uniform(1e-9, 1.0), "inertia": 0.5}
-        parameters |= {"mu_s": mu_k + random.uniform(0.0, 1.0), "mu_k": mu_k, "restitution": [None, 0.25][i % 2]}
+        parameters = {
+            "mass_ratio": 10 ** random.uniform(-9, 3),
+            "offset": random.uniform(1e-9, 1.0),
+            "inertia": 0.5,
+        }
+        parameters |= {
+            "mu_s": mu_k + random.uniform(0.0, 1.0),
+            "mu_k": mu_k,
+            "restitution": [None, 0.25][i % 2],
+        }
         hoop = lw.Hoop(**parameters)
         start = lw.Start(*random.uniform(-3.0, 3.0, 5), gap_rate=0.0)
         motion = hoop.simulate(**vars(start), until=start.time, max_transitions=0)

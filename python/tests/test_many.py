@@ -16,7 +16,10 @@ import littlewood as lw
 def test_the_counts_of_other_solvers(hoop):
     # 40,000 starts of the Figure 2 hoop, counted with independent solvers.
     plane = lw.outcome_map(
-        hoop, theta=np.linspace(-math.pi, math.pi, 200), theta_rate=np.linspace(-4, 4, 200), until=50.0
+        hoop,
+        theta=np.linspace(-math.pi, math.pi, 200),
+        theta_rate=np.linspace(-4, 4, 200),
+        until=50.0,
     )
     at_once = int((plane.lift_off_time == 0.0).sum())
     later = int((plane.lift_off_time > 0.0).sum())
@@ -36,7 +39,9 @@ def test_a_few_starts_are_those_of_simulate(hoop):
         motion = hoop.simulate(theta=angle, theta_rate=2.0, until=30.0)
         assert lw.tables.OUTCOMES[int(result.outcome[i])] == motion.outcome.kind
         assert str(lw.sequence_names(result.sequence)[i]) == motion.sequence
-        assert float(result.end_time[i]) == pytest.approx(motion.outcome.state.time, **digits(motion))
+        assert float(result.end_time[i]) == pytest.approx(
+            motion.outcome.state.time, **digits(motion)
+        )
         assert result.transitions[i] == len(motion.transitions)
 
 
@@ -44,7 +49,9 @@ def impacts_of(motion):
     """Number of landings, energy lost in impacts, and time from which on the rim stays at the plane."""
     events = [one for one in motion.transitions if one.impact is not None]
     stays = [one.time for one in events if one.from_mode == "flight" and one.to_mode != "flight"]
-    away = any(phase.mode == "flight" for phase in motion.phases if stays and phase.start_time >= stays[-1])
+    away = any(
+        phase.mode == "flight" for phase in motion.phases if stays and phase.start_time >= stays[-1]
+    )
     settle = math.nan if away or not stays else stays[-1]
     landings = sum(one.cause == "landing" for one in motion.transitions)
     return landings, sum(one.impact.energy_lost for one in events), settle
@@ -54,7 +61,9 @@ def impacts_of(motion):
 def test_what_follows_a_landing_is_that_of_simulate(law, hoop):
     e = np.array([0.0, 0.25, 0.5, 0.8, 1.0])
     theta = np.linspace(-3.0, 3.0, 7)
-    result = lw.outcome_map(hoop, restitution=e, theta=theta, theta_rate=2.5, restitution_law=law, until=12.0)
+    result = lw.outcome_map(
+        hoop, restitution=e, theta=theta, theta_rate=2.5, restitution_law=law, until=12.0
+    )
     assert dict(result.sizes) == {"restitution": 5, "theta": 7}
     assert result.attrs["restitution_law"] == law
     assert result.restitution.attrs["long_name"] == "coefficient of restitution"
@@ -79,12 +88,19 @@ def test_tables_change_only_the_last_digits_of_what_follows_a_landing(hoop):
     tabulated = lw.simulate_many(soft, theta=theta, theta_rate=2.5, until=20.0)
     # Each with a hoop of its own there are none.
     exact = lw.simulate_many(soft, theta=theta, theta_rate=2.5, until=20.0, mu_s=np.full(100, 0.5))
-    parts = [lw.simulate_many(soft, theta=part, theta_rate=2.5, until=20.0) for part in np.split(theta, 5)]
+    parts = [
+        lw.simulate_many(soft, theta=part, theta_rate=2.5, until=20.0)
+        for part in np.split(theta, 5)
+    ]
     for name in ("outcome", "sequence", "landings"):
-        np.testing.assert_array_equal(tabulated[name], np.concatenate([part[name] for part in parts]))
+        np.testing.assert_array_equal(
+            tabulated[name], np.concatenate([part[name] for part in parts])
+        )
         np.testing.assert_array_equal(exact[name], tabulated[name])
     for name in ("end_theta", "impact_energy_lost", "settle_time"):
-        np.testing.assert_allclose(tabulated[name], np.concatenate([part[name] for part in parts]), rtol=1e-10)
+        np.testing.assert_allclose(
+            tabulated[name], np.concatenate([part[name] for part in parts]), rtol=1e-10
+        )
 
 
 def test_a_rate_of_the_gap_is_an_axis(hoop):
@@ -106,7 +122,9 @@ def test_without_a_coefficient_there_is_none(hoop):
     assert with_one.restitution.values == 0.5
     assert with_one.attrs["restitution_law"] == "energetic"
     # NaN is no way to say that there is none.
-    with pytest.raises(lw.ParameterError, match="restitution = NaN must be a finite number") as caught:
+    with pytest.raises(
+        lw.ParameterError, match="restitution = NaN must be a finite number"
+    ) as caught:
         lw.simulate_many(hoop, restitution=[0.5, math.nan], theta=1.5, theta_rate=2.0)
     assert caught.value.index == 1
     with pytest.raises(lw.ParameterError, match=r"restitution = 1.5 must not exceed 1") as caught:
@@ -123,12 +141,16 @@ def test_a_massless_hoop_has_no_impact(hoop):
     with pytest.raises(lw.ParameterError, match=r"restitution = 0.5 of a massless hoop"):
         lw.simulate_many(massless, restitution=0.5, theta=[0.0, 1.0], theta_rate=0.5)
     # Where both vary, the hoops that contradict themselves are marked.
-    mixed = lw.outcome_map(massless, restitution=[0.0, 0.5], inertia=[0.0, 1.0], theta=0.0, theta_rate=0.5, until=5.0)
+    mixed = lw.outcome_map(
+        massless, restitution=[0.0, 0.5], inertia=[0.0, 1.0], theta=0.0, theta_rate=0.5, until=5.0
+    )
     assert (mixed.outcome == 255).values.tolist() == [[True, False], [True, False]]
     # Nor is it thrown.
     with pytest.raises(lw.ParameterError, match=r"gap_rate = 0.5 of a massless hoop"):
         lw.outcome_map(massless, gap_rate=[0.0, 0.5], theta=0.0, theta_rate=0.5)
-    thrown = lw.outcome_map(massless, gap_rate=[0.0, 0.5], inertia=[0.0, 1.0], theta=0.0, theta_rate=0.5)
+    thrown = lw.outcome_map(
+        massless, gap_rate=[0.0, 0.5], inertia=[0.0, 1.0], theta=0.0, theta_rate=0.5
+    )
     assert (thrown.outcome == 255).values.tolist() == [[False, False], [True, False]]
 
 
@@ -140,8 +162,12 @@ def test_arrays_may_start_anywhere_in_memory(hoop):
     ours = lw.simulate_many(hoop, theta=shifted, theta_rate=2.0, until=30.0)
     expected = lw.simulate_many(hoop, theta=theta, theta_rate=2.0, until=30.0)
     assert ours.identical(expected)
-    np.testing.assert_array_equal(lw.closed_form.alpha(shifted, 0.5), lw.closed_form.alpha(theta, 0.5))
-    np.testing.assert_array_equal(hoop.phase_plane.region(shifted, 0.5), hoop.phase_plane.region(theta, 0.5))
+    np.testing.assert_array_equal(
+        lw.closed_form.alpha(shifted, 0.5), lw.closed_form.alpha(theta, 0.5)
+    )
+    np.testing.assert_array_equal(
+        hoop.phase_plane.region(shifted, 0.5), hoop.phase_plane.region(theta, 0.5)
+    )
     motion = hoop.simulate(theta=1.0, theta_rate=0.0)
     np.testing.assert_array_equal(motion(shifted).x, motion(theta).x)
     bits = expected.sequence.to_numpy()
@@ -155,7 +181,9 @@ def test_arrays_may_start_anywhere_in_memory(hoop):
 def test_dimensions_of_arrays(hoop):
     assert lw.simulate_many(hoop, theta=0.0, theta_rate=1.0).sizes == {}
     assert dict(lw.simulate_many(hoop, theta=[0.0, 1.0], theta_rate=1.0).sizes) == {"start": 2}
-    grid = lw.simulate_many(hoop, theta=np.zeros((2, 1)), theta_rate=np.ones((1, 3)), mu_s=np.full(3, 0.6))
+    grid = lw.simulate_many(
+        hoop, theta=np.zeros((2, 1)), theta_rate=np.ones((1, 3)), mu_s=np.full(3, 0.6)
+    )
     assert dict(grid.sizes) == {"dim_0": 2, "dim_1": 3}
     assert grid.theta.dims == ("dim_0",)
     assert grid.mu_s.dims == ("dim_1",)
@@ -172,7 +200,8 @@ def test_dimensions_of_data_arrays(hoop):
     assert result.throw.values.tolist() == ["soft", "hard"]
     alone = lw.simulate_many(hoop, theta=0.2, theta_rate=1.5, mu_k=0.3)
     assert result.end_time.sel(throw="hard").isel(floor=2) == alone.end_time
-    # A quantity is what was given, not a coordinate of the same name that an array happens to carry.
+    # A quantity is what was given, not a coordinate of the same name that an array happens to
+    # carry.
     stale = lw.simulate_many(hoop, theta=theta.assign_coords(theta_rate=9.0), theta_rate=1.5)
     assert stale.theta_rate == 1.5
     with pytest.raises(TypeError, match="DataArray"):
@@ -180,7 +209,10 @@ def test_dimensions_of_data_arrays(hoop):
 
 
 def test_axes_keep_their_order(hoop):
-    assert list(lw.outcome_map(hoop, theta_rate=[1.0, 2.0], theta=[0.0, 1.0, 2.0]).sizes) == ["theta_rate", "theta"]
+    assert list(lw.outcome_map(hoop, theta_rate=[1.0, 2.0], theta=[0.0, 1.0, 2.0]).sizes) == [
+        "theta_rate",
+        "theta",
+    ]
     plane = lw.outcome_map(hoop, mu_s=[0.5, 0.6], theta=0.3, theta_rate=[1.0, 2.0])
     assert list(plane.sizes) == ["mu_s", "theta_rate"]
     assert plane.sel(mu_s=0.6, theta_rate=2.0).theta == 0.3
@@ -190,7 +222,9 @@ def test_variables_describe_themselves(hoop):
     result = lw.outcome_map(hoop, theta=[0.0, 1.0], theta_rate=[1.0, 2.0])
     for name, variable in result.variables.items():
         assert variable.attrs["long_name"], name
-        assert "units" in variable.attrs or "flag_meanings" in variable.attrs or name == "sequence", name
+        assert (
+            "units" in variable.attrs or "flag_meanings" in variable.attrs or name == "sequence"
+        ), name
     flags = result.outcome.attrs
     meanings = dict(zip(flags["flag_values"], flags["flag_meanings"].split(), strict=True))
     assert meanings[0] == "landing"
@@ -215,7 +249,9 @@ def test_contradictions_are_invalid_and_nonsense_is_refused(hoop):
         lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, offset=0.0, inertia=[1.0, 0.0])
     with pytest.raises(lw.ParameterError, match=r"mu_k = 0.6 must not exceed mu_s = 0.5"):
         lw.simulate_many(hoop, theta=[0.0, 1.0], theta_rate=1.0, mu_k=0.6)
-    with pytest.raises(lw.ParameterError, match="theta = NaN rad must be a finite number") as caught:
+    with pytest.raises(
+        lw.ParameterError, match="theta = NaN rad must be a finite number"
+    ) as caught:
         lw.simulate_many(hoop, theta=[0.0, 1.0, math.nan, math.inf], theta_rate=1.0)
     assert caught.value.index == 2
     with pytest.raises(lw.ParameterError, match="offset = 2 must not exceed 1") as caught:
@@ -247,7 +283,9 @@ def test_what_is_missing_is_named(hoop):
 
 
 def test_a_progress_bar(hoop, capsys):
-    lw.outcome_map(hoop, theta=np.linspace(0, 1, 100), theta_rate=np.linspace(0, 1, 100), progress=True)
+    lw.outcome_map(
+        hoop, theta=np.linspace(0, 1, 100), theta_rate=np.linspace(0, 1, 100), progress=True
+    )
     assert "10.0k/10.0k" in capsys.readouterr().err
 
 
@@ -264,7 +302,9 @@ def test_the_interpreter_is_free_meanwhile(hoop):
     try:
         # Every start has a hoop of its own: no tables, and so some tenths of a second of work.
         count = 20_000
-        lw.simulate_many(hoop, theta=2.5, theta_rate=3.0, mu_s=np.linspace(0.5, 0.9, count), threads=1)
+        lw.simulate_many(
+            hoop, theta=2.5, theta_rate=3.0, mu_s=np.linspace(0.5, 0.9, count), threads=1
+        )
     finally:
         stop.set()
         thread.join()
@@ -284,7 +324,9 @@ lw.simulate_many(hoop, theta=-2.6, theta_rate=-2.15, mu_s=mu_s)
 
 @pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT for one process")
 def test_ctrl_c_stops_the_work():
-    process = subprocess.Popen([sys.executable, "-c", SLEEPER], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    process = subprocess.Popen(
+        [sys.executable, "-c", SLEEPER], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
     assert process.stdout is not None
     assert process.stdout.read(5) == b"ready"
     # It is at work now, for minutes if nobody stops it.

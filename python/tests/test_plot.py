@@ -54,7 +54,10 @@ def test_angles_have_ticks_at_multiples_of_pi(motion):
 
 def test_a_map_has_a_legend_with_shares(motion):
     dataset = lw.outcome_map(
-        motion.hoop, theta_rate=np.linspace(-4, 4, 40), theta=np.linspace(-math.pi, math.pi, 50), until=50.0
+        motion.hoop,
+        theta_rate=np.linspace(-4, 4, 40),
+        theta=np.linspace(-math.pi, math.pi, 50),
+        until=50.0,
     )
     axes = plot.outcomes(dataset, x="theta")
     words = [text.get_text() for text in axes.get_legend().get_texts()]
@@ -72,12 +75,18 @@ def test_a_map_has_a_legend_with_shares(motion):
 
 
 def test_classes_tell_jumps_apart(motion):
-    dataset = lw.simulate_many(motion.hoop, theta=[0.0, math.pi / 2, 2.5], theta_rate=[4.0, 2.0, 0.0])
+    dataset = lw.simulate_many(
+        motion.hoop, theta=[0.0, math.pi / 2, 2.5], theta_rate=[4.0, 2.0, 0.0]
+    )
     found = plot.classes(dataset)
     names = found.attrs["flag_meanings"].split()
     assert tuple(names) == lw.tables.CLASSES
     assert found.attrs["flag_values"] == list(range(len(names)))
-    assert [names[code] for code in found.values] == ["leaves_at_once", "lifts_off_later", "rolls_forever"]
+    assert [names[code] for code in found.values] == [
+        "leaves_at_once",
+        "lifts_off_later",
+        "rolls_forever",
+    ]
 
 
 def summaries(outcome, *, letter="R", lift_off_time=math.nan):
@@ -94,12 +103,19 @@ def summaries(outcome, *, letter="R", lift_off_time=math.nan):
 
 def test_every_outcome_has_a_class():
     found = plot.classes(summaries(list(OUTCOMES)))
-    of_outcome = dict(zip(OUTCOMES.values(), (lw.tables.CLASSES[code] for code in found.values), strict=True))
+    of_outcome = dict(
+        zip(OUTCOMES.values(), (lw.tables.CLASSES[code] for code in found.values), strict=True)
+    )
     # What has not been computed is not what cannot be computed.
     assert of_outcome["not_computed"] == "not_computed"
     assert of_outcome["invalid"] == "invalid"
     assert of_outcome["time_limit"] == of_outcome["transition_limit"] == "in_contact"
-    assert of_outcome["inconsistent"] == of_outcome["ambiguous"] == of_outcome["singular"] == "painleve"
+    assert (
+        of_outcome["inconsistent"]
+        == of_outcome["ambiguous"]
+        == of_outcome["singular"]
+        == "painleve"
+    )
     assert of_outcome["particle_at_top"] == "particle_at_top"
     # Every class is met, those of flights by flights.
     at_once = plot.classes(summaries([0], letter="F", lift_off_time=0.0))
@@ -115,7 +131,9 @@ def test_a_motion_in_flight_at_the_time_limit_has_lifted_off(motion):
 
 
 def test_classes_of_blocks_are_those_of_the_whole(motion):
-    dataset = lw.outcome_map(motion.hoop, theta=np.linspace(-3, 3, 11), theta_rate=np.linspace(-4, 4, 7), until=20.0)
+    dataset = lw.outcome_map(
+        motion.hoop, theta=np.linspace(-3, 3, 11), theta_rate=np.linspace(-4, 4, 7), until=20.0
+    )
     lazy = plot.classes(dataset.chunk(5))
     assert lazy.chunks is not None
     np.testing.assert_array_equal(lazy.compute(), plot.classes(dataset))
@@ -126,7 +144,9 @@ def test_classes_of_blocks_are_those_of_the_whole(motion):
 
 
 def test_a_map_has_the_colours_and_words_of_the_classes(motion):
-    dataset = lw.outcome_map(motion.hoop, theta=np.linspace(-3, 3, 21), theta_rate=np.linspace(-4, 4, 15), until=20.0)
+    dataset = lw.outcome_map(
+        motion.hoop, theta=np.linspace(-3, 3, 21), theta_rate=np.linspace(-4, 4, 15), until=20.0
+    )
     axes = plot.outcomes(dataset, x="theta")
     (mesh,) = axes.collections
     drawn = {to_hex(colour) for colour in mesh.to_rgba(mesh.get_array()).reshape(-1, 4)}
@@ -146,7 +166,9 @@ def test_every_axis_has_a_label_that_can_be_drawn(axis, motion):
     other = "theta_rate" if axis == "theta" else "theta"
     fixed = {"theta": 1.0, "theta_rate": 2.0, "mu_k": 0.1}
     fixed = {name: value for name, value in fixed.items() if name not in (axis, other)}
-    dataset = lw.outcome_map(motion.hoop, **{axis: [0.4, 0.5], other: [0.0, 1.0]}, **fixed, until=5.0)
+    dataset = lw.outcome_map(
+        motion.hoop, **{axis: [0.4, 0.5], other: [0.0, 1.0]}, **fixed, until=5.0
+    )
     axes = plot.outcomes(dataset, x=axis)
     # A letter that the font does not have would be a warning, which is an error here.
     axes.figure.draw_without_rendering()
@@ -175,7 +197,9 @@ def test_on_a_ramp_the_hoop_is_drawn_on_the_ramp(slope):
     x, y = rims[0].center
     # At the start the contact point is the origin; the particle is at θ from the normal.
     assert (x, y) == pytest.approx((-sin, cos), abs=1e-12)
-    assert particles[0].center == pytest.approx((x - 0.5 * math.sin(0.5 + slope), y + 0.5 * math.cos(0.5 + slope)))
+    assert particles[0].center == pytest.approx(
+        (x - 0.5 * math.sin(0.5 + slope), y + 0.5 * math.cos(0.5 + slope))
+    )
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     for x, y in (rim.center for rim in rims):
         assert left < x - 1.0 and x + 1.0 < right and low < y - 1.0 and y + 1.0 < high
@@ -185,7 +209,10 @@ def test_on_a_ramp_the_hoop_is_drawn_on_the_ramp(slope):
 def test_axes_of_ones_own(motion):
     figure, axes = plt.subplots()
     assert plot.path(motion, axes) is axes
-    assert plot.history(motion, plt.figure().add_subplot(), quantities=("energy",)).get_ylabel() == "E  (m₂gR)"
+    assert (
+        plot.history(motion, plt.figure().add_subplot(), quantities=("energy",)).get_ylabel()
+        == "E  (m₂gR)"
+    )
     plt.close("all")
     assert figure.axes == [axes]
 
@@ -211,7 +238,9 @@ def test_an_animation_shows_in_a_notebook(motion, tmp_path):
 
 def modes_drawn(axes, width):
     """Modes of the lines of this width, by their colours, in the order of the modes."""
-    colours = {to_hex(line.get_color()) for line in axes.get_lines() if line.get_linewidth() == width}
+    colours = {
+        to_hex(line.get_color()) for line in axes.get_lines() if line.get_linewidth() == width
+    }
     assert colours <= set(MODE_COLOURS.values())
     return [mode for mode in lw.tables.MODES if MODE_COLOURS[mode] in colours]
 
@@ -275,7 +304,9 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     for collection in axes.collections:
         if isinstance(collection, LineCollection) and len(collection.get_segments()) > 0:
             is_solid = collection.get_linestyle()[0][1] is None
-            drawn[to_hex(collection.get_color()[0]), is_solid] = np.concatenate(collection.get_segments()).T
+            drawn[to_hex(collection.get_color()[0]), is_solid] = np.concatenate(
+                collection.get_segments()
+            ).T
     # Where they are drawn their equations hold; where rates are large forces are, and their errors.
     theta, rate = drawn[CURVE_COLOURS["normal_force_zero"], True]
     np.testing.assert_allclose(plane.normal(theta, rate) / (1.0 + rate**2), 0.0, atol=1e-12)
@@ -284,7 +315,9 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     np.testing.assert_allclose(miss / (1.0 + rate**2), 0.0, atol=1e-12)
     # Region R is where the hoop can roll.
     region = next(one for one in axes.collections if isinstance(one, PolyCollection))
-    grid = np.stack(np.meshgrid(np.linspace(-3.0, 3.0, 41), np.linspace(-3.9, 3.9, 41)), axis=-1).reshape(-1, 2)
+    grid = np.stack(
+        np.meshgrid(np.linspace(-3.0, 3.0, 41), np.linspace(-3.9, 3.9, 41)), axis=-1
+    ).reshape(-1, 2)
     inside = np.any([path.contains_points(grid) for path in region.get_paths()], axis=0)
     # Off its boundary, which is drawn as chords.
     margin = motion.hoop.mu_s * plane.normal(*grid.T) - np.abs(plane.friction(*grid.T))
@@ -297,7 +330,9 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     # The motion over it, in the modes that it has.
     over = [line for line in axes.get_lines() if line.get_linewidth() == BOLD]
     shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
-    assert [to_hex(line.get_color()) for line in over] == [MODE_COLOURS[phase.mode] for phase in shown]
+    assert [to_hex(line.get_color()) for line in over] == [
+        MODE_COLOURS[phase.mode] for phase in shown
+    ]
     for line in over:
         angle = np.asarray(line.get_xdata(), dtype=float)
         assert np.isfinite(angle).all()
@@ -317,15 +352,23 @@ def test_the_font_draws_the_letters_of_the_figures():
         # The same box in units of half the size, on whose edges outlines have points.
         pen = ControlBoundsPen(glyphs)
         glyph.draw(pen)
-        numbers = [2.0 * float(number) for number in re.findall(r"-?[\d.]+", path[0] if path else "")]
-        expected = (min(numbers[::2]), min(numbers[1::2]), max(numbers[::2]), max(numbers[1::2])) if numbers else None
+        numbers = [
+            2.0 * float(number) for number in re.findall(r"-?[\d.]+", path[0] if path else "")
+        ]
+        expected = (
+            (min(numbers[::2]), min(numbers[1::2]), max(numbers[::2]), max(numbers[1::2]))
+            if numbers
+            else None
+        )
         assert pen.bounds == pytest.approx(expected, abs=0.5)
 
 
 def test_texts_have_their_marks_and_can_be_searched(motion):
     with plot.look():
         figure, (axes,) = panels(1)
-        axes.set(xscale="log", xlim=(1e-7, 1e3), xlabel="*μ*_{s} of *I*_{zz}", ylabel="*θ*′^{2} <&>")
+        axes.set(
+            xscale="log", xlim=(1e-7, 1e3), xlabel="*μ*_{s} of *I*_{zz}", ylabel="*θ*′^{2} <&>"
+        )
     text = svg(figure, "A title & more", "What it <shows>")
     root = ElementTree.fromstring(text)
     space = "{http://www.w3.org/2000/svg}"
@@ -353,9 +396,15 @@ def test_a_look_is_that_of_the_figures_on_a_screen_and_in_print():
 
 
 def test_lists_have_as_many_looks_as_can_be_told_apart():
-    colours, dashes = zip(*((look["color"], str(look["linestyle"])) for _, look in listed("abcd")), strict=True)
+    colours, dashes = zip(
+        *((look["color"], str(look["linestyle"])) for _, look in listed("abcd")), strict=True
+    )
     assert len(set(colours)) == len(set(dashes)) == 4
-    assert not set(colours) & {*MODE_COLOURS.values(), *CLASS_COLOURS.values(), CURVE_COLOURS["slip_limit"]}
+    assert not set(colours) & {
+        *MODE_COLOURS.values(),
+        *CLASS_COLOURS.values(),
+        CURVE_COLOURS["slip_limit"],
+    }
     with pytest.raises(ValueError, match="5 lines in a panel: there are colours for 4"):
         listed("abcde")
 

@@ -55,11 +55,19 @@ def test_the_stretches_are_the_time_between_the_events(proof):
         assert last.repeats == ("period" in end) == bool(last.guards)
         if last.repeats:
             period = float(end["period"][0])
-            assert last.enclosed - last.start == pytest.approx(period, abs=2 * math.ulp(last.enclosed))
+            assert last.enclosed - last.start == pytest.approx(
+                period, abs=2 * math.ulp(last.enclosed)
+            )
     else:
         assert abs(last.end - time(end["state"])) <= math.ulp(last.end)
-        assert last.enclosed == last.end or last.repeats or end["kind"] == "particle_at_plane" or not last.guards
-    # Each event ends a stretch, but a jam at the start; each stretch but the last ends with an event or a bounce.
+        assert (
+            last.enclosed == last.end
+            or last.repeats
+            or end["kind"] == "particle_at_plane"
+            or not last.guards
+        )
+    # Each event ends a stretch, but a jam at the start; each stretch but the last ends with an
+    # event or a bounce.
     ends = [0.0] + [one.end for one in proof.stretches if one.end is not None]
     events = [time(event["state"]) for event in whole["events"]]
     assert all(min(abs(at - one) for one in ends) <= math.ulp(at) for at in events)
@@ -77,18 +85,28 @@ def test_guards_are_enclosed_without_a_gap_and_above_0(proof):
             assert boxes[0].start == one.start and boxes[-1].end == one.enclosed
             assert all(box.end == after.start for box, after in pairwise(boxes))
             # The value where two meet is in both.
-            assert all(max(box.low, after.low) <= min(box.high, after.high) for box, after in pairwise(boxes))
+            assert all(
+                max(box.low, after.low) <= min(box.high, after.high)
+                for box, after in pairwise(boxes)
+            )
             # Slip and gap may begin with a zero, and one guard ends with one.
             assert all(0.0 < box.low <= box.high for box in boxes[1:-1])
             assert boxes[0].low >= 0.0 or len(boxes) == 1
-        # The shortest bounce takes more than 2⁻¹⁵¹, and time has 192 bits: so well is its end known.
-        zeros = [boxes[-1].low <= 2.0**-40 * max(box.high for box in boxes) for boxes in one.guards.values()]
+        # The shortest bounce takes more than 2⁻¹⁵¹, and time has 192 bits: so well is its end
+        # known.
+        zeros = [
+            boxes[-1].low <= 2.0**-40 * max(box.high for box in boxes)
+            for boxes in one.guards.values()
+        ]
         assert sum(zeros) == 1 or (one is proof.stretches[-1] and sum(zeros) == 0)
 
 
 def test_a_slip_and_a_gap_that_begin_with_0_are_enclosed_with_it(proof):
     start = proof.certificate["case"]["start"]
-    at_rest = {time(event["state"]): event["state"]["slip"][0] == "0" for event in proof.certificate["events"]}
+    at_rest = {
+        time(event["state"]): event["state"]["slip"][0] == "0"
+        for event in proof.certificate["events"]
+    }
     at_rest[0.0] = start["slip"] == 0.0 or at_rest.get(0.0, False)
     for one in proof.stretches:
         if GAP in one.guards:
@@ -97,7 +115,9 @@ def test_a_slip_and_a_gap_that_begin_with_0_are_enclosed_with_it(proof):
             nearest = min(at_rest, key=lambda at: abs(at - one.start))
             # One interval may also end with a zero.
             boxes = one.guards[SLIP]
-            assert (boxes[0].low <= 0.0) == at_rest[nearest] or (len(boxes) == 1 and not at_rest[nearest])
+            assert (boxes[0].low <= 0.0) == at_rest[nearest] or (
+                len(boxes) == 1 and not at_rest[nearest]
+            )
 
 
 def test_at_one_place_of_a_flight_the_gap_is_enclosed_narrowly():
@@ -123,7 +143,10 @@ def guards_of(sample, mode, hoop):
     normal, friction = float(sample["normal"][0]), float(sample["friction"][0])
     if mode == "rolling":
         return {UP: hoop["mu_s"] * normal - friction, DOWN: hoop["mu_s"] * normal + friction}
-    return {"sliding": {SLIP: abs(float(sample["slip"][0]))}, "flight": {GAP: float(sample["gap"][0])}}[mode]
+    return {
+        "sliding": {SLIP: abs(float(sample["slip"][0]))},
+        "flight": {GAP: float(sample["gap"][0])},
+    }[mode]
 
 
 def test_the_samples_of_the_certificate_are_within_the_enclosures(proof):
@@ -178,10 +201,18 @@ def test_what_is_drawn_is_the_time_between_the_events_and_the_boxes_of_the_event
     assert lift_off == pytest.approx(1.518670213819437, abs=1e-15)
     for axes, heights in (
         (angle, [float(event["state"]["theta"][0]) for event in paper.certificate["events"]]),
-        (radius, [math.log10(float(event["state"]["theta"][1])) for event in paper.certificate["events"]]),
+        (
+            radius,
+            [
+                math.log10(float(event["state"]["theta"][1]))
+                for event in paper.certificate["events"]
+            ],
+        ),
     ):
         (marks,) = [line for line in axes.get_lines() if line.get_marker() == "s"]
-        assert marks.get_xdata().tolist() == events and marks.get_ydata().tolist() == pytest.approx(heights)
+        assert marks.get_xdata().tolist() == events and marks.get_ydata().tolist() == pytest.approx(
+            heights
+        )
 
 
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -193,7 +224,9 @@ def test_each_event_is_listed_with_its_digits_and_its_width(paper):
         middle, radius = event["state"]["time"]
         place = words.index(str(number))
         assert words[place + 1] == CAUSE_LABELS[event["cause"]]
-        found, mantissa, power = re.fullmatch("(.+) ± ([0-9.]+)·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", words[place + 2]).groups()
+        found, mantissa, power = re.fullmatch(
+            "(.+) ± ([0-9.]+)·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", words[place + 2]
+        ).groups()
         assert found == middle
         assert Fraction(mantissa) * Fraction(10) ** int(power.translate(RAISED)) == Fraction(radius)
     # A narrow picture has fewer digits, and says so.
@@ -204,7 +237,10 @@ def test_each_event_is_listed_with_its_digits_and_its_width(paper):
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("paper-02", "Hatched: by a closed form the slip does not end before the particle is at the plane."),
+        (
+            "paper-02",
+            "Hatched: by a closed form the slip does not end before the particle is at the plane.",
+        ),
         ("paper-04", "Rolling repeats itself after 4.47968 √(R/g), for ever."),
         ("near-tie-29", "Rolling repeats itself after 9.22116 √(R/g), for ever."),
     ],
@@ -218,9 +254,14 @@ def test_the_caption_says_what_is_proved_without_enclosures(name, words):
 
 def test_the_least_bound_of_a_near_tie_is_written():
     found = proof_of("near-tie-29")
-    # By its choice μs exceeds the largest |F|/N of the orbit by 10⁻¹⁴ of it, so that the margins are less than that.
+    # By its choice μs exceeds the largest |F|/N of the orbit by 10⁻¹⁴ of it, so that the margins
+    # are less than that.
     samples = found.certificate["phases"][0]["samples"]
-    most = 1.01e-14 * found.certificate["case"]["hoop"]["mu_s"] * max(float(one["normal"][0]) for one in samples)
+    most = (
+        1.01e-14
+        * found.certificate["case"]["hoop"]["mu_s"]
+        * max(float(one["normal"][0]) for one in samples)
+    )
     written = [text.get_text() for axes in found.plot().axes[1:-1] for text in axes.texts]
     assert len(written) == 2
     for text in written:
@@ -232,16 +273,28 @@ def test_the_least_bound_of_a_near_tie_is_written():
 def test_words_are_within_the_picture_and_beside_each_other(proof, width):
     figure = proof.plot(width)
     FigureCanvasAgg(figure).draw()
-    shown = [*figure.texts, *figure.legends[0].get_texts(), *(text for axes in figure.axes for text in axes.texts)]
+    shown = [
+        *figure.texts,
+        *figure.legends[0].get_texts(),
+        *(text for axes in figure.axes for text in axes.texts),
+    ]
     for axes in figure.axes:
         shown += [axes.xaxis.label, axes.yaxis.label]
         for axis in (axes.xaxis, axes.yaxis):
             low, high = axis.get_view_interval()
-            shown += [tick.label1 for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high]
-    boxes = [(one.get_text(), one.get_window_extent()) for one in shown if one.get_text() and one.get_visible()]
+            shown += [
+                tick.label1 for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high
+            ]
+    boxes = [
+        (one.get_text(), one.get_window_extent())
+        for one in shown
+        if one.get_text() and one.get_visible()
+    ]
     whole = figure.bbox
     for k, (text, box) in enumerate(boxes):
-        assert whole.x0 <= box.x0 and box.x1 <= whole.x1 and whole.y0 <= box.y0 and box.y1 <= whole.y1, text
+        assert (
+            whole.x0 <= box.x0 and box.x1 <= whole.x1 and whole.y0 <= box.y0 and box.y1 <= whole.y1
+        ), text
         for other, beside in boxes[:k]:
             across = min(box.x1, beside.x1) - max(box.x0, beside.x0)
             along = min(box.y1, beside.y1) - max(box.y0, beside.y0)
@@ -261,7 +314,10 @@ def test_the_command_draws_each_format(tmp_path, capsys, paper):
         capsys.readouterr()
         assert path.read_bytes() == again.read_bytes()
     svg = (tmp_path / "proof.svg").read_text(encoding="utf-8")
-    assert f"<title>{title(paper)}</title>" in svg and f"<desc>{escape(description(paper))}</desc>" in svg
+    assert (
+        f"<title>{title(paper)}</title>" in svg
+        and f"<desc>{escape(description(paper))}</desc>" in svg
+    )
     assert re.search(r'width="238\.1[0-9]*pt"', svg)
     pdf = (tmp_path / "proof.pdf").read_bytes()
     assert b"/FontFile2" in pdf and b"/ToUnicode" in pdf and b"/Type3" not in pdf
@@ -278,11 +334,15 @@ def test_what_is_no_certificate_is_not_drawn(tmp_path, capsys, paper):
         assert message in capsys.readouterr().err
         assert not picture.exists()
 
-    refused("{}", 2, "error: this is no certificate: certificate = an object must have format\nhint: ")
+    refused(
+        "{}", 2, "error: this is no certificate: certificate = an object must have format\nhint: "
+    )
     refused('{"type": "FeatureCollection"}', 2, "error: this is no certificate: ")
     refused("[1, 2", 2, "error: this is no JSON")
     text = (CERTIFICATES / "paper-01.json").read_text(encoding="utf-8")
-    refused(text.replace("1.51867", "1.51868"), 1, "refused: the digest is not that of the certificate")
+    refused(
+        text.replace("1.51867", "1.51868"), 1, "refused: the digest is not that of the certificate"
+    )
     with pytest.raises(NoCertificate, match="must have case"):
         Proof.of({key: value for key, value in paper.certificate.items() if key != "case"})
     with pytest.raises(Refused, match="digest"):

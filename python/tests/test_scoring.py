@@ -47,7 +47,13 @@ def times(motion):
 
 def test_the_exact_motion_has_no_error(motion, instants, columns):
     score = scored(motion, instants, columns)
-    assert [event.kind for event in score.events] == ["slip", "stick", "slip", "lift_off", "landing"]
+    assert [event.kind for event in score.events] == [
+        "slip",
+        "stick",
+        "slip",
+        "lift_off",
+        "landing",
+    ]
     assert not score.missed and not score.spurious
     # A line through velocities, and through heights, leaves out the second order of the step.
     assert max(abs(event.error) for event in score.events) < 5.0 * STEP**2
@@ -62,7 +68,8 @@ def test_the_events_are_those_of_the_motion(motion, instants, columns):
     assert score.events[0].verdict == "artefact" and score.events[0].exact is None
     for event in score.events[1:]:
         assert event.exact == exact[event.kind]
-        # The limits of slip velocity and height shift where they are read, a lift-off the most: the gap begins with τ³.
+        # The limits of slip velocity and height shift where they are read, a lift-off the most: the
+        # gap begins with τ³.
         assert abs(event.read - event.exact) < (0.15 if event.kind == "lift_off" else 0.03)
         assert event.error == event.found - event.read
 
@@ -72,7 +79,9 @@ def test_events_that_come_late_are_found_and_sized(motion, instants, columns, la
     stick = times(motion)["stick"]
     warped = np.where(instants < stick + 0.05, instants, np.maximum(stick + 0.05, instants - late))
     samples = motion(warped)
-    score = scored(motion, instants, {"x": samples.x, "y": samples.centre_y, "theta": samples.theta})
+    score = scored(
+        motion, instants, {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
+    )
     errors = {event.kind: event.error for event in score.events[2:] if event.error is not None}
     assert errors["slip"] == pytest.approx(late, abs=1e-4)
     assert errors["lift_off"] == pytest.approx(late, abs=1e-4)
@@ -84,25 +93,33 @@ def test_a_missed_stick_is_found_and_its_slip_measured(motion, instants, columns
     score = scored(motion, instants, columns, x=columns["x"] - creep)
     assert [event.kind for event in score.missed] == ["stick"]
     # It comes to rest where the hoop slips, for a moment.
-    assert [event.kind for event in score.spurious] == ["stick"] and 0.0 < score.spurious[0].found - slip < 0.1
+    assert [event.kind for event in score.spurious] == ["stick"] and 0.0 < score.spurious[
+        0
+    ].found - slip < 0.1
     assert score.slip_while_rolling == pytest.approx(0.05 * (slip - stick), rel=0.01)
     assert score.largest_error == pytest.approx(creep[-1], rel=1e-12)
 
 
 def test_a_lift_off_that_is_none_and_a_rim_in_the_plane_are_found(motion, instants, columns):
     stick = times(motion)["stick"]
-    bump = 0.01 * np.where(np.abs(instants - stick - 0.2) < 0.1, np.cos(5.0 * np.pi * (instants - stick - 0.2)), 0.0)
+    bump = 0.01 * np.where(
+        np.abs(instants - stick - 0.2) < 0.1, np.cos(5.0 * np.pi * (instants - stick - 0.2)), 0.0
+    )
     score = scored(motion, instants, columns, y=columns["y"] + bump)
     assert [event.kind for event in score.spurious][:1] == ["lift_off"] and not score.missed
     assert abs(score.spurious[0].found - (stick + 0.1)) < 0.02
-    score = scored(motion, instants, columns, y=columns["y"] - 0.004 * np.exp(-((instants - 0.3) ** 2)))
+    score = scored(
+        motion, instants, columns, y=columns["y"] - 0.004 * np.exp(-((instants - 0.3) ** 2))
+    )
     assert score.penetration == pytest.approx(0.004, rel=1e-5) and not score.spurious
 
 
 def test_energy_that_is_gained_is_sized(motion, instants, columns):
     lift_off = times(motion)["lift_off"]
     push = 0.1
-    score = scored(motion, instants, columns, x=columns["x"] + push * np.maximum(instants - lift_off, 0.0))
+    score = scored(
+        motion, instants, columns, x=columns["x"] + push * np.maximum(instants - lift_off, 0.0)
+    )
     # In flight the mass centre keeps its horizontal velocity v: m ((v + push)² − v²)/2.
     centre = motion(np.array([lift_off + 0.5, lift_off + 1.5])).mass_centre_x
     velocity = float(np.diff(centre)[0])
@@ -113,7 +130,9 @@ def test_energy_that_is_gained_is_sized(motion, instants, columns):
 
 def test_errors_are_told_from_event_to_event(motion, instants, columns):
     lift_off = times(motion)["lift_off"]
-    score = scored(motion, instants, columns, theta=columns["theta"] + 0.01 * (instants > lift_off + 0.2))
+    score = scored(
+        motion, instants, columns, theta=columns["theta"] + 0.01 * (instants > lift_off + 0.2)
+    )
     errors = [error for _, _, error in score.between]
     assert errors[:-1] == [0.0] * (len(errors) - 1) or errors[-1] == pytest.approx(0.01)
     assert score.between[0][0] == 0.0 and score.between[-1][1] == instants[-1]
@@ -125,14 +144,20 @@ def test_bounces_are_impacts(columns):
     instants = np.arange(0.0, 5.0, STEP)
     samples = motion(instants)
     record = lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta)
-    (impact,) = [event for event in lw.scoring.score(motion, record).events if event.kind == "impact"]
+    (impact,) = [
+        event for event in lw.scoring.score(motion, record).events if event.kind == "impact"
+    ]
     landing = next(one.time for one in motion.transitions if one.impact is not None)
     # The hoop is lower than the limit for two thousandths after it.
     assert abs(impact.exact - landing) < 2e-3 and abs(impact.error) < 1e-5
     # Steps so long that no instant is near the plane: the lines before and behind meet there.
     coarse = slice(None, None, 37)
-    record = lw.scoring.Record(instants[coarse], samples.x[coarse], samples.centre_y[coarse], samples.theta[coarse])
-    (impact,) = [event for event in lw.scoring.score(motion, record).events if event.kind == "impact"]
+    record = lw.scoring.Record(
+        instants[coarse], samples.x[coarse], samples.centre_y[coarse], samples.theta[coarse]
+    )
+    (impact,) = [
+        event for event in lw.scoring.score(motion, record).events if event.kind == "impact"
+    ]
     assert abs(impact.found - landing) < 37 * STEP
 
 
@@ -142,7 +167,9 @@ def test_a_landing_that_sticks_is_one_event():
     for step in (1e-2, 1e-3, 1e-4):
         instants = np.arange(0.0, 5.0, step)
         samples = motion(instants)
-        score = lw.scoring.score(motion, lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta))
+        score = lw.scoring.score(
+            motion, lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta)
+        )
         assert score.events[-1].kind == "landing" and not score.missed and not score.spurious
 
 
@@ -159,11 +186,15 @@ def test_flags_of_contact_are_believed(motion, instants, columns, end):
         later = np.arange(0.0, end, STEP)
         lands = lw.scoring.CASES["two-coefficients"].motion
         samples = lands(later)
-        record = lw.scoring.Record(later, samples.x, samples.centre_y, samples.theta, ~samples.is_in("flight"))
+        record = lw.scoring.Record(
+            later, samples.x, samples.centre_y, samples.theta, ~samples.is_in("flight")
+        )
         score = lw.scoring.score(motion, record)
         lift_off, landing = score.events[-2:]
         assert landing.error == 0.0 and landing.found == pytest.approx(motion.end_time, abs=STEP)
-    assert lift_off.error == 0.0 and lift_off.found == pytest.approx(times(motion)["lift_off"], abs=STEP)
+    assert lift_off.error == 0.0 and lift_off.found == pytest.approx(
+        times(motion)["lift_off"], abs=STEP
+    )
     assert not score.missed and not score.spurious
 
 
@@ -182,8 +213,14 @@ def test_a_landing_at_the_end_of_a_record_is_not_missed(motion, late, verdict):
     # With rows behind the end the late one is found, and sized.
     instants = np.append(instants, end + np.arange(1, 50) * STEP)
     samples = motion(np.minimum(np.where(instants > 3.0, instants - late, instants), end))
-    score = lw.scoring.score(motion, lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta))
-    assert score.events[-1].error == pytest.approx(late, abs=2e-5) and not score.missed and not score.spurious
+    score = lw.scoring.score(
+        motion, lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta)
+    )
+    assert (
+        score.events[-1].error == pytest.approx(late, abs=2e-5)
+        and not score.missed
+        and not score.spurious
+    )
 
 
 @pytest.mark.parametrize("step", [0.05, 1e-2, 1e-3])
@@ -208,9 +245,16 @@ def test_the_exact_motion_is_never_blamed(step, flags):
 
 
 def test_a_coarse_record_says_what_can_not_be_read(motion):
-    verdicts = [(event.kind, event.verdict) for event in scored(motion, *sampled(motion, 0.3)).events]
+    verdicts = [
+        (event.kind, event.verdict) for event in scored(motion, *sampled(motion, 0.3)).events
+    ]
     # The hoop rolls for less than two rows.
-    assert verdicts[1:] == [("stick", "unreadable"), ("slip", "unreadable"), ("lift_off", "found"), ("landing", "cut")]
+    assert verdicts[1:] == [
+        ("stick", "unreadable"),
+        ("slip", "unreadable"),
+        ("lift_off", "found"),
+        ("landing", "cut"),
+    ]
 
 
 def sampled(motion, step):
@@ -228,7 +272,10 @@ def test_bounces_are_impacts_as_long_as_they_can_be_read_and_then_they_settle():
     found = [event for event in score.events if event.verdict == "found"]
     impact, settle, *_ = found
     assert (impact.kind, settle.kind) == ("impact", "settle")
-    first, last = motion.transitions[0], next(one for one in motion.transitions if one.cause == "settle")
+    first, last = (
+        motion.transitions[0],
+        next(one for one in motion.transitions if one.cause == "settle"),
+    )
     assert impact.exact == first.time and abs(impact.read - first.time) < 5e-3
     # The last bounces are lower than what counts as contact.
     assert settle.exact == last.time and -0.2 < settle.read - last.time < 0.0
@@ -249,7 +296,10 @@ def test_velocities_are_used_if_given():
     hoop = motion.hoop
     sin, cos = np.sin(place[2]), np.cos(place[2])
     moved = rates[0] - hoop.h * cos * faster.theta_rate, rates[1] - hoop.h * sin * faster.theta_rate
-    kinetic = hoop.mass * (moved[0] ** 2 + moved[1] ** 2) + hoop.inertia_about_mass_centre * faster.theta_rate**2
+    kinetic = (
+        hoop.mass * (moved[0] ** 2 + moved[1] ** 2)
+        + hoop.inertia_about_mass_centre * faster.theta_rate**2
+    )
     expected = 0.5 * kinetic + hoop.mass * (place[1] - 1.0 + hoop.h * cos) - exact
     assert spins[1] == pytest.approx(expected[1], rel=1e-9)
     with pytest.raises(ValueError, match="x_rate without the others"):
@@ -267,7 +317,10 @@ MISTAKES = {
     "theta is in degrees": lambda r, h: {"theta": np.degrees(r["theta"])},
     "theta is whole turns off": lambda r, h: {"theta": r["theta"] + 4 * math.pi},
     "another direction": lambda r, h: {"theta": r["theta"] + math.pi / 2},
-    "mass centre": lambda r, h: {"x": r["x"] - h * np.sin(r["theta"]), "y": r["y"] + h * np.cos(r["theta"])},
+    "mass centre": lambda r, h: {
+        "x": r["x"] - h * np.sin(r["theta"]),
+        "y": r["y"] + h * np.cos(r["theta"]),
+    },
     "y is the gap": lambda r, h: {"y": r["y"] - 1.0},
     "time is in thousandths": lambda r, h: {"time": 1e3 * r["time"]},
     "x and y are in thousandths": lambda r, h: {"x": 1e3 * r["x"], "y": 1e3 * r["y"]},
@@ -328,7 +381,9 @@ def test_the_steps_of_the_solver_may_be_other_than_those_of_the_rows(motion):
     scores = []
     for step in (0.01, 0.005):
         instants, columns = sampled(motion, 0.02)
-        scores.append(scored(motion, instants, columns, theta=columns["theta"] + step**2 * instants))
+        scores.append(
+            scored(motion, instants, columns, theta=columns["theta"] + step**2 * instants)
+        )
     assert lw.scoring.convergence(scores, [0.01, 0.005]).order == pytest.approx(2.0)
     with pytest.raises(ValueError, match="1 different steps"):
         lw.scoring.convergence(scores)
@@ -345,7 +400,11 @@ def test_the_order_of_convergence(motion, order):
         instants = np.arange(0.0, 3.8, step)
         samples = motion(instants)
         theta = samples.theta + step**order * np.sin(instants / instants[-1] * math.pi / 2)
-        scores.append(lw.scoring.score(motion, lw.scoring.Record(instants, samples.x, samples.centre_y, theta)))
+        scores.append(
+            lw.scoring.score(
+                motion, lw.scoring.Record(instants, samples.x, samples.centre_y, theta)
+            )
+        )
     assert lw.scoring.convergence(scores).order == pytest.approx(order, abs=1e-5)
     with pytest.raises(ValueError, match="1 different steps"):
         lw.scoring.convergence(scores[:1])
@@ -353,7 +412,9 @@ def test_the_order_of_convergence(motion, order):
 
 def test_what_ends_later_than_the_motion_is_left_out(motion, columns, instants):
     longer = np.append(instants, [10.0, 11.0])
-    record = lw.scoring.Record(longer, *(np.append(columns[name], [0.0, 0.0]) for name in ("x", "y", "theta")))
+    record = lw.scoring.Record(
+        longer, *(np.append(columns[name], [0.0, 0.0]) for name in ("x", "y", "theta"))
+    )
     assert lw.scoring.score(motion, record).largest_error == 0.0
     with pytest.raises(ValueError, match="fewer than three instants"):
         lw.scoring.score(motion, lw.scoring.Record([20.0, 21.0, 22.0], *np.ones((3, 3))))
@@ -387,10 +448,34 @@ def write(path, header, rows):
 @pytest.mark.parametrize(
     ("header", "rows", "line", "column", "reason"),
     [
-        ("time,x,y,theta", ["0,0,1,0", "1,0,1,zero", "2,0,1,0"], 3, "theta", "'zero' is not a finite number"),
-        ("time,x,y,theta", ["0,0,1,0", "1,nan,1,0", "2,0,1,0"], 3, "x", "'nan' is not a finite number"),
-        ("time,x,y,theta", ["0,0,1,0", "", "1,0,1", "2,0,1,0"], 4, None, "has 3 cells, the line of names has 4"),
-        ("time,x,y,theta", ["0,0,1,0", "1,0,1,0", "1,0,1,0"], 4, "time", "must be greater than 1 of line 3"),
+        (
+            "time,x,y,theta",
+            ["0,0,1,0", "1,0,1,zero", "2,0,1,0"],
+            3,
+            "theta",
+            "'zero' is not a finite number",
+        ),
+        (
+            "time,x,y,theta",
+            ["0,0,1,0", "1,nan,1,0", "2,0,1,0"],
+            3,
+            "x",
+            "'nan' is not a finite number",
+        ),
+        (
+            "time,x,y,theta",
+            ["0,0,1,0", "", "1,0,1", "2,0,1,0"],
+            4,
+            None,
+            "has 3 cells, the line of names has 4",
+        ),
+        (
+            "time,x,y,theta",
+            ["0,0,1,0", "1,0,1,0", "1,0,1,0"],
+            4,
+            "time",
+            "must be greater than 1 of line 3",
+        ),
         ("time,x,theta", ["0,0,0"], 1, "y", "is missing among time, x, theta"),
         ("t,x,y,theta", ["0,0,1,0"], 1, "time", "is missing among t, x, y, theta; is t meant?"),
         ("time,X,y,theta", ["0,0,1,0"], 1, "x", "is X meant?"),
@@ -399,7 +484,13 @@ def write(path, header, rows):
         ("time,x,y,theta,x", ["0,0,1,0,0"], 1, "x", "occurs twice"),
         ("time_s,x,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "x has no dimension"),
         ("time_s,x_m,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "the hoop has none"),
-        ("time,x,y,theta,contact", ["0,0,1,0,1", "1,0,1,0,2", "2,0,1,0,1"], 3, "contact", "must be 0 or 1"),
+        (
+            "time,x,y,theta,contact",
+            ["0,0,1,0,1", "1,0,1,0,2", "2,0,1,0,1"],
+            3,
+            "contact",
+            "must be 0 or 1",
+        ),
         ("time,x,y,theta", ["0,0,1,0"], None, None, "at least 3"),
         ("", [], None, None, "is empty"),
         ("time,x,y,theta", [], 1, None, "has no rows"),
@@ -437,14 +528,23 @@ def test_a_mark_at_the_begin_of_a_file_is_no_name(tmp_path):
 
 def test_what_the_command_line_simulates_is_read(binary, tmp_path, motion):
     path = tmp_path / "exact.csv"
-    subprocess.run([binary, "simulate", "figure-3", "--samples", "2000", "--format", "csv", "--out", path], check=True)
+    subprocess.run(
+        [binary, "simulate", "figure-3", "--samples", "2000", "--format", "csv", "--out", path],
+        check=True,
+    )
     score = lw.scoring.score(motion, lw.scoring.Record.from_csv(path))
     assert score.largest_error < 1e-14 and not score.missed and not score.spurious
 
 
 def test_a_file_in_si_units_is_the_same(tmp_path):
     hoop = lw.Hoop.from_si(
-        disc_mass_kg=0.3, particle_mass_kg=0.2, radius_m=0.4, offset_m=0.38, inertia_kg_m2=0.045, mu_s=0.4, mu_k=0.3
+        disc_mass_kg=0.3,
+        particle_mass_kg=0.2,
+        radius_m=0.4,
+        offset_m=0.38,
+        inertia_kg_m2=0.045,
+        mu_s=0.4,
+        mu_k=0.3,
     )
     motion = hoop.simulate(theta=1.0, theta_rate=1.5, until=2.0)
     instants = np.linspace(0.0, 2.0, 801)
@@ -458,7 +558,9 @@ def test_a_file_in_si_units_is_the_same(tmp_path):
         ]
     )
     path = tmp_path / "si.csv"
-    np.savetxt(path, rows, fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments="")
+    np.savetxt(
+        path, rows, fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments=""
+    )
     score = lw.scoring.score(motion, lw.scoring.Record.from_csv(path, hoop.units))
     assert score.largest_error < 1e-14
     # What is printed is in SI units, too.
@@ -469,7 +571,9 @@ def test_a_file_in_si_units_is_the_same(tmp_path):
 def test_the_command_prints_and_draws(motion, columns, instants, tmp_path, capsys):
     files = []
     for stride in (2, 4):
-        table = np.column_stack([instants, columns["x"], columns["y"], columns["theta"] + 1e-6 * stride])[::stride]
+        table = np.column_stack(
+            [instants, columns["x"], columns["y"], columns["theta"] + 1e-6 * stride]
+        )[::stride]
         path = tmp_path / f"{stride}.csv"
         np.savetxt(path, table, fmt="%.17g", delimiter=",", header="time,x,y,theta", comments="")
         files.append(str(path))
@@ -479,12 +583,16 @@ def test_the_command_prints_and_draws(motion, columns, instants, tmp_path, capsy
     assert main(["figure-3", *files, "--plot", str(tmp_path / "two.svg")]) == 0
     assert "order of convergence  1.00" in capsys.readouterr().out
     assert (tmp_path / "one.png").stat().st_size > 10_000
-    assert "<title>Score of 2.csv, 4.csv</title>" in (tmp_path / "two.svg").read_text(encoding="utf-8")
+    assert "<title>Score of 2.csv, 4.csv</title>" in (tmp_path / "two.svg").read_text(
+        encoding="utf-8"
+    )
     assert main(["figure-3", files[0], "--plot", str(tmp_path / "one.bmp")]) == 2
     assert "must end in .svg, .pdf or .png" in capsys.readouterr().err
     assert main(["figure-3", *files, "--json"]) == 0
     whole = json.loads(capsys.readouterr().out)
-    assert whole["case"] == "figure-3" and whole["scores"][0]["largest_error"]["theta"] == pytest.approx(2e-6)
+    assert whole["case"] == "figure-3" and whole["scores"][0]["largest_error"][
+        "theta"
+    ] == pytest.approx(2e-6)
     assert whole["order"] == pytest.approx(1.0)
 
 
@@ -497,7 +605,14 @@ def test_a_certificate_names_a_case(tmp_path, capsys):
     lengths = units.length_m
     rows = [instants * units.time_s, samples.x * lengths, samples.centre_y * lengths, samples.theta]
     path = tmp_path / "si.csv"
-    np.savetxt(path, np.column_stack(rows), fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments="")
+    np.savetxt(
+        path,
+        np.column_stack(rows),
+        fmt="%.17g",
+        delimiter=",",
+        header="time_s,x_m,y_m,theta_rad",
+        comments="",
+    )
     assert main([str(certificate), str(path), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["scores"][0]["largest_error"]["state"] < 1e-13
     changed = json.loads(certificate.read_text(encoding="utf-8"))
@@ -548,7 +663,9 @@ def test_the_program_of_the_package_has_the_command(monkeypatch, capsys):
 
 
 def test_the_cases_have_one_name_everywhere(capsys):
-    certificates = {path.stem for path in (ROOT / "evidence" / "truth" / "certificates").glob("*.json")}
+    certificates = {
+        path.stem for path in (ROOT / "evidence" / "truth" / "certificates").glob("*.json")
+    }
     assert set(lw.scoring.CASES) == certificates
     assert not set(lw.scoring.CASES) & set(lw.CASES)
     assert {one.category for one in lw.scoring.BENCHMARK.values()} == set(CATEGORIES)
@@ -578,7 +695,9 @@ def test_derivatives_are_scored_phase_by_phase(tmp_path, capsys, motion):
     assert score.largest_relative == 0.0
     # Central differences of the exact motion are a solver's with an error of second order.
     by = 1e-4
-    hoops = (lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4 + way) for way in (by, -by))
+    hoops = (
+        lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4 + way) for way in (by, -by)
+    )
     sides = [hoop.simulate(theta=math.pi / 2, theta_rate=2.0) for hoop in hoops]
     distances = np.abs(instants[:, None] - [one.time for one in motion.transitions])
     away = instants[np.min(distances, axis=1) > 0.01]

@@ -19,7 +19,11 @@ SI_STATE = [tables.SAMPLE_COLUMNS[name].si_name for name in _core.STATE]
 
 
 def arguments(function):
-    return {name: one for name, one in inspect.signature(function).parameters.items() if name not in ("self", "cls")}
+    return {
+        name: one
+        for name, one in inspect.signature(function).parameters.items()
+        if name not in ("self", "cls")
+    }
 
 
 @pytest.mark.parametrize(
@@ -28,7 +32,10 @@ def arguments(function):
         (lw.Hoop, [*tables.HOOP, "restitution_law", "units"]),
         (lw.Hoop.from_si, [*tables.SI_HOOP, "restitution_law"]),
         (lw.Hoop.simulate, [*tables.START, *LIMITS]),
-        (lw.Hoop.simulate_si, [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions", "max_slides", "proof"]),
+        (
+            lw.Hoop.simulate_si,
+            [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions", "max_slides", "proof"],
+        ),
         (lw.motion.State, _core.STATE),
     ],
 )
@@ -44,10 +51,20 @@ def test_a_sweep_takes_the_axes_of_the_table():
             assert re.search(rf"^    .*\b{name}\b.* : ", function.__doc__, re.MULTILINE), name
 
 
-@pytest.mark.parametrize("function", [lw.Hoop, lw.Hoop.from_si, lw.Hoop.simulate, lw.Hoop.simulate_si])
+@pytest.mark.parametrize(
+    "function", [lw.Hoop, lw.Hoop.from_si, lw.Hoop.simulate, lw.Hoop.simulate_si]
+)
 def test_defaults_are_those_of_the_table(function):
     # What a start in SI units calls `theta_rad` has the name `theta` in the table.
-    other = ["restitution_law", "units", "until", "until_s", "max_transitions", "max_slides", "proof"]
+    other = [
+        "restitution_law",
+        "units",
+        "until",
+        "until_s",
+        "max_transitions",
+        "max_slides",
+        "proof",
+    ]
     ours = {"theta_rad": "theta", **dict.fromkeys(other)}
     for name, one in arguments(function).items():
         row = ours.get(name, name)
@@ -147,7 +164,9 @@ def test_every_mode_class_and_curve_has_a_look():
     assert list(style.MODE_COLOURS) == list(style.MODE_DASHES) == list(lw.tables.MODES)
     assert list(style.CLASS_COLOURS) == list(lw.tables.CLASSES)
     assert list(style.CURVE_COLOURS) == list(style.CURVE_DASHES) == list(style.CURVE_WIDTHS)
-    light, dark = ({(group, name) for group, name, _ in _core.swatches(paper)} for paper in (False, True))
+    light, dark = (
+        {(group, name) for group, name, _ in _core.swatches(paper)} for paper in (False, True)
+    )
     assert light == dark
     for _, _, colour in _core.swatches(False):
         assert re.fullmatch("#[0-9a-f]{6}", colour)
@@ -162,7 +181,11 @@ def test_labels_of_axes_are_those_of_the_table():
 
 def test_no_source_repeats_a_table():
     """Colours, labels and codes of the core are not typed again anywhere in the package."""
-    labels = {*tables.CAUSE_LABELS.values(), *tables.OUTCOME_LABELS.values(), *tables.CLASS_LABELS.values()}
+    labels = {
+        *tables.CAUSE_LABELS.values(),
+        *tables.OUTCOME_LABELS.values(),
+        *tables.CLASS_LABELS.values(),
+    }
     labels |= {*tables.IMPACT_LABELS.values(), *tables.LAW_LABELS.values()}
     # One word is a name or plain English; words with a blank between them are not met by chance.
     labels = {label for label in labels if " " in label}

@@ -17,7 +17,9 @@ AXES = ("--axis", "theta=-3:3:23", "--axis", "theta_rate=-4:4:31")
 @pytest.fixture
 def table(command, tmp_path):
     path = tmp_path / "grid.parquet"
-    done = command("sweep", "figure-3", *AXES, "--until", "50", "--chunk", "100", "--out", str(path))
+    done = command(
+        "sweep", "figure-3", *AXES, "--until", "50", "--chunk", "100", "--out", str(path)
+    )
     assert done.returncode == 0, done.stderr
     return pq.ParquetFile(path)
 
@@ -34,12 +36,17 @@ def test_columns_have_types_and_attributes(table):
     assert not any(field.nullable for field in schema)
     for field in schema:
         assert field.metadata[b"long_name"], field.name
-    assert (schema.field("theta").metadata[b"units"], schema.field("theta").metadata[b"scale"]) == (b"rad", b"1")
+    assert (schema.field("theta").metadata[b"units"], schema.field("theta").metadata[b"scale"]) == (
+        b"rad",
+        b"1",
+    )
     assert schema.field("lift_off_time").metadata[b"scale"] == b"sqrt(R/g)"
     codes = schema.field("outcome_code").metadata
-    assert dict(zip(json.loads(codes[b"flag_values"]), codes[b"flag_meanings"].decode().split(), strict=True)) == {
-        code: name for code, name in lw.tables.OUTCOMES.items()
-    }
+    assert dict(
+        zip(
+            json.loads(codes[b"flag_values"]), codes[b"flag_meanings"].decode().split(), strict=True
+        )
+    ) == {code: name for code, name in lw.tables.OUTCOMES.items()}
 
 
 def test_rows_are_the_motions(table, hoop):
@@ -59,7 +66,12 @@ def test_rows_are_the_motions(table, hoop):
 
 def test_a_list_that_pandas_wrote_is_followed(command, tmp_path):
     starts, out = tmp_path / "starts.csv", tmp_path / "motions.parquet"
-    rows = {"theta": [math.pi / 2, 0.0], "theta_rate": [2, 1], "x": [0.5, 0.25], "mu_k": [0.4, 0.25]}
+    rows = {
+        "theta": [math.pi / 2, 0.0],
+        "theta_rate": [2, 1],
+        "x": [0.5, 0.25],
+        "mu_k": [0.4, 0.25],
+    }
     pd.DataFrame(rows).to_csv(starts, index=False)
     done = command("sweep", "figure-3", "--starts", str(starts), "--out", str(out))
     assert done.returncode == 0, done.stderr

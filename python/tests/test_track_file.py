@@ -11,7 +11,8 @@ from littlewood.track import TableFileError
 
 TRACKS = Path(__file__).parent / "tracks"
 RADIUS, OFFSET = 0.3, 0.27
-# The files have a hoop of this radius that rolls at 0.6 m/s, with its particle up at first, at 240 frames a second.
+# The files have a hoop of this radius that rolls at 0.6 m/s, with its particle up at first, at 240
+# frames a second.
 TIME_S = np.arange(12) / 240.0
 X_M, THETA = 0.6 * TIME_S, -2.0 * TIME_S
 
@@ -48,7 +49,12 @@ def test_tracker_exports_centre_and_marker(units):
     track = lw.Track.from_csv(TRACKS / "tracker-two.csv", units, centre="hub", marker="weight")
     assert_rolls(track, units, ("theta", "x", "y"), missing=(5,))
     # The names say it.
-    assert_rolls(lw.Track.from_csv(TRACKS / "tracker-two.csv", units), units, ("theta", "x", "y"), missing=(5,))
+    assert_rolls(
+        lw.Track.from_csv(TRACKS / "tracker-two.csv", units),
+        units,
+        ("theta", "x", "y"),
+        missing=(5,),
+    )
 
 
 def test_kinovea_exports_trajectories(units):
@@ -90,7 +96,9 @@ def test_a_motion_that_was_written_is_read(tmp_path, units):
     track = lw.Track.from_csv(tmp_path / "motion.csv", units)
     np.testing.assert_allclose(track.y, motion(time).centre_y, rtol=1e-12)
     motion.to_pandas(time).to_csv(tmp_path / "plain.csv", index=False)
-    np.testing.assert_array_equal(lw.Track.from_csv(tmp_path / "plain.csv").theta, motion(time).theta)
+    np.testing.assert_array_equal(
+        lw.Track.from_csv(tmp_path / "plain.csv").theta, motion(time).theta
+    )
 
 
 @pytest.mark.parametrize(
@@ -112,7 +120,9 @@ def test_separators_marks_and_encodings_are_found(tmp_path, encoding, separator,
         ]
         for t, a, x in zip(TIME_S, THETA, X_M, strict=True)
     ]
-    (tmp_path / "track.csv").write_bytes(end.join(separator.join(row) for row in rows).encode(encoding))
+    (tmp_path / "track.csv").write_bytes(
+        end.join(separator.join(row) for row in rows).encode(encoding)
+    )
     assert_rolls(lw.Track.from_csv(tmp_path / "track.csv", units), units, ("theta", "x"), atol=1e-8)
 
 
@@ -125,14 +135,20 @@ REFUSED = {
         "time_s,theta_deg\n0,1\n0.1,abc-97.4\n",
         "line 3, column theta_deg: 'abc-97.4' is not a finite number; leave a cell empty",
     ),
-    "an infinite number": ("time_s,x_m\n0,1\n0.1,inf\n", "line 3, column x_m: 'inf' is not a finite number"),
+    "an infinite number": (
+        "time_s,x_m\n0,1\n0.1,inf\n",
+        "line 3, column x_m: 'inf' is not a finite number",
+    ),
     "no time": ("time_s,x_m\n0,1\n,2\n", "line 3, column time_s: '' is not a finite number"),
     "one quantity twice": (
         "time_s,theta_deg,theta_rad\n0,1,2\n",
         "line 1: theta_deg and theta_rad: two columns of one quantity; remove one",
     ),
     "a name twice": ("time_s,x_m,x_m\n0,1,2\n", "line 1: x_m: two columns of one quantity"),
-    "two decimal marks": ("time_s;x_m\n0;1,5\n1;1.6\n", "line 3, column x_m: '1.6' has another decimal mark"),
+    "two decimal marks": (
+        "time_s;x_m\n0;1,5\n1;1.6\n",
+        "line 3, column x_m: '1.6' has another decimal mark",
+    ),
     "a short row": (
         "time_s,x_m\n0,1\n0.1\n",
         "line 3: has 1 cells, the line of names has 2; cells are separated by commas",
@@ -142,21 +158,45 @@ REFUSED = {
     "a line of names alone": ("time_s,x_m\n", "line 1: has no rows"),
     "numbers alone": ("0,1\n1,2\n", "line 1, column '0': is not a column of a track"),
     "no channel": ("time_s,vx\n0,1\n", "line 1: has neither an angle nor a position"),
-    "an empty channel": ("time_s,theta_deg,x_m\n0,,1\n1,,2\n", "column theta_deg: has no number; remove the column"),
-    "times that stand": ("time_s,x_m\n0,1\n\n0,2\n", "line 4, column time_s: '0' must be greater than 0 of line 2"),
+    "an empty channel": (
+        "time_s,theta_deg,x_m\n0,,1\n1,,2\n",
+        "column theta_deg: has no number; remove the column",
+    ),
+    "times that stand": (
+        "time_s,x_m\n0,1\n\n0,2\n",
+        "line 4, column time_s: '0' must be greater than 0 of line 2",
+    ),
     "a length without a unit": (
         "time_s,x\n0,1\n",
         "line 1, column x: has no dimension, the time is in SI units; name it x_m",
     ),
-    "a time without a unit": ("time,x_m\n0,1\n", "line 1, column x_m: is in SI units, time has no dimension"),
-    "an angle without a unit": ("t\tθ\n0\t1\n", "line 1, column θ: has no unit; name it theta_deg or theta_rad"),
+    "a time without a unit": (
+        "time,x_m\n0,1\n",
+        "line 1, column x_m: is in SI units, time has no dimension",
+    ),
+    "an angle without a unit": (
+        "t\tθ\n0\t1\n",
+        "line 1, column θ: has no unit; name it theta_deg or theta_rad",
+    ),
     "a unit of another kind": ("time_s,x_deg\n0,1\n", "column 'x_deg': is not a column"),
     "an unknown unit": ("time_s,x (furlong)\n0,1\n", r"column 'x \(furlong\)': is not a column"),
-    "frames": ("frame,x_m\n0,1\n", "line 1, column frame: has numbers of frames and no time; give the rate"),
+    "frames": (
+        "frame,x_m\n0,1\n",
+        "line 1, column frame: has numbers of frames and no time; give the rate",
+    ),
     "pixels": ("time_s,x_px,y_px\n0,1,2\n", "line 1, column x_px: is in pixels; give the plane"),
-    "pixels without a name": ("time,x,y\n0,100,40\n1,120,40\n", "line 1, column x: has whole numbers without a unit"),
-    "points without a role": ("\tA\t\tB\t\nt\tx\ty\tx\ty\t\n0\t1\t2\t3\t4\n", "has the points A, B; say which are"),
-    "three words in Kinovea": ("#Kinovea Trajectory data export\n#T X Y\n\n# A\n0 1\n", "line 5: has 2 cells"),
+    "pixels without a name": (
+        "time,x,y\n0,100,40\n1,120,40\n",
+        "line 1, column x: has whole numbers without a unit",
+    ),
+    "points without a role": (
+        "\tA\t\tB\t\nt\tx\ty\tx\ty\t\n0\t1\t2\t3\t4\n",
+        "has the points A, B; say which are",
+    ),
+    "three words in Kinovea": (
+        "#Kinovea Trajectory data export\n#T X Y\n\n# A\n0 1\n",
+        "line 5: has 2 cells",
+    ),
     "an instant twice in Kinovea": (
         "#Kinovea Trajectory data export\n#T X Y\n0:00:00:00 1 2\n0:00:00:00 1 2\n",
         "line 4, column T: '0:00:00:00' occurs twice; choose milliseconds",

@@ -8,8 +8,20 @@ import littlewood as lw
 
 # Figure 3, from an integration of the Newton-Euler equations at 40 digits: time, θ, θ′, η′, x.
 FIGURE_3 = {
-    "stick": (0.564107553101996750, 2.91722565678924913, 2.93644326144529653, 0.0, -1.42267101158774882),
-    "slip": (0.973223074772405405, 4.06633287423929561, 2.46087950463497717, 0.0, -2.57177822903779530),
+    "stick": (
+        0.564107553101996750,
+        2.91722565678924913,
+        2.93644326144529653,
+        0.0,
+        -1.42267101158774882,
+    ),
+    "slip": (
+        0.973223074772405405,
+        4.06633287423929561,
+        2.46087950463497717,
+        0.0,
+        -2.57177822903779530,
+    ),
     "lift_off": (
         1.51867021381943700,
         5.23673577087816789,
@@ -41,7 +53,9 @@ def test_figure_3(motion):
 
 
 def test_a_transition_has_a_state_on_either_side(motion):
-    for transition, phase, following in zip(motion.transitions, motion.phases, motion.phases[1:], strict=False):
+    for transition, phase, following in zip(
+        motion.transitions, motion.phases, motion.phases[1:], strict=False
+    ):
         assert transition.state == phase.end
         assert transition.after == following.start
         # No velocity jumps at these transitions, and so there is no impact.
@@ -74,7 +88,8 @@ def test_at_hands_its_arrays_over(motion):
     owner = samples.theta
     while isinstance(owner, np.ndarray):
         owner = owner.base
-    # The memory is that of a vector of Rust, which the array keeps: it was not copied into one of NumPy.
+    # The memory is that of a vector of Rust, which the array keeps: it was not copied into one of
+    # NumPy.
     assert type(owner).__name__ == "PySliceContainer"
     assert samples.theta.flags.writeable
 
@@ -102,7 +117,9 @@ def test_at_a_transition_the_next_motion_begins(motion):
 def test_positions_follow_from_the_angle(motion):
     samples = motion(np.linspace(0.0, 3.8, 50))
     np.testing.assert_allclose(samples.particle_x, samples.x - np.sin(samples.theta), atol=1e-14)
-    np.testing.assert_allclose(samples.mass_centre_y, samples.centre_y + 0.5 * np.cos(samples.theta), atol=1e-14)
+    np.testing.assert_allclose(
+        samples.mass_centre_y, samples.centre_y + 0.5 * np.cos(samples.theta), atol=1e-14
+    )
     np.testing.assert_allclose(samples.centre_y, 1.0 + samples.gap, atol=1e-15)
 
 
@@ -135,7 +152,10 @@ def test_proofs_that_end_a_motion():
     followed = hoop.simulate(**start, proof="none", max_transitions=50)
     assert (followed.outcome.kind, len(followed.transitions)) == ("transition_limit", 50)
     known = lw.simulate_many(hoop, theta=3.0, theta_rate=[0.1, 2.36], proof="contact")
-    assert [lw.tables.OUTCOMES[code] for code in known.outcome.values] == ["stays_in_contact", "slips_forever"]
+    assert [lw.tables.OUTCOMES[code] for code in known.outcome.values] == [
+        "stays_in_contact",
+        "slips_forever",
+    ]
     assert known.attrs["proof"] == "contact"
     with pytest.raises(lw.ParameterError, match="no proof named"):
         lw.simulate_many(hoop, theta=2.5, theta_rate=0.1, proof="")
@@ -143,7 +163,11 @@ def test_proofs_that_end_a_motion():
 
 def test_limits(hoop):
     motion = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, until=0.7)
-    assert (motion.outcome.kind, motion.outcome.is_final, motion.end_time) == ("time_limit", False, 0.7)
+    assert (motion.outcome.kind, motion.outcome.is_final, motion.end_time) == (
+        "time_limit",
+        False,
+        0.7,
+    )
     stopped = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, max_transitions=1)
     assert (stopped.outcome.kind, stopped.outcome.details["transitions"]) == ("transition_limit", 1)
     with pytest.raises(ValueError, match="max_transitions = -1 must not be less than 0"):
@@ -159,7 +183,10 @@ def test_limits(hoop):
 def test_xarray_has_units_and_long_names(motion):
     dataset = motion.to_xarray(count=101)
     assert dict(dataset.sizes) == {"time": 101 + 6}
-    assert (dataset.coords["time"].attrs["units"], dataset.coords["time"].attrs["scale"]) == ("1", "sqrt(R/g)")
+    assert (dataset.coords["time"].attrs["units"], dataset.coords["time"].attrs["scale"]) == (
+        "1",
+        "sqrt(R/g)",
+    )
     assert dataset["theta"].attrs["units"] == "rad"
     for variable in dataset.variables.values():
         assert variable.attrs["long_name"]
@@ -174,7 +201,8 @@ def test_tables_have_the_columns_of_the_command_line(motion, command):
     assert done.returncode == 0, done.stderr
     header, *rows = done.stdout.splitlines()
     table = motion.to_pandas(count=5)
-    # The command line adds the transitions' edges to each row; the shared columns come first or by name.
+    # The command line adds the transitions' edges to each row; the shared columns come first or by
+    # name.
     names = header.split(",")
     shared = [name for name in table.columns if name in names]
     assert set(table.columns) <= set(names)
@@ -200,7 +228,9 @@ def test_si_tables(command):
     plain = motion.to_pandas(count=11)
     assert table["time_s"].iloc[-1] == pytest.approx(plain["time"].iloc[-1] * hoop.units.time_s)
     assert table["theta_rate_rad_per_s"].iloc[0] == pytest.approx(9.0)
-    np.testing.assert_allclose(table["normal_n"], plain["normal"] * 0.14 * lw.hoop.STANDARD_GRAVITY, rtol=1e-15)
+    np.testing.assert_allclose(
+        table["normal_n"], plain["normal"] * 0.14 * lw.hoop.STANDARD_GRAVITY, rtol=1e-15
+    )
     dataset = motion.to_xarray(si=True)
     assert dataset["energy_j"].attrs["units"] == "J"
     with pytest.raises(ValueError, match="from_si"):
@@ -216,7 +246,17 @@ def test_it_survives_a_trip(motion):
 def test_words(motion):
     assert repr(motion) == "<Trajectory -R+F: lands>"
     row = next(line.split() for line in str(motion).splitlines() if line.startswith("4"))
-    assert row == ["4", "flight", "1.51867", "2.32873", "5.23674", "1.99871", "0.60770", "0", "landing"]
+    assert row == [
+        "4",
+        "flight",
+        "1.51867",
+        "2.32873",
+        "5.23674",
+        "1.99871",
+        "0.60770",
+        "0",
+        "landing",
+    ]
     page = motion._repr_html_()
     assert page.count("<tr") == 5
     assert "lift-off" in page

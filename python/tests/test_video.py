@@ -11,7 +11,9 @@ from littlewood.calibration import CALIBRATION
 from littlewood.video.synthetic import _instants
 
 RATE, EXPOSURE = 120.0, 1 / 400
-CAMERA = video.Camera((-0.9, 0.9, 3.2), (-1.2, 0.3, 0.0), focal_px=430.0, width=480, height=270, roll_rad=0.02)
+CAMERA = video.Camera(
+    (-0.9, 0.9, 3.2), (-1.2, 0.3, 0.0), focal_px=430.0, width=480, height=270, roll_rad=0.02
+)
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +52,10 @@ def exact(motion, track, exposure=EXPOSURE):
     """The mean of θ, x and y over the exposures, of 200 instants each."""
     instants = exposure / motion.hoop.units.time_s * (np.arange(200) + 0.5) / 200
     samples = motion((track.time[:, None] + instants).ravel())
-    return [values.reshape(-1, 200).mean(axis=1) for values in (samples.theta, samples.x, samples.centre_y)]
+    return [
+        values.reshape(-1, 200).mean(axis=1)
+        for values in (samples.theta, samples.x, samples.centre_y)
+    ]
 
 
 def errors(motion, track, exposure=EXPOSURE):
@@ -67,8 +72,8 @@ def test_a_track_is_the_motion_that_was_filmed(track, motion):
     assert track.time.size == 97
     np.testing.assert_allclose(np.diff(track.time) * motion.hoop.units.time_s, 1 / RATE, rtol=1e-12)
     theta, x, y = errors(motion, track)
-    # A rim of 42 pixels radius: a hundredth of a pixel is 0.00024 R. The floor below is darker than the wall, and the
-    # hoop has a shadow.
+    # A rim of 42 pixels radius: a hundredth of a pixel is 0.00024 R. The floor below is darker than
+    # the wall, and the hoop has a shadow.
     assert np.max(np.abs(x)) < 0.0005
     assert root_mean_square(x) < 0.00015
     assert root_mean_square(y) < 0.0003
@@ -119,7 +124,8 @@ def test_a_film_tells_that_its_plane_is_wrong(film, hoop, motion):
     doubts = {warning.message.doubt.name: warning.message for warning in caught}
     assert {"camera_scale", "camera_floor"} <= set(doubts["camera"].parameters)
     off = [
-        abs(believed.estimates[name].value - getattr(hoop, name)) / believed.estimates[name].std_error
+        abs(believed.estimates[name].value - getattr(hoop, name))
+        / believed.estimates[name].std_error
         for name in ("mu_k", "inertia", "restitution")
     ]
     assert max(off) > 4.0
@@ -127,7 +133,9 @@ def test_a_film_tells_that_its_plane_is_wrong(film, hoop, motion):
 
 def test_a_disc_has_no_inner_edge(hoop, motion, tmp_path):
     path = tmp_path / "disc.avi"
-    plane = video.synthetic_video(path, motion, CAMERA, exposure_s=EXPOSURE, seconds=0.4, look=video.Look(rim=1.0))
+    plane = video.synthetic_video(
+        path, motion, CAMERA, exposure_s=EXPOSURE, seconds=0.4, look=video.Look(rim=1.0)
+    )
     track = lw.track_video(path, hoop, plane=plane, fps=RATE)
     _, x, y = errors(motion, track)
     # In a few pictures the disc covers what the background, the median, has of it.
@@ -160,7 +168,9 @@ def without_noise(motion, part):
     exposure = part / RATE
     look = video.Look(noise=0.0, texture=0.0)
     seen = list(video.synthetic_frames(motion, CAMERA, exposure_s=exposure, look=look, seconds=0.8))
-    finder = video.Finder(video.Plane.from_camera(CAMERA), np.median(seen, axis=0), 0.5, 0.3, 0.27, (255, 0, 0))
+    finder = video.Finder(
+        video.Plane.from_camera(CAMERA), np.median(seen, axis=0), 0.5, 0.3, 0.27, (255, 0, 0)
+    )
     circles = [finder.circle(picture) for picture in seen]
     time = np.arange(len(seen)) / RATE / motion.hoop.units.time_s
     _, x, y = exact(motion, lw.Track(time, x=time), exposure)
@@ -172,7 +182,8 @@ def without_noise(motion, part):
 @pytest.mark.parametrize("part", [0.7, 1.0])
 def test_a_blurred_rim_is_found_at_the_mean_over_the_exposure(motion, part):
     errors, skew = without_noise(motion, part)
-    # Half-way between its edges it would be up to a part of `skew` away, and by the blur across the rays: 10⁻³ R.
+    # Half-way between its edges it would be up to a part of `skew` away, and by the blur across the
+    # rays: 10⁻³ R.
     assert np.max(np.abs(skew)) > 1e-3
     assert np.max(np.abs(errors - np.median(errors, axis=0))) < 1.2e-4
     for k in range(2):
@@ -185,10 +196,15 @@ def test_an_exposure_is_averaged_over_its_impacts(motion):
     for before in (0.005, 0.02, 0.04):
         begin, end = jumps[0] - before, jumps[0] - before + 0.045
         instants, weights, _ = _instants(motion, begin, end, 40.0)
-        samples, dense = motion(instants), motion(begin + (end - begin) * (np.arange(20000) + 0.5) / 20000)
+        samples, dense = (
+            motion(instants),
+            motion(begin + (end - begin) * (np.arange(20000) + 0.5) / 20000),
+        )
         assert weights.sum() == pytest.approx(1.0, abs=1e-12)
         for name in ("theta", "x", "centre_y"):
-            assert weights @ getattr(samples, name) == pytest.approx(getattr(dense, name).mean(), abs=1e-7)
+            assert weights @ getattr(samples, name) == pytest.approx(
+                getattr(dense, name).mean(), abs=1e-7
+            )
 
 
 def test_points_and_a_camera_agree_on_the_plane():
@@ -233,7 +249,9 @@ def test_the_overlay_has_film_and_simulation(film, motion, tmp_path):
 
 def test_a_marker_may_be_anywhere_on_the_rim(film, hoop, track):
     path, plane = film
-    shifted = lw.track_video(path, hoop, plane=plane, fps=RATE, marker=(220, 40, 30), marker_angle=0.5)
+    shifted = lw.track_video(
+        path, hoop, plane=plane, fps=RATE, marker=(220, 40, 30), marker_angle=0.5
+    )
     turned = np.mod(track.theta - shifted.theta - 0.5 + math.pi, math.tau) - math.pi
     assert np.max(np.abs(turned)) < 0.01
 
@@ -266,7 +284,9 @@ def test_bad_films_are_refused(film, hoop, motion, tmp_path):
     with pytest.raises(ValueError, match="is grey"):
         lw.track_video(path, hoop, marker=(9, 9, 9), **given)
     with pytest.raises(ValueError, match="from_si"):
-        lw.track_video(path, lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4), **given)
+        lw.track_video(
+            path, lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4), **given
+        )
     with pytest.raises(video.UnwritableVideoError, match=r"extension must be one of \.mp4"):
         video.synthetic_video(tmp_path / "film.gif", motion, CAMERA)
     with pytest.raises(video.UnwritableVideoError, match="no such folder"):

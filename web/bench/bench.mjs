@@ -1,7 +1,9 @@
-// Measures the page in Chromium against its budgets: `npm run build && npm run bench`. Prints a table in Markdown.
+// Measures the page in Chromium against its budgets: `npm run build && npm run bench`. Prints a
+// table in Markdown.
 //
-// Sizes are those of the files that a first visit loads, compressed as hosts compress them. Times are medians; a machine
-// that has other things to do shows it in them, which is why its load is printed too.
+// Sizes are those of the files that a first visit loads, compressed as hosts compress them. Times
+// are medians; a machine that has other things to do shows it in them, which is why its load is
+// printed too.
 
 import { spawn } from 'node:child_process';
 import { readdirSync, readFileSync, statSync } from 'node:fs';
@@ -19,7 +21,8 @@ const FRAMES = 240;
 const SLIDE = 3;
 
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
-const at = (values, part) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
+const at = (values, part) =>
+  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
 
 function files(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
@@ -31,8 +34,13 @@ function sizes() {
   const all = files('dist')
     .filter((name) => statSync(name).isFile())
     .map((name) => readFileSync(name));
-  const sum = (compress) => all.reduce((total, content) => total + compress(content).length, 0) / 1000;
-  return { raw: sum((it) => it), gzip: sum((it) => gzipSync(it, { level: 9 })), brotli: sum((it) => brotliCompressSync(it)) };
+  const sum = (compress) =>
+    all.reduce((total, content) => total + compress(content).length, 0) / 1000;
+  return {
+    raw: sum((it) => it),
+    gzip: sum((it) => gzipSync(it, { level: 9 })),
+    brotli: sum((it) => brotliCompressSync(it)),
+  };
 }
 
 async function ready(page) {
@@ -71,7 +79,9 @@ const REGIMES = {
 async function map(browser, hoop, last) {
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
   await page.goto(`${ADDRESS}#${hoop}`);
-  await page.waitForFunction((name) => performance.getEntriesByName(name).length > 0, last).catch(() => {});
+  await page
+    .waitForFunction((name) => performance.getEntriesByName(name).length > 0, last)
+    .catch(() => {});
   const levels = await page.evaluate(() =>
     Object.fromEntries(
       performance
@@ -95,7 +105,8 @@ async function slide(browser, hoop) {
   const found = await page.evaluate(async (seconds) => {
     const slider = document.querySelector('#slider-mu_s');
     const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
-    const marks = (name, from) => performance.getEntriesByName(name).filter((it) => it.startTime > from).length;
+    const marks = (name, from) =>
+      performance.getEntriesByName(name).filter((it) => it.startTime > from).length;
     const first = Number(slider.value);
     const begin = await frame();
     let now = begin;
@@ -105,7 +116,10 @@ async function slide(browser, hoop) {
       now = await frame();
     }
     const fine = marks('map-2', begin);
-    const any = ['map-16', 'map-8', 'map-4', 'map-2', 'map-1'].reduce((sum, name) => sum + marks(name, begin), 0);
+    const any = ['map-16', 'map-8', 'map-4', 'map-2', 'map-1'].reduce(
+      (sum, name) => sum + marks(name, begin),
+      0,
+    );
     slider.value = String(first + 0.123);
     slider.dispatchEvent(new Event('input', { bubbles: true }));
     const last = performance.now();
@@ -177,7 +191,12 @@ async function plot(browser, points) {
       const x = Array.from({ length: count }, (_, i) => i / count);
       const data = (k) => [x, x.map((it) => Math.sin(40 * it + k) * Math.cos(300 * it))];
       const chart = new globalThis.uPlot(
-        { width: 800, height: 300, series: [{}, { stroke: 'black' }], scales: { x: { time: false } } },
+        {
+          width: 800,
+          height: 300,
+          series: [{}, { stroke: 'black' }],
+          scales: { x: { time: false } },
+        },
         data(0),
         document.body,
       );
@@ -199,7 +218,9 @@ async function plot(browser, points) {
   return times;
 }
 
-const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], { stdio: 'ignore' });
+const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], {
+  stdio: 'ignore',
+});
 const browser = await chromium.launch(CHROMIUM);
 try {
   await new Promise((resolve) => setTimeout(resolve, 500));
@@ -209,15 +230,20 @@ try {
   const maps = [];
   for (let run = 0; run < RUNS; run++) maps.push(await map(browser, 'case=figure-3', 'map-1'));
   const regimes = {};
-  for (const [name, hoop] of Object.entries(REGIMES)) regimes[name] = await map(browser, hoop, 'map-2');
+  for (const [name, hoop] of Object.entries(REGIMES))
+    regimes[name] = await map(browser, hoop, 'map-2');
   const slides = {};
-  for (const [name, hoop] of Object.entries({ 'Figure 2': 'case=figure-3', ...REGIMES })) slides[name] = await slide(browser, hoop);
+  for (const [name, hoop] of Object.entries({ 'Figure 2': 'case=figure-3', ...REGIMES }))
+    slides[name] = await slide(browser, hoop);
   const { gaps, work } = await drag(browser);
   const plots = await plot(browser, 100_000);
   const ms = (value) => `${Math.round(value)} ms`;
-  const range = (values) => `${ms(median(values))} (${Math.round(Math.min(...values))}–${Math.round(Math.max(...values))})`;
+  const range = (values) =>
+    `${ms(median(values))} (${Math.round(Math.min(...values))}–${Math.round(Math.max(...values))})`;
   const levels = (stride) => maps.map((it) => it[`map-${stride}`]);
-  console.log(`Chromium ${browser.version()}, ${cpus().length} cores of ${cpus()[0].model.trim()}, load ${loadavg()[0].toFixed(1)}`);
+  console.log(
+    `Chromium ${browser.version()}, ${cpus().length} cores of ${cpus()[0].model.trim()}, load ${loadavg()[0].toFixed(1)}`,
+  );
   console.log(`
 | | budget | measured |
 |---|---|---|
@@ -240,7 +266,10 @@ ${Object.entries(regimes)
 | while μs moves | maps of 256 × 256 a second | of any level | the last after |
 |---|---|---|---|
 ${Object.entries(slides)
-  .map(([name, { fine, any, last }]) => `| ${name} | ${fine.toFixed(1)} | ${any.toFixed(0)} | ${ms(last)} |`)
+  .map(
+    ([name, { fine, any, last }]) =>
+      `| ${name} | ${fine.toFixed(1)} | ${any.toFixed(0)} | ${ms(last)} |`,
+  )
   .join('\n')}`);
 } finally {
   await browser.close();

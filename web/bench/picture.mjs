@@ -6,7 +6,9 @@ import { chromium } from '@playwright/test';
 import { CHROMIUM } from '../tests/chromium.mjs';
 import { PORT } from '../tests/port.mjs';
 
-const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], { stdio: 'ignore' });
+const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], {
+  stdio: 'ignore',
+});
 const browser = await chromium.launch(CHROMIUM);
 try {
   await new Promise((resolve) => setTimeout(resolve, 500));

@@ -4,7 +4,8 @@
 const PAGE = 'PAGE';
 
 /** What the page sends. */
-const messageOf = ({ data }) => (typeof data === 'object' && data !== null ? data.littlewood : undefined);
+const messageOf = ({ data }) =>
+  typeof data === 'object' && data !== null ? data.littlewood : undefined;
 
 function render({ model, el }) {
   const frame = document.createElement('iframe');

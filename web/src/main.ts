@@ -128,7 +128,12 @@ function start(cases: NamedCase[]): void {
     if (lab.state.view.embed) return;
     if (stale.motion) {
       const { motion, units, pinned, state } = lab;
-      plots.setMotion({ motion, units, system: state.problem.system, pinned: pinned?.motion ?? null });
+      plots.setMotion({
+        motion,
+        units,
+        system: state.problem.system,
+        pinned: pinned?.motion ?? null,
+      });
     }
     if (stale.motion || stale.time) plots.setTime(lab.time);
     stale.motion = false;
@@ -196,7 +201,8 @@ function start(cases: NamedCase[]): void {
     draw();
     address.changed();
     // While it plays, the time in the address would change at every frame.
-    if (!(clock.playing && changes.size === 1 && changes.has('time'))) writeSoon(lab, host, address);
+    if (!(clock.playing && changes.size === 1 && changes.has('time')))
+      writeSoon(lab, host, address);
   });
 
   /** The motion that Reset goes back to: that of the link, the case or the lesson. */

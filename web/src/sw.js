@@ -14,7 +14,8 @@ self.addEventListener('install', (event) => {
 });
 
 self.addEventListener('activate', (event) => {
-  const outdated = (names) => names.filter((name) => name.startsWith('littlewood-') && name !== NAME);
+  const outdated = (names) =>
+    names.filter((name) => name.startsWith('littlewood-') && name !== NAME);
   event.waitUntil(
     caches
       .keys()

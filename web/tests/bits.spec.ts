@@ -33,11 +33,14 @@ function pictures(motion: core.Motion): Uint8Array {
   const numbers = [...ways, ...motion.energies(motion.horizon())];
   const view = new DataView(new ArrayBuffer(8 * numbers.length));
   // There is one NaN.
-  for (const [i, number] of numbers.entries()) view.setBigUint64(8 * i, Number.isNaN(number) ? 0x7ff8000000000000n : bitsOf(number));
+  for (const [i, number] of numbers.entries())
+    view.setBigUint64(8 * i, Number.isNaN(number) ? 0x7ff8000000000000n : bitsOf(number));
   return new Uint8Array(view.buffer);
 }
 
-test('the named cases and a thousand random starts have the same bits natively and in WebAssembly', { tag: '@thorough' }, () => {
+test('the named cases and a thousand random starts have the same bits natively and in WebAssembly', {
+  tag: '@thorough',
+}, () => {
   // Written by `cargo run -p littlewood-web --example bits`.
   const lines = readFileSync(new URL('../bits.txt', import.meta.url), 'utf8')
     .trim()
@@ -45,16 +48,26 @@ test('the named cases and a thousand random starts have the same bits natively a
   const cases = lines.map((line) => line.split(' ')[0]).filter((name) => name !== '-');
   expect(lines).toHaveLength(1000 + cases.length);
   expect(cases).toContain('figure-3-bounces');
-  core.initSync({ module: readFileSync(new URL('../src/wasm/littlewood_web_bg.wasm', import.meta.url)) });
+  core.initSync({
+    module: readFileSync(new URL('../src/wasm/littlewood_web_bg.wasm', import.meta.url)),
+  });
   for (const line of lines) {
     const [name, ...words] = line.split(' ');
     const given = (word = '-'): string | undefined => (word === '-' ? undefined : word);
-    const number = (word?: string): number | undefined => (given(word) === undefined ? undefined : double(word!));
+    const number = (word?: string): number | undefined =>
+      given(word) === undefined ? undefined : double(word!);
     const [restitution, law, until, ...hashes] = words.slice(-6);
     const numbers = Float64Array.from(words.slice(0, -6), double);
-    const problem = core.Problem.dimensionless(numbers, number(restitution), given(law), number(until));
+    const problem = core.Problem.dimensionless(
+      numbers,
+      number(restitution),
+      given(law),
+      number(until),
+    );
     const motion = new core.Motion(problem, given(name));
-    expect([hash(motion.json(20)), hash(motion.csv()), hash(pictures(motion))], line).toEqual(hashes);
+    expect([hash(motion.json(20)), hash(motion.csv()), hash(pictures(motion))], line).toEqual(
+      hashes,
+    );
     motion.free();
     problem.free();
   }
@@ -65,7 +78,10 @@ const program = process.env.LITTLEWOOD ?? '';
 test('what the page saves is what the command line prints', async ({ page }) => {
   test.skip(!existsSync(program), 'LITTLEWOOD names no program');
   const save = async (button: string): Promise<string> => {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.locator(button).click()]);
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator(button).click(),
+    ]);
     return readFileSync(await download.path(), 'utf8');
   };
   for (const state of [
@@ -87,7 +103,8 @@ test('what the page saves is what the command line prints', async ({ page }) => 
     const line = await page.locator('#shell-text').inputValue();
     const [name, ...flags] = line.split(' ');
     expect(name).toBe('littlewood');
-    const run = (...more: string[]): string => execFileSync(program, [...flags, ...more], { encoding: 'utf8', maxBuffer: 1 << 27 });
+    const run = (...more: string[]): string =>
+      execFileSync(program, [...flags, ...more], { encoding: 'utf8', maxBuffer: 1 << 27 });
     expect(await save('#save-json')).toBe(run('--format', 'json'));
     expect(await save('#save-csv')).toBe(run('--format', 'csv'));
     await page.locator('#samples').fill('50');

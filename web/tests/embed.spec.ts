@@ -7,19 +7,38 @@ import { open, ready } from './lab';
 /** Another page, on the same machine. */
 async function lecture(page: Page, body: string): Promise<void> {
   await page.route('**/lecture', (route) =>
-    route.fulfill({ contentType: 'text/html', body: `<!doctype html><title>a lecture</title>${body}` }),
+    route.fulfill({
+      contentType: 'text/html',
+      body: `<!doctype html><title>a lecture</title>${body}`,
+    }),
   );
   await page.goto('/lecture');
 }
 
-test('a frame shows the hoop, what happens, and the time line, and nothing to set', async ({ page }) => {
+test('a frame shows the hoop, what happens, and the time line, and nothing to set', async ({
+  page,
+}) => {
   await page.setViewportSize({ width: 640, height: 420 });
   await open(page, 'case=figure-3&at=1.2&embed=1');
-  for (const id of ['hoop', 'sentence', 'play', 'time', 'now', 'whole']) await expect(page.locator(`#${id}`)).toBeVisible();
-  for (const id of ['case', 'open-share', 'theme', 'fields', 'plane', 'plots', 'phases', 'speed', 'loop', 'follow', 'next']) {
+  for (const id of ['hoop', 'sentence', 'play', 'time', 'now', 'whole'])
+    await expect(page.locator(`#${id}`)).toBeVisible();
+  for (const id of [
+    'case',
+    'open-share',
+    'theme',
+    'fields',
+    'plane',
+    'plots',
+    'phases',
+    'speed',
+    'loop',
+    'follow',
+    'next',
+  ]) {
     await expect(page.locator(`#${id}`)).toBeHidden();
   }
-  for (const it of ['.weight', '#pin', '.ask', '.words']) await expect(page.locator(it)).toBeHidden();
+  for (const it of ['.weight', '#pin', '.ask', '.words'])
+    await expect(page.locator(it)).toBeHidden();
   // Everything is in sight: neither is there a bar to scroll.
   const { width, height } = await page.evaluate(() => ({
     width: document.documentElement.scrollWidth,
@@ -27,7 +46,9 @@ test('a frame shows the hoop, what happens, and the time line, and nothing to se
   }));
   expect([width, height]).toEqual([640, 420]);
   await page.locator('#play').click();
-  await expect.poll(async () => Number((await page.locator('#now').textContent())!.slice(4))).toBeGreaterThan(1.25);
+  await expect
+    .poll(async () => Number((await page.locator('#now').textContent())!.slice(4)))
+    .toBeGreaterThan(1.25);
   await page.locator('#play').click();
   await expect(page).toHaveURL(/embed=1/);
 });
@@ -67,7 +88,9 @@ for (const theme of ['light', 'dark'] as const) {
     await page.setViewportSize({ width: 360, height: 400 });
     await open(page, `case=figure-3-bounces&at=4.2&embed=1&theme=${theme}`);
     const { violations } = await new AxeBuilder({ page }).analyze();
-    expect(violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`)).toEqual([]);
+    expect(
+      violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`),
+    ).toEqual([]);
   });
 }
 
@@ -75,15 +98,24 @@ test('a frame and the page around it tell each other of the state', async ({ pag
   await lecture(page, '<iframe id="frame" width="640" height="420"></iframe>');
   await page.evaluate(() => {
     Object.assign(window, { heard: [] });
-    window.addEventListener('message', ({ data }) => (window as unknown as { heard: unknown[] }).heard.push(data));
+    window.addEventListener('message', ({ data }) =>
+      (window as unknown as { heard: unknown[] }).heard.push(data),
+    );
   });
-  await page.locator('#frame').evaluate((frame: HTMLIFrameElement, base) => (frame.src = `${base}#case=figure-3&embed=1`), baseURL!);
+  await page
+    .locator('#frame')
+    .evaluate(
+      (frame: HTMLIFrameElement, base) => (frame.src = `${base}#case=figure-3&embed=1`),
+      baseURL!,
+    );
   const heard = (): Promise<unknown[]> => page.evaluate('heard');
   await expect.poll(heard).toContainEqual({ littlewood: { ready: true } });
   const frame = page.frameLocator('#frame');
   await page
     .locator('#frame')
-    .evaluate((it: HTMLIFrameElement) => it.contentWindow!.postMessage({ littlewood: { link: 'case=figure-7&at=2&embed=1' } }, '*'));
+    .evaluate((it: HTMLIFrameElement) =>
+      it.contentWindow!.postMessage({ littlewood: { link: 'case=figure-7&at=2&embed=1' } }, '*'),
+    );
   await expect(frame.locator('#mode')).toHaveText('gliding');
   await frame.locator('#time').press('Home');
   await expect.poll(heard).toContainEqual({ littlewood: { link: 'case=figure-7&embed=1' } });

@@ -5,9 +5,15 @@ import { expect, type Page, test } from '@playwright/test';
 import { field, open, type } from './lab';
 
 /** A view as SVG: what is written in it, and its text as a whole. */
-async function svg(page: Page, view: 'hoop' | 'plane' | 'plots'): Promise<{ texts: string[]; all: string }> {
+async function svg(
+  page: Page,
+  view: 'hoop' | 'plane' | 'plots',
+): Promise<{ texts: string[]; all: string }> {
   await page.locator('#open-share').click();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.locator(`#svg-${view}`).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator(`#svg-${view}`).click(),
+  ]);
   await page.locator('#close-share').click();
   const all = readFileSync(await download.path(), 'utf8');
   return { texts: [...all.matchAll(/<text[^>]*>([^<]*)</g)].map((it) => it[1]!), all };
@@ -15,12 +21,15 @@ async function svg(page: Page, view: 'hoop' | 'plane' | 'plots'): Promise<{ text
 
 test('the energy has one zero', async ({ page }) => {
   await open(page, 'case=figure-3-bounces&map=0');
-  // Kinetic 8, potential 1 over that of the lowest place: h (1 + cos θ) m, with m = 2, h = 1/2, θ = π/2.
+  // Kinetic 8, potential 1 over that of the lowest place: h (1 + cos θ) m, with m = 2, h = 1/2, θ =
+  // π/2.
   await expect(page.locator('#energy-sum')).toHaveText('9 m₂gR');
   await expect(page.locator('output[data-plot=energy]')).toHaveText('9.000');
 });
 
-test('in SI units the axes of the hoop and of the plane are in metres and radians a second', async ({ page }) => {
+test('in SI units the axes of the hoop and of the plane are in metres and radians a second', async ({
+  page,
+}) => {
   await open(page, 'case=figure-3&map=0&follow=0');
   const plain = await svg(page, 'hoop');
   expect(plain.texts).toContain('R');
@@ -34,7 +43,9 @@ test('in SI units the axes of the hoop and of the plane are in metres and radian
   expect(si.texts).toContain('weight: 2.75 N');
   // It lands 7.806 R away, 3.513 m: the ticks reach no further than the view does.
   const least = (texts: string[]): number =>
-    Math.min(...texts.map((it) => Number(it.replace('−', '-'))).filter((it) => Number.isFinite(it)));
+    Math.min(
+      ...texts.map((it) => Number(it.replace('−', '-'))).filter((it) => Number.isFinite(it)),
+    );
   expect(least(plain.texts)).toBeLessThan(-6);
   expect(least(si.texts)).toBeGreaterThan(-5);
   const plane = (await svg(page, 'plane')).texts;
@@ -55,7 +66,9 @@ test('forces have one scale, whatever the motion', async ({ page }) => {
     // The bar: three strokes in one path, at its left end.
     const bar = /d="M6 [\d.]+L6 [\d.]+M6 [\d.]+L([\d.]+) /.exec(all)!;
     const radius = Math.max(...[...all.matchAll(/A([\d.]+) \1 0 0 1/g)].map((it) => Number(it[1])));
-    const weight = [...all.matchAll(/d="M([\d.]+) ([\d.]+)L\1 ([\d.]+)"[^>]*stroke-width="3"/g)].map((it) => Number(it[3]) - Number(it[2]));
+    const weight = [
+      ...all.matchAll(/d="M([\d.]+) ([\d.]+)L\1 ([\d.]+)"[^>]*stroke-width="3"/g),
+    ].map((it) => Number(it[3]) - Number(it[2]));
     return [Number(bar[1]) - 6, radius + 2.5, Math.max(...weight)];
   };
   for (const rate of [1, 2, 3]) {
@@ -70,7 +83,11 @@ test('forces have one scale, whatever the motion', async ({ page }) => {
 test('events of one instant are all told', async ({ page }) => {
   await open(page, 'case=lands-and-rolls&map=0');
   await page.locator('#last').click();
-  for (let i = 0; i < 20 && !(await page.locator('#sentence').textContent())!.includes('Lands'); i++)
+  for (
+    let i = 0;
+    i < 20 && !(await page.locator('#sentence').textContent())!.includes('Lands');
+    i++
+  )
     await page.locator('#previous').click();
   await expect(page.locator('#sentence')).toContainText('Lands');
 });
@@ -91,16 +108,23 @@ test('a massless hoop keeps its start in sight', async ({ page }) => {
   await page.locator('#si').check();
   await page.locator('#massless').check();
   // θ′ = 2 lies within the plane.
-  const rate = Number(/rate=([\d.]+)/.exec(page.url().replaceAll(/theta_rate[a-z_]*=/g, ''))?.[1] ?? 4);
+  const rate = Number(
+    /rate=([\d.]+)/.exec(page.url().replaceAll(/theta_rate[a-z_]*=/g, ''))?.[1] ?? 4,
+  );
   expect(rate).toBeGreaterThan(2);
-  const [handle, plane] = [(await page.locator('#start-handle').boundingBox())!, (await page.locator('#plane').boundingBox())!];
+  const [handle, plane] = [
+    (await page.locator('#start-handle').boundingBox())!,
+    (await page.locator('#plane').boundingBox())!,
+  ];
   expect(handle.y).toBeGreaterThan(plane.y);
 });
 
 test('𝓡 leaves the colours of the map as its legend has them', async ({ page }) => {
   await open(page, 'case=rolls-forever');
   await expect(page.locator('html[data-map=done]')).toBeAttached();
-  const swatch = await page.locator('#legend [data-class=rolls_forever] .swatch').evaluate((it) => getComputedStyle(it).backgroundColor);
+  const swatch = await page
+    .locator('#legend [data-class=rolls_forever] .swatch')
+    .evaluate((it) => getComputedStyle(it).backgroundColor);
   // Between the strokes of 𝓡, the curves and the levels the map shows through.
   const found = await page.locator('#plane-base').evaluate((canvas: HTMLCanvasElement) => {
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
@@ -125,7 +149,9 @@ test('an event that is chosen below the fold brings the hoop into view', async (
   await expect(page.locator('#hoop')).toBeInViewport({ ratio: 0.95 });
 });
 
-test('the keys of time: a hundredth, a thousandth, an event; and the space bar anywhere', async ({ page }) => {
+test('the keys of time: a hundredth, a thousandth, an event; and the space bar anywhere', async ({
+  page,
+}) => {
   await open(page, 'case=figure-3&map=0');
   await page.locator('#time').focus();
   await page.keyboard.press('ArrowRight');
@@ -144,18 +170,23 @@ test('the keys of time: a hundredth, a thousandth, an event; and the space bar a
   expect(await page.evaluate(() => window.scrollY)).toBe(before);
 });
 
-test('hoop and play button are in sight on a phone on its side, and the hoop has its room on a tablet', async ({ page }) => {
+test('hoop and play button are in sight on a phone on its side, and the hoop has its room on a tablet', async ({
+  page,
+}) => {
   await page.setViewportSize({ width: 844, height: 390 });
   for (const level of ['simple', 'full']) {
     await open(page, `case=figure-3&map=0&level=${level}`);
     await page.reload();
-    for (const id of ['hoop', 'play', 'time']) await expect(page.locator(`#${id}`)).toBeInViewport({ ratio: 1 });
+    for (const id of ['hoop', 'play', 'time'])
+      await expect(page.locator(`#${id}`)).toBeInViewport({ ratio: 1 });
   }
   await page.setViewportSize({ width: 820, height: 1180 });
   await expect(page.locator('#play')).toBeInViewport({ ratio: 1 });
 });
 
-test('a curve that there is not has no place in the legend, and words can stand for symbols', async ({ page }) => {
+test('a curve that there is not has no place in the legend, and words can stand for symbols', async ({
+  page,
+}) => {
   await open(page, 'mass_ratio=1&offset=0&inertia=1&mu_s=0.5&mu_k=0.4&theta=0&theta_rate=2&map=0');
   await expect(page.locator('#curves [data-curve=lift_off]')).toBeHidden();
   await open(page, 'case=figure-3&map=0');
@@ -164,7 +195,9 @@ test('a curve that there is not has no place in the legend, and words can stand 
   expect(letters).toContain('N');
   await page.locator('#symbols').uncheck();
   expect((await svg(page, 'hoop')).texts).not.toContain('N');
-  await expect(page.locator('label[for=field-mu_s]')).toHaveText('coefficient of static friction', { useInnerText: true });
+  await expect(page.locator('label[for=field-mu_s]')).toHaveText('coefficient of static friction', {
+    useInnerText: true,
+  });
 });
 
 test('the tip of a field does not hide the next one', async ({ page }) => {
@@ -185,8 +218,12 @@ test('a mark measures time and way from an instant', async ({ page }) => {
   for (let i = 0; i < 3; i++) await page.locator('#next').click();
   await page.locator('#mark').click();
   await page.locator('#next').click();
-  await expect(page.locator('#sentence')).toContainText('Lands 4.2 R to the left after 2.33 √(R/g)');
-  await expect(page.locator('#since')).toHaveText(/^Δτ = 2\.329 √\(R\/g\), Δx = −4\.(19|20)\d* R, Δθ = 4\.654$/);
+  await expect(page.locator('#sentence')).toContainText(
+    'Lands 4.2 R to the left after 2.33 √(R/g)',
+  );
+  await expect(page.locator('#since')).toHaveText(
+    /^Δτ = 2\.329 √\(R\/g\), Δx = −4\.(19|20)\d* R, Δθ = 4\.654$/,
+  );
   await page.locator('#mark').click();
   await expect(page.locator('#since')).toBeHidden();
 });
@@ -204,20 +241,37 @@ test('the case says what is changed', async ({ page }) => {
   await expect(field(page, 'radius_m')).toHaveValue('0.45');
 });
 
-test('the map of several workers is that of one', { tag: '@thorough' }, async ({ browser, baseURL }) => {
+test('the map of several workers is that of one', { tag: '@thorough' }, async ({
+  browser,
+  baseURL,
+}) => {
   test.slow();
   const pictures: string[] = [];
   for (const cores of [2, 4]) {
-    const context = await browser.newContext({ baseURL: baseURL!, viewport: { width: 1440, height: 900 } });
-    await context.addInitScript((count) => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => count }), cores);
+    const context = await browser.newContext({
+      baseURL: baseURL!,
+      viewport: { width: 1440, height: 900 },
+    });
+    await context.addInitScript(
+      (count) => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => count }),
+      cores,
+    );
     const page = await context.newPage();
-    for (const state of ['case=figure-3', 'case=figure-3&slip=0.5', 'case=figure-3-bounces&shows=hops']) {
+    for (const state of [
+      'case=figure-3',
+      'case=figure-3&slip=0.5',
+      'case=figure-3-bounces&shows=hops',
+    ]) {
       await open(page, state);
       await page.reload();
       await expect(page.locator('html[data-map=done]')).toBeAttached({ timeout: 60_000 });
       expect(page.workers()).toHaveLength(cores - 1);
       await page.waitForTimeout(300);
-      pictures.push(await page.locator('#plane-base').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL()));
+      pictures.push(
+        await page
+          .locator('#plane-base')
+          .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL()),
+      );
     }
     await context.close();
   }

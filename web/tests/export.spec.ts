@@ -4,8 +4,14 @@ import { readFileSync } from 'node:fs';
 import { expect, type Page, test } from '@playwright/test';
 import { open, type } from './lab';
 
-async function text(page: Page, button: string): Promise<{ name: string; text: string; bytes: Buffer }> {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.locator(button).click()]);
+async function text(
+  page: Page,
+  button: string,
+): Promise<{ name: string; text: string; bytes: Buffer }> {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator(button).click(),
+  ]);
   const bytes = readFileSync(await download.path());
   return { name: download.suggestedFilename(), text: bytes.toString('utf8'), bytes };
 }
@@ -65,7 +71,9 @@ test('the lines to copy have every digit', async ({ page }) => {
   await open(page, 'case=figure-3');
   await page.locator('#open-share').click();
   await expect(page.locator('#shell-text')).toHaveValue('littlewood simulate figure-3');
-  await expect(page.locator('#python-text')).toHaveValue('import littlewood as lw; motion = lw.case("figure-3").simulate()');
+  await expect(page.locator('#python-text')).toHaveValue(
+    'import littlewood as lw; motion = lw.case("figure-3").simulate()',
+  );
   await page.locator('#close-share').click();
   await type(page, 'theta', '-0.1234567890123456');
   await page.locator('#open-share').click();

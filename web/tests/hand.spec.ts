@@ -11,9 +11,12 @@ async function placeOf(page: Page): Promise<{ x: number; y: number }> {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-const numberIn = async (page: Page, name: string): Promise<number> => Number(await field(page, name).inputValue());
+const numberIn = async (page: Page, name: string): Promise<number> =>
+  Number(await field(page, name).inputValue());
 
-test('the weight is dragged to another start and let go, and the motion plays', async ({ page }) => {
+test('the weight is dragged to another start and let go, and the motion plays', async ({
+  page,
+}) => {
   await open(page, 'case=figure-2-libration&map=0');
   // At θ = π/2 the weight is at the left of the centre, by a radius; the view follows the hoop.
   await page.locator('#field-theta').fill('pi/2');
@@ -67,13 +70,21 @@ test('a fling sets the rate: that of the hand, for a hula hoop', async ({ page }
 });
 
 test('a finger drags the weight', async ({ browser, baseURL }) => {
-  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  const context = await browser.newContext({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    baseURL: baseURL!,
+  });
   const page = await context.newPage();
   await open(page, 'case=figure-2-libration&map=0&theta=0&theta_rate=0');
   const { x, y } = await placeOf(page);
   const session = await context.newCDPSession(page);
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', dx = 0): Promise<unknown> =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: x + dx, y: y + dx / 4 }] });
+    session.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: type === 'touchEnd' ? [] : [{ x: x + dx, y: y + dx / 4 }],
+    });
   await touch('touchStart');
   for (let step = 1; step <= 8; step++) await touch('touchMove', 5 * step);
   await page.waitForTimeout(250);
@@ -92,7 +103,10 @@ test('the keys turn the weight and its rate, and say where it is', async ({ page
   await page.keyboard.press('Shift+ArrowDown');
   await expect(field(page, 'theta_rate')).toHaveValue('0.195');
   // 0.05 · 180/π = 2.9.
-  await expect(weight(page)).toHaveAttribute('aria-valuetext', '3° to the left of the top, turning counterclockwise at 0.195 √(g/R)');
+  await expect(weight(page)).toHaveAttribute(
+    'aria-valuetext',
+    '3° to the left of the top, turning counterclockwise at 0.195 √(g/R)',
+  );
   await expect(weight(page)).toHaveAttribute('aria-valuenow', '3');
 });
 

@@ -7,13 +7,23 @@ import { ENERGY_PARTS } from '../src/generated/palette';
 import { FIGURE_3, FIGURE_3_LANDING, field, LAST_DIGIT, open, phases, ready, type } from './lab';
 
 /** Figure 3 with e = 0.5, energetic law, computed with 40 digits (shared notes): after the first impact, and where it settles. */
-const FIRST = { rate: 1.803947379026181191, slip: 0, gap_rate: 0.978517419970790811, lost: 3.36244341922728 };
-const SETTLES = { time: 6.92468208301851365, theta: 15.4568461360609139, rate: 2.20041054290320475 };
+const FIRST = {
+  rate: 1.803947379026181191,
+  slip: 0,
+  gap_rate: 0.978517419970790811,
+  lost: 3.36244341922728,
+};
+const SETTLES = {
+  time: 6.92468208301851365,
+  theta: 15.4568461360609139,
+  rate: 2.20041054290320475,
+};
 /** A, B, C, slip and rate of the gap before the first impact. */
 const [A, B, C] = [0.704169493845475073, -0.0829493464295526, 0.533700402266253778];
 const BEFORE = { slip: -0.785244687128996169, gap_rate: -1.913012569038374656 };
 
-const near = (a: number, b: number, bound = 1e-9): void => expect(Math.abs(a - b), `${a} and ${b}`).toBeLessThan(bound);
+const near = (a: number, b: number, bound = 1e-9): void =>
+  expect(Math.abs(a - b), `${a} and ${b}`).toBeLessThan(bound);
 
 /** The number in a cell of the table of the impact. */
 async function cell(page: Page, quantity: string, place = 0): Promise<number> {
@@ -21,15 +31,21 @@ async function cell(page: Page, quantity: string, place = 0): Promise<number> {
   return Number(await cells.nth(place).getAttribute('data-value'));
 }
 
-test('figure 3 bounces, each impact has its mark and its sentence, and it settles where the notes say', async ({ page }) => {
+test('figure 3 bounces, each impact has its mark and its sentence, and it settles where the notes say', async ({
+  page,
+}) => {
   await open(page, 'case=figure-3-bounces');
   await expect(page.locator('#impact')).toBeVisible();
   const marks = await page.locator('#marks .mark').count();
   expect(marks).toBeGreaterThan(20);
   await expect(page.locator('#impact-place')).toContainText(`1 of ${marks}`);
   await page.locator('#next-impact').click();
-  await expect(page.locator('#impact-sentence')).toContainText('slips, then sticks while it springs back');
-  await expect(page.locator('#sentence')).toHaveText(await page.locator('#impact-sentence').innerText());
+  await expect(page.locator('#impact-sentence')).toContainText(
+    'slips, then sticks while it springs back',
+  );
+  await expect(page.locator('#sentence')).toHaveText(
+    await page.locator('#impact-sentence').innerText(),
+  );
   near(await cell(page, 'slip', 0), BEFORE.slip);
   near(await cell(page, 'gap_rate', 0), BEFORE.gap_rate);
   near(await cell(page, 'theta_rate', 1), FIRST.rate);
@@ -62,7 +78,10 @@ test('figure 3 bounces, each impact has its mark and its sentence, and it settle
 test('the end of the way in Routh’s diagram is the impulse', async ({ page }) => {
   await open(page, `case=figure-3-bounces&at=${FIGURE_3_LANDING.time}`);
   await page.locator('#open-share').click();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#save-json').click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('#save-json').click(),
+  ]);
   await page.locator('#close-share').click();
   const { impact } = JSON.parse(readFileSync(await download.path(), 'utf8')).transitions[3];
   const canvas = page.locator('#routh');
@@ -118,7 +137,10 @@ test('restitution is off, on, changed and off again', async ({ page }) => {
   expect(await phases(page)).toEqual(before);
 });
 
-test('a link carries restitution, law, the rate of the gap and what the map shows', async ({ page, context }) => {
+test('a link carries restitution, law, the rate of the gap and what the map shows', async ({
+  page,
+  context,
+}) => {
   await open(
     page,
     'mass_ratio=1&offset=1&inertia=1&mu_s=0.5&mu_k=0.4&theta=1&theta_rate=2&gap_rate=0.5&restitution=0.3&restitution_law=poisson&shows=hops&map=0',
@@ -168,7 +190,9 @@ test('a massless hoop cannot bounce, and the page says why', async ({ page }) =>
   await expect(page.locator('#no-impact')).toBeEmpty();
 });
 
-test('each material sets its three numbers and says where they are from', { tag: '@thorough' }, async ({ page }) => {
+test('each material sets its three numbers and says where they are from', {
+  tag: '@thorough',
+}, async ({ page }) => {
   await open(page, 'case=figure-3');
   for (const { name, mu_s, mu_k, restitution, isIndicative, friction, impact } of MATERIALS) {
     await page.locator('#material').selectOption(name);
@@ -190,11 +214,16 @@ test('each material sets its three numbers and says where they are from', { tag:
 });
 
 test('the parts of the energy add up to that of the start at every time', async ({ page }) => {
-  for (const state of ['case=figure-3-bounces', 'case=jam&map=0', 'case=figure-3-bounces&restitution=0.9&restitution_law=newton&map=0']) {
+  for (const state of [
+    'case=figure-3-bounces',
+    'case=jam&map=0',
+    'case=figure-3-bounces&restitution=0.9&restitution_law=newton&map=0',
+  ]) {
     await open(page, state);
     await page.reload();
     await ready(page);
-    const number = async (selector: string): Promise<number> => parseFloat((await page.locator(selector).innerText()).replace('−', '-'));
+    const number = async (selector: string): Promise<number> =>
+      parseFloat((await page.locator(selector).innerText()).replace('−', '-'));
     const start = await number('#energy-sum');
     for (let i = 0; i < 8; i++) {
       let sum = 0;
@@ -234,8 +263,11 @@ test('bounces without end are shown for a while', async ({ page }) => {
   await page.locator('#last').click();
   await expect(page.locator('#mode')).toHaveText('flight');
   // Each of the two flights has its own duration; a turn takes as long each time.
-  const times = await page.locator('#marks .mark').evaluateAll((all) => all.map((it) => parseFloat((it as HTMLElement).style.left)));
+  const times = await page
+    .locator('#marks .mark')
+    .evaluateAll((all) => all.map((it) => parseFloat((it as HTMLElement).style.left)));
   expect(times.length).toBeGreaterThan(10);
-  for (let i = 4; i < times.length; i++) near(times[i]! - times[i - 2]!, times[2]! - times[0]!, 1e-3);
+  for (let i = 4; i < times.length; i++)
+    near(times[i]! - times[i - 2]!, times[2]! - times[0]!, 1e-3);
   await expect(page.locator('#case')).toHaveValue('bounces-forever');
 });

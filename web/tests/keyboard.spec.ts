@@ -89,5 +89,8 @@ test('a change of mode is told to a reader of the screen', async ({ page }) => {
   await page.locator('#next').focus();
   await page.keyboard.press('Enter');
   await expect(live).toContainText('rolling');
-  await expect(page.locator('#time')).toHaveAttribute('aria-valuetext', /τ = 0\.564 of 3\.847, rolling/);
+  await expect(page.locator('#time')).toHaveAttribute(
+    'aria-valuetext',
+    /τ = 0\.564 of 3\.847, rolling/,
+  );
 });

@@ -27,7 +27,8 @@ export function watch(page: Page): void {
   });
   page.on('request', (request) => {
     const { hostname, protocol } = new URL(request.url());
-    if (protocol.startsWith('http') && hostname !== '127.0.0.1') throw new Error(`a request to ${request.url()}`);
+    if (protocol.startsWith('http') && hostname !== '127.0.0.1')
+      throw new Error(`a request to ${request.url()}`);
   });
 }
 
@@ -52,7 +53,8 @@ export async function phases(page: Page): Promise<PhaseRow[]> {
   return page.locator('#phases tr:has(td[data-mode])').evaluateAll((rows) =>
     rows.map((row) => {
       const cells = [...row.querySelectorAll('td')].map((cell) => cell.textContent ?? '');
-      const number = (text = ''): number => Number(text.replaceAll('−', '-').replace('∞', 'Infinity'));
+      const number = (text = ''): number =>
+        Number(text.replaceAll('−', '-').replace('∞', 'Infinity'));
       return {
         mode: row.querySelector<HTMLElement>('[data-mode]')!.dataset.mode!,
         time: Number(row.querySelector<HTMLElement>('[data-time]')!.dataset.time),
@@ -82,7 +84,12 @@ export async function type(page: Page, name: string, text: string): Promise<void
 }
 
 /** The pixel of the plane where a start lies. */
-export async function pixelOf(page: Page, theta: number, rate: number, most = 4): Promise<{ x: number; y: number }> {
+export async function pixelOf(
+  page: Page,
+  theta: number,
+  rate: number,
+  most = 4,
+): Promise<{ x: number; y: number }> {
   const box = (await page.locator('#plane').boundingBox())!;
   // The margins of the plane.
   const [left, right, top, bottom] = [46, 14, 12, 40];
@@ -94,9 +101,27 @@ export async function pixelOf(page: Page, theta: number, rate: number, most = 4)
 
 /** The events of Figure 3 with 40 digits computed independently (evidence/reference/motions.json). */
 export const FIGURE_3 = [
-  { cause: 'stick', time: 0.56410755310199675, theta: 2.91722565678924913, rate: 2.93644326144529653, slip: 0 },
-  { cause: 'slip', time: 0.973223074772405405, theta: 4.06633287423929561, rate: 2.46087950463497717, slip: 0 },
-  { cause: 'lift-off', time: 1.518670213819437, theta: 5.23673577087816789, rate: 1.99870593711413988, slip: 0.607696268534750732 },
+  {
+    cause: 'stick',
+    time: 0.56410755310199675,
+    theta: 2.91722565678924913,
+    rate: 2.93644326144529653,
+    slip: 0,
+  },
+  {
+    cause: 'slip',
+    time: 0.973223074772405405,
+    theta: 4.06633287423929561,
+    rate: 2.46087950463497717,
+    slip: 0,
+  },
+  {
+    cause: 'lift-off',
+    time: 1.518670213819437,
+    theta: 5.23673577087816789,
+    rate: 1.99870593711413988,
+    slip: 0.607696268534750732,
+  },
 ];
 export const FIGURE_3_LANDING = { time: 3.8473955566868942, theta: 9.89117293957551564 };
 
@@ -106,14 +131,22 @@ export async function swipe(
   state: string,
   place: (page: Page) => Promise<{ x: number; y: number }>,
 ): Promise<void> {
-  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL });
+  const context = await browser.newContext({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    baseURL,
+  });
   const page = await context.newPage();
   await open(page, `case=figure-3&${state}`);
   const { x, y } = await place(page);
   const session = await context.newCDPSession(page);
   const before = await page.evaluate(() => window.scrollY);
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', to: number): Promise<unknown> =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: to }] });
+    session.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: type === 'touchEnd' ? [] : [{ x, y: to }],
+    });
   await touch('touchStart', y);
   for (let step = 1; step <= 8; step++) await touch('touchMove', y - 15 * step);
   await touch('touchEnd', y);

@@ -55,7 +55,8 @@ test('a lesson that there is not is reported', async ({ page }) => {
 
 test('a pinned motion is compared in numbers, at the hoop and in the plots', async ({ page }) => {
   await open(page, 'case=figure-3&map=0');
-  const hash = (): Promise<string> => page.locator('#hoop').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+  const hash = (): Promise<string> =>
+    page.locator('#hoop').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
   const plot = (): Promise<string> =>
     page
       .locator('.chart canvas')
@@ -67,7 +68,9 @@ test('a pinned motion is compared in numbers, at the hoop and in the plots', asy
   await field(page, 'mu_k').fill('0.8');
   await page.locator('#next').click();
   // The numbers of the two motions, as `littlewood simulate` prints them.
-  await expect(page.locator('#compared')).toHaveText('Pinned: hops 0.631 R high. Now: hops 0.486 R high. μₛ 0.5 → 1, μₖ 0.4 → 0.8.');
+  await expect(page.locator('#compared')).toHaveText(
+    'Pinned: hops 0.631 R high. Now: hops 0.486 R high. μₛ 0.5 → 1, μₖ 0.4 → 0.8.',
+  );
   // The link has both; another page that opens it compares the same.
   await expect.poll(() => page.url()).toContain('#pin=case%3Dfigure-3&mass_ratio=');
   const other = await page.context().newPage();

@@ -8,7 +8,8 @@ const question = (page: Page) => page.getByRole('heading', { name: 'Does it hop?
 test('a first visit is asked a question, and the motion answers it', async ({ page }) => {
   await open(page);
   await expect(question(page)).toBeVisible();
-  for (const id of ['plane', 'fields', 'phases', 'plots']) await expect(page.locator(`#${id}`)).toBeHidden();
+  for (const id of ['plane', 'fields', 'phases', 'plots'])
+    await expect(page.locator(`#${id}`)).toBeHidden();
   // The colours of the time line would give it away.
   const flight = page.locator('#track [data-mode=flight]');
   await expect(flight).toBeHidden();
@@ -16,7 +17,10 @@ test('a first visit is asked a question, and the motion answers it', async ({ pa
   await expect(page.locator('#play')).toHaveAttribute('data-state', 'playing');
   await expect(page.locator('#hop')).toBeVisible({ timeout: 30_000 });
   // The rim gets 0.631 R high (evidence/reference), told where it lands.
-  await expect(page.locator('#answer')).toHaveText(/^HOP: 0\.63 R high\. You were right\. Drag the weight/, { timeout: 30_000 });
+  await expect(page.locator('#answer')).toHaveText(
+    /^HOP: 0\.63 R high\. You were right\. Drag the weight/,
+    { timeout: 30_000 },
+  );
   await expect(flight).toBeVisible();
   await page.locator('#first').click();
   await expect(page.locator('#answer')).toBeEmpty();
@@ -26,7 +30,10 @@ test('it plays at a quarter of the speed around the lift-off', async ({ page }) 
   await open(page, 'case=figure-3&map=0&slow=1&speed=1');
   /** How fast the time goes from an instant, by the median of frames: on a busy machine some are late. */
   const pace = async (from: number): Promise<number> => {
-    await page.evaluate((at) => (location.hash = `case=figure-3&map=0&slow=1&speed=1&at=${at}`), from);
+    await page.evaluate(
+      (at) => (location.hash = `case=figure-3&map=0&slow=1&speed=1&at=${at}`),
+      from,
+    );
     await expect(page.locator('#now')).toHaveText(`τ = ${from.toFixed(3)}`);
     return page.evaluate(async () => {
       const now = (): number => Number(document.querySelector('#now')!.textContent!.slice(4));
@@ -44,13 +51,17 @@ test('it plays at a quarter of the speed around the lift-off', async ({ page }) 
       return paces.sort((a, b) => a - b)[7]!;
     });
   };
-  // The lift-off is at 1.519: a second is a unit of time long before it, and a quarter of one beside it.
+  // The lift-off is at 1.519: a second is a unit of time long before it, and a quarter of one
+  // beside it.
   const [far, near] = [await pace(0.2), await pace(1.4)];
   expect(near / far).toBeGreaterThan(0.15);
   expect(near / far).toBeLessThan(0.4);
 });
 
-test('the full view is one click away, and is remembered; links keep their meaning', async ({ page, context }) => {
+test('the full view is one click away, and is remembered; links keep their meaning', async ({
+  page,
+  context,
+}) => {
   await open(page);
   await page.getByRole('button', { name: 'Full view' }).click();
   await expect(page.locator('#plane')).toBeVisible();
@@ -61,33 +72,56 @@ test('the full view is one click away, and is remembered; links keep their meani
   await expect(again.locator('#plane')).toBeVisible();
 });
 
-test('a link without a level is full on a desk and simple on a phone, with the same motion', async ({ page, browser, baseURL }) => {
+test('a link without a level is full on a desk and simple on a phone, with the same motion', async ({
+  page,
+  browser,
+  baseURL,
+}) => {
   await open(page, 'case=slip-then-jump');
   await expect(page.locator('#plane')).toBeVisible();
-  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  const context = await browser.newContext({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    baseURL: baseURL!,
+  });
   const phone = await context.newPage();
   await open(phone, 'case=slip-then-jump');
   await expect(question(phone)).toBeVisible();
   await expect(phone.locator('#plane')).toBeHidden();
-  expect((await phases(phone)).map((it) => it.time)).toEqual((await phases(page)).map((it) => it.time));
+  expect((await phases(phone)).map((it) => it.time)).toEqual(
+    (await phases(page)).map((it) => it.time),
+  );
   await phone.getByRole('button', { name: 'Full view' }).click();
   await expect(phone.locator('#plane')).toBeVisible();
   await context.close();
 });
 
 for (const level of ['simple', 'full'] as const) {
-  test(`on a phone the hoop and the play button stay in sight while a slider moves, ${level}`, async ({ browser, baseURL }) => {
-    const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  test(`on a phone the hoop and the play button stay in sight while a slider moves, ${level}`, async ({
+    browser,
+    baseURL,
+  }) => {
+    const context = await browser.newContext({
+      viewport: { width: 390, height: 844 },
+      hasTouch: true,
+      isMobile: true,
+      baseURL: baseURL!,
+    });
     const page = await context.newPage();
     await open(page, `case=figure-3&map=0&level=${level}`);
     const last = page.locator(level === 'simple' ? '#word-bounce' : '#slider-theta_rate');
     await last.evaluate((it) => it.scrollIntoView({ block: 'end' }));
-    for (const it of [page.locator('#hoop'), page.locator('#play'), last]) await expect(it).toBeInViewport({ ratio: 0.9 });
+    for (const it of [page.locator('#hoop'), page.locator('#play'), last])
+      await expect(it).toBeInViewport({ ratio: 0.9 });
     await context.close();
   });
 }
 
-test('a swipe that begins on a slider scrolls the page, and leaves the value', ({ browser, baseURL }) =>
+test('a swipe that begins on a slider scrolls the page, and leaves the value', ({
+  browser,
+  baseURL,
+}) =>
   swipe([browser, baseURL!], 'map=0&level=full', async (page) => {
     const slider = page.locator('#slider-mu_s');
     await slider.evaluate((it) => it.scrollIntoView({ block: 'end' }));
@@ -117,11 +151,16 @@ test('the sliders in words change the motion, and say how', async ({ page }) => 
 test('of a hoop without mass the sliders say what there is', async ({ page }) => {
   await open(page, 'case=figure-7&map=0&level=simple');
   await expect(page.locator('#word-weight')).toBeDisabled();
-  await expect(page.locator('#word-weight')).toHaveAttribute('aria-valuetext', 'all there is: the hoop weighs nothing');
+  await expect(page.locator('#word-weight')).toHaveAttribute(
+    'aria-valuetext',
+    'all there is: the hoop weighs nothing',
+  );
   await expect(page.locator('#words-legend')).toContainText('glides');
 });
 
-test('without a mouse: the first stop leads to the weight, and a guess is a button', async ({ page }) => {
+test('without a mouse: the first stop leads to the weight, and a guess is a button', async ({
+  page,
+}) => {
   await open(page, 'case=figure-3&map=0&level=simple');
   await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');

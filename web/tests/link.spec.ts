@@ -56,7 +56,8 @@ test('the address changes with the page, and back brings nothing strange', async
   await open(page, 'case=figure-3');
   await page.evaluate(() => (location.hash = 'case=rolls-forever'));
   await expect(page.locator('#case')).toHaveValue('rolls-forever');
-  // From within the page, in order behind the new address; from outside the browser may not know yet that there is one.
+  // From within the page, in order behind the new address; from outside the browser may not know
+  // yet that there is one.
   await page.evaluate(() => history.back());
   await expect(page).toHaveURL(/#case=figure-3$/);
   await expect(page.locator('#case')).toHaveValue('figure-3');
@@ -116,7 +117,9 @@ test('a field takes a comma, and one of an angle degrees and parts of π', async
   ] as const) {
     await type(page, 'theta', text);
     await expect(page.locator('#message-theta')).toBeEmpty();
-    await expect.poll(() => Number(/theta=([^&]*)/.exec(page.url())?.[1] ?? Math.PI / 2)).toBeCloseTo(value, 14);
+    await expect
+      .poll(() => Number(/theta=([^&]*)/.exec(page.url())?.[1] ?? Math.PI / 2))
+      .toBeCloseTo(value, 14);
   }
   await type(page, 'theta', 'π/0');
   await expect(page.locator('#message-theta')).toHaveText(/not a number/);
@@ -145,7 +148,12 @@ for (const [state, name, message] of BAD) {
     await expect(field(page, name)).toHaveAttribute('aria-invalid', 'true');
     await expect(page.locator('#banner')).toContainText(message);
     // The last good state is there: figure 3.
-    expect((await phases(page)).map((it) => it.end)).toEqual(['stick', 'slip', 'lift-off', 'landing']);
+    expect((await phases(page)).map((it) => it.end)).toEqual([
+      'stick',
+      'slip',
+      'lift-off',
+      'landing',
+    ]);
   });
 }
 

@@ -1,7 +1,17 @@
 // The motion that the page shows.
 
 import { expect, test } from '@playwright/test';
-import { endOf, FIGURE_3, FIGURE_3_LANDING, field, LAST_DIGIT, open, phases, pixelOf, type } from './lab';
+import {
+  endOf,
+  FIGURE_3,
+  FIGURE_3_LANDING,
+  field,
+  LAST_DIGIT,
+  open,
+  phases,
+  pixelOf,
+  type,
+} from './lab';
 
 test('a start dragged to that of figure 3 slides, rolls, slides and jumps', async ({ page }) => {
   await open(page, 'case=rolls-forever');
@@ -10,27 +20,48 @@ test('a start dragged to that of figure 3 slides, rolls, slides and jumps', asyn
   await page.mouse.move(from!.x + from!.width / 2, from!.y + from!.height / 2);
   await page.mouse.down();
   for (let step = 1; step <= 10; step++) {
-    await page.mouse.move(from!.x + ((to.x - from!.x) * step) / 10, from!.y + ((to.y - from!.y) * step) / 10);
+    await page.mouse.move(
+      from!.x + ((to.x - from!.x) * step) / 10,
+      from!.y + ((to.y - from!.y) * step) / 10,
+    );
   }
   await page.mouse.move(to.x, to.y);
   await page.mouse.up();
   // A pixel is coarser than the start of the paper: the fields take the last digits.
-  expect(Math.abs(Number(await field(page, 'theta').inputValue()) - Math.PI / 2)).toBeLessThan(0.02);
+  expect(Math.abs(Number(await field(page, 'theta').inputValue()) - Math.PI / 2)).toBeLessThan(
+    0.02,
+  );
   expect(Math.abs(Number(await field(page, 'theta_rate').inputValue()) - 2)).toBeLessThan(0.03);
-  expect((await phases(page)).map((it) => it.mode)).toEqual(['sliding', 'rolling', 'sliding', 'flight']);
+  expect((await phases(page)).map((it) => it.mode)).toEqual([
+    'sliding',
+    'rolling',
+    'sliding',
+    'flight',
+  ]);
   await type(page, 'theta', '1.5707963267948966');
   await type(page, 'theta_rate', '2');
 
   const [, ...found] = await phases(page);
-  expect((await phases(page)).map((it) => it.end)).toEqual(['stick', 'slip', 'lift-off', 'landing']);
+  expect((await phases(page)).map((it) => it.end)).toEqual([
+    'stick',
+    'slip',
+    'lift-off',
+    'landing',
+  ]);
   FIGURE_3.forEach((expected, i) => {
-    expect(Math.abs(found[i]!.time - expected.time), `time of ${expected.cause}`).toBeLessThan(1e-9);
+    expect(Math.abs(found[i]!.time - expected.time), `time of ${expected.cause}`).toBeLessThan(
+      1e-9,
+    );
     for (const key of ['theta', 'rate', 'slip'] as const) {
-      expect(Math.abs(found[i]![key] - expected[key]), `${key} of ${expected.cause}`).toBeLessThan(LAST_DIGIT);
+      expect(Math.abs(found[i]![key] - expected[key]), `${key} of ${expected.cause}`).toBeLessThan(
+        LAST_DIGIT,
+      );
     }
   });
   await expect(page.locator('#case')).toHaveValue('figure-3');
-  await expect(page.locator('#sentence')).toHaveText('Slips: rolling would need a friction coefficient of 2; there is 0.5.');
+  await expect(page.locator('#sentence')).toHaveText(
+    'Slips: rolling would need a friction coefficient of 2; there is 0.5.',
+  );
   expect(Math.abs((await endOf(page)) - FIGURE_3_LANDING.time)).toBeLessThan(1e-9);
 });
 
@@ -44,9 +75,13 @@ test('figure 7 has the times of its closed form', async ({ page }) => {
   expect(Math.abs((await endOf(page)) - slip.time - (Math.sqrt(89) - 3) / 5)).toBeLessThan(1e-9);
 });
 
-test('every named case is in the menu and shows its motion', { tag: '@thorough' }, async ({ page }) => {
+test('every named case is in the menu and shows its motion', { tag: '@thorough' }, async ({
+  page,
+}) => {
   await open(page, 'level=full');
-  const names = await page.locator('#case option:not([value=""])').evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
+  const names = await page
+    .locator('#case option:not([value=""])')
+    .evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
   expect(names).toHaveLength(23);
   // What the titles of the cases say.
   const then: Record<string, string[] | null> = {
@@ -72,10 +107,12 @@ test('every named case is in the menu and shows its motion', { tag: '@thorough' 
     await expect(page.locator('#outcome')).not.toBeEmpty();
     const found = (await phases(page)).map((it) => it.mode);
     if (then[name]) expect(found, name).toEqual(then[name]);
-    if (name === 'figure-7') expect(found.filter((it, i) => it !== found[i - 1])).toEqual(['rolling', 'gliding']);
+    if (name === 'figure-7')
+      expect(found.filter((it, i) => it !== found[i - 1])).toEqual(['rolling', 'gliding']);
     if (name === 'type-1') expect((await phases(page))[0]!.end).toBe('N = 0');
     if (name === 'type-3') expect((await phases(page))[0]!.end).toBe('slip');
-    if (name === 'glide-to-roll') expect(found.slice(0, 3)).toEqual(['gliding', 'rolling', 'gliding']);
+    if (name === 'glide-to-roll')
+      expect(found.slice(0, 3)).toEqual(['gliding', 'rolling', 'gliding']);
     if (name === 'two-hops') expect(found.filter((it) => it === 'flight')).toHaveLength(2);
     if (name === 'stick-slip-no-jump') {
       expect(found).not.toContain('flight');
@@ -88,7 +125,9 @@ test('every named case is in the menu and shows its motion', { tag: '@thorough' 
   }
 });
 
-test('play moves the cursor, the events stop it where they are, and the sentence follows', async ({ page }) => {
+test('play moves the cursor, the events stop it where they are, and the sentence follows', async ({
+  page,
+}) => {
   await open(page, 'case=figure-3&speed=1');
   await page.evaluate(() => {
     const mode = document.querySelector('#mode')!;
@@ -111,7 +150,8 @@ test('play moves the cursor, the events stop it where they are, and the sentence
     await expect(page.locator('#mode')).toHaveText(mode);
     await expect(page.locator('#sentence')).toContainText(text);
   }
-  // All views have the time of the lift-off: the normal force is zero there, and |F|/N is not there any more.
+  // All views have the time of the lift-off: the normal force is zero there, and |F|/N is not there
+  // any more.
   await expect(page.locator('output[data-plot=normal]')).toHaveText(/^−?0\.000$/);
   await page.locator('#previous').click();
   await expect(page.locator('#mode')).toHaveText('sliding');
@@ -148,7 +188,9 @@ test('the massless switch takes mass and inertia away, and gives them back', asy
   await expect(field(page, 'inertia')).toHaveValue('1');
 });
 
-test('SI units show the same motion in seconds, and come back to the same numbers', async ({ page }) => {
+test('SI units show the same motion in seconds, and come back to the same numbers', async ({
+  page,
+}) => {
   await open(page, 'case=slip-then-jump');
   const plain = await phases(page);
   await page.locator('#si').check();
@@ -162,5 +204,6 @@ test('SI units show the same motion in seconds, and come back to the same number
     expect(Math.abs(it.rate - plain[i]!.rate / unit)).toBeLessThan(LAST_DIGIT * (1 + 1 / unit));
   });
   await page.locator('#si').uncheck();
-  for (const [i, it] of (await phases(page)).entries()) expect(Math.abs(it.time - plain[i]!.time)).toBeLessThan(1e-9);
+  for (const [i, it] of (await phases(page)).entries())
+    expect(Math.abs(it.time - plain[i]!.time)).toBeLessThan(1e-9);
 });

@@ -19,8 +19,12 @@ async function notebook(page: Page, link: string): Promise<FrameLocator> {
   await page.route('**', (route) => {
     const { pathname } = new URL(route.request().url());
     if (pathname === '/notebook')
-      return route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>cell</title><div id="cell"></div>' });
-    if (pathname === '/module.js') return route.fulfill({ contentType: 'text/javascript', body: readFileSync(MODULE, 'utf8') });
+      return route.fulfill({
+        contentType: 'text/html',
+        body: '<!doctype html><title>cell</title><div id="cell"></div>',
+      });
+    if (pathname === '/module.js')
+      return route.fulfill({ contentType: 'text/javascript', body: readFileSync(MODULE, 'utf8') });
     throw new Error(`a request to ${route.request().url()}`);
   });
   await page.goto('http://127.0.0.1:1/notebook');
@@ -38,7 +42,9 @@ async function notebook(page: Page, link: string): Promise<FrameLocator> {
       off: (name: string) => listeners.delete(name),
     };
     Object.assign(window, { model });
-    const { default: widget } = (await import('/module.js' as string)) as { default: { render(it: object): () => void } };
+    const { default: widget } = (await import('/module.js' as string)) as {
+      default: { render(it: object): () => void };
+    };
     Object.assign(window, { close: widget.render({ model, el: document.querySelector('#cell') }) });
   }, link);
   const frame = page.frameLocator('iframe');
@@ -48,7 +54,9 @@ async function notebook(page: Page, link: string): Promise<FrameLocator> {
 
 const linkOf = (page: Page): Promise<string> => page.evaluate('model.get("link")');
 
-test('the widget shows the link of its model, and the model has the state of the widget', async ({ page }) => {
+test('the widget shows the link of its model, and the model has the state of the widget', async ({
+  page,
+}) => {
   const frame = await notebook(page, 'case=figure-3&at=1.2');
   await expect(frame.locator('#now')).toHaveText('τ = 1.200');
   await expect(frame.locator('html[data-map=done]')).toBeAttached();
@@ -71,6 +79,9 @@ test('what a frame of another page says is not for the model', async ({ page }) 
 test('pictures are made in a notebook, too', async ({ page }) => {
   const frame = await notebook(page, 'case=figure-3');
   await frame.locator('#open-share').click();
-  const [download] = await Promise.all([page.waitForEvent('download'), frame.locator('#svg-hoop').click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    frame.locator('#svg-hoop').click(),
+  ]);
   expect(download.suggestedFilename()).toBe('figure-3-hoop.svg');
 });

@@ -1,4 +1,5 @@
-// The page as a page: accessible, offline, small screens, light and dark, and what it shows when it breaks.
+// The page as a page: accessible, offline, small screens, light and dark, and what it shows when it
+// breaks.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
@@ -26,7 +27,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await page.reload();
       await ready(page);
       const { violations } = await new AxeBuilder({ page }).analyze();
-      expect(violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`)).toEqual([]);
+      expect(
+        violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`),
+      ).toEqual([]);
     }
     await page.locator('#open-share').click();
     const { violations } = await new AxeBuilder({ page }).include('#share').analyze();
@@ -34,7 +37,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-test('axe finds nothing in the simple view and in a lesson', { tag: '@thorough' }, async ({ page }) => {
+test('axe finds nothing in the simple view and in a lesson', { tag: '@thorough' }, async ({
+  page,
+}) => {
   test.slow();
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
@@ -43,46 +48,62 @@ test('axe finds nothing in the simple view and in a lesson', { tag: '@thorough' 
       await page.reload();
       await ready(page);
       const { violations } = await new AxeBuilder({ page }).analyze();
-      expect(violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`)).toEqual([]);
+      expect(
+        violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`),
+      ).toEqual([]);
     }
   }
 });
 
-test('every view is drawn, and nothing is wider than the screen', { tag: '@thorough' }, async ({ page }, info) => {
-  const screens = [
-    ['light', 1440, 900],
-    ['dark', 1440, 900],
-    ['light', 1280, 800],
-    ['light', 1024, 768],
-    ['light', 390, 844],
-    ['light', 320, 700],
-  ] as const;
-  for (const [[theme, width, height], name] of screens.flatMap(
-    (it) =>
-      [
-        [it, 'figure-3'],
-        [it, 'figure-3-bounces'],
-      ] as const,
-  )) {
-    await page.setViewportSize({ width, height });
-    await open(page, `case=${name}&at=1.2&theme=${theme}&level=full`);
-    await page.reload();
-    await ready(page);
-    await expect(page.locator('html[data-map=done]')).toBeAttached();
-    await page.screenshot({ path: info.outputPath(`${name}-${theme}-${width}.png`), fullPage: width < 1000 });
-    // Something is drawn on every canvas: not all of its pixels are alike.
-    for (const id of ['hoop', 'plane-base', 'plane-top', ...(name === 'figure-3' ? [] : ['routh'])]) {
-      const alike = await page.locator(`#${id}`).evaluate((canvas: HTMLCanvasElement) => {
-        const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
-        const pixels = new Uint32Array(data.buffer);
-        return pixels.every((pixel) => pixel === pixels[0]);
+test(
+  'every view is drawn, and nothing is wider than the screen',
+  { tag: '@thorough' },
+  async ({ page }, info) => {
+    const screens = [
+      ['light', 1440, 900],
+      ['dark', 1440, 900],
+      ['light', 1280, 800],
+      ['light', 1024, 768],
+      ['light', 390, 844],
+      ['light', 320, 700],
+    ] as const;
+    for (const [[theme, width, height], name] of screens.flatMap(
+      (it) =>
+        [
+          [it, 'figure-3'],
+          [it, 'figure-3-bounces'],
+        ] as const,
+    )) {
+      await page.setViewportSize({ width, height });
+      await open(page, `case=${name}&at=1.2&theme=${theme}&level=full`);
+      await page.reload();
+      await ready(page);
+      await expect(page.locator('html[data-map=done]')).toBeAttached();
+      await page.screenshot({
+        path: info.outputPath(`${name}-${theme}-${width}.png`),
+        fullPage: width < 1000,
       });
-      expect(alike, id).toBe(false);
+      // Something is drawn on every canvas: not all of its pixels are alike.
+      for (const id of [
+        'hoop',
+        'plane-base',
+        'plane-top',
+        ...(name === 'figure-3' ? [] : ['routh']),
+      ]) {
+        const alike = await page.locator(`#${id}`).evaluate((canvas: HTMLCanvasElement) => {
+          const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+          const pixels = new Uint32Array(data.buffer);
+          return pixels.every((pixel) => pixel === pixels[0]);
+        });
+        expect(alike, id).toBe(false);
+      }
+      // No part of the page is wider than the screen.
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
+        width,
+      );
     }
-    // No part of the page is wider than the screen.
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
-  }
-});
+  },
+);
 
 test('the theme button turns the page, and the link keeps it', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'light' });
@@ -95,18 +116,31 @@ test('the theme button turns the page, and the link keeps it', async ({ page }) 
 });
 
 test('on a phone the start is dragged with a finger', async ({ browser, baseURL }) => {
-  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  const context = await browser.newContext({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    baseURL: baseURL!,
+  });
   const page = await context.newPage();
   await open(page, 'case=rolls-forever&level=full');
   await page.locator('#plane').scrollIntoViewIfNeeded();
   const to = await pixelOf(page, Math.PI / 2, 2);
   await page.touchscreen.tap(to.x, to.y);
-  expect((await phases(page)).map((it) => it.mode)).toEqual(['sliding', 'rolling', 'sliding', 'flight']);
+  expect((await phases(page)).map((it) => it.mode)).toEqual([
+    'sliding',
+    'rolling',
+    'sliding',
+    'flight',
+  ]);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
   await context.close();
 });
 
-test('a swipe that begins on the plane scrolls the page, and leaves the start', ({ browser, baseURL }) =>
+test('a swipe that begins on the plane scrolls the page, and leaves the start', ({
+  browser,
+  baseURL,
+}) =>
   swipe([browser, baseURL!], 'map=0&level=full', async (page) => {
     await page.locator('#plane').scrollIntoViewIfNeeded();
     return pixelOf(page, 0, 0);
@@ -118,7 +152,11 @@ test('the numbers of an axis have the room that they need', async ({ page }) => 
   const widths = await page
     .locator('.chart')
     .evaluateAll((charts) =>
-      charts.map((it) => it.querySelector('.u-over')!.getBoundingClientRect().left - it.getBoundingClientRect().left),
+      charts.map(
+        (it) =>
+          it.querySelector('.u-over')!.getBoundingClientRect().left -
+          it.getBoundingClientRect().left,
+      ),
     );
   const [, , normal, , energy] = widths as [number, number, number, number, number];
   expect(energy).toBeGreaterThan(normal);
@@ -142,10 +180,20 @@ test('with the colours of the system phases, energy and legends keep theirs', as
 test('on paper there is nothing to press', async ({ page }) => {
   await open(page, 'case=figure-3&map=0');
   await page.emulateMedia({ media: 'print' });
-  for (const id of ['play', 'copy-link', 'open-share', 'theme', 'zoom-in', 'start-handle', 'slope-handle', 'slider-mu_k']) {
+  for (const id of [
+    'play',
+    'copy-link',
+    'open-share',
+    'theme',
+    'zoom-in',
+    'start-handle',
+    'slope-handle',
+    'slider-mu_k',
+  ]) {
     await expect(page.locator(`#${id}`)).toBeHidden();
   }
-  for (const id of ['hoop', 'plane-base', 'phases', 'field-mu_k', 'sentence']) await expect(page.locator(`#${id}`)).toBeVisible();
+  for (const id of ['hoop', 'plane-base', 'phases', 'field-mu_k', 'sentence'])
+    await expect(page.locator(`#${id}`)).toBeVisible();
 });
 
 test('it works without a network once it has been there', async ({ page, context }) => {
@@ -163,7 +211,10 @@ test('it works without a network once it has been there', async ({ page, context
   await expect(page.locator('html[data-map=done]')).toBeAttached();
   await page.locator('#open-share').click();
   // The part that is loaded when it is needed is there as well.
-  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#svg-hoop').click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('#svg-hoop').click(),
+  ]);
   expect(download.suggestedFilename()).toBe('figure-7-hoop.svg');
 });
 
@@ -189,29 +240,42 @@ test('a core that does not load is no blank page', async ({ page }) => {
 test('the outcome map follows the hoop', async ({ page }) => {
   await open(page, 'case=figure-3');
   await expect(page.locator('html[data-map=done]')).toBeAttached();
-  await expect(page.locator('#legend li')).toHaveText(['leaves at once', 'lifts off later', 'rolls for ever'], { useInnerText: true });
+  await expect(page.locator('#legend li')).toHaveText(
+    ['leaves at once', 'lifts off later', 'rolls for ever'],
+    { useInnerText: true },
+  );
   await page.locator('#massless').check();
   await expect(page.locator('#legend')).toContainText('particle at the plane');
   await page.locator('#map').uncheck();
   await expect(page.locator('#legend')).toBeHidden();
 });
 
-test('every quantity of the tables has a field with its unit, and every curve its place in the legend', async ({ page }) => {
+test('every quantity of the tables has a field with its unit, and every curve its place in the legend', async ({
+  page,
+}) => {
   await open(page, 'case=figure-3');
-  await expect(page.locator('#curves li')).toHaveText([...CURVES.map((it) => CURVE_ROWS[it].label), '𝓡, hatched: it can roll here']);
+  await expect(page.locator('#curves li')).toHaveText([
+    ...CURVES.map((it) => CURVE_ROWS[it].label),
+    '𝓡, hatched: it can roll here',
+  ]);
   const shown = async (): Promise<string[][]> =>
     page
       .locator('#fields .row')
       .evaluateAll((rows) =>
         rows
           .filter((row) => row.querySelector('input'))
-          .map((row) => [row.querySelector('input')!.name, row.querySelector('.unit')!.textContent ?? '']),
+          .map((row) => [
+            row.querySelector('input')!.name,
+            row.querySelector('.unit')!.textContent ?? '',
+          ]),
       );
   for (const names of [
     [...DIMENSIONLESS, 'until'],
     [...SI, 'until_s'],
   ] as const) {
-    expect(new Set(await shown())).toEqual(new Set([...names, 'restitution' as const].map((name) => [name, QUANTITY_ROWS[name].unit])));
+    expect(new Set(await shown())).toEqual(
+      new Set([...names, 'restitution' as const].map((name) => [name, QUANTITY_ROWS[name].unit])),
+    );
     await page.locator('#si').check();
   }
 });
@@ -222,14 +286,20 @@ test('the page is fetched in at most 550 kB', () => {
   const files = readdirSync(root, { recursive: true, withFileTypes: true }).filter(
     (it) => it.isFile() && !/^(story|sheet|rich)\b/.test(it.name),
   );
-  const sizes = files.map((it) => gzipSync(readFileSync(`${it.parentPath}/${it.name}`), { level: 9 }).length);
+  const sizes = files.map(
+    (it) => gzipSync(readFileSync(`${it.parentPath}/${it.name}`), { level: 9 }).length,
+  );
   expect(sizes.reduce((sum, it) => sum + it, 0)).toBeLessThanOrEqual(550_000);
 });
 
 test('colours are written in the generated files, and those of the page alone in its theme', () => {
   const root = new URL('../src/', import.meta.url);
-  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((name) => /\.(ts|css|js)$/.test(name));
+  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((name) =>
+    /\.(ts|css|js)$/.test(name),
+  );
   const own = files.filter((name) => !/^(generated|wasm)\/|^style\/theme\.css$/.test(name));
   expect(own.length).toBeGreaterThan(30);
-  expect(own.filter((name) => /#[\da-f]{6}\b/i.test(readFileSync(new URL(name, root), 'utf8')))).toEqual([]);
+  expect(
+    own.filter((name) => /#[\da-f]{6}\b/i.test(readFileSync(new URL(name, root), 'utf8'))),
+  ).toEqual([]);
 });

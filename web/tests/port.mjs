@@ -1,4 +1,5 @@
-// A free port for the server of a test, so that two checkouts can be tested at once. Processes of one run share it.
+// A free port for the server of a test, so that two checkouts can be tested at once. Processes of
+// one run share it.
 
 import { createServer } from 'node:net';
 

@@ -1,4 +1,5 @@
-// A static host without any rules of its own, with the page under a sub-path: `node serve.mjs FOLDER PORT PREFIX`.
+// A static host without any rules of its own, with the page under a sub-path: `node serve.mjs
+// FOLDER PORT PREFIX`.
 
 import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -18,7 +19,10 @@ const TYPES = {
 createServer((request, response) => {
   const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
   const inside = path.startsWith(prefix) ? normalize(path.slice(prefix.length)) : null;
-  const file = inside === null || inside.startsWith('..') ? null : join(folder, inside === '.' ? 'index.html' : inside);
+  const file =
+    inside === null || inside.startsWith('..')
+      ? null
+      : join(folder, inside === '.' ? 'index.html' : inside);
   if (!file || !existsSync(file) || !statSync(file).isFile()) {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('not found');
     return;

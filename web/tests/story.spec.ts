@@ -1,4 +1,5 @@
-// The story: each picture is live, each number is computed, and everything can be read, reached and printed.
+// The story: each picture is live, each number is computed, and everything can be read, reached and
+// printed.
 
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
@@ -21,12 +22,15 @@ const figure = (page: Page, name: string) => page.locator(`#picture-${name}`);
 
 /** A sum of the pixels of the picture that is drawn. */
 async function drawn(page: Page, name: string): Promise<number> {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
   return figure(page, name)
     .locator('canvas')
     .evaluate((it) => {
       let sum = 0;
-      for (const character of (it as HTMLCanvasElement).toDataURL()) sum = (31 * sum + character.charCodeAt(0)) | 0;
+      for (const character of (it as HTMLCanvasElement).toDataURL())
+        sum = (31 * sum + character.charCodeAt(0)) | 0;
       return sum;
     });
 }
@@ -66,7 +70,8 @@ test('what is said follows the controls', async ({ page }) => {
         (it as HTMLInputElement).value = String(to);
         it.dispatchEvent(new Event('input', { bubbles: true }));
       }, value);
-  const at = async (name: keyof typeof PICTURES): Promise<void> => figure(page, name).scrollIntoViewIfNeeded();
+  const at = async (name: keyof typeof PICTURES): Promise<void> =>
+    figure(page, name).scrollIntoViewIfNeeded();
 
   await at('question');
   await set('question', 'push', 0.2);
@@ -97,9 +102,15 @@ test('what is said follows the controls', async ({ page }) => {
   await set('angle', 'lift-off', 60);
   await expect(says('angle')).toContainText('lift off 60°');
   // The law: (cos φ − 1 + φ²/2)/(φ − sin φ) = tan 60°.
-  const turned = [...(await says('angle').textContent())!.matchAll(/by ([\d.]+)°/g)].map(([, it]) => (Number(it) * Math.PI) / 180);
+  const turned = [...(await says('angle').textContent())!.matchAll(/by ([\d.]+)°/g)].map(
+    ([, it]) => (Number(it) * Math.PI) / 180,
+  );
   expect(turned).toHaveLength(3);
-  for (const phi of turned) expect((Math.cos(phi) - 1 + phi ** 2 / 2) / (phi - Math.sin(phi))).toBeCloseTo(Math.tan(Math.PI / 3), 4);
+  for (const phi of turned)
+    expect((Math.cos(phi) - 1 + phi ** 2 / 2) / (phi - Math.sin(phi))).toBeCloseTo(
+      Math.tan(Math.PI / 3),
+      4,
+    );
 
   await at('jam');
   await set('jam', 'μ', 0.9);
@@ -131,7 +142,9 @@ test('the weight is dragged, and its slider follows', async ({ page }) => {
   await page.mouse.down();
   await page.mouse.move(x + 40, y + 60, { steps: 4 });
   await page.mouse.up();
-  expect(await figure(page, 'cone').getByRole('slider', { name: 'angle' }).inputValue()).not.toBe('30');
+  expect(await figure(page, 'cone').getByRole('slider', { name: 'angle' }).inputValue()).not.toBe(
+    '30',
+  );
 });
 
 test('a start is dropped where one clicks', async ({ page }) => {
@@ -140,14 +153,17 @@ test('a start is dropped where one clicks', async ({ page }) => {
   await expect(page.locator('html[data-map=done]')).toBeAttached();
   const canvas = figure(page, 'map').locator('canvas');
   const { width, height } = (await canvas.boundingBox())!;
-  // At the top, fast: it leaves at once. In the margins of the plane there is a third of the turn and a half to the left of it.
+  // At the top, fast: it leaves at once. In the margins of the plane there is a third of the turn
+  // and a half to the left of it.
   await canvas.click({ position: { x: 46 + (width - 60) / 3, y: 14 } });
   await expect(figure(page, 'map').locator('.says')).toHaveText(PICTURES.map.says.leaves_at_once);
   await canvas.click({ position: { x: 46 + (width - 60) / 3, y: height / 2 - 14 } });
   await expect(figure(page, 'map').locator('.says')).toHaveText(PICTURES.map.says.stays);
 });
 
-test('a film of the reader follows the time of the picture, and is sent nowhere', async ({ page }) => {
+test('a film of the reader follows the time of the picture, and is sent nowhere', async ({
+  page,
+}) => {
   await open(page);
   const picture = figure(page, 'film');
   await picture.scrollIntoViewIfNeeded();
@@ -170,23 +186,31 @@ test('a film of the reader follows the time of the picture, and is sent nowhere'
     await stopped;
     return Array.from(new Uint8Array(await new Blob(chunks).arrayBuffer()));
   });
-  await picture.locator('input[type=file]').setInputFiles({ name: 'hop.webm', mimeType: 'video/webm', buffer: Buffer.from(film) });
+  await picture
+    .locator('input[type=file]')
+    .setInputFiles({ name: 'hop.webm', mimeType: 'video/webm', buffer: Buffer.from(film) });
   const video = picture.locator('video');
   await expect(video).toBeVisible();
-  await expect.poll(() => video.evaluate((it) => (it as HTMLVideoElement).readyState)).toBeGreaterThan(0);
+  await expect
+    .poll(() => video.evaluate((it) => (it as HTMLVideoElement).readyState))
+    .toBeGreaterThan(0);
   const time = picture.getByRole('slider', { name: 'time' });
   await time.focus();
   await page.keyboard.press('Home');
   await picture.getByRole('button', { name: PICTURES.film.controls.mark }).click();
   await time.focus();
   await page.keyboard.press('End');
-  await expect.poll(() => video.evaluate((it) => (it as HTMLVideoElement).currentTime)).toBeGreaterThan(0.2);
+  await expect
+    .poll(() => video.evaluate((it) => (it as HTMLVideoElement).currentTime))
+    .toBeGreaterThan(0.2);
 });
 
 test('no number is typed in the text', () => {
   const { list, ...heading } = SOURCES;
   const text = JSON.stringify([STORY, PICTURES, SHEET, heading]);
-  const left = text.replace(/\b(19|20)\d\d\b/g, '').replace(/"id":"[^"]*"|\(\d\.\d+\)|N = 0|= 0|Figure \d/g, '');
+  const left = text
+    .replace(/\b(19|20)\d\d\b/g, '')
+    .replace(/"id":"[^"]*"|\(\d\.\d+\)|N = 0|= 0|Figure \d/g, '');
   expect(left.match(/.{0,30}\d.{0,10}/g)).toBeNull();
   expect(Object.keys(list).length).toBeGreaterThan(5);
 });
@@ -207,14 +231,24 @@ test('the numbers are those of the theory', async ({ page }) => {
     // θ′² = 1/h at the top, h = 0.8.
     ['push.most', Math.sqrt(1 / 0.8), 2],
     // P = 0 at θ = 0.5 for m₁ = m₂/8: μ = (ϱ + h²s²)/(hs(1 + hc)), ϱ = 1 − h², h = 8/9.
-    ['jam.mu', (1 - (8 / 9) ** 2 + ((8 / 9) * Math.sin(0.5)) ** 2) / ((8 / 9) * Math.sin(0.5) * (1 + (8 / 9) * Math.cos(0.5))), 2],
+    [
+      'jam.mu',
+      (1 - (8 / 9) ** 2 + ((8 / 9) * Math.sin(0.5)) ** 2) /
+        ((8 / 9) * Math.sin(0.5) * (1 + (8 / 9) * Math.cos(0.5))),
+      2,
+    ],
   ] as const) {
-    expect(Math.abs((await numberOf(page, name)) - expected), name).toBeLessThanOrEqual(0.5001 * 10 ** -digits);
+    expect(Math.abs((await numberOf(page, name)) - expected), name).toBeLessThanOrEqual(
+      0.5001 * 10 ** -digits,
+    );
   }
   // A push that is too weak by energy: θ′² > (1 − h)/2h.
   expect(await numberOf(page, 'push.least')).toBeGreaterThan(Math.sqrt(0.2 / 1.6));
-  // The disc of the ramp: the study of it has 0.0029 R, and R is 50 mm. Each is rounded to two digits.
-  expect(Math.abs((await numberOf(page, 'ramp.slip')) - 50 * 0.0029)).toBeLessThanOrEqual(0.005 + 50 * 0.00005);
+  // The disc of the ramp: the study of it has 0.0029 R, and R is 50 mm. Each is rounded to two
+  // digits.
+  expect(Math.abs((await numberOf(page, 'ramp.slip')) - 50 * 0.0029)).toBeLessThanOrEqual(
+    0.005 + 50 * 0.00005,
+  );
   await expect(page.locator('#story')).not.toContainText(/NaN|undefined|\{|∞/);
 });
 
@@ -228,7 +262,9 @@ test('its links lead into the laboratory, and back', async ({ page }) => {
   await page.getByRole('link', { name: 'The story' }).click();
   await ready(page);
   // Places of the page, and pages beside it.
-  const targets = await page.locator('a[href]').evaluateAll((all) => all.map((it) => it.getAttribute('href')!));
+  const targets = await page
+    .locator('a[href]')
+    .evaluateAll((all) => all.map((it) => it.getAttribute('href')!));
   for (const target of new Set(targets)) {
     if (target.startsWith('#')) await expect(page.locator(target), target).toHaveCount(1);
     else expect(target).toMatch(/^\.\/(index|sheet)\.html(#[^\s]*)?$/);
@@ -272,7 +308,9 @@ test('it plays, is paused, and stops out of sight', async ({ page }) => {
   await picture.scrollIntoViewIfNeeded();
   await picture.getByRole('button', { name: 'Play' }).click();
   await expect(picture.locator('.says')).toHaveAttribute('aria-busy', 'true');
-  await expect.poll(() => picture.getByRole('slider', { name: 'time' }).inputValue().then(Number)).toBeGreaterThan(0.05);
+  await expect
+    .poll(() => picture.getByRole('slider', { name: 'time' }).inputValue().then(Number))
+    .toBeGreaterThan(0.05);
   await page.evaluate(() => window.scrollTo(0, document.body.scrollHeight));
   await expect(picture.locator('.play')).toHaveText('Play');
   await expect(picture.locator('.says')).toHaveAttribute('aria-busy', 'false');
@@ -283,20 +321,27 @@ for (const width of [390, 320]) {
     await page.setViewportSize({ width, height: 844 });
     for (const name of ['story', 'sheet']) {
       await open(page, name);
-      expect(await page.evaluate(() => document.documentElement.scrollWidth), name).toBeLessThanOrEqual(width);
+      expect(
+        await page.evaluate(() => document.documentElement.scrollWidth),
+        name,
+      ).toBeLessThanOrEqual(width);
     }
   });
 }
 
 test('it is fetched in at most 700 kB', async ({ page }) => {
   const fetched = new Set<string>();
-  page.on('request', (request) => fetched.add(new URL(request.url()).pathname.replace('/courses/mechanics/hoop/', '')));
+  page.on('request', (request) =>
+    fetched.add(new URL(request.url()).pathname.replace('/courses/mechanics/hoop/', '')),
+  );
   await open(page);
   for (const name of NAMES) await figure(page, name).scrollIntoViewIfNeeded();
   await expect(page.locator('html[data-map=done]')).toBeAttached();
   expect([...fetched].some((it) => it.endsWith('.wasm'))).toBe(true);
   const files = [...fetched].filter((it) => it !== 'sw.js');
-  const sizes = files.map((it) => gzipSync(readFileSync(new URL(`../dist/${it}`, import.meta.url)), { level: 9 }).length);
+  const sizes = files.map(
+    (it) => gzipSync(readFileSync(new URL(`../dist/${it}`, import.meta.url)), { level: 9 }).length,
+  );
   expect(sizes.reduce((sum, it) => sum + it, 0)).toBeLessThanOrEqual(700_000);
 });
 

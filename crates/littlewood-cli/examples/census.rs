@@ -1,11 +1,13 @@
-//! How often each outcome occurs among random hoops and starts, and which of them are not proved ends.
+//! How often each outcome occurs among random hoops and starts, and which of them are not proved
+//! ends.
 //!
 //! ```sh
 //! cargo run --release -p littlewood-cli --example census -- 1000000 2019 all
 //! ```
 //!
-//! takes the number of motions, the seed, and whether they are drawn from `all` that is allowed, biased to the bounds, or
-//! from the `usual` ranges. Every motion is followed without a time limit. The same numbers draw the same motions.
+//! takes the number of motions, the seed, and whether they are drawn from `all` that is allowed,
+//! biased to the bounds, or from the `usual` ranges. Every motion is followed without a time limit.
+//! The same numbers draw the same motions.
 
 use std::collections::BTreeMap;
 use std::env;
@@ -39,7 +41,10 @@ impl Census {
     fn add(&mut self, number: u64, setup: Setup) {
         let begun = Instant::now();
         let summary = Hoop::new(setup.hoop).and_then(|hoop| {
-            Engine::builder(&hoop).expected_starts(1).build().summary(setup.start, Limits::default())
+            Engine::builder(&hoop)
+                .expected_starts(1)
+                .build()
+                .summary(setup.start, Limits::default())
         });
         let took = begun.elapsed();
         let Ok(outcome) = summary.map(|summary| summary.outcome) else {
@@ -50,9 +55,14 @@ impl Census {
         if took > SLOW {
             self.slow.push((took, number, setup));
         }
-        if matches!(outcome, OutcomeKind::TransitionLimit | OutcomeKind::StepLimit | OutcomeKind::Unresolved)
-        {
-            self.open.entry(outcome.name()).or_default().push((number, setup));
+        if matches!(
+            outcome,
+            OutcomeKind::TransitionLimit | OutcomeKind::StepLimit | OutcomeKind::Unresolved
+        ) {
+            self.open
+                .entry(outcome.name())
+                .or_default()
+                .push((number, setup));
         }
     }
 
@@ -94,18 +104,28 @@ fn main() -> Result<(), Box<dyn Error>> {
     let threads = thread::available_parallelism()?.get();
     let mut census = Census::default();
     let parts: Vec<_> = thread::scope(|scope| {
-        let threads: Vec<_> =
-            (0..threads).map(|_| scope.spawn(|| follow(&next, total, seed, is_usual))).collect();
-        threads.into_iter().map(thread::ScopedJoinHandle::join).collect()
+        let threads: Vec<_> = (0..threads)
+            .map(|_| scope.spawn(|| follow(&next, total, seed, is_usual)))
+            .collect();
+        threads
+            .into_iter()
+            .map(thread::ScopedJoinHandle::join)
+            .collect()
     });
     for part in parts {
         census.absorb(part.map_err(|_| "a thread panicked")?);
     }
-    println!("{total} motions, seed {seed}, {range}: {:.0?} on {threads} threads", begun.elapsed());
+    println!(
+        "{total} motions, seed {seed}, {range}: {:.0?} on {threads} threads",
+        begun.elapsed()
+    );
     let mut counts: Vec<_> = census.counts.into_iter().collect();
     counts.sort_by_key(|&(_, count)| std::cmp::Reverse(count));
     for (name, count) in counts {
-        println!("{name:20} {count:9} {:8.4} %", 100.0 * count as f64 / total as f64);
+        println!(
+            "{name:20} {count:9} {:8.4} %",
+            100.0 * count as f64 / total as f64
+        );
     }
     for (name, mut setups) in census.open {
         setups.sort_by_key(|&(number, _)| number);
@@ -114,10 +134,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("{number}: {}", command(setup, Limits::default()));
         }
     }
-    census.slow.sort_by_key(|&(took, _, _)| std::cmp::Reverse(took));
+    census
+        .slow
+        .sort_by_key(|&(took, _, _)| std::cmp::Reverse(took));
     println!("\nlonger than {SLOW:?}: {}", census.slow.len());
     for (took, number, setup) in census.slow.iter().take(EXAMPLES) {
-        println!("{took:.1?}  {number}: {}", command(setup, Limits::default()));
+        println!(
+            "{took:.1?}  {number}: {}",
+            command(setup, Limits::default())
+        );
     }
     Ok(())
 }

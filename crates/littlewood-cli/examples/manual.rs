@@ -1,5 +1,6 @@
-//! `manual PREFIX` writes the shell completions and the manual pages of the command line, from its definition, below a prefix such as
-//! `/usr/local`. An example, so that neither the program nor those who build it pay for the generators.
+//! `manual PREFIX` writes the shell completions and the manual pages of the command line, from its
+//! definition, below a prefix such as `/usr/local`. An example, so that neither the program nor
+//! those who build it pay for the generators.
 
 use std::fs;
 use std::io;
@@ -12,7 +13,10 @@ use clap_complete::aot::generate;
 /// Shells, and where each looks for the completions of a program below a prefix.
 const SHELLS: [(Shell, &str); 5] = [
     (Shell::Bash, "share/bash-completion/completions/littlewood"),
-    (Shell::Fish, "share/fish/vendor_completions.d/littlewood.fish"),
+    (
+        Shell::Fish,
+        "share/fish/vendor_completions.d/littlewood.fish",
+    ),
     (Shell::Zsh, "share/zsh/site-functions/_littlewood"),
     (Shell::Elvish, "share/elvish/lib/littlewood.elv"),
     (Shell::PowerShell, "share/powershell/littlewood.ps1"),
@@ -22,7 +26,12 @@ const SHELLS: [(Shell, &str); 5] = [
 fn write(prefix: &Path) -> io::Result<()> {
     for (shell, place) in SHELLS {
         let mut script = Vec::new();
-        generate(shell, &mut littlewood_cli::command(), "littlewood", &mut script);
+        generate(
+            shell,
+            &mut littlewood_cli::command(),
+            "littlewood",
+            &mut script,
+        );
         let path = prefix.join(place);
         fs::create_dir_all(path.parent().unwrap_or(prefix))?;
         fs::write(path, script)?;
@@ -30,7 +39,10 @@ fn write(prefix: &Path) -> io::Result<()> {
     let pages = prefix.join("share/man/man1");
     fs::create_dir_all(&pages)?;
     // A page for the program and one for each command; none for `help`, which lists them.
-    clap_mangen::generate_to(littlewood_cli::command().disable_help_subcommand(true), pages)
+    clap_mangen::generate_to(
+        littlewood_cli::command().disable_help_subcommand(true),
+        pages,
+    )
 }
 
 fn main() -> io::Result<ExitCode> {
@@ -53,13 +65,22 @@ mod tests {
         write(prefix.path()).expect("a folder that can be written to");
         let read = |place: &str| fs::read_to_string(prefix.path().join(place)).expect("a file");
         let command = littlewood_cli::command();
-        let commands: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        let commands: Vec<&str> = command
+            .get_subcommands()
+            .map(clap::Command::get_name)
+            .collect();
         assert!(commands.contains(&"simulate"));
         let program = read("share/man/man1/littlewood.1");
         for command in &commands {
             let page = read(&format!("share/man/man1/littlewood-{command}.1"));
-            assert!(page.contains(&format!("\\fBlittlewood {command}\\fR")), "{command}: {page}");
-            assert!(program.contains(&format!("littlewood\\-{command}(1)")), "{command}");
+            assert!(
+                page.contains(&format!("\\fBlittlewood {command}\\fR")),
+                "{command}: {page}"
+            );
+            assert!(
+                program.contains(&format!("littlewood\\-{command}(1)")),
+                "{command}"
+            );
         }
         for (shell, place) in SHELLS {
             let script = read(place);

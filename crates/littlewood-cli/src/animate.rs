@@ -49,7 +49,13 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
     let units = problem.units;
     let slow = slow.unwrap_or(if units.is_some() { SLOW_SI } else { SLOW });
     let trajectory = problem.simulate()?;
-    let pace = Pace { fps, slow, units, hold_s: hold, slow_impacts };
+    let pace = Pace {
+        fps,
+        slow,
+        units,
+        hold_s: hold,
+        slow_impacts,
+    };
     let film = Film::new(&trajectory, &pace, size, camera).map_err(Error::Film)?;
     let film = match with {
         None => film.with_energy_bar(energy_bar),
@@ -68,7 +74,10 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
 }
 
 fn kind_of(out: &Path) -> Result<Kind, Error> {
-    let ending = out.extension().and_then(OsStr::to_str).map(str::to_lowercase);
+    let ending = out
+        .extension()
+        .and_then(OsStr::to_str)
+        .map(str::to_lowercase);
     match ending.as_deref() {
         Some("gif") => Ok(Kind::Gif),
         Some("mp4") => Ok(Kind::Video(Video::Mp4)),
@@ -82,16 +91,25 @@ fn kind_of(out: &Path) -> Result<Kind, Error> {
 }
 
 /// Says up to when a motion without end is shown.
-fn say_what_is_shown(film: &Film<'_>, trajectory: &Trajectory, units: Option<&Units>) -> Result<(), Error> {
+fn say_what_is_shown(
+    film: &Film<'_>,
+    trajectory: &Trajectory,
+    units: Option<&Units>,
+) -> Result<(), Error> {
     let schedule = film.schedule();
-    let Some(part) = schedule.part.label() else { return Ok(()) };
+    let Some(part) = schedule.part.label() else {
+        return Ok(());
+    };
     let until = match units {
         Some(units) => format!("t = {:.4} s", units.to_si(Dimension::Time, schedule.end)),
         None => format!("{} = {:.4}", Quantity::Until.sign(), schedule.end),
     };
     let outcome = trajectory.outcome().kind().label();
     Output::Stdout.write(|writer| {
-        writeln!(writer, "The film shows {part} ({outcome}), to {until}; --until says otherwise.")
+        writeln!(
+            writer,
+            "The film shows {part} ({outcome}), to {until}; --until says otherwise."
+        )
     })
 }
 
@@ -105,7 +123,10 @@ fn play(film: &Film<'_>, encoder: &mut impl Encoder) -> Result<(), FilmError> {
     })
 }
 
-fn write(output: Output, body: impl FnOnce(&mut dyn Write) -> Result<(), FilmError>) -> Result<(), Error> {
+fn write(
+    output: Output,
+    body: impl FnOnce(&mut dyn Write) -> Result<(), FilmError>,
+) -> Result<(), Error> {
     let mut failure = None;
     let result = output.write(|writer| {
         body(writer).map_err(|error| match error {
@@ -122,10 +143,14 @@ fn write(output: Output, body: impl FnOnce(&mut dyn Write) -> Result<(), FilmErr
 /// ffmpeg writes the file itself, under the name that it has until it is finished.
 fn write_with_ffmpeg(output: Output, film: &Film<'_>, video: Video) -> Result<(), Error> {
     let Output::File { temporary, .. } = &output else {
-        return Err(Error::Film(FilmError::Write(io::ErrorKind::NotSeekable.into())));
+        return Err(Error::Film(FilmError::Write(
+            io::ErrorKind::NotSeekable.into(),
+        )));
     };
-    let mut encoder =
-        FfmpegFilm::start(OsStr::new("ffmpeg"), temporary.path(), film, video).map_err(Error::Film)?;
-    play(film, &mut encoder).and_then(|()| encoder.finish()).map_err(Error::Film)?;
+    let mut encoder = FfmpegFilm::start(OsStr::new("ffmpeg"), temporary.path(), film, video)
+        .map_err(Error::Film)?;
+    play(film, &mut encoder)
+        .and_then(|()| encoder.finish())
+        .map_err(Error::Film)?;
     output.write(|_| Ok(()))
 }

@@ -1,4 +1,5 @@
-//! `littlewood atlas`: the sequences of phases that occur on a grid, for one hoop or a list of hoops.
+//! `littlewood atlas`: the sequences of phases that occur on a grid, for one hoop or a list of
+//! hoops.
 
 use core::f64::consts::PI;
 use std::path::Path;
@@ -17,12 +18,22 @@ use crate::values::Given;
 use crate::work::{self, Varied};
 
 pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
-    let axes = if args.axis.is_empty() { default_axes(args.first_turn) } else { args.axis.clone() };
+    let axes = if args.axis.is_empty() {
+        default_axes(args.first_turn)
+    } else {
+        args.axis.clone()
+    };
     let mut varied = Varied::by(&axes);
     if args.first_turn {
         // It follows mu_s, whatever was given.
         varied.fixed.push(Given::by_flag(Quantity::MuK, 0.0));
-        if args.base.setup.given.iter().all(|given| given.quantity != Quantity::Theta) {
+        if args
+            .base
+            .setup
+            .given
+            .iter()
+            .all(|given| given.quantity != Quantity::Theta)
+        {
             varied.fixed.push(Given::by_flag(Quantity::Theta, 0.0));
         }
     }
@@ -40,7 +51,11 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     let mut grids = Vec::new();
     for (line, setup) in hoops {
         let grid = Grid::new(setup, axes.clone()).map_err(|source| match (&args.hoops, line) {
-            (Some(path), Some(line)) => Error::Hoop { path: path.clone(), line, source: Box::new(source) },
+            (Some(path), Some(line)) => Error::Hoop {
+                path: path.clone(),
+                line,
+                source: Box::new(source),
+            },
             _ => source.into(),
         })?;
         grids.push((line, grid));
@@ -55,7 +70,13 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     for (line, grid) in &grids {
         let before = whole.points;
         let show = |progress: Progress| {
-            bar.show(work::STARTS, Count { done: before + progress.followed, total });
+            bar.show(
+                work::STARTS,
+                Count {
+                    done: before + progress.followed,
+                    total,
+                },
+            );
         };
         let options = work::options(&args.work, false, cancel, &show);
         let atlas = if args.first_turn {
@@ -64,22 +85,48 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
             Atlas::of_motions(grid, base.limits, &workers, &options)?
         };
         whole.absorb(atlas.clone());
-        of_hoops.push(OfHoop { line: *line, setup: *grid.base(), atlas });
+        of_hoops.push(OfHoop {
+            line: *line,
+            setup: *grid.base(),
+            atlas,
+        });
         if whole.points < whole.total {
             break;
         }
     }
     drop(bar);
     let points = whole.points;
-    let shown =
-        axes.iter().flat_map(|axis| axis.varies().quantities()).chain(listed.iter().copied()).collect();
-    let hoops = if args.hoops.is_some() { of_hoops } else { Vec::new() };
-    let page = Page { atlas: whole, total, shown, listed, hoops };
-    print(args.format, None, || atlas::table(&page), |writer| atlas::json(writer, &page))?;
+    let shown = axes
+        .iter()
+        .flat_map(|axis| axis.varies().quantities())
+        .chain(listed.iter().copied())
+        .collect();
+    let hoops = if args.hoops.is_some() {
+        of_hoops
+    } else {
+        Vec::new()
+    };
+    let page = Page {
+        atlas: whole,
+        total,
+        shown,
+        listed,
+        hoops,
+    };
+    print(
+        args.format,
+        None,
+        || atlas::table(&page),
+        |writer| atlas::json(writer, &page),
+    )?;
     if points < total {
-        let hint =
-            "an atlas is not resumed; what stands above is of the starts that were followed".to_owned();
-        return Err(Error::Interrupted { done: points, total, hint });
+        let hint = "an atlas is not resumed; what stands above is of the starts that were followed"
+            .to_owned();
+        return Err(Error::Interrupted {
+            done: points,
+            total,
+            hint,
+        });
     }
     Ok(())
 }
@@ -97,7 +144,10 @@ fn hoop_columns(path: &Path, axes: &[TypedAxis], first_turn: bool) -> Result<Vec
         .map(|column| {
             if !Quantity::HOOP.contains(&column) {
                 Err(bad(column, "is of the start, not of the hoop"))
-            } else if axes.iter().any(|axis| axis.quantities().any(|varied| varied == column)) {
+            } else if axes
+                .iter()
+                .any(|axis| axis.quantities().any(|varied| varied == column))
+            {
                 Err(bad(column, "is an axis, too"))
             } else if first_turn && column == Quantity::MuK {
                 Err(bad(column, "follows mu_s with --first-turn"))
@@ -110,8 +160,9 @@ fn hoop_columns(path: &Path, axes: &[TypedAxis], first_turn: bool) -> Result<Vec
 
 /// The hoops of a list, each with its line.
 fn read_hoops(path: &Path, base: Setup) -> Result<Vec<(Option<u64>, Setup)>, Error> {
-    let hoops =
-        StartList::open(path, base)?.points()?.map(|row| row.map(|(line, setup)| (Some(line), setup)));
+    let hoops = StartList::open(path, base)?
+        .points()?
+        .map(|row| row.map(|(line, setup)| (Some(line), setup)));
     Ok(hoops.collect::<Result<_, _>>()?)
 }
 

@@ -1,4 +1,5 @@
-//! An axis as it is typed: `theta=-pi:pi:200`, `mu=0.01:1:200:log`, or in SI units `theta_rate_rad_per_s=0:20:200`.
+//! An axis as it is typed: `theta=-pi:pi:200`, `mu=0.01:1:200:log`, or in SI units
+//! `theta_rate_rad_per_s=0:20:200`.
 
 use core::f64::consts::PI;
 
@@ -22,7 +23,13 @@ pub(crate) struct TypedAxis {
 impl TypedAxis {
     #[cfg(feature = "sweep")]
     pub(crate) const fn plain(quantity: Quantity, from: f64, to: f64, count: usize) -> Self {
-        Self { varies: Varies::One(quantity), from, to, count, spacing: Spacing::Even }
+        Self {
+            varies: Varies::One(quantity),
+            from,
+            to,
+            count,
+            spacing: Spacing::Even,
+        }
     }
 
     /// What varies along it, dimensionless.
@@ -52,7 +59,8 @@ impl TypedAxis {
             Some(units) if self.is_si() => units.from_si(self.varies.dimension(), value),
             Some(_) | None => value,
         };
-        Axis::new(self.varies(), end(self.from), end(self.to), self.count)?.with_spacing(self.spacing)
+        Axis::new(self.varies(), end(self.from), end(self.to), self.count)?
+            .with_spacing(self.spacing)
     }
 }
 
@@ -61,24 +69,40 @@ pub(crate) fn parse_axis(text: &str) -> Result<TypedAxis, String> {
     const FORM: &str = "hint: an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200, or NAME=FROM:TO:COUNT:log, such as mu=0.01:1:200:log";
     let (name, range) = text.split_once('=').ok_or(FORM)?;
     let plain = name.trim().replace('-', "_");
-    let varies = varied().find(|varies| varies.name() == plain).ok_or_else(|| {
-        let known: Vec<&str> = varied().map(Varies::name).collect();
-        let all = format!("axes are {}", known.join(", "));
-        format!("there is no axis '{name}'\n\nhint: {}", nearest::hint(name, known, &all))
-    })?;
+    let varies = varied()
+        .find(|varies| varies.name() == plain)
+        .ok_or_else(|| {
+            let known: Vec<&str> = varied().map(Varies::name).collect();
+            let all = format!("axes are {}", known.join(", "));
+            format!(
+                "there is no axis '{name}'\n\nhint: {}",
+                nearest::hint(name, known, &all)
+            )
+        })?;
     let parts: Vec<&str> = range.split(':').map(str::trim).collect();
     let (from, to, count, spacing) = match parts[..] {
         [from, to, count] => (from, to, count, Spacing::Even),
         [from, to, count, spacing] => {
-            let spacing = [Spacing::Even, Spacing::Log].into_iter().find(|known| known.name() == spacing);
+            let spacing = [Spacing::Even, Spacing::Log]
+                .into_iter()
+                .find(|known| known.name() == spacing);
             (from, to, count, spacing.ok_or(FORM)?)
         }
         _ => return Err(FORM.to_owned()),
     };
-    let end = |text| parse_number(text).ok_or_else(|| format!("'{text}' is not a number\n\n{FORM}"));
+    let end =
+        |text| parse_number(text).ok_or_else(|| format!("'{text}' is not a number\n\n{FORM}"));
     let (from, to) = (end(from)?, end(to)?);
-    let count = count.parse().map_err(|_| format!("'{count}' is not a number of points\n\n{FORM}"))?;
-    let axis = TypedAxis { varies, from, to, count, spacing };
+    let count = count
+        .parse()
+        .map_err(|_| format!("'{count}' is not a number of points\n\n{FORM}"))?;
+    let axis = TypedAxis {
+        varies,
+        from,
+        to,
+        count,
+        spacing,
+    };
     Axis::new(axis.varies(), from, to, count)
         .and_then(|axis| axis.with_spacing(spacing))
         .map_err(|error| format!("{error}\n\n{FORM}"))?;
@@ -93,7 +117,12 @@ pub(crate) fn parse_line(text: &str) -> Result<TypedAxis, String> {
         return Err(FORM.to_owned());
     }
     parse_axis(&format!("{text}:2")).map_err(|message| {
-        let message = message.split("hint: an axis is").next().unwrap_or(&message).trim_end().to_owned();
+        let message = message
+            .split("hint: an axis is")
+            .next()
+            .unwrap_or(&message)
+            .trim_end()
+            .to_owned();
         if message.contains("hint:") {
             message
         } else {
@@ -102,11 +131,15 @@ pub(crate) fn parse_line(text: &str) -> Result<TypedAxis, String> {
     })
 }
 
-/// What an axis can vary: the quantities of a motion, friction as one number, then those of them that have a unit, in SI
-/// units.
+/// What an axis can vary: the quantities of a motion, friction as one number, then those of them
+/// that have a unit, in SI units.
 pub(crate) fn varied() -> impl Iterator<Item = Varies> {
     let of = |quantity| Varies::One(quantity);
-    Quantity::AXES.into_iter().map(of).chain([Varies::Friction]).chain(si_quantities().map(of))
+    Quantity::AXES
+        .into_iter()
+        .map(of)
+        .chain([Varies::Friction])
+        .chain(si_quantities().map(of))
 }
 
 pub(crate) fn si_quantities() -> impl Iterator<Item = Quantity> {
@@ -155,9 +188,19 @@ mod tests {
 
     #[test]
     fn axes_have_a_name_two_ends_and_a_count() {
-        let axis = parse_axis("theta-rate=-4:4:9").expect("an axis").resolve(None).expect("an axis");
+        let axis = parse_axis("theta-rate=-4:4:9")
+            .expect("an axis")
+            .resolve(None)
+            .expect("an axis");
         assert_eq!((axis.from(), axis.to(), axis.count()), (-4.0, 4.0, 9));
-        for text in ["theta", "theta=1:2", "theta=1:2:3:4", "theta=1:2:0", "theta=1:2:-3", "theta=a:2:3"] {
+        for text in [
+            "theta",
+            "theta=1:2",
+            "theta=1:2:3:4",
+            "theta=1:2:0",
+            "theta=1:2:-3",
+            "theta=a:2:3",
+        ] {
             assert!(parse_axis(text).is_err(), "{text}");
         }
     }

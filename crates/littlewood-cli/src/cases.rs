@@ -11,5 +11,7 @@ fn width() -> usize {
 }
 
 pub(crate) fn run(args: &CasesArgs) -> Result<(), Error> {
-    print(args.format, Some(width()), report::table::cases, |writer| report::json::cases(writer))
+    print(args.format, Some(width()), report::table::cases, |writer| {
+        report::json::cases(writer)
+    })
 }

@@ -4,7 +4,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use littlewood_figures::{FIGURES, Figure, FigureEntry, FigureError, FigureInput, check_scale, find_figure};
+use littlewood_figures::{
+    FIGURES, Figure, FigureEntry, FigureError, FigureInput, check_scale, find_figure,
+};
 
 use crate::args::{FigureFormat, FiguresArgs};
 use crate::error::Error;
@@ -22,10 +24,13 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     }
     let entries = chosen(&args.names)?;
     check_scale(args.scale).map_err(Error::Drawing)?;
-    let Some(folder) = &args.out else { return Ok(()) };
+    let Some(folder) = &args.out else {
+        return Ok(());
+    };
     prepare(folder)?;
 
-    // All is drawn before anything is written: a figure that cannot be made leaves no others behind.
+    // All is drawn before anything is written: a figure that cannot be made leaves no others
+    // behind.
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     let mut left_out = LeftOut::default();
     let bar = Bar::new();
@@ -37,7 +42,10 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
             Ok(input) => input,
             // The hoop of the figure's own case does not bear what was asked for.
             Err(error) if args.names.is_empty() && args.takes_own_cases() => {
-                let reason = format!("its own hoop, of the case {}, cannot have this: {error}", entry.case);
+                let reason = format!(
+                    "its own hoop, of the case {}, cannot have this: {error}",
+                    entry.case
+                );
                 left_out.add(entry, reason, error);
                 continue;
             }
@@ -53,7 +61,11 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
             // Without names all figures are meant that this hoop has.
             Err(error) if args.names.is_empty() && is_about_the_hoop(&error) => {
                 let text = error.to_string();
-                let reason = text.strip_prefix(entry.name).unwrap_or(&text).trim_start().to_owned();
+                let reason = text
+                    .strip_prefix(entry.name)
+                    .unwrap_or(&text)
+                    .trim_start()
+                    .to_owned();
                 left_out.add(entry, reason, Error::of_figure(error));
             }
             Err(error) => return Err(Error::of_figure(error)),
@@ -98,18 +110,33 @@ impl LeftOut {
 
     /// All of it in a line.
     fn line(&self) -> Option<String> {
-        let parts: Vec<String> =
-            self.reasons.iter().map(|(reason, names)| format!("{} ({reason})", names.join(", "))).collect();
+        let parts: Vec<String> = self
+            .reasons
+            .iter()
+            .map(|(reason, names)| format!("{} ({reason})", names.join(", ")))
+            .collect();
         (!parts.is_empty()).then(|| format!("left out {}", parts.join(", ")))
     }
 }
 
 fn list() -> Result<(), Error> {
-    let width = FIGURES.iter().map(|entry| entry.name.len()).max().unwrap_or(0);
-    let case = FIGURES.iter().map(|entry| entry.case.len()).max().unwrap_or(0);
+    let width = FIGURES
+        .iter()
+        .map(|entry| entry.name.len())
+        .max()
+        .unwrap_or(0);
+    let case = FIGURES
+        .iter()
+        .map(|entry| entry.case.len())
+        .max()
+        .unwrap_or(0);
     Output::Stdout.write(|writer| {
         for entry in FIGURES {
-            writeln!(writer, "{:width$}  {:case$}  {}", entry.name, entry.case, entry.title)?;
+            writeln!(
+                writer,
+                "{:width$}  {:case$}  {}",
+                entry.name, entry.case, entry.title
+            )?;
         }
         Ok(())
     })
@@ -121,18 +148,28 @@ fn chosen(names: &[String]) -> Result<Vec<&'static FigureEntry>, Error> {
         if find_figure(name).is_none() {
             let known = FIGURES.iter().map(|entry| entry.name);
             let hint = nearest::hint(name, known, "`littlewood figures --list` lists the names");
-            return Err(Error::UnknownFigure { name: name.clone(), hint });
+            return Err(Error::UnknownFigure {
+                name: name.clone(),
+                hint,
+            });
         }
     }
-    let is_chosen = |entry: &&FigureEntry| names.is_empty() || names.iter().any(|name| name == entry.name);
+    let is_chosen =
+        |entry: &&FigureEntry| names.is_empty() || names.iter().any(|name| name == entry.name);
     Ok(FIGURES.iter().filter(is_chosen).collect())
 }
 
 /// Makes the folder in one that is there, unless it is there itself.
 fn prepare(folder: &Path) -> Result<(), Error> {
-    let unwritable = |source: io::Error| Error::Unwritable { path: folder.to_owned(), source };
+    let unwritable = |source: io::Error| Error::Unwritable {
+        path: folder.to_owned(),
+        source,
+    };
     if folder.exists() && !folder.is_dir() {
-        return Err(unwritable(io::Error::new(io::ErrorKind::NotADirectory, "it is not a folder")));
+        return Err(unwritable(io::Error::new(
+            io::ErrorKind::NotADirectory,
+            "it is not a folder",
+        )));
     }
     check_folder(folder)?;
     match fs::create_dir(folder) {
@@ -145,13 +182,25 @@ fn prepare(folder: &Path) -> Result<(), Error> {
 fn subject(args: &FiguresArgs, entry: &FigureEntry) -> Result<FigureInput, Error> {
     let is_si = args.along.is_some_and(|along| along.is_si());
     let request = Request {
-        overrides: Overrides { given: Vec::new(), si: is_si },
+        overrides: Overrides {
+            given: Vec::new(),
+            si: is_si,
+        },
         ..Request::new(&args.problem(entry.case), Some(&args.run))?
     };
     let problem = Problem::resolve(request)?;
     let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
-    let along = args.along.map(|along| along.resolve(problem.units.as_ref())).transpose()?;
-    Ok(FigureInput { impact: args.impact, along, units: problem.units, width_mm: args.width_mm, ..input })
+    let along = args
+        .along
+        .map(|along| along.resolve(problem.units.as_ref()))
+        .transpose()?;
+    Ok(FigureInput {
+        impact: args.impact,
+        along,
+        units: problem.units,
+        width_mm: args.width_mm,
+        ..input
+    })
 }
 
 const fn is_about_the_hoop(error: &FigureError) -> bool {
@@ -168,7 +217,11 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
 }
 
 /// The ending of a file in this format, and what is in it.
-fn file(figure: &Figure, format: FigureFormat, args: &FiguresArgs) -> Result<(&'static str, Vec<u8>), Error> {
+fn file(
+    figure: &Figure,
+    format: FigureFormat,
+    args: &FiguresArgs,
+) -> Result<(&'static str, Vec<u8>), Error> {
     Ok(match format {
         FigureFormat::Svg => ("svg", figure.svg().into_bytes()),
         FigureFormat::Png => ("png", figure.png(args.scale).map_err(Error::Drawing)?),

@@ -1,7 +1,9 @@
-//! Ctrl-C and SIGTERM: the program ends at once, or within some seconds on a busy machine, and leaves no unfinished files.
+//! Ctrl-C and SIGTERM: the program ends at once, or within some seconds on a busy machine, and
+//! leaves no unfinished files.
 //!
-//! Work that looks at the flag of [`asked`] ends by itself, keeps what is finished and says so. All other work is ended
-//! at once, and so is work that does not get to the flag in time, or a program that is asked twice.
+//! Work that looks at the flag of [`asked`] ends by itself, keeps what is finished and says so. All
+//! other work is ended at once, and so is work that does not get to the flag in time, or a program
+//! that is asked twice.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -24,8 +26,8 @@ static LOOKS: AtomicBool = AtomicBool::new(false);
 pub(crate) fn install() {
     #[cfg(unix)]
     hold_back_limits();
-    // Without a handler, which the system has no reason to refuse, a signal ends the program as ever; finished chunks
-    // stay.
+    // Without a handler, which the system has no reason to refuse, a signal ends the program as
+    // ever; finished chunks stay.
     let _ = ctrlc::set_handler(|| {
         let is_second = ASKED.swap(true, Ordering::Relaxed);
         if is_second || !LOOKS.load(Ordering::Relaxed) {
@@ -41,8 +43,9 @@ pub(crate) fn install() {
     });
 }
 
-/// Holds back the signal that a file has reached the largest size allowed (`ulimit -f`): the write fails then, as on a full disk,
-/// and unfinished files are removed. Threads that are started later hold it back too; programs that are, do not.
+/// Holds back the signal that a file has reached the largest size allowed (`ulimit -f`): the write
+/// fails then, as on a full disk, and unfinished files are removed. Threads that are started later
+/// hold it back too; programs that are, do not.
 #[cfg(unix)]
 fn hold_back_limits() {
     let mut signals = SigSet::empty();

@@ -1,5 +1,6 @@
-//! The command line of Littlewood's hoop as a library: the program `littlewood`, the Python package, which brings the same
-//! program, and the generator of its manual call it. A module for each command.
+//! The command line of Littlewood's hoop as a library: the program `littlewood`, the Python
+//! package, which brings the same program, and the generator of its manual call it. A module for
+//! each command.
 
 #[cfg(feature = "film")]
 mod animate;
@@ -44,8 +45,8 @@ const BAD_INPUT: u8 = 2;
 
 const FAILURE: u8 = 1;
 
-/// Runs the program with these arguments, the first of which is its name, and returns its exit code. Signals that ask it to end
-/// end the process.
+/// Runs the program with these arguments, the first of which is its name, and returns its exit
+/// code. Signals that ask it to end end the process.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let cli = match Cli::try_parse_from(join_negative_numbers(arguments.into_iter())) {
         Ok(cli) => cli,
@@ -98,12 +99,21 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-#[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
+#[cfg(not(all(
+    feature = "sweep",
+    feature = "figures",
+    feature = "film",
+    feature = "lab"
+)))]
 fn not_built(command: &str, feature: &'static str) -> error::Error {
-    error::Error::NotBuilt { what: format!("`littlewood {command}`"), feature }
+    error::Error::NotBuilt {
+        what: format!("`littlewood {command}`"),
+        feature,
+    }
 }
 
-/// The command line as it is defined: commands, flags and their help, from which completions and manual pages are made.
+/// The command line as it is defined: commands, flags and their help, from which completions and
+/// manual pages are made.
 pub fn command() -> clap::Command {
     Cli::command()
 }

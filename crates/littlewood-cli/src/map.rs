@@ -4,7 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Progress, Shade, Workers, sweep_grid};
+use littlewood_sweep::{
+    Chunk, Columns, Picture, PictureSize, Progress, Shade, Workers, sweep_grid,
+};
 
 use crate::args::MapArgs;
 use crate::error::Error;
@@ -19,7 +21,10 @@ use crate::work::{self, Base};
 
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
-    let size = PictureSize { width: args.size.0, height: args.size.1 };
+    let size = PictureSize {
+        width: args.size.0,
+        height: args.size.1,
+    };
     let kinds = store::kinds(&args.store.out, &Kind::OF_A_MAP)?;
     check_width(args.width_mm, &kinds)?;
     let mut derivatives = args.store.derivatives.clone();
@@ -28,14 +33,22 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     }
     let (grid, Base { limits, units, .. }) =
         work::grid(&args.base, &args.run, &[args.x, args.y], &derivatives)?;
-    let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
-    let at_the_end: Vec<(Kind, &Path)> =
-        kinds.iter().copied().filter(|(kind, _)| kind.is_written_at_the_end()).collect();
+    let targets: Vec<_> = kinds
+        .iter()
+        .filter_map(|(kind, path)| kind.target(path, grid.len()))
+        .collect();
+    let at_the_end: Vec<(Kind, &Path)> = kinds
+        .iter()
+        .copied()
+        .filter(|(kind, _)| kind.is_written_at_the_end())
+        .collect();
     if let ([], [(_, path), ..], true) = (&targets[..], &at_the_end[..], args.store.resume) {
         return Err(Error::Out {
             path: path.to_path_buf(),
-            reason: "nothing to resume: a picture or a text alone does not store its results".to_owned(),
-            hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed".to_owned(),
+            reason: "nothing to resume: a picture or a text alone does not store its results"
+                .to_owned(),
+            hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed"
+                .to_owned(),
         });
     }
     let mut picture = Picture::new(&grid, limits, shade, size)?.with_units(units);
@@ -52,8 +65,10 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         Some((_, path)) => Some(Plane::new(&grid, path)?),
         None => None,
     };
-    let files =
-        at_the_end.iter().map(|(_, path)| Output::open(Some(path))).collect::<Result<Vec<_>, Error>>()?;
+    let files = at_the_end
+        .iter()
+        .map(|(_, path)| Output::open(Some(path)))
+        .collect::<Result<Vec<_>, Error>>()?;
     let workers = Workers::new(args.work.threads)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
@@ -81,14 +96,20 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let write = |kind: Kind, file: Output| {
         let bytes = match (kind, &plane) {
             (Kind::Csv, Some(plane)) => return file.write(|writer| plane.csv(writer)),
-            (Kind::Svg, _) => picture.figure(args.width_mm).map_err(Error::Drawing)?.svg().into_bytes(),
+            (Kind::Svg, _) => picture
+                .figure(args.width_mm)
+                .map_err(Error::Drawing)?
+                .svg()
+                .into_bytes(),
             #[cfg(feature = "figures")]
             (Kind::Pdf, _) => picture.figure(args.width_mm).map_err(Error::Drawing)?.pdf(),
             // Such a file is refused before.
             #[cfg(not(feature = "figures"))]
             (Kind::Pdf, _) => return Ok(()),
             (Kind::Picture, _) => match args.width_mm {
-                Some(mm) => picture.figure(Some(mm)).and_then(|figure| figure.png(PRINT_SCALE)),
+                Some(mm) => picture
+                    .figure(Some(mm))
+                    .and_then(|figure| figure.png(PRINT_SCALE)),
                 None => picture.png(),
             }
             .map_err(Error::Drawing)?,
@@ -114,7 +135,13 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         }
     }
     let kept = work::kept(&targets, &report, written);
-    Run { report, time, threads: workers.threads(), kept }.finish(args.store.format)
+    Run {
+        report,
+        time,
+        threads: workers.threads(),
+        kept,
+    }
+    .finish(args.store.format)
 }
 
 /// Pixels to 1/96 inch of a PNG with a width in print: 300 to the inch.
@@ -123,7 +150,10 @@ const PRINT_SCALE: f64 = 3.125;
 /// Refuses a width in print that no file has, or that nothing is printed in.
 fn check_width(width_mm: Option<f64>, kinds: &[(Kind, &Path)]) -> Result<(), Error> {
     let Some(mm) = width_mm else { return Ok(()) };
-    if let (false, Some((_, path))) = (kinds.iter().any(|(kind, _)| kind.is_picture()), kinds.first()) {
+    if let (false, Some((_, path))) = (
+        kinds.iter().any(|(kind, _)| kind.is_picture()),
+        kinds.first(),
+    ) {
         return Err(Error::Out {
             path: path.to_path_buf(),
             reason: "--width-mm is the width of a picture".to_owned(),
@@ -139,10 +169,14 @@ fn partial(path: &Path) -> PathBuf {
     path.with_extension(format!("partial.{ending}"))
 }
 
-/// Removes what an earlier run has left that was stopped, unless that is an output itself. What cannot be removed stays.
+/// Removes what an earlier run has left that was stopped, unless that is an output itself. What
+/// cannot be removed stays.
 fn remove_partial(kinds: &[(Kind, &Path)]) {
     let outputs: Vec<PathBuf> = kinds.iter().map(|(_, path)| place_of(path)).collect();
-    for (_, path) in kinds.iter().filter(|(kind, _)| kind.is_written_at_the_end()) {
+    for (_, path) in kinds
+        .iter()
+        .filter(|(kind, _)| kind.is_written_at_the_end())
+    {
         let partial = partial(path);
         if !outputs.contains(&place_of(&partial)) {
             let _ = fs::remove_file(partial);
@@ -153,11 +187,18 @@ fn remove_partial(kinds: &[(Kind, &Path)]) {
 fn shade_of(name: &str) -> Result<Shade, Error> {
     let plain = name.replace('-', "_");
     let derivative = || plain.parse().ok().map(Shade::Derivative);
-    Shade::all().find(|shade| shade.name() == plain).or_else(derivative).ok_or_else(|| {
-        let all: Vec<_> = Shade::all().map(Shade::name).collect();
-        let known = || all.iter().map(AsRef::as_ref);
-        let columns = Vec::from_iter(known()).join(", ");
-        let columns = format!("the columns are {columns}, and derivatives such as end_x_by_mu_k");
-        Error::UnknownShade { name: name.to_owned(), hint: nearest::hint(name, known(), &columns) }
-    })
+    Shade::all()
+        .find(|shade| shade.name() == plain)
+        .or_else(derivative)
+        .ok_or_else(|| {
+            let all: Vec<_> = Shade::all().map(Shade::name).collect();
+            let known = || all.iter().map(AsRef::as_ref);
+            let columns = Vec::from_iter(known()).join(", ");
+            let columns =
+                format!("the columns are {columns}, and derivatives such as end_x_by_mu_k");
+            Error::UnknownShade {
+                name: name.to_owned(),
+                hint: nearest::hint(name, known(), &columns),
+            }
+        })
 }

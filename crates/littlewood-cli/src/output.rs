@@ -1,4 +1,5 @@
-//! Where the output goes: the standard output, or a file that is replaced only once everything has been written.
+//! Where the output goes: the standard output, or a file that is replaced only once everything has
+//! been written.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -31,22 +32,37 @@ impl Output {
         let Some(path) = path else {
             return Ok(Self::Stdout);
         };
-        open_file(path).map_err(|source| Error::Unwritable { path: path.to_owned(), source })
+        open_file(path).map_err(|source| Error::Unwritable {
+            path: path.to_owned(),
+            source,
+        })
     }
 
     pub(crate) fn has_colour(&self) -> bool {
         match self {
-            Self::Stdout => anstream::AutoStream::choice(&io::stdout()) != anstream::ColorChoice::Never,
+            Self::Stdout => {
+                anstream::AutoStream::choice(&io::stdout()) != anstream::ColorChoice::Never
+            }
             Self::File { .. } | Self::Device { .. } => false,
         }
     }
 
     /// Writes everything, and puts a file in its place at the end.
-    pub(crate) fn write(self, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
+    pub(crate) fn write(
+        self,
+        body: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Error> {
         let (result, target, replaces) = match self {
-            Self::Stdout => (fill(io::stdout().lock(), body), "the standard output".to_owned(), false),
+            Self::Stdout => (
+                fill(io::stdout().lock(), body),
+                "the standard output".to_owned(),
+                false,
+            ),
             Self::Device { file, path } => (fill(file, body), path.display().to_string(), false),
-            Self::File { mut temporary, path } => {
+            Self::File {
+                mut temporary,
+                path,
+            } => {
                 let result = fill(temporary.file(), body)
                     .and_then(|()| temporary.file().sync_all())
                     .and_then(|()| temporary.persist(&path));
@@ -98,17 +114,26 @@ fn open_file(path: &Path) -> io::Result<Output> {
             return Ok(Output::Device { file, path });
         }
         if existing.permissions().readonly() {
-            return Err(io::Error::new(ErrorKind::PermissionDenied, "it is there already, and read-only"));
+            return Err(io::Error::new(
+                ErrorKind::PermissionDenied,
+                "it is there already, and read-only",
+            ));
         }
     }
     if path.file_name().is_none() {
-        return Err(io::Error::new(ErrorKind::InvalidInput, "this is not the name of a file"));
+        return Err(io::Error::new(
+            ErrorKind::InvalidInput,
+            "this is not the name of a file",
+        ));
     }
     #[cfg(unix)]
     let permissions = {
         use std::os::unix::fs::PermissionsExt;
         // The process's mask is applied to this, as for any new file.
-        Some(existing.map_or_else(|| fs::Permissions::from_mode(0o666), |existing| existing.permissions()))
+        Some(existing.map_or_else(
+            || fs::Permissions::from_mode(0o666),
+            |existing| existing.permissions(),
+        ))
     };
     #[cfg(not(unix))]
     let permissions = None;
@@ -118,16 +143,28 @@ fn open_file(path: &Path) -> io::Result<Output> {
 
 /// The place that a path names, however it is written.
 pub(crate) fn place_of(path: &Path) -> PathBuf {
-    let in_folder =
-        || Ok::<_, io::Error>(fs::canonicalize(folder_of(path))?.join(path.file_name().unwrap_or_default()));
-    fs::canonicalize(path).or_else(|_| in_folder()).unwrap_or_else(|_| path.to_owned())
+    let in_folder = || {
+        Ok::<_, io::Error>(
+            fs::canonicalize(folder_of(path))?.join(path.file_name().unwrap_or_default()),
+        )
+    };
+    fs::canonicalize(path)
+        .or_else(|_| in_folder())
+        .unwrap_or_else(|_| path.to_owned())
 }
 
 /// Refuses an output whose folder is not there: no command makes it, for it may be a mistake.
 pub(crate) fn check_folder(path: &Path) -> Result<(), Error> {
-    let refused = |source| Error::Unwritable { path: path.to_owned(), source };
+    let refused = |source| Error::Unwritable {
+        path: path.to_owned(),
+        source,
+    };
     let folder = fs::metadata(folder_of(path)).map_err(refused)?;
-    if folder.is_dir() { Ok(()) } else { Err(refused(ErrorKind::NotADirectory.into())) }
+    if folder.is_dir() {
+        Ok(())
+    } else {
+        Err(refused(ErrorKind::NotADirectory.into()))
+    }
 }
 
 /// The message of the system alone: it leaves out the name of the temporary file.

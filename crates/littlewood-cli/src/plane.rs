@@ -22,34 +22,62 @@ pub(crate) struct Plane<'a> {
 impl<'a> Plane<'a> {
     /// Without results; refused if the grid is too large for the text at `path`.
     pub(crate) fn new(grid: &'a Grid, path: &Path) -> Result<Self, Error> {
-        let len = usize::try_from(grid.len()).ok().filter(|_| grid.len() <= MOST);
+        let len = usize::try_from(grid.len())
+            .ok()
+            .filter(|_| grid.len() <= MOST);
         let len = len.ok_or_else(|| Error::Out {
             path: path.to_owned(),
-            reason: format!("{} starts are too many for a text, which may have {MOST}", grid.len()),
-            hint: "give fewer points, or a name that ends in .parquet or .zarr (feature `sweep`)".to_owned(),
+            reason: format!(
+                "{} starts are too many for a text, which may have {MOST}",
+                grid.len()
+            ),
+            hint: "give fewer points, or a name that ends in .parquet or .zarr (feature `sweep`)"
+                .to_owned(),
         })?;
-        let derivatives = grid.derivatives().iter().map(|column| (*column, vec![f64::NAN; len])).collect();
-        Ok(Self { axes: grid.axes(), summaries: vec![Summary::NOT_COMPUTED; len], derivatives })
+        let derivatives = grid
+            .derivatives()
+            .iter()
+            .map(|column| (*column, vec![f64::NAN; len]))
+            .collect();
+        Ok(Self {
+            axes: grid.axes(),
+            summaries: vec![Summary::NOT_COMPUTED; len],
+            derivatives,
+        })
     }
 
     pub(crate) fn add(&mut self, chunk: &Chunk, columns: &Columns) {
         for (row, (indices, summary)) in chunk.indices().zip(columns.summaries()).enumerate() {
-            let place = indices.iter().zip(self.axes).fold(0, |place, (i, axis)| place * axis.count() + i);
+            let place = indices
+                .iter()
+                .zip(self.axes)
+                .fold(0, |place, (i, axis)| place * axis.count() + i);
             self.summaries[place] = summary;
             for (column, values) in &mut self.derivatives {
-                values[place] = columns.derivative(*column).map_or(f64::NAN, |values| values[row]);
+                values[place] = columns
+                    .derivative(*column)
+                    .map_or(f64::NAN, |values| values[row]);
             }
         }
     }
 
-    /// One row a start: its place on the axes, then the columns. What has no value is an empty cell.
+    /// One row a start: its place on the axes, then the columns. What has no value is an empty
+    /// cell.
     pub(crate) fn csv(&self, writer: &mut dyn Write) -> io::Result<()> {
         let axes = self.axes.iter().map(|axis| axis.varies().name().to_owned());
         let columns = SummaryColumn::ALL.iter().map(SummaryColumn::to_string);
-        let derivatives = self.derivatives.iter().map(|(column, _)| column.to_string());
-        // The classes that pictures show: by the first lift-off. With restitution `outcome`, the end, comes later.
+        let derivatives = self
+            .derivatives
+            .iter()
+            .map(|(column, _)| column.to_string());
+        // The classes that pictures show: by the first lift-off. With restitution `outcome`, the
+        // end, comes later.
         let class = ["class".to_owned()];
-        let names: Vec<String> = axes.chain(columns).chain(class).chain(derivatives).collect();
+        let names: Vec<String> = axes
+            .chain(columns)
+            .chain(class)
+            .chain(derivatives)
+            .collect();
         writeln!(writer, "{}", names.join(","))?;
         for (place, summary) in self.summaries.iter().enumerate() {
             let mut cells: Vec<String> = vec![String::new(); self.axes.len()];
@@ -58,9 +86,17 @@ impl<'a> Plane<'a> {
                 *cell = axis.value(rest % axis.count()).to_string();
                 rest /= axis.count();
             }
-            cells.extend(SummaryColumn::ALL.into_iter().map(|column| cell(column, summary)));
+            cells.extend(
+                SummaryColumn::ALL
+                    .into_iter()
+                    .map(|column| cell(column, summary)),
+            );
             cells.push(Class::of(summary).to_string());
-            cells.extend(self.derivatives.iter().map(|(_, values)| real(values[place])));
+            cells.extend(
+                self.derivatives
+                    .iter()
+                    .map(|(_, values)| real(values[place])),
+            );
             writeln!(writer, "{}", cells.join(","))?;
         }
         Ok(())
@@ -81,5 +117,9 @@ fn cell(column: SummaryColumn, summary: &Summary) -> String {
 }
 
 fn real(value: f64) -> String {
-    if value.is_nan() { String::new() } else { value.to_string() }
+    if value.is_nan() {
+        String::new()
+    } else {
+        value.to_string()
+    }
 }

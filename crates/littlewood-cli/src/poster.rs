@@ -40,7 +40,10 @@ pub(crate) fn run(args: &PosterArgs) -> Result<(), Error> {
 }
 
 fn kind_of(out: &Path) -> Result<Kind, Error> {
-    let ending = out.extension().and_then(OsStr::to_str).map(str::to_lowercase);
+    let ending = out
+        .extension()
+        .and_then(OsStr::to_str)
+        .map(str::to_lowercase);
     match ending.as_deref() {
         Some("svg") => Ok(Kind::Svg),
         Some("pdf") => Ok(Kind::Pdf),

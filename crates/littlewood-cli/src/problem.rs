@@ -1,5 +1,5 @@
-//! A hoop, a start and the limits of the run as they are meant: flags over scenario file over case, in one system of
-//! units.
+//! A hoop, a start and the limits of the run as they are meant: flags over scenario file over case,
+//! in one system of units.
 
 use littlewood::cases::{CASES, NamedCase, find_case};
 use littlewood::si::{SiParameters, SiSetup, Units};
@@ -49,10 +49,21 @@ struct Inputs {
 impl Problem {
     /// Puts the layers together and checks the result.
     pub(crate) fn resolve(request: Request) -> Result<Self, Error> {
-        let Request { case, scenario, flags, law, si, max_transitions, max_slides, proof, overrides } =
-            request;
+        let Request {
+            case,
+            scenario,
+            flags,
+            law,
+            si,
+            max_transitions,
+            max_slides,
+            proof,
+            overrides,
+        } = request;
         let case = find(case.as_deref(), scenario.as_ref())?;
-        let mut values = case.map(|case| Values::of_case(&case.setup)).unwrap_or_default();
+        let mut values = case
+            .map(|case| Values::of_case(&case.setup))
+            .unwrap_or_default();
         if let Some(scenario) = &scenario {
             if let Some((plain, si)) = find_mixture(&scenario.given) {
                 return Err(mixed_in_file(scenario, plain, si));
@@ -66,61 +77,115 @@ impl Problem {
         let in_file = scenario.as_ref().map(|scenario| &scenario.run);
         let max_transitions = max_transitions.or(in_file.and_then(|run| run.max_transitions));
         let max_slides = max_slides.or(in_file.and_then(|run| run.max_slides));
-        let proof = proof.or(in_file.and_then(|run| run.proof)).unwrap_or(Limits::default().proof);
-        let is_si =
-            overrides.si || si || values.any_si() || scenario.as_ref().is_some_and(|scenario| scenario.is_si);
+        let proof = proof
+            .or(in_file.and_then(|run| run.proof))
+            .unwrap_or(Limits::default().proof);
+        let is_si = overrides.si
+            || si
+            || values.any_si()
+            || scenario.as_ref().is_some_and(|scenario| scenario.is_si);
         let of_case = || case.and_then(|case| case.setup.hoop.restitution_law);
         let law = law
-            .map(|law| GivenLaw { law, origin: Origin::Flag })
+            .map(|law| GivenLaw {
+                law,
+                origin: Origin::Flag,
+            })
             .or_else(|| scenario.as_ref().and_then(|scenario| scenario.law.clone()))
-            .or_else(|| of_case().map(|law| GivenLaw { law, origin: Origin::Case }));
-        let inputs = Inputs { values, law, scenario };
+            .or_else(|| {
+                of_case().map(|law| GivenLaw {
+                    law,
+                    origin: Origin::Case,
+                })
+            });
+        let inputs = Inputs {
+            values,
+            law,
+            scenario,
+        };
         inputs.refuse_gaps(is_si)?;
-        let (hoop, start, until, units) = inputs.convert(is_si).map_err(|error| inputs.blame(error))?;
+        let (hoop, start, until, units) =
+            inputs.convert(is_si).map_err(|error| inputs.blame(error))?;
         let or_default = |count: Option<u64>, default: usize| {
-            count.map_or(default, |count| usize::try_from(count).unwrap_or(usize::MAX))
+            count.map_or(default, |count| {
+                usize::try_from(count).unwrap_or(usize::MAX)
+            })
         };
         let limits = Limits::default()
             .with_until(until)
             .with_transitions(or_default(max_transitions, Limits::default().transitions))
             .with_slides(or_default(max_slides, Limits::default().slides))
             .with_proof(proof);
-        let changes = case.map(|case| inputs.changes(&case.setup)).unwrap_or_default();
-        Ok(Self { case, changes, hoop, start, limits, units, inputs })
+        let changes = case
+            .map(|case| inputs.changes(&case.setup))
+            .unwrap_or_default();
+        Ok(Self {
+            case,
+            changes,
+            hoop,
+            start,
+            limits,
+            units,
+            inputs,
+        })
     }
 
     pub(crate) fn simulate(&self) -> Result<Trajectory, Error> {
-        self.hoop.simulate(self.start, self.limits).map_err(|error| self.inputs.blame(error))
+        self.hoop
+            .simulate(self.start, self.limits)
+            .map_err(|error| self.inputs.blame(error))
     }
 
     pub(crate) fn digits(&self) -> Result<Vec<Option<Digits>>, Error> {
-        self.hoop.digits(self.start, self.limits).map_err(|error| self.inputs.blame(error))
+        self.hoop
+            .digits(self.start, self.limits)
+            .map_err(|error| self.inputs.blame(error))
     }
 
-    /// The standard errors of the motion, from those of its numbers. A quantity with two errors is refused.
+    /// The standard errors of the motion, from those of its numbers. A quantity with two errors is
+    /// refused.
     pub(crate) fn uncertainty(
         &self,
         motion: &Trajectory,
         given: Vec<(Quantity, f64)>,
     ) -> Result<Uncertainty, Error> {
         for (index, (quantity, _)) in given.iter().enumerate() {
-            if given[..index].iter().any(|(earlier, _)| earlier == quantity) {
-                return Err(Error::TwoErrors { quantity: *quantity });
+            if given[..index]
+                .iter()
+                .any(|(earlier, _)| earlier == quantity)
+            {
+                return Err(Error::TwoErrors {
+                    quantity: *quantity,
+                });
             }
         }
         let setup = Setup::new(self.hoop.parameters(), self.start);
         let bar = Bar::new();
-        let progress = |done: usize| bar.show("motions", Count { done: done as u64, total: SAMPLE as u64 });
-        Uncertainty::new(&setup, self.limits, motion, given, progress).map_err(Error::NotDifferentiable)
+        let progress = |done: usize| {
+            bar.show(
+                "motions",
+                Count {
+                    done: done as u64,
+                    total: SAMPLE as u64,
+                },
+            )
+        };
+        Uncertainty::new(&setup, self.limits, motion, given, progress)
+            .map_err(Error::NotDifferentiable)
     }
 
     pub(crate) fn classify(&self) -> Result<Classification, Error> {
-        self.hoop.classify(self.start).map_err(|error| self.inputs.blame(error))
+        self.hoop
+            .classify(self.start)
+            .map_err(|error| self.inputs.blame(error))
     }
 
     /// What a report says beside the motion.
     pub(crate) const fn subject(&self) -> Subject<'_> {
-        Subject { case: self.case, units: self.units.as_ref(), ..Subject::of_start(self.start) }
+        Subject {
+            case: self.case,
+            units: self.units.as_ref(),
+            ..Subject::of_start(self.start)
+        }
     }
 
     pub(crate) const fn scenario(&self) -> Option<&Scenario> {
@@ -131,28 +196,48 @@ impl Problem {
 impl Inputs {
     fn refuse_gaps(&self, is_si: bool) -> Result<(), Error> {
         let setup = Quantity::HOOP.into_iter().chain(Quantity::START);
-        let units =
-            Quantity::SI_HOOP.into_iter().filter(|quantity| is_si && quantity.group() == Group::Units);
+        let units = Quantity::SI_HOOP
+            .into_iter()
+            .filter(|quantity| is_si && quantity.group() == Group::Units);
         let missing: Vec<Quantity> = setup
             .chain(units)
-            .map(|quantity| if is_si { quantity.si_twin().unwrap_or(quantity) } else { quantity })
+            .map(|quantity| {
+                if is_si {
+                    quantity.si_twin().unwrap_or(quantity)
+                } else {
+                    quantity
+                }
+            })
             .filter(|quantity| {
-                quantity.row().presence == Presence::Required && self.values.find(*quantity).is_none()
+                quantity.row().presence == Presence::Required
+                    && self.values.find(*quantity).is_none()
             })
             .collect();
         if missing.is_empty() {
             return Ok(());
         }
-        let names = missing.iter().map(|quantity| quantity.name().to_owned()).collect();
+        let names = missing
+            .iter()
+            .map(|quantity| quantity.name().to_owned())
+            .collect();
         let flags = missing.iter().map(|quantity| flag(*quantity)).collect();
         Err(Error::Missing { names, flags })
     }
 
-    /// The dimensionless problem. A value that was given without dimension is taken as it is, to the last bit.
-    fn convert(&self, is_si: bool) -> Result<(Hoop, Start, Option<f64>, Option<Units>), ParameterError> {
+    /// The dimensionless problem. A value that was given without dimension is taken as it is, to
+    /// the last bit.
+    fn convert(
+        &self,
+        is_si: bool,
+    ) -> Result<(Hoop, Start, Option<f64>, Option<Units>), ParameterError> {
         if !is_si {
             let Setup { hoop, start } = self.over(|_| None);
-            return Ok((Hoop::new(self.with_law(hoop))?, start, self.values.get(Quantity::Until), None));
+            return Ok((
+                Hoop::new(self.with_law(hoop))?,
+                start,
+                self.values.get(Quantity::Until),
+                None,
+            ));
         }
         let units = SiParameters {
             particle_mass_kg: self.or_default(Quantity::ParticleMassKg),
@@ -162,10 +247,17 @@ impl Inputs {
         }
         .units()?;
         let si = self.in_si(&units);
-        // A hoop whose numbers are all dimensionless does not go by way of SI units, which would round them.
-        let has_si_hoop =
-            self.values.iter().any(|given| given.quantity.is_si() && given.quantity.group() == Group::Hoop);
-        let hoop = if has_si_hoop { Some(si.hoop.to_hoop()?.0.parameters()) } else { None };
+        // A hoop whose numbers are all dimensionless does not go by way of SI units, which would
+        // round them.
+        let has_si_hoop = self
+            .values
+            .iter()
+            .any(|given| given.quantity.is_si() && given.quantity.group() == Group::Hoop);
+        let hoop = if has_si_hoop {
+            Some(si.hoop.to_hoop()?.0.parameters())
+        } else {
+            None
+        };
         let Setup { hoop, .. } = self.over(|quantity| {
             hoop.and_then(|hoop: HoopParameters| Setup::new(hoop, Start::default()).get(quantity))
         });
@@ -179,9 +271,13 @@ impl Inputs {
         Ok((hoop, start, until, Some(units)))
     }
 
-    /// The number that was given for a quantity, or its default; NaN, which no check lets through, if it has none.
+    /// The number that was given for a quantity, or its default; NaN, which no check lets through,
+    /// if it has none.
     fn or_default(&self, quantity: Quantity) -> f64 {
-        self.values.get(quantity).or(quantity.row().presence.default_value()).unwrap_or(f64::NAN)
+        self.values
+            .get(quantity)
+            .or(quantity.row().presence.default_value())
+            .unwrap_or(f64::NAN)
     }
 
     /// The dimensionless numbers that were given, over those of another setup, over the defaults.
@@ -196,16 +292,18 @@ impl Inputs {
         setup
     }
 
-    /// All in SI units: what was given so, and the hoop that was not. Of a start that was not given so the numbers do
-    /// not count.
+    /// All in SI units: what was given so, and the hoop that was not. Of a start that was not given
+    /// so the numbers do not count.
     fn in_si(&self, units: &Units) -> SiSetup {
         let hoop = SiSetup::new(&self.over(|_| None), units);
         let value = |quantity: Quantity| match quantity.group() {
             Group::Hoop => self.values.get(quantity).or(hoop.get(quantity)),
             Group::Units => Some(self.or_default(quantity)),
-            Group::Start | Group::Place => {
-                self.values.get(quantity).or(quantity.row().presence.default_value()).or(Some(0.0))
-            }
+            Group::Start | Group::Place => self
+                .values
+                .get(quantity)
+                .or(quantity.row().presence.default_value())
+                .or(Some(0.0)),
             Group::Run => None,
         };
         SiSetup::from_values(value, self.law.as_ref().map(|given| given.law))
@@ -227,61 +325,101 @@ impl Inputs {
             .values
             .iter()
             .filter(|given| given.origin != Origin::Case && is_of_motion(given.quantity))
-            .map(|given| (given.quantity.name(), case.get(given.quantity.dimensionless()).is_some()));
+            .map(|given| {
+                (
+                    given.quantity.name(),
+                    case.get(given.quantity.dimensionless()).is_some(),
+                )
+            });
         let law = self.law.iter().filter(|given| given.origin != Origin::Case);
         let law = law.map(|_| (RESTITUTION_LAW, case.hoop.restitution_law.is_some()));
         let (replaced, added): (Vec<_>, Vec<_>) = given.chain(law).partition(|(_, has)| *has);
-        let names = |list: Vec<(&'static str, bool)>| list.into_iter().map(|(name, _)| name).collect();
-        Changes { replaced: names(replaced), added: names(added) }
+        let names =
+            |list: Vec<(&'static str, bool)>| list.into_iter().map(|(name, _)| name).collect();
+        Changes {
+            replaced: names(replaced),
+            added: names(added),
+        }
     }
 
     /// Says where the value comes from that an error is about.
     fn blame(&self, error: ParameterError) -> Error {
         let origin = match error {
             ParameterError::LawAlone { .. } => self.law.as_ref().map(|given| &given.origin),
-            error => self.values.find(error.quantity()).map(|given| &given.origin),
+            error => self
+                .values
+                .find(error.quantity())
+                .map(|given| &given.origin),
         };
         match (origin, &self.scenario) {
-            (Some(Origin::File(span)), Some(scenario)) => {
-                Error::ScenarioValue { error, excerpt: scenario.source.excerpt(span) }
+            (Some(Origin::File(span)), Some(scenario)) => Error::ScenarioValue {
+                error,
+                excerpt: scenario.source.excerpt(span),
+            },
+            (Some(Origin::File(_) | Origin::Case | Origin::Flag) | None, _) => {
+                Error::Value { error }
             }
-            (Some(Origin::File(_) | Origin::Case | Origin::Flag) | None, _) => Error::Value { error },
         }
     }
 }
 
-fn find(case: Option<&str>, scenario: Option<&Scenario>) -> Result<Option<&'static NamedCase>, Error> {
+fn find(
+    case: Option<&str>,
+    scenario: Option<&Scenario>,
+) -> Result<Option<&'static NamedCase>, Error> {
     if let Some(name) = case {
-        let unknown = || Error::UnknownCase { name: name.to_owned(), hint: nearest_case(name) };
+        let unknown = || Error::UnknownCase {
+            name: name.to_owned(),
+            hint: nearest_case(name),
+        };
         return find_case(name).map(Some).ok_or_else(unknown);
     }
-    let Some((scenario, (name, span))) = scenario.and_then(|it| Some((it, it.case.as_ref()?))) else {
+    let Some((scenario, (name, span))) = scenario.and_then(|it| Some((it, it.case.as_ref()?)))
+    else {
         return Ok(None);
     };
     let unknown = || {
-        scenario.source.complain(format!("there is no case named '{name}'"), nearest_case(name), span.clone())
+        scenario.source.complain(
+            format!("there is no case named '{name}'"),
+            nearest_case(name),
+            span.clone(),
+        )
     };
     find_case(name).map(Some).ok_or_else(unknown)
 }
 
 fn nearest_case(name: &str) -> String {
-    nearest::hint(name, CASES.iter().map(|case| case.name), "`littlewood cases` lists the names")
+    nearest::hint(
+        name,
+        CASES.iter().map(|case| case.name),
+        "`littlewood cases` lists the names",
+    )
 }
 
 /// Flags in both systems, or dimensionless ones together with `--si`.
 fn refuse_mixture(layer: &[Given], si_switch: bool) -> Result<(), Error> {
     let (plain, si) = match (find_mixture(layer), si_switch) {
         (Some((plain, si)), _) => (plain.quantity, flag(si.quantity)),
-        (None, true) => match layer.iter().find(|given| given.quantity.si_twin().is_some()) {
+        (None, true) => match layer
+            .iter()
+            .find(|given| given.quantity.si_twin().is_some())
+        {
             Some(plain) => (plain.quantity, "--si".to_owned()),
             None => return Ok(()),
         },
         (None, false) => return Ok(()),
     };
     let hint = plain.si_twin().map(flag).map_or_else(String::new, |twin| {
-        format!("in SI units {} is {twin}; or leave out the flags in SI units", flag(plain))
+        format!(
+            "in SI units {} is {twin}; or leave out the flags in SI units",
+            flag(plain)
+        )
     });
-    Err(Error::Mixed { plain: flag(plain), si, hint })
+    Err(Error::Mixed {
+        plain: flag(plain),
+        si,
+        hint,
+    })
 }
 
 fn mixed_in_file(scenario: &Scenario, plain: &Given, si: &Given) -> Error {
@@ -291,5 +429,9 @@ fn mixed_in_file(scenario: &Scenario, plain: &Given, si: &Given) -> Error {
     };
     let message = mixed(plain.quantity, si.quantity);
     let twin = plain.quantity.si_twin().map_or("", Quantity::name);
-    scenario.source.complain(message, format!("in SI units it is {twin}; or leave out the [si] tables"), span)
+    scenario.source.complain(
+        message,
+        format!("in SI units it is {twin}; or leave out the [si] tables"),
+        span,
+    )
 }

@@ -1,4 +1,5 @@
-//! A bar with rate and time left on the standard error: on a terminal, and for work that takes a while.
+//! A bar with rate and time left on the standard error: on a terminal, and for work that takes a
+//! while.
 
 use std::fmt;
 use std::io::{self, IsTerminal};
@@ -6,7 +7,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use indicatif::{HumanCount, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use indicatif::{
+    HumanCount, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle,
+};
 
 /// Work that takes no longer than this has no bar.
 const SHORT: Duration = Duration::from_secs(2);
@@ -47,13 +50,18 @@ pub(crate) struct Count {
 impl Bar {
     /// Nothing yet.
     pub(crate) fn new() -> Self {
-        Self { state: io::stderr().is_terminal().then(State::watched).flatten() }
+        Self {
+            state: io::stderr().is_terminal().then(State::watched).flatten(),
+        }
     }
 
-    /// Tells how many starts, frames or the like are done. Another unit, or another total, is other work.
+    /// Tells how many starts, frames or the like are done. Another unit, or another total, is other
+    /// work.
     pub(crate) fn show(&self, unit: &'static str, count: Count) {
         // Nobody waits for a bar: another thread has just moved it.
-        let Some(mut state) = self.state.as_ref().and_then(|state| state.try_lock().ok()) else { return };
+        let Some(mut state) = self.state.as_ref().and_then(|state| state.try_lock().ok()) else {
+            return;
+        };
         if (state.unit, state.first.total) != (unit, count.total) {
             clear();
             *state = State::new(unit, count);
@@ -74,10 +82,18 @@ impl Drop for Bar {
 
 impl State {
     fn new(unit: &'static str, first: Count) -> Self {
-        Self { begun: Instant::now(), unit, first, now: first, bar: hidden_bar(unit, first), is_over: false }
+        Self {
+            begun: Instant::now(),
+            unit,
+            first,
+            now: first,
+            bar: hidden_bar(unit, first),
+            is_over: false,
+        }
     }
 
-    /// With a thread that shows the bar when it is time; none where the system has no thread to give.
+    /// With a thread that shows the bar when it is time; none where the system has no thread to
+    /// give.
     fn watched() -> Option<Arc<Mutex<Self>>> {
         let state = Arc::new(Mutex::new(Self::new("", Count { done: 0, total: 0 })));
         let watched = Arc::clone(&state);
@@ -113,18 +129,20 @@ fn shown() -> MutexGuard<'static, Option<ProgressBar>> {
     SHOWN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Whether work that began so long ago, when the first count was done, has taken long, or will have at its pace.
+/// Whether work that began so long ago, when the first count was done, has taken long, or will have
+/// at its pace.
 fn is_long(elapsed: Duration, first: Count, now: Count) -> bool {
-    let share =
-        now.done.saturating_sub(first.done) as f64 / now.total.saturating_sub(first.done).max(1) as f64;
+    let share = now.done.saturating_sub(first.done) as f64
+        / now.total.saturating_sub(first.done).max(1) as f64;
     elapsed >= SHORT || elapsed >= SOON && elapsed.as_secs_f64() > share * SHORT.as_secs_f64()
 }
 
 /// A bar that is not shown yet.
 fn hidden_bar(unit: &'static str, first: Count) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(first.total), ProgressDrawTarget::hidden());
-    let template =
-        format!("{{bar:32}} {{percent:>3}}%  {{human_pos}} of {{human_len}} {unit}  {{pace}}  {{rest}} left");
+    let template = format!(
+        "{{bar:32}} {{percent:>3}}%  {{human_pos}} of {{human_len}} {unit}  {{pace}}  {{rest}} left"
+    );
     if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style.with_key("pace", pace).with_key("rest", rest));
     }
@@ -161,8 +179,12 @@ mod tests {
 
     #[test]
     fn only_work_of_more_than_two_seconds_is_long() {
-        let none = Count { done: 0, total: 1000 };
-        let is_long = |millis, done| is_long(Duration::from_millis(millis), none, Count { done, ..none });
+        let none = Count {
+            done: 0,
+            total: 1000,
+        };
+        let is_long =
+            |millis, done| is_long(Duration::from_millis(millis), none, Count { done, ..none });
         // Whatever it is, it may be over in a moment.
         assert!(!is_long(499, 0));
         // At its pace it takes two seconds, or a little more.
@@ -173,7 +195,10 @@ mod tests {
 
     #[test]
     fn what_an_earlier_run_has_done_is_no_pace() {
-        let resumed = Count { done: 900, total: 1000 };
+        let resumed = Count {
+            done: 900,
+            total: 1000,
+        };
         let is_long = |done| is_long(Duration::from_secs(1), resumed, Count { done, ..resumed });
         assert!(is_long(940) && !is_long(960));
     }

@@ -41,7 +41,11 @@ impl Request {
         let limits = run.map(|run| run.limits.given.clone()).unwrap_or_default();
         Ok(Self {
             case: problem.case.clone(),
-            scenario: problem.scenario.as_deref().map(Scenario::read).transpose()?,
+            scenario: problem
+                .scenario
+                .as_deref()
+                .map(Scenario::read)
+                .transpose()?,
             flags: problem.setup.given.iter().cloned().chain(limits).collect(),
             law: problem.setup.law,
             si: problem.setup.si,

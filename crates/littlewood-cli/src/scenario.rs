@@ -1,6 +1,8 @@
-//! A scenario file as it is written: TOML with a case, `[hoop]`, `[start]`, `[run]`, or `[si.hoop]` and `[si.start]`.
+//! A scenario file as it is written: TOML with a case, `[hoop]`, `[start]`, `[run]`, or `[si.hoop]`
+//! and `[si.start]`.
 //!
-//! The keys of the tables are the quantities of the core; those of `[si]` have the unit in their names.
+//! The keys of the tables are the quantities of the core; those of `[si]` have the unit in their
+//! names.
 
 use std::borrow::Cow;
 use std::fs;
@@ -46,13 +48,26 @@ pub(crate) struct Run {
 
 impl Scenario {
     pub(crate) fn read(path: &Path) -> Result<Self, Error> {
-        let text =
-            fs::read_to_string(path).map_err(|source| Error::Unreadable { path: path.to_owned(), source })?;
-        let source = Source { path: path.to_owned(), text };
-        let document = DeTable::parse(&source.text).map_err(|error| {
-            source.complain(error.message().to_owned(), overview(), error.span().unwrap_or_default())
+        let text = fs::read_to_string(path).map_err(|source| Error::Unreadable {
+            path: path.to_owned(),
+            source,
         })?;
-        let whole = Section { source: &source, name: "the file", table: document.get_ref() };
+        let source = Source {
+            path: path.to_owned(),
+            text,
+        };
+        let document = DeTable::parse(&source.text).map_err(|error| {
+            source.complain(
+                error.message().to_owned(),
+                overview(),
+                error.span().unwrap_or_default(),
+            )
+        })?;
+        let whole = Section {
+            source: &source,
+            name: "the file",
+            table: document.get_ref(),
+        };
         whole.refuse_other_keys(&["case", "hoop", "start", "run", "si"])?;
 
         let case = match whole.find("case") {
@@ -71,7 +86,9 @@ impl Scenario {
         }
         let mut run = Run::default();
         if let Some(section) = whole.section("run", "[run]")? {
-            let limits = Quantity::ALL.into_iter().filter(|quantity| quantity.group() == Group::Run);
+            let limits = Quantity::ALL
+                .into_iter()
+                .filter(|quantity| quantity.group() == Group::Run);
             given.extend(section.quantities(limits, name, &Run::KEYS)?);
             run = Run::read(&section)?;
         }
@@ -88,23 +105,47 @@ impl Scenario {
             }
         }
         let is_si = si.is_some();
-        Ok(Self { source, case, given, law, is_si, run })
+        Ok(Self {
+            source,
+            case,
+            given,
+            law,
+            is_si,
+            run,
+        })
     }
 
     /// Output file; a relative path is meant from the folder of the scenario.
     pub(crate) fn out(&self) -> Option<PathBuf> {
         let out = self.run.out.as_ref()?;
-        Some(self.source.path.parent().map_or_else(|| out.clone(), |folder| folder.join(out)))
+        Some(
+            self.source
+                .path
+                .parent()
+                .map_or_else(|| out.clone(), |folder| folder.join(out)),
+        )
     }
 }
 
 impl Run {
     /// The keys of `[run]` that are no quantities.
-    const KEYS: [&'static str; 6] = ["max_transitions", "max_slides", "proof", "samples", "format", "out"];
+    const KEYS: [&'static str; 6] = [
+        "max_transitions",
+        "max_slides",
+        "proof",
+        "samples",
+        "format",
+        "out",
+    ];
 
     fn read(section: &Section<'_>) -> Result<Self, Error> {
         let [max_transitions, max_slides, proof, samples, format, out] = Self::KEYS;
-        let text = |key| section.find(key).map(|(_, value)| section.text(key, value)).transpose();
+        let text = |key| {
+            section
+                .find(key)
+                .map(|(_, value)| section.text(key, value))
+                .transpose()
+        };
         let format = match (section.find(format), text(format)?) {
             (Some((_, value)), Some(name)) => Some(read_format(section, name, value.span())?),
             (_, _) => None,
@@ -112,7 +153,9 @@ impl Run {
         Ok(Self {
             max_transitions: section.count(max_transitions, MAX_TRANSITIONS)?,
             max_slides: section.count(max_slides, MAX_SLIDES)?,
-            proof: section.word(proof, "proof", &Proof::NAMES)?.map(|(proof, _)| proof),
+            proof: section
+                .word(proof, "proof", &Proof::NAMES)?
+                .map(|(proof, _)| proof),
             samples: section.count(samples, SAMPLES)?,
             format,
             out: text(out)?.map(PathBuf::from),
@@ -127,14 +170,22 @@ fn read_format(section: &Section<'_>, name: &str, span: Range<usize>) -> Result<
             .filter_map(|format| Some(format.to_possible_value()?.get_name().to_owned()))
             .collect();
         let message = format!("there is no format '{name}'");
-        section.source.complain(message, format!("the formats are {}", known.join(", ")), span)
+        section.source.complain(
+            message,
+            format!("the formats are {}", known.join(", ")),
+            span,
+        )
     })
 }
 
 /// What a file can say, for one that is not TOML.
 fn overview() -> String {
     let names = |quantities: &[Quantity]| {
-        quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
+        quantities
+            .iter()
+            .map(|quantity| quantity.name())
+            .collect::<Vec<_>>()
+            .join(", ")
     };
     format!(
         "the keys are `case`; [hoop] {}, {RESTITUTION_LAW}; [start] {}; [run] until, {}; and [si.hoop], [si.start] with \
@@ -157,7 +208,11 @@ impl Source {
     }
 
     pub(crate) fn complain(&self, message: String, help: String, span: Range<usize>) -> Error {
-        Error::Scenario { message, help, excerpt: self.excerpt(&span) }
+        Error::Scenario {
+            message,
+            help,
+            excerpt: self.excerpt(&span),
+        }
     }
 }
 
@@ -171,7 +226,10 @@ struct Section<'a> {
 
 impl<'a> Section<'a> {
     fn find(&self, key: &str) -> Option<(Range<usize>, &'a Spanned<DeValue<'a>>)> {
-        let (key, value) = self.table.iter().find(|(known, _)| known.get_ref() == key)?;
+        let (key, value) = self
+            .table
+            .iter()
+            .find(|(known, _)| known.get_ref() == key)?;
         Some((key.span(), value))
     }
 
@@ -180,7 +238,11 @@ impl<'a> Section<'a> {
         match self.find(key) {
             None => Ok(None),
             Some((_, value)) => match value.get_ref() {
-                DeValue::Table(table) => Ok(Some(Self { source: self.source, name, table })),
+                DeValue::Table(table) => Ok(Some(Self {
+                    source: self.source,
+                    name,
+                    table,
+                })),
                 other => Err(self.of_other_type(key, "a table", other, value.span())),
             },
         }
@@ -193,22 +255,39 @@ impl<'a> Section<'a> {
         key: impl Fn(Quantity) -> Cow<'static, str>,
         others: &[&str],
     ) -> Result<Vec<Given>, Error> {
-        let keys: Vec<_> = quantities.into_iter().map(|quantity| (key(quantity), quantity)).collect();
-        let known: Vec<&str> =
-            keys.iter().map(|(key, _)| key.as_ref()).chain(others.iter().copied()).collect();
+        let keys: Vec<_> = quantities
+            .into_iter()
+            .map(|quantity| (key(quantity), quantity))
+            .collect();
+        let known: Vec<&str> = keys
+            .iter()
+            .map(|(key, _)| key.as_ref())
+            .chain(others.iter().copied())
+            .collect();
         self.refuse_other_keys(&known)?;
         keys.iter()
             .filter_map(|(key, quantity)| self.find(key).map(|(_, value)| (key, *quantity, value)))
             .map(|(key, quantity, value)| {
                 let origin = Origin::File(value.span());
-                Ok(Given { quantity, value: self.number(key, value)?, origin })
+                Ok(Given {
+                    quantity,
+                    value: self.number(key, value)?,
+                    origin,
+                })
             })
             .collect()
     }
 
     fn law(&self) -> Result<Option<GivenLaw>, Error> {
-        let law = self.word(RESTITUTION_LAW, "law of restitution", &RestitutionLaw::NAMES)?;
-        Ok(law.map(|(law, span)| GivenLaw { law, origin: Origin::File(span) }))
+        let law = self.word(
+            RESTITUTION_LAW,
+            "law of restitution",
+            &RestitutionLaw::NAMES,
+        )?;
+        Ok(law.map(|(law, span)| GivenLaw {
+            law,
+            origin: Origin::File(span),
+        }))
     }
 
     /// A word of a table, with its place, if it is there.
@@ -218,13 +297,19 @@ impl<'a> Section<'a> {
         noun: &str,
         names: &[&'static str],
     ) -> Result<Option<(T, Range<usize>)>, Error> {
-        let Some((_, value)) = self.find(key) else { return Ok(None) };
+        let Some((_, value)) = self.find(key) else {
+            return Ok(None);
+        };
         let name = self.text(key, value)?;
         let span = value.span();
         let word = name.parse().map_err(|_| {
             let message = format!("there is no {noun} '{name}'");
             let all = format!("there are {}", names.join(", "));
-            self.source.complain(message, nearest::hint(name, names.iter().copied(), &all), span.clone())
+            self.source.complain(
+                message,
+                nearest::hint(name, names.iter().copied(), &all),
+                span.clone(),
+            )
         })?;
         Ok(Some((word, span)))
     }
@@ -249,13 +334,20 @@ impl<'a> Section<'a> {
 
     /// A count within bounds, which are those of the flag.
     fn count(&self, key: &str, bounds: RangeInclusive<u64>) -> Result<Option<u64>, Error> {
-        let Some((_, value)) = self.find(key) else { return Ok(None) };
-        let whole = whole(value.get_ref())
-            .ok_or_else(|| self.of_other_type(key, "a whole number", value.get_ref(), value.span()))?;
+        let Some((_, value)) = self.find(key) else {
+            return Ok(None);
+        };
+        let whole = whole(value.get_ref()).ok_or_else(|| {
+            self.of_other_type(key, "a whole number", value.get_ref(), value.span())
+        })?;
         match u64::try_from(whole) {
             Ok(count) if bounds.contains(&count) => Ok(Some(count)),
             Ok(_) | Err(_) => Err(self.source.complain(
-                format!("{key} = {whole} is not between {} and {}", bounds.start(), bounds.end()),
+                format!(
+                    "{key} = {whole} is not between {} and {}",
+                    bounds.start(),
+                    bounds.end()
+                ),
                 format!("give another number for {key}, or leave it out"),
                 value.span(),
             )),
@@ -263,7 +355,11 @@ impl<'a> Section<'a> {
     }
 
     fn refuse_other_keys(&self, known: &[&str]) -> Result<(), Error> {
-        match self.table.keys().find(|key| !known.contains(&key.get_ref().as_ref())) {
+        match self
+            .table
+            .keys()
+            .find(|key| !known.contains(&key.get_ref().as_ref()))
+        {
             None => Ok(()),
             Some(key) => {
                 let message = format!("there is no key '{}' in {}", key.get_ref(), self.name);
@@ -274,9 +370,19 @@ impl<'a> Section<'a> {
         }
     }
 
-    fn of_other_type(&self, key: &str, wanted: &str, found: &DeValue<'_>, span: Range<usize>) -> Error {
-        let message = format!("{key} is not {wanted}, but of the type {}", found.type_str());
-        self.source.complain(message, format!("{key} in {} is {wanted}", self.name), span)
+    fn of_other_type(
+        &self,
+        key: &str,
+        wanted: &str,
+        found: &DeValue<'_>,
+        span: Range<usize>,
+    ) -> Error {
+        let message = format!(
+            "{key} is not {wanted}, but of the type {}",
+            found.type_str()
+        );
+        self.source
+            .complain(message, format!("{key} in {} is {wanted}", self.name), span)
     }
 }
 

@@ -16,15 +16,24 @@ use crate::report::{self, Sampling};
 use crate::request::Request;
 use crate::scenario::Scenario;
 
-/// Samples of a table at most: all its rows are in memory, 2.5 kB each, since they make the widths of its columns.
+/// Samples of a table at most: all its rows are in memory, 2.5 kB each, since they make the widths
+/// of its columns.
 const MOST_ROWS: u64 = 100_000;
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
     let scenario = problem.scenario();
-    let samples = args.samples.or_else(|| scenario.and_then(|scenario| scenario.run.samples));
-    let out = args.out.clone().or_else(|| scenario.and_then(Scenario::out));
-    let format = match args.format.or_else(|| scenario.and_then(|scenario| scenario.run.format)) {
+    let samples = args
+        .samples
+        .or_else(|| scenario.and_then(|scenario| scenario.run.samples));
+    let out = args
+        .out
+        .clone()
+        .or_else(|| scenario.and_then(Scenario::out));
+    let format = match args
+        .format
+        .or_else(|| scenario.and_then(|scenario| scenario.run.format))
+    {
         Some(format) => format,
         None => format_of(out.as_deref())?,
     };
@@ -32,13 +41,20 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     if format == Format::Table
         && let Some(count) = samples.filter(|&count| count > MOST_ROWS)
     {
-        return Err(Error::LongTable { count, most: MOST_ROWS });
+        return Err(Error::LongTable {
+            count,
+            most: MOST_ROWS,
+        });
     }
     let output = Output::open(out.as_deref())?;
     let trajectory = problem.simulate()?;
-    let sampling =
-        samples.map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
-    let digits = if args.digits { Some(problem.digits()?) } else { None };
+    let sampling = samples
+        .map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
+    let digits = if args.digits {
+        Some(problem.digits()?)
+    } else {
+        None
+    };
     let derivatives = derivatives(&args.derivatives, &trajectory)?;
     let uncertainty = if args.uncertainty.is_empty() {
         None
@@ -51,7 +67,11 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
         uncertainty: uncertainty.as_ref(),
         ..problem.subject()
     };
-    let look = Look { sampling, all: args.all_bounces, advice: None };
+    let look = Look {
+        sampling,
+        all: args.all_bounces,
+        advice: None,
+    };
     let colour = output.has_colour();
     output.write(|writer| match format {
         Format::Table => {
@@ -80,13 +100,20 @@ fn derivatives(names: &[Names], trajectory: &Trajectory) -> Result<Option<Deriva
             quantities.push(quantity);
         }
     }
-    trajectory.derivatives(&quantities).map(Some).map_err(Error::NotDifferentiable)
+    trajectory
+        .derivatives(&quantities)
+        .map(Some)
+        .map_err(Error::NotDifferentiable)
 }
 
 /// What the ending says; a name without one is a table.
 fn format_of(out: Option<&Path>) -> Result<Format, Error> {
-    let Some(path) = out else { return Ok(Format::Table) };
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let Some(path) = out else {
+        return Ok(Format::Table);
+    };
+    let ending = path
+        .extension()
+        .map(|ending| ending.to_string_lossy().to_lowercase());
     match ending.as_deref() {
         None | Some("txt") => Ok(Format::Table),
         Some("json") => Ok(Format::Json),

@@ -23,7 +23,10 @@ const ONE_FILE: u64 = 1 << 24;
 
 /// Finds out what a path is to be, by its ending.
 pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let ending = path
+        .extension()
+        .and_then(|ending| ending.to_str())
+        .unwrap_or_default();
     let ending = ending.to_ascii_lowercase();
     let kind = allowed.iter().copied().find(|kind| kind.ending() == ending);
     let missing = match kind {
@@ -32,10 +35,16 @@ pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
         _ => None,
     };
     if let Some(feature) = missing {
-        return Err(Error::NotBuilt { what: format!("what --out {} needs", path.display()), feature });
+        return Err(Error::NotBuilt {
+            what: format!("what --out {} needs", path.display()),
+            feature,
+        });
     }
     kind.ok_or_else(|| {
-        let endings: Vec<String> = allowed.iter().map(|kind| format!(".{}", kind.ending())).collect();
+        let endings: Vec<String> = allowed
+            .iter()
+            .map(|kind| format!(".{}", kind.ending()))
+            .collect();
         Error::Out {
             path: path.to_owned(),
             reason: "the ending does not say what it is to be".to_owned(),
@@ -46,8 +55,14 @@ pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
 
 impl Kind {
     /// What a map can be written as.
-    pub(crate) const OF_A_MAP: [Self; 6] =
-        [Self::Zarr, Self::Parquet, Self::Csv, Self::Picture, Self::Svg, Self::Pdf];
+    pub(crate) const OF_A_MAP: [Self; 6] = [
+        Self::Zarr,
+        Self::Parquet,
+        Self::Csv,
+        Self::Picture,
+        Self::Svg,
+        Self::Pdf,
+    ];
 
     /// Whether it shows the map.
     pub(crate) const fn is_picture(self) -> bool {
@@ -87,13 +102,23 @@ impl Kind {
 }
 
 /// What every `--out` is to be, each place once, and in a folder that is there.
-pub(crate) fn kinds<'a>(out: &'a [PathBuf], allowed: &[Kind]) -> Result<Vec<(Kind, &'a Path)>, Error> {
+pub(crate) fn kinds<'a>(
+    out: &'a [PathBuf],
+    allowed: &[Kind],
+) -> Result<Vec<(Kind, &'a Path)>, Error> {
     let mut kinds: Vec<(Kind, &Path)> = Vec::new();
     for path in out {
-        if kinds.iter().any(|(_, other)| place_of(other) == place_of(path)) {
+        if kinds
+            .iter()
+            .any(|(_, other)| place_of(other) == place_of(path))
+        {
             let reason = "this place is given twice".to_owned();
             let hint = "give each output a name of its own".to_owned();
-            return Err(Error::Out { path: path.clone(), reason, hint });
+            return Err(Error::Out {
+                path: path.clone(),
+                reason,
+                hint,
+            });
         }
         kinds.push((kind_of(path, allowed)?, path));
     }
@@ -105,7 +130,8 @@ pub(crate) fn kinds<'a>(out: &'a [PathBuf], allowed: &[Kind]) -> Result<Vec<(Kin
 
 /// What to say when Ctrl-C has come.
 pub(crate) fn interrupted(done: u64, total: u64, kept: &[PathBuf]) -> Error {
-    let at_the_end = |path: &Path| kind_of(path, &Kind::OF_A_MAP).is_ok_and(Kind::is_written_at_the_end);
+    let at_the_end =
+        |path: &Path| kind_of(path, &Kind::OF_A_MAP).is_ok_and(Kind::is_written_at_the_end);
     let store = kept.iter().find(|path| !at_the_end(path));
     let hint = match (store, kept.first()) {
         (Some(path), _) => format!(

@@ -25,7 +25,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Error> {
 
 fn follow_grid(args: &SweepArgs) -> Result<(), Error> {
     let kinds = store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet])?;
-    let (grid, Base { limits, .. }) = work::grid(&args.base, &args.run, &args.axis, &args.store.derivatives)?;
+    let (grid, Base { limits, .. }) =
+        work::grid(&args.base, &args.run, &args.axis, &args.store.derivatives)?;
     follow(args, grid.len(), &kinds, |targets, workers, options| {
         sweep_grid(&grid, limits, targets, None, workers, options)
     })
@@ -33,11 +34,20 @@ fn follow_grid(args: &SweepArgs) -> Result<(), Error> {
 
 fn follow_list(args: &SweepArgs, starts: &Path) -> Result<(), Error> {
     let kinds = store::kinds(&args.store.out, &[Kind::Parquet])?;
-    // What the list has no column for is needed from elsewhere, so the columns have to be known first.
+    // What the list has no column for is needed from elsewhere, so the columns have to be known
+    // first.
     let quantities = StartList::open(starts, work::STAND_IN)?.columns().to_vec();
-    let base = work::base(&args.base, &args.run, Varied { quantities, ..Varied::default() })?;
+    let base = work::base(
+        &args.base,
+        &args.run,
+        Varied {
+            quantities,
+            ..Varied::default()
+        },
+    )?;
     let list = StartList::open(starts, base.setup)?;
-    let bounces = list.columns().contains(&Quantity::Restitution) || base.setup.hoop.restitution.is_some();
+    let bounces =
+        list.columns().contains(&Quantity::Restitution) || base.setup.hoop.restitution.is_some();
     let derivatives = work::derivatives(&args.store.derivatives, bounces)?;
     let list = list.with_derivatives(derivatives);
     follow(args, list.rows(), &kinds, |targets, workers, options| {
@@ -51,7 +61,10 @@ fn follow(
     kinds: &[(Kind, &Path)],
     sweep: impl FnOnce(&[Target<'_>], &Workers, &Options<'_>) -> Result<Report, SweepError>,
 ) -> Result<(), Error> {
-    let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, starts)).collect();
+    let targets: Vec<_> = kinds
+        .iter()
+        .filter_map(|(kind, path)| kind.target(path, starts))
+        .collect();
     let workers = Workers::new(args.work.threads)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
@@ -62,5 +75,11 @@ fn follow(
     let time = began.elapsed();
     drop(bar);
     let kept = work::kept(&targets, &report, Vec::new());
-    Run { report, time, threads: workers.threads(), kept }.finish(args.store.format)
+    Run {
+        report,
+        time,
+        threads: workers.threads(),
+        kept,
+    }
+    .finish(args.store.format)
 }

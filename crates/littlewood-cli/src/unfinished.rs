@@ -1,4 +1,5 @@
-//! Files that are being written under another name, so that they can be removed when the program is ended from outside.
+//! Files that are being written under another name, so that they can be removed when the program is
+//! ended from outside.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Permissions, TryLockError as LockError};
@@ -21,7 +22,8 @@ fn held() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     PATHS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes them all, and holds the list. A medium that does not answer is not waited for; then there is nothing to hold.
+/// Removes them all, and holds the list. A medium that does not answer is not waited for; then
+/// there is nothing to hold.
 pub(crate) fn remove_all() -> Option<MutexGuard<'static, BTreeSet<PathBuf>>> {
     let begun = Instant::now();
     loop {
@@ -42,7 +44,8 @@ pub(crate) fn remove_all() -> Option<MutexGuard<'static, BTreeSet<PathBuf>>> {
     }
 }
 
-/// The ending of unfinished files, and the number of letters before it that tell apart those of one name.
+/// The ending of unfinished files, and the number of letters before it that tell apart those of one
+/// name.
 const SUFFIX: &str = ".part";
 const RANDOM: usize = 6;
 
@@ -51,7 +54,9 @@ const NAME: usize = 200;
 
 /// The folder of a file.
 pub(crate) fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+    path.parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
 }
 
 /// How the unfinished files for a name begin: `.littlewood-map.png-`.
@@ -81,11 +86,16 @@ fn lock(file: &File) -> Locked {
     }
 }
 
-/// Removes the unfinished files with this beginning that no process holds. What cannot be removed stays: it stands in nobody's way.
+/// Removes the unfinished files with this beginning that no process holds. What cannot be removed
+/// stays: it stands in nobody's way.
 fn remove_left(folder: &Path, prefix: &str) {
     let is_one = |name: &str| {
-        let letters = name.strip_prefix(prefix).and_then(|rest| rest.strip_suffix(SUFFIX));
-        letters.is_some_and(|it| it.len() == RANDOM && it.bytes().all(|byte| byte.is_ascii_alphanumeric()))
+        let letters = name
+            .strip_prefix(prefix)
+            .and_then(|rest| rest.strip_suffix(SUFFIX));
+        letters.is_some_and(|it| {
+            it.len() == RANDOM && it.bytes().all(|byte| byte.is_ascii_alphanumeric())
+        })
     };
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         if entry.file_name().to_str().is_some_and(is_one)
@@ -98,12 +108,14 @@ fn remove_left(folder: &Path, prefix: &str) {
     }
 }
 
-/// A file that has a name of its own until it is finished. It is removed if it does not come to that.
+/// A file that has a name of its own until it is finished. It is removed if it does not come to
+/// that.
 #[derive(Debug)]
 pub(crate) struct Temporary(NamedTempFile);
 
 impl Temporary {
-    /// Begins the file that is to have a name and permissions. What a run that was killed has left of one for the same name is removed.
+    /// Begins the file that is to have a name and permissions. What a run that was killed has left
+    /// of one for the same name is removed.
     pub(crate) fn new(path: &Path, permissions: Option<Permissions>) -> io::Result<Self> {
         let folder = folder_of(path);
         let prefix = prefix_of(path);

@@ -26,7 +26,11 @@ pub(crate) struct Given {
 impl Given {
     /// A number that was typed, or stands for one.
     pub(crate) const fn by_flag(quantity: Quantity, value: f64) -> Self {
-        Self { quantity, value, origin: Origin::Flag }
+        Self {
+            quantity,
+            value,
+            origin: Origin::Flag,
+        }
     }
 }
 
@@ -43,26 +47,44 @@ pub(crate) struct Values(Vec<Given>);
 
 impl Values {
     pub(crate) fn of_case(setup: &Setup) -> Self {
-        let given = |quantity| Some(Given { quantity, value: setup.get(quantity)?, origin: Origin::Case });
-        Self(Quantity::HOOP.into_iter().chain(Quantity::START).filter_map(given).collect())
+        let given = |quantity| {
+            Some(Given {
+                quantity,
+                value: setup.get(quantity)?,
+                origin: Origin::Case,
+            })
+        };
+        Self(
+            Quantity::HOOP
+                .into_iter()
+                .chain(Quantity::START)
+                .filter_map(given)
+                .collect(),
+        )
     }
 
     /// Puts a layer on top: a number replaces the one below it, in whichever unit that is.
     pub(crate) fn cover(&mut self, layer: Vec<Given>) {
         for given in layer {
-            self.0.retain(|below| below.quantity.dimensionless() != given.quantity.dimensionless());
+            self.0
+                .retain(|below| below.quantity.dimensionless() != given.quantity.dimensionless());
             self.0.push(given);
         }
     }
 
     /// The number for a quantity, in whichever unit it was given.
     pub(crate) fn find(&self, quantity: Quantity) -> Option<&Given> {
-        self.0.iter().find(|given| given.quantity.dimensionless() == quantity.dimensionless())
+        self.0
+            .iter()
+            .find(|given| given.quantity.dimensionless() == quantity.dimensionless())
     }
 
     /// The number for a quantity, if it was given in this unit.
     pub(crate) fn get(&self, quantity: Quantity) -> Option<f64> {
-        self.0.iter().find(|given| given.quantity == quantity).map(|given| given.value)
+        self.0
+            .iter()
+            .find(|given| given.quantity == quantity)
+            .map(|given| given.value)
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Given> {
@@ -77,7 +99,9 @@ impl Values {
 
 /// A dimensionless and an SI number in one layer, which do not go together.
 pub(crate) fn find_mixture(layer: &[Given]) -> Option<(&Given, &Given)> {
-    let plain = layer.iter().find(|given| given.quantity.si_twin().is_some())?;
+    let plain = layer
+        .iter()
+        .find(|given| given.quantity.si_twin().is_some())?;
     let si = layer.iter().find(|given| given.quantity.is_si())?;
     Some((plain, si))
 }
@@ -104,7 +128,14 @@ mod tests {
         let names: Vec<_> = Quantity::SI_START.into_iter().map(si_name).collect();
         assert_eq!(
             names,
-            ["theta_rad", "theta_rate_rad_per_s", "slip_m_per_s", "gap_rate_m_per_s", "x_m", "time_s"]
+            [
+                "theta_rad",
+                "theta_rate_rad_per_s",
+                "slip_m_per_s",
+                "gap_rate_m_per_s",
+                "x_m",
+                "time_s"
+            ]
         );
         assert_eq!(si_name(Quantity::MuS), "mu_s");
     }

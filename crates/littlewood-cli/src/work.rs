@@ -1,4 +1,5 @@
-//! What the commands that follow many motions share: the base point, the threads, the options of a run.
+//! What the commands that follow many motions share: the base point, the threads, the options of a
+//! run.
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -18,8 +19,8 @@ use crate::request::{Overrides, Request};
 use crate::unfinished::ListedDisk;
 use crate::values::Given;
 
-/// A setup whose numbers go with all values of any one of them, for what an axis or a list puts its own value in place
-/// of. 1e9 is the largest coefficient of friction that a hoop may have.
+/// A setup whose numbers go with all values of any one of them, for what an axis or a list puts its
+/// own value in place of. 1e9 is the largest coefficient of friction that a hoop may have.
 pub(crate) const STAND_IN: Setup = Setup::new(
     HoopParameters::thin(1.0)
         .with_offset(0.5)
@@ -59,15 +60,31 @@ impl Varied {
     }
 }
 
-pub(crate) fn base(args: &ProblemArgs<false>, run: &RunArgs, varied: Varied) -> Result<Base, Error> {
-    let Varied { quantities, si, fixed } = varied;
-    let stand_ins =
-        quantities.into_iter().filter_map(|quantity| Some(Given::by_flag(quantity, STAND_IN.get(quantity)?)));
+pub(crate) fn base(
+    args: &ProblemArgs<false>,
+    run: &RunArgs,
+    varied: Varied,
+) -> Result<Base, Error> {
+    let Varied {
+        quantities,
+        si,
+        fixed,
+    } = varied;
+    let stand_ins = quantities
+        .into_iter()
+        .filter_map(|quantity| Some(Given::by_flag(quantity, STAND_IN.get(quantity)?)));
     let given = fixed.into_iter().chain(stand_ins).collect();
-    let request = Request { overrides: Overrides { given, si }, ..Request::new(args, Some(run))? };
+    let request = Request {
+        overrides: Overrides { given, si },
+        ..Request::new(args, Some(run))?
+    };
     let problem = Problem::resolve(request)?;
     let setup = Setup::new(problem.hoop.parameters(), problem.start);
-    Ok(Base { setup, limits: problem.limits, units: problem.units })
+    Ok(Base {
+        setup,
+        limits: problem.limits,
+        units: problem.units,
+    })
 }
 
 /// A grid over a case, a scenario or flags.
@@ -79,7 +96,8 @@ pub(crate) fn grid(
 ) -> Result<(Grid, Base), Error> {
     let base = base(args, run, Varied::by(axes))?;
     let grid = Grid::new(base.setup, resolve(axes, &base)?)?;
-    let bounces = grid.axis(Quantity::Restitution).is_some() || base.setup.hoop.restitution.is_some();
+    let bounces =
+        grid.axis(Quantity::Restitution).is_some() || base.setup.hoop.restitution.is_some();
     let derivatives = derivatives(wanted, bounces)?;
     Ok((grid.with_derivatives(derivatives), base))
 }
@@ -127,10 +145,21 @@ pub(crate) const STARTS: &str = "starts";
 
 /// How far a run is; what an earlier run has done is there before it.
 pub(crate) const fn count(progress: Progress) -> Count {
-    Count { done: progress.followed, total: progress.total }
+    Count {
+        done: progress.followed,
+        total: progress.total,
+    }
 }
 
 /// Files of a run that can be read, and resumed if it is not complete.
-pub(crate) fn kept(targets: &[Target<'_>], report: &Report, pictures: Vec<PathBuf>) -> Vec<PathBuf> {
-    targets.iter().map(|target| target.readable(report.complete)).chain(pictures).collect()
+pub(crate) fn kept(
+    targets: &[Target<'_>],
+    report: &Report,
+    pictures: Vec<PathBuf>,
+) -> Vec<PathBuf> {
+    targets
+        .iter()
+        .map(|target| target.readable(report.complete))
+        .chain(pictures)
+        .collect()
 }

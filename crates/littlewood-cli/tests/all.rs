@@ -8,17 +8,32 @@ mod classify;
 mod features;
 #[cfg(feature = "figures")]
 mod figures;
-#[cfg(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab"))]
+#[cfg(all(
+    feature = "sweep",
+    feature = "figures",
+    feature = "film",
+    feature = "lab"
+))]
 mod fuzz;
 mod impact;
 mod input;
-#[cfg(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab"))]
+#[cfg(all(
+    feature = "sweep",
+    feature = "figures",
+    feature = "film",
+    feature = "lab"
+))]
 mod interrupt;
 #[cfg(feature = "lab")]
 mod lab;
 #[cfg(feature = "sweep")]
 mod map;
-#[cfg(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab"))]
+#[cfg(all(
+    feature = "sweep",
+    feature = "figures",
+    feature = "film",
+    feature = "lab"
+))]
 mod output;
 mod page;
 mod plane;
@@ -29,10 +44,20 @@ mod restitution;
 mod scenario;
 mod si;
 mod simulate;
-#[cfg(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab"))]
+#[cfg(all(
+    feature = "sweep",
+    feature = "figures",
+    feature = "film",
+    feature = "lab"
+))]
 mod snapshots;
 #[cfg_attr(
-    not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")),
+    not(all(
+        feature = "sweep",
+        feature = "figures",
+        feature = "film",
+        feature = "lab"
+    )),
     allow(dead_code, reason = "without a feature some of it has nobody to help")
 )]
 mod support;

@@ -14,20 +14,37 @@ const PRECIOUS: &str = "years of work";
 const SMALL: [&str; 6] = ["--size", "160x160", "--fps", "5", "--slow", "1"];
 
 fn path(folder: &TempDir, name: &str) -> String {
-    folder.path().join(name).to_str().expect("it works in a folder for tests").to_owned()
+    folder
+        .path()
+        .join(name)
+        .to_str()
+        .expect("it works in a folder for tests")
+        .to_owned()
 }
 
 fn animate(motion: &[&str], out: &str) {
     let said = text(&[&["animate"], motion, &SMALL, &["--out", out]].concat());
     // A motion without end is shown in part.
-    assert!(said.is_empty() || said.starts_with("The film shows "), "{said}");
+    assert!(
+        said.is_empty() || said.starts_with("The film shows "),
+        "{said}"
+    );
 }
 
 fn refused(flags: &[&str], code: i32) -> String {
     let folder = TempDir::new().expect("it works in a folder for tests");
     let out = path(&folder, "film.gif");
-    let message = complaint(&[&["animate", "figure-3", "--out", &out], flags].concat(), code);
-    assert_eq!(fs::read_dir(folder.path()).expect("it works in a folder for tests").count(), 0, "{message}");
+    let message = complaint(
+        &[&["animate", "figure-3", "--out", &out], flags].concat(),
+        code,
+    );
+    assert_eq!(
+        fs::read_dir(folder.path())
+            .expect("it works in a folder for tests")
+            .count(),
+        0,
+        "{message}"
+    );
     message
 }
 
@@ -54,7 +71,10 @@ fn the_ending_says_what_the_film_is() {
     for name in ["film", "film.avi", "film.png", "film.APNG"] {
         let out = path(&folder, name);
         let message = complaint(&["animate", "figure-3", "--out", &out], 2);
-        assert!(message.contains("hint: the endings are .gif, .mp4 and .webm"), "{message}");
+        assert!(
+            message.contains("hint: the endings are .gif, .mp4 and .webm"),
+            "{message}"
+        );
     }
 }
 
@@ -66,35 +86,74 @@ fn parameters_and_si_units_work_as_in_simulate() {
     animate(&support::FIGURE_3, &b);
     assert!(fs::read(&a).unwrap() == fs::read(&b).unwrap());
     // The time unit is ½ s: two seconds of film for one of the motion, and values in SI units.
-    let si =
-        ["figure-3", "--particle-mass-kg", "2", "--radius-m", "1", "--gravity-m-per-s2", "4", "--slow", "2"];
+    let si = [
+        "figure-3",
+        "--particle-mass-kg",
+        "2",
+        "--radius-m",
+        "1",
+        "--gravity-m-per-s2",
+        "4",
+        "--slow",
+        "2",
+    ];
     text(&[&["animate"], &si[..], &SMALL[..4], &["--out", &c]].concat());
-    assert!(fs::read(&c).unwrap().starts_with(b"GIF89a") && fs::read(&a).unwrap() != fs::read(&c).unwrap());
+    assert!(
+        fs::read(&c).unwrap().starts_with(b"GIF89a")
+            && fs::read(&a).unwrap() != fs::read(&c).unwrap()
+    );
 }
 
 #[test]
 fn bad_values_are_refused_with_a_bound_and_a_hint() {
     for (flags, message) in [
         (&["--fps", "0"][..], "fps = 0 must be between 1 and 240"),
-        (&["--fps", "60"], "fps = 60 must be between 1 and 50 frames per second in GIF"),
-        (&["--size", "0x0"], "size = 0x0 px: both sides must be between 160 and 4096 px"),
+        (
+            &["--fps", "60"],
+            "fps = 60 must be between 1 and 50 frames per second in GIF",
+        ),
+        (
+            &["--size", "0x0"],
+            "size = 0x0 px: both sides must be between 160 and 4096 px",
+        ),
         (&["--size", "100000x100000"], "size = 100000x100000 px"),
-        (&["--slow", "nan"], "slow = NaN must be a finite number greater than 0"),
-        (&["--slow", "0"], "slow = 0 must be a finite number greater than 0"),
+        (
+            &["--slow", "nan"],
+            "slow = NaN must be a finite number greater than 0",
+        ),
+        (
+            &["--slow", "0"],
+            "slow = 0 must be a finite number greater than 0",
+        ),
         (&["--slow", "-1"], "slow = -1 must be"),
         (&["--slow", "1e9"], "the most is 100000"),
-        (&["--hold", "100"], "hold = 100 s must be between 0 and 60 s"),
+        (
+            &["--hold", "100"],
+            "hold = 100 s must be between 0 and 60 s",
+        ),
         (&["--until", "nan"], "until = NaN"),
         (&["--mu-k", "0.9"], "mu_k = 0.9 must not exceed mu_s"),
     ] {
         let found = refused(flags, 2);
-        assert!(found.contains(message) && found.contains("hint: "), "{message} is not in\n{found}");
+        assert!(
+            found.contains(message) && found.contains("hint: "),
+            "{message} is not in\n{found}"
+        );
     }
     assert!(refused(&["--size", "big"], 2).contains("WIDTHxHEIGHT"));
     let folder = TempDir::new().unwrap();
-    let message = complaint(&["animate", "painleve", "--out", &path(&folder, "film.gif")], 2);
-    assert!(message.contains("there is no motion to show: no motion is consistent"), "{message}");
-    let message = complaint(&["animate", "figure-33", "--out", &path(&folder, "film.gif")], 2);
+    let message = complaint(
+        &["animate", "painleve", "--out", &path(&folder, "film.gif")],
+        2,
+    );
+    assert!(
+        message.contains("there is no motion to show: no motion is consistent"),
+        "{message}"
+    );
+    let message = complaint(
+        &["animate", "figure-33", "--out", &path(&folder, "film.gif")],
+        2,
+    );
     assert!(message.contains("did you mean 'figure-3'"), "{message}");
 }
 
@@ -112,8 +171,15 @@ fn a_full_disk_is_a_failure_of_the_system() {
     let folder = TempDir::new().unwrap();
     let link = folder.path().join("film.gif");
     std::os::unix::fs::symlink("/dev/full", &link).unwrap();
-    let message =
-        complaint(&[&["animate", "figure-3"], &SMALL[..], &["--out", link.to_str().unwrap()]].concat(), 1);
+    let message = complaint(
+        &[
+            &["animate", "figure-3"],
+            &SMALL[..],
+            &["--out", link.to_str().unwrap()],
+        ]
+        .concat(),
+        1,
+    );
     assert!(message.contains("failed"), "{message}");
 }
 
@@ -123,10 +189,16 @@ fn an_mp4_without_ffmpeg_says_what_to_install_and_touches_nothing() {
     let out = path(&folder, "film.mp4");
     fs::write(&out, PRECIOUS).unwrap();
     let mut program = littlewood();
-    let output =
-        program.env("PATH", folder.path()).args(["animate", "figure-3", "--out", &out]).assert().code(1);
+    let output = program
+        .env("PATH", folder.path())
+        .args(["animate", "figure-3", "--out", &out])
+        .assert()
+        .code(1);
     let message = String::from_utf8(output.get_output().stderr.clone()).unwrap();
-    assert!(message.contains("needs ffmpeg") && message.contains("hint: install ffmpeg"), "{message}");
+    assert!(
+        message.contains("needs ffmpeg") && message.contains("hint: install ffmpeg"),
+        "{message}"
+    );
     assert_eq!(fs::read_to_string(&out).unwrap(), PRECIOUS);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
@@ -136,7 +208,8 @@ fn stand_in(folder: &Path, script: &str) -> std::ffi::OsString {
     use std::os::unix::fs::PermissionsExt as _;
     let bin = folder.join("bin");
     fs::create_dir(&bin).expect("it works in a folder for tests");
-    fs::write(bin.join("ffmpeg"), format!("#!/bin/sh\n{script}\n")).expect("it works in a folder for tests");
+    fs::write(bin.join("ffmpeg"), format!("#!/bin/sh\n{script}\n"))
+        .expect("it works in a folder for tests");
     fs::set_permissions(bin.join("ffmpeg"), fs::Permissions::from_mode(0o755))
         .expect("it works in a folder for tests");
     let mut path = bin.into_os_string();
@@ -162,7 +235,10 @@ fn an_mp4_is_what_ffmpeg_has_written_or_nothing() {
 
     let folder = TempDir::new().unwrap();
     let out = path(&folder, "film.mp4");
-    let found = stand_in(folder.path(), "cat > /dev/null; echo 'No space left on device' >&2; exit 1");
+    let found = stand_in(
+        folder.path(),
+        "cat > /dev/null; echo 'No space left on device' >&2; exit 1",
+    );
     let output = littlewood()
         .env("PATH", found)
         .args([&["animate", "figure-3", "--out", &out], &SMALL[..]].concat())
@@ -189,14 +265,24 @@ fn ctrl_c_leaves_no_half_a_film() {
         .flatten()
         .all(|file| file.metadata().map_or(0, |it| it.len()) == 0)
     {
-        assert!(child.try_wait().unwrap().is_none(), "it has ended by itself");
+        assert!(
+            child.try_wait().unwrap().is_none(),
+            "it has ended by itself"
+        );
         std::thread::yield_now();
     }
-    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let killed = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status()
+        .unwrap();
     assert!(killed.success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
-    assert!(String::from_utf8(output.stderr).unwrap().starts_with("error: stopped after "));
+    assert!(
+        String::from_utf8(output.stderr)
+            .unwrap()
+            .starts_with("error: stopped after ")
+    );
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
@@ -205,19 +291,35 @@ fn impacts_are_replayed_slowly_and_the_energy_is_shown() {
     let folder = TempDir::new().unwrap();
     let size = |flags: &[&str]| {
         let out = path(&folder, "film.gif");
-        animate(&[&["figure-3-bounces", "--until", "5"], flags].concat(), &out);
+        animate(
+            &[&["figure-3-bounces", "--until", "5"], flags].concat(),
+            &out,
+        );
         let bytes = fs::read(&out).unwrap();
         // A graphic control extension for each frame.
-        (bytes.windows(3).filter(|window| window == b"\x21\xf9\x04").count(), bytes)
+        (
+            bytes
+                .windows(3)
+                .filter(|window| window == b"\x21\xf9\x04")
+                .count(),
+            bytes,
+        )
     };
     let (frames, usual) = size(&[]);
     let (slowed, _) = size(&["--slow-impacts", "8"]);
-    // One landing before τ = 5: 0.12 units of time eight times slower, and 1.2 s for the impact, at 5 frames a second.
+    // One landing before τ = 5: 0.12 units of time eight times slower, and 1.2 s for the impact, at
+    // 5 frames a second.
     assert!((slowed - frames).abs_diff(10) <= 2, "{frames} and {slowed}");
-    assert!(size(&["--energy-bar", "always"]).1 == usual, "a hoop that bounces has the bar");
+    assert!(
+        size(&["--energy-bar", "always"]).1 == usual,
+        "a hoop that bounces has the bar"
+    );
     assert!(size(&["--energy-bar", "never"]).1 != usual);
     for (flags, words) in [
-        (&["--slow-impacts", "0.5"][..], "slow_impacts = 0.5 must be a finite number of at least 1"),
+        (
+            &["--slow-impacts", "0.5"][..],
+            "slow_impacts = 0.5 must be a finite number of at least 1",
+        ),
         (&["--slow-impacts", "x"], "not a number"),
         (&["--energy-bar", "sometimes"], "always"),
     ] {
@@ -231,13 +333,26 @@ fn a_second_picture_runs_along_and_a_motion_without_end_is_cut() {
     let folder = TempDir::new().unwrap();
     let out = path(&folder, "film.gif");
     let mut films = Vec::new();
-    for with in [&[][..], &["--with", "plane"], &["--with", "friction"], &["--with", "energy"]] {
+    for with in [
+        &[][..],
+        &["--with", "plane"],
+        &["--with", "friction"],
+        &["--with", "energy"],
+    ] {
         animate(&[&["figure-3"], with].concat(), &out);
         films.push(fs::read(&out).unwrap());
-        assert!(films[..films.len() - 1].iter().all(|other| other != &films[films.len() - 1]), "{with:?}");
+        assert!(
+            films[..films.len() - 1]
+                .iter()
+                .all(|other| other != &films[films.len() - 1]),
+            "{with:?}"
+        );
     }
     assert!(refused(&["--with", "beauty"], 2).contains("plane"));
     assert!(refused(&["--with", "plane", "--energy-bar", "always"], 2).contains("--energy-bar"));
     let said = text(&[&["animate", "libration"], &SMALL[..], &["--out", &out]].concat());
-    assert!(said.contains("one period of a motion without end (rolls for ever)"), "{said}");
+    assert!(
+        said.contains("one period of a motion without end (rolls for ever)"),
+        "{said}"
+    );
 }

@@ -18,13 +18,18 @@ fn figure_3_starts_beyond_the_static_friction() {
     assert_close(number(&document["energy"]), 8.0, 1e-15);
     assert_eq!(document["rolling_end"], Value::Null);
     let page = text(&["classify", "figure-3"]);
-    assert!(page.contains("Begins   sliding ←") && page.contains("|F|/N = 2, μₛ = 0.5"), "{page}");
+    assert!(
+        page.contains("Begins   sliding ←") && page.contains("|F|/N = 2, μₛ = 0.5"),
+        "{page}"
+    );
 }
 
 #[test]
 fn littlewoods_hoop_has_a_type_and_an_end_of_rolling() {
-    let flags = "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5 --mu-k 0.4 --theta 0 --theta-rate";
-    let classify = |rate: &str| json(&[vec!["classify"], flags.split(' ').collect(), vec![rate]].concat());
+    let flags =
+        "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5 --mu-k 0.4 --theta 0 --theta-rate";
+    let classify =
+        |rate: &str| json(&[vec!["classify"], flags.split(' ').collect(), vec![rate]].concat());
     let document = classify("0.5");
     assert_eq!(document["region"], "rolling_region");
     assert_eq!(document["rolling_type"], "III");
@@ -39,15 +44,30 @@ fn littlewoods_hoop_has_a_type_and_an_end_of_rolling() {
     assert_eq!(document["rolling_end"]["cause"], "normal_force_zero");
     assert_close(number(&document["rolling_end"]["theta_rate"]), 1.0, 1e-14);
     // N < 0 from the start.
-    let fast = json(&["classify", "figure-7", "--theta", "0.3", "--theta-rate", "1.5"]);
+    let fast = json(&[
+        "classify",
+        "figure-7",
+        "--theta",
+        "0.3",
+        "--theta-rate",
+        "1.5",
+    ]);
     assert_eq!(fast["region"], "gliding");
     assert_eq!(fast["rolling_type"], Value::Null);
 }
 
 #[test]
 fn regions_of_the_heavy_hoop() {
-    let classify =
-        |theta: &str, rate: &str| json(&["classify", "figure-3", "--theta", theta, "--theta-rate", rate]);
+    let classify = |theta: &str, rate: &str| {
+        json(&[
+            "classify",
+            "figure-3",
+            "--theta",
+            theta,
+            "--theta-rate",
+            rate,
+        ])
+    };
     let rest = classify("0", "0");
     assert_eq!(rest["region"], "rolling_region");
     assert_eq!(rest["rolls_forever"]["recurrence"], "rest");
@@ -87,7 +107,10 @@ fn every_case_is_listed_and_begins_as_classify_says() {
             "{words}"
         );
     }
-    assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+    assert!(
+        page.lines().all(|line| line.chars().count() <= 100),
+        "{page}"
+    );
 }
 
 /// The hoop of the study of reverse chatter, at rest on the plane.
@@ -96,16 +119,24 @@ fn a_rest_that_is_not_the_only_motion_says_so() {
     let flags = "--mass-ratio 0.3 --offset 1 --inertia 0.3 --mu-s 1.5 --mu-k 1.5 --slope-deg 40 --theta -1.5 --theta-rate 0";
     let bouncing = "--restitution 0.8 --restitution-law poisson";
     let arguments: Vec<&str> = ["classify"].into_iter().chain(flags.split(' ')).collect();
-    assert_eq!(json(&arguments).get("reverse_chatter"), None, "without restitution");
+    assert_eq!(
+        json(&arguments).get("reverse_chatter"),
+        None,
+        "without restitution"
+    );
     let arguments = [arguments, bouncing.split(' ').collect()].concat();
     let document = json(&arguments);
     assert_eq!(document["region"], "rolling_region");
-    // e (1 + 2 |B| tan α/A), with B/A = m h s (1 + h c)/(Î + m (1 + h c)²), m = 1.3, h = 1/1.3, Î = 0.3 + 0.3/1.3.
+    // e (1 + 2 |B| tan α/A), with B/A = m h s (1 + h c)/(Î + m (1 + h c)²), m = 1.3, h = 1/1.3, Î =
+    // 0.3 + 0.3/1.3.
     let (sin, cos) = libm::sincos(1.5);
     let lever = 1.0 + cos / 1.3;
     let stick = sin * lever / (0.3 + 0.3 / 1.3 + 1.3 * lever * lever);
     let ratio = 0.8 * (1.0 + 2.0 * stick * libm::tan(40.0_f64.to_radians()));
     assert_close(number(&document["reverse_chatter"]), ratio, 1e-14);
     let page = text(&arguments);
-    assert!(page.contains("is not the only motion: bounces can grow out of it"), "{page}");
+    assert!(
+        page.contains("is not the only motion: bounces can grow out of it"),
+        "{page}"
+    );
 }

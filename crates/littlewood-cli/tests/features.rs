@@ -22,39 +22,81 @@ fn without_features() -> Command {
 }
 
 fn help_of(mut program: Command, arguments: &[&str]) -> String {
-    String::from_utf8_lossy(&program.args(arguments).assert().success().get_output().stdout).into_owned()
+    String::from_utf8_lossy(
+        &program
+            .args(arguments)
+            .assert()
+            .success()
+            .get_output()
+            .stdout,
+    )
+    .into_owned()
 }
 
 /// The error of a call that is refused, which prints nothing.
 fn refusal(mut program: Command, arguments: &[&str]) -> String {
-    String::from_utf8_lossy(&program.args(arguments).assert().code(2).stdout("").get_output().stderr)
-        .into_owned()
+    String::from_utf8_lossy(
+        &program
+            .args(arguments)
+            .assert()
+            .code(2)
+            .stdout("")
+            .get_output()
+            .stderr,
+    )
+    .into_owned()
 }
 
 fn check(program: fn() -> Command, has: impl Fn(bool) -> bool) {
     for (command, feature, is_there) in COMMANDS {
         if has(is_there) {
-            assert!(help_of(program(), &[command, "--help"]).contains("Usage: "), "{command}");
+            assert!(
+                help_of(program(), &[command, "--help"]).contains("Usage: "),
+                "{command}"
+            );
             continue;
         }
-        for arguments in [&[command][..], &[command, "figure-3", "--out", "a.gif"], &[command, "--help"]] {
+        for arguments in [
+            &[command][..],
+            &[command, "figure-3", "--out", "a.gif"],
+            &[command, "--help"],
+        ] {
             let message = refusal(program(), arguments);
-            let said =
-                format!("`littlewood {command}` requires the feature `{feature}`, which is not compiled in");
+            let said = format!(
+                "`littlewood {command}` requires the feature `{feature}`, which is not compiled in"
+            );
             assert!(message.contains(&said), "{message}");
             let hint = format!("hint: build it with `cargo run --release --features {feature} ");
             assert!(message.contains(&hint), "{message}");
         }
-        let help = help_of(program(), &["--help"]).split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(help.contains(&format!("(requires the feature `{feature}`)")), "{help}");
+        let help = help_of(program(), &["--help"])
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        assert!(
+            help.contains(&format!("(requires the feature `{feature}`)")),
+            "{help}"
+        );
     }
     if !has(cfg!(feature = "sweep")) {
         for name in ["plane.zarr", "plane.parquet"] {
             let message = refusal(
                 program(),
-                &["map", "figure-3", "--out", name, "--x", "theta=0:1:2", "--y", "theta_rate=0:1:2"],
+                &[
+                    "map",
+                    "figure-3",
+                    "--out",
+                    name,
+                    "--x",
+                    "theta=0:1:2",
+                    "--y",
+                    "theta_rate=0:1:2",
+                ],
             );
-            assert!(message.contains(name) && message.contains("feature `sweep`"), "{message}");
+            assert!(
+                message.contains(name) && message.contains("feature `sweep`"),
+                "{message}"
+            );
         }
     }
 }
@@ -67,13 +109,22 @@ fn a_command_is_there_or_names_its_feature() {
 #[test]
 fn commands_of_the_python_package_are_named_and_say_where_they_are() {
     for command in ["score", "certify"] {
-        for arguments in [&[command][..], &[command, "figure-3", "a.csv"], &[command, "--help"]] {
+        for arguments in [
+            &[command][..],
+            &[command, "figure-3", "a.csv"],
+            &[command, "--help"],
+        ] {
             let message = refusal(littlewood(), arguments);
             assert!(
-                message.contains(&format!("`littlewood {command}` is part of the Python package")),
+                message.contains(&format!(
+                    "`littlewood {command}` is part of the Python package"
+                )),
                 "{message}"
             );
-            assert!(message.contains(&format!("python -m littlewood {command} --help")), "{message}");
+            assert!(
+                message.contains(&format!("python -m littlewood {command} --help")),
+                "{message}"
+            );
         }
     }
 }

@@ -1,4 +1,5 @@
-//! Runs that do not reach their end: Ctrl-C, kill -9, a file that cannot grow, places where nothing can be written.
+//! Runs that do not reach their end: Ctrl-C, kill -9, a file that cannot grow, places where nothing
+//! can be written.
 
 #![cfg(unix)]
 
@@ -30,7 +31,10 @@ const PLANE: [&str; 8] = [
 
 fn littlewood(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_littlewood"));
-    command.args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
     command
 }
 
@@ -46,7 +50,10 @@ fn map(outs: &[&Path], more: &[&str]) -> Command {
 fn wait_until(mut come: impl FnMut() -> bool) {
     let begun = Instant::now();
     while !come() {
-        assert!(begun.elapsed() < Duration::from_secs(120), "it does not come");
+        assert!(
+            begun.elapsed() < Duration::from_secs(120),
+            "it does not come"
+        );
         sleep(Duration::from_millis(2));
     }
 }
@@ -57,7 +64,10 @@ fn wait_for_chunks(manifest: &Path) {
 }
 
 fn signal(child: &Child, name: &str) {
-    let status = Command::new("kill").args([name, &child.id().to_string()]).status().expect("kill runs");
+    let status = Command::new("kill")
+        .args([name, &child.id().to_string()])
+        .status()
+        .expect("kill runs");
     assert!(status.success());
 }
 
@@ -86,15 +96,23 @@ fn ctrl_c_leaves_what_is_finished_and_resume_ends_as_if_nothing_had_been() {
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     let message = text(&output.stderr);
-    assert!(message.contains("of 360000 starts") && message.contains("--resume goes on"), "{message}");
-    assert!(text(&output.stdout).contains("not computed"), "{}", text(&output.stdout));
+    assert!(
+        message.contains("of 360000 starts") && message.contains("--resume goes on"),
+        "{message}"
+    );
+    assert!(
+        text(&output.stdout).contains("not computed"),
+        "{}",
+        text(&output.stdout)
+    );
 
     // What there is can be read.
     let store = ZarrStore::open(&zarr).expect("a store");
     assert!(!store.is_complete());
     let broken = store.broken_chunks().expect("a list").len();
     assert!(0 < broken && broken < store.chunks().count());
-    let there = (0..store.chunks().count()).filter(|&i| store.columns(i).expect("readable").is_some());
+    let there =
+        (0..store.chunks().count()).filter(|&i| store.columns(i).expect("readable").is_some());
     assert_eq!(there.count(), store.chunks().count() - broken);
     assert!(parts(&table).join("part-00000.parquet").exists() && !table.exists());
     assert!(name("a.partial.png").exists() && !png.exists());
@@ -104,17 +122,25 @@ fn ctrl_c_leaves_what_is_finished_and_resume_ends_as_if_nothing_had_been() {
     let whole = [name("b.zarr"), name("b.parquet"), name("b.png")];
     succeed(&mut map(&[&whole[0], &whole[1], &whole[2]], &[]));
     assert!(tree(&zarr) == tree(&whole[0]), "the store differs");
-    assert!(fs::read(table).expect("a table") == fs::read(&whole[1]).expect("a table"), "the table differs");
+    assert!(
+        fs::read(table).expect("a table") == fs::read(&whole[1]).expect("a table"),
+        "the table differs"
+    );
     assert!(fs::read(png).expect("a picture") == fs::read(&whole[2]).expect("a picture"));
 }
 
 #[test]
 fn kill_9_is_survived() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (killed, whole) = (folder.path().join("a.parquet"), folder.path().join("b.parquet"));
+    let (killed, whole) = (
+        folder.path().join("a.parquet"),
+        folder.path().join("b.parquet"),
+    );
     for _ in 0..3 {
         let mut child = map(&[&killed], &["--resume"]).spawn().expect("it runs");
-        let before = fs::read_to_string(parts(&killed).join("_chunks.txt")).unwrap_or_default().len();
+        let before = fs::read_to_string(parts(&killed).join("_chunks.txt"))
+            .unwrap_or_default()
+            .len();
         wait_until(|| {
             let text = fs::read_to_string(parts(&killed).join("_chunks.txt")).unwrap_or_default();
             text.len() > before + 200
@@ -136,10 +162,18 @@ fn a_picture_that_is_not_complete_does_not_replace_one() {
     let png = folder.path().join("map.png");
     fs::write(&png, "an older picture").expect("written");
     // So many starts that it cannot be over before the signal.
-    let axes = ["map", "figure-3", "--x", "theta=-pi:pi:20000", "--y", "theta_rate=-4:4:20000"];
+    let axes = [
+        "map",
+        "figure-3",
+        "--x",
+        "theta=-pi:pi:20000",
+        "--y",
+        "theta_rate=-4:4:20000",
+    ];
     let axes = [&axes[..], &["--chunk=2000", "--out"]].concat();
     let partial = folder.path().join("map.partial.png");
-    // There is nothing to keep before the first starts are followed, which takes as long as the machine likes.
+    // There is nothing to keep before the first starts are followed, which takes as long as the
+    // machine likes.
     let mut patience = Duration::from_millis(300);
     let message = loop {
         let child = littlewood(&axes).arg(&png).spawn().expect("it runs");
@@ -149,14 +183,24 @@ fn a_picture_that_is_not_complete_does_not_replace_one() {
         signal(&child, "-INT");
         let output = child.wait_with_output().expect("it ends");
         assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
-        assert_eq!(fs::read_to_string(&png).expect("a file"), "an older picture");
+        assert_eq!(
+            fs::read_to_string(&png).expect("a file"),
+            "an older picture"
+        );
         if partial.exists() {
             break text(&output.stderr);
         }
         patience *= 2;
-        assert!(patience < Duration::from_secs(60), "{}", text(&output.stderr));
+        assert!(
+            patience < Duration::from_secs(60),
+            "{}",
+            text(&output.stderr)
+        );
     };
-    assert_eq!(fs::read(&partial).expect("a picture")[..8], *b"\x89PNG\r\n\x1a\n");
+    assert_eq!(
+        fs::read(&partial).expect("a picture")[..8],
+        *b"\x89PNG\r\n\x1a\n"
+    );
     assert!(message.contains("map.partial.png"), "{message}");
     assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 2);
 }
@@ -165,9 +209,17 @@ fn a_picture_that_is_not_complete_does_not_replace_one() {
 fn a_picture_alone_is_not_resumed() {
     let folder = tempfile::tempdir().expect("a folder");
     let png = folder.path().join("map.png");
-    let words = [&["map"], &PLANE[..], &["--resume", "--out", png.to_str().expect("a path")]].concat();
+    let words = [
+        &["map"],
+        &PLANE[..],
+        &["--resume", "--out", png.to_str().expect("a path")],
+    ]
+    .concat();
     let message = complaint(&words, 2);
-    assert!(message.contains("nothing to resume") && message.contains(".zarr"), "{message}");
+    assert!(
+        message.contains("nothing to resume") && message.contains(".zarr"),
+        "{message}"
+    );
     assert!(!png.exists());
 }
 
@@ -182,7 +234,10 @@ fn a_second_writer_is_refused() {
     first.wait_with_output().expect("it ends");
     assert_eq!(second.status.code(), Some(2));
     let message = text(&second.stderr);
-    assert!(message.contains("another process is writing") && message.contains("hint:"), "{message}");
+    assert!(
+        message.contains("another process is writing") && message.contains("hint:"),
+        "{message}"
+    );
     succeed(&mut map(&[&zarr], &["--resume"]));
 }
 
@@ -202,12 +257,20 @@ fn with_small_files(bytes: u32, arguments: &[&str]) -> Output {
 #[test]
 fn a_write_that_fails_keeps_what_is_finished() {
     let folder = tempfile::tempdir().expect("a folder");
-    // The list of finished chunks is the file that grows in a store, and the joined table is larger than its parts.
-    for (name, count, bytes) in [("a.zarr", "theta=-3:3:65", 24_000), ("a.parquet", "theta=-3:3:4", 65_536)] {
+    // The list of finished chunks is the file that grows in a store, and the joined table is larger
+    // than its parts.
+    for (name, count, bytes) in [
+        ("a.zarr", "theta=-3:3:65", 24_000),
+        ("a.parquet", "theta=-3:3:4", 65_536),
+    ] {
         let out = folder.path().join(name);
         let whole = folder.path().join(format!("whole-{name}"));
         let words = |path: &Path, more: &[&'static str]| -> Vec<String> {
-            let chunk = if name == "a.zarr" { "--chunk=10" } else { "--chunk=20" };
+            let chunk = if name == "a.zarr" {
+                "--chunk=10"
+            } else {
+                "--chunk=20"
+            };
             let mut words = vec![
                 "sweep",
                 "figure-3",
@@ -221,27 +284,50 @@ fn a_write_that_fails_keeps_what_is_finished() {
             ];
             let path = path.to_str().expect("a path").to_owned();
             words.extend(more);
-            let place = words.iter().position(|word| *word == "--out").expect("--out") + 1;
+            let place = words
+                .iter()
+                .position(|word| *word == "--out")
+                .expect("--out")
+                + 1;
             let mut words: Vec<String> = words.into_iter().map(str::to_owned).collect();
             words.insert(place, path);
             words
         };
         let out_words = words(&out, &[]);
-        let output = with_small_files(bytes, &out_words.iter().map(String::as_str).collect::<Vec<_>>());
+        let output = with_small_files(
+            bytes,
+            &out_words.iter().map(String::as_str).collect::<Vec<_>>(),
+        );
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{message}");
-        assert!(message.contains("cannot write") && message.contains("stay readable"), "{message}");
+        assert!(
+            message.contains("cannot write") && message.contains("stay readable"),
+            "{message}"
+        );
         assert!(message.contains("--resume"), "{message}");
         if name == "a.zarr" {
             let store = ZarrStore::open(&out).expect("a store");
             let there = store.chunks().count() - store.broken_chunks().expect("a list").len();
-            assert!(message.contains(&format!("the {} points", there * 10)), "{there}: {message}");
+            assert!(
+                message.contains(&format!("the {} points", there * 10)),
+                "{there}: {message}"
+            );
         } else {
             assert!(message.contains("the 400 points"), "{message}");
             assert!(!out.exists() && parts(&out).join("part-00019.parquet").exists());
         }
-        succeed(&mut littlewood(&words(&out, &["--resume"]).iter().map(String::as_str).collect::<Vec<_>>()));
-        succeed(&mut littlewood(&words(&whole, &[]).iter().map(String::as_str).collect::<Vec<_>>()));
+        succeed(&mut littlewood(
+            &words(&out, &["--resume"])
+                .iter()
+                .map(String::as_str)
+                .collect::<Vec<_>>(),
+        ));
+        succeed(&mut littlewood(
+            &words(&whole, &[])
+                .iter()
+                .map(String::as_str)
+                .collect::<Vec<_>>(),
+        ));
         if name == "a.zarr" {
             assert!(tree(&out) == tree(&whole));
         } else {
@@ -255,11 +341,21 @@ fn a_write_that_fails_keeps_what_is_finished() {
 fn nothing_is_said_to_be_readable_where_nothing_was_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("a.zarr");
-    let words = ["sweep", "figure-3", "--axis", "theta=-3:3:9", "--out", out.to_str().expect("a path")];
+    let words = [
+        "sweep",
+        "figure-3",
+        "--axis",
+        "theta=-3:3:9",
+        "--out",
+        out.to_str().expect("a path"),
+    ];
     let output = with_small_files(512, &words);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(message.contains("cannot write") && !message.contains("readable"), "{message}");
+    assert!(
+        message.contains("cannot write") && !message.contains("readable"),
+        "{message}"
+    );
     assert!(!message.contains("--resume"), "{message}");
 }
 
@@ -271,19 +367,41 @@ fn a_place_where_nothing_can_be_written_is_named() {
     for ending in ["zarr", "parquet"] {
         let below = file.join(format!("plane.{ending}"));
         let below = below.to_str().expect("a path");
-        let message = complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", below], 2);
-        assert!(message.contains(&format!("cannot write to {below}")), "{message}");
-        assert!(message.contains("hint:") && !message.contains("readable"), "{message}");
+        let message = complaint(
+            &["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", below],
+            2,
+        );
+        assert!(
+            message.contains(&format!("cannot write to {below}")),
+            "{message}"
+        );
+        assert!(
+            message.contains("hint:") && !message.contains("readable"),
+            "{message}"
+        );
     }
     #[cfg(target_os = "linux")]
     {
-        let sweep = |out: &str| complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", out], 2);
+        let sweep = |out: &str| {
+            complaint(
+                &["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", out],
+                2,
+            )
+        };
         assert!(sweep("/proc/plane.zarr").contains("cannot write /proc/plane.zarr"));
         assert!(sweep("/proc/plane.parquet").contains("cannot write /proc/plane.parquet"));
         // A device that is always full.
         let png = folder.path().join("full.png");
         std::os::unix::fs::symlink("/dev/full", &png).expect("a link");
-        let plane = ["map", "figure-3", "--x", "theta=0:1:3", "--y", "theta_rate=0:1:3", "--out"];
+        let plane = [
+            "map",
+            "figure-3",
+            "--x",
+            "theta=0:1:3",
+            "--y",
+            "theta_rate=0:1:3",
+            "--out",
+        ];
         let message = complaint(&[&plane[..], &[png.to_str().expect("a path")]].concat(), 1);
         assert!(message.contains("No space left"), "{message}");
     }
@@ -291,10 +409,22 @@ fn a_place_where_nothing_can_be_written_is_named() {
 
 /// Work that would take minutes, and what it leaves in its folder when it is ended.
 const LONG: [(&str, &str, &[&str]); 5] = [
-    ("simulate", "figure-3 --samples 10000000 --format csv --out OUT/motion.csv", &[]),
+    (
+        "simulate",
+        "figure-3 --samples 10000000 --format csv --out OUT/motion.csv",
+        &[],
+    ),
     ("figures", "--scale 16 --format png --out OUT", &[]),
-    ("animate", "figure-3 --size 4096x4096 --out OUT/film.gif", &[]),
-    ("atlas", "figure-3 --axis theta=-3:3:9000 --axis theta_rate=-4:4:9000 --chunk 1000000 --threads 1", &[]),
+    (
+        "animate",
+        "figure-3 --size 4096x4096 --out OUT/film.gif",
+        &[],
+    ),
+    (
+        "atlas",
+        "figure-3 --axis theta=-3:3:9000 --axis theta_rate=-4:4:9000 --chunk 1000000 --threads 1",
+        &[],
+    ),
     (
         "map",
         "figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1 --out OUT/a.zarr \
@@ -315,10 +445,16 @@ fn every_command_ends_soon_with_either_signal_and_leaves_nothing_unfinished() {
     for (n, (command, words, left)) in LONG.into_iter().enumerate() {
         let folder = tempfile::tempdir().expect("a folder");
         let words = words.replace("OUT", folder.path().to_str().expect("a path"));
-        let words: Vec<&str> = [command].into_iter().chain(words.split_whitespace()).collect();
+        let words: Vec<&str> = [command]
+            .into_iter()
+            .chain(words.split_whitespace())
+            .collect();
         let mut child = littlewood(&words).spawn().expect("it runs");
         sleep(Duration::from_millis(700));
-        assert!(child.try_wait().expect("a state").is_none(), "{command} is over before the signal");
+        assert!(
+            child.try_wait().expect("a state").is_none(),
+            "{command} is over before the signal"
+        );
         let begun = Instant::now();
         signal(&child, if n % 2 == 0 { "-TERM" } else { "-INT" });
         let output = child.wait_with_output().expect("it ends");
@@ -326,17 +462,32 @@ fn every_command_ends_soon_with_either_signal_and_leaves_nothing_unfinished() {
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(130), "{command}: {message}");
         assert!(took < SOON, "{command} took {took:?}");
-        assert!(message.contains("stopped") && message.contains("hint:"), "{command}: {message}");
+        assert!(
+            message.contains("stopped") && message.contains("hint:"),
+            "{command}: {message}"
+        );
         assert_eq!(names(folder.path()), left, "{command}");
-        assert!(!tree(folder.path()).keys().any(|name| name.ends_with("unfinished")), "{command}");
+        assert!(
+            !tree(folder.path())
+                .keys()
+                .any(|name| name.ends_with("unfinished")),
+            "{command}"
+        );
     }
 }
 
 /// The names in a folder, in their order.
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder");
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+    let mut names: Vec<String> = entries
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
     names.sort();
     names
 }
@@ -347,10 +498,15 @@ fn work_that_does_not_look_is_ended_all_the_same() {
     for (signals, soonest) in [(1, 4900), (2, 0)] {
         let folder = tempfile::tempdir().expect("a folder");
         let pipe = folder.path().join("pipe.png");
-        assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo runs").success());
+        assert!(
+            Command::new("mkfifo")
+                .arg(&pipe)
+                .status()
+                .expect("mkfifo runs")
+                .success()
+        );
         // More than a pipe holds.
-        let plane =
-            "map figure-3 --x theta=-3:3:300 --y theta_rate=-4:4:300 --shade lift_off_time --size 2000x2000";
+        let plane = "map figure-3 --x theta=-3:3:300 --y theta_rate=-4:4:300 --shade lift_off_time --size 2000x2000";
         let mut child = littlewood(&plane.split_whitespace().collect::<Vec<_>>())
             .arg("--out")
             .arg(&pipe)
@@ -369,8 +525,15 @@ fn work_that_does_not_look_is_ended_all_the_same() {
         let took = begun.elapsed();
         drop(reader);
         assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
-        assert!(text(&output.stderr).contains("stopped"), "{}", text(&output.stderr));
-        assert!(Duration::from_millis(soonest) < took && took < SOON, "{signals}: {took:?}");
+        assert!(
+            text(&output.stderr).contains("stopped"),
+            "{}",
+            text(&output.stderr)
+        );
+        assert!(
+            Duration::from_millis(soonest) < took && took < SOON,
+            "{signals}: {took:?}"
+        );
     }
 }
 
@@ -380,7 +543,10 @@ fn on_a_terminal(seconds: &str, words: &str) -> String {
     let program = env!("CARGO_BIN_EXE_littlewood");
     let command = format!("stty cols 120; timeout --foreground -s INT {seconds} {program} {words}");
     let mut script = Command::new("script");
-    let script = script.args(["-qec", &command, "/dev/null"]).env("TERM", "xterm").stdin(Stdio::null());
+    let script = script
+        .args(["-qec", &command, "/dev/null"])
+        .env("TERM", "xterm")
+        .stdin(Stdio::null());
     text(&script.output().expect("it runs").stdout)
 }
 
@@ -391,12 +557,22 @@ fn progress_is_shown_on_a_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().to_str().expect("a path");
     // Motions of a second and more, told of before the first of them is in a finished chunk.
-    let plane = "map figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1";
+    let plane =
+        "map figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1";
     let figures = format!("of {} figures", FIGURES.len());
     for (words, unit) in [
-        (format!("{plane} --out {path}/a.png"), "of 16,000,000 starts"),
-        (format!("figures --scale 16 --format png --out {path}"), &*figures),
-        (format!("animate figure-3 --size 4096x4096 --out {path}/film.gif"), "frames"),
+        (
+            format!("{plane} --out {path}/a.png"),
+            "of 16,000,000 starts",
+        ),
+        (
+            format!("figures --scale 16 --format png --out {path}"),
+            &*figures,
+        ),
+        (
+            format!("animate figure-3 --size 4096x4096 --out {path}/film.gif"),
+            "frames",
+        ),
     ] {
         let shown = on_a_terminal("3", &words);
         for word in ["%", unit, "/s", " left", "stopped"] {
@@ -412,7 +588,10 @@ fn short_work_and_pipes_have_no_bar() {
     let path = folder.path().to_str().expect("a path");
     let plane = "map figure-3 --x theta=-3:3:40 --y theta_rate=-4:4:40 --out";
     let shown = on_a_terminal("60", &format!("{plane} {path}/a.zarr"));
-    assert!(shown.contains("Written") && !shown.contains(" left"), "{shown}");
+    assert!(
+        shown.contains("Written") && !shown.contains(" left"),
+        "{shown}"
+    );
     // Into a pipe nothing but the result is written, however long it takes.
     let out = folder.path().join("b.zarr");
     assert_eq!(text(&succeed(&mut map(&[&out], &[])).stderr), "");

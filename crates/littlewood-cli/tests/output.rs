@@ -1,4 +1,5 @@
-//! Where the output goes: files that are replaced at the end only, closed pipes, and failures to write.
+//! Where the output goes: files that are replaced at the end only, closed pipes, and failures to
+//! write.
 #![allow(clippy::panic)] // a failed expectation
 
 use std::fs::{self, File};
@@ -27,8 +28,14 @@ fn entries(folder: &Path) -> usize {
 #[test]
 fn a_file_is_written_whole_and_nothing_else_is_left() {
     let (folder, path) = folder();
-    assert_eq!(text(&["simulate", "figure-3", "--format", "json", "--out", &path]), "");
-    assert_eq!(fs::read_to_string(&path).unwrap(), text(&["simulate", "figure-3", "--format", "json"]));
+    assert_eq!(
+        text(&["simulate", "figure-3", "--format", "json", "--out", &path]),
+        ""
+    );
+    assert_eq!(
+        fs::read_to_string(&path).unwrap(),
+        text(&["simulate", "figure-3", "--format", "json"])
+    );
     assert_eq!(entries(folder.path()), 1);
 }
 
@@ -37,7 +44,13 @@ fn the_format_follows_the_ending_unless_it_is_given() {
     let folder = TempDir::new().unwrap();
     let write = |name: &str, more: &[&str]| {
         let path = folder.path().join(name);
-        text(&[&["simulate", "figure-3", "--out", path.to_str().unwrap()], more].concat());
+        text(
+            &[
+                &["simulate", "figure-3", "--out", path.to_str().unwrap()],
+                more,
+            ]
+            .concat(),
+        );
         fs::read_to_string(path).unwrap()
     };
     assert!(write("a.json", &[]).starts_with('{'));
@@ -50,8 +63,14 @@ fn the_format_follows_the_ending_unless_it_is_given() {
     assert_eq!(entries(folder.path()), 7);
     for name in ["c.parquet", "c.zarr", "c.md"] {
         let path = folder.path().join(name);
-        let message = complaint(&["simulate", "figure-3", "--out", path.to_str().unwrap()], 2);
-        assert!(message.contains("hint: names end in .txt, .csv or .json"), "{message}");
+        let message = complaint(
+            &["simulate", "figure-3", "--out", path.to_str().unwrap()],
+            2,
+        );
+        assert!(
+            message.contains("hint: names end in .txt, .csv or .json"),
+            "{message}"
+        );
     }
     assert_eq!(entries(folder.path()), 7);
 }
@@ -60,7 +79,15 @@ fn the_format_follows_the_ending_unless_it_is_given() {
 #[test]
 fn a_folder_that_is_not_there_is_not_made() {
     let folder = TempDir::new().unwrap();
-    let out = |name: &str| folder.path().join("nowhere").join(name).to_str().unwrap().to_owned();
+    let out = |name: &str| {
+        folder
+            .path()
+            .join("nowhere")
+            .join(name)
+            .to_str()
+            .unwrap()
+            .to_owned()
+    };
     let axes = ["--x", "theta=0:1:3", "--y", "theta_rate=0:1:3"];
     for (command, more, name) in [
         ("simulate", &[][..], "motion.csv"),
@@ -79,8 +106,14 @@ fn a_folder_that_is_not_there_is_not_made() {
         words.extend(more);
         words.extend(["figure-3", "--out", &out]);
         let message = complaint(&words, 2);
-        assert!(message.contains(&format!("cannot write to {out}")), "{command} {name}: {message}");
-        assert!(message.contains("hint: outputs need an existing folder"), "{message}");
+        assert!(
+            message.contains(&format!("cannot write to {out}")),
+            "{command} {name}: {message}"
+        );
+        assert!(
+            message.contains("hint: outputs need an existing folder"),
+            "{message}"
+        );
         assert_eq!(entries(folder.path()), 0, "{command} {name}");
     }
 }
@@ -90,11 +123,23 @@ fn a_folder_that_is_not_there_is_not_made() {
 fn begun(path: &str, folder: &Path) -> (std::process::Child, String) {
     let program = littlewood().get_program().to_owned();
     let mut run = Command::new(program)
-        .args(["simulate", "figure-3", "--samples", "10000000", "--out", path, "--format", "csv"])
+        .args([
+            "simulate",
+            "figure-3",
+            "--samples",
+            "10000000",
+            "--out",
+            path,
+            "--format",
+            "csv",
+        ])
         .spawn()
         .expect("it runs");
     for _ in 0..3000 {
-        let mut names = fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.file_name());
+        let mut names = fs::read_dir(folder)
+            .expect("a folder")
+            .flatten()
+            .map(|entry| entry.file_name());
         if let Some(name) = names.find(|name| name.to_string_lossy().ends_with(".part")) {
             return (run, name.into_string().expect("UTF-8"));
         }
@@ -112,18 +157,27 @@ fn what_a_killed_run_has_left_is_removed_and_what_a_running_one_writes_is_not() 
     let other = folder.path().join("other.json");
     let simulate = |path: &str| text(&["simulate", "figure-3", "--out", path]);
     simulate(&path);
-    assert!(folder.path().join(&left).exists(), "{left} belongs to a run");
+    assert!(
+        folder.path().join(&left).exists(),
+        "{left} belongs to a run"
+    );
     run.kill().unwrap();
     run.wait().unwrap();
     // Not those of other names, of other programs, or that are no files.
-    let strangers =
-        [".littlewood-motion.json-.part", ".littlewood-motion.json-abcdefg.part", "motion.json.part"];
+    let strangers = [
+        ".littlewood-motion.json-.part",
+        ".littlewood-motion.json-abcdefg.part",
+        "motion.json.part",
+    ];
     for stranger in strangers {
         fs::write(folder.path().join(stranger), "").unwrap();
     }
     fs::create_dir(folder.path().join(".littlewood-motion.json-abcdef.part")).unwrap();
     simulate(other.to_str().unwrap());
-    assert!(folder.path().join(&left).exists(), "{left} is of another name");
+    assert!(
+        folder.path().join(&left).exists(),
+        "{left} is of another name"
+    );
     simulate(&path);
     assert!(!folder.path().join(&left).exists(), "{left} is still there");
     assert_eq!(entries(folder.path()), 2 + strangers.len() + 1);
@@ -141,8 +195,14 @@ fn a_name_as_long_as_names_can_be_is_written() {
 #[test]
 fn bad_input_does_not_touch_the_file() {
     let (folder, path) = folder();
-    complaint(&["simulate", "figure-3", "--mu-k", "0.9", "--out", &path], 2);
-    complaint(&["simulate", "figure-3", "--until", "-1", "--out", &path], 2);
+    complaint(
+        &["simulate", "figure-3", "--mu-k", "0.9", "--out", &path],
+        2,
+    );
+    complaint(
+        &["simulate", "figure-3", "--until", "-1", "--out", &path],
+        2,
+    );
     assert_eq!(fs::read_to_string(&path).unwrap(), PRECIOUS);
     assert_eq!(entries(folder.path()), 1);
 }
@@ -154,7 +214,10 @@ fn a_file_that_cannot_be_written_is_bad_input() {
     for path in [inside.as_path(), folder.path()] {
         let path = path.to_str().unwrap();
         let message = complaint(&["simulate", "figure-3", "--out", path], 2);
-        assert!(message.contains(&format!("cannot write to {path}")), "{message}");
+        assert!(
+            message.contains(&format!("cannot write to {path}")),
+            "{message}"
+        );
         assert!(message.contains("hint: "), "{message}");
     }
     complaint(&["simulate", "figure-3", "--out", ""], 2);
@@ -178,14 +241,20 @@ fn a_full_disk_loses_nothing() {
     let (folder, path) = folder();
     let program = littlewood().get_program().to_owned();
     let output = Command::new("sh")
-        .args(["-c", "ulimit -f 1; exec \"$0\" simulate figure-3 --samples 1000 --out \"$1\""])
+        .args([
+            "-c",
+            "ulimit -f 1; exec \"$0\" simulate figure-3 --samples 1000 --out \"$1\"",
+        ])
         .arg(program)
         .arg(&path)
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(1));
     let message = String::from_utf8(output.stderr).unwrap();
-    assert!(message.contains("failed") && message.contains("the existing file is unchanged"), "{message}");
+    assert!(
+        message.contains("failed") && message.contains("the existing file is unchanged"),
+        "{message}"
+    );
     assert_eq!(fs::read_to_string(&path).unwrap(), PRECIOUS);
     assert_eq!(entries(folder.path()), 1);
 }
@@ -202,21 +271,29 @@ fn a_link_is_followed_and_permissions_are_kept() {
     text(&["simulate", "figure-3", "--out", link.to_str().unwrap()]);
     assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
     assert!(fs::read_to_string(&path).unwrap().starts_with('{'));
-    assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
+    assert_eq!(
+        fs::metadata(&path).unwrap().permissions().mode() & 0o777,
+        0o640
+    );
     let fresh = folder.path().join("fresh.json");
     text(&["simulate", "figure-3", "--out", fresh.to_str().unwrap()]);
     let ordinary = folder.path().join("ordinary");
     File::create(&ordinary).unwrap();
-    assert_eq!(fs::metadata(fresh).unwrap().permissions(), fs::metadata(ordinary).unwrap().permissions());
+    assert_eq!(
+        fs::metadata(fresh).unwrap().permissions(),
+        fs::metadata(ordinary).unwrap().permissions()
+    );
 }
 
 #[cfg(target_os = "linux")]
 #[test]
 fn a_failure_to_write_has_exit_code_1() {
     let full = || File::options().write(true).open("/dev/full").unwrap();
-    for arguments in
-        [&["simulate", "figure-3"][..], &["cases"], &["classify", "figure-3", "--format", "json"]]
-    {
+    for arguments in [
+        &["simulate", "figure-3"][..],
+        &["cases"],
+        &["classify", "figure-3", "--format", "json"],
+    ] {
         let output = Command::new(littlewood().get_program())
             .args(arguments)
             .stdout(full())
@@ -225,7 +302,10 @@ fn a_failure_to_write_has_exit_code_1() {
             .unwrap();
         assert_eq!(output.status.code(), Some(1));
         let message = String::from_utf8(output.stderr).unwrap();
-        assert!(message.contains("writing to the standard output failed"), "{message}");
+        assert!(
+            message.contains("writing to the standard output failed"),
+            "{message}"
+        );
     }
     // A device is written to, never replaced.
     let message = complaint(&["simulate", "figure-3", "--out", "/dev/full"], 1);
@@ -238,17 +318,31 @@ fn a_failure_to_write_has_exit_code_1() {
 fn a_closed_pipe_is_no_error() {
     for format in ["csv", "json", "table"] {
         let mut child = Command::new(littlewood().get_program())
-            .args(["simulate", "figure-3", "--samples", "20000", "--format", format])
+            .args([
+                "simulate",
+                "figure-3",
+                "--samples",
+                "20000",
+                "--format",
+                format,
+            ])
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
         let mut line = String::new();
         // Reads one line of far more than a pipe holds, and leaves.
-        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        BufReader::new(child.stdout.take().unwrap())
+            .read_line(&mut line)
+            .unwrap();
         assert!(!line.is_empty());
         let mut message = String::new();
-        child.stderr.take().unwrap().read_to_string(&mut message).unwrap();
+        child
+            .stderr
+            .take()
+            .unwrap()
+            .read_to_string(&mut message)
+            .unwrap();
         assert_eq!(message, "");
         assert_eq!(child.wait().unwrap().code(), Some(0));
     }

@@ -21,7 +21,12 @@ fn written(name: &str) -> String {
 fn csv_has_a_row_for_each_start() {
     let text = written("plane.csv");
     let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let header: Vec<String> = reader.headers().expect("a header").iter().map(str::to_owned).collect();
+    let header: Vec<String> = reader
+        .headers()
+        .expect("a header")
+        .iter()
+        .map(str::to_owned)
+        .collect();
     let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("a row")).collect();
     assert_eq!(header[..4], ["theta", "theta_rate", "outcome", "sequence"]);
     assert_eq!(rows.len(), 6);
@@ -29,18 +34,36 @@ fn csv_has_a_row_for_each_start() {
     let cell = |row: usize, name: &str| &rows[row][place(name)];
     let real = |row: usize, name: &str| cell(row, name).parse::<f64>().expect("a number");
     // θ = π/2, θ′ = 2 is the motion of Figure 3.
-    assert_eq!((real(3, "theta"), real(3, "theta_rate")), (std::f64::consts::FRAC_PI_2, 2.0));
-    assert_eq!((cell(3, "outcome"), cell(3, "sequence")), ("landing", "-R+F"));
+    assert_eq!(
+        (real(3, "theta"), real(3, "theta_rate")),
+        (std::f64::consts::FRAC_PI_2, 2.0)
+    );
+    assert_eq!(
+        (cell(3, "outcome"), cell(3, "sequence")),
+        ("landing", "-R+F")
+    );
     assert_close(real(3, "lift_off_time"), FIGURE_3_EVENTS[2][0], 1e-12);
     assert_close(real(3, "end_time"), FIGURE_3_LANDING[0], 1e-12);
     // At the bottom the hoop rolls for ever, and never lifts off.
-    assert_eq!((cell(4, "outcome"), cell(4, "lift_off_time")), ("rolls_forever", ""));
+    assert_eq!(
+        (cell(4, "outcome"), cell(4, "lift_off_time")),
+        ("rolls_forever", "")
+    );
 }
 
 #[test]
 fn a_text_is_not_written_where_it_would_be_too_long() {
     let axes = ["--x", "theta=0:1:1025", "--y", "theta_rate=0:1:1024"];
-    let message = complaint(&[&["map", "figure-3", "--out", "plane.csv"], &axes[..]].concat(), 2);
-    assert!(message.contains("1049600 starts are too many for a text, which may have 1048576"), "{message}");
-    assert!(message.contains("hint: give fewer points, or a name that ends in .parquet"), "{message}");
+    let message = complaint(
+        &[&["map", "figure-3", "--out", "plane.csv"], &axes[..]].concat(),
+        2,
+    );
+    assert!(
+        message.contains("1049600 starts are too many for a text, which may have 1048576"),
+        "{message}"
+    );
+    assert!(
+        message.contains("hint: give fewer points, or a name that ends in .parquet"),
+        "{message}"
+    );
 }

@@ -9,11 +9,18 @@ use crate::support::{complaint, text};
 #[test]
 fn a_poster_is_a_drawing_or_a_picture() {
     let folder = TempDir::new().expect("a folder");
-    for (name, magic) in [("a.svg", &b"<svg"[..]), ("a.pdf", b"%PDF"), ("a.png", b"\x89PNG")] {
+    for (name, magic) in [
+        ("a.svg", &b"<svg"[..]),
+        ("a.pdf", b"%PDF"),
+        ("a.png", b"\x89PNG"),
+    ] {
         let path = folder.path().join(name);
         let out = path.to_str().expect("UTF-8");
         text(&["poster", "figure-3", "--out", out, "--scale", "0.5"]);
-        assert!(fs::read(&path).expect("a poster").starts_with(magic), "{name}");
+        assert!(
+            fs::read(&path).expect("a poster").starts_with(magic),
+            "{name}"
+        );
     }
 }
 
@@ -21,11 +28,26 @@ fn a_poster_is_a_drawing_or_a_picture() {
 fn another_ending_and_a_scale_out_of_bounds_are_refused() {
     let folder = TempDir::new().expect("a folder");
     let path = folder.path().join("a.doc");
-    let message = complaint(&["poster", "figure-3", "--out", path.to_str().expect("UTF-8")], 2);
+    let message = complaint(
+        &["poster", "figure-3", "--out", path.to_str().expect("UTF-8")],
+        2,
+    );
     assert!(message.contains("hint: the endings are"), "{message}");
     let path = folder.path().join("a.png");
-    let message =
-        complaint(&["poster", "figure-3", "--scale", "1000", "--out", path.to_str().expect("UTF-8")], 2);
-    assert!(message.contains("1000") && message.contains("hint:"), "{message}");
+    let message = complaint(
+        &[
+            "poster",
+            "figure-3",
+            "--scale",
+            "1000",
+            "--out",
+            path.to_str().expect("UTF-8"),
+        ],
+        2,
+    );
+    assert!(
+        message.contains("1000") && message.contains("hint:"),
+        "{message}"
+    );
     assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }

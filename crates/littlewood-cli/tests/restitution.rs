@@ -1,6 +1,9 @@
 //! `littlewood map`, `sweep` and `atlas` of hoops with restitution.
 
-#![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
+#![allow(
+    clippy::excessive_precision,
+    reason = "the reference has more digits than a double"
+)]
 
 use std::fs;
 
@@ -14,21 +17,33 @@ const LOST: [f64; 2] = [4.275_729_468_652_908_31, 3.362_443_419_227_28];
 fn folder() -> (TempDir, impl Fn(&str) -> String) {
     let folder = TempDir::new().expect("a temporary folder");
     let root = folder.path().to_owned();
-    (folder, move |name: &str| root.join(name).to_string_lossy().into_owned())
+    (folder, move |name: &str| {
+        root.join(name).to_string_lossy().into_owned()
+    })
 }
 
 #[test]
 fn restitution_is_an_axis() {
     let (_folder, path) = folder();
     let out = path("grid.parquet");
-    text(&["sweep", "figure-3", "--axis", "restitution=0:0.5:2", "--until", "4", "--out", &out]);
+    text(&[
+        "sweep",
+        "figure-3",
+        "--axis",
+        "restitution=0:0.5:2",
+        "--until",
+        "4",
+        "--out",
+        &out,
+    ]);
     let table = Table::read(&out);
     assert_eq!(table.reals("restitution"), [0.0, 0.5]);
     assert_eq!(table.counts("landings"), [1, 1]);
     for (found, expected) in table.reals("impact_energy_lost").into_iter().zip(LOST) {
         assert_close(found, expected, 1e-12);
     }
-    // Without a rebound the rim stays at the plane from the landing on; with one it is in the air at τ = 4.
+    // Without a rebound the rim stays at the plane from the landing on; with one it is in the air
+    // at τ = 4.
     let since = table.reals("settle_time");
     assert_close(since[0], FIGURE_3_LANDING[0], 1e-12);
     assert!(since[1].is_nan());
@@ -39,11 +54,28 @@ fn the_law_is_that_of_the_whole_sweep() {
     let (_folder, path) = folder();
     let lost = ["energetic", "poisson", "newton"].map(|law| {
         let out = path(&format!("{law}.parquet"));
-        let flags = ["sweep", "figure-3", "--axis", "restitution=0.5:1:2", "--until", "4", "--out", &out];
+        let flags = [
+            "sweep",
+            "figure-3",
+            "--axis",
+            "restitution=0.5:1:2",
+            "--until",
+            "4",
+            "--out",
+            &out,
+        ];
         text(&[&flags[..], &["--restitution-law", law]].concat());
         let lost = Table::read(&out).reals("impact_energy_lost")[0];
-        let flags =
-            ["simulate", "figure-3", "--restitution", "0.5", "--until", "4", "--restitution-law", law];
+        let flags = [
+            "simulate",
+            "figure-3",
+            "--restitution",
+            "0.5",
+            "--until",
+            "4",
+            "--restitution-law",
+            law,
+        ];
         assert_close(lost, number(&json(&flags)["impact_energy_lost"]), 1e-12);
         lost
     });
@@ -65,14 +97,42 @@ fn a_list_may_have_columns_for_restitution_and_the_rate_of_the_gap() {
     assert_eq!(found["counts"]["lifts_off_later"], 1);
     assert_eq!(found["counts"]["leaves_at_once"], 1);
     let table = Table::read(&out);
-    assert_close(table.reals("settle_time")[0], 6.924_682_083_018_513_65, 1e-12);
-    let thrown = json(&["simulate", "figure-3", "--restitution", "0.5", "--gap-rate", "0.25"]);
-    assert_close(table.reals("impact_energy_lost")[1], number(&thrown["impact_energy_lost"]), 1e-13);
-    for (cell, said) in [("1.5", "must not exceed 1"), ("nan", "not a finite number"), ("", "restitution")] {
+    assert_close(
+        table.reals("settle_time")[0],
+        6.924_682_083_018_513_65,
+        1e-12,
+    );
+    let thrown = json(&[
+        "simulate",
+        "figure-3",
+        "--restitution",
+        "0.5",
+        "--gap-rate",
+        "0.25",
+    ]);
+    assert_close(
+        table.reals("impact_energy_lost")[1],
+        number(&thrown["impact_energy_lost"]),
+        1e-13,
+    );
+    for (cell, said) in [
+        ("1.5", "must not exceed 1"),
+        ("nan", "not a finite number"),
+        ("", "restitution"),
+    ] {
         let text = format!("theta,theta_rate,restitution\n0,1,0\n0,2,{cell}\n");
         fs::write(&starts, text).expect("written");
-        let message =
-            complaint(&["sweep", "figure-3", "--starts", &starts, "--out", &path("other.parquet")], 2);
+        let message = complaint(
+            &[
+                "sweep",
+                "figure-3",
+                "--starts",
+                &starts,
+                "--out",
+                &path("other.parquet"),
+            ],
+            2,
+        );
         assert!(
             message.contains("line 3") && message.contains(said) && message.contains("hint:"),
             "{message}"
@@ -85,14 +145,30 @@ fn the_rate_of_the_gap_is_an_axis_also_in_metres_per_second() {
     let (_folder, path) = folder();
     let run = |name: &str, axis: &str, more: &[&str]| {
         let out = path(name);
-        let flags = ["sweep", "figure-3", "--restitution", "0.5", "--axis", axis, "--out", &out];
+        let flags = [
+            "sweep",
+            "figure-3",
+            "--restitution",
+            "0.5",
+            "--axis",
+            axis,
+            "--out",
+            &out,
+        ];
         text(&[&flags[..], more].concat());
         Table::read(&out).reals("settle_time")
     };
     let plain = run("plain.parquet", "gap_rate=0:1:3", &[]);
     assert_close(plain[0], 6.924_682_083_018_513_65, 1e-12);
     // The unit of velocity is √(gR) = 2 m/s.
-    let size = ["--particle-mass-kg", "1", "--radius-m", "0.5", "--gravity-m-per-s2", "8"];
+    let size = [
+        "--particle-mass-kg",
+        "1",
+        "--radius-m",
+        "0.5",
+        "--gravity-m-per-s2",
+        "8",
+    ];
     assert_eq!(run("si.parquet", "gap_rate_m_per_s=0:2:3", &size), plain);
 }
 
@@ -101,18 +177,33 @@ fn axes_and_laws_that_have_no_meaning_are_refused() {
     let (folder, path) = folder();
     let out = path("plane.zarr");
     let refused = |flags: &[&str]| {
-        let message = complaint(&[&["map"], flags, &["--y", "theta=0:1:3", "--out", &out]].concat(), 2);
+        let message = complaint(
+            &[&["map"], flags, &["--y", "theta=0:1:3", "--out", &out]].concat(),
+            2,
+        );
         assert!(message.contains("hint:"), "{message}");
         message
     };
     assert!(
-        refused(&["figure-3", "--x", "restitution=0:1.5:3"]).contains("restitution = 1.5 must not exceed 1")
+        refused(&["figure-3", "--x", "restitution=0:1.5:3"])
+            .contains("restitution = 1.5 must not exceed 1")
     );
     assert!(refused(&["figure-3", "--x", "gap_rate=-1:1:3"]).contains("gap_rate = -1"));
     assert!(refused(&["figure-7", "--x", "restitution=0:1:3"]).contains("of a massless hoop"));
-    let law = ["figure-3", "--x", "slip=0:1:3", "--restitution-law", "newton"];
+    let law = [
+        "figure-3",
+        "--x",
+        "slip=0:1:3",
+        "--restitution-law",
+        "newton",
+    ];
     assert!(refused(&law).contains("restitution_law = newton without restitution"));
-    assert!(fs::read_dir(folder.path()).expect("a folder").next().is_none());
+    assert!(
+        fs::read_dir(folder.path())
+            .expect("a folder")
+            .next()
+            .is_none()
+    );
 }
 
 #[test]
@@ -120,13 +211,23 @@ fn an_atlas_may_list_coefficients_of_restitution() {
     let (_folder, path) = folder();
     let hoops = path("hoops.csv");
     fs::write(&hoops, "restitution\n0\n0.5\n").expect("written");
-    let start = ["--axis", "theta_rate=2:3:2", "--theta", "1.5707963267948966", "--until", "4"];
+    let start = [
+        "--axis",
+        "theta_rate=2:3:2",
+        "--theta",
+        "1.5707963267948966",
+        "--until",
+        "4",
+    ];
     let atlas = json(&[&["atlas", "figure-3", "--hoops", &hoops], &start[..]].concat());
     let hoops = atlas["hoops"].as_array().expect("hoops");
     assert_eq!(hoops.len(), 2);
     for (hoop, (restitution, sequence)) in hoops.iter().zip([(0.0, "-R+F-R"), (0.5, "-R+FF")]) {
         assert_eq!(hoop["hoop"]["restitution"], restitution);
         let sequences = hoop["sequences"].as_array().expect("sequences");
-        assert!(sequences.iter().any(|it| it["sequence"] == sequence), "{hoop}");
+        assert!(
+            sequences.iter().any(|it| it["sequence"] == sequence),
+            "{hoop}"
+        );
     }
 }

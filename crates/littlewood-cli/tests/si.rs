@@ -3,13 +3,19 @@
 use crate::support::{FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, json, number, text};
 use serde_json::Value;
 
-/// Figure 3 with m2 = 2 kg, R = 1 m and g = 4 m/s²: the unit of time is ½ s, and no conversion rounds.
+/// Figure 3 with m2 = 2 kg, R = 1 m and g = 4 m/s²: the unit of time is ½ s, and no conversion
+/// rounds.
 const FIGURE_3_SI: &str = "--si --disc-mass-kg 2 --particle-mass-kg 2 --radius-m 1 --offset-m 1 --inertia-kg-m2 2 \
                            --gravity-m-per-s2 4 --mu-s 0.5 --mu-k 0.4 --theta 1.5707963267948966 \
                            --theta-rate-rad-per-s 4";
 
 fn with(command: &'static str, more: &[&'static str]) -> Vec<&'static str> {
-    [&[command], &FIGURE_3_SI.split_whitespace().collect::<Vec<_>>()[..], more].concat()
+    [
+        &[command],
+        &FIGURE_3_SI.split_whitespace().collect::<Vec<_>>()[..],
+        more,
+    ]
+    .concat()
 }
 
 #[test]
@@ -42,8 +48,11 @@ fn every_value_is_there_in_si_units() {
     assert_eq!(document["si"]["units"]["time_s"], 0.5);
     assert_eq!(document["si"]["units"]["energy_j"], 8.0);
     assert_eq!(document["start"]["si"]["theta_rate_rad_per_s"], 4.0);
-    for (transition, [time, theta, rate, slip, x]) in
-        document["transitions"].as_array().unwrap().iter().zip(FIGURE_3_EVENTS)
+    for (transition, [time, theta, rate, slip, x]) in document["transitions"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(FIGURE_3_EVENTS)
     {
         let si = &transition["si"];
         assert_close(number(&si["time_s"]), 0.5 * time, 1e-12);
@@ -52,15 +61,27 @@ fn every_value_is_there_in_si_units() {
         assert_close(number(&si["slip_m_per_s"]), 2.0 * slip, 1e-12);
         assert_close(number(&si["x_m"]), x, 1e-12);
     }
-    assert_close(number(&document["outcome"]["si"]["time_s"]), 0.5 * FIGURE_3_LANDING[0], 1e-12);
+    assert_close(
+        number(&document["outcome"]["si"]["time_s"]),
+        0.5 * FIGURE_3_LANDING[0],
+        1e-12,
+    );
     let lost = number(&document["energy_lost"]);
     assert_close(number(&document["si"]["energy_lost_j"]), 8.0 * lost, 1e-14);
     let phase = &document["phases"][1];
-    assert_close(number(&phase["si"]["duration_s"]), 0.5 * number(&phase["duration"]), 1e-15);
+    assert_close(
+        number(&phase["si"]["duration_s"]),
+        0.5 * number(&phase["duration"]),
+        1e-15,
+    );
     for sample in document["samples"].as_array().unwrap() {
         let si = &sample["si"];
         // Weight m2 g = 8 N; acceleration of the slip in units of g = 4 m/s².
-        assert_close(number(&si["normal_n"]), 8.0 * number(&sample["normal"]), 1e-14);
+        assert_close(
+            number(&si["normal_n"]),
+            8.0 * number(&sample["normal"]),
+            1e-14,
+        );
         assert_close(
             number(&si["slip_acceleration_m_per_s2"]),
             4.0 * number(&sample["slip_acceleration"]),
@@ -71,13 +92,20 @@ fn every_value_is_there_in_si_units() {
             4.0 * number(&sample["theta_acceleration"]),
             1e-14,
         );
-        assert_close(number(&si["particle_y_m"]), number(&sample["particle_y"]), 1e-14);
+        assert_close(
+            number(&si["particle_y_m"]),
+            number(&sample["particle_y"]),
+            1e-14,
+        );
     }
 }
 
 #[test]
 fn a_time_limit_in_seconds_stops_the_motion_there() {
-    let document = json(&with("simulate", &["--until-s", "0.5", "--time-s", "-0.25"]));
+    let document = json(&with(
+        "simulate",
+        &["--until-s", "0.5", "--time-s", "-0.25"],
+    ));
     assert_eq!(document["start"]["time"], -0.5);
     assert_eq!(document["outcome"]["kind"], "time_limit");
     assert_eq!(document["outcome"]["time"], 1.0);
@@ -87,15 +115,32 @@ fn a_time_limit_in_seconds_stops_the_motion_there() {
 #[test]
 fn any_si_flag_implies_the_switch_and_a_case_can_be_given_a_size() {
     let flags = with("simulate", &[]);
-    let without: Vec<&str> = flags.iter().copied().filter(|flag| *flag != "--si").collect();
+    let without: Vec<&str> = flags
+        .iter()
+        .copied()
+        .filter(|flag| *flag != "--si")
+        .collect();
     assert_eq!(json(&flags), json(&without));
     let size = ["--radius-m", "0.45", "--particle-mass-kg", "0.14"];
     let document = json(&[&["simulate", "figure-3"], &size[..]].concat());
     // The case itself is not rounded by the way through SI units.
-    assert_eq!(document["transitions"][2]["time"], json(&["simulate", "figure-3"])["transitions"][2]["time"]);
+    assert_eq!(
+        document["transitions"][2]["time"],
+        json(&["simulate", "figure-3"])["transitions"][2]["time"]
+    );
     let second = (0.45_f64 / 9.806_65).sqrt();
-    assert_close(number(&document["transitions"][2]["si"]["time_s"]), FIGURE_3_EVENTS[2][0] * second, 1e-12);
-    let faster = json(&[&["simulate", "figure-3", "--theta-rate-rad-per-s", "-3"], &size[..]].concat());
+    assert_close(
+        number(&document["transitions"][2]["si"]["time_s"]),
+        FIGURE_3_EVENTS[2][0] * second,
+        1e-12,
+    );
+    let faster = json(
+        &[
+            &["simulate", "figure-3", "--theta-rate-rad-per-s", "-3"],
+            &size[..],
+        ]
+        .concat(),
+    );
     assert_close(number(&faster["start"]["theta_rate"]), -3.0 * second, 1e-15);
     assert_eq!(faster["hoop"]["inertia"], 1.0);
 }
@@ -115,7 +160,10 @@ fn the_page_and_the_rows_show_si_units() {
     }
     // The lift-off, at half of τ = 1.51867.
     assert!(page.contains("0.75934"), "{page}");
-    assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
+    assert!(
+        page.lines().all(|line| line.chars().count() <= 80),
+        "{page}"
+    );
     let rows = text(&with("simulate", &["--format", "csv"]));
     assert!(
         rows.lines()

@@ -3,7 +3,8 @@
 //! ```sh
 //! LITTLEWOOD_WRITE=1 cargo test -p littlewood-cli --all-features snapshots::
 //! ```
-//! writes them anew. Numbers are tested elsewhere; here a change of words or of layout has to be seen and meant.
+//! writes them anew. Numbers are tested elsewhere; here a change of words or of layout has to be
+//! seen and meant.
 
 use std::fs;
 use std::path::PathBuf;
@@ -70,13 +71,21 @@ fn transcript(commands: &[&str]) -> String {
     let mut text = String::new();
     for command in commands {
         let words: Vec<&str> = command.split_whitespace().collect();
-        let run = littlewood().args(&words).env("COLUMNS", "100").output().expect("the program runs");
+        let run = littlewood()
+            .args(&words)
+            .env("COLUMNS", "100")
+            .output()
+            .expect("the program runs");
         text.push_str(&format!("$ littlewood {}\n", words.join(" ")));
         for stream in [run.stdout, run.stderr] {
             text.push_str(&String::from_utf8(stream).expect("UTF-8"));
         }
         let code = run.status.code().expect("it ends by itself");
-        text.push_str(&if code == 0 { "\n".to_owned() } else { format!("exit code {code}\n\n") });
+        text.push_str(&if code == 0 {
+            "\n".to_owned()
+        } else {
+            format!("exit code {code}\n\n")
+        });
     }
     // What differs between systems: the ending of the program, and the system's own words.
     text.replace("littlewood.exe", "littlewood").replace(
@@ -87,14 +96,19 @@ fn transcript(commands: &[&str]) -> String {
 
 #[track_caller]
 fn compare(name: &str, commands: &[&str]) {
-    let path: PathBuf = [env!("CARGO_MANIFEST_DIR"), "tests", "snapshots", name].iter().collect();
+    let path: PathBuf = [env!("CARGO_MANIFEST_DIR"), "tests", "snapshots", name]
+        .iter()
+        .collect();
     let found = transcript(commands);
     if std::env::var_os("LITTLEWOOD_WRITE").is_some() {
         fs::write(&path, &found).expect("the folder of snapshots");
     }
     let kept = fs::read_to_string(&path).expect("a snapshot");
     for (line, (kept, found)) in (1..).zip(kept.lines().zip(found.lines())) {
-        assert_eq!(found, kept, "{name}, line {line}; is it meant to change? See the head of this file");
+        assert_eq!(
+            found, kept,
+            "{name}, line {line}; is it meant to change? See the head of this file"
+        );
     }
     assert_eq!(found, kept, "{name} has another length");
 }

@@ -3,8 +3,8 @@
 use littlewood::impact::Impact;
 use littlewood::tables::{SampleColumn, Setup, SummaryColumn, SummaryValue};
 use littlewood::{
-    Direction, Engine, Hoop, Limits, Mode, OutcomeKind, ParameterError, Phase, Sample, Start, State, Summary,
-    Trajectory,
+    Direction, Engine, Hoop, Limits, Mode, OutcomeKind, ParameterError, Phase, Sample, Start,
+    State, Summary, Trajectory,
 };
 
 use crate::hash::Hash;
@@ -44,12 +44,19 @@ impl Block {
             }
         }
         tabulated(&mut summaries, index);
-        Self { index, trajectories: trajectories.finish(), summaries: summaries.finish() }
+        Self {
+            index,
+            trajectories: trajectories.finish(),
+            summaries: summaries.finish(),
+        }
     }
 
     /// The block as a line of `crates/littlewood-digest/digest.txt`.
     pub fn line(&self) -> String {
-        format!("{:2} {:016x} {:016x}", self.index, self.trajectories, self.summaries)
+        format!(
+            "{:2} {:016x} {:016x}",
+            self.index, self.trajectories, self.summaries
+        )
     }
 }
 
@@ -65,8 +72,14 @@ fn trajectory(hash: &mut Hash, motion: &Trajectory) {
     }
     for transition in motion.transitions() {
         hash.word(u64::from(transition.cause.code()));
-        hash.word(transition.to.map_or(u64::MAX, |mode| u64::from(Mode::code(mode))));
-        hash.word(u64::from(Direction::code(transition.direction).cast_unsigned()));
+        hash.word(
+            transition
+                .to
+                .map_or(u64::MAX, |mode| u64::from(Mode::code(mode))),
+        );
+        hash.word(u64::from(
+            Direction::code(transition.direction).cast_unsigned(),
+        ));
         state(hash, &transition.before);
         state(hash, &transition.after);
         if let Some(it) = &transition.impact {
@@ -80,7 +93,11 @@ fn trajectory(hash: &mut Hash, motion: &Trajectory) {
 
 fn samples(hash: &mut Hash, phase: &Phase) {
     let duration = phase.duration();
-    let duration = if duration.is_finite() { duration } else { WINDOW };
+    let duration = if duration.is_finite() {
+        duration
+    } else {
+        WINDOW
+    };
     for part in INSTANTS {
         sample(hash, &phase.sample(part * duration));
     }
@@ -101,7 +118,12 @@ fn state(hash: &mut Hash, state: &State) {
 fn impact(hash: &mut Hash, impact: &Impact) {
     hash.word(u64::from(impact.case.code()));
     let Impact { before, after, .. } = impact;
-    for number in [before.gap_rate, after.theta_rate, after.slip, after.gap_rate] {
+    for number in [
+        before.gap_rate,
+        after.theta_rate,
+        after.slip,
+        after.gap_rate,
+    ] {
         hash.number(number);
     }
     for number in [impact.normal_work, impact.friction_work] {
@@ -110,19 +132,31 @@ fn impact(hash: &mut Hash, impact: &Impact) {
 }
 
 fn summary(hash: &mut Hash, setup: &Setup, limits: Limits) -> Result<(), ParameterError> {
-    let engine = Engine::builder(&Hoop::new(setup.hoop)?).expected_starts(1).build();
+    let engine = Engine::builder(&Hoop::new(setup.hoop)?)
+        .expected_starts(1)
+        .build();
     add(hash, &engine.summary(setup.start, limits)?);
     Ok(())
 }
 
-/// Summaries of one hoop with its tables, a usual one in even blocks and one of the whole range in odd ones, with the starts of other setups.
+/// Summaries of one hoop with its tables, a usual one in even blocks and one of the whole range in
+/// odd ones, with the starts of other setups.
 fn tabulated(hash: &mut Hash, index: u32) {
     let place = if index.is_multiple_of(2) { 1 } else { 7 };
-    let Some((setup, limits)) = setups(index).nth(place) else { return };
-    let Ok(hoop) = Hoop::new(setup.hoop) else { return };
+    let Some((setup, limits)) = setups(index).nth(place) else {
+        return;
+    };
+    let Ok(hoop) = Hoop::new(setup.hoop) else {
+        return;
+    };
     let engine = Engine::new(&hoop);
     for (other, _) in setups(index).take(STARTS) {
-        let Start { theta, theta_rate, slip, .. } = other.start;
+        let Start {
+            theta,
+            theta_rate,
+            slip,
+            ..
+        } = other.start;
         if let Ok(it) = engine.summary(Start::at(theta, theta_rate).with_slip(slip), limits) {
             add(hash, &it);
         }

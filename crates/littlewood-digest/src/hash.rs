@@ -16,7 +16,11 @@ impl Hash {
 
     /// The bits of a number. There is one NaN: which bits arithmetic gives one is not specified.
     pub(crate) fn number(&mut self, number: f64) {
-        self.word(if number.is_nan() { f64::NAN.to_bits() } else { number.to_bits() });
+        self.word(if number.is_nan() {
+            f64::NAN.to_bits()
+        } else {
+            number.to_bits()
+        });
     }
 
     pub(crate) const fn finish(&self) -> u64 {

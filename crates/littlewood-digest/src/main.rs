@@ -1,5 +1,5 @@
-//! Computes the digests of all blocks. `print` writes them: the content of `crates/littlewood-digest/digest.txt`. `check` compares them with that, and
-//! tells which differ.
+//! Computes the digests of all blocks. `print` writes them: the content of
+//! `crates/littlewood-digest/digest.txt`. `check` compares them with that, and tells which differ.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -24,7 +24,11 @@ fn main() -> io::Result<ExitCode> {
                 }
             }
             writeln!(out, "{differing} of {BLOCKS} blocks differ")?;
-            return Ok(if differing == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+            return Ok(if differing == 0 {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::FAILURE
+            });
         }
         _ => {
             eprintln!("usage: littlewood-digest print|check");

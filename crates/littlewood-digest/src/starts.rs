@@ -13,10 +13,12 @@ const SEED: u64 = 2019;
 /// Time that motions are followed that bounce or come from the whole range: some never end.
 pub const UNTIL: f64 = 60.0;
 
-/// Limit of transitions of all motions: a few slip thousands of times and would take most of the time.
+/// Limit of transitions of all motions: a few slip thousands of times and would take most of the
+/// time.
 const TRANSITIONS: usize = 100;
 
-/// The hoops and starts of a block, as a person sets them, and each eighth from the whole accepted range; with how far each motion is followed.
+/// The hoops and starts of a block, as a person sets them, and each eighth from the whole accepted
+/// range; with how far each motion is followed.
 pub fn setups(block: u32) -> impl Iterator<Item = (Setup, Limits)> {
     (0..MOTIONS).map(move |index| {
         let mut draw = Draw::of_case(SEED, u64::from(block), u64::from(index));
@@ -29,6 +31,11 @@ pub fn setups(block: u32) -> impl Iterator<Item = (Setup, Limits)> {
         };
         let may_last = !is_usual || setup.hoop.restitution.is_some();
         let until = may_last.then_some(setup.start.time + UNTIL);
-        (setup, Limits::default().with_until(until).with_transitions(TRANSITIONS))
+        (
+            setup,
+            Limits::default()
+                .with_until(until)
+                .with_transitions(TRANSITIONS),
+        )
     })
 }

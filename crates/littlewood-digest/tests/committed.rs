@@ -2,7 +2,8 @@
 
 use littlewood_digest::{BLOCKS, Block, COMMITTED, setups};
 
-/// Blocks that are compared: the digests of all of them are compared in a release build, by `./test.sh bits`.
+/// Blocks that are compared: the digests of all of them are compared in a release build, by
+/// `./test.sh bits`.
 const EACH: usize = 20;
 
 #[test]
@@ -19,6 +20,10 @@ fn motions_have_the_committed_bits() {
 
 #[test]
 fn blocks_differ() {
-    let first = |block| setups(block).next().map(|(setup, _)| setup.start.theta.to_bits());
+    let first = |block| {
+        setups(block)
+            .next()
+            .map(|(setup, _)| setup.start.theta.to_bits())
+    };
     assert_ne!(first(0), first(1));
 }

@@ -11,15 +11,32 @@ impl Figure {
 
     /// The figure in Markdown: the picture, its title and its caption.
     pub fn caption_md(&self) -> String {
-        let Self { name, title, caption, .. } = self;
-        format!("![{}]({name}.svg)\n\n**{}.** {}\n", plain(title), markdown(title), markdown(caption))
+        let Self {
+            name,
+            title,
+            caption,
+            ..
+        } = self;
+        format!(
+            "![{}]({name}.svg)\n\n**{}.** {}\n",
+            plain(title),
+            markdown(title),
+            markdown(caption)
+        )
     }
 
     /// The figure in LaTeX, with the PDF as its graphics: a file to be read by `\input`.
     pub fn caption_tex(&self) -> String {
-        let Self { name, title, caption, .. } = self;
-        let width =
-            self.print_mm.map_or_else(|| "width=\\linewidth".to_owned(), |mm| format!("width={mm}mm"));
+        let Self {
+            name,
+            title,
+            caption,
+            ..
+        } = self;
+        let width = self.print_mm.map_or_else(
+            || "width=\\linewidth".to_owned(),
+            |mm| format!("width={mm}mm"),
+        );
         format!(
             "\\begin{{figure}}\n  \\centering\n  \\includegraphics[{width}]{{{name}.pdf}}\n  \
              \\caption{{\\textbf{{{}.}} {}}}\n  \\label{{fig:{name}}}\n\\end{{figure}}\n",
@@ -76,7 +93,9 @@ impl Writer {
         }
         self.has_space = false;
         // A name of letters ends before another letter.
-        let before = self.out.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
+        let before = self
+            .out
+            .trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
         if before.len() < self.out.len()
             && before.ends_with('\\')
             && piece.starts_with(|letter: char| letter.is_ascii_alphabetic())

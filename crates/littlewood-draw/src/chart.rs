@@ -27,7 +27,9 @@ impl Figure {
     /// All texts, with the boxes of their letters: left, top, right and bottom in pixels.
     pub fn texts(&self) -> Vec<(String, [f64; 4])> {
         let texts = self.items().into_iter().filter_map(|item| {
-            let Item::Words(words) = item else { return None };
+            let Item::Words(words) = item else {
+                return None;
+            };
             Some((plain(&words.text), words.frame()))
         });
         texts.collect()
@@ -35,10 +37,16 @@ impl Figure {
 
     /// Points of print to a pixel.
     pub(crate) fn points(&self) -> f64 {
-        let Some(mm) = self.print_mm else { return POINTS };
+        let Some(mm) = self.print_mm else {
+            return POINTS;
+        };
         // A poster is drawn larger than it is printed.
         let own = mm * POINTS_TO_A_MM / self.width;
-        if (own - PRINT_POINTS).abs() < 1e-9 { PRINT_POINTS } else { own }
+        if (own - PRINT_POINTS).abs() < 1e-9 {
+            PRINT_POINTS
+        } else {
+            own
+        }
     }
 
     pub(crate) fn items(&self) -> Vec<Item> {
@@ -58,10 +66,16 @@ pub const TICK: f64 = 4.0;
 const FAR: f64 = 1e3;
 
 impl PlotAxis {
-    /// Which part of the axis lies before a value. What lies far off the sheet need not be told from what lies farther off.
+    /// Which part of the axis lies before a value. What lies far off the sheet need not be told
+    /// from what lies farther off.
     pub(crate) fn share(&self, value: f64) -> f64 {
-        let bent =
-            |value: f64| if self.linear.is_finite() { libm::asinh(value / self.linear) } else { value };
+        let bent = |value: f64| {
+            if self.linear.is_finite() {
+                libm::asinh(value / self.linear)
+            } else {
+                value
+            }
+        };
         let [low, high] = self.range.map(bent);
         ((bent(value) - low) / (high - low)).clamp(-FAR, FAR)
     }
@@ -71,7 +85,13 @@ impl Canvas {
     fn panel(&mut self, panel: &Panel) {
         match &panel.view {
             View::Plane { x, y, axes, tilt } => self.plane(panel, [x, y], *axes, *tilt),
-            View::Space { x, y, z, yaw, pitch } => {
+            View::Space {
+                x,
+                y,
+                z,
+                yaw,
+                pitch,
+            } => {
                 let space = Space::new(panel.frame, [x, y, z], [*yaw, *pitch]);
                 space.axes(self);
                 self.layers(panel, &[x, y, z], |at| space.place(at), (1.0, 0.0), None);
@@ -94,7 +114,9 @@ impl Canvas {
     }
 
     fn plane(&mut self, panel: &Panel, [x, y]: [&PlotAxis; 2], axes: bool, tilt: f64) {
-        let corners = panel.axes_frame().map(|[right, down]| (steps(right), steps(down)));
+        let corners = panel
+            .axes_frame()
+            .map(|[right, down]| (steps(right), steps(down)));
         let [(left, top), (right, bottom)] = corners;
         let (wide, tall) = (f64::from(right - left), f64::from(bottom - top));
         let place = |at: &[f64]| {
@@ -105,7 +127,10 @@ impl Canvas {
             )
         };
         if let Some(image) = &panel.image {
-            self.0.push(Item::Image { corners, image: image.clone() });
+            self.0.push(Item::Image {
+                corners,
+                image: image.clone(),
+            });
         }
         // Hoops are drawn only where both axes have one scale.
         let unit = wide / (x.range[1] - x.range[0]);
@@ -131,7 +156,13 @@ impl Canvas {
         for tick in &y.ticks {
             let at = bottom - libm::round(tall * y.share(tick.value)) as i32;
             self.line(&[(left - mark, at), (left, at)], line);
-            self.text(&tick.label, (left - steps(apart), at), Anchor::Right, SMALL, INK);
+            self.text(
+                &tick.label,
+                (left - steps(apart), at),
+                Anchor::Right,
+                SMALL,
+                INK,
+            );
         }
         let pixels = |step: i32| f64::from(step) / STEPS;
         let [outer, above, _, tall] = panel.frame;
@@ -144,11 +175,20 @@ impl Canvas {
             upwards,
             ground: None,
         };
-        self.words(name(&x.title, [0.5 * pixels(left + right), above + tall - BELOW * LETTER], false));
-        self.words(name(&y.title, [outer + TOP * LETTER, 0.5 * pixels(top + bottom)], true));
+        self.words(name(
+            &x.title,
+            [0.5 * pixels(left + right), above + tall - BELOW * LETTER],
+            false,
+        ));
+        self.words(name(
+            &y.title,
+            [outer + TOP * LETTER, 0.5 * pixels(top + bottom)],
+            true,
+        ));
     }
 
-    /// Draws what panels show; within bounds, where there are any: marks whose place is there, and parts of lines and areas.
+    /// Draws what panels show; within bounds, where there are any: marks whose place is there, and
+    /// parts of lines and areas.
     fn layers(
         &mut self,
         panel: &Panel,
@@ -159,19 +199,51 @@ impl Canvas {
     ) {
         let is_seen = |place: &Step| bounds.is_none_or(|bounds| clip::holds(bounds, *place));
         for layer in &panel.layers {
-            let columns: Option<Vec<usize>> =
-                axes.iter().map(|axis| layer.series.column(&axis.column)).collect();
+            let columns: Option<Vec<usize>> = axes
+                .iter()
+                .map(|axis| layer.series.column(&axis.column))
+                .collect();
             let Some(columns) = columns else { continue };
-            let at = |row: &Vec<f64>| place(&columns.iter().map(|column| row[*column]).collect::<Vec<_>>());
-            if let Mark::Hoop { offset, h, radius, rim } = layer.mark {
-                for row in layer.series.pieces.iter().flatten().filter(|row| is_seen(&at(row))) {
-                    self.hoop(at(row), row[row.len() - 1] + tilt, radius * unit, [offset, h], rim);
+            let at = |row: &Vec<f64>| {
+                place(
+                    &columns
+                        .iter()
+                        .map(|column| row[*column])
+                        .collect::<Vec<_>>(),
+                )
+            };
+            if let Mark::Hoop {
+                offset,
+                h,
+                radius,
+                rim,
+            } = layer.mark
+            {
+                for row in layer
+                    .series
+                    .pieces
+                    .iter()
+                    .flatten()
+                    .filter(|row| is_seen(&at(row)))
+                {
+                    self.hoop(
+                        at(row),
+                        row[row.len() - 1] + tilt,
+                        radius * unit,
+                        [offset, h],
+                        rim,
+                    );
                 }
                 continue;
             }
-            let mut pieces: Vec<Vec<Step>> =
-                layer.series.pieces.iter().map(|piece| piece.iter().map(at).collect()).collect();
-            let is_whole = layer.mark.is_area() || matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
+            let mut pieces: Vec<Vec<Step>> = layer
+                .series
+                .pieces
+                .iter()
+                .map(|piece| piece.iter().map(at).collect())
+                .collect();
+            let is_whole =
+                layer.mark.is_area() || matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
             if let Mark::Head(_) = layer.mark {
                 pieces.retain(|piece| piece.first().is_some_and(is_seen));
             } else if !is_whole {
@@ -181,7 +253,11 @@ impl Canvas {
             self.mark(layer.mark, &pieces, unit);
             if let Some(bounds) = bounds.filter(|_| is_whole) {
                 let drawn = self.0.split_off(first);
-                self.0.extend(drawn.into_iter().filter_map(|item| clip::item(item, bounds)));
+                self.0.extend(
+                    drawn
+                        .into_iter()
+                        .filter_map(|item| clip::item(item, bounds)),
+                );
             }
         }
     }
@@ -190,18 +266,34 @@ impl Canvas {
         for label in &panel.labels {
             let (x, y) = place(&label.at);
             let [right, down] = label.shift.map(steps);
-            let at = [f64::from(x + right) / STEPS, f64::from(y + down) / STEPS + MIDDLE * label.size];
+            let at = [
+                f64::from(x + right) / STEPS,
+                f64::from(y + down) / STEPS + MIDDLE * label.size,
+            ];
             let (text, anchor, size) = (label.text.clone(), label.anchor, label.size);
-            let words = Words { text, at, anchor, size, colour: label.colour, upwards: false, ground: None };
+            let words = Words {
+                text,
+                at,
+                anchor,
+                size,
+                colour: label.colour,
+                upwards: false,
+                ground: None,
+            };
             let ground = self.below(words.frame());
             let is_seen = (ground.lightness() - label.colour.lightness()).abs() > LEAST_CONTRAST;
             let colour = if is_seen { label.colour } else { PAPER };
-            self.words(Words { ground: Some(ground), colour, ..words });
+            self.words(Words {
+                ground: Some(ground),
+                colour,
+                ..words
+            });
         }
     }
 }
 
-/// Least difference in CIE lightness of letters from what is below them; on what is darker they are paper.
+/// Least difference in CIE lightness of letters from what is below them; on what is darker they are
+/// paper.
 const LEAST_CONTRAST: f64 = 30.0;
 
 /// Where the base line of a text stands below its top, and above its bottom, in parts of its size.

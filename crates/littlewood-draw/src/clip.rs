@@ -13,20 +13,33 @@ pub(crate) fn holds([low, high]: [Step; 2], (x, y): Step) -> bool {
 
 /// The part of a line or an area within bounds; none if nothing is there.
 pub(crate) fn item(item: Item, bounds: [Step; 2]) -> Option<Item> {
-    let Item::Path { lines, paint } = item else { return Some(item) };
+    let Item::Path { lines, paint } = item else {
+        return Some(item);
+    };
     if lines.iter().flatten().all(|place| holds(bounds, *place)) {
         return Some(Item::Path { lines, paint });
     }
-    let places =
-        |line: &Vec<Step>| line.iter().map(|&(x, y)| [f64::from(x), f64::from(y)]).collect::<Vec<_>>();
+    let places = |line: &Vec<Step>| {
+        line.iter()
+            .map(|&(x, y)| [f64::from(x), f64::from(y)])
+            .collect::<Vec<_>>()
+    };
     let bounds = bounds.map(|(x, y)| [f64::from(x), f64::from(y)]);
     let kept: Vec<Vec<Place>> = match paint {
-        Paint::Edge(_) => lines.iter().flat_map(|points| line(&places(points), bounds)).collect(),
-        Paint::Fill(_) => lines.iter().map(|line| polygon(&places(line), bounds)).collect(),
+        Paint::Edge(_) => lines
+            .iter()
+            .flat_map(|points| line(&places(points), bounds))
+            .collect(),
+        Paint::Fill(_) => lines
+            .iter()
+            .map(|line| polygon(&places(line), bounds))
+            .collect(),
     };
     let step = |[x, y]: Place| (libm::round(x) as i32, libm::round(y) as i32);
     let kept = kept.into_iter().filter(|line| line.len() > 1);
-    let lines: Vec<Vec<Step>> = kept.map(|line| line.into_iter().map(step).collect()).collect();
+    let lines: Vec<Vec<Step>> = kept
+        .map(|line| line.into_iter().map(step).collect())
+        .collect();
     (!lines.is_empty()).then(|| Item::path(&lines, paint))
 }
 
@@ -75,10 +88,16 @@ fn segment(a: Place, b: Place, [low, high]: Bounds) -> Option<[Place; 2]> {
     (from <= to).then(|| [at(from), at(to)])
 }
 
-/// The part of a polygon within bounds, side by side of them; where it is cut in two, they hang together along a side.
+/// The part of a polygon within bounds, side by side of them; where it is cut in two, they hang
+/// together along a side.
 pub(crate) fn polygon(points: &[Place], [low, high]: Bounds) -> Vec<Place> {
     let mut kept = points.to_vec();
-    for (k, sign, bound) in [(0, 1.0, low[0]), (0, -1.0, high[0]), (1, 1.0, low[1]), (1, -1.0, high[1])] {
+    for (k, sign, bound) in [
+        (0, 1.0, low[0]),
+        (0, -1.0, high[0]),
+        (1, 1.0, low[1]),
+        (1, -1.0, high[1]),
+    ] {
         let over = |place: Place| sign * (place[k] - bound);
         let corners = core::mem::take(&mut kept);
         for (i, &to) in corners.iter().enumerate() {
@@ -109,7 +128,10 @@ mod tests {
         // Through the square, out at the right, in again at the top.
         let points = [[-1.0, 0.5], [2.0, 0.5], [2.0, 3.0], [0.5, 3.0], [0.5, 0.5]];
         let runs = line(&points, SQUARE);
-        assert_eq!(runs, [vec![[0.0, 0.5], [1.0, 0.5]], vec![[0.5, 1.0], [0.5, 0.5]]]);
+        assert_eq!(
+            runs,
+            [vec![[0.0, 0.5], [1.0, 0.5]], vec![[0.5, 1.0], [0.5, 0.5]]]
+        );
         assert!(line(&[[2.0, 0.0], [2.0, f64::NAN], [0.5, 0.5]], SQUARE).is_empty());
     }
 
@@ -122,10 +144,14 @@ mod tests {
             };
             (0..points.len()).map(sum).sum::<f64>()
         };
-        // A diamond about a corner: a quarter of it lies within. One about the centre loses its four tips.
+        // A diamond about a corner: a quarter of it lies within. One about the centre loses its
+        // four tips.
         let diamond = |[x, y]: Place, r: f64| [[x - r, y], [x, y - r], [x + r, y], [x, y + r]];
         assert_eq!(area(&polygon(&diamond([0.0, 0.0], 0.5), SQUARE)), 0.125);
-        assert_eq!(area(&polygon(&diamond([0.5, 0.5], 0.75), SQUARE)), 1.125 - 4.0 * 0.0625);
+        assert_eq!(
+            area(&polygon(&diamond([0.5, 0.5], 0.75), SQUARE)),
+            1.125 - 4.0 * 0.0625
+        );
         assert!(polygon(&diamond([3.0, 3.0], 0.5), SQUARE).is_empty());
     }
 }

@@ -22,7 +22,8 @@ pub struct Figure {
     pub width: f64,
     /// Height in pixels.
     pub height: f64,
-    /// Width in print, in millimetres, if it is made for print: lines and letters then have the same size at any width.
+    /// Width in print, in millimetres, if it is made for print: lines and letters then have the
+    /// same size at any width.
     pub print_mm: Option<f64>,
     /// The panels.
     pub panels: Vec<Panel>,
@@ -67,7 +68,8 @@ pub enum View {
         y: PlotAxis,
         /// Whether axes are drawn.
         axes: bool,
-        /// Angle by which the coordinates of the data are turned against the axes, counterclockwise.
+        /// Angle by which the coordinates of the data are turned against the axes,
+        /// counterclockwise.
         tilt: f64,
     },
     /// Three axes, seen from a direction.
@@ -159,7 +161,8 @@ pub enum Mark {
     Head(Rgb),
     /// A polygon for each piece.
     Fill(Rgb),
-    /// The area that all pieces bound together: those around it, and those around its holes in the other direction.
+    /// The area that all pieces bound together: those around it, and those around its holes in the
+    /// other direction.
     Region(Rgb),
     /// A hatched polygon for each piece.
     Hatch(Rgb),
@@ -173,8 +176,8 @@ pub enum Mark {
     Diamond(Rgb, f64),
     /// A cross on each row.
     Cross(Rgb, f64),
-    /// A hoop on each row, whose last column is the angle of its particle: offset of the particle and of
-    /// the mass centre in radii.
+    /// A hoop on each row, whose last column is the angle of its particle: offset of the particle
+    /// and of the mass centre in radii.
     Hoop {
         /// ℓ̂.
         offset: f64,
@@ -232,7 +235,10 @@ pub struct Key {
 impl Mark {
     /// Whether it fills or hatches what its pieces bound.
     pub(crate) const fn is_area(self) -> bool {
-        matches!(self, Self::Fill(_) | Self::Region(_) | Self::Hatch(_) | Self::HatchedRegion(_))
+        matches!(
+            self,
+            Self::Fill(_) | Self::Region(_) | Self::Hatch(_) | Self::HatchedRegion(_)
+        )
     }
 }
 
@@ -254,14 +260,28 @@ impl PlotAxis {
     }
 
     /// An axis with round ticks.
-    pub fn new(column: impl Into<Cow<'static, str>>, title: impl Into<String>, range: [f64; 2]) -> Self {
+    pub fn new(
+        column: impl Into<Cow<'static, str>>,
+        title: impl Into<String>,
+        range: [f64; 2],
+    ) -> Self {
         let (column, title) = (column.into(), title.into());
-        Self { column, title, range, linear: f64::INFINITY, scale: Scale::Round, ticks: Vec::new() }
+        Self {
+            column,
+            title,
+            range,
+            linear: f64::INFINITY,
+            scale: Scale::Round,
+            ticks: Vec::new(),
+        }
     }
 
     /// An axis of which nothing is seen.
     pub fn silent(column: &'static str, range: [f64; 2]) -> Self {
-        Self { scale: Scale::Nothing, ..Self::new(column, "", range) }
+        Self {
+            scale: Scale::Nothing,
+            ..Self::new(column, "", range)
+        }
     }
 }
 
@@ -297,10 +317,15 @@ impl Panel {
 
     /// Where a place of its plane is drawn, in pixels; none in space.
     pub fn place(&self, [right, up]: [f64; 2]) -> Option<[f64; 2]> {
-        let View::Plane { x, y, tilt, .. } = &self.view else { return None };
+        let View::Plane { x, y, tilt, .. } = &self.view else {
+            return None;
+        };
         let [[left, top], [end, bottom]] = self.axes_frame();
         let [right, up] = tilted(*tilt, [right, up]);
-        Some([left + x.share(right) * (end - left), bottom - y.share(up) * (bottom - top)])
+        Some([
+            left + x.share(right) * (end - left),
+            bottom - y.share(up) * (bottom - top),
+        ])
     }
 
     /// The pieces of a line in its plane that lie within the axes, in pixels.
@@ -329,7 +354,11 @@ impl Series {
 
     /// A series.
     pub fn new(name: impl Into<String>, columns: &[&'static str], pieces: Vec<Piece>) -> Self {
-        Self { name: name.into(), columns: columns.iter().copied().map(Cow::Borrowed).collect(), pieces }
+        Self {
+            name: name.into(),
+            columns: columns.iter().copied().map(Cow::Borrowed).collect(),
+            pieces,
+        }
     }
 
     /// Place of a column.
@@ -344,7 +373,10 @@ impl Series {
 
     /// Drawn so.
     pub fn drawn(self, mark: impl Into<Mark>) -> Layer {
-        Layer { series: self, mark: mark.into() }
+        Layer {
+            series: self,
+            mark: mark.into(),
+        }
     }
 }
 
@@ -364,22 +396,34 @@ impl Label {
 
     /// Where it is asked for.
     pub fn fixed(self) -> Self {
-        Self { is_fixed: true, ..self }
+        Self {
+            is_fixed: true,
+            ..self
+        }
     }
 
     /// So far from the place, in pixels.
     pub fn shifted(self, right: f64, down: f64) -> Self {
-        Self { shift: [right, down], ..self }
+        Self {
+            shift: [right, down],
+            ..self
+        }
     }
 
     /// Its left end at the place.
     pub fn left(self) -> Self {
-        Self { anchor: Anchor::Left, ..self }
+        Self {
+            anchor: Anchor::Left,
+            ..self
+        }
     }
 
     /// Its right end at the place.
     pub fn right(self) -> Self {
-        Self { anchor: Anchor::Right, ..self }
+        Self {
+            anchor: Anchor::Right,
+            ..self
+        }
     }
 
     /// In this colour.
@@ -396,6 +440,10 @@ impl Label {
 impl Figure {
     /// The series of this name in any panel.
     pub fn series(&self, name: &str) -> Option<&Series> {
-        self.panels.iter().flat_map(|panel| &panel.layers).map(|layer| &layer.series).find(|s| s.name == name)
+        self.panels
+            .iter()
+            .flat_map(|panel| &panel.layers)
+            .map(|layer| &layer.series)
+            .find(|s| s.name == name)
     }
 }

@@ -21,8 +21,8 @@ const EACH: [f64; 2] = [60.0, 30.0];
 const IN_SPACE: f64 = 36.0;
 
 impl Figure {
-    /// Completes a figure: ticks as many as there is room for, labels where they hide nothing. The caption names those for which there
-    /// is no room.
+    /// Completes a figure: ticks as many as there is room for, labels where they hide nothing. The
+    /// caption names those for which there is no room.
     #[must_use]
     pub fn fitted(mut self) -> Self {
         let sheet = [self.width, self.height];
@@ -35,7 +35,13 @@ impl Figure {
                     fit(x, right - left, true, EACH[0]);
                     fit(y, bottom - top, false, EACH[1]);
                 }
-                View::Space { x, y, z, yaw, pitch } => {
+                View::Space {
+                    x,
+                    y,
+                    z,
+                    yaw,
+                    pitch,
+                } => {
                     let length = length_of([across, upwards]);
                     fit(x, length * libm::cos(*yaw).abs(), true, IN_SPACE);
                     fit(y, length * libm::cos(*pitch).abs(), false, IN_SPACE);
@@ -43,7 +49,8 @@ impl Figure {
                     // Two edges meet in a corner, which has no room for the ticks of both.
                     for (axis, end) in [(x, 0.08), (z, 0.12)] {
                         let own = axis.clone();
-                        axis.ticks.retain(|tick| (end..=1.0 - end).contains(&own.share(tick.value)));
+                        axis.ticks
+                            .retain(|tick| (end..=1.0 - end).contains(&own.share(tick.value)));
                     }
                 }
             }
@@ -73,16 +80,24 @@ fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool, each: f64) {
         distance.abs() >= needed
     };
     let fits = |ticks: &[Tick]| ticks.windows(2).all(|pair| apart(&pair[0], &pair[1]));
-    let candidates: Vec<Vec<Tick>> =
-        (1..=most).rev().map(|count| choices(axis, count)).filter(|ticks| fits(ticks)).collect();
-    let is_short =
-        |ticks: &&Vec<Tick>| to_the_right || ticks.iter().all(|it| width(&it.label, SMALL) <= UPRIGHT);
-    let Some(found) = candidates.iter().find(is_short).or(candidates.first()) else { return };
+    let candidates: Vec<Vec<Tick>> = (1..=most)
+        .rev()
+        .map(|count| choices(axis, count))
+        .filter(|ticks| fits(ticks))
+        .collect();
+    let is_short = |ticks: &&Vec<Tick>| {
+        to_the_right || ticks.iter().all(|it| width(&it.label, SMALL) <= UPRIGHT)
+    };
+    let Some(found) = candidates.iter().find(is_short).or(candidates.first()) else {
+        return;
+    };
     let mut found = found.clone();
     if !is_short(&&found) {
         // Numbers that hardly differ are told from one of them.
         let base = found[found.len() / 2].value;
-        found.iter_mut().for_each(|tick| tick.label = short(tick.value - base));
+        found
+            .iter_mut()
+            .for_each(|tick| tick.label = short(tick.value - base));
         let sign = if base < 0.0 { "+" } else { "−" };
         let from = format!(" {sign} {}", ticks::minus(&base.abs().to_string()));
         let at = axis.title.find("  (").unwrap_or(axis.title.len());
@@ -116,7 +131,10 @@ fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
         }
         Scale::Bare => ticks::round(from, to, count)
             .into_iter()
-            .map(|tick| Tick { label: String::new(), value: tick.value })
+            .map(|tick| Tick {
+                label: String::new(),
+                value: tick.value,
+            })
             .collect(),
         Scale::Nothing => Vec::new(),
     }
@@ -133,8 +151,14 @@ fn symmetric(axis: &PlotAxis, most: usize) -> Vec<Tick> {
     let sizes = sizes.map(|power| libm::pow(10.0, f64::from(power)));
     let mut values: Vec<f64> = sizes.flat_map(|size| [-size, size]).chain([0.0]).collect();
     values.sort_by(f64::total_cmp);
-    let seen = values.into_iter().filter(|value| (from..=to).contains(value));
-    seen.map(|value| Tick { value, label: short(value) }).collect()
+    let seen = values
+        .into_iter()
+        .filter(|value| (from..=to).contains(value));
+    seen.map(|value| Tick {
+        value,
+        label: short(value),
+    })
+    .collect()
 }
 
 /// Powers of ten; within few of them their double and five times as much, too.
@@ -142,8 +166,13 @@ fn decades([from, to]: [f64; 2], most: usize) -> Vec<Tick> {
     let (first, last) = (libm::ceil(from) as i32, libm::floor(to) as i32);
     if last - first < 2 && most > 3 {
         return (first - 1..=last)
-            .flat_map(|power| [1.0, 2.0, 5.0].map(|factor| factor * libm::pow(10.0, f64::from(power))))
-            .map(|rate| Tick { value: libm::log10(rate), label: short(rate) })
+            .flat_map(|power| {
+                [1.0, 2.0, 5.0].map(|factor| factor * libm::pow(10.0, f64::from(power)))
+            })
+            .map(|rate| Tick {
+                value: libm::log10(rate),
+                label: short(rate),
+            })
             .filter(|tick| (from..=to).contains(&tick.value))
             .collect();
     }
@@ -153,7 +182,10 @@ fn decades([from, to]: [f64; 2], most: usize) -> Vec<Tick> {
         .step_by(each)
         .map(|power| {
             let label = format!("10^{{{}}}", ticks::minus(&power.to_string()));
-            Tick { value: f64::from(power), label }
+            Tick {
+                value: f64::from(power),
+                label,
+            }
         })
         .collect()
 }

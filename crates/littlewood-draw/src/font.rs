@@ -44,18 +44,25 @@ impl Font {
 
     /// The font file.
     pub(crate) fn file(&self) -> Vec<u8> {
-        file(self.0.iter().map(|letter| shape(outline(letter.path), letter.advance)), Vec::new())
+        file(
+            self.0
+                .iter()
+                .map(|letter| shape(outline(letter.path), letter.advance)),
+            Vec::new(),
+        )
     }
 }
 
-/// When it was made and changed, in seconds from 1904: 1970, as an earlier time is taken for a mistake.
+/// When it was made and changed, in seconds from 1904: 1970, as an earlier time is taken for a
+/// mistake.
 const EPOCH: u64 = 2_082_844_800;
 
 /// Name of the font of all letters.
 const NAME: &str = "Littlewood";
 
-/// All letters as a TrueType font, for other programs that draw. Italic letters are the mathematical symbols of Unicode, and the small ones
-/// below and above the line stand at their codes: it draws what [`unicode`](crate::unicode) returns.
+/// All letters as a TrueType font, for other programs that draw. Italic letters are the
+/// mathematical symbols of Unicode, and the small ones below and above the line stand at their
+/// codes: it draws what [`unicode`](crate::unicode) returns.
 pub fn font() -> Vec<u8> {
     let shapes: BTreeMap<char, Shape> = all()
         .map(|(sign, letter, [scale, down])| {
@@ -65,14 +72,24 @@ pub fn font() -> Vec<u8> {
         })
         .collect();
     // Groups of one letter each: first code, last code, number.
-    let groups =
-        shapes.keys().zip(1_u32..).flat_map(|(&sign, number)| [u32::from(sign), u32::from(sign), number]);
+    let groups = shapes
+        .keys()
+        .zip(1_u32..)
+        .flat_map(|(&sign, number)| [u32::from(sign), u32::from(sign), number]);
     let count = shapes.len() as u32;
     // One table for all of Unicode, at byte 12, of format 12.
     let mut cmap = words([0, 1, 3, 10, 0, 12, 12, 0]);
-    cmap.extend([16 + 12 * count, 0, count].into_iter().chain(groups).flat_map(u32::to_be_bytes));
+    cmap.extend(
+        [16 + 12 * count, 0, count]
+            .into_iter()
+            .chain(groups)
+            .flat_map(u32::to_be_bytes),
+    );
     // Family, style, whole name and name in PostScript: parts of one text.
-    let style: Vec<u8> = "Regular".encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let style: Vec<u8> = "Regular"
+        .encode_utf16()
+        .flat_map(u16::to_be_bytes)
+        .collect();
     let text: Vec<u8> = NAME.encode_utf16().flat_map(u16::to_be_bytes).collect();
     let (long, short) = (text.len() as i16, style.len() as i16);
     let mut name = words([0, 4, 6 + 12 * 4]);
@@ -81,16 +98,21 @@ pub fn font() -> Vec<u8> {
     }
     name.extend(text.into_iter().chain(style));
     let post = [&[0, 3, 0, 0][..], &[0; 28]].concat();
-    file(shapes.into_values(), vec![(*b"cmap", cmap), (*b"name", name), (*b"post", post)])
+    file(
+        shapes.into_values(),
+        vec![(*b"cmap", cmap), (*b"name", name), (*b"post", post)],
+    )
 }
 
 /// A font file of shapes, their numbers from 1, with these tables more.
 fn file(shapes: impl Iterator<Item = Shape>, mut tables: Vec<([u8; 4], Vec<u8>)>) -> Vec<u8> {
     let shapes: Vec<Shape> = core::iter::once(Shape::default()).chain(shapes).collect();
-    let frame = shapes.iter().fold([0; 4], |[left, low, right, high]: [i16; 4], shape| {
-        let [a, b, c, d] = shape.frame;
-        [left.min(a), low.min(b), right.max(c), high.max(d)]
-    });
+    let frame = shapes
+        .iter()
+        .fold([0; 4], |[left, low, right, high]: [i16; 4], shape| {
+            let [a, b, c, d] = shape.frame;
+            [left.min(a), low.min(b), right.max(c), high.max(d)]
+        });
     let count = shapes.len() as i16;
     let most = |of: fn(&Shape) -> i16| shapes.iter().map(of).max().unwrap_or(0);
     let (mut glyf, mut loca) = (Vec::new(), Vec::new());
@@ -99,10 +121,17 @@ fn file(shapes: impl Iterator<Item = Shape>, mut tables: Vec<([u8; 4], Vec<u8>)>
         glyf.extend(&shape.bytes);
     }
     loca.extend((glyf.len() as u32).to_be_bytes());
-    let hmtx = words(shapes.iter().flat_map(|shape| [shape.width, shape.frame[0]]));
-    // The numbers in the order of the tables of the format; what only screens of few pixels need is zero.
+    let hmtx = words(
+        shapes
+            .iter()
+            .flat_map(|shape| [shape.width, shape.frame[0]]),
+    );
+    // The numbers in the order of the tables of the format; what only screens of few pixels need is
+    // zero.
     let head = [
-        &[0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0x5f, 0x0f, 0x3c, 0xf5, 0, 0][..],
+        &[
+            0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0x5f, 0x0f, 0x3c, 0xf5, 0, 0,
+        ][..],
         &UNITS.to_be_bytes(),
         &EPOCH.to_be_bytes(),
         &EPOCH.to_be_bytes(),
@@ -111,9 +140,13 @@ fn file(shapes: impl Iterator<Item = Shape>, mut tables: Vec<([u8; 4], Vec<u8>)>
     ];
     let widest = most(|shape| shape.width);
     let [left, low, right, high] = frame;
-    let hhea = words([1, 0, high, low, 0, widest, left, 0, right, 1, 0, 0, 0, 0, 0, 0, 0, count]);
+    let hhea = words([
+        1, 0, high, low, 0, widest, left, 0, right, 1, 0, 0, 0, 0, 0, 0, 0, count,
+    ]);
     let [points, contours] = [most(|shape| shape.points), most(|shape| shape.contours)];
-    let maxp = words([1, 0, count, points, contours, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0]);
+    let maxp = words([
+        1, 0, count, points, contours, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0,
+    ]);
     tables.extend([
         (*b"glyf", glyf),
         (*b"head", head.concat()),
@@ -169,7 +202,10 @@ fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
     let [[left, right], [low, high]] = [ends(0), ends(1)];
     let frame = [left, low, right, high];
     if points.is_empty() {
-        return Shape { width, ..Shape::default() };
+        return Shape {
+            width,
+            ..Shape::default()
+        };
     }
     let mut bytes = words([contours.len() as i16]);
     bytes.extend(words(frame));
@@ -182,10 +218,21 @@ fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
     bytes.extend(points.iter().map(|(_, is_on)| u8::from(*is_on)));
     for k in 0..2 {
         let before = core::iter::once(0).chain(points.iter().map(|(point, _)| point[k]));
-        bytes.extend(words(points.iter().zip(before).map(|((point, _), before)| point[k] - before)));
+        bytes.extend(words(
+            points
+                .iter()
+                .zip(before)
+                .map(|((point, _), before)| point[k] - before),
+        ));
     }
     bytes.resize(bytes.len().next_multiple_of(4), 0);
-    Shape { width, bytes, frame, points: points.len() as i16, contours: contours.len() as i16 }
+    Shape {
+        width,
+        bytes,
+        frame,
+        points: points.len() as i16,
+        contours: contours.len() as i16,
+    }
 }
 
 /// A font file of tables, in the order of their names.
@@ -201,11 +248,19 @@ fn assembled(tables: Vec<([u8; 4], Vec<u8>)>) -> Vec<u8> {
     let log = count.ilog2() as u16;
     let search = 16 << log;
     let mut file = vec![0, 1, 0, 0];
-    file.extend([count, search, log, 16 * count - search].into_iter().flat_map(u16::to_be_bytes));
+    file.extend(
+        [count, search, log, 16 * count - search]
+            .into_iter()
+            .flat_map(u16::to_be_bytes),
+    );
     let mut at = 12 + 16 * tables.len();
     for (name, bytes) in &tables {
         file.extend(name);
-        file.extend([sum(bytes), at as u32, bytes.len() as u32].into_iter().flat_map(u32::to_be_bytes));
+        file.extend(
+            [sum(bytes), at as u32, bytes.len() as u32]
+                .into_iter()
+                .flat_map(u32::to_be_bytes),
+        );
         at += bytes.len().next_multiple_of(4);
     }
     let mut head = 0;

@@ -12,13 +12,27 @@ pub(crate) fn lines(outlines: &[Vec<Step>]) -> Vec<Vec<Step>> {
     let across = |(x, y): Step| f64::from(x + y);
     let edges: Vec<[Step; 2]> = outlines
         .iter()
-        .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]))
+        .flat_map(|line| {
+            line.iter()
+                .zip(line.iter().cycle().skip(1))
+                .map(|(a, b)| [*a, *b])
+        })
         .collect();
     let sums = || edges.iter().map(|[from, _]| across(*from));
     let step = APART * STEPS;
-    let (first, last) = (sums().fold(f64::INFINITY, f64::min), sums().fold(f64::NEG_INFINITY, f64::max));
-    let (first, last) = (libm::ceil(first / step - 0.5), libm::floor(last / step - 0.5));
-    let count = if last >= first { (last - first) as u32 + 1 } else { 0 };
+    let (first, last) = (
+        sums().fold(f64::INFINITY, f64::min),
+        sums().fold(f64::NEG_INFINITY, f64::max),
+    );
+    let (first, last) = (
+        libm::ceil(first / step - 0.5),
+        libm::floor(last / step - 0.5),
+    );
+    let count = if last >= first {
+        (last - first) as u32 + 1
+    } else {
+        0
+    };
     (0..count)
         .flat_map(|i| {
             let sum = (first + f64::from(i) + 0.5) * step;
@@ -61,13 +75,22 @@ mod tests {
             };
             lines.iter().map(of).sum::<f64>()
         };
-        // Lines that are 6 pixels apart: their length is the area over that, up to the lines at the corners.
+        // Lines that are 6 pixels apart: their length is the area over that, up to the lines at the
+        // corners.
         let outer = square(12_000);
         let whole = length(&lines(std::slice::from_ref(&outer)));
-        assert!((whole / (12_000.0 * 12_000.0 / 120.0) - 1.0).abs() < 0.02, "{whole}");
+        assert!(
+            (whole / (12_000.0 * 12_000.0 / 120.0) - 1.0).abs() < 0.02,
+            "{whole}"
+        );
         let hole: Vec<Step> = square(6_000).into_iter().rev().collect();
         let holed = length(&lines(&[outer, hole.clone()]));
         assert!((holed / whole - 0.75).abs() < 0.02, "{holed}");
-        assert!(lines(&[hole]).iter().flatten().all(|(x, y)| x.abs() <= 3_000 && y.abs() <= 3_000));
+        assert!(
+            lines(&[hole])
+                .iter()
+                .flatten()
+                .all(|(x, y)| x.abs() <= 3_000 && y.abs() <= 3_000)
+        );
     }
 }

@@ -20,12 +20,17 @@ pub(crate) fn steps(pixels: f64) -> i32 {
 /// A shape or a text.
 #[derive(Clone, Debug)]
 pub(crate) enum Item {
-    /// Lines from point to point; or the area that they bound together, around holes in the other direction.
+    /// Lines from point to point; or the area that they bound together, around holes in the other
+    /// direction.
     Path { lines: Vec<Vec<Step>>, paint: Paint },
     /// Pixels in a rectangle by its left upper and its right lower corner.
     Image { corners: [Step; 2], image: Image },
     /// A circle.
-    Circle { centre: Step, radius: i32, paint: Paint },
+    Circle {
+        centre: Step,
+        radius: i32,
+        paint: Paint,
+    },
     /// A text.
     Words(Words),
 }
@@ -41,7 +46,13 @@ impl Item {
 
 /// The outline of a rectangle by its left upper and its right lower corner.
 pub(crate) fn outline([(left, top), (right, bottom)]: [Step; 2]) -> Vec<Step> {
-    vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)]
+    vec![
+        (left, top),
+        (right, top),
+        (right, bottom),
+        (left, bottom),
+        (left, top),
+    ]
 }
 
 /// How a shape is painted.
@@ -97,9 +108,10 @@ mod tests {
 
     #[test]
     fn a_path_has_no_point_twice_in_a_row() {
-        let Item::Path { lines, .. } =
-            Item::path(&[vec![(0, 0), (20, 1), (20, 1), (0, 0)]], Paint::Fill(Rgb([0; 3])))
-        else {
+        let Item::Path { lines, .. } = Item::path(
+            &[vec![(0, 0), (20, 1), (20, 1), (0, 0)]],
+            Paint::Fill(Rgb([0; 3])),
+        ) else {
             panic!("a path")
         };
         assert_eq!(lines, [[(0, 0), (20, 1), (0, 0)]]);

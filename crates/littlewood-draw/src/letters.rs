@@ -43,7 +43,12 @@ pub(crate) struct Letter {
 /// The letters by whether they are italic, and their code.
 fn letters() -> &'static HashMap<(bool, char), Letter> {
     static LETTERS: OnceLock<HashMap<(bool, char), Letter>> = OnceLock::new();
-    LETTERS.get_or_init(|| include_str!("../fonts/letters.txt").lines().filter_map(letter).collect())
+    LETTERS.get_or_init(|| {
+        include_str!("../fonts/letters.txt")
+            .lines()
+            .filter_map(letter)
+            .collect()
+    })
 }
 
 fn letter(line: &'static str) -> Option<((bool, char), Letter)> {
@@ -51,26 +56,38 @@ fn letter(line: &'static str) -> Option<((bool, char), Letter)> {
     let (face, code, advance) = (parts.next()?, parts.next()?, parts.next()?.parse().ok()?);
     let sign = char::from_u32(u32::from_str_radix(code, 16).ok()?)?;
     let path = parts.next().unwrap_or_default();
-    Some(((face == "i", sign), Letter { name: format!("{face}{code}"), path, advance, sign }))
+    Some((
+        (face == "i", sign),
+        Letter {
+            name: format!("{face}{code}"),
+            path,
+            advance,
+            sign,
+        },
+    ))
 }
 
-/// All letters, each with the sign of Unicode that is this letter in plain text: italic ones are mathematical symbols, and small ones below
-/// and above the line are signs, too. With their sizes, and how far they stand below the line.
+/// All letters, each with the sign of Unicode that is this letter in plain text: italic ones are
+/// mathematical symbols, and small ones below and above the line are signs, too. With their sizes,
+/// and how far they stand below the line.
 pub(crate) fn all() -> impl Iterator<Item = (char, &'static Letter, [f64; 2])> {
     let sign = |italic, letter| if italic { symbol(letter) } else { letter };
-    let own = letters().iter().map(move |(&(italic, letter), own)| (sign(italic, letter), own, [1.0, 0.0]));
-    let ascii = ('!'..='~')
-        .flat_map(|plain| [Script::Sub, Script::Super].map(|script| (private(plain, script), plain, script)));
-    own.chain(
-        scripted()
-            .chain(ascii)
-            .filter_map(|(sign, plain, script)| Some((sign, of_text(false, plain)?, script.placed(1.0)))),
-    )
+    let own = letters()
+        .iter()
+        .map(move |(&(italic, letter), own)| (sign(italic, letter), own, [1.0, 0.0]));
+    let ascii = ('!'..='~').flat_map(|plain| {
+        [Script::Sub, Script::Super].map(|script| (private(plain, script), plain, script))
+    });
+    own.chain(scripted().chain(ascii).filter_map(|(sign, plain, script)| {
+        Some((sign, of_text(false, plain)?, script.placed(1.0)))
+    }))
 }
 
 /// The letter of a text: in italics those that have them.
 fn of_text(italic: bool, letter: char) -> Option<&'static Letter> {
-    letters().get(&(italic, letter)).or_else(|| letters().get(&(false, letter)))
+    letters()
+        .get(&(italic, letter))
+        .or_else(|| letters().get(&(false, letter)))
 }
 
 /// A letter of a text.
@@ -95,11 +112,18 @@ fn set(text: &str, size: f64) -> (Vec<Glyph>, f64) {
         for letter in run.text.chars() {
             let (plain, script) = small(letter).unwrap_or((letter, run.script));
             // What no face has is seen as a question mark.
-            let Some(letter) = of_text(run.italic, plain).or_else(|| of_text(false, '?')) else { continue };
+            let Some(letter) = of_text(run.italic, plain).or_else(|| of_text(false, '?')) else {
+                continue;
+            };
             let [scale, down] = script.placed(size);
             let unit = scale / 1000.0;
             let bold = if run.bold { BOLD * scale } else { 0.0 };
-            glyphs.push(Glyph { letter, at: [across, down], unit, bold });
+            glyphs.push(Glyph {
+                letter,
+                at: [across, down],
+                unit,
+                bold,
+            });
             across += unit * letter.advance;
         }
     }
@@ -132,13 +156,25 @@ pub(crate) fn outline(path: &str) -> impl Iterator<Item = Segment> {
     })
 }
 
-/// The outlines of the letters of a text, with marks, that begins at the origin, downwards positive; each with the width of
-/// a line along it, which makes it bold.
+/// The outlines of the letters of a text, with marks, that begins at the origin, downwards
+/// positive; each with the width of a line along it, which makes it bold.
 pub fn outlines(text: &str, size: f64) -> impl Iterator<Item = (Vec<Segment>, f64)> {
-    glyphs(text, size).into_iter().map(|Glyph { letter, at: [right, down], unit, bold }| {
-        let place = |[x, y]: [f64; 2]| [right + unit * x, down - unit * y];
-        (outline(letter.path).map(|segment| segment.placed(place)).collect(), bold)
-    })
+    glyphs(text, size).into_iter().map(
+        |Glyph {
+             letter,
+             at: [right, down],
+             unit,
+             bold,
+         }| {
+            let place = |[x, y]: [f64; 2]| [right + unit * x, down - unit * y];
+            (
+                outline(letter.path)
+                    .map(|segment| segment.placed(place))
+                    .collect(),
+                bold,
+            )
+        },
+    )
 }
 
 /// Letters of a text, with marks, that no face has.
@@ -146,7 +182,11 @@ pub fn missing(text: &str) -> String {
     let plain = |letter| small(letter).map_or(letter, |(plain, _)| plain);
     runs(text)
         .into_iter()
-        .flat_map(|run| run.text.chars().filter(move |&letter| of_text(run.italic, plain(letter)).is_none()))
+        .flat_map(|run| {
+            run.text
+                .chars()
+                .filter(move |&letter| of_text(run.italic, plain(letter)).is_none())
+        })
         .collect()
 }
 
@@ -170,10 +210,17 @@ mod tests {
             let of = |is: fn(&Segment) -> bool| strokes.iter().filter(|stroke| is(stroke)).count();
             assert_eq!(of(|s| matches!(s, Segment::Move(_))), kinds('M'), "{key:?}");
             assert_eq!(of(|s| matches!(s, Segment::Line(_))), kinds('L'), "{key:?}");
-            assert_eq!(of(|s| matches!(s, Segment::Quad(..))), kinds('Q'), "{key:?}");
+            assert_eq!(
+                of(|s| matches!(s, Segment::Quad(..))),
+                kinds('Q'),
+                "{key:?}"
+            );
             assert_eq!(of(|s| matches!(s, Segment::Close)), kinds('Z'), "{key:?}");
             assert_eq!(kinds('C'), 0, "{key:?}");
-            assert!(letter.path.is_empty() || matches!(strokes[..], [Segment::Move(_), .., Segment::Close]));
+            assert!(
+                letter.path.is_empty()
+                    || matches!(strokes[..], [Segment::Move(_), .., Segment::Close])
+            );
         }
     }
 }

@@ -1,12 +1,13 @@
 //! How all pictures are drawn.
 //!
-//! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. [`Figure::svg`],
+//! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption.
+//! [`Figure::svg`],
 //! [`Figure::png`] and, with the feature `pdf`, `Figure::pdf` write the same drawing, [`Figure::csv`] the rows that are
-//! drawn. Letters are outlines, in a PDF a font of them, so that a figure looks the same everywhere. No file is touched here, and nothing is known
-//! of mechanics.
+//! drawn. Letters are outlines, in a PDF a font of them, so that a figure looks the same
+//! everywhere. No file is touched here, and nothing is known of mechanics.
 //!
-//! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the line: [`plain`] takes
-//! them off, [`markdown`] and [`latex`] translate them.
+//! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the
+//! line: [`plain`] takes them off, [`markdown`] and [`latex`] translate them.
 //!
 //! ```
 //! use littlewood_draw::{Content, INK, Mark, PlotAxis, Series, Sheet, Stroke};
@@ -53,7 +54,8 @@ pub use caption::latex;
 pub use chart::{ROOM, TICK};
 pub use error::DrawError;
 pub use figure::{
-    Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View, tilted,
+    Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View,
+    tilted,
 };
 pub use font::font;
 pub use letters::{missing, outlines, width};
@@ -63,7 +65,8 @@ pub use markup::{Run, Script, markdown, plain, runs, unicode};
 pub use pencil::Segment;
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
 pub use sheet::{
-    Content, Entries, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet, check_width,
+    Content, Entries, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet,
+    check_width,
 };
 pub use stroke::*;
 pub use words::{angle, marked, short};

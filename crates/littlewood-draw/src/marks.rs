@@ -70,9 +70,13 @@ impl Canvas {
                     }
                 }
             }
-            Mark::Fill(colour) => pieces.iter().for_each(|piece| self.polygon(piece, Paint::Fill(colour))),
+            Mark::Fill(colour) => pieces
+                .iter()
+                .for_each(|piece| self.polygon(piece, Paint::Fill(colour))),
             Mark::Hatch(colour) => {
-                pieces.iter().for_each(|piece| self.hatch(core::slice::from_ref(piece), colour));
+                pieces
+                    .iter()
+                    .for_each(|piece| self.hatch(core::slice::from_ref(piece), colour));
             }
             Mark::Region(colour) => self.0.push(Item::path(pieces, Paint::Fill(colour))),
             Mark::HatchedRegion(colour) => self.hatch(pieces, colour),
@@ -87,7 +91,10 @@ impl Canvas {
                 for (x, y) in points() {
                     for (r, colour) in [(radius + EDGE, PAPER), (radius, colour)] {
                         let r = steps(r);
-                        self.polygon(&[(x - r, y), (x, y + r), (x + r, y), (x, y - r)], Paint::Fill(colour));
+                        self.polygon(
+                            &[(x - r, y), (x, y + r), (x + r, y), (x, y - r)],
+                            Paint::Fill(colour),
+                        );
                     }
                 }
             }
@@ -98,14 +105,26 @@ impl Canvas {
                     self.line(&[(x - r, y + r), (x + r, y - r)], stroke);
                 }
             }
-            Mark::Hoop { offset, h, radius, rim } => {
+            Mark::Hoop {
+                offset,
+                h,
+                radius,
+                rim,
+            } => {
                 points().for_each(|point| self.hoop(point, 0.0, radius * unit, [offset, h], rim));
             }
         }
     }
 
     /// A hoop of so many steps about its centre, its particle at an angle.
-    pub(crate) fn hoop(&mut self, centre: Step, theta: f64, unit: f64, [offset, h]: [f64; 2], rim: Stroke) {
+    pub(crate) fn hoop(
+        &mut self,
+        centre: Step,
+        theta: f64,
+        unit: f64,
+        [offset, h]: [f64; 2],
+        rim: Stroke,
+    ) {
         let (sin, cos) = libm::sincos(theta);
         let along = |distance: f64| {
             (
@@ -131,13 +150,22 @@ impl Canvas {
         }
     }
 
-    /// The colour of the area in which a box lies; the paper, if it is in none or reaches out of it.
+    /// The colour of the area in which a box lies; the paper, if it is in none or reaches out of
+    /// it.
     pub(crate) fn below(&self, [left, top, right, bottom]: [f64; 4]) -> Rgb {
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         let area = self.0.iter().rev().find_map(|item| {
-            let Item::Path { lines, paint: Paint::Fill(colour) } = item else { return None };
+            let Item::Path {
+                lines,
+                paint: Paint::Fill(colour),
+            } = item
+            else {
+                return None;
+            };
             let inside = corners.map(|corner| winding(lines, corner) != 0);
-            inside.contains(&true).then(|| if inside == [true; 4] { *colour } else { PAPER })
+            inside
+                .contains(&true)
+                .then(|| if inside == [true; 4] { *colour } else { PAPER })
         });
         area.unwrap_or(PAPER)
     }
@@ -146,7 +174,10 @@ impl Canvas {
     pub(crate) fn hatch(&mut self, outlines: &[Vec<Step>], colour: Rgb) {
         let lines = hatch::lines(outlines);
         if !lines.is_empty() {
-            self.0.push(Item::path(&lines, edge(Stroke::solid(colour, hatch::WIDTH))));
+            self.0.push(Item::path(
+                &lines,
+                edge(Stroke::solid(colour, hatch::WIDTH)),
+            ));
         }
     }
 
@@ -155,7 +186,11 @@ impl Canvas {
     }
 
     fn circle(&mut self, centre: Step, radius: i32, paint: Paint) {
-        self.0.push(Item::Circle { centre, radius, paint });
+        self.0.push(Item::Circle {
+            centre,
+            radius,
+            paint,
+        });
     }
 
     fn dot(&mut self, point: Step, colour: Rgb, radius: f64) {
@@ -163,9 +198,24 @@ impl Canvas {
     }
 
     /// A text without a halo, by its middle on the vertical.
-    pub(crate) fn text(&mut self, text: &str, (x, y): Step, anchor: Anchor, size: f64, colour: Rgb) {
+    pub(crate) fn text(
+        &mut self,
+        text: &str,
+        (x, y): Step,
+        anchor: Anchor,
+        size: f64,
+        colour: Rgb,
+    ) {
         let at = [f64::from(x) / STEPS, f64::from(y) / STEPS + MIDDLE * size];
-        self.words(Words { text: text.to_owned(), at, anchor, size, colour, upwards: false, ground: None });
+        self.words(Words {
+            text: text.to_owned(),
+            at,
+            anchor,
+            size,
+            colour,
+            upwards: false,
+            ground: None,
+        });
     }
 
     pub(crate) fn words(&mut self, words: Words) {
@@ -181,7 +231,11 @@ impl Canvas {
         if length == 0.0 {
             return;
         }
-        let (ux, uy) = if centred { (-dx / length, -dy / length) } else { (dx / length, dy / length) };
+        let (ux, uy) = if centred {
+            (-dx / length, -dy / length)
+        } else {
+            (dx / length, dy / length)
+        };
         let [long, wide] = HEAD.map(|size| f64::from(steps(size)));
         let forward = if centred { 0.5 * long } else { 0.0 };
         let corner = |along: f64, across: f64| {
@@ -203,12 +257,15 @@ impl Canvas {
 /// How often closed lines wind about a place in pixels.
 fn winding(lines: &[Vec<Step>], place: [f64; 2]) -> i32 {
     let [x, y] = place.map(|pixels| pixels * STEPS);
-    let edges = lines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+    let edges = lines
+        .iter()
+        .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
     edges
         .map(|(a, b)| {
             let [a, b] = [a, b].map(|&(x, y)| [f64::from(x), f64::from(y)]);
             let left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
-            i32::from(a[1] <= y && b[1] > y && left > 0.0) - i32::from(a[1] > y && b[1] <= y && left < 0.0)
+            i32::from(a[1] <= y && b[1] > y && left > 0.0)
+                - i32::from(a[1] > y && b[1] <= y && left < 0.0)
         })
         .sum()
 }

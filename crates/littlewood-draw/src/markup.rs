@@ -43,7 +43,12 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
             continue;
         };
         if begin < at {
-            runs.push(Run { text: &text[begin..at], italic, bold, script });
+            runs.push(Run {
+                text: &text[begin..at],
+                italic,
+                bold,
+                script,
+            });
         }
         italic ^= rest.starts_with('*');
         bold ^= rest.starts_with('`');
@@ -52,27 +57,42 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
         begin = at;
     }
     if begin < text.len() {
-        runs.push(Run { text: &text[begin..], italic, bold, script });
+        runs.push(Run {
+            text: &text[begin..],
+            italic,
+            bold,
+            script,
+        });
     }
     runs
 }
 
-/// Letters and digits that stand below or above the line by themselves, each as it is on the line, and where it stands.
+/// Letters and digits that stand below or above the line by themselves, each as it is on the line,
+/// and where it stands.
 pub(crate) fn scripted() -> impl Iterator<Item = (char, char, Script)> {
-    let all = [("₁₂ₛₖ", "12sk", Script::Sub), ("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", Script::Super)];
+    let all = [
+        ("₁₂ₛₖ", "12sk", Script::Sub),
+        ("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", Script::Super),
+    ];
     all.into_iter().flat_map(|(own, plain, script)| {
-        own.chars().zip(plain.chars()).map(move |(own, plain)| (own, plain, script))
+        own.chars()
+            .zip(plain.chars())
+            .map(move |(own, plain)| (own, plain, script))
     })
 }
 
 /// Such a letter as it is on the line, and where it stands.
 pub(crate) fn small(letter: char) -> Option<(char, Script)> {
-    scripted().find(|(own, ..)| *own == letter).map(|(_, plain, script)| (plain, script))
+    scripted()
+        .find(|(own, ..)| *own == letter)
+        .map(|(_, plain, script)| (plain, script))
 }
 
 /// The letter that stands there by itself.
 fn raised(letter: char, place: Script) -> Option<char> {
-    scripted().find(|&(_, plain, script)| (plain, script) == (letter, place)).map(|(own, ..)| own)
+    scripted()
+        .find(|&(_, plain, script)| (plain, script) == (letter, place))
+        .map(|(own, ..)| own)
 }
 
 /// The mathematical symbol of Unicode that is a letter in italics.
@@ -90,7 +110,8 @@ pub(crate) fn symbol(letter: char) -> char {
     char::from_u32(code).unwrap_or(letter)
 }
 
-/// The letters alone; what stands below or above the line keeps its place, or a sign before it tells of it.
+/// The letters alone; what stands below or above the line keeps its place, or a sign before it
+/// tells of it.
 pub fn plain(text: &str) -> String {
     let mut out = String::new();
     for Run { text, script, .. } in runs(text) {
@@ -105,11 +126,17 @@ pub fn plain(text: &str) -> String {
     out
 }
 
-/// The signs that draw a text with [`font`](crate::font): italics are mathematical symbols, and what stands below or above the line
-/// is a small sign, one for private use where Unicode has none.
+/// The signs that draw a text with [`font`](crate::font): italics are mathematical symbols, and
+/// what stands below or above the line is a small sign, one for private use where Unicode has none.
 pub fn unicode(text: &str) -> String {
     let mut out = String::new();
-    for Run { text, italic, script, .. } in runs(text) {
+    for Run {
+        text,
+        italic,
+        script,
+        ..
+    } in runs(text)
+    {
         out.extend(text.chars().map(|letter| match script {
             Script::Line => {
                 if italic {
@@ -118,7 +145,9 @@ pub fn unicode(text: &str) -> String {
                     letter
                 }
             }
-            Script::Sub | Script::Super => raised(letter, script).unwrap_or_else(|| private(letter, script)),
+            Script::Sub | Script::Super => {
+                raised(letter, script).unwrap_or_else(|| private(letter, script))
+            }
         }));
     }
     out
@@ -126,15 +155,28 @@ pub fn unicode(text: &str) -> String {
 
 /// A sign for private use: a letter of ASCII below or above the line.
 pub(crate) fn private(letter: char, script: Script) -> char {
-    let first = if script == Script::Sub { 0xe000 } else { 0xe100 };
-    let sign = letter.is_ascii().then(|| char::from_u32(first + u32::from(letter))).flatten();
+    let first = if script == Script::Sub {
+        0xe000
+    } else {
+        0xe100
+    };
+    let sign = letter
+        .is_ascii()
+        .then(|| char::from_u32(first + u32::from(letter)))
+        .flatten();
     sign.unwrap_or(letter)
 }
 
 /// As Markdown.
 pub fn markdown(text: &str) -> String {
     let mut out = String::new();
-    for Run { text, italic, bold, script } in runs(text) {
+    for Run {
+        text,
+        italic,
+        bold,
+        script,
+    } in runs(text)
+    {
         let (open, close) = match script {
             Script::Line => ("", ""),
             Script::Sub => ("<sub>", "</sub>"),

@@ -24,8 +24,11 @@ struct Page(Content, Vec<Image>, Font);
 /// The font on the page, and its name in the file: six letters for a part of a font.
 const FACE: Name<'static> = Name(b"F0");
 const FONT: Name<'static> = Name(b"LWHOOP+STIXTwoMath-Regular");
-const SYSTEM: SystemInfo<'static> =
-    SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"Identity"), supplement: 0 };
+const SYSTEM: SystemInfo<'static> = SystemInfo {
+    registry: Str(b"Adobe"),
+    ordering: Str(b"Identity"),
+    supplement: 0,
+};
 
 /// To a thousandth of a pixel, which keeps the file small.
 fn fine(point: [f64; 2]) -> [f32; 2] {
@@ -40,7 +43,9 @@ fn shares(Rgb(colour): Rgb) -> [f32; 3] {
 /// Where a segment ends.
 const fn end(segment: Segment) -> Option<[f64; 2]> {
     match segment {
-        Segment::Move(to) | Segment::Line(to) | Segment::Quad(_, to) | Segment::Curve(_, _, to) => Some(to),
+        Segment::Move(to) | Segment::Line(to) | Segment::Quad(_, to) | Segment::Curve(_, _, to) => {
+            Some(to)
+        }
         Segment::Close => None,
     }
 }
@@ -48,7 +53,8 @@ const fn end(segment: Segment) -> Option<[f64; 2]> {
 /// The handles of a curve as a cubic one, from where it begins.
 fn handles(from: [f64; 2], segment: Segment) -> [[f64; 2]; 2] {
     // Two thirds of the way: where a cubic curve has its handle for that of a quadratic one.
-    let towards = |from: [f64; 2], to: [f64; 2]| [0, 1].map(|i| from[i] + 2.0 / 3.0 * (to[i] - from[i]));
+    let towards =
+        |from: [f64; 2], to: [f64; 2]| [0, 1].map(|i| from[i] + 2.0 / 3.0 * (to[i] - from[i]));
     match segment {
         Segment::Quad(handle, to) => [from, to].map(|end| towards(end, handle)),
         Segment::Curve(a, b, _) => [a, b],
@@ -94,9 +100,17 @@ impl Pencil for Page {
 
     fn stroke(&mut self, path: &Path, edge: Stroke) {
         let [r, g, b] = shares(edge.colour);
-        let cap = if edge.dash == Dash::Solid { LineCapStyle::RoundCap } else { LineCapStyle::ButtCap };
-        self.0.set_stroke_rgb(r, g, b).set_line_width(edge.width as f32).set_line_cap(cap);
-        self.0.set_dash_pattern(edge.pattern().map(|part| part as f32), 0.0);
+        let cap = if edge.dash == Dash::Solid {
+            LineCapStyle::RoundCap
+        } else {
+            LineCapStyle::ButtCap
+        };
+        self.0
+            .set_stroke_rgb(r, g, b)
+            .set_line_width(edge.width as f32)
+            .set_line_cap(cap);
+        self.0
+            .set_dash_pattern(edge.pattern().map(|part| part as f32), 0.0);
         self.path(path);
         self.0.stroke();
     }
@@ -105,7 +119,8 @@ impl Pencil for Page {
         let [[left, top], [right, bottom]] = [[left, top], [right, bottom]].map(fine);
         self.0.save_state();
         // The unit square of an image has its first row at the top.
-        self.0.transform([right - left, 0.0, 0.0, top - bottom, left, bottom]);
+        self.0
+            .transform([right - left, 0.0, 0.0, top - bottom, left, bottom]);
         self.0.x_object(Name(name_of(self.1.len()).as_bytes()));
         self.0.restore_state();
         self.1.push(image.clone());
@@ -116,11 +131,18 @@ impl Pencil for Page {
         let glyphs = glyphs(&words.text, words.size);
         let (back, [x, y]) = (words.back(), words.at);
         let [r, g, b] = shares(words.colour);
-        self.0.begin_text().set_fill_rgb(r, g, b).set_stroke_rgb(r, g, b);
+        self.0
+            .begin_text()
+            .set_fill_rgb(r, g, b)
+            .set_stroke_rgb(r, g, b);
         for line in glyphs.chunk_by(|a, b| (a.at[1], a.unit, a.bold) == (b.at[1], b.unit, b.bold)) {
             let [right, down] = line[0].at;
             let (right, size) = (right - back, (1000.0 * line[0].unit) as f32);
-            let at = if words.upwards { [x + down, y - right] } else { [x + right, y + down] };
+            let at = if words.upwards {
+                [x + down, y - right]
+            } else {
+                [x + right, y + down]
+            };
             let [a, b] = fine(at);
             self.0.set_font(FACE, size);
             // The page grows downwards, letters upwards.
@@ -130,10 +152,16 @@ impl Pencil for Page {
                 [1.0, 0.0, 0.0, -1.0, a, b]
             });
             let bold = line[0].bold as f32;
-            let mode = if bold > 0.0 { TextRenderingMode::FillStroke } else { TextRenderingMode::Fill };
+            let mode = if bold > 0.0 {
+                TextRenderingMode::FillStroke
+            } else {
+                TextRenderingMode::Fill
+            };
             self.0.set_line_width(bold).set_text_rendering_mode(mode);
-            let codes: Vec<u8> =
-                line.iter().flat_map(|glyph| self.2.number(glyph.letter).to_be_bytes()).collect();
+            let codes: Vec<u8> = line
+                .iter()
+                .flat_map(|glyph| self.2.number(glyph.letter).to_be_bytes())
+                .collect();
             self.0.show(Str(&codes));
         }
         self.0.end_text();
@@ -148,9 +176,13 @@ fn font(pdf: &mut Pdf, font: &Font, [face, letters, about, file, signs]: [Ref; 5
         .descendant_font(letters)
         .to_unicode(signs);
     let mut cid = pdf.cid_font(letters);
-    cid.subtype(CidFontType::Type2).base_font(FONT).system_info(SYSTEM).font_descriptor(about);
+    cid.subtype(CidFontType::Type2)
+        .base_font(FONT)
+        .system_info(SYSTEM)
+        .font_descriptor(about);
     cid.cid_to_gid_map_predefined(Name(b"Identity"));
-    cid.widths().consecutive(1, font.letters().iter().map(|letter| letter.advance as f32));
+    cid.widths()
+        .consecutive(1, font.letters().iter().map(|letter| letter.advance as f32));
     cid.finish();
     pdf.font_descriptor(about)
         .name(FONT)
@@ -165,7 +197,9 @@ fn font(pdf: &mut Pdf, font: &Font, [face, letters, about, file, signs]: [Ref; 5
     let bytes = font.file();
     let packed = compress_to_vec_zlib(&bytes, LEVEL);
     let mut stream = pdf.stream(file, &packed);
-    stream.filter(Filter::FlateDecode).pair(Name(b"Length1"), bytes.len() as i32);
+    stream
+        .filter(Filter::FlateDecode)
+        .pair(Name(b"Length1"), bytes.len() as i32);
     stream.finish();
     let mut map = UnicodeCmap::new(Name(b"letters"), SYSTEM);
     for (number, letter) in (1_u16..).zip(font.letters()) {
@@ -184,7 +218,8 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
     let scale = figure.points();
     let [width, height] = [figure.width, figure.height].map(|side| (side * scale) as f32);
     let mut page = Page(Content::new(), Vec::new(), Font::default());
-    page.0.transform([scale as f32, 0.0, 0.0, -scale as f32, 0.0, height]);
+    page.0
+        .transform([scale as f32, 0.0, 0.0, -scale as f32, 0.0, height]);
     page.0.set_line_join(LineJoinStyle::RoundJoin);
     draw(items, [figure.width, figure.height], &mut page);
 
@@ -194,9 +229,16 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
     pdf.catalog(catalog).pages(pages);
     pdf.pages(pages).kids([sheet]).count(1);
     let mut described = pdf.page(sheet);
-    described.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(content);
-    let images: Vec<(Ref, Image)> =
-        page.1.into_iter().zip(11..).map(|(image, at)| (Ref::new(at), image)).collect();
+    described
+        .parent(pages)
+        .media_box(Rect::new(0.0, 0.0, width, height))
+        .contents(content);
+    let images: Vec<(Ref, Image)> = page
+        .1
+        .into_iter()
+        .zip(11..)
+        .map(|(image, at)| (Ref::new(at), image))
+        .collect();
     let mut resources = described.resources();
     resources.fonts().pair(FACE, of_font[0]);
     if !images.is_empty() {
@@ -209,13 +251,16 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
     described.finish();
     for (at, image) in &images {
         let bytes = compress_to_vec_zlib(&image.pixels, LEVEL);
-        let [width, height] = image.size.map(|side| i32::try_from(side).unwrap_or(i32::MAX));
+        let [width, height] = image
+            .size
+            .map(|side| i32::try_from(side).unwrap_or(i32::MAX));
         let mut object = pdf.image_xobject(*at, &bytes);
         object.filter(Filter::FlateDecode);
         object.width(width).height(height).bits_per_component(8);
         object.color_space().device_rgb();
     }
-    pdf.stream(content, &compress_to_vec_zlib(&page.0.finish(), LEVEL)).filter(Filter::FlateDecode);
+    pdf.stream(content, &compress_to_vec_zlib(&page.0.finish(), LEVEL))
+        .filter(Filter::FlateDecode);
     font(&mut pdf, &page.2, of_font);
     pdf.document_info(about)
         .title(TextStr(&plain(&figure.title)))

@@ -61,12 +61,23 @@ pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl 
     for item in items {
         match item {
             Item::Path { lines, paint } => {
-                let path: Vec<Segment> = lines.iter().flat_map(|line| polygon(line, *paint)).collect();
+                let path: Vec<Segment> = lines
+                    .iter()
+                    .flat_map(|line| polygon(line, *paint))
+                    .collect();
                 painted(&path, *paint, pencil);
             }
             Item::Image { corners, image } => pencil.image(corners.map(pixels), image),
-            Item::Circle { centre, radius, paint } => {
-                painted(&circle(pixels(*centre), f64::from(*radius) / STEPS), *paint, pencil);
+            Item::Circle {
+                centre,
+                radius,
+                paint,
+            } => {
+                painted(
+                    &circle(pixels(*centre), f64::from(*radius) / STEPS),
+                    *paint,
+                    pencil,
+                );
             }
             Item::Words(words) => {
                 if let Some(ground) = words.ground {
@@ -92,7 +103,10 @@ fn pixels((x, y): Step) -> [f64; 2] {
 
 fn polygon(points: &[Step], paint: Paint) -> Vec<Segment> {
     let begin = points.first().map(|point| Segment::Move(pixels(*point)));
-    let rest = points.iter().skip(1).map(|point| Segment::Line(pixels(*point)));
+    let rest = points
+        .iter()
+        .skip(1)
+        .map(|point| Segment::Line(pixels(*point)));
     let end = matches!(paint, Paint::Fill(_)).then_some(Segment::Close);
     begin.into_iter().chain(rest).chain(end).collect()
 }
@@ -115,10 +129,19 @@ fn circle([x, y]: [f64; 2], radius: f64) -> Vec<Segment> {
     let quarter = |[a, b]: [f64; 2]| {
         // The direction in which the circle goes on, a quarter of a turn further.
         let [c, d] = [-b, a];
-        Segment::Curve(at(a + HANDLE * c, b + HANDLE * d), at(c + HANDLE * a, d + HANDLE * b), at(c, d))
+        Segment::Curve(
+            at(a + HANDLE * c, b + HANDLE * d),
+            at(c + HANDLE * a, d + HANDLE * b),
+            at(c, d),
+        )
     };
     let quarters = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]].map(quarter);
-    [&[Segment::Move(at(1.0, 0.0))], &quarters[..], &[Segment::Close]].concat()
+    [
+        &[Segment::Move(at(1.0, 0.0))],
+        &quarters[..],
+        &[Segment::Close],
+    ]
+    .concat()
 }
 
 /// A text by the outlines of its letters.
@@ -126,10 +149,21 @@ fn written(words: &Words, pencil: &mut impl Pencil) {
     let (back, [x, y]) = (words.back(), words.at);
     let place = |[right, down]: [f64; 2]| {
         let right = right - back;
-        if words.upwards { [x + down, y - right] } else { [x + right, y + down] }
+        if words.upwards {
+            [x + down, y - right]
+        } else {
+            [x + right, y + down]
+        }
     };
     let letters: Vec<(Vec<Segment>, f64)> = outlines(&words.text, words.size)
-        .map(|(path, bold)| (path.into_iter().map(|segment| segment.placed(place)).collect(), bold))
+        .map(|(path, bold)| {
+            (
+                path.into_iter()
+                    .map(|segment| segment.placed(place))
+                    .collect(),
+                bold,
+            )
+        })
         .collect();
     let path: Vec<Segment> = letters.iter().flat_map(|(path, _)| path).copied().collect();
     pencil.fill(&path, words.colour);

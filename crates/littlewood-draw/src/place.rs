@@ -16,8 +16,16 @@ const EDGE: f64 = 3.0;
 const STEP: f64 = 2.0 / STEPS;
 /// Distances at which there may be room beside a place, and directions, in pixels.
 const DISTANCES: [f64; 4] = [5.0, 11.0, 20.0, 32.0];
-const DIRECTIONS: [[f64; 2]; 8] =
-    [[1.0, -1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, -1.0], [0.0, 1.0], [1.0, 0.0], [-1.0, 0.0]];
+const DIRECTIONS: [[f64; 2]; 8] = [
+    [1.0, -1.0],
+    [-1.0, -1.0],
+    [1.0, 1.0],
+    [-1.0, 1.0],
+    [0.0, -1.0],
+    [0.0, 1.0],
+    [1.0, 0.0],
+    [-1.0, 0.0],
+];
 /// A pixel from where it was asked for is worth so much of a curve below a label.
 const NEARNESS: f64 = 0.1;
 /// Side of the cells in which curves are looked for.
@@ -32,7 +40,10 @@ struct Drawn {
 impl Drawn {
     fn new(panel: &Panel, sheet: [f64; 2], at: &dyn Fn(&[f64]) -> Option<[f64; 2]>) -> Self {
         let [columns, rows] = sheet.map(|side| libm::ceil(side / CELL) as usize + 1);
-        let mut drawn = Self { columns, cells: vec![0.0; columns * rows] };
+        let mut drawn = Self {
+            columns,
+            cells: vec![0.0; columns * rows],
+        };
         for layer in &panel.layers {
             let (Mark::Line(Stroke { colour, .. })
             | Mark::Arrow(Stroke { colour, .. })
@@ -45,9 +56,19 @@ impl Drawn {
                 continue;
             };
             let dark = (1.0 - colour.lightness() / 100.0) as f32;
-            let names = panel.axes().into_iter().map(|axis| layer.series.column(&axis.column));
-            let Some(columns) = names.collect::<Option<Vec<usize>>>() else { continue };
-            let place = |row: &Vec<f64>| at(&columns.iter().map(|column| row[*column]).collect::<Vec<_>>());
+            let names = panel
+                .axes()
+                .into_iter()
+                .map(|axis| layer.series.column(&axis.column));
+            let Some(columns) = names.collect::<Option<Vec<usize>>>() else {
+                continue;
+            };
+            let place = |row: &Vec<f64>| {
+                at(&columns
+                    .iter()
+                    .map(|column| row[*column])
+                    .collect::<Vec<_>>())
+            };
             for piece in &layer.series.pieces {
                 let places: Vec<[f64; 2]> = piece.iter().filter_map(place).collect();
                 let is_line = matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
@@ -94,7 +115,12 @@ fn frame(label: &Label, [x, y]: [f64; 2]) -> Frame {
     let left = x + label.shift[0] - label.anchor.share() * wide;
     let middle = y + label.shift[1];
     let base = middle + MIDDLE * label.size;
-    [left, base - ASCENT * label.size, left + wide, base + DESCENT * label.size]
+    [
+        left,
+        base - ASCENT * label.size,
+        left + wide,
+        base + DESCENT * label.size,
+    ]
 }
 
 /// Whether two boxes are closer than they may be.
@@ -116,17 +142,25 @@ fn choices(label: &Label) -> Vec<Label> {
                 -1.0 => Anchor::Right,
                 _ => Anchor::Middle,
             };
-            let slant = if right != 0.0 && down != 0.0 { core::f64::consts::FRAC_1_SQRT_2 } else { 1.0 };
+            let slant = if right != 0.0 && down != 0.0 {
+                core::f64::consts::FRAC_1_SQRT_2
+            } else {
+                1.0
+            };
             let beyond = if down == 0.0 { 0.0 } else { 0.45 * label.size };
             let shift = [slant * distance * right, down * (slant * distance + beyond)];
-            choices.push(Label { shift, anchor, ..label.clone() });
+            choices.push(Label {
+                shift,
+                anchor,
+                ..label.clone()
+            });
         }
     }
     choices
 }
 
-/// Places the labels of a panel; those are taken off whose place is out of sight, and those for which there is no room, which
-/// are returned.
+/// Places the labels of a panel; those are taken off whose place is out of sight, and those for
+/// which there is no room, which are returned.
 pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
     if panel.labels.is_empty() {
         return Vec::new();
@@ -134,10 +168,20 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
     let all = [0.0, 0.0, sheet[0], sheet[1]];
     let [[left, top], [right, bottom]] = panel.axes_frame();
     let has_axes = matches!(panel.view, View::Plane { axes: true, .. });
-    let room = if has_axes { [left, top, right, bottom] } else { all };
+    let room = if has_axes {
+        [left, top, right, bottom]
+    } else {
+        all
+    };
     let space = match &panel.view {
         View::Plane { .. } => None,
-        View::Space { x, y, z, yaw, pitch } => Some(Space::new(panel.frame, [x, y, z], [*yaw, *pitch])),
+        View::Space {
+            x,
+            y,
+            z,
+            yaw,
+            pitch,
+        } => Some(Space::new(panel.frame, [x, y, z], [*yaw, *pitch])),
     };
     let at = |place: &[f64]| match &space {
         Some(space) => {
@@ -147,7 +191,8 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
         None => panel.place([place[0], place[1]]),
     };
     let drawn = Drawn::new(panel, sheet, &at);
-    let (mut kept, mut left_out, mut taken): (Vec<Label>, Vec<Label>, Vec<Frame>) = Default::default();
+    let (mut kept, mut left_out, mut taken): (Vec<Label>, Vec<Label>, Vec<Frame>) =
+        Default::default();
     if let Some(space) = &space {
         // The numbers of three axes stand among what is drawn.
         let mut canvas = Canvas::default();
@@ -165,7 +210,10 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
         let room = if label.is_fixed { all } else { room };
         let cost = |choice: &Label| {
             let own = frame(choice, here);
-            let moved = libm::hypot(own[0] - frame(label, here)[0], own[1] - frame(label, here)[1]);
+            let moved = libm::hypot(
+                own[0] - frame(label, here)[0],
+                own[1] - frame(label, here)[1],
+            );
             drawn.below(own) + NEARNESS * moved
         };
         let is_free = |choice: &Label| {
@@ -173,8 +221,15 @@ pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
             is_within(grown(own, STEP), room) && taken.iter().all(|other| !overlap(own, *other))
         };
         // The figure has made room for it.
-        let choices = if label.is_fixed { vec![label.clone()] } else { choices(label) };
-        let free = choices.into_iter().map(|choice| inwards(choice, here, room)).filter(is_free);
+        let choices = if label.is_fixed {
+            vec![label.clone()]
+        } else {
+            choices(label)
+        };
+        let free = choices
+            .into_iter()
+            .map(|choice| inwards(choice, here, room))
+            .filter(is_free);
         match free.min_by(|a, b| cost(a).total_cmp(&cost(b))) {
             Some(best) => {
                 taken.push(frame(&best, here));
@@ -196,5 +251,8 @@ fn inwards(label: Label, here: [f64; 2], room: Frame) -> Label {
     let own = frame(&label, here);
     let [left, right] = [room[0] + EDGE, room[2] - EDGE];
     let by = (left - own[0]).max(0.0) - (own[2] - right).max(0.0);
-    Label { shift: [label.shift[0] + by, label.shift[1]], ..label }
+    Label {
+        shift: [label.shift[0] + by, label.shift[1]],
+        ..label
+    }
 }

@@ -2,8 +2,8 @@
 
 use littlewood_style::{Dash, Rgb};
 use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, PixmapPaint, Shader, Stroke, StrokeDash,
-    Transform,
+    Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, PixmapPaint, Shader, Stroke,
+    StrokeDash, Transform,
 };
 
 use crate::error::DrawError;
@@ -24,7 +24,11 @@ pub fn check_scale(scale: f64) -> Result<(), DrawError> {
     if (LEAST_SCALE..=MOST_SCALE).contains(&scale) {
         Ok(())
     } else {
-        Err(DrawError::Scale { scale, least: LEAST_SCALE, most: MOST_SCALE })
+        Err(DrawError::Scale {
+            scale,
+            least: LEAST_SCALE,
+            most: MOST_SCALE,
+        })
     }
 }
 
@@ -76,12 +80,17 @@ impl Pencil for Picture {
     fn fill(&mut self, path: &Path, colour: Rgb) {
         if let Some(path) = skia(path) {
             let paint = paint(colour);
-            self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, None);
+            self.pixels
+                .fill_path(&path, &paint, FillRule::Winding, self.transform, None);
         }
     }
 
     fn stroke(&mut self, path: &Path, edge: stroke::Stroke) {
-        let line_cap = if edge.dash == Dash::Solid { LineCap::Round } else { LineCap::Butt };
+        let line_cap = if edge.dash == Dash::Solid {
+            LineCap::Round
+        } else {
+            LineCap::Butt
+        };
         let dash = StrokeDash::new(edge.pattern().map(|part| part as f32).collect(), 0.0);
         let stroke = Stroke {
             width: edge.width as f32,
@@ -91,26 +100,37 @@ impl Pencil for Picture {
             ..Stroke::default()
         };
         if let Some(path) = skia(path) {
-            self.pixels.stroke_path(&path, &paint(edge.colour), &stroke, self.transform, None);
+            self.pixels
+                .stroke_path(&path, &paint(edge.colour), &stroke, self.transform, None);
         }
     }
 
     fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
         let [width, height] = image.size.map(|side| side as u32);
-        let Some(mut own) = Pixmap::new(width, height) else { return };
-        let bytes = image.pixels.chunks_exact(3).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
+        let Some(mut own) = Pixmap::new(width, height) else {
+            return;
+        };
+        let bytes = image
+            .pixels
+            .chunks_exact(3)
+            .flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
         for (to, byte) in own.data_mut().iter_mut().zip(bytes) {
             *to = byte;
         }
-        let [x, y] = single([(right - left) / f64::from(width), (bottom - top) / f64::from(height)]);
+        let [x, y] = single([
+            (right - left) / f64::from(width),
+            (bottom - top) / f64::from(height),
+        ]);
         let [left, top] = single([left, top]);
         let transform = self.transform.pre_translate(left, top).pre_scale(x, y);
-        self.pixels.draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, None);
+        self.pixels
+            .draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, None);
     }
 }
 
 impl Figure {
-    /// The figure as PNG, with `scale` pixels to 1/96 inch: 2 for a screen, 3.125 for 300 dpi in print.
+    /// The figure as PNG, with `scale` pixels to 1/96 inch: 2 for a screen, 3.125 for 300 dpi in
+    /// print.
     ///
     /// # Errors
     /// A scale out of bounds.
@@ -119,7 +139,9 @@ impl Figure {
         let scale = scale * self.points() / POINTS;
         let size = [self.width, self.height].map(|side| libm::ceil(side * scale) as u32);
         let pixels = self.pixels(size, scale)?;
-        let to_a_metre = self.print_mm.map(|mm| libm::round(scale * self.width / (mm / 1000.0)) as u32);
+        let to_a_metre = self
+            .print_mm
+            .map(|mm| libm::round(scale * self.width / (mm / 1000.0)) as u32);
         Ok(pixels.file(to_a_metre).unwrap_or_default())
     }
 
@@ -137,9 +159,15 @@ impl Figure {
         let sides = [width, height].map(|side| f64::from(side) / scale);
         draw(&self.items(), sides, &mut picture);
         // Paper covers all, so that there is nothing to see through.
-        let colours =
-            picture.pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
-        Ok(Image { size: [width, height].map(|side| side as usize), pixels: colours.collect() })
+        let colours = picture
+            .pixels
+            .pixels()
+            .iter()
+            .flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
+        Ok(Image {
+            size: [width, height].map(|side| side as usize),
+            pixels: colours.collect(),
+        })
     }
 }
 
@@ -153,11 +181,17 @@ impl Image {
     /// The same, with its pixels to a metre if its width in print is known.
     fn file(&self, to_a_metre: Option<u32>) -> Result<Vec<u8>, png::EncodingError> {
         let mut bytes = Vec::new();
-        let [width, height] = self.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+        let [width, height] = self
+            .size
+            .map(|side| u32::try_from(side).unwrap_or(u32::MAX));
         let mut encoder = png::Encoder::new(&mut bytes, width, height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
-        let dimensions = |count| png::PixelDimensions { xppu: count, yppu: count, unit: png::Unit::Meter };
+        let dimensions = |count| png::PixelDimensions {
+            xppu: count,
+            yppu: count,
+            unit: png::Unit::Meter,
+        };
         encoder.set_pixel_dims(to_a_metre.map(dimensions));
         encoder.set_compression(png::Compression::Balanced);
         let mut writer = encoder.write_header()?;

@@ -10,7 +10,8 @@ pub const LEAST_WIDTH_MM: f64 = 60.0;
 /// Widest.
 pub const MOST_WIDTH_MM: f64 = 420.0;
 
-/// Points to a pixel of a drawing: in print letters are smaller than on a screen, those of ticks 7 points.
+/// Points to a pixel of a drawing: in print letters are smaller than on a screen, those of ticks 7
+/// points.
 pub const PRINT_POINTS: f64 = 7.0 / SMALL;
 /// Points to a millimetre.
 pub const POINTS_TO_A_MM: f64 = 72.0 / 25.4;
@@ -73,7 +74,11 @@ pub fn check_width(mm: f64) -> Result<(), DrawError> {
     if (LEAST_WIDTH_MM..=MOST_WIDTH_MM).contains(&mm) {
         Ok(())
     } else {
-        Err(DrawError::Width { mm, least: LEAST_WIDTH_MM, most: MOST_WIDTH_MM })
+        Err(DrawError::Width {
+            mm,
+            least: LEAST_WIDTH_MM,
+            most: MOST_WIDTH_MM,
+        })
     }
 }
 
@@ -83,9 +88,19 @@ impl Sheet {
     /// # Errors
     /// [`DrawError::Width`].
     pub fn new(print_mm: Option<f64>, own: f64) -> Result<Self, DrawError> {
-        let Some(mm) = print_mm else { return Ok(Self { width: own, own, print_mm }) };
+        let Some(mm) = print_mm else {
+            return Ok(Self {
+                width: own,
+                own,
+                print_mm,
+            });
+        };
         check_width(mm)?;
-        Ok(Self { width: mm * POINTS_TO_A_MM / PRINT_POINTS, own, print_mm })
+        Ok(Self {
+            width: mm * POINTS_TO_A_MM / PRINT_POINTS,
+            own,
+            print_mm,
+        })
     }
 
     /// Height of a panel that has this height on a screen.
@@ -98,25 +113,40 @@ impl Sheet {
         [LEFT, self.width - LEFT - RIGHT]
     }
 
-    /// Left ends and width of panels beside each other; of one that takes all where they would be narrower than this.
+    /// Left ends and width of panels beside each other; of one that takes all where they would be
+    /// narrower than this.
     pub fn columns<const N: usize>(&self, least: f64) -> Option<([f64; N], f64)> {
         let gap = 14.0;
         let each = (self.width - LEFT - RIGHT - gap * (N - 1) as f64) / N as f64;
-        (each >= least).then(|| (core::array::from_fn(|i| LEFT + (each + gap) * i as f64), each))
+        (each >= least).then(|| {
+            (
+                core::array::from_fn(|i| LEFT + (each + gap) * i as f64),
+                each,
+            )
+        })
     }
 
-    /// Keys in rows from a height downwards, in columns where it takes more than one row, and the height of all.
+    /// Keys in rows from a height downwards, in columns where it takes more than one row, and the
+    /// height of all.
     pub fn keys(&self, entries: Entries, top: f64) -> (Vec<Key>, f64) {
-        let widths: Vec<f64> = entries.iter().map(|(_, text)| SAMPLE + width(text, SMALL) + GAP).collect();
+        let widths: Vec<f64> = entries
+            .iter()
+            .map(|(_, text)| SAMPLE + width(text, SMALL) + GAP)
+            .collect();
         let room = self.width - 10.0 + GAP;
         let all: f64 = widths.iter().sum();
         let widest = widths.iter().copied().fold(0.0, f64::max);
         let rows_from = |left: f64| {
             let fits = libm::floor((room - left) / widest) as usize;
-            if left + all <= room { 1 } else { entries.len().div_ceil(fits.clamp(1, entries.len().max(1))) }
+            if left + all <= room {
+                1
+            } else {
+                entries.len().div_ceil(fits.clamp(1, entries.len().max(1)))
+            }
         };
         // Where that takes no more rows they begin with the axes.
-        let is_indented = KEYS_LEFT + all.min(widest) <= room && rows_from(KEYS_LEFT) <= rows_from(10.0);
+        let is_indented =
+            KEYS_LEFT + all.min(widest) <= room && rows_from(KEYS_LEFT) <= rows_from(10.0);
         let left = if is_indented { KEYS_LEFT } else { 10.0 };
         // As few columns as make the same number of rows.
         let rows = rows_from(left);
@@ -129,11 +159,22 @@ impl Sheet {
                 at += wide;
                 [at - wide, top + 0.5 * ROW]
             } else {
-                [left + widest * (i % columns) as f64, top + ROW * ((i / columns) as f64 + 0.5)]
+                [
+                    left + widest * (i % columns) as f64,
+                    top + ROW * ((i / columns) as f64 + 0.5),
+                ]
             };
-            keys.push(Key { mark, text, at: place });
+            keys.push(Key {
+                mark,
+                text,
+                at: place,
+            });
         }
-        let rows = if is_row { usize::from(!keys.is_empty()) } else { rows };
+        let rows = if is_row {
+            usize::from(!keys.is_empty())
+        } else {
+            rows
+        };
         (keys, ROW * rows as f64)
     }
 
@@ -153,9 +194,23 @@ impl Sheet {
     }
 
     fn framed(frame: [f64; 4], content: Content, axes: bool, tilt: f64) -> Panel {
-        let Content { name, x, y, layers, labels } = content;
+        let Content {
+            name,
+            x,
+            y,
+            layers,
+            labels,
+        } = content;
         let view = View::Plane { x, y, axes, tilt };
-        Panel { name, frame, view, layers, labels, image: None, keys: Vec::new() }
+        Panel {
+            name,
+            frame,
+            view,
+            layers,
+            labels,
+            image: None,
+            keys: Vec::new(),
+        }
     }
 
     /// A figure of one panel, so high on a screen, with its keys above it.
@@ -173,10 +228,17 @@ impl Sheet {
         let height = self.height(own_height);
         let mut panel = Self::panel([left, ABOVE + room, inner, height], content);
         panel.keys = keys;
-        self.figure(name, title, caption, ABOVE + room + height + BELOW, vec![panel])
+        self.figure(
+            name,
+            title,
+            caption,
+            ABOVE + room + height + BELOW,
+            vec![panel],
+        )
     }
 
-    /// A figure of two panels beside each other, on a narrow sheet one below the other, with its keys above.
+    /// A figure of two panels beside each other, on a narrow sheet one below the other, with its
+    /// keys above.
     pub fn pair(
         &self,
         name: &'static str,
@@ -194,8 +256,11 @@ impl Sheet {
             None => [top, top + height + ABOVE].map(|top| [left, top, inner, height]),
         };
         let bottom = frames[1][1] + height + BELOW;
-        let mut panels: Vec<Panel> =
-            frames.into_iter().zip(contents).map(|(frame, content)| Self::panel(frame, content)).collect();
+        let mut panels: Vec<Panel> = frames
+            .into_iter()
+            .zip(contents)
+            .map(|(frame, content)| Self::panel(frame, content))
+            .collect();
         panels[0].keys = keys;
         self.figure(name, title, caption, bottom, panels)
     }
@@ -210,6 +275,14 @@ impl Sheet {
         panels: Vec<Panel>,
     ) -> Figure {
         let title = title.to_owned();
-        Figure { name, title, caption, width: self.width, height, print_mm: self.print_mm, panels }
+        Figure {
+            name,
+            title,
+            caption,
+            width: self.width,
+            height,
+            print_mm: self.print_mm,
+            panels,
+        }
     }
 }

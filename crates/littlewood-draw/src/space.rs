@@ -1,4 +1,5 @@
-//! Three axes, seen from a direction: the three sides at the back with their grids, and ticks along the edges in front.
+//! Three axes, seen from a direction: the three sides at the back with their grids, and ticks along
+//! the edges in front.
 
 use crate::chart::TICK;
 use crate::figure::{Anchor, PlotAxis};
@@ -81,8 +82,13 @@ impl<'a> Space<'a> {
                 (corner[a], corner[b]) = (on_a, on_b);
                 self.step(corner)
             };
-            let side =
-                [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0), corner(0.0, 0.0)];
+            let side = [
+                corner(0.0, 0.0),
+                corner(1.0, 0.0),
+                corner(1.0, 1.0),
+                corner(0.0, 1.0),
+                corner(0.0, 0.0),
+            ];
             canvas.polygon(&side, Paint::Fill(PAPER));
             canvas.line(&side, grid);
             for tick in &self.axes[a].ticks {
@@ -99,17 +105,23 @@ impl<'a> Space<'a> {
         }
     }
 
-    /// The edge along an axis that lies in front of the others of the sides at the back, with its ticks.
+    /// The edge along an axis that lies in front of the others of the sides at the back, with its
+    /// ticks.
     fn edge(&self, canvas: &mut Canvas, axis: usize, back: Corner) {
         let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
-        let edges = [(a, back[a], 1.0 - back[b]), (b, 1.0 - back[a], back[b])].map(|(_, on_a, on_b)| {
-            let mut corner = [0.5; 3];
-            (corner[a], corner[b]) = (on_a, on_b);
-            corner
-        });
+        let edges =
+            [(a, back[a], 1.0 - back[b]), (b, 1.0 - back[a], back[b])].map(|(_, on_a, on_b)| {
+                let mut corner = [0.5; 3];
+                (corner[a], corner[b]) = (on_a, on_b);
+                corner
+            });
         let depth = |corner: &Corner| self.seen(*corner)[2];
         let [first, second] = edges;
-        let front = if depth(&first) <= depth(&second) { first } else { second };
+        let front = if depth(&first) <= depth(&second) {
+            first
+        } else {
+            second
+        };
         let at = |share: f64| {
             let mut corner = front;
             corner[axis] = share;
@@ -135,7 +147,13 @@ impl<'a> Space<'a> {
             let (x, y) = at(self.axes[axis].share(tick.value));
             canvas.line(&[(x, y), (x + right, y + down)], line);
             let lower = down.signum() * steps(0.43 * SMALL);
-            canvas.text(&tick.label, (x + 2 * right, y + 2 * down + lower), anchor, SMALL, INK);
+            canvas.text(
+                &tick.label,
+                (x + 2 * right, y + 2 * down + lower),
+                anchor,
+                SMALL,
+                INK,
+            );
         }
     }
 }

@@ -44,22 +44,38 @@ pub struct Stroke {
 impl Stroke {
     /// A line without dashes.
     pub const fn solid(colour: Rgb, width: f64) -> Self {
-        Self { colour, width, dash: Dash::Solid }
+        Self {
+            colour,
+            width,
+            dash: Dash::Solid,
+        }
     }
 
     /// A curve of the (θ, θ′) plane.
     pub const fn of_curve(curve: Curve) -> Self {
-        Self { colour: curve.colour(THEME), width: curve.width(), dash: curve.dash() }
+        Self {
+            colour: curve.colour(THEME),
+            width: curve.width(),
+            dash: curve.dash(),
+        }
     }
 
     /// A line of the plane of impulses.
     pub const fn of_impulse_line(line: ImpulseLine) -> Self {
-        Self { colour: line.colour(THEME), width: line.width(), dash: line.dash() }
+        Self {
+            colour: line.colour(THEME),
+            width: line.width(),
+            dash: line.dash(),
+        }
     }
 
     /// A motion in a mode.
     pub const fn of_mode(mode: Mode) -> Self {
-        Self { colour: of_mode(mode, THEME), width: width::CURVE, dash: dash_of(mode) }
+        Self {
+            colour: of_mode(mode, THEME),
+            width: width::CURVE,
+            dash: dash_of(mode),
+        }
     }
 
     /// The same with dashes.

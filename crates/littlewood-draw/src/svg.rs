@@ -15,7 +15,10 @@ use crate::stroke::PAPER;
 
 /// A drawing.
 pub(crate) fn document(figure: &Figure, items: &[Item]) -> String {
-    let mut sheet = Sheet { body: String::new(), outlines: BTreeMap::new() };
+    let mut sheet = Sheet {
+        body: String::new(),
+        outlines: BTreeMap::new(),
+    };
     for item in items {
         sheet.add(item);
     }
@@ -23,7 +26,11 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> String {
     let size = figure.print_mm.map_or_else(
         || format!("width=\"{w}\" height=\"{h}\""),
         |mm| {
-            format!("width=\"{}mm\" height=\"{}mm\"", decimal(mm), decimal(mm * figure.height / figure.width))
+            format!(
+                "width=\"{}mm\" height=\"{}mm\"",
+                decimal(mm),
+                decimal(mm * figure.height / figure.width)
+            )
         },
     );
     let mut out = format!(
@@ -54,12 +61,19 @@ impl Sheet {
     fn add(&mut self, item: &Item) {
         match item {
             Item::Path { lines, paint } => {
-                let close = if matches!(paint, Paint::Edge(_)) { "" } else { "z" };
+                let close = if matches!(paint, Paint::Edge(_)) {
+                    ""
+                } else {
+                    "z"
+                };
                 let lines: Vec<String> = lines.iter().map(|line| data(line) + close).collect();
                 let paint = Self::paint(*paint);
                 let _ = writeln!(self.body, "<path d=\"{}\" {paint}/>", lines.concat());
             }
-            Item::Image { corners: [(left, top), (right, bottom)], image } => {
+            Item::Image {
+                corners: [(left, top), (right, bottom)],
+                image,
+            } => {
                 let [x, y, wide, high] = [*left, *top, right - left, bottom - top].map(number);
                 let _ = writeln!(
                     self.body,
@@ -68,9 +82,16 @@ impl Sheet {
                     STANDARD.encode(image.png())
                 );
             }
-            Item::Circle { centre: (x, y), radius, paint } => {
+            Item::Circle {
+                centre: (x, y),
+                radius,
+                paint,
+            } => {
                 let ([x, y, radius], paint) = ([*x, *y, *radius].map(number), Self::paint(*paint));
-                let _ = writeln!(self.body, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {paint}/>");
+                let _ = writeln!(
+                    self.body,
+                    "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {paint}/>"
+                );
             }
             Item::Words(words) => self.outlined(words),
         }
@@ -138,7 +159,10 @@ impl Sheet {
 }
 
 fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }
 
 /// Data of a path: the first point, then the way from each to the next.
@@ -171,7 +195,11 @@ fn number(value: i32) -> String {
 fn decimal(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 #[cfg(test)]

@@ -6,8 +6,9 @@ use littlewood_style::ticks;
 
 use crate::markup::{Script, small};
 
-/// A symbol or a unit as it is printed, with marks: letters are italic, an index stands below the line, an exponent
-/// above it. Small letters after a capital one are its index; other words of three and more are names of functions, and upright.
+/// A symbol or a unit as it is printed, with marks: letters are italic, an index stands below the
+/// line, an exponent above it. Small letters after a capital one are its index; other words of
+/// three and more are names of functions, and upright.
 pub fn marked(sign: &str) -> String {
     let mut out = String::new();
     let mut letters = sign.chars().peekable();
@@ -20,7 +21,11 @@ pub fn marked(sign: &str) -> String {
             while let Some(next) = letters.next_if(char::is_ascii_lowercase) {
                 word.push(next);
             }
-            out += &if word.len() > 2 { word } else { format!("*{word}*") };
+            out += &if word.len() > 2 {
+                word
+            } else {
+                format!("*{word}*")
+            };
         } else if letter.is_alphabetic() {
             out += &format!("*{letter}*");
             let mut index = String::new();
@@ -66,7 +71,11 @@ pub fn short(value: f64) -> String {
         return ticks::minus(&format!("{factor}10^{{{power}}}"));
     }
     let whole = value.to_string();
-    let own = whole.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit).count();
+    let own = whole
+        .trim_start_matches(['-', '0', '.'])
+        .chars()
+        .filter(char::is_ascii_digit)
+        .count();
     if own <= WHOLE {
         return ticks::minus(&whole);
     }
@@ -78,6 +87,11 @@ pub fn short(value: f64) -> String {
 /// An angle for print, rad: a multiple of π/12, if it is one.
 pub fn angle(value: f64) -> String {
     let twelfths = libm::round(12.0 * value / PI);
-    let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
-    if is_one { ticks::of_pi(twelfths as i64, 12) } else { short(value) }
+    let is_one =
+        twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
+    if is_one {
+        ticks::of_pi(twelfths as i64, 12)
+    } else {
+        short(value)
+    }
 }

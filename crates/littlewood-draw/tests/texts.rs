@@ -2,7 +2,9 @@
 
 use littlewood::tables::{Class, Dimension, Quantity, SampleColumn};
 use littlewood::{Cause, Mode, OutcomeKind};
-use littlewood_draw::{Run, Script, latex, markdown, marked, missing, plain, runs, short, unicode, width};
+use littlewood_draw::{
+    Run, Script, latex, markdown, marked, missing, plain, runs, short, unicode, width,
+};
 
 #[test]
 fn marks_are_taken_off() {
@@ -10,8 +12,14 @@ fn marks_are_taken_off() {
     assert_eq!(plain("10^{−7} *I*_{zz}, *W*^{s}"), "10⁻⁷ I_zz, W^s");
     assert_eq!(markdown("*μ*_{s} = ½"), "*μ*<sub>s</sub> = ½");
     assert_eq!(plain("{x}"), "{x}");
-    assert_eq!(unicode("*h*, *μ*_{s}*N*, ϱ, *ϱ*, *I*_{z}"), "ℎ, 𝜇ₛ𝑁, ϱ, 𝜚, 𝐼\u{e07a}");
-    assert_eq!((plain("`E`_{1}"), markdown("`E`_{1}")), ("E₁".to_owned(), "**E**<sub>1</sub>".to_owned()));
+    assert_eq!(
+        unicode("*h*, *μ*_{s}*N*, ϱ, *ϱ*, *I*_{z}"),
+        "ℎ, 𝜇ₛ𝑁, ϱ, 𝜚, 𝐼\u{e07a}"
+    );
+    assert_eq!(
+        (plain("`E`_{1}"), markdown("`E`_{1}")),
+        ("E₁".to_owned(), "**E**<sub>1</sub>".to_owned())
+    );
 }
 
 #[test]
@@ -20,23 +28,50 @@ fn a_run_knows_how_it_is_set() {
     assert_eq!(
         found,
         [
-            Run { text: "m", italic: true, bold: false, script: Script::Line },
-            Run { text: "1", italic: false, bold: false, script: Script::Sub },
-            Run { text: "R", italic: true, bold: false, script: Script::Line },
+            Run {
+                text: "m",
+                italic: true,
+                bold: false,
+                script: Script::Line
+            },
+            Run {
+                text: "1",
+                italic: false,
+                bold: false,
+                script: Script::Sub
+            },
+            Run {
+                text: "R",
+                italic: true,
+                bold: false,
+                script: Script::Line
+            },
         ]
     );
 }
 
 #[test]
 fn symbols_are_formulas_and_words_are_text() {
-    assert_eq!(latex("|*F*| = *μ*_{s}*N* at 5%"), "$|F| = \\mu_{\\mathrm{s}}N$ at 5\\%");
+    assert_eq!(
+        latex("|*F*| = *μ*_{s}*N* at 5%"),
+        "$|F| = \\mu_{\\mathrm{s}}N$ at 5\\%"
+    );
     assert_eq!(latex("*θ*′^{2} = 10^{−9}."), "$\\theta'^{2} = 10^{-9}$.");
-    assert_eq!(latex("*μ*_{k} = 0.4. In 2019"), "$\\mu_{\\mathrm{k}} = 0.4$. In 2019");
+    assert_eq!(
+        latex("*μ*_{k} = 0.4. In 2019"),
+        "$\\mu_{\\mathrm{k}} = 0.4$. In 2019"
+    );
     assert_eq!(latex("*X̄* moves by *ℓh*"), "$\\bar{X}$ moves by $\\ell h$");
     assert_eq!(latex("*I\u{302}* = 1"), "$\\hat{I} = 1$");
     // A formula is in one piece, and units are text.
-    assert_eq!(latex("*θ*(0) = π/2, *I*_{zz} = 2"), "$\\theta(0) = \\pi/2$, $I_{\\mathrm{zz}} = 2$");
-    assert_eq!(latex("*g* = 9.8 m/s^{2} (2.9)"), "$g = 9.8$ m/s$^{2}$ (2.9)");
+    assert_eq!(
+        latex("*θ*(0) = π/2, *I*_{zz} = 2"),
+        "$\\theta(0) = \\pi/2$, $I_{\\mathrm{zz}} = 2$"
+    );
+    assert_eq!(
+        latex("*g* = 9.8 m/s^{2} (2.9)"),
+        "$g = 9.8$ m/s$^{2}$ (2.9)"
+    );
 }
 
 #[test]
@@ -56,7 +91,10 @@ fn numbers_have_four_digits_and_four_decimals() {
     assert_eq!(short(0.000_123_456_7), "0.0001235");
     assert_eq!(short(-12.5), "−12.5");
     assert_eq!(short(53.130_102), "53.1301");
-    assert_eq!((short(9.80665), short(1000.0)), ("9.80665".to_owned(), "1000".to_owned()));
+    assert_eq!(
+        (short(9.80665), short(1000.0)),
+        ("9.80665".to_owned(), "1000".to_owned())
+    );
     assert_eq!(short(123_456.7), "123456.7");
     assert_eq!(short(1.5e-9), "1.5×10^{−9}");
     assert_eq!(short(-1e9), "−10^{9}");
@@ -68,7 +106,10 @@ fn the_faces_have_the_letters_of_the_tables() {
         .iter()
         .map(|quantity| quantity.sign())
         .chain([SampleColumn::Normal.sign(), SampleColumn::Friction.sign()])
-        .chain([Dimension::Force.scale_sign(), Dimension::Energy.scale_sign()])
+        .chain([
+            Dimension::Force.scale_sign(),
+            Dimension::Energy.scale_sign(),
+        ])
         .chain(Quantity::ALL.iter().map(|quantity| quantity.unit_sign()))
     {
         assert_eq!(missing(&marked(sign)), "", "{sign}");

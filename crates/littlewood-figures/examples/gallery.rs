@@ -1,4 +1,5 @@
-//! Writes the gallery, images and page: `cargo run -p littlewood-figures --example gallery -- docs`.
+//! Writes the gallery, images and page: `cargo run -p littlewood-figures --example gallery --
+//! docs`.
 
 use std::error::Error;
 use std::fs;
@@ -8,7 +9,9 @@ use littlewood_figures::{FIGURES, GALLERY_SCALE, gallery_page};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = arguments.next().ok_or("the folder of the documentation is wanted")?;
+    let folder = arguments
+        .next()
+        .ok_or("the folder of the documentation is wanted")?;
     let images = Path::new(&folder).join("gallery");
     fs::create_dir_all(&images)?;
     for entry in FIGURES {

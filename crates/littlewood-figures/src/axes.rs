@@ -18,7 +18,10 @@ impl Wording {
 
     /// θ, with ticks of its own.
     pub(crate) fn angle_with(self, range: [f64; 2], own: Vec<Tick>) -> PlotAxis {
-        PlotAxis { scale: Scale::Angle(own), ..self.of_quantity(Quantity::Theta, range) }
+        PlotAxis {
+            scale: Scale::Angle(own),
+            ..self.of_quantity(Quantity::Theta, range)
+        }
     }
 
     /// θ′.
@@ -47,38 +50,62 @@ impl Wording {
     }
 }
 
-/// The window of the plane of rolling: a turn about the stable equilibrium, half a quarter more on either side; rates
-/// to well above the separatrix and the least rate at which N = 0.
+/// The window of the plane of rolling: a turn about the stable equilibrium, half a quarter more on
+/// either side; rates to well above the separatrix and the least rate at which N = 0.
 pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     let [separatrix, unloading] = rates(hoop);
     // A light hoop is fast at the bottom, and loses the plane long before.
-    let most = if unloading > 0.0 { f64::max(FASTEST, unloading) } else { f64::INFINITY };
+    let most = if unloading > 0.0 {
+        f64::max(FASTEST, unloading)
+    } else {
+        f64::INFINITY
+    };
     let rate = f64::max(f64::min(separatrix, most), unloading);
-    window_to(if rate > 0.0 { rate } else { PhasePlane::new(hoop).lift_off_rate(0.0).unwrap_or(1.0) })
+    window_to(if rate > 0.0 {
+        rate
+    } else {
+        PhasePlane::new(hoop).lift_off_rate(0.0).unwrap_or(1.0)
+    })
 }
 
-/// The same for what shows curves of both rates: where these are far apart, so that the axis of rates is logarithmic, *f* and *n*
-/// have more of it.
+/// The same for what shows curves of both rates: where these are far apart, so that the axis of
+/// rates is logarithmic, *f* and *n* have more of it.
 pub(crate) fn portrait_window(hoop: &Hoop) -> Window {
     let window = plane_window(hoop);
-    let more = if linear_to(hoop, window.y[1]).is_finite() { 5.0 } else { 1.0 };
-    Window { y: window.y.map(|rate| more * rate), ..window }
+    let more = if linear_to(hoop, window.y[1]).is_finite() {
+        5.0
+    } else {
+        1.0
+    };
+    Window {
+        y: window.y.map(|rate| more * rate),
+        ..window
+    }
 }
 
-/// θ′ of the separatrix at the stable equilibrium, and the least θ′ of rolling with N = 0; each is 0 if it does not exist.
+/// θ′ of the separatrix at the stable equilibrium, and the least θ′ of rolling with N = 0; each is
+/// 0 if it does not exist.
 fn rates(hoop: &Hoop) -> [f64; 2] {
     let plane = PhasePlane::new(hoop);
-    let stable = plane.equilibria().into_iter().find(|it| matches!(it.stability, Stability::Stable { .. }));
+    let stable = plane
+        .equilibria()
+        .into_iter()
+        .find(|it| matches!(it.stability, Stability::Stable { .. }));
     let separatrix = plane.separatrix_rate(stable.map_or(PI, |it| it.theta.rem_euclid(TAU)));
     [separatrix, plane.normal_force_rate(0.0).unwrap_or(0.0)]
 }
 
-/// Where an axis of rates up to this one begins to be logarithmic: at the less of both rates, if that would be small on it.
+/// Where an axis of rates up to this one begins to be logarithmic: at the less of both rates, if
+/// that would be small on it.
 pub(crate) fn linear_to(hoop: &Hoop, most: f64) -> f64 {
     let [separatrix, unloading] = rates(hoop);
     let least = f64::min(separatrix, unloading);
     // On a slope wells are shallow, and rolling downhill goes on far beyond them.
-    if least > 0.0 && most > FAR * least && hoop.slope() == 0.0 { least } else { f64::INFINITY }
+    if least > 0.0 && most > FAR * least && hoop.slope() == 0.0 {
+        least
+    } else {
+        f64::INFINITY
+    }
 }
 
 /// How far a linear axis goes beyond a rate that matters.
@@ -91,5 +118,8 @@ fn window_to(rate: f64) -> Window {
     let needed = 2.4 * rate;
     let step = 0.5 * libm::pow(10.0, libm::floor(libm::log10(needed)));
     let most = step * libm::ceil(needed / step);
-    Window { x: [-0.5 * PI, 2.5 * PI], y: [-most, most] }
+    Window {
+        x: [-0.5 * PI, 2.5 * PI],
+        y: [-most, most],
+    }
 }

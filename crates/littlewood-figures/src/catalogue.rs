@@ -5,9 +5,9 @@ use littlewood_draw::{Figure, markdown, plain};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::paper::{
-    atlas, bifurcation, bounces, cases, demand, gliding, histories, hodograph, impact, inertia, loci,
-    outcomes, overview, painleve, paths, phase_path, portrait, printed, schematic, state_space, stroboscope,
-    types, wall,
+    atlas, bifurcation, bounces, cases, demand, gliding, histories, hodograph, impact, inertia,
+    loci, outcomes, overview, painleve, paths, phase_path, portrait, printed, schematic,
+    state_space, stroboscope, types, wall,
 };
 use crate::si::converted;
 
@@ -43,11 +43,16 @@ impl FigureEntry {
         self.figure_with(input, &mut |_, _| {})
     }
 
-    /// As [`FigureEntry::figure`]; of a figure that takes many motions `watch` is told how far it is.
+    /// As [`FigureEntry::figure`]; of a figure that takes many motions `watch` is told how far it
+    /// is.
     ///
     /// # Errors
     /// As [`FigureEntry::figure`].
-    pub fn figure_with(&self, input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+    pub fn figure_with(
+        &self,
+        input: &FigureInput,
+        watch: &mut Watch<'_>,
+    ) -> Result<Figure, FigureError> {
         let mut figure = match self.make {
             Make::Soon(make) => make(input),
             Make::OfStarts(make) => make(input, watch),
@@ -74,7 +79,12 @@ const fn entry(
     case: &'static str,
     make: fn(&FigureInput) -> Result<Figure, FigureError>,
 ) -> FigureEntry {
-    FigureEntry { name, title, case, make: Make::Soon(make) }
+    FigureEntry {
+        name,
+        title,
+        case,
+        make: Make::Soon(make),
+    }
 }
 
 const fn of_starts(
@@ -83,54 +93,184 @@ const fn of_starts(
     case: &'static str,
     make: fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>,
 ) -> FigureEntry {
-    FigureEntry { name, title, case, make: Make::OfStarts(make) }
+    FigureEntry {
+        name,
+        title,
+        case,
+        make: Make::OfStarts(make),
+    }
 }
 
 /// All figures, in the order of the paper, then those that it does not have.
 pub const FIGURES: &[FigureEntry] = &[
-    entry("figure-1", "the body and its symbols", "figure-3", schematic::figure),
+    entry(
+        "figure-1",
+        "the body and its symbols",
+        "figure-3",
+        schematic::figure,
+    ),
     entry(
         "figure-2a",
         "loci of slip in rolling, for four coefficients of friction",
         "figure-3",
         loci::figure,
     ),
-    entry("figure-2b", "phase portrait of rolling", "figure-3", portrait::with_inertia),
-    entry("figure-3a", "a motion in the space of states", "figure-3", state_space::space),
-    entry("figure-3b", "paths of the centre and of the mass centre", "figure-3", paths::centres),
-    entry("figure-4", "phase portrait of the rolling massless hoop", "figure-7", portrait::massless),
-    entry("figure-5a", "the region R of the massless hoop and its boundaries", "figure-7", types::regions),
-    entry("figure-5b", "rolling motions of Types I, II and III", "figure-7", types::motions),
-    entry("figure-6a", "phase portrait of gliding", "figure-7", gliding::alone),
-    entry("figure-6b", "rolling and gliding in one portrait", "figure-7", gliding::combined),
+    entry(
+        "figure-2b",
+        "phase portrait of rolling",
+        "figure-3",
+        portrait::with_inertia,
+    ),
+    entry(
+        "figure-3a",
+        "a motion in the space of states",
+        "figure-3",
+        state_space::space,
+    ),
+    entry(
+        "figure-3b",
+        "paths of the centre and of the mass centre",
+        "figure-3",
+        paths::centres,
+    ),
+    entry(
+        "figure-4",
+        "phase portrait of the rolling massless hoop",
+        "figure-7",
+        portrait::massless,
+    ),
+    entry(
+        "figure-5a",
+        "the region R of the massless hoop and its boundaries",
+        "figure-7",
+        types::regions,
+    ),
+    entry(
+        "figure-5b",
+        "rolling motions of Types I, II and III",
+        "figure-7",
+        types::motions,
+    ),
+    entry(
+        "figure-6a",
+        "phase portrait of gliding",
+        "figure-7",
+        gliding::alone,
+    ),
+    entry(
+        "figure-6b",
+        "rolling and gliding in one portrait",
+        "figure-7",
+        gliding::combined,
+    ),
     entry(
         "figure-7a",
         "rolling, then gliding, in the phase plane and in time",
         "figure-7",
         state_space::gliding,
     ),
-    entry("figure-7b", "path of the particle, a cycloid and a parabola", "figure-7", paths::particle),
-    entry("forces", "normal and friction force of a motion against time", "figure-3", histories::forces),
-    entry("energy", "energies of a motion against time", "figure-3", histories::energy),
-    entry("sheet", "all quantities of a motion against time", "figure-3", overview::figure),
+    entry(
+        "figure-7b",
+        "path of the particle, a cycloid and a parabola",
+        "figure-7",
+        paths::particle,
+    ),
+    entry(
+        "forces",
+        "normal and friction force of a motion against time",
+        "figure-3",
+        histories::forces,
+    ),
+    entry(
+        "energy",
+        "energies of a motion against time",
+        "figure-3",
+        histories::energy,
+    ),
+    entry(
+        "sheet",
+        "all quantities of a motion against time",
+        "figure-3",
+        overview::figure,
+    ),
     entry(
         "stroboscope",
         "the hoop at equal intervals of time, with its forces",
         "figure-3",
         stroboscope::figure,
     ),
-    entry("phase-path", "a motion in the phase portrait of rolling", "figure-3", phase_path::figure),
-    entry("friction-demand", "friction demand of rolling along orbits", "figure-3", demand::figure),
-    entry("hodograph", "friction against normal force, in the cone", "figure-3", hodograph::figure),
-    entry("painleve", "where sliding has no solution or several", "painleve", painleve::figure),
-    entry("impact", "an impact in the plane of impulses", "figure-3-bounces", impact::figure),
-    entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", bounces::figure),
-    entry("wall", "motions through the surface where they lift off", "figure-3", wall::figure),
-    entry("inertia", "lighter and lighter hoops, and the massless one", "figure-7", inertia::figure),
-    entry("paper", "orbits and lift-off as the paper prints them, and exactly", "figure-3", printed::figure),
-    entry("cases", "all named cases on one page", "figure-3", cases::figure),
-    of_starts("atlas", "the outcome of each start, and the motions of some", "figure-3", atlas::figure),
-    of_starts("outcomes", "outcomes of the starts in the phase plane", "figure-3", outcomes::figure),
+    entry(
+        "phase-path",
+        "a motion in the phase portrait of rolling",
+        "figure-3",
+        phase_path::figure,
+    ),
+    entry(
+        "friction-demand",
+        "friction demand of rolling along orbits",
+        "figure-3",
+        demand::figure,
+    ),
+    entry(
+        "hodograph",
+        "friction against normal force, in the cone",
+        "figure-3",
+        hodograph::figure,
+    ),
+    entry(
+        "painleve",
+        "where sliding has no solution or several",
+        "painleve",
+        painleve::figure,
+    ),
+    entry(
+        "impact",
+        "an impact in the plane of impulses",
+        "figure-3-bounces",
+        impact::figure,
+    ),
+    entry(
+        "bounces",
+        "gap and rates of the bounces of a motion",
+        "figure-3-bounces",
+        bounces::figure,
+    ),
+    entry(
+        "wall",
+        "motions through the surface where they lift off",
+        "figure-3",
+        wall::figure,
+    ),
+    entry(
+        "inertia",
+        "lighter and lighter hoops, and the massless one",
+        "figure-7",
+        inertia::figure,
+    ),
+    entry(
+        "paper",
+        "orbits and lift-off as the paper prints them, and exactly",
+        "figure-3",
+        printed::figure,
+    ),
+    entry(
+        "cases",
+        "all named cases on one page",
+        "figure-3",
+        cases::figure,
+    ),
+    of_starts(
+        "atlas",
+        "the outcome of each start, and the motions of some",
+        "figure-3",
+        atlas::figure,
+    ),
+    of_starts(
+        "outcomes",
+        "outcomes of the starts in the phase plane",
+        "figure-3",
+        outcomes::figure,
+    ),
     of_starts(
         "bifurcation",
         "transitions along a line of starts or parameters",

@@ -46,7 +46,9 @@ pub(crate) fn dimension(column: &str) -> Dimension {
     };
     let of_sample = || column.parse().ok().and_then(SampleColumn::dimension);
     let of_quantity = || column.parse().ok().map(Quantity::dimension);
-    own.or_else(of_sample).or_else(of_quantity).unwrap_or(Dimension::Ratio)
+    own.or_else(of_sample)
+        .or_else(of_quantity)
+        .unwrap_or(Dimension::Ratio)
 }
 
 /// Name of a column in SI units.

@@ -14,8 +14,8 @@ const BOUNCES: usize = 1_000;
 const IN_CHAIN: usize = 8;
 /// Hoops that are better balanced, by h, are simulated though they are not light.
 const BALANCED: f64 = 1e-3;
-/// A smaller part of μs between the coefficients makes slips so short and so many that hardly any of what chains prepare is used
-/// twice.
+/// A smaller part of μs between the coefficients makes slips so short and so many that hardly any
+/// of what chains prepare is used twice.
 const NEARLY_EQUAL: f64 = 1e-2;
 /// With less friction each slide goes on for many turns.
 const LITTLE_FRICTION: f64 = 1e-4;
@@ -84,18 +84,27 @@ impl Effort {
     }
 }
 
-/// How many of some motions are long before they lift off, how many of these roll again and again, and how many go on and on after
-/// they have lifted off.
+/// How many of some motions are long before they lift off, how many of these roll again and again,
+/// and how many go on and on after they have lifted off.
 fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> [usize; 3] {
     let rolls = |summary: &Summary| {
-        summary.sequence.codes().skip(IN_CHAIN).flatten().any(|code| code.mode().0 == Mode::Rolling)
+        summary
+            .sequence
+            .codes()
+            .skip(IN_CHAIN)
+            .flatten()
+            .any(|code| code.mode().0 == Mode::Rolling)
     };
     let motions = engine.long_motions(plane_window(hoop), Start::default(), limits, LONG);
     motions.fold([0; 3], |[long, rolling, bounces], summary| {
         if summary.lift_off_time.is_nan() {
             [long + 1, rolling + usize::from(rolls(&summary)), bounces]
         } else {
-            [long, rolling, bounces + usize::from(hoop.restitution().is_some())]
+            [
+                long,
+                rolling,
+                bounces + usize::from(hoop.restitution().is_some()),
+            ]
         }
     })
 }

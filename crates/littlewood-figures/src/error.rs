@@ -18,44 +18,81 @@ pub enum FigureError {
     #[error("{figure} shows a hoop with inertia; this one has mass ratio 0 and inertia 0")]
     NeedsInertia { figure: &'static str },
     /// A figure of §3 asked for a hoop with inertia.
-    #[error("{figure} shows the massless hoop; this one has mass ratio {mass_ratio} and inertia {inertia}")]
-    NeedsMassless { figure: &'static str, mass_ratio: f64, inertia: f64 },
+    #[error(
+        "{figure} shows the massless hoop; this one has mass ratio {mass_ratio} and inertia {inertia}"
+    )]
+    NeedsMassless {
+        figure: &'static str,
+        mass_ratio: f64,
+        inertia: f64,
+    },
     /// A figure of §3 asked for a particle inside the rim.
     #[error("{figure} shows the particle on the rim, offset 1; this one has offset {offset}")]
     NeedsRim { figure: &'static str, offset: f64 },
-    /// A figure that switches inertia off asked for a start above the plane: the rotation of a massless hoop in the air is not determined.
+    /// A figure that switches inertia off asked for a start above the plane: the rotation of a
+    /// massless hoop in the air is not determined.
     #[error(
         "{figure} switches inertia off, which a start on the plane needs; this one has the gap rate {gap_rate}"
     )]
     NeedsStartOnPlane { figure: &'static str, gap_rate: f64 },
     /// A figure of angles asked for a body whose mass centre is the geometric centre.
-    #[error("{figure} shows a loaded hoop; this one has offset 0, and nothing depends on the angle")]
+    #[error(
+        "{figure} shows a loaded hoop; this one has offset 0, and nothing depends on the angle"
+    )]
     NeedsOffset { figure: &'static str },
-    /// A figure of the region of rolling asked for a massless hoop without static friction, which has none.
-    #[error("{figure} shows where static friction holds the massless hoop; with mu_s 0 that is nowhere")]
+    /// A figure of the region of rolling asked for a massless hoop without static friction, which
+    /// has none.
+    #[error(
+        "{figure} shows where static friction holds the massless hoop; with mu_s 0 that is nowhere"
+    )]
     NeedsStaticFriction { figure: &'static str },
     /// A figure of contact asked for a motion that never is in contact.
     #[error("{figure} shows a motion in contact, but from this start the hoop leaves the plane at once: {}", outcome.label())]
-    NoContact { figure: &'static str, outcome: OutcomeKind },
-    /// A figure of a motion that does not begin: no motion, or more than one, is consistent at the start.
+    NoContact {
+        figure: &'static str,
+        outcome: OutcomeKind,
+    },
+    /// A figure of a motion that does not begin: no motion, or more than one, is consistent at the
+    /// start.
     #[error("{figure} shows a motion, but from this start there is none: {}", outcome.label())]
-    NoMotion { figure: &'static str, outcome: OutcomeKind },
+    NoMotion {
+        figure: &'static str,
+        outcome: OutcomeKind,
+    },
     /// A figure of a motion that lasts no time.
     #[error("{figure} shows a motion, but this one ends where it begins, at τ = {time}: {}", outcome.label())]
-    NoDuration { figure: &'static str, time: f64, outcome: OutcomeKind },
+    NoDuration {
+        figure: &'static str,
+        time: f64,
+        outcome: OutcomeKind,
+    },
     /// A figure of transitions asked for a line along which no motion has one.
     #[error(
         "{figure} shows how transitions change, but no motion has one where {along} goes from {from} to {to}"
     )]
-    NoTransition { figure: &'static str, along: Varies, from: f64, to: f64 },
+    NoTransition {
+        figure: &'static str,
+        along: Varies,
+        from: f64,
+        to: f64,
+    },
     /// A figure of transitions asked for a line along which motions change all the time.
     #[error(
         "{figure} can show {most} changes of the sequence of phases, but there are more where {along} goes from {from} to {to}"
     )]
-    TooManyBands { figure: &'static str, along: Varies, from: f64, to: f64, most: usize },
+    TooManyBands {
+        figure: &'static str,
+        along: Varies,
+        from: f64,
+        to: f64,
+        most: usize,
+    },
     /// A figure of forces asked for a motion in which the plane exerts none.
     #[error("{figure} shows the forces of the plane, but in this motion there are none: {}", outcome.label())]
-    NoForce { figure: &'static str, outcome: OutcomeKind },
+    NoForce {
+        figure: &'static str,
+        outcome: OutcomeKind,
+    },
     /// A figure of impacts asked for a hoop whose motion ends at the landing.
     #[error(
         "{figure} shows what follows a landing; without a coefficient of restitution the motion ends there"
@@ -63,7 +100,10 @@ pub enum FigureError {
     NeedsRestitution { figure: &'static str },
     /// A figure of impacts asked for a motion without one.
     #[error("{figure} shows impacts, but the motion has none: {}", outcome.label())]
-    NoImpact { figure: &'static str, outcome: OutcomeKind },
+    NoImpact {
+        figure: &'static str,
+        outcome: OutcomeKind,
+    },
     /// An impact that the motion does not have.
     #[error("impact {number} is asked for, but the impacts of the motion are 1 to {impacts}")]
     ImpactNumber { number: usize, impacts: usize },

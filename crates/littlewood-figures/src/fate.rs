@@ -4,7 +4,8 @@ use littlewood::tables::{Class, PhaseCode};
 use littlewood::{Hoop, OutcomeKind, Summary};
 use littlewood_style::ticks::minus;
 
-/// Which end of its motions a figure of a hoop shows: the first lift-off ends all where no landing can be followed.
+/// Which end of its motions a figure of a hoop shows: the first lift-off ends all where no landing
+/// can be followed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fates {
     /// Whether motions go on after a landing, so that a lift-off decides nothing.
@@ -13,12 +14,18 @@ pub(crate) struct Fates {
 
 impl Fates {
     pub(crate) const fn of(hoop: &Hoop) -> Self {
-        Self { go_on: hoop.restitution().is_some() }
+        Self {
+            go_on: hoop.restitution().is_some(),
+        }
     }
 
     /// The class of a motion: of its end, if it goes on after a landing.
     pub(crate) fn class(self, summary: &Summary) -> Class {
-        if self.go_on { Class::of_end(summary.outcome) } else { Class::of(summary) }
+        if self.go_on {
+            Class::of_end(summary.outcome)
+        } else {
+            Class::of(summary)
+        }
     }
 
     /// A class in words.
@@ -34,7 +41,10 @@ impl Fates {
 /// What the letters of some kinds of phases mean.
 pub(crate) fn meanings(is_named: impl Fn(&PhaseCode) -> bool) -> String {
     let codes = PhaseCode::ALL.into_iter().filter(is_named);
-    codes.map(|code| format!("{} {}", minus(code.name()), code.meaning())).collect::<Vec<_>>().join(", ")
+    codes
+        .map(|code| format!("{} {}", minus(code.name()), code.meaning()))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// What becomes of the motions of a band.
@@ -59,7 +69,9 @@ impl Fate {
 
     /// As a number.
     pub(crate) fn kind(self) -> u16 {
-        let outcome = self.no_phase.map_or(0, |outcome| 1 + u16::from(outcome.code()));
+        let outcome = self
+            .no_phase
+            .map_or(0, |outcome| 1 + u16::from(outcome.code()));
         u16::from(self.class.code()) | u16::from(self.goes_on) << 5 | outcome << 6
     }
 
@@ -68,7 +80,10 @@ impl Fate {
         let class = |class: &Class| u16::from(class.code()) == kind & CLASSES;
         let outcome = |outcome: &OutcomeKind| 1 + u16::from(outcome.code()) == kind >> 6;
         Self {
-            class: Class::ALL.into_iter().find(class).unwrap_or(Class::NotComputed),
+            class: Class::ALL
+                .into_iter()
+                .find(class)
+                .unwrap_or(Class::NotComputed),
             goes_on: kind >> 5 & 1 == 1,
             no_phase: OutcomeKind::ALL.into_iter().find(outcome),
         }
@@ -87,7 +102,11 @@ mod tests {
         for class in Class::ALL {
             for goes_on in [false, true] {
                 for no_phase in OutcomeKind::ALL.into_iter().map(Some).chain([None]) {
-                    let fate = Fate { class, goes_on, no_phase };
+                    let fate = Fate {
+                        class,
+                        goes_on,
+                        no_phase,
+                    };
                     assert_eq!(Fate::of(fate.kind()), fate);
                 }
             }

@@ -20,13 +20,13 @@ pub struct FigureInput {
     pub limits: Limits,
     /// Which impact of the motion is shown, from 1, by the figure that shows one.
     pub impact: usize,
-    /// The line of the figure that shows how a motion changes along one, by its ends: a quantity of the start or of the hoop; a
-    /// rate at the start if there is none.
+    /// The line of the figure that shows how a motion changes along one, by its ends: a quantity of
+    /// the start or of the hoop; a rate at the start if there is none.
     pub along: Option<Axis>,
     /// Units, if axes and values are in seconds, metres and newtons.
     pub units: Option<Units>,
-    /// Width in print, in millimetres, from [`crate::LEAST_WIDTH_MM`] to [`crate::MOST_WIDTH_MM`]; for a screen if there is
-    /// none.
+    /// Width in print, in millimetres, from [`crate::LEAST_WIDTH_MM`] to [`crate::MOST_WIDTH_MM`];
+    /// for a screen if there is none.
     pub width_mm: Option<f64>,
 }
 
@@ -36,15 +36,28 @@ impl FigureInput {
     /// # Errors
     /// A name that no case has.
     pub fn of_case(name: &str) -> Result<Self, FigureError> {
-        let case = littlewood::cases::find_case(name)
-            .ok_or_else(|| FigureError::UnknownCase { name: name.to_owned() })?;
-        Ok(Self::new(Hoop::new(case.setup.hoop)?, case.setup.start, Limits::default()))
+        let case = littlewood::cases::find_case(name).ok_or_else(|| FigureError::UnknownCase {
+            name: name.to_owned(),
+        })?;
+        Ok(Self::new(
+            Hoop::new(case.setup.hoop)?,
+            case.setup.start,
+            Limits::default(),
+        ))
     }
 
     /// A hoop and a start; of the impacts the first.
     #[must_use]
     pub const fn new(hoop: Hoop, start: Start, limits: Limits) -> Self {
-        Self { hoop, start, limits, impact: 1, along: None, units: None, width_mm: None }
+        Self {
+            hoop,
+            start,
+            limits,
+            impact: 1,
+            along: None,
+            units: None,
+            width_mm: None,
+        }
     }
 
     /// How numbers are said.
@@ -55,7 +68,11 @@ impl FigureInput {
     /// The hoop and the start, in words.
     pub(crate) fn in_words(&self) -> String {
         let say = self.wording();
-        format!("{}; {}", say.hoop(&self.hoop), say.start(&self.hoop, &self.start))
+        format!(
+            "{}; {}",
+            say.hoop(&self.hoop),
+            say.start(&self.hoop, &self.start)
+        )
     }
 
     /// A figure of a part of the plane (θ, θ′), or of one like it.
@@ -67,8 +84,16 @@ impl FigureInput {
         (layers, labels): (Vec<Layer>, Vec<Label>),
         entries: Entries,
     ) -> Result<Figure, FigureError> {
-        let content = Content { name: "plane", x, y, layers, labels };
-        Ok(self.sheet(580.0)?.plot(name, title, caption, 402.0, content, entries))
+        let content = Content {
+            name: "plane",
+            x,
+            y,
+            layers,
+            labels,
+        };
+        Ok(self
+            .sheet(580.0)?
+            .plot(name, title, caption, 402.0, content, entries))
     }
 
     /// The sheet, so wide on a screen.
@@ -80,11 +105,18 @@ impl FigureInput {
     pub(crate) fn motion(&self, figure: &'static str) -> Result<Trajectory, FigureError> {
         let motion = self.hoop.simulate(self.start, self.limits)?;
         if motion.phases().is_empty() {
-            return Err(FigureError::NoMotion { figure, outcome: motion.outcome().kind() });
+            return Err(FigureError::NoMotion {
+                figure,
+                outcome: motion.outcome().kind(),
+            });
         }
         let time = motion.start().time;
         if motion.end_time() <= time {
-            return Err(FigureError::NoDuration { figure, time, outcome: motion.outcome().kind() });
+            return Err(FigureError::NoDuration {
+                figure,
+                time,
+                outcome: motion.outcome().kind(),
+            });
         }
         Ok(motion)
     }
@@ -95,7 +127,11 @@ impl FigureInput {
 
     /// Refuses a massless hoop.
     pub(crate) fn heavy(&self, figure: &'static str) -> Result<(), FigureError> {
-        if self.is_massless() { Err(FigureError::NeedsInertia { figure }) } else { Ok(()) }
+        if self.is_massless() {
+            Err(FigureError::NeedsInertia { figure })
+        } else {
+            Ok(())
+        }
     }
 
     /// Refuses a massless hoop, and one that is not loaded.
@@ -106,25 +142,50 @@ impl FigureInput {
 
     /// Refuses a hoop that is not loaded.
     pub(crate) fn loaded(&self, figure: &'static str) -> Result<(), FigureError> {
-        if self.hoop.offset() == 0.0 { Err(FigureError::NeedsOffset { figure }) } else { Ok(()) }
+        if self.hoop.offset() == 0.0 {
+            Err(FigureError::NeedsOffset { figure })
+        } else {
+            Ok(())
+        }
     }
 
     /// The motion, if it touches the plane for a while, or hits it.
-    pub(crate) fn motion_in_contact(&self, figure: &'static str) -> Result<Trajectory, FigureError> {
+    pub(crate) fn motion_in_contact(
+        &self,
+        figure: &'static str,
+    ) -> Result<Trajectory, FigureError> {
         let motion = self.motion(figure)?;
-        let touches = motion.phases().iter().any(|phase| phase.mode().touches_plane());
-        if touches || motion.transitions().iter().any(|transition| transition.impact.is_some()) {
+        let touches = motion
+            .phases()
+            .iter()
+            .any(|phase| phase.mode().touches_plane());
+        if touches
+            || motion
+                .transitions()
+                .iter()
+                .any(|transition| transition.impact.is_some())
+        {
             Ok(motion)
         } else {
-            Err(FigureError::NoContact { figure, outcome: motion.outcome().kind() })
+            Err(FigureError::NoContact {
+                figure,
+                outcome: motion.outcome().kind(),
+            })
         }
     }
 
     /// Refuses all but Littlewood's hoop with static friction.
-    pub(crate) fn littlewood_that_rolls(&self, figure: &'static str) -> Result<Massless, FigureError> {
+    pub(crate) fn littlewood_that_rolls(
+        &self,
+        figure: &'static str,
+    ) -> Result<Massless, FigureError> {
         let body = self.littlewood(figure)?;
         self.level(figure)?;
-        if self.hoop.mu_s() > 0.0 { Ok(body) } else { Err(FigureError::NeedsStaticFriction { figure }) }
+        if self.hoop.mu_s() > 0.0 {
+            Ok(body)
+        } else {
+            Err(FigureError::NeedsStaticFriction { figure })
+        }
     }
 
     /// Refuses a hoop with inertia.
@@ -132,7 +193,11 @@ impl FigureInput {
         let (mass_ratio, inertia) = (self.hoop.mass_ratio(), self.hoop.inertia());
         match self.hoop.body() {
             Body::Massless(body) => Ok(body),
-            Body::Heavy(_) => Err(FigureError::NeedsMassless { figure, mass_ratio, inertia }),
+            Body::Heavy(_) => Err(FigureError::NeedsMassless {
+                figure,
+                mass_ratio,
+                inertia,
+            }),
         }
     }
 
@@ -147,6 +212,10 @@ impl FigureInput {
     /// Refuses all but Littlewood's hoop.
     pub(crate) fn littlewood(&self, figure: &'static str) -> Result<Massless, FigureError> {
         let (body, offset) = (self.massless(figure)?, self.hoop.offset());
-        if offset == 1.0 { Ok(body) } else { Err(FigureError::NeedsRim { figure, offset }) }
+        if offset == 1.0 {
+            Ok(body)
+        } else {
+            Err(FigureError::NeedsRim { figure, offset })
+        }
     }
 }

@@ -1,8 +1,10 @@
 //! The figures of the loaded hoop: as SVG, PDF and PNG, and as the data that they show.
 //!
-//! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. It is made by name from
+//! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. It
+//! is made by name from
 //! [`FIGURES`], of a hoop and a start ([`FigureInput`]), by functions that take all numbers from the library `littlewood`;
-//! nothing is drawn by hand or from stored data. [`Figure::svg`], [`Figure::pdf`] and [`Figure::png`] draw it,
+//! nothing is drawn by hand or from stored data. [`Figure::svg`], [`Figure::pdf`] and
+//! [`Figure::png`] draw it,
 //! [`Figure::csv`] writes the rows that are drawn. No file is touched here.
 //!
 //! ```
@@ -28,9 +30,10 @@
 //! # Ok::<(), littlewood_figures::FigureError>(())
 //! ```
 //!
-//! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the line: [`plain`] takes
-//! them off, [`markdown`] and [`latex`] translate them. Letters are drawn as outlines, so that a figure looks the same
-//! everywhere. With [`FigureInput::width_mm`] a figure is laid out for print, with [`FigureInput::units`] it is in SI units.
+//! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the
+//! line: [`plain`] takes them off, [`markdown`] and [`latex`] translate them. Letters are drawn as
+//! outlines, so that a figure looks the same everywhere. With [`FigureInput::width_mm`] a figure is
+//! laid out for print, with [`FigureInput::units`] it is in SI units.
 
 mod axes;
 mod catalogue;

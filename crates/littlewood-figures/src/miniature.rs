@@ -1,4 +1,5 @@
-//! Small pictures of motions, all on one scale: the path of the mass centre and the hoop at some instants.
+//! Small pictures of motions, all on one scale: the path of the mass centre and the hoop at some
+//! instants.
 
 use core::f64::consts::TAU;
 
@@ -22,13 +23,20 @@ pub(crate) fn end_of(motion: &Trajectory, farthest: f64) -> f64 {
     let until = horizon(motion);
     let from = motion.start();
     let far = |sample: &Sample| {
-        (sample.centre.x - from.x).abs() > farthest || (sample.state.theta - from.theta).abs() > TURNS * TAU
+        (sample.centre.x - from.x).abs() > farthest
+            || (sample.state.theta - from.theta).abs() > TURNS * TAU
     };
-    motion.sample_evenly(INSTANTS, until).find(far).map_or(until, |sample| sample.state.time)
+    motion
+        .sample_evenly(INSTANTS, until)
+        .find(far)
+        .map_or(until, |sample| sample.state.time)
 }
 
 /// Pieces of samples of one mode, each with the first of the next.
-pub(crate) fn by_mode(samples: &[Sample], row: impl Fn(&Sample) -> Vec<f64>) -> Vec<(Mode, Vec<Piece>)> {
+pub(crate) fn by_mode(
+    samples: &[Sample],
+    row: impl Fn(&Sample) -> Vec<f64>,
+) -> Vec<(Mode, Vec<Piece>)> {
     let mut found: Vec<(Mode, Vec<Piece>)> = Vec::new();
     let mut begin = 0;
     for chunk in samples.chunk_by(|a, b| a.mode == b.mode) {
@@ -45,27 +53,45 @@ pub(crate) fn by_mode(samples: &[Sample], row: impl Fn(&Sample) -> Vec<f64>) -> 
 
 /// The samples of a motion that are shown.
 pub(crate) fn samples(motion: &Trajectory, until: f64) -> Vec<Sample> {
-    let finite = |sample: &Sample| sample.centre.x.is_finite() && sample.state.theta_rate.is_finite();
-    motion.sample_evenly(INSTANTS, until).filter(finite).collect()
+    let finite =
+        |sample: &Sample| sample.centre.x.is_finite() && sample.state.theta_rate.is_finite();
+    motion
+        .sample_evenly(INSTANTS, until)
+        .filter(finite)
+        .collect()
 }
 
 /// The picture of a motion, so many pixels to a radius, with a title.
-pub(crate) fn picture(motion: &Trajectory, frame: [f64; 4], unit: f64, title: Option<String>) -> Panel {
+pub(crate) fn picture(
+    motion: &Trajectory,
+    frame: [f64; 4],
+    unit: f64,
+    title: Option<String>,
+) -> Panel {
     let [_, _, wide, high] = frame;
     let (wide, high) = (wide / unit, high / unit);
     let until = end_of(motion, wide - 2.4);
     let samples = samples(motion, until);
     let [left, right] = bounds(samples.iter().map(|sample| sample.centre.x), 0.0);
     let middle = 0.5 * (left + right);
-    let (x, y) = ([middle - 0.5 * wide, middle + 0.5 * wide], [-0.3, high - 0.3]);
+    let (x, y) = (
+        [middle - 0.5 * wide, middle + 0.5 * wide],
+        [-0.3, high - 0.3],
+    );
     let mut layers = vec![
         Series::of_rows(
             "ground",
             &[X, Y],
-            vec![vec![x[0], 0.0], vec![x[1], 0.0], vec![x[1], y[0]], vec![x[0], y[0]]],
+            vec![
+                vec![x[0], 0.0],
+                vec![x[1], 0.0],
+                vec![x[1], y[0]],
+                vec![x[0], y[0]],
+            ],
         )
         .drawn(Mark::Hatch(HATCH)),
-        Series::of_rows("ground", &[X, Y], x.map(|x| vec![x, 0.0]).to_vec()).drawn(Stroke::solid(INK, FINE)),
+        Series::of_rows("ground", &[X, Y], x.map(|x| vec![x, 0.0]).to_vec())
+            .drawn(Stroke::solid(INK, FINE)),
     ];
     let step = (samples.len().saturating_sub(1)).max(1) / HOOPS;
     // Whole hoops only.
@@ -73,7 +99,12 @@ pub(crate) fn picture(motion: &Trajectory, frame: [f64; 4], unit: f64, title: Op
         let centre = sample.centre;
         centre.x - 1.0 >= x[0] && centre.x + 1.0 <= x[1] && centre.y + 1.0 <= y[1]
     };
-    let shown: Vec<Sample> = samples.iter().step_by(step.max(1)).filter(is_whole).copied().collect();
+    let shown: Vec<Sample> = samples
+        .iter()
+        .step_by(step.max(1))
+        .filter(is_whole)
+        .copied()
+        .collect();
     for mode in Mode::ALL {
         let mut own = shown.iter().filter(|sample| sample.mode == mode).peekable();
         if own.peek().is_some() {
@@ -81,15 +112,32 @@ pub(crate) fn picture(motion: &Trajectory, frame: [f64; 4], unit: f64, title: Op
             layers.push(hoops(motion.hoop(), own, format!("hoop, {mode}"), rim));
         }
     }
-    let row = |sample: &Sample| vec![sample.state.time, sample.mass_centre.x, sample.mass_centre.y];
+    let row = |sample: &Sample| {
+        vec![
+            sample.state.time,
+            sample.mass_centre.x,
+            sample.mass_centre.y,
+        ]
+    };
     for (mode, pieces) in by_mode(&samples, row) {
         let mark = Mark::Line(Stroke::of_mode(mode).wide(CURVE));
         layers.push(Series::new(format!("mass centre, {mode}"), &[TIME, X, Y], pieces).drawn(mark));
     }
-    let label = |text| Label::new(text, &[x[0], y[1]]).left().shifted(6.0, 10.0).sized(SMALL);
+    let label = |text| {
+        Label::new(text, &[x[0], y[1]])
+            .left()
+            .shifted(6.0, 10.0)
+            .sized(SMALL)
+    };
     let labels = title.into_iter().map(label).collect();
     Sheet::panel(
         frame,
-        Content { name: "motion", x: PlotAxis::silent(X, x), y: PlotAxis::silent(Y, y), layers, labels },
+        Content {
+            name: "motion",
+            x: PlotAxis::silent(X, x),
+            y: PlotAxis::silent(Y, y),
+            layers,
+            labels,
+        },
     )
 }

@@ -20,13 +20,14 @@ const FEWEST_INSTANTS: u32 = 2;
 /// Most transitions that are shown of a motion that was stopped at a number of them.
 const TRANSITIONS: usize = 12;
 
-/// Phases that cannot be told apart beside each other, how many transitions are then shown of a motion that does not end in an
-/// event, and instants of all that are shown.
+/// Phases that cannot be told apart beside each other, how many transitions are then shown of a
+/// motion that does not end in an event, and instants of all that are shown.
 const CROWD: usize = 64;
 const SHOWN: usize = 24;
 const INSTANTS_OF_A_CROWD: f64 = 6_000.0;
 
-/// The instants of a phase at which its rate is finite, evenly spaced; one that lasts for ever is cut at `until`.
+/// The instants of a phase at which its rate is finite, evenly spaced; one that lasts for ever is
+/// cut at `until`.
 pub(crate) fn instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sample> {
     let mut samples = all_instants(motion, phase, until);
     samples.retain(|sample| sample.state.theta_rate.is_finite());
@@ -48,29 +49,46 @@ pub(crate) fn all_instants(motion: &Trajectory, phase: &Phase, until: f64) -> Ve
     } else {
         INSTANTS
     };
-    (0..=intervals).map(|i| phase.sample(duration * f64::from(i) / f64::from(intervals))).collect()
+    (0..=intervals)
+        .map(|i| phase.sample(duration * f64::from(i) / f64::from(intervals)))
+        .collect()
 }
 
-/// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns after the last phase
-/// has begun. A motion that goes on after its landings has more to show before its last phase, of which a turn is enough.
+/// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns
+/// after the last phase has begun. A motion that goes on after its landings has more to show before
+/// its last phase, of which a turn is enough.
 pub(crate) fn horizon(motion: &Trajectory) -> f64 {
     let (end, goes_on) = (motion.end_time(), motion.hoop().restitution().is_some());
-    let Some(last) = motion.phases().last() else { return end };
-    if let Some(time) = if goes_on { bouncing(motion) } else { crowded(motion) } {
+    let Some(last) = motion.phases().last() else {
+        return end;
+    };
+    if let Some(time) = if goes_on {
+        bouncing(motion)
+    } else {
+        crowded(motion)
+    } {
         return time;
     }
     if end.is_finite() && motion.outcome().is_final() {
         return end;
     }
     let rate = last.start().theta_rate.abs();
-    let turns = if goes_on { TAU / f64::max(rate, 1.0) } else { 14.0 / f64::max(rate, 14.0 / 12.0) };
+    let turns = if goes_on {
+        TAU / f64::max(rate, 1.0)
+    } else {
+        14.0 / f64::max(rate, 14.0 / 12.0)
+    };
     f64::min(end, last.start().time + turns)
 }
 
 /// Until when a motion is shown that bounces until it is stopped: its first flights.
 fn bouncing(motion: &Trajectory) -> Option<f64> {
     let is_stopped = motion.outcome().kind() == OutcomeKind::TransitionLimit;
-    motion.transitions().get(TRANSITIONS).filter(|_| is_stopped).map(Transition::time)
+    motion
+        .transitions()
+        .get(TRANSITIONS)
+        .filter(|_| is_stopped)
+        .map(Transition::time)
 }
 
 /// Until when a motion of very many transitions is shown that ends in none.
@@ -84,12 +102,19 @@ fn crowded(motion: &Trajectory) -> Option<f64> {
 pub(crate) fn remark(motion: &Trajectory, say: Wording) -> String {
     let until = horizon(motion);
     let all = motion.transitions().len();
-    let shown = motion.transitions().iter().filter(|transition| transition.time() <= until).count();
+    let shown = motion
+        .transitions()
+        .iter()
+        .filter(|transition| transition.time() <= until)
+        .count();
     if shown == all {
         return String::new();
     }
     let at = say.value(until, Dimension::Time);
-    format!(" Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.", say.time())
+    format!(
+        " Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.",
+        say.time()
+    )
 }
 
 /// The modes of a motion, each with the series of its phases.
@@ -109,19 +134,29 @@ pub(crate) fn by_mode(
                 .filter(|phase| phase.mode() == mode)
                 .map(|phase| instants(motion, phase, until).iter().map(row).collect())
                 .collect();
-            (!pieces.is_empty()).then(|| (mode, Series::new(format!("{prefix}{mode}"), columns, pieces)))
+            (!pieces.is_empty()).then(|| {
+                (
+                    mode,
+                    Series::new(format!("{prefix}{mode}"), columns, pieces),
+                )
+            })
         })
         .collect()
 }
 
 /// Lines of modes, so wide.
 pub(crate) fn lines(modes: Vec<(Mode, Series)>, width: f64) -> impl Iterator<Item = Layer> {
-    modes.into_iter().map(move |(mode, series)| series.drawn(Stroke::of_mode(mode).wide(width)))
+    modes
+        .into_iter()
+        .map(move |(mode, series)| series.drawn(Stroke::of_mode(mode).wide(width)))
 }
 
 /// What they mean.
 pub(crate) fn entries(modes: &[(Mode, Series)], words: impl Fn(Mode) -> String) -> Entries {
-    modes.iter().map(|(mode, _)| (Stroke::of_mode(*mode).wide(BOLD).into(), words(*mode))).collect()
+    modes
+        .iter()
+        .map(|(mode, _)| (Stroke::of_mode(*mode).wide(BOLD).into(), words(*mode)))
+        .collect()
 }
 
 /// The hoop at some instants.
@@ -131,12 +166,25 @@ pub(crate) fn hoops<'a>(
     name: impl Into<String>,
     rim: Stroke,
 ) -> Layer {
-    let row = |sample: &Sample| vec![sample.state.time, sample.centre.x, sample.centre.y, sample.state.theta];
-    let mark = Mark::Hoop { offset: hoop.offset(), h: hoop.h(), radius: 1.0, rim };
+    let row = |sample: &Sample| {
+        vec![
+            sample.state.time,
+            sample.centre.x,
+            sample.centre.y,
+            sample.state.theta,
+        ]
+    };
+    let mark = Mark::Hoop {
+        offset: hoop.offset(),
+        h: hoop.h(),
+        radius: 1.0,
+        rim,
+    };
     Series::of_rows(name, &[TIME, X, Y, THETA], samples.map(row).collect()).drawn(mark)
 }
 
-/// Arrows of time, those that are seen: from a place on each phase that is shown, by its row, to one a little later.
+/// Arrows of time, those that are seen: from a place on each phase that is shown, by its row, to
+/// one a little later.
 pub(crate) fn arrows(
     motion: &Trajectory,
     share: f64,
@@ -146,7 +194,10 @@ pub(crate) fn arrows(
 ) -> impl Iterator<Item = Layer> {
     let until = horizon(motion);
     motion.phases().iter().filter_map(move |phase| {
-        let (mode, duration) = (phase.mode(), f64::min(phase.duration(), until - phase.start().time));
+        let (mode, duration) = (
+            phase.mode(),
+            f64::min(phase.duration(), until - phase.start().time),
+        );
         let at = |share: f64| row(&phase.sample(share * duration));
         let rows = (duration > 0.0).then(|| vec![at(share), at(share + SOON)])?;
         let is_drawn = rows.iter().flatten().all(|value| value.is_finite()) && is_seen(mode, &rows);
@@ -172,7 +223,10 @@ pub(crate) fn bounds(values: impl IntoIterator<Item = f64>, share: f64) -> [f64;
         return [-1.0, 1.0];
     }
     let size = f64::max(low.abs(), high.abs());
-    let pad =
-        if high - low > NOISE * size { share * (high - low) } else { f64::max(0.5 * share, 1e-3 * size) };
+    let pad = if high - low > NOISE * size {
+        share * (high - low)
+    } else {
+        f64::max(0.5 * share, 1e-3 * size)
+    };
     [low - pad, high + pad]
 }

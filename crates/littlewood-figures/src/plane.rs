@@ -26,33 +26,56 @@ pub(crate) struct Portrait {
     pub(crate) linear: f64,
 }
 
-/// What fits into so many times the rate at which the axis begins to be logarithmic is traced there.
+/// What fits into so many times the rate at which the axis begins to be logarithmic is traced
+/// there.
 const INNER: f64 = 4.0;
 
 /// Rows of the two coordinates.
 pub(crate) fn rows(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Piece> {
-    pieces.into_iter().map(|piece| piece.into_iter().map(Vec::from).collect()).collect()
+    pieces
+        .into_iter()
+        .map(|piece| piece.into_iter().map(Vec::from).collect())
+        .collect()
 }
 
 /// Rows of the two coordinates and a number that belongs to all.
 fn rows_with(pieces: Vec<Vec<[f64; 2]>>, last: f64) -> Vec<Piece> {
-    pieces.into_iter().map(|piece| piece.into_iter().map(|[x, y]| vec![x, y, last]).collect()).collect()
+    pieces
+        .into_iter()
+        .map(|piece| piece.into_iter().map(|[x, y]| vec![x, y, last]).collect())
+        .collect()
 }
 
 impl Portrait {
     pub(crate) fn new(hoop: &Hoop, window: Window) -> Self {
         let linear = linear_to(hoop, window.y[1]);
-        Self { hoop: *hoop, plane: PhasePlane::new(hoop), law: RollingLaw::new(hoop), window, linear }
+        Self {
+            hoop: *hoop,
+            plane: PhasePlane::new(hoop),
+            law: RollingLaw::new(hoop),
+            window,
+            linear,
+        }
     }
 
     /// The axes of the plane.
     pub(crate) fn axes(&self, say: Wording) -> [PlotAxis; 2] {
-        [say.angle(self.window.x), PlotAxis { linear: self.linear, ..say.rate(self.window.y) }]
+        [
+            say.angle(self.window.x),
+            PlotAxis {
+                linear: self.linear,
+                ..say.rate(self.window.y)
+            },
+        ]
     }
 
     /// What a caption says of the axis of rates.
     pub(crate) fn remark(&self) -> &'static str {
-        if self.linear.is_finite() { " The axis of rates is logarithmic on either side of zero." } else { "" }
+        if self.linear.is_finite() {
+            " The axis of rates is logarithmic on either side of zero."
+        } else {
+            ""
+        }
     }
 
     /// A rate at a part of the upper half of the window, as it is seen.
@@ -64,12 +87,23 @@ impl Portrait {
         self.linear * libm::sinh(share * libm::asinh(most / self.linear))
     }
 
-    /// The window in which an orbit is traced: one that is small in the whole one has a window of its own.
+    /// The window in which an orbit is traced: one that is small in the whole one has a window of
+    /// its own.
     fn window_of(&self, energy: f64) -> Window {
         let inner = INNER * self.linear;
-        let is_small =
-            inner < self.window.y[1] && self.plane.level_rate(PI, energy).is_some_and(|it| it < inner);
-        if is_small { Window { y: [-inner, inner], ..self.window } } else { self.window }
+        let is_small = inner < self.window.y[1]
+            && self
+                .plane
+                .level_rate(PI, energy)
+                .is_some_and(|it| it < inner);
+        if is_small {
+            Window {
+                y: [-inner, inner],
+                ..self.window
+            }
+        } else {
+            self.window
+        }
     }
 
     /// The locus |F| = μs N of (2.13) for a coefficient of friction.
@@ -77,29 +111,51 @@ impl Portrait {
         let parameters = self.hoop.parameters();
         let other = Hoop::new(parameters.with_friction(mu_s, parameters.mu_k.min(mu_s)))?;
         let pieces = PhasePlane::new(&other).slip_curve(&self.window);
-        Ok(Series::new(format!("f {MU_S}={mu_s}"), &[THETA, THETA_RATE, MU_S], rows_with(pieces, mu_s)))
+        Ok(Series::new(
+            format!("f {MU_S}={mu_s}"),
+            &[THETA, THETA_RATE, MU_S],
+            rows_with(pieces, mu_s),
+        ))
     }
 
-    /// The same of a massless hoop, with the angle at which static friction gives way; none where it always holds.
+    /// The same of a massless hoop, with the angle at which static friction gives way; none where
+    /// it always holds.
     pub(crate) fn massless_limit(&self) -> Option<(f64, Series)> {
-        let Body::Massless(body) = self.hoop.body() else { return None };
+        let Body::Massless(body) = self.hoop.body() else {
+            return None;
+        };
         let theta = slip_angle(&body, self.hoop.mu_s())?;
-        Some((theta, Series::new("f", &PLANE, rows(self.plane.slip_curve(&self.window)))))
+        Some((
+            theta,
+            Series::new("f", &PLANE, rows(self.plane.slip_curve(&self.window))),
+        ))
     }
 
     /// The locus N = 0.
     pub(crate) fn unloading_locus(&self) -> Series {
-        Series::new("n", &PLANE, rows(self.plane.normal_force_curve(&self.window)))
+        Series::new(
+            "n",
+            &PLANE,
+            rows(self.plane.normal_force_curve(&self.window)),
+        )
     }
 
     /// The locus beyond which the body leaves the plane.
     pub(crate) fn lift_off_locus(&self) -> Series {
-        Series::new("lift-off", &PLANE, rows(self.plane.lift_off_curve(&self.window)))
+        Series::new(
+            "lift-off",
+            &PLANE,
+            rows(self.plane.lift_off_curve(&self.window)),
+        )
     }
 
     /// The rates between which bounces grow out of rolling; none on a level plane.
     pub(crate) fn reverse_chatter(&self) -> Series {
-        Series::new("reverse chatter", &PLANE, rows(self.plane.reverse_chatter_curve(&self.window)))
+        Series::new(
+            "reverse chatter",
+            &PLANE,
+            rows(self.plane.reverse_chatter_curve(&self.window)),
+        )
     }
 
     /// The region N < 0, above and below n.
@@ -107,11 +163,17 @@ impl Portrait {
         let pieces = [1.0, -1.0]
             .into_iter()
             .flat_map(|sign| {
-                let edge = if sign > 0.0 { self.window.y[1] } else { self.window.y[0] };
+                let edge = if sign > 0.0 {
+                    self.window.y[1]
+                } else {
+                    self.window.y[0]
+                };
                 let rate = |theta: f64| Some([theta, sign * self.plane.normal_force_rate(theta)?]);
                 let mut pieces = self.window.pieces(self.window.x, CELLS, &rate);
                 for piece in &mut pieces {
-                    if let (Some(first), Some(last)) = (piece.first().copied(), piece.last().copied()) {
+                    if let (Some(first), Some(last)) =
+                        (piece.first().copied(), piece.last().copied())
+                    {
                         piece.push([last[0], edge]);
                         piece.push([first[0], edge]);
                     }
@@ -132,13 +194,18 @@ impl Portrait {
         Series::new(
             format!("orbit E={}", rounded(energy)),
             &[THETA, THETA_RATE, ENERGY],
-            rows_with(self.plane.level_curve(energy, &self.window_of(energy)), energy),
+            rows_with(
+                self.plane.level_curve(energy, &self.window_of(energy)),
+                energy,
+            ),
         )
     }
 
     /// Orbits of these energies, and the separatrix.
     pub(crate) fn orbits(&self, energies: &[f64]) -> impl Iterator<Item = Layer> {
-        let orbits = energies.iter().map(|energy| self.orbit(*energy).drawn(Curve::Level));
+        let orbits = energies
+            .iter()
+            .map(|energy| self.orbit(*energy).drawn(Curve::Level));
         orbits.chain([self.separatrix().drawn(Curve::Separatrix)])
     }
 
@@ -146,21 +213,28 @@ impl Portrait {
     pub(crate) fn separatrix(&self) -> Series {
         let energy = self.law.separatrix_energy();
         let pieces = self.plane.separatrix_curve(&self.window_of(energy));
-        Series::new(Curve::Separatrix.name(), &[THETA, THETA_RATE, ENERGY], rows_with(pieces, energy))
+        Series::new(
+            Curve::Separatrix.name(),
+            &[THETA, THETA_RATE, ENERGY],
+            rows_with(pieces, energy),
+        )
     }
 
-    /// Energies of orbits that fill the window: librations by equal steps of θ′ at the bottom, rotations at the top.
+    /// Energies of orbits that fill the window: librations by equal steps of θ′ at the bottom,
+    /// rotations at the top.
     pub(crate) fn energies(&self, librations: u32, rotations: u32) -> Vec<f64> {
         let most = self.plane.separatrix_rate(PI);
         let within = (1..=librations).map(|i| most * f64::from(i) / f64::from(librations + 1));
-        let beyond = (1..=rotations).map(|i| self.rate_at((f64::from(i) - 0.35) / f64::from(rotations)));
+        let beyond =
+            (1..=rotations).map(|i| self.rate_at((f64::from(i) - 0.35) / f64::from(rotations)));
         within
             .map(|rate| self.law.energy(PI, rate))
             .chain(beyond.map(|rate| self.law.energy(0.0, rate)))
             .collect()
     }
 
-    /// Arrows of the flow: places on the orbits of these energies over an angle, each with the next place.
+    /// Arrows of the flow: places on the orbits of these energies over an angle, each with the next
+    /// place.
     pub(crate) fn flow(&self, energies: &[f64], theta: f64) -> Series {
         let step = 0.04;
         let pieces = energies
@@ -191,7 +265,11 @@ pub(crate) fn unloading_lines(theta_s: f64) -> Series {
 
 /// Two places of an orbit as they follow each other: to the right where θ′ > 0.
 pub(crate) fn in_time(a: &[f64], b: &[f64]) -> Piece {
-    let [from, to] = if (b[0] - a[0]) * a[1] > 0.0 { [a, b] } else { [b, a] };
+    let [from, to] = if (b[0] - a[0]) * a[1] > 0.0 {
+        [a, b]
+    } else {
+        [b, a]
+    };
     vec![from.to_vec(), to.to_vec()]
 }
 
@@ -203,36 +281,62 @@ fn rounded(value: f64) -> f64 {
 /// What several figures of the plane have in common.
 impl Portrait {
     /// A name at the row of a series that is nearest to a place, measured in parts of the window.
-    pub(crate) fn name_of(&self, series: &Series, at: [f64; 2], name: impl Into<String>) -> Option<Label> {
+    pub(crate) fn name_of(
+        &self,
+        series: &Series,
+        at: [f64; 2],
+        name: impl Into<String>,
+    ) -> Option<Label> {
         let Window { x, y } = self.window;
         let distance = |row: &[f64]| {
-            let (dx, dy) = ((row[0] - at[0]) / (x[1] - x[0]), (row[1] - at[1]) / (y[1] - y[0]));
+            let (dx, dy) = (
+                (row[0] - at[0]) / (x[1] - x[0]),
+                (row[1] - at[1]) / (y[1] - y[0]),
+            );
             dx * dx + dy * dy
         };
-        let nearest = series.rows().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        let nearest = series
+            .rows()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
         Some(Label::new(name, &nearest[..2]))
     }
 
     /// "N < 0" in the hatched regions, where there is room.
     pub(crate) fn mark_of_unloading(&self) -> Vec<Label> {
         let most = self.window.y[1];
-        let Some(least) = self.plane.normal_force_rate(0.0).filter(|rate| *rate < 0.8 * most) else {
+        let Some(least) = self
+            .plane
+            .normal_force_rate(0.0)
+            .filter(|rate| *rate < 0.8 * most)
+        else {
             return Vec::new();
         };
-        let middle = if self.linear.is_finite() { (least * most).sqrt() } else { 0.5 * (least + most) };
-        let turns =
-            (libm::ceil(self.window.x[0] / TAU) as i32)..=(libm::floor(self.window.x[1] / TAU) as i32);
+        let middle = if self.linear.is_finite() {
+            (least * most).sqrt()
+        } else {
+            0.5 * (least + most)
+        };
+        let turns = (libm::ceil(self.window.x[0] / TAU) as i32)
+            ..=(libm::floor(self.window.x[1] / TAU) as i32);
         turns
             .flat_map(|turn| {
-                [1.0, -1.0].map(|sign| Label::new("*N* < 0", &[TAU * f64::from(turn), sign * middle]))
+                [1.0, -1.0]
+                    .map(|sign| Label::new("*N* < 0", &[TAU * f64::from(turn), sign * middle]))
             })
             .collect()
     }
 
     /// Arrowheads on the separatrix of a level plane, which goes over the tops.
     pub(crate) fn separatrix_heads(&self) -> Vec<Layer> {
-        let angles = if self.hoop.slope() == 0.0 { &[0.62 * PI, 1.38 * PI][..] } else { &[] };
-        let heads = |theta: &f64| self.flow(&[self.law.separatrix_energy()], *theta).drawn(Mark::Head(INK));
+        let angles = if self.hoop.slope() == 0.0 {
+            &[0.62 * PI, 1.38 * PI][..]
+        } else {
+            &[]
+        };
+        let heads = |theta: &f64| {
+            self.flow(&[self.law.separatrix_energy()], *theta)
+                .drawn(Mark::Head(INK))
+        };
         angles.iter().map(heads).collect()
     }
 

@@ -1,10 +1,11 @@
-//! A poster: the story of one hoop on a page, of figures of the catalogue, with equations and plain sentences.
+//! A poster: the story of one hoop on a page, of figures of the catalogue, with equations and plain
+//! sentences.
 
 use littlewood::Trajectory;
 use littlewood::tables::{Dimension, Quantity, Setup};
 use littlewood_draw::{
-    Figure, GRID, Label, Panel, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, angle, lift_off_condition,
-    marked, plain, short,
+    Figure, GRID, Label, Panel, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, angle,
+    lift_off_condition, marked, plain, short,
 };
 
 use crate::catalogue::{Watch, find_figure};
@@ -38,7 +39,10 @@ type Slot = &'static [&'static str];
 /// The figures of a poster in rows, from top to bottom.
 const ROWS: [[Slot; 2]; 2] = [
     [&["figure-1", "figure-2a"], &["figure-3b", "figure-7b"]],
-    [&["figure-2b", "figure-4", "figure-2a"], &["forces", "figure-6b", "figure-5b"]],
+    [
+        &["figure-2b", "figure-4", "figure-2a"],
+        &["forces", "figure-6b", "figure-5b"],
+    ],
 ];
 
 /// Beside the equations, at the bottom.
@@ -47,8 +51,9 @@ const LAST: Slot = &["bounces", "energy", "figure-7b", "figure-5b"];
 /// What may stand where nothing else does.
 const OTHERS: Slot = &["energy", "figure-3a", "figure-2a", "impact", "bounces"];
 
-/// A poster of a hoop and a motion: an atlas of fates, body, path, phase portrait, forces, energy, equations. What does not
-/// apply to the hoop is replaced by another figure, or by the reason in words.
+/// A poster of a hoop and a motion: an atlas of fates, body, path, phase portrait, forces, energy,
+/// equations. What does not apply to the hoop is replaced by another figure, or by the reason in
+/// words.
 ///
 /// # Errors
 /// A start that is out of bounds; none is known otherwise.
@@ -57,8 +62,16 @@ pub fn poster(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, Figu
     let mut taken: Vec<&'static str> = Vec::new();
     let rows = ROWS.map(|row| row.map(|slot| choose(slot, input, &mut taken, watch)));
     let last = choose(LAST, input, &mut taken, watch);
-    let hero = atlas::wide(input, NARROWEST - 2.0 * MARGIN, watch).ok().map(Figure::fitted);
-    let content = Content { input, motion, hero, rows, last };
+    let hero = atlas::wide(input, NARROWEST - 2.0 * MARGIN, watch)
+        .ok()
+        .map(Figure::fitted);
+    let content = Content {
+        input,
+        motion,
+        hero,
+        rows,
+        last,
+    };
     // The page has the proportions of A3. A full one is larger, and all on it smaller in print.
     let height = content.on_page(NARROWEST).1;
     let width = NARROWEST.max(height * POSTER_MM[0] / POSTER_MM[1]);
@@ -82,22 +95,34 @@ struct Content<'a> {
 impl Content<'_> {
     /// The page of a width, and how high it is.
     fn on_page(&self, width: f64) -> (Page, f64) {
-        let mut page = Page { width, panels: Vec::new(), labels: Vec::new(), lines: Vec::new() };
+        let mut page = Page {
+            width,
+            panels: Vec::new(),
+            labels: Vec::new(),
+            lines: Vec::new(),
+        };
         let mut top = page.head(self.input, &self.motion);
         if let Some(hero) = &self.hero {
             top = page.block(hero, [MARGIN, top], width - 2.0 * MARGIN) + GAP;
         }
-        // Each part goes where there is more room, so that no place stays blank for a figure that this hoop has not.
+        // Each part goes where there is more room, so that no place stays blank for a figure that
+        // this hoop has not.
         let mut ends = [top; 2];
         let next = |ends: &[f64; 2]| usize::from(ends[1] < ends[0]);
         let all = || self.rows.iter().flatten().chain([&self.last]);
         for figure in all().filter_map(|figure| figure.as_ref().ok()) {
             let column = next(&ends);
-            ends[column] = page.block(figure, [page.left(column), ends[column]], page.column()) + GAP;
+            ends[column] =
+                page.block(figure, [page.left(column), ends[column]], page.column()) + GAP;
         }
         let column = next(&ends);
         ends[column] = page.equations(self.input, [page.left(column), ends[column]]);
-        for reason in self.rows.iter().flatten().filter_map(|figure| figure.as_ref().err()) {
+        for reason in self
+            .rows
+            .iter()
+            .flatten()
+            .filter_map(|figure| figure.as_ref().err())
+        {
             let place = [page.left(column), ends[column] + 0.5 * LINE];
             ends[column] = page.note(reason, place, page.letters());
         }
@@ -113,7 +138,10 @@ fn choose(
     watch: &mut Watch<'_>,
 ) -> Result<Figure, String> {
     let mut reason = None;
-    let entries = slot.iter().chain(OTHERS).filter_map(|name| find_figure(name));
+    let entries = slot
+        .iter()
+        .chain(OTHERS)
+        .filter_map(|name| find_figure(name));
     for entry in entries {
         if taken.contains(&entry.name) {
             continue;
@@ -151,7 +179,8 @@ impl Page {
     }
 
     fn text(&mut self, text: impl Into<String>, [x, y]: [f64; 2], size: f64) {
-        self.labels.push(Label::new(text, &[x, -y]).left().sized(size));
+        self.labels
+            .push(Label::new(text, &[x, -y]).left().sized(size));
     }
 
     /// Title, the numbers of the hoop, and what happens; returns where the rest begins.
@@ -169,13 +198,18 @@ impl Page {
         self.text(subtitle, [MARGIN, 108.0], 24.0);
         let hoop = format!("This hoop: {}.", numbers(input, &Quantity::HOOP));
         self.text(hoop, [MARGIN, 142.0], 18.0);
-        let story = format!("It starts with {}. {}", numbers(input, &START), story(motion));
+        let story = format!(
+            "It starts with {}. {}",
+            numbers(input, &START),
+            story(motion)
+        );
         let mut y = 168.0;
         for line in wrapped(&story, (1.5 * self.letters() as f64) as usize, 2) {
             self.text(line, [MARGIN, y], 18.0);
             y += 24.0;
         }
-        self.lines.push(vec![vec![MARGIN, -y], vec![self.width - MARGIN, -y]]);
+        self.lines
+            .push(vec![vec![MARGIN, -y], vec![self.width - MARGIN, -y]]);
         y + 16.0
     }
 
@@ -187,7 +221,8 @@ impl Page {
     /// A few lines of so many letters; returns their lower end.
     fn note(&mut self, text: &str, [left, mut y]: [f64; 2], letters: usize) -> f64 {
         for line in wrapped(text, letters, LINES) {
-            self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
+            self.labels
+                .push(Label::new(line, &[left, -y]).left().coloured(SOFT));
             y += LINE;
         }
         y
@@ -195,9 +230,15 @@ impl Page {
 
     /// A figure with its title above and its caption below; returns its lower end.
     fn block(&mut self, figure: &Figure, [left, top]: [f64; 2], wide: f64) -> f64 {
-        let heading = figure.title.split_once(": ").map_or(&*figure.title, |(_, title)| title);
+        let heading = figure
+            .title
+            .split_once(": ")
+            .map_or(&*figure.title, |(_, title)| title);
         self.text(capitalised(heading), [left, top + 0.5 * HEADING], 20.0);
-        let from = [left + 0.5 * (wide - figure.width).max(0.0), top + HEADING + 6.0];
+        let from = [
+            left + 0.5 * (wide - figure.width).max(0.0),
+            top + HEADING + 6.0,
+        ];
         for panel in &figure.panels {
             let mut panel = panel.clone();
             panel.frame[0] += from[0];
@@ -207,7 +248,11 @@ impl Page {
             }
             self.panels.push(panel);
         }
-        self.note(&figure.caption, [left, from[1] + figure.height + 16.0], (DENSITY * wide) as usize)
+        self.note(
+            &figure.caption,
+            [left, from[1] + figure.height + 16.0],
+            (DENSITY * wide) as usize,
+        )
     }
 
     /// The laws of motion; returns their lower end.
@@ -215,7 +260,12 @@ impl Page {
         self.text("The laws", [left, top + 0.5 * HEADING], 20.0);
         let mut y = top + HEADING + 22.0;
         for (name, equation) in laws(input) {
-            self.labels.push(Label::new(name, &[left, -y]).left().coloured(SOFT).sized(16.0));
+            self.labels.push(
+                Label::new(name, &[left, -y])
+                    .left()
+                    .coloured(SOFT)
+                    .sized(16.0),
+            );
             for line in equation {
                 self.text(line, [left + 120.0, y], 17.0);
                 y += 27.0;
@@ -225,15 +275,23 @@ impl Page {
         let units = "Lengths in radii *R*, times in √(*R*/*g*), masses in that of the particle; ′ is the rate; *m*, *h*: mass \
                      and distance of the mass centre; *I\u{302}*: moment of inertia about it; *σ* = ±1: direction of the slip.";
         let y = self.note(units, [left, y], self.letters());
-        let source =
-            "After A. Bronars and O. M. O'Reilly, Proc. R. Soc. A 475 (2019), computed by littlewood.";
-        self.labels.push(Label::new(source, &[left, -(y + 8.0)]).left().coloured(SOFT));
+        let source = "After A. Bronars and O. M. O'Reilly, Proc. R. Soc. A 475 (2019), computed by littlewood.";
+        self.labels.push(
+            Label::new(source, &[left, -(y + 8.0)])
+                .left()
+                .coloured(SOFT),
+        );
         y + 8.0 + LINE
     }
 
     /// The figure of a page of these sides of which so much is used.
     fn finish(self, [width, height]: [f64; 2], used: f64) -> Figure {
-        let Self { mut panels, labels, lines, .. } = self;
+        let Self {
+            mut panels,
+            labels,
+            lines,
+            ..
+        } = self;
         let down = (0.1 * (height - used)).max(0.0);
         for panel in &mut panels {
             panel.frame[1] += down;
@@ -244,7 +302,13 @@ impl Page {
         let x = PlotAxis::silent(COLUMNS[0], [0.0, width]);
         let y = PlotAxis::silent(COLUMNS[1], [down - height, down]);
         let layers = vec![Series::new("rule", &COLUMNS, lines).drawn(Stroke::solid(GRID, 1.6))];
-        let content = littlewood_draw::Content { name: "page", x, y, layers, labels };
+        let content = littlewood_draw::Content {
+            name: "page",
+            x,
+            y,
+            layers,
+            labels,
+        };
         panels.push(Sheet::bare([0.0, 0.0, width, height], content, 0.0));
         Figure {
             name: "poster",
@@ -281,7 +345,11 @@ fn numbers(input: &FigureInput, quantities: &[Quantity]) -> String {
 /// What happens, in a sentence.
 fn story(motion: &Trajectory) -> String {
     let phases = motion.phases();
-    let mut modes: Vec<String> = phases.iter().take(6).map(|phase| phase.mode().name().to_owned()).collect();
+    let mut modes: Vec<String> = phases
+        .iter()
+        .take(6)
+        .map(|phase| phase.mode().name().to_owned())
+        .collect();
     let label = motion.outcome().kind().label();
     if modes.is_empty() {
         return format!("No motion follows: {label}.");
@@ -305,35 +373,47 @@ fn laws(input: &FigureInput) -> Vec<(&'static str, Vec<String>)> {
     let rolling = if slope == 0.0 {
         vec![format!("*D* (*θ*′^{{2}} + 1) = constant,  {inertia}")]
     } else {
-        let energy = "½*D* *θ*′^{2} + *mh* cos *α* cos *θ* − *m* sin *α* (*θ* + *h* sin *θ*) = constant,";
+        let energy =
+            "½*D* *θ*′^{2} + *mh* cos *α* cos *θ* − *m* sin *α* (*θ* + *h* sin *θ*) = constant,";
         vec![energy.to_owned(), inertia.to_owned()]
     };
     let mut laws = vec![("Rolling", rolling), holds];
     if input.is_massless() {
         laws.push((
             "Gliding",
-            lines(&["*N* = *F* = 0: the particle falls freely,", "and the hoop without mass follows it"]),
+            lines(&[
+                "*N* = *F* = 0: the particle falls freely,",
+                "and the hoop without mass follows it",
+            ]),
         ));
         if slope == 0.0 {
-            laws.push(("On the rim", lines(&["the slip begins where tan |*θ*/2| = *μ*_{s}"])));
+            laws.push((
+                "On the rim",
+                lines(&["the slip begins where tan |*θ*/2| = *μ*_{s}"]),
+            ));
         }
     } else {
         let weight = if slope == 0.0 { "1" } else { "cos *α*" };
-        let friction =
-            "*F* = −*μ*_{k} *σN*,  *I\u{302} θ*″ = *qN*,  *q* = *h* sin *θ* − *μ*_{k} *σ*(1 + *h* cos *θ*)";
-        let normal =
-            format!("*N* = *I\u{302} m* ({weight} − *h* cos *θ* *θ*′^{{2}})/(*I\u{302}* + *mh* sin *θ* *q*)");
+        let friction = "*F* = −*μ*_{k} *σN*,  *I\u{302} θ*″ = *qN*,  *q* = *h* sin *θ* − *μ*_{k} *σ*(1 + *h* cos *θ*)";
+        let normal = format!(
+            "*N* = *I\u{302} m* ({weight} − *h* cos *θ* *θ*′^{{2}})/(*I\u{302}* + *mh* sin *θ* *q*)"
+        );
         laws.push(("Sliding", vec![friction.to_owned(), normal]));
         let lift_off = format!("where {}, whatever the friction", lift_off_condition(slope));
         laws.push(("Lift-off", vec![lift_off]));
-        laws.push(("Flight", lines(&["*θ*″ = 0, and the mass centre falls freely"])));
+        laws.push((
+            "Flight",
+            lines(&["*θ*″ = 0, and the mass centre falls freely"]),
+        ));
     }
     laws
 }
 
 fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }
 
 /// A text in lines of so many letters; what does not fit in them ends with its last whole sentence.
@@ -359,7 +439,9 @@ fn fill(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if plain(line).chars().count() + 1 + plain(word).chars().count() <= letters => {
+            Some(line)
+                if plain(line).chars().count() + 1 + plain(word).chars().count() <= letters =>
+            {
                 line.push(' ');
                 line.push_str(word);
             }

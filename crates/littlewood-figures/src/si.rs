@@ -8,7 +8,10 @@ use crate::columns::{LOG_GAP_RATE, dimension, si_name};
 
 /// A figure with its numbers in SI units, and columns named so.
 pub(crate) fn converted(mut figure: Figure, units: &Units) -> Figure {
-    figure.panels.iter_mut().for_each(|panel| convert(panel, units));
+    figure
+        .panels
+        .iter_mut()
+        .for_each(|panel| convert(panel, units));
     figure
 }
 

@@ -1,4 +1,5 @@
-//! Motions against time: histories of a quantity, verticals at the transitions, names of phases and transitions.
+//! Motions against time: histories of a quantity, verticals at the transitions, names of phases and
+//! transitions.
 
 use littlewood::{Phase, Sample, Trajectory, Transition};
 use littlewood_draw::{FAINT, Label, Layer, PlotAxis, SMALL, SOFT, Scale, Series, Stroke, width};
@@ -40,14 +41,17 @@ pub(crate) fn history(
 }
 
 pub(crate) fn range_of(series: &[&Series], also: &[f64]) -> [f64; 2] {
-    let values = series.iter().flat_map(|series| series.rows().map(|row| row[1]));
+    let values = series
+        .iter()
+        .flat_map(|series| series.rows().map(|row| row[1]));
     bounds(values.chain(also.iter().copied()), 0.12)
 }
 
 /// A line at a time.
 pub(crate) const VERTICAL: Stroke = Stroke::solid(FAINT, FINE).dashed(Dash::Dashed);
 
-/// Verticals at the transitions; of bounces that are closer together than can be seen only the first.
+/// Verticals at the transitions; of bounces that are closer together than can be seen only the
+/// first.
 pub(crate) fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static str) -> Layer {
     let until = horizon(motion);
     let apart = APART * (until - motion.start().time);
@@ -82,7 +86,8 @@ pub(crate) struct Names {
 const ROWS: usize = 3;
 const ROW: f64 = 13.0;
 
-/// The names of the phases over a panel, and of the transitions above them, in as many rows as it takes.
+/// The names of the phases over a panel, and of the transitions above them, in as many rows as it
+/// takes.
 pub(crate) fn names(motion: &Trajectory, top: f64, wide: f64) -> Names {
     let (from, until) = (motion.start().time, horizon(motion));
     let pixels = |time: f64| (time - from) / (until - from) * wide;
@@ -99,11 +104,21 @@ pub(crate) fn names(motion: &Trajectory, top: f64, wide: f64) -> Names {
         }
     }
     // Bounces have a name only where there is room beside all others.
-    let (bounces, others): (Vec<&Transition>, Vec<&Transition>) =
-        motion.transitions().iter().partition(|transition| transition.is_bounce());
+    let (bounces, others): (Vec<&Transition>, Vec<&Transition>) = motion
+        .transitions()
+        .iter()
+        .partition(|transition| transition.is_bounce());
     // More than these cannot be told apart in any number of rows.
-    let count = motion.transitions().iter().filter(|transition| transition.time() <= until).count();
-    let rows = if count as f64 > ROWS as f64 * wide / NAME { 1 } else { ROWS };
+    let count = motion
+        .transitions()
+        .iter()
+        .filter(|transition| transition.time() <= until)
+        .count();
+    let rows = if count as f64 > ROWS as f64 * wide / NAME {
+        1
+    } else {
+        ROWS
+    };
     let mut taken: Vec<Vec<[f64; 2]>> = vec![Vec::new(); rows];
     for transition in others.into_iter().chain(bounces) {
         let at = transition.time();
@@ -115,7 +130,10 @@ pub(crate) fn names(motion: &Trajectory, top: f64, wide: f64) -> Names {
         // A name does not reach out of the panel.
         let middle = f64::max(pixels(at).min(wide - 0.5 * room), 0.5 * room);
         let ends = [middle - 0.5 * room - BETWEEN, middle + 0.5 * room + BETWEEN];
-        let is_free = |row: &Vec<[f64; 2]>| row.iter().all(|other| ends[1] < other[0] || other[1] < ends[0]);
+        let is_free = |row: &Vec<[f64; 2]>| {
+            row.iter()
+                .all(|other| ends[1] < other[0] || other[1] < ends[0])
+        };
         let Some(row) = taken.iter().position(is_free) else {
             are_all[1] = false;
             continue;
@@ -125,7 +143,11 @@ pub(crate) fn names(motion: &Trajectory, top: f64, wide: f64) -> Names {
         labels.push(label.shifted(middle - pixels(at), -27.0 - ROW * row as f64));
     }
     let rows = taken.iter().filter(|row| !row.is_empty()).count();
-    Names { labels, height: ROW * rows.saturating_sub(1) as f64, are_all }
+    Names {
+        labels,
+        height: ROW * rows.saturating_sub(1) as f64,
+        are_all,
+    }
 }
 
 impl Names {
@@ -143,12 +165,27 @@ impl Names {
 
 /// An axis of times without words, for a panel above another.
 pub(crate) fn bare(say: Wording, range: [f64; 2]) -> PlotAxis {
-    PlotAxis { title: String::new(), scale: Scale::Bare, ..say.clock(range) }
+    PlotAxis {
+        title: String::new(),
+        scale: Scale::Bare,
+        ..say.clock(range)
+    }
 }
 
 /// A horizontal line.
-pub(crate) fn level(range: [f64; 2], name: &str, column: &'static str, value: f64, stroke: Stroke) -> Layer {
-    Series::of_rows(name, &[TIME, column], range.map(|time| vec![time, value]).to_vec()).drawn(stroke)
+pub(crate) fn level(
+    range: [f64; 2],
+    name: &str,
+    column: &'static str,
+    value: f64,
+    stroke: Stroke,
+) -> Layer {
+    Series::of_rows(
+        name,
+        &[TIME, column],
+        range.map(|time| vec![time, value]).to_vec(),
+    )
+    .drawn(stroke)
 }
 
 pub(crate) fn zero(range: [f64; 2], column: &'static str) -> Layer {

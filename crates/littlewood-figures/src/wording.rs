@@ -8,8 +8,13 @@ use littlewood_style::ticks;
 use littlewood_sweep::Varies;
 
 /// Parameters on which rolling depends.
-const ROLLING: [Quantity; 5] =
-    [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::Slope, Quantity::MuS];
+const ROLLING: [Quantity; 5] = [
+    Quantity::MassRatio,
+    Quantity::Offset,
+    Quantity::Inertia,
+    Quantity::Slope,
+    Quantity::MuS,
+];
 
 /// How a figure says numbers: in the units of (2.9), or in SI units.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +24,11 @@ pub(crate) struct Wording {
 
 /// A symbol and its unit, if it has one.
 fn with_unit(symbol: &str, unit: &str) -> String {
-    if unit.is_empty() { symbol.to_owned() } else { format!("{symbol}  ({unit})") }
+    if unit.is_empty() {
+        symbol.to_owned()
+    } else {
+        format!("{symbol}  ({unit})")
+    }
 }
 
 impl Wording {
@@ -40,29 +49,47 @@ impl Wording {
     /// Symbol of the time, with marks.
     pub(crate) fn time(self) -> String {
         let quantity = Quantity::Time;
-        marked(self.units.and(quantity.si_twin()).unwrap_or(quantity).sign())
+        marked(
+            self.units
+                .and(quantity.si_twin())
+                .unwrap_or(quantity)
+                .sign(),
+        )
     }
 
     /// A number for print, in the unit of a dimension, without it.
     pub(crate) fn number(self, value: f64, dimension: Dimension) -> String {
-        short(self.units.map_or(value, |units| units.to_si(dimension, value)))
+        short(
+            self.units
+                .map_or(value, |units| units.to_si(dimension, value)),
+        )
     }
 
     /// A number as it stands in a picture: with its unit in SI units, the axes tell the others.
     pub(crate) fn value(self, value: f64, dimension: Dimension) -> String {
-        if self.units.is_some() { self.quantity(value, dimension) } else { short(value) }
+        if self.units.is_some() {
+            self.quantity(value, dimension)
+        } else {
+            short(value)
+        }
     }
 
     /// A number with its unit.
     pub(crate) fn quantity(self, value: f64, dimension: Dimension) -> String {
         let unit = self.unit(dimension);
         let number = self.number(value, dimension);
-        if unit.is_empty() { number } else { format!("{number} {unit}") }
+        if unit.is_empty() {
+            number
+        } else {
+            format!("{number} {unit}")
+        }
     }
 
     /// The parameters of a hoop; with the law, if it has a coefficient of restitution.
     pub(crate) fn hoop(self, hoop: &Hoop) -> String {
-        let law = hoop.restitution().map_or_else(String::new, |e| format!(", law: {}", e.law().label()));
+        let law = hoop
+            .restitution()
+            .map_or_else(String::new, |e| format!(", law: {}", e.law().label()));
         self.parameters(hoop, &Quantity::HOOP) + &law
     }
 
@@ -80,27 +107,48 @@ impl Wording {
         let setup = Setup::new(hoop.parameters(), Start::default());
         let Some(units) = self.units else {
             let words = quantities.iter().filter_map(|quantity| {
-                Some(format!("{} = {}", marked(quantity.sign()), short(setup.said(*quantity)?)))
+                Some(format!(
+                    "{} = {}",
+                    marked(quantity.sign()),
+                    short(setup.said(*quantity)?)
+                ))
             });
             return words.collect::<Vec<_>>().join(", ");
         };
         let si = SiSetup::new(&setup, &units);
-        let twins = quantities.iter().map(|quantity| quantity.si_twin().unwrap_or(*quantity));
-        let of_units = Quantity::SI_HOOP.into_iter().filter(|quantity| quantity.group() == Group::Units);
+        let twins = quantities
+            .iter()
+            .map(|quantity| quantity.si_twin().unwrap_or(*quantity));
+        let of_units = Quantity::SI_HOOP
+            .into_iter()
+            .filter(|quantity| quantity.group() == Group::Units);
         let words = twins.chain(of_units).filter_map(|quantity| {
             let value = short(si.said(quantity)?);
             let unit = quantity.unit_sign().replace('²', "^{2}");
-            Some(format!("{} = {value} {unit}", marked(quantity.sign())).trim_end().to_owned())
+            Some(
+                format!("{} = {value} {unit}", marked(quantity.sign()))
+                    .trim_end()
+                    .to_owned(),
+            )
         });
         words.collect::<Vec<_>>().join(", ")
     }
 
     /// A hoop and a start but for some quantities.
     pub(crate) fn setup_except(self, hoop: &Hoop, start: &Start, except: &[Quantity]) -> String {
-        let kept: Vec<Quantity> =
-            Quantity::HOOP.into_iter().filter(|quantity| !except.contains(quantity)).collect();
-        let words = [self.parameters(hoop, &kept), self.start_except(hoop, start, except)];
-        words.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join("; ")
+        let kept: Vec<Quantity> = Quantity::HOOP
+            .into_iter()
+            .filter(|quantity| !except.contains(quantity))
+            .collect();
+        let words = [
+            self.parameters(hoop, &kept),
+            self.start_except(hoop, start, except),
+        ];
+        words
+            .into_iter()
+            .filter(|words| !words.is_empty())
+            .collect::<Vec<_>>()
+            .join("; ")
     }
 
     /// A start.
@@ -116,8 +164,11 @@ impl Wording {
             .filter_map(|quantity| {
                 let value = setup.said(quantity)?;
                 let dimension = quantity.dimension();
-                let number =
-                    if dimension == Dimension::Angle { angle(value) } else { self.value(value, dimension) };
+                let number = if dimension == Dimension::Angle {
+                    angle(value)
+                } else {
+                    self.value(value, dimension)
+                };
                 Some(format!("{}(0) = {number}", marked(quantity.sign())))
             })
             .collect();
@@ -126,10 +177,17 @@ impl Wording {
 
     /// The sign of what varies along a line, with marks.
     pub(crate) fn sign_of(self, varies: Varies) -> String {
-        let Varies::One(quantity) = varies else { return marked(varies.sign()) };
+        let Varies::One(quantity) = varies else {
+            return marked(varies.sign());
+        };
         match quantity.group() {
             Group::Start => format!("{}(0)", marked(quantity.sign())),
-            _ => marked(self.units.and(quantity.si_twin()).unwrap_or(quantity).sign()),
+            _ => marked(
+                self.units
+                    .and(quantity.si_twin())
+                    .unwrap_or(quantity)
+                    .sign(),
+            ),
         }
     }
 
@@ -140,7 +198,9 @@ impl Wording {
                 let twin = quantity.si_twin().unwrap_or(quantity);
                 twin.unit_sign().replace('²', "^{2}")
             }
-            Varies::One(quantity) if quantity.group() == Group::Start => self.unit(quantity.dimension()),
+            Varies::One(quantity) if quantity.group() == Group::Start => {
+                self.unit(quantity.dimension())
+            }
             Varies::One(_) | Varies::Friction => String::new(),
         }
     }
@@ -149,8 +209,15 @@ impl Wording {
     pub(crate) fn varied(self, varies: Varies, range: [f64; 2]) -> PlotAxis {
         let title = with_unit(&self.sign_of(varies), &self.unit_of(varies));
         let is_angle = varies.dimension() == Dimension::Angle;
-        let scale = if is_angle { Scale::Angle(Vec::new()) } else { Scale::Round };
-        PlotAxis { scale, ..PlotAxis::new(varies.name(), title, range) }
+        let scale = if is_angle {
+            Scale::Angle(Vec::new())
+        } else {
+            Scale::Round
+        };
+        PlotAxis {
+            scale,
+            ..PlotAxis::new(varies.name(), title, range)
+        }
     }
 
     /// What varies along a line, in words and with its sign.
@@ -160,8 +227,10 @@ impl Wording {
 
     /// A value of what varies that is known to a width, without its unit.
     pub(crate) fn located(self, varies: Varies, value: f64, width: f64) -> String {
-        let [value, width] = [value, width]
-            .map(|value| self.units.map_or(value, |units| units.to_si(varies.dimension(), value)));
+        let [value, width] = [value, width].map(|value| {
+            self.units
+                .map_or(value, |units| units.to_si(varies.dimension(), value))
+        });
         let digits = (-1.0 - libm::floor(libm::log10(width))).clamp(0.0, 15.0) as usize;
         ticks::minus(&format!("{value:.digits$}"))
     }
@@ -198,6 +267,9 @@ mod tests {
         assert_eq!(si.quantity(2.0, Dimension::Time), "0.4 s");
         assert_eq!(own.quantity(2.0, Dimension::Time), "2 √(*R*/*g*)");
         assert_eq!(si.title("*N*", Dimension::Force), "*N*  (N)");
-        assert_eq!((si.time(), own.time()), ("*t*".to_owned(), "*τ*".to_owned()));
+        assert_eq!(
+            (si.time(), own.time()),
+            ("*t*".to_owned(), "*τ*".to_owned())
+        );
     }
 }

@@ -6,7 +6,11 @@ use littlewood_figures::{FIGURES, FigureInput};
 /// What LaTeX would not take.
 fn faults(tex: &str) -> Vec<String> {
     let mut found = Vec::new();
-    found.extend(tex.chars().filter(|letter| !letter.is_ascii()).map(|letter| format!("letter {letter}")));
+    found.extend(
+        tex.chars()
+            .filter(|letter| !letter.is_ascii())
+            .map(|letter| format!("letter {letter}")),
+    );
     for (open, close) in [('{', '}'), ('[', ']')] {
         let count = |wanted: char| tex.chars().filter(|letter| *letter == wanted).count();
         if count(open) != count(close) {
@@ -25,7 +29,11 @@ fn faults(tex: &str) -> Vec<String> {
             '~' => found.push("~".to_owned()),
             _ => {}
         }
-        last = if last == '\\' && letter == '\\' { ' ' } else { letter };
+        last = if last == '\\' && letter == '\\' {
+            ' '
+        } else {
+            letter
+        };
     }
     if is_formula {
         found.push("a formula without end".to_owned());
@@ -49,13 +57,27 @@ fn captions_have_nothing_that_latex_does_not_take() {
         let input = FigureInput::of_case(case.name).expect("a case");
         let limits = input.limits.with_until(Some(30.0));
         for units in [None, Some(units)] {
-            let input = FigureInput { limits, units, ..input };
-            // Slow figures are set for their own case only: other cases change just the numbers in their captions.
+            let input = FigureInput {
+                limits,
+                units,
+                ..input
+            };
+            // Slow figures are set for their own case only: other cases change just the numbers in
+            // their captions.
             let slow = |name| ["outcomes", "atlas", "bifurcation", "cases"].contains(&name);
-            for entry in FIGURES.iter().filter(|entry| entry.case == case.name || !slow(entry.name)) {
+            for entry in FIGURES
+                .iter()
+                .filter(|entry| entry.case == case.name || !slow(entry.name))
+            {
                 if let Ok(figure) = entry.figure(&input) {
                     let tex = figure.caption_tex();
-                    assert_eq!(faults(&tex), [""; 0], "{} of {}: {tex}", entry.name, case.name);
+                    assert_eq!(
+                        faults(&tex),
+                        [""; 0],
+                        "{} of {}: {tex}",
+                        entry.name,
+                        case.name
+                    );
                     count += 1;
                 }
             }

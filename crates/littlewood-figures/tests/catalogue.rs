@@ -6,8 +6,15 @@ use littlewood_figures::{FIGURES, find_figure, missing};
 fn names_are_told_apart_and_found() {
     for (i, entry) in FIGURES.iter().enumerate() {
         assert!(FIGURES[..i].iter().all(|other| other.name != entry.name));
-        assert_eq!(find_figure(entry.name).map(|found| found.title), Some(entry.title));
-        assert!(littlewood::cases::find_case(entry.case).is_some(), "{}", entry.case);
+        assert_eq!(
+            find_figure(entry.name).map(|found| found.title),
+            Some(entry.title)
+        );
+        assert!(
+            littlewood::cases::find_case(entry.case).is_some(),
+            "{}",
+            entry.case
+        );
     }
     assert!(find_figure("figure-8").is_none());
 }
@@ -26,7 +33,11 @@ fn the_faces_have_all_letters() {
             }
             for axis in panel.axes() {
                 assert_eq!(missing(&axis.title), "", "{}", axis.title);
-                assert!(axis.ticks.iter().all(|tick| missing(&tick.label).is_empty()));
+                assert!(
+                    axis.ticks
+                        .iter()
+                        .all(|tick| missing(&tick.label).is_empty())
+                );
             }
         }
     }

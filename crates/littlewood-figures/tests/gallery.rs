@@ -7,7 +7,9 @@ use std::path::PathBuf;
 use littlewood_figures::{FIGURES, GALLERY_SCALE, gallery_page};
 
 fn docs() -> PathBuf {
-    [env!("CARGO_MANIFEST_DIR"), "..", "..", "docs"].iter().collect()
+    [env!("CARGO_MANIFEST_DIR"), "..", "..", "docs"]
+        .iter()
+        .collect()
 }
 
 #[test]
@@ -18,7 +20,11 @@ fn images_are_those_that_the_program_makes() {
         let drawing = fs::read_to_string(stem.with_extension("svg")).expect("a committed drawing");
         assert!(drawing == figure.svg(), "{}.svg differs", entry.name);
         let picture = fs::read(stem.with_extension("png")).expect("a committed picture");
-        assert!(picture == figure.png(GALLERY_SCALE).expect("a picture"), "{}.png differs", entry.name);
+        assert!(
+            picture == figure.png(GALLERY_SCALE).expect("a picture"),
+            "{}.png differs",
+            entry.name
+        );
     }
 }
 
@@ -26,7 +32,12 @@ fn images_are_those_that_the_program_makes() {
 fn nothing_else_is_in_the_gallery() {
     let mut found: Vec<String> = fs::read_dir(docs().join("gallery"))
         .expect("the gallery")
-        .map(|file| file.expect("a file").file_name().to_string_lossy().into_owned())
+        .map(|file| {
+            file.expect("a file")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
         .collect();
     let mut wanted: Vec<String> = FIGURES
         .iter()
@@ -40,7 +51,10 @@ fn nothing_else_is_in_the_gallery() {
 #[test]
 fn the_page_has_all_captions() {
     let page = fs::read_to_string(docs().join("gallery.md")).expect("the page");
-    assert!(page == gallery_page().expect("captions"), "docs/gallery.md differs");
+    assert!(
+        page == gallery_page().expect("captions"),
+        "docs/gallery.md differs"
+    );
 }
 
 #[test]

@@ -21,7 +21,9 @@ const PAPER: [u8; 3] = [255; 3];
 fn lines(panel: &Panel) -> Vec<(&str, Stroke)> {
     let mut found: Vec<(&str, Stroke)> = Vec::new();
     for layer in &panel.layers {
-        let (Mark::Line(stroke) | Mark::Arrow(stroke)) = layer.mark else { continue };
+        let (Mark::Line(stroke) | Mark::Arrow(stroke)) = layer.mark else {
+            continue;
+        };
         if stroke.colour.0 == PAPER {
             continue;
         }
@@ -48,7 +50,10 @@ fn check(figure: &Figure, case: &str) -> Vec<String> {
         // A key means one thing.
         for (i, key) in panel.keys.iter().enumerate() {
             if panel.keys[..i].iter().any(|other| other.mark == key.mark) {
-                found.push(format!("{}, {case}: two keys have the mark of '{}'", figure.name, key.text));
+                found.push(format!(
+                    "{}, {case}: two keys have the mark of '{}'",
+                    figure.name, key.text
+                ));
             }
         }
     }
@@ -65,7 +70,10 @@ fn any_two_kinds_of_lines_in_a_panel_are_told_apart_without_colours() {
             .filter(|case| !["outcomes", "atlas"].contains(&entry.name) || case.name == entry.case)
         {
             let input = FigureInput::of_case(case.name).expect("a case");
-            let input = FigureInput { limits: input.limits.with_until(Some(30.0)), ..input };
+            let input = FigureInput {
+                limits: input.limits.with_until(Some(30.0)),
+                ..input
+            };
             if let Ok(figure) = entry.figure(&input) {
                 failures.extend(check(&figure, case.name));
                 panels += figure.panels.len();

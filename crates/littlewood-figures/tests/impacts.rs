@@ -1,4 +1,5 @@
-//! Figures of what comes after the landing, against the notes and the laws of impact written out once more.
+//! Figures of what comes after the landing, against the notes and the laws of impact written out
+//! once more.
 
 use crate::support;
 use crate::support::{assert_near, columns, figure, outlines, series, winding};
@@ -19,11 +20,17 @@ const SETTLES: f64 = 6.924_682_083_018_514;
 const RATIO: f64 = 0.492_024_505_882_643;
 
 fn input(parameters: HoopParameters, start: Start) -> FigureInput {
-    FigureInput::new(Hoop::new(parameters).expect("a hoop"), start, Limits::default())
+    FigureInput::new(
+        Hoop::new(parameters).expect("a hoop"),
+        start,
+        Limits::default(),
+    )
 }
 
 fn make(name: &str, input: &FigureInput) -> Result<Figure, FigureError> {
-    find_figure(name).expect("a name of the catalogue").figure(input)
+    find_figure(name)
+        .expect("a name of the catalogue")
+        .figure(input)
 }
 
 fn figure_3_with(e: f64, law: RestitutionLaw) -> FigureInput {
@@ -32,7 +39,10 @@ fn figure_3_with(e: f64, law: RestitutionLaw) -> FigureInput {
 }
 
 fn motion(input: &FigureInput) -> Trajectory {
-    input.hoop.simulate(input.start, input.limits).expect("a motion")
+    input
+        .hoop
+        .simulate(input.start, input.limits)
+        .expect("a motion")
 }
 
 fn impulses(series: &Series) -> Vec<[f64; 2]> {
@@ -40,7 +50,11 @@ fn impulses(series: &Series) -> Vec<[f64; 2]> {
 }
 
 fn first_impact(motion: &Trajectory) -> Impact {
-    motion.transitions().iter().find_map(|transition| transition.impact).expect("an impact")
+    motion
+        .transitions()
+        .iter()
+        .find_map(|transition| transition.impact)
+        .expect("an impact")
 }
 
 /// The corners of the course that are drawn, each once.
@@ -66,22 +80,41 @@ fn the_course_of_the_impact_is_that_of_the_notes() {
     let k2 = C - B * B / A;
     let between = GAP_RATE + k1 * first;
     // Stronge: w² = w1² + (k2/k1)(e² w0² − w1²).
-    let opening = (between * between + k2 / k1 * (0.25 * GAP_RATE * GAP_RATE - between * between)).sqrt();
+    let opening =
+        (between * between + k2 / k1 * (0.25 * GAP_RATE * GAP_RATE - between * between)).sqrt();
     let normal = first + (opening - between) / k2;
     let friction = 0.4 * first - B / A * (normal - first);
-    for (found, wanted) in corners.iter().zip([[0.0, 0.0], [0.4 * first, first], [friction, normal]]) {
+    for (found, wanted) in
+        corners
+            .iter()
+            .zip([[0.0, 0.0], [0.4 * first, first], [friction, normal]])
+    {
         assert_near(found[0], wanted[0], 1e-11, "J");
         assert_near(found[1], wanted[1], 1e-11, "P");
     }
     assert_eq!(corners.len(), 3);
-    let impact = first_impact(&motion(&FigureInput::of_case("figure-3-bounces").expect("a case")));
-    assert_eq!(corners[2], [impact.impulse.friction, impact.impulse.normal], "the end is the impulse");
-    let [[friction, normal]] = impulses(series(&figure, "compressed most")[0])[..] else { panic!("one") };
+    let impact = first_impact(&motion(
+        &FigureInput::of_case("figure-3-bounces").expect("a case"),
+    ));
+    assert_eq!(
+        corners[2],
+        [impact.impulse.friction, impact.impulse.normal],
+        "the end is the impulse"
+    );
+    let [[friction, normal]] = impulses(series(&figure, "compressed most")[0])[..] else {
+        panic!("one")
+    };
     assert_near(GAP_RATE + B * friction + C * normal, 0.0, 1e-12, "w = 0");
     assert_near(friction, 0.4 * normal, 1e-12, "while it slips");
     let caption = plain(&figure.caption);
-    for words in ["A = 0.7042", "B = −0.0829", "C = 0.5337", "sticks in restitution", "e = 0.5", "energetic"]
-    {
+    for words in [
+        "A = 0.7042",
+        "B = −0.0829",
+        "C = 0.5337",
+        "sticks in restitution",
+        "e = 0.5",
+        "energetic",
+    ] {
         assert!(caption.contains(words), "{words}: {caption}");
     }
 }
@@ -106,7 +139,12 @@ fn the_lines_are_where_slip_and_gap_rate_vanish_and_where_the_law_ends_the_impac
         for [friction, normal] in ends(&figure, "termination") {
             match law {
                 RestitutionLaw::Newton => {
-                    assert_near(GAP_RATE + B * friction + C * normal, -0.7 * GAP_RATE, 1e-12, "w after");
+                    assert_near(
+                        GAP_RATE + B * friction + C * normal,
+                        -0.7 * GAP_RATE,
+                        1e-12,
+                        "w after",
+                    );
                 }
                 RestitutionLaw::Poisson => assert_near(normal, 1.7 * compressed, 1e-12, "P"),
                 // Its slope is that of w; the course tells which of these lines it is.
@@ -117,7 +155,12 @@ fn the_lines_are_where_slip_and_gap_rate_vanish_and_where_the_law_ends_the_impac
         let last = *course(&figure).last().expect("an end");
         let across = (line[1][0] - line[0][0]) * (last[1] - line[0][1])
             - (line[1][1] - line[0][1]) * (last[0] - line[0][0]);
-        assert_near(across, 0.0, 1e-10, "the course ends on the line of termination");
+        assert_near(
+            across,
+            0.0,
+            1e-10,
+            "the course ends on the line of termination",
+        );
         for [friction, normal] in ends(&figure, "static_cone") {
             assert_near(friction.abs(), 0.5 * normal, 1e-14, "cone");
         }
@@ -135,27 +178,61 @@ fn the_impact_is_chosen_by_its_number() {
         .filter_map(|transition| transition.impact)
         .collect();
     for number in [1, 2, 3, landings.len()] {
-        let figure = make("impact", &FigureInput { impact: number, ..first }).expect("the figure");
+        let figure = make(
+            "impact",
+            &FigureInput {
+                impact: number,
+                ..first
+            },
+        )
+        .expect("the figure");
         let impulse = landings[number - 1].impulse;
-        assert_eq!(course(&figure).last(), Some(&[impulse.friction, impulse.normal]), "{number}");
+        assert_eq!(
+            course(&figure).last(),
+            Some(&[impulse.friction, impulse.normal]),
+            "{number}"
+        );
     }
     for number in [0, landings.len() + 1, usize::MAX] {
-        let error = make("impact", &FigureInput { impact: number, ..first }).expect_err("refused");
-        assert!(matches!(error, FigureError::ImpactNumber { impacts, .. } if impacts == landings.len()));
-        assert!(error.to_string().contains(&format!("1 to {}", landings.len())), "{error}");
+        let error = make(
+            "impact",
+            &FigureInput {
+                impact: number,
+                ..first
+            },
+        )
+        .expect_err("refused");
+        assert!(
+            matches!(error, FigureError::ImpactNumber { impacts, .. } if impacts == landings.len())
+        );
+        assert!(
+            error
+                .to_string()
+                .contains(&format!("1 to {}", landings.len())),
+            "{error}"
+        );
     }
 }
 
 #[test]
 fn a_jam_has_a_course_that_starts_on_the_line_of_greatest_compression() {
     let figure = make("impact", &FigureInput::of_case("jam").expect("a case")).expect("the figure");
-    assert!(plain(&figure.caption).contains("jams"), "{}", figure.caption);
+    assert!(
+        plain(&figure.caption).contains("jams"),
+        "{}",
+        figure.caption
+    );
     let line = ends(&figure, "greatest_compression");
-    assert!(line.iter().any(|[friction, normal]| friction.abs() < 1e-15 && normal.abs() < 1e-15));
+    assert!(
+        line.iter()
+            .any(|[friction, normal]| friction.abs() < 1e-15 && normal.abs() < 1e-15)
+    );
     // With e = 0 it ends there again.
     let corners = course(&figure);
     assert_eq!(corners.len(), 3);
-    let [[friction, normal]] = impulses(series(&figure, "compressed most")[0])[..] else { panic!("one") };
+    let [[friction, normal]] = impulses(series(&figure, "compressed most")[0])[..] else {
+        panic!("one")
+    };
     assert_near(friction, corners[2][0], 1e-14, "J");
     assert_near(normal, corners[2][1], 1e-14, "P");
 }
@@ -163,21 +240,42 @@ fn a_jam_has_a_course_that_starts_on_the_line_of_greatest_compression() {
 #[test]
 fn bounces_shrink_by_the_effective_ratio_until_they_settle() {
     let figure = figure("bounces");
-    let before = columns(series(&figure, "before the impact")[0], ["landing", "gap_rate", "log10_gap_rate"]);
-    let after = columns(series(&figure, "after the impact")[0], ["landing", "gap_rate"]);
+    let before = columns(
+        series(&figure, "before the impact")[0],
+        ["landing", "gap_rate", "log10_gap_rate"],
+    );
+    let after = columns(
+        series(&figure, "after the impact")[0],
+        ["landing", "gap_rate"],
+    );
     assert_near(before[0][1], GAP_RATE, 1e-13, "the first landing");
-    assert_near(after[0][1], 0.978_517_419_970_790_8, 1e-12, "the first rebound");
+    assert_near(
+        after[0][1],
+        0.978_517_419_970_790_8,
+        1e-12,
+        "the first rebound",
+    );
     for (number, row) in before.iter().enumerate() {
         assert_eq!(row[0], (number + 1) as f64);
         assert_near(row[2], libm::log10(-row[1]), 1e-15, "logarithm");
     }
     let last = before.len() - 1;
-    assert_near(before[last][1] / before[last - 1][1], RATIO, 1e-6, "ratio in the end");
+    assert_near(
+        before[last][1] / before[last - 1][1],
+        RATIO,
+        1e-6,
+        "ratio in the end",
+    );
     let slope = columns(series(&figure, "limit")[0], ["landing", "log10_gap_rate"]);
     let drawn = (slope[1][1] - slope[0][1]) / (slope[1][0] - slope[0][0]);
     // It is taken where the last bounces begin, less than 1e-7 before their end.
     assert_near(drawn, libm::log10(RATIO), 1e-7, "slope");
-    assert_near(columns(series(&figure, "settles")[0], ["time"])[0][0], SETTLES, 1e-12, "time");
+    assert_near(
+        columns(series(&figure, "settles")[0], ["time"])[0][0],
+        SETTLES,
+        1e-12,
+        "time",
+    );
     let landings = columns(series(&figure, "landing")[0], ["time", "gap"]);
     assert_near(landings[0][0], LANDING, 1e-13, "landing");
     for [_, gap] in columns(series(&figure, "gap")[0], ["time", "gap"]) {
@@ -188,12 +286,20 @@ fn bounces_shrink_by_the_effective_ratio_until_they_settle() {
 
 #[test]
 fn energy_falls_in_steps_at_impacts() {
-    let figure = make("energy", &figure_3_with(0.5, RestitutionLaw::Energetic)).expect("the figure");
+    let figure =
+        make("energy", &figure_3_with(0.5, RestitutionLaw::Energetic)).expect("the figure");
     let total = series(&figure, "total energy")[0];
     let drops = series(&figure, "lost in an impact")[0];
-    let [before, after] = &drops.pieces[0][..] else { panic!("two ends") };
+    let [before, after] = &drops.pieces[0][..] else {
+        panic!("two ends")
+    };
     assert_near(before[0], LANDING, 1e-13, "time");
-    assert_near(before[1] - after[1], 3.362_443_419_227_28, 1e-11, "energy lost");
+    assert_near(
+        before[1] - after[1],
+        3.362_443_419_227_28,
+        1e-11,
+        "energy lost",
+    );
     // Both sides of the jump are ends of the total energy.
     let rows: Vec<[f64; 2]> = columns(total, ["time", "energy"]);
     for [time, energy] in drops.pieces.iter().flatten().map(|row| [row[0], row[1]]) {
@@ -209,15 +315,29 @@ fn impulses_stand_beside_the_forces_and_stay_in_the_cone() {
     let figure = make("forces", &input).expect("the figure");
     let impact = first_impact(&motion(&input));
     let first = |name: &str| columns(series(&figure, name)[0], ["time", "impulse"])[0];
-    assert_eq!(first("normal impulse"), [impact_time(&input), impact.impulse.normal]);
-    assert_eq!(first("friction impulse"), [impact_time(&input), impact.impulse.friction]);
-    for [_, demand] in columns(series(&figure, "friction over normal impulse")[0], ["time", "demand"]) {
+    assert_eq!(
+        first("normal impulse"),
+        [impact_time(&input), impact.impulse.normal]
+    );
+    assert_eq!(
+        first("friction impulse"),
+        [impact_time(&input), impact.impulse.friction]
+    );
+    for [_, demand] in columns(
+        series(&figure, "friction over normal impulse")[0],
+        ["time", "demand"],
+    ) {
         assert!(demand <= 0.5 * (1.0 + 1e-12), "{demand}");
     }
 }
 
 fn impact_time(input: &FigureInput) -> f64 {
-    motion(input).transitions().iter().find(|transition| transition.impact.is_some()).expect("one").time()
+    motion(input)
+        .transitions()
+        .iter()
+        .find(|transition| transition.impact.is_some())
+        .expect("one")
+        .time()
 }
 
 #[test]
@@ -240,12 +360,21 @@ fn a_motion_without_impacts_is_refused_with_a_reason() {
     let without = FigureInput::of_case("figure-3").expect("a case");
     let massless = FigureInput::of_case("figure-7").expect("a case");
     let setup = find_case("rolls-forever").expect("a case").setup;
-    let rolls = input(setup.hoop.with_restitution(0.5, RestitutionLaw::Energetic), setup.start);
+    let rolls = input(
+        setup.hoop.with_restitution(0.5, RestitutionLaw::Energetic),
+        setup.start,
+    );
     for name in ["impact", "bounces"] {
         let error = make(name, &without).expect_err("refused");
-        assert!(matches!(error, FigureError::NeedsRestitution { .. }), "{error}");
+        assert!(
+            matches!(error, FigureError::NeedsRestitution { .. }),
+            "{error}"
+        );
         assert!(error.to_string().contains("coefficient of restitution"));
-        assert!(matches!(make(name, &massless), Err(FigureError::NeedsInertia { .. })));
+        assert!(matches!(
+            make(name, &massless),
+            Err(FigureError::NeedsInertia { .. })
+        ));
         let error = make(name, &rolls).expect_err("refused");
         assert!(matches!(error, FigureError::NoImpact { .. }), "{error}");
         assert!(error.to_string().contains("rolls for ever"), "{error}");
@@ -255,12 +384,17 @@ fn a_motion_without_impacts_is_refused_with_a_reason() {
 /// Hoops that bounce in every way: figures can be made, or say why not, and have no holes.
 #[test]
 fn every_hoop_that_bounces_has_its_figures() {
-    let e = |parameters: HoopParameters, e: f64| parameters.with_restitution(e, RestitutionLaw::Energetic);
+    let e = |parameters: HoopParameters, e: f64| {
+        parameters.with_restitution(e, RestitutionLaw::Energetic)
+    };
     let thin = |m1: f64| HoopParameters::thin(m1).with_friction(0.5, 0.4);
-    let balanced = HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4);
+    let balanced = HoopParameters::thin(1.0)
+        .with_offset(0.0)
+        .with_friction(0.5, 0.4);
     let rest = core::f64::consts::PI;
-    let newton =
-        HoopParameters::thin(0.5).with_friction(1.5, 1.5).with_restitution(0.9, RestitutionLaw::Newton);
+    let newton = HoopParameters::thin(0.5)
+        .with_friction(1.5, 1.5)
+        .with_restitution(0.9, RestitutionLaw::Newton);
     let mut inputs = vec![
         input(e(balanced, 0.6), Start::at(0.0, 1.0).with_gap_rate(1.0)),
         input(e(balanced, 1.0), Start::at(0.0, 0.0).with_gap_rate(1.0)),
@@ -268,8 +402,14 @@ fn every_hoop_that_bounces_has_its_figures() {
         input(e(thin(1.0), 0.5), Start::at(rest, 0.0)),
         input(e(thin(1.0), 0.5), Start::at(rest, 0.0).with_gap_rate(1e-9)),
         input(e(thin(1.0), 0.99), Start::at(0.0, 4.0)),
-        input(newton, Start::at(0.3, 1.0).with_slip(1.5).with_gap_rate(0.8)),
-        input(e(thin(1.0).with_friction(0.0, 0.0), 0.5), Start::at(1.0, 4.0)),
+        input(
+            newton,
+            Start::at(0.3, 1.0).with_slip(1.5).with_gap_rate(0.8),
+        ),
+        input(
+            e(thin(1.0).with_friction(0.0, 0.0), 0.5),
+            Start::at(1.0, 4.0),
+        ),
         input(e(thin(1.0), 0.9), Start::at(2.0, 1e-3).with_gap_rate(1e-3)),
     ];
     inputs.extend(
@@ -278,17 +418,31 @@ fn every_hoop_that_bounces_has_its_figures() {
             .filter(|case| case.setup.hoop.restitution.is_some())
             .map(|case| input(case.setup.hoop, case.setup.start)),
     );
-    let names = ["figure-3a", "figure-3b", "forces", "energy", "impact", "bounces"];
+    let names = [
+        "figure-3a",
+        "figure-3b",
+        "forces",
+        "energy",
+        "impact",
+        "bounces",
+    ];
     for (number, input) in inputs.iter().enumerate() {
         // What rolls or slides for ever without a limit is left to the other tests.
-        let input = FigureInput { limits: Limits::default().with_until(Some(40.0)), ..*input };
+        let input = FigureInput {
+            limits: Limits::default().with_until(Some(40.0)),
+            ..*input
+        };
         for name in names {
             match make(name, &input) {
                 Ok(figure) => {
                     let drawing = figure.svg();
                     roxmltree::Document::parse(&drawing).expect("well-formed XML");
                     assert!(!figure.csv().contains("NaN"), "{number} {name}");
-                    assert!(drawing.len() < 4_000_000, "{number} {name}: {}", drawing.len());
+                    assert!(
+                        drawing.len() < 4_000_000,
+                        "{number} {name}: {}",
+                        drawing.len()
+                    );
                 }
                 Err(FigureError::NeedsOffset { .. } | FigureError::NoImpact { .. }) => {}
                 Err(other) => panic!("{number} {name}: {other}"),
@@ -301,10 +455,13 @@ fn every_hoop_that_bounces_has_its_figures() {
 fn a_hoop_that_lands_and_goes_on_rolls_in_the_end_and_the_figure_says_so() {
     let series = |figure: &Figure, name: &str| {
         let layers = figure.panels.iter().flat_map(|panel| &panel.layers);
-        layers.map(|layer| layer.series.clone()).find(|series| series.name == name)
+        layers
+            .map(|layer| layer.series.clone())
+            .find(|series| series.name == name)
     };
     let without = figure("outcomes");
-    let with = make("outcomes", &figure_3_with(0.5, RestitutionLaw::Energetic)).expect("the figure");
+    let with =
+        make("outcomes", &figure_3_with(0.5, RestitutionLaw::Energetic)).expect("the figure");
     // Slides, jumps from (π/2, 2), bounces, settles and rolls for ever.
     let place = [core::f64::consts::FRAC_PI_2, 2.0];
     let covers = |figure: &Figure, name: &str| {
@@ -313,7 +470,12 @@ fn a_hoop_that_lands_and_goes_on_rolls_in_the_end_and_the_figure_says_so() {
     };
     assert!(covers(&without, "lifts_off_later") && !covers(&without, "rolls_forever"));
     assert!(covers(&with, "rolls_forever") && covers(&with, "lifts_off"));
-    assert!(series(&with, "lifts_off_later").is_none() && series(&with, "leaves_at_once").is_none());
+    assert!(
+        series(&with, "lifts_off_later").is_none() && series(&with, "leaves_at_once").is_none()
+    );
     let caption = plain(&with.caption);
-    assert!(caption.contains("followed through all landings to its end; hatched"), "{caption}");
+    assert!(
+        caption.contains("followed through all landings to its end; hatched"),
+        "{caption}"
+    );
 }

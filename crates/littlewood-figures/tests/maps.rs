@@ -15,11 +15,21 @@ fn picture(theta: [f64; 2], shade: Shade) -> Picture {
     let rate = Axis::new(Quantity::ThetaRate, -4.0, 4.0, 41).expect("an axis");
     let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), vec![theta, rate]).expect("a grid");
     let workers = Workers::new(None).expect("threads");
-    let (size, options) = (PictureSize { width: 600, height: 400 }, Options::default());
+    let (size, options) = (
+        PictureSize {
+            width: 600,
+            height: 400,
+        },
+        Options::default(),
+    );
     let mut picture = Picture::of_grid(&grid, Limits::default(), shade, size, &workers, &options)
         .expect("a picture")
         .in_vectors();
-    assert!(picture.follow(Limits::default(), &workers, &options).expect("good points"));
+    assert!(
+        picture
+            .follow(Limits::default(), &workers, &options)
+            .expect("good points")
+    );
     picture
 }
 
@@ -30,13 +40,18 @@ fn figure(theta: [f64; 2], shade: Shade) -> Figure {
 #[test]
 fn the_region_beyond_lift_off_is_bounded_by_its_curve() {
     let figure = figure([-PI, PI], Shade::Class);
-    let region = figure.series(Class::LeavesAtOnce.name()).expect("the class is there");
+    let region = figure
+        .series(Class::LeavesAtOnce.name())
+        .expect("the class is there");
     let mut on_it = 0;
     for row in region.rows() {
         let [x, y] = [row[0], row[1]];
         if [x, y].iter().all(|at| *at > 0.0 && *at < 1.0) {
             let (theta, rate) = (PI * (2.0 * x - 1.0), 4.0 * (2.0 * y - 1.0));
-            assert!((0.5 * libm::cos(theta) * rate * rate - 1.0).abs() < 1e-4, "({theta}, {rate})");
+            assert!(
+                (0.5 * libm::cos(theta) * rate * rate - 1.0).abs() < 1e-4,
+                "({theta}, {rate})"
+            );
             on_it += 1;
         }
     }
@@ -46,14 +61,25 @@ fn the_region_beyond_lift_off_is_bounded_by_its_curve() {
 #[test]
 fn an_axis_that_falls_makes_the_same_map() {
     let [up, down] = [[-PI, PI], [PI, -PI]].map(|theta| figure(theta, Shade::Class));
-    for class in [Class::LeavesAtOnce, Class::LiftsOffLater, Class::RollsForever] {
+    for class in [
+        Class::LeavesAtOnce,
+        Class::LiftsOffLater,
+        Class::RollsForever,
+    ] {
         let [a, b] = [&up, &down].map(|figure| {
-            outlines(figure.series(class.name()).expect("the class is there"), ["right", "up"])
+            outlines(
+                figure.series(class.name()).expect("the class is there"),
+                ["right", "up"],
+            )
         });
         for i in 0..37 {
             for j in 0..31 {
                 let place = [(f64::from(i) + 0.43) / 37.0, (f64::from(j) + 0.39) / 31.0];
-                assert_eq!(winding(&a, place).abs(), winding(&b, place).abs(), "{class} at {place:?}");
+                assert_eq!(
+                    winding(&a, place).abs(),
+                    winding(&b, place).abs(),
+                    "{class} at {place:?}"
+                );
             }
         }
     }
@@ -61,16 +87,30 @@ fn an_axis_that_falls_makes_the_same_map() {
 
 #[test]
 fn files_are_small_and_well_formed() {
-    for shade in [Shade::Class, Shade::Sequence, Shade::Column(SummaryColumn::LiftOffTime)] {
+    for shade in [
+        Shade::Class,
+        Shade::Sequence,
+        Shade::Column(SummaryColumn::LiftOffTime),
+    ] {
         let figure = figure([-PI, PI], shade);
         let svg = figure.svg();
         let document = roxmltree::Document::parse(&svg).expect("well-formed XML");
-        let images = document.descendants().filter(|node| node.has_tag_name("image")).count();
+        let images = document
+            .descendants()
+            .filter(|node| node.has_tag_name("image"))
+            .count();
         // The map, and the bar of its scale.
-        assert_eq!(images, if shade.is_on_a_scale() { 2 } else { 0 }, "{shade:?}");
+        assert_eq!(
+            images,
+            if shade.is_on_a_scale() { 2 } else { 0 },
+            "{shade:?}"
+        );
         assert!(svg.len() < 1_000_000, "{shade:?}: {}", svg.len());
         let pdf = figure.pdf();
-        assert!(pdf.starts_with(b"%PDF") && pdf.len() < 1_000_000, "{shade:?}");
+        assert!(
+            pdf.starts_with(b"%PDF") && pdf.len() < 1_000_000,
+            "{shade:?}"
+        );
         let has_images = pdf.windows(14).any(|part| part == b"/Subtype /Imag");
         assert_eq!(has_images, shade.is_on_a_scale(), "{shade:?}");
     }
@@ -80,10 +120,13 @@ fn files_are_small_and_well_formed() {
 fn a_sequence_and_its_mirror_image_have_one_hue_in_two_tints() {
     let figure = figure([-PI, PI], Shade::Sequence);
     let keys = figure.panels.iter().flat_map(|panel| &panel.keys);
-    let keys: Vec<(&str, Mark)> =
-        keys.filter_map(|key| Some((key.text.split_once(',')?.0, key.mark))).collect();
+    let keys: Vec<(&str, Mark)> = keys
+        .filter_map(|key| Some((key.text.split_once(',')?.0, key.mark)))
+        .collect();
     let tints: Vec<[Mark; 2]> = (0..RANKS)
-        .map(|rank| [false, true].map(|is_mirrored| Mark::Fill(of_rank(rank, is_mirrored, Theme::Light))))
+        .map(|rank| {
+            [false, true].map(|is_mirrored| Mark::Fill(of_rank(rank, is_mirrored, Theme::Light)))
+        })
         .collect();
     let mut pairs = 0;
     for (text, mark) in &keys {
@@ -93,9 +136,16 @@ fn a_sequence_and_its_mirror_image_have_one_hue_in_two_tints() {
             other => other,
         };
         let mirrored: String = text.chars().map(turned).collect();
-        let other = keys.iter().find(|(other, _)| *other == mirrored && other != text);
+        let other = keys
+            .iter()
+            .find(|(other, _)| *other == mirrored && other != text);
         let Some((_, other)) = other else { continue };
-        assert!(tints.iter().any(|tint| tint.contains(mark) && tint.contains(other)), "{text}");
+        assert!(
+            tints
+                .iter()
+                .any(|tint| tint.contains(mark) && tint.contains(other)),
+            "{text}"
+        );
         assert!(mark != other, "{text}");
         pairs += 1;
     }

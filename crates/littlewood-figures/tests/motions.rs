@@ -1,4 +1,5 @@
-//! The motions of the figures against the reference table, the parabola, the cycloid and the laws of friction.
+//! The motions of the figures against the reference table, the parabola, the cycloid and the laws
+//! of friction.
 
 use crate::support::{assert_near, columns, figure, series};
 use littlewood::{Cause, Hoop, HoopParameters, Limits, Start};
@@ -6,16 +7,34 @@ use littlewood_figures::{FigureInput, Series, find_figure};
 
 /// Stick, slip and lift-off of Figure 3, computed elsewhere with 40 digits: τ, θ, θ′, η′.
 const EVENTS: [[f64; 4]; 3] = [
-    [0.564_107_553_101_996_7, 2.917_225_656_789_249, 2.936_443_261_445_296_5, 0.0],
-    [0.973_223_074_772_405_4, 4.066_332_874_239_296, 2.460_879_504_634_977, 0.0],
-    [1.518_670_213_819_437, 5.236_735_770_878_168, 1.998_705_937_114_14, 0.607_696_268_534_750_7],
+    [
+        0.564_107_553_101_996_7,
+        2.917_225_656_789_249,
+        2.936_443_261_445_296_5,
+        0.0,
+    ],
+    [
+        0.973_223_074_772_405_4,
+        4.066_332_874_239_296,
+        2.460_879_504_634_977,
+        0.0,
+    ],
+    [
+        1.518_670_213_819_437,
+        5.236_735_770_878_168,
+        1.998_705_937_114_14,
+        0.607_696_268_534_750_7,
+    ],
 ];
 const LANDING: f64 = 3.847_395_556_686_894;
 
 #[test]
 fn figure_3a_has_the_transitions_of_the_table() {
     let figure = figure("figure-3a");
-    let found = columns(series(&figure, "transition")[0], ["time", "theta", "theta_rate", "slip"]);
+    let found = columns(
+        series(&figure, "transition")[0],
+        ["time", "theta", "theta_rate", "slip"],
+    );
     assert_eq!(found.len(), 3);
     for (found, event) in found.iter().zip(EVENTS) {
         for (a, b) in found.iter().zip(event) {
@@ -32,11 +51,15 @@ fn figure_3a_has_the_transitions_of_the_table() {
     assert!(sliding.pieces[1].iter().all(|row| row[slip] >= 0.0));
 }
 
-/// Divided differences of a column against time with respect to the first row, after adding a multiple of τ².
+/// Divided differences of a column against time with respect to the first row, after adding a
+/// multiple of τ².
 fn slopes(series: &Series, column: &str, square: f64) -> Vec<f64> {
     let rows = columns(series, ["time", column]);
     let value = |row: &[f64; 2]| row[1] + square * (row[0] - rows[0][0]) * (row[0] - rows[0][0]);
-    rows[1..].iter().map(|row| (value(row) - value(&rows[0])) / (row[0] - rows[0][0])).collect()
+    rows[1..]
+        .iter()
+        .map(|row| (value(row) - value(&rows[0])) / (row[0] - rows[0][0]))
+        .collect()
 }
 
 fn assert_parabola(series: &Series) {
@@ -54,8 +77,10 @@ fn assert_parabola(series: &Series) {
 fn figure_3b_ends_in_a_parabola_and_shows_the_hoop_at_each_transition() {
     let figure = figure("figure-3b");
     assert_parabola(series(&figure, "mass centre, flight")[0]);
-    let times: Vec<f64> =
-        columns(series(&figure, "hoop")[0], ["time"]).into_iter().map(|[time]| time).collect();
+    let times: Vec<f64> = columns(series(&figure, "hoop")[0], ["time"])
+        .into_iter()
+        .map(|[time]| time)
+        .collect();
     let wanted = [0.0, EVENTS[0][0], EVENTS[1][0], EVENTS[2][0], LANDING];
     assert_eq!(times.len(), wanted.len());
     for (a, b) in times.iter().zip(wanted) {
@@ -81,7 +106,10 @@ fn figure_7_rolls_on_a_cycloid_and_glides_on_a_parabola() {
     assert_parabola(series(&path, "gliding")[0]);
 
     let plane = figure("figure-7a");
-    let changes = columns(series(&plane, "transition")[0], ["time", "theta", "theta_rate", "slip"]);
+    let changes = columns(
+        series(&plane, "transition")[0],
+        ["time", "theta", "theta_rate", "slip"],
+    );
     let slip_at = changes[0];
     assert_near(slip_at[0], libm::log(5.0), 1e-14, "τ_s");
     assert_near(libm::cos(slip_at[1]), 0.6, 1e-14, "cos θ_s");
@@ -94,7 +122,12 @@ fn figure_7_rolls_on_a_cycloid_and_glides_on_a_parabola() {
     for series in series(&plane, "gliding") {
         if series.columns.len() == 4 {
             for [theta, rate, slip] in columns(series, ["theta", "theta_rate", "slip"]) {
-                assert_near(slip, v + rate * (1.0 + libm::cos(theta)), 1e-9, "v of (3.18)");
+                assert_near(
+                    slip,
+                    v + rate * (1.0 + libm::cos(theta)),
+                    1e-9,
+                    "v of (3.18)",
+                );
             }
         }
     }
@@ -103,7 +136,8 @@ fn figure_7_rolls_on_a_cycloid_and_glides_on_a_parabola() {
 #[test]
 fn forces_obey_the_laws_of_friction() {
     let figure = figure("forces");
-    let [normal, friction] = ["normal force", "friction force"].map(|name| series(&figure, name)[0].clone());
+    let [normal, friction] =
+        ["normal force", "friction force"].map(|name| series(&figure, name)[0].clone());
     assert_eq!(normal.pieces.len(), 4, "sliding, rolling, sliding, flight");
     for (phase, (n, f)) in normal.pieces.iter().zip(&friction.pieces).enumerate() {
         for (n, f) in n.iter().zip(f) {
@@ -118,8 +152,16 @@ fn forces_obey_the_laws_of_friction() {
         }
     }
     let rolled = &normal.pieces[1];
-    let (n, f) = (rolled[rolled.len() - 1][1], friction.pieces[1][rolled.len() - 1][1]);
-    assert_near(f.abs(), 0.5 * n, 1e-12, "rolling ends where static friction gives way");
+    let (n, f) = (
+        rolled[rolled.len() - 1][1],
+        friction.pieces[1][rolled.len() - 1][1],
+    );
+    assert_near(
+        f.abs(),
+        0.5 * n,
+        1e-12,
+        "rolling ends where static friction gives way",
+    );
     let lift_off = normal.pieces[2].last().expect("rows")[1];
     assert_near(lift_off, 0.0, 1e-12, "N at lift-off");
 }
@@ -127,8 +169,8 @@ fn forces_obey_the_laws_of_friction() {
 #[test]
 fn energy_is_lost_in_slides_alone() {
     let figure = figure("energy");
-    let [total, kinetic, potential] =
-        ["total energy", "kinetic energy", "potential energy"].map(|name| series(&figure, name)[0].clone());
+    let [total, kinetic, potential] = ["total energy", "kinetic energy", "potential energy"]
+        .map(|name| series(&figure, name)[0].clone());
     for (phase, piece) in total.pieces.iter().enumerate() {
         for (row, total) in piece.iter().enumerate() {
             let sum = kinetic.pieces[phase][row][1] + potential.pieces[phase][row][1];
@@ -140,7 +182,12 @@ fn energy_is_lost_in_slides_alone() {
             }
         }
     }
-    assert_near(total.pieces[0][0][1], 8.0, 1e-14, "E at the start: ½·4·4 + 0");
+    assert_near(
+        total.pieces[0][0][1],
+        8.0,
+        1e-14,
+        "E at the start: ½·4·4 + 0",
+    );
 }
 
 #[test]
@@ -163,12 +210,18 @@ fn the_demand_for_friction_is_that_of_2_12() {
 
 #[test]
 fn figure_7a_ends_at_the_horizontal_velocity_of_the_particle() {
-    // It rolls with θ′² (1 + cos θ) + cos θ = 3/2 up to cos θ = 3/5, so that θ′ = 3/4, and leaves the particle there with
-    // −θ′ (1 + cos θ) = −6/5, which a free fall keeps. At the plane the particle is the contact point.
+    // It rolls with θ′² (1 + cos θ) + cos θ = 3/2 up to cos θ = 3/5, so that θ′ = 3/4, and leaves
+    // the particle there with −θ′ (1 + cos θ) = −6/5, which a free fall keeps. At the plane the
+    // particle is the contact point.
     let figure = figure("figure-7a");
     let glides = series(&figure, "gliding");
-    let slip = glides.iter().filter(|series| series.column("theta").is_none());
-    let last = slip.flat_map(|series| columns(series, ["time", "slip"])).last().expect("an end");
+    let slip = glides
+        .iter()
+        .filter(|series| series.column("theta").is_none());
+    let last = slip
+        .flat_map(|series| columns(series, ["time", "slip"]))
+        .last()
+        .expect("an end");
     assert_near(last[1], -1.2, 1e-12, "η′ at τ_g");
 }
 
@@ -177,15 +230,24 @@ fn what_cannot_be_shown_is_refused_with_the_reason() {
     let refused = |name: &str, hoop: Hoop, start: Start| {
         let input = FigureInput::new(hoop, start, Limits::default());
         let entry = find_figure(name).expect("a figure");
-        entry.figure(&input).expect_err("nothing to show").to_string()
+        entry
+            .figure(&input)
+            .expect_err("nothing to show")
+            .to_string()
     };
     let smooth = Hoop::littlewood(0.0, 0.0).expect("a hoop");
     for name in ["figure-5a", "figure-5b", "figure-6b"] {
-        assert!(refused(name, smooth, Start::at(0.0, 0.5)).contains("mu_s 0"), "{name}");
+        assert!(
+            refused(name, smooth, Start::at(0.0, 0.5)).contains("mu_s 0"),
+            "{name}"
+        );
     }
     let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
     for name in ["figure-3a", "forces"] {
-        assert!(refused(name, hoop, Start::at(0.0, 3.5)).contains("leaves the plane at once"), "{name}");
+        assert!(
+            refused(name, hoop, Start::at(0.0, 3.5)).contains("leaves the plane at once"),
+            "{name}"
+        );
     }
 }
 
@@ -193,7 +255,10 @@ fn what_cannot_be_shown_is_refused_with_the_reason() {
 fn a_massless_hoop_demands_the_same_friction_on_every_orbit() {
     let hoop = Hoop::littlewood(0.5, 0.4).expect("a hoop");
     let input = FigureInput::new(hoop, Start::at(0.3, 0.5), Limits::default());
-    let figure = find_figure("friction-demand").expect("a figure").figure(&input).expect("it can be drawn");
+    let figure = find_figure("friction-demand")
+        .expect("a figure")
+        .figure(&input)
+        .expect("it can be drawn");
     // (3.9): |F|/N = |tan θ/2|.
     for [theta, demand] in columns(series(&figure, "every orbit")[0], ["theta", "demand"]) {
         assert_near(demand, libm::tan(0.5 * theta).abs(), 1e-12, "|F|/N");
@@ -203,38 +268,64 @@ fn a_massless_hoop_demands_the_same_friction_on_every_orbit() {
 #[test]
 fn the_names_of_transitions_stand_beside_or_above_each_other() {
     // Slip, reversal and stick within a tenth of the picture.
-    let hoop =
-        Hoop::new(HoopParameters::thin(0.0).with_inertia(0.05).with_friction(0.5, 0.4)).expect("a hoop");
+    let hoop = Hoop::new(
+        HoopParameters::thin(0.0)
+            .with_inertia(0.05)
+            .with_friction(0.5, 0.4),
+    )
+    .expect("a hoop");
     let input = FigureInput::new(hoop, Start::at(2.0, 0.5), Limits::until(8.0));
     let motion = hoop.simulate(input.start, input.limits).expect("a motion");
-    let figure = find_figure("forces").expect("a figure").figure(&input).expect("it can be drawn");
+    let figure = find_figure("forces")
+        .expect("a figure")
+        .figure(&input)
+        .expect("it can be drawn");
     let named = figure.panels[0]
         .labels
         .iter()
         .filter(|label| Cause::ALL.iter().any(|cause| cause.label() == label.text));
     assert_eq!(named.count(), motion.transitions().len());
-    assert!(figure.caption.contains("transitions; phases are named where there is room"));
+    assert!(
+        figure
+            .caption
+            .contains("transitions; phases are named where there is room")
+    );
 }
 
-/// The hoops of a figure on a ramp: their circles touch the line of the plane, which rises by the slope, and the particle is drawn where
-/// a level camera sees it.
+/// The hoops of a figure on a ramp: their circles touch the line of the plane, which rises by the
+/// slope, and the particle is drawn where a level camera sees it.
 #[test]
 fn on_a_ramp_the_hoop_is_drawn_on_the_ramp() {
-    let ramp = littlewood::cases::find_case("ramp-jump").expect("a case").setup;
+    let ramp = littlewood::cases::find_case("ramp-jump")
+        .expect("a case")
+        .setup;
     for (slope, theta) in [(0.2, 0.5), (-0.7, -0.5), (1.4, 0.5)] {
         let hoop = Hoop::new(ramp.hoop.with_slope(slope)).expect("a hoop");
         let rise = libm::tan(slope);
         let start = Start::at(theta, 0.0);
         let input = FigureInput::new(hoop, start, Limits::default());
         for (name, hoops) in [("figure-3b", "hoop"), ("stroboscope", "hoop, ")] {
-            let figure = find_figure(name).expect("a figure").figure(&input).expect("it can be drawn");
+            let figure = find_figure(name)
+                .expect("a figure")
+                .figure(&input)
+                .expect("it can be drawn");
             let panel = &figure.panels[0];
             let place = |at: [f64; 2]| panel.place(at).expect("a plane");
             let [origin, unit_x, unit_y] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(place);
             let along = [unit_x[0] - origin[0], unit_x[1] - origin[1]];
             let radius = libm::hypot(along[0], along[1]);
-            assert_near(-along[1] / along[0], rise, 1e-9 * (1.0 + rise.abs()), "the slope");
-            assert_near(libm::hypot(unit_y[0] - origin[0], unit_y[1] - origin[1]), radius, 1e-9, "one scale");
+            assert_near(
+                -along[1] / along[0],
+                rise,
+                1e-9 * (1.0 + rise.abs()),
+                "the slope",
+            );
+            assert_near(
+                libm::hypot(unit_y[0] - origin[0], unit_y[1] - origin[1]),
+                radius,
+                1e-9,
+                "one scale",
+            );
             let [[left, top], [right, bottom]] = panel.axes_frame();
             let svg = figure.svg();
             let circles: Vec<[f64; 2]> = svg
@@ -242,8 +333,14 @@ fn on_a_ramp_the_hoop_is_drawn_on_the_ramp() {
                 .skip(1)
                 .map(|circle| {
                     let value = |name: &str| {
-                        let (_, rest) = circle.split_once(&format!("{name}=\"")).expect("it has one");
-                        rest.split_once('"').expect("an end").0.parse::<f64>().expect("a number")
+                        let (_, rest) = circle
+                            .split_once(&format!("{name}=\""))
+                            .expect("it has one");
+                        rest.split_once('"')
+                            .expect("an end")
+                            .0
+                            .parse::<f64>()
+                            .expect("a number")
                     };
                     [value("cx"), value("cy")]
                 })
@@ -255,10 +352,19 @@ fn on_a_ramp_the_hoop_is_drawn_on_the_ramp() {
                 .filter(|series| series.name.starts_with(hoops))
                 .collect();
             assert!(!series.is_empty(), "{name}");
-            for [x, y, theta] in series.into_iter().flat_map(|series| columns(series, ["x", "y", "theta"])) {
+            for [x, y, theta] in series
+                .into_iter()
+                .flat_map(|series| columns(series, ["x", "y", "theta"]))
+            {
                 let [right_of, down] = place([x, y]);
-                assert!(right_of - radius > left && right_of + radius < right, "{name} at {slope}");
-                assert!(down - radius > top && down + radius < bottom, "{name} at {slope}");
+                assert!(
+                    right_of - radius > left && right_of + radius < right,
+                    "{name} at {slope}"
+                );
+                assert!(
+                    down - radius > top && down + radius < bottom,
+                    "{name} at {slope}"
+                );
                 let particle = [
                     right_of - 0.8 * radius * libm::sin(theta + slope),
                     down - 0.8 * radius * libm::cos(theta + slope),
@@ -267,7 +373,10 @@ fn on_a_ramp_the_hoop_is_drawn_on_the_ramp() {
                     .iter()
                     .map(|[cx, cy]| libm::hypot(cx - particle[0], cy - particle[1]))
                     .fold(f64::INFINITY, f64::min);
-                assert!(nearest < 0.1, "{name} at {slope}: the particle is {nearest} pixels off");
+                assert!(
+                    nearest < 0.1,
+                    "{name} at {slope}: the particle is {nearest} pixels off"
+                );
             }
         }
     }

@@ -27,8 +27,10 @@ fn static_friction_gives_way_on_the_loci_of_figure_2() {
 #[test]
 fn the_loci_have_the_coefficients_of_the_paper() {
     let figure = figure("figure-2a");
-    let mut found: Vec<f64> =
-        series(&figure, "f mu_s=").iter().map(|locus| columns(locus, ["mu_s"])[0][0]).collect();
+    let mut found: Vec<f64> = series(&figure, "f mu_s=")
+        .iter()
+        .map(|locus| columns(locus, ["mu_s"])[0][0])
+        .collect();
     found.sort_by(f64::total_cmp);
     assert_eq!(found, [0.1, 0.25, 0.5, 1.0]);
 }
@@ -60,12 +62,24 @@ fn orbits_conserve_energy() {
         for [theta, rate] in columns(series(&figure, "separatrix")[0], PLANE) {
             assert_near(THIN.energy(theta, rate), THIN.energy(0.0, 0.0), EXACT, name);
         }
-        let flows = if name == "figure-2b" { series(&figure, "flow") } else { Vec::new() };
+        let flows = if name == "figure-2b" {
+            series(&figure, "flow")
+        } else {
+            Vec::new()
+        };
         for flow in flows {
             for piece in &flow.pieces {
                 let [from, to] = [&piece[0], &piece[1]];
-                assert_near(THIN.energy(from[0], from[1]), THIN.energy(to[0], to[1]), EXACT, name);
-                assert!((to[0] - from[0]) * from[1] > 0.0, "arrows point along the motion");
+                assert_near(
+                    THIN.energy(from[0], from[1]),
+                    THIN.energy(to[0], to[1]),
+                    EXACT,
+                    name,
+                );
+                assert!(
+                    (to[0] - from[0]) * from[1] > 0.0,
+                    "arrows point along the motion"
+                );
             }
         }
     }
@@ -96,7 +110,10 @@ fn the_region_of_rolling_is_that_of_2_14() {
         for [theta, rate] in columns(region, PLANE) {
             // Corners are on the border; a little further in both conditions hold.
             let (normal, friction) = THIN.rolling_forces(theta, 0.999 * rate);
-            assert!(normal > 0.0 && friction.abs() <= 0.5 * normal, "({theta}, {rate})");
+            assert!(
+                normal > 0.0 && friction.abs() <= 0.5 * normal,
+                "({theta}, {rate})"
+            );
         }
     }
 }
@@ -109,12 +126,20 @@ fn the_body_leaves_the_plane_beyond_the_curve_of_figure_outcomes() {
         assert_near(h * libm::cos(theta) * rate * rate, 1.0, EXACT, "lift-off");
     }
     // The region beyond it is bounded by it, to a part of 10⁶ of the window, and by the window.
-    let littlewood_figures::View::Plane { x, y, .. } = &figure.panels[0].view else { panic!("a plane") };
+    let littlewood_figures::View::Plane { x, y, .. } = &figure.panels[0].view else {
+        panic!("a plane")
+    };
     let mut on_it = 0;
     for [theta, rate] in columns(series(&figure, "leaves_at_once")[0], PLANE) {
-        let on_edge = |range: [f64; 2], value: f64| range.iter().any(|end| (end - value).abs() < 1e-3);
+        let on_edge =
+            |range: [f64; 2], value: f64| range.iter().any(|end| (end - value).abs() < 1e-3);
         if !on_edge(x.range, theta) && !on_edge(y.range, rate) {
-            assert_near(h * libm::cos(theta) * rate * rate, 1.0, 1e-4, "the boundary");
+            assert_near(
+                h * libm::cos(theta) * rate * rate,
+                1.0,
+                1e-4,
+                "the boundary",
+            );
             on_it += 1;
         }
     }
@@ -133,9 +158,14 @@ fn classes_are_those_of_the_simulation() {
         for j in 0..30 {
             let theta = -0.5 * PI + 3.0 * PI * (f64::from(i) + 0.37) / 40.0;
             let rate = 7.0 * (f64::from(j) + 0.41) / 30.0 - 3.5;
-            let motion = hoop.simulate(Start::at(theta, rate), Limits::default()).expect("a motion");
+            let motion = hoop
+                .simulate(Start::at(theta, rate), Limits::default())
+                .expect("a motion");
             let flies_first = motion.phases()[0].mode() == Mode::Flight;
-            let lands = motion.transitions().iter().any(|transition| transition.cause == Cause::Landing);
+            let lands = motion
+                .transitions()
+                .iter()
+                .any(|transition| transition.cause == Cause::Landing);
             let found = match (motion.outcome(), flies_first, lands) {
                 (Outcome::Landing { .. }, true, true) => "leaves_at_once",
                 (Outcome::Landing { .. }, false, true) => "lifts_off_later",
@@ -144,7 +174,10 @@ fn classes_are_those_of_the_simulation() {
             };
             for (name, outlines) in &regions {
                 let times = winding(outlines, [theta, rate]);
-                assert!((0..=1).contains(&times), "{name} ({theta}, {rate}): {times}");
+                assert!(
+                    (0..=1).contains(&times),
+                    "{name} ({theta}, {rate}): {times}"
+                );
                 wrong += u32::from((times == 1) != (found == *name));
             }
         }
@@ -166,7 +199,13 @@ fn e(theta: f64, rate: f64) -> f64 {
 
 #[test]
 fn the_massless_hoop_slips_at_theta_s_and_unloads_at_rate_one() {
-    for name in ["figure-4", "figure-5a", "figure-5b", "figure-6b", "figure-7a"] {
+    for name in [
+        "figure-4",
+        "figure-5a",
+        "figure-5b",
+        "figure-6b",
+        "figure-7a",
+    ] {
         let figure = figure(name);
         for [theta, rate] in columns(series(&figure, "f")[0], PLANE) {
             assert_near(theta.abs(), theta_s(), 1e-14, name);
@@ -176,19 +215,27 @@ fn the_massless_hoop_slips_at_theta_s_and_unloads_at_rate_one() {
             assert_near(rate.abs(), 1.0, EXACT, name);
         }
         for [theta, rate] in columns(series(&figure, "R")[0], PLANE) {
-            assert!(theta.abs() <= theta_s() + 1e-12 && rate.abs() <= 1.0 + EXACT, "{name}");
+            assert!(
+                theta.abs() <= theta_s() + 1e-12 && rate.abs() <= 1.0 + EXACT,
+                "{name}"
+            );
         }
         // Four corners of a rectangle at least reach the border.
-        let widest =
-            columns(series(&figure, "R")[0], PLANE).into_iter().map(|[theta, _]| theta).fold(0.0, f64::max);
+        let widest = columns(series(&figure, "R")[0], PLANE)
+            .into_iter()
+            .map(|[theta, _]| theta)
+            .fold(0.0, f64::max);
         assert_near(widest, theta_s(), 1e-9, name);
     }
 }
 
 #[test]
 fn massless_orbits_conserve_e() {
-    for (name, prefix) in [("figure-4", "orbit E="), ("figure-5b", "Type "), ("figure-5b", "end of rolling")]
-    {
+    for (name, prefix) in [
+        ("figure-4", "orbit E="),
+        ("figure-5b", "Type "),
+        ("figure-5b", "end of rolling"),
+    ] {
         let figure = figure(name);
         for orbit in series(&figure, prefix) {
             for [theta, rate, energy] in columns(orbit, ["theta", "theta_rate", "energy"]) {
@@ -202,10 +249,16 @@ fn massless_orbits_conserve_e() {
 fn motions_of_each_type_end_where_the_type_says() {
     let figure = figure("figure-5b");
     let corner = 1.0 + 2.0 * 0.6;
-    let ends = columns(series(&figure, "end of rolling")[0], ["theta", "theta_rate", "energy"]);
+    let ends = columns(
+        series(&figure, "end of rolling")[0],
+        ["theta", "theta_rate", "energy"],
+    );
     let mut count = [0; 3];
     for [theta, rate, energy] in ends {
-        let (on_n, on_f) = ((rate.abs() - 1.0).abs() < 1e-9, (theta.abs() - theta_s()).abs() < 1e-9);
+        let (on_n, on_f) = (
+            (rate.abs() - 1.0).abs() < 1e-9,
+            (theta.abs() - theta_s()).abs() < 1e-9,
+        );
         assert!(theta * rate > 0.0, "rolling ends outward");
         if (energy - corner).abs() < 1e-9 {
             assert!((rate.abs() - 1.0).abs() < 1e-7 && (theta.abs() - theta_s()).abs() < 1e-7);
@@ -253,8 +306,9 @@ fn gliding_conserves_the_corrected_integral_and_not_the_printed_one() {
                         0.5 * sin * rate * rate - theta
                     })
                     .collect();
-                let (low, high) =
-                    printed.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(*v), b.max(*v)));
+                let (low, high) = printed
+                    .iter()
+                    .fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(*v), b.max(*v)));
                 spread = spread.max(high - low);
             }
         }

@@ -12,7 +12,11 @@ fn made(parameters: HoopParameters, start: Start) -> Figure {
 
 /// The texts of the page itself.
 fn texts(page: &Figure) -> Vec<&str> {
-    let own = page.panels.iter().find(|panel| panel.name == "page").expect("the page");
+    let own = page
+        .panels
+        .iter()
+        .find(|panel| panel.name == "page")
+        .expect("the page");
     own.labels.iter().map(|label| &*label.text).collect()
 }
 
@@ -26,7 +30,11 @@ fn a_poster_has_the_proportions_of_a3_and_says_what_happens() {
         assert!(texts.iter().any(|text| text.contains(said)), "{said}");
     }
     let svg = page.svg();
-    assert!(svg[..600].contains("width=\"297mm\" height=\"420mm\""), "{}", &svg[..600]);
+    assert!(
+        svg[..600].contains("width=\"297mm\" height=\"420mm\""),
+        "{}",
+        &svg[..600]
+    );
     // 297 mm are 841.89 points.
     let pdf = page.pdf();
     let text = String::from_utf8_lossy(&pdf);
@@ -39,25 +47,67 @@ fn a_poster_has_the_proportions_of_a3_and_says_what_happens() {
 fn what_does_not_apply_is_replaced() {
     let at = Start::at;
     for (name, parameters, start) in [
-        ("Littlewood's hoop", HoopParameters::thin(0.0).with_friction(0.5, 0.4), at(0.0, 0.5)),
-        ("massless inside", HoopParameters::thin(0.0).with_offset(0.6).with_friction(0.5, 0.4), at(1.0, 0.5)),
-        ("not loaded", HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4), at(1.0, 2.0)),
-        ("without friction", HoopParameters::thin(1.0).with_friction(0.0, 0.0), at(1.0, 1.0)),
-        ("leaves at once", HoopParameters::thin(1.0).with_friction(0.5, 0.4), at(0.0, 4.0)),
-        ("heavy", HoopParameters::thin(1000.0).with_friction(0.5, 0.4), at(1.0, 1.0)),
+        (
+            "Littlewood's hoop",
+            HoopParameters::thin(0.0).with_friction(0.5, 0.4),
+            at(0.0, 0.5),
+        ),
+        (
+            "massless inside",
+            HoopParameters::thin(0.0)
+                .with_offset(0.6)
+                .with_friction(0.5, 0.4),
+            at(1.0, 0.5),
+        ),
+        (
+            "not loaded",
+            HoopParameters::thin(1.0)
+                .with_offset(0.0)
+                .with_friction(0.5, 0.4),
+            at(1.0, 2.0),
+        ),
+        (
+            "without friction",
+            HoopParameters::thin(1.0).with_friction(0.0, 0.0),
+            at(1.0, 1.0),
+        ),
+        (
+            "leaves at once",
+            HoopParameters::thin(1.0).with_friction(0.5, 0.4),
+            at(0.0, 4.0),
+        ),
+        (
+            "heavy",
+            HoopParameters::thin(1000.0).with_friction(0.5, 0.4),
+            at(1.0, 1.0),
+        ),
     ] {
         let page = made(parameters, start);
         // Each of the six first places has a picture of its own, or a sentence.
-        let pictures = page.panels.iter().filter(|panel| panel.name != "page").count();
+        let pictures = page
+            .panels
+            .iter()
+            .filter(|panel| panel.name != "page")
+            .count();
         let reasons = texts(&page)
             .into_iter()
-            .filter(|text| text.starts_with("No figure of ") || text.starts_with("No other figure "))
+            .filter(|text| {
+                text.starts_with("No figure of ") || text.starts_with("No other figure ")
+            })
             .count();
-        assert!(pictures + reasons >= 6, "{name}: {pictures} pictures, {reasons} reasons");
+        assert!(
+            pictures + reasons >= 6,
+            "{name}: {pictures} pictures, {reasons} reasons"
+        );
         assert!(pictures >= 2, "{name}: {pictures}");
         for panel in &page.panels {
             let [left, top, width, height] = panel.frame;
-            assert!(left >= 0.0 && top >= 0.0, "{name}: {} {:?}", panel.name, panel.frame);
+            assert!(
+                left >= 0.0 && top >= 0.0,
+                "{name}: {} {:?}",
+                panel.name,
+                panel.frame
+            );
             assert!(
                 left + width <= page.width + 1e-9 && top + height <= page.height + 1e-9,
                 "{name}: {}",

@@ -1,5 +1,5 @@
-//! Figures for print: letters and lines of one size at any width, texts beside each other, and the same drawing in every
-//! format.
+//! Figures for print: letters and lines of one size at any width, texts beside each other, and the
+//! same drawing in every format.
 
 use crate::support;
 use littlewood_figures::{
@@ -11,12 +11,18 @@ use resvg::usvg::{Options, Tree};
 fn printed(name: &str, width_mm: f64) -> Result<Figure, FigureError> {
     let entry = littlewood_figures::find_figure(name).expect("a figure");
     let input = FigureInput::of_case(entry.case).expect("a case");
-    entry.figure(&FigureInput { width_mm: Some(width_mm), ..input })
+    entry.figure(&FigureInput {
+        width_mm: Some(width_mm),
+        ..input
+    })
 }
 
 /// Numbers after each place of a text in a drawing.
 fn numbers(svg: &str, before: &str) -> Vec<f64> {
-    svg.split(before).skip(1).filter_map(|rest| rest.split('"').next()?.parse().ok()).collect()
+    svg.split(before)
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next()?.parse().ok())
+        .collect()
 }
 
 #[test]
@@ -33,19 +39,28 @@ fn letters_are_seven_to_eight_points_and_lines_the_same_at_any_width() {
                 .split("<g aria-label")
                 .skip(1)
                 .map(|letters| {
-                    letters.split("matrix(").skip(1).filter_map(|unit| unit.split(' ').next()?.parse().ok())
+                    letters
+                        .split("matrix(")
+                        .skip(1)
+                        .filter_map(|unit| unit.split(' ').next()?.parse().ok())
                 })
                 .map(|units| 1000.0 * points * units.fold(0.0, f64::max))
                 .collect();
             assert!(sizes.len() > 3, "{}", entry.name);
             assert!(
-                sizes.iter().all(|size| (6.99..8.0).contains(size) || *size > 11.0),
+                sizes
+                    .iter()
+                    .all(|size| (6.99..8.0).contains(size) || *size > 11.0),
                 "{}: {sizes:?}",
                 entry.name
             );
-            let lines = svg.lines().filter(|line| line.starts_with("<path d") || line.starts_with("<circle"));
-            let mut widths: Vec<f64> =
-                lines.flat_map(|line| numbers(line, "stroke-width=\"")).map(|width| width * points).collect();
+            let lines = svg
+                .lines()
+                .filter(|line| line.starts_with("<path d") || line.starts_with("<circle"));
+            let mut widths: Vec<f64> = lines
+                .flat_map(|line| numbers(line, "stroke-width=\""))
+                .map(|width| width * points)
+                .collect();
             widths.sort_by(f64::total_cmp);
             widths.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
             assert!(widths[0] >= 0.25, "{}: {widths:?}", entry.name);
@@ -53,7 +68,11 @@ fn letters_are_seven_to_eight_points_and_lines_the_same_at_any_width() {
         }
         assert_eq!(seen[0].len(), seen[1].len(), "{}: {seen:?}", entry.name);
         for (narrow, wide) in seen[0].iter().zip(&seen[1]) {
-            assert!((narrow - wide).abs() < 1e-2, "{}: {narrow} and {wide} points", entry.name);
+            assert!(
+                (narrow - wide).abs() < 1e-2,
+                "{}: {narrow} and {wide} points",
+                entry.name
+            );
         }
     }
 }
@@ -62,13 +81,19 @@ fn letters_are_seven_to_eight_points_and_lines_the_same_at_any_width() {
 fn no_text_hides_another_or_leaves_the_sheet() {
     for entry in FIGURES {
         for mm in [None, Some(84.0), Some(178.0)] {
-            let input = FigureInput { width_mm: mm, ..FigureInput::of_case(entry.case).expect("a case") };
+            let input = FigureInput {
+                width_mm: mm,
+                ..FigureInput::of_case(entry.case).expect("a case")
+            };
             let figure = entry.figure(&input).expect("it can be drawn");
             let texts = figure.texts();
             for (i, (text, [left, top, right, bottom])) in texts.iter().enumerate() {
                 let name = entry.name;
                 assert!(
-                    *left >= 0.0 && *top >= 0.0 && *right <= figure.width && *bottom <= figure.height,
+                    *left >= 0.0
+                        && *top >= 0.0
+                        && *right <= figure.width
+                        && *bottom <= figure.height,
                     "{name}, {mm:?} mm: '{text}' leaves the sheet"
                 );
                 for (other, [l, t, r, b]) in &texts[..i] {
@@ -94,7 +119,11 @@ fn a_width_out_of_bounds_is_refused() {
 /// Bytes of the pixels of a PNG, as red, green and blue.
 fn pixels(png: &[u8]) -> (u32, u32, Vec<u8>) {
     let pixmap = Pixmap::decode_png(png).expect("a picture");
-    let colours = pixmap.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
+    let colours = pixmap
+        .pixels()
+        .iter()
+        .flat_map(|p| [p.red(), p.green(), p.blue()])
+        .collect();
     (pixmap.width(), pixmap.height(), colours)
 }
 
@@ -110,7 +139,10 @@ fn another_program_shows_the_drawing_as_the_picture_has_it() {
         theirs.fill(Color::WHITE);
         resvg::render(&tree, Transform::identity(), &mut theirs.as_mut());
         let (_, _, theirs) = pixels(&theirs.encode_png().expect("a picture"));
-        let differences = ours.iter().zip(&theirs).map(|(a, b)| f64::from(a.abs_diff(*b)));
+        let differences = ours
+            .iter()
+            .zip(&theirs)
+            .map(|(a, b)| f64::from(a.abs_diff(*b)));
         let mean = differences.sum::<f64>() / ours.len() as f64;
         // A wrong letter or a missing line makes more.
         assert!(mean < 0.3, "{}: {mean} of 255 in the mean", entry.name);
@@ -121,7 +153,10 @@ fn another_program_shows_the_drawing_as_the_picture_has_it() {
 fn stream(pdf: &[u8], number: usize) -> Vec<u8> {
     let (begin, end) = (&b"\nstream\n"[..], &b"\nendstream"[..]);
     let find = |wanted: &[u8]| {
-        let places = pdf.windows(wanted.len()).enumerate().filter(|(_, part)| *part == wanted);
+        let places = pdf
+            .windows(wanted.len())
+            .enumerate()
+            .filter(|(_, part)| *part == wanted);
         places.map(|(at, _)| at).nth(number).expect("a stream")
     };
     let bytes = &pdf[find(begin) + begin.len()..find(end)];
@@ -137,7 +172,12 @@ fn a_pdf_has_the_size_of_the_print_and_all_that_is_drawn() {
     // 84 mm are 238.11 points.
     assert!(text.contains("/MediaBox [0 0 238.11"), "{text}");
     let drawn = String::from_utf8_lossy(&stream(&pdf, 0)).into_owned();
-    let ends = |operator: &str| drawn.lines().filter(|line| line.trim_end().ends_with(operator)).count();
+    let ends = |operator: &str| {
+        drawn
+            .lines()
+            .filter(|line| line.trim_end().ends_with(operator))
+            .count()
+    };
     assert_eq!(ends("BT"), figure.texts().len());
     assert!(ends("S") > figure.panels[0].layers.len(), "{}", ends("S"));
     assert!(pdf == figure.pdf(), "the same bytes again");
@@ -145,13 +185,21 @@ fn a_pdf_has_the_size_of_the_print_and_all_that_is_drawn() {
 
 /// What another program reads in a PDF, if it is installed.
 fn read_by(program: &str, pdf: &[u8]) -> Option<String> {
-    let file = std::env::temp_dir().join(format!("littlewood-{program}-{}.pdf", std::process::id()));
+    let file =
+        std::env::temp_dir().join(format!("littlewood-{program}-{}.pdf", std::process::id()));
     std::fs::write(&file, pdf).expect("a file");
     let mut command = std::process::Command::new(program);
-    let read = command.arg(&file).args((program == "pdftotext").then_some("-")).output();
+    let read = command
+        .arg(&file)
+        .args((program == "pdftotext").then_some("-"))
+        .output();
     std::fs::remove_file(&file).expect("it is there");
     let read = read.ok()?;
-    assert!(read.status.success() && read.stderr.is_empty(), "{}", String::from_utf8_lossy(&read.stderr));
+    assert!(
+        read.status.success() && read.stderr.is_empty(),
+        "{}",
+        String::from_utf8_lossy(&read.stderr)
+    );
     Some(String::from_utf8(read.stdout).expect("text"))
 }
 
@@ -160,35 +208,58 @@ fn a_pdf_can_be_searched_and_has_its_font() {
     let figure = printed("figure-2a", 84.0).expect("it can be drawn");
     let pdf = figure.pdf();
     let text = String::from_utf8_lossy(&pdf);
-    for part in ["/Subtype /Type0", "/Subtype /CIDFontType2", "/FontFile2", "/ToUnicode", "/Identity-H"] {
+    for part in [
+        "/Subtype /Type0",
+        "/Subtype /CIDFontType2",
+        "/FontFile2",
+        "/ToUnicode",
+        "/Identity-H",
+    ] {
         assert!(text.contains(part), "{part}");
     }
     // The font file is TrueType with as many letters as it has widths, and the blank.
     let font = stream(&pdf, 1);
     let word = |at: usize| u16::from_be_bytes([font[at], font[at + 1]]);
     let table = |name: &[u8; 4]| {
-        let entry = (0..usize::from(word(4))).map(|i| 12 + 16 * i).find(|at| font[*at..at + 4] == name[..]);
-        let number =
-            |at: usize| u32::from_be_bytes(font[at..at + 4].try_into().expect("four bytes")) as usize;
-        entry.map(|at| (number(at + 8), number(at + 12))).expect("a table")
+        let entry = (0..usize::from(word(4)))
+            .map(|i| 12 + 16 * i)
+            .find(|at| font[*at..at + 4] == name[..]);
+        let number = |at: usize| {
+            u32::from_be_bytes(font[at..at + 4].try_into().expect("four bytes")) as usize
+        };
+        entry
+            .map(|at| (number(at + 8), number(at + 12)))
+            .expect("a table")
     };
-    let letters: std::collections::BTreeSet<char> =
-        figure.texts().iter().flat_map(|(text, _)| text.chars().collect::<Vec<_>>()).collect();
+    let letters: std::collections::BTreeSet<char> = figure
+        .texts()
+        .iter()
+        .flat_map(|(text, _)| text.chars().collect::<Vec<_>>())
+        .collect();
     let count = usize::from(word(table(b"maxp").0 + 4));
-    assert!(count > letters.len() && table(b"hmtx").1 == 4 * count, "{count}");
+    assert!(
+        count > letters.len() && table(b"hmtx").1 == 4 * count,
+        "{count}"
+    );
     // The sum of the words of a font file is a constant of the format.
-    let sum = font
-        .chunks(4)
-        .fold(0_u32, |sum, it| sum.wrapping_add(u32::from_be_bytes(it.try_into().expect("words"))));
+    let sum = font.chunks(4).fold(0_u32, |sum, it| {
+        sum.wrapping_add(u32::from_be_bytes(it.try_into().expect("words")))
+    });
     assert_eq!(sum, 0xb1b0_afba);
     if let Some(read) = read_by("pdftotext", &pdf) {
         for words in ["μs = 0.25", "θ (rad)", "N<0", "2π"] {
-            assert!(read.replace(' ', "").contains(&words.replace(' ', "")), "{words}: {read}");
+            assert!(
+                read.replace(' ', "").contains(&words.replace(' ', "")),
+                "{words}: {read}"
+            );
         }
     }
     if let Some(read) = read_by("pdffonts", &pdf) {
         // Embedded, a subset, with signs.
-        assert!(read.contains("CID TrueType") && read.contains("yes yes yes"), "{read}");
+        assert!(
+            read.contains("CID TrueType") && read.contains("yes yes yes"),
+            "{read}"
+        );
     }
 }
 
@@ -196,12 +267,20 @@ fn a_pdf_can_be_searched_and_has_its_font() {
 fn a_png_of_a_width_in_print_says_its_pixels_to_a_metre() {
     let density = |png: &[u8]| {
         let at = png.windows(4).position(|name| name == b"pHYs")? + 4;
-        Some(u32::from_be_bytes(png[at..at + 4].try_into().expect("four bytes")))
+        Some(u32::from_be_bytes(
+            png[at..at + 4].try_into().expect("four bytes"),
+        ))
     };
     // 300 to the inch are 11811 to the metre.
-    let print = printed("figure-2b", 84.0).expect("it can be drawn").png(3.125).expect("a picture");
+    let print = printed("figure-2b", 84.0)
+        .expect("it can be drawn")
+        .png(3.125)
+        .expect("a picture");
     assert_eq!(density(&print), Some(11811));
-    assert_eq!(density(&support::figure("figure-2b").png(1.0).expect("a picture")), None);
+    assert_eq!(
+        density(&support::figure("figure-2b").png(1.0).expect("a picture")),
+        None
+    );
 }
 
 #[test]
@@ -210,7 +289,9 @@ fn letters_of_an_svg_are_outlines_and_are_read_aloud_all_the_same() {
     let svg = figure.svg();
     assert!(!svg.contains("<text") && !svg.contains("font"));
     assert!(
-        svg.contains("aria-label=\"N &lt; 0\"") && svg.contains("<desc>") && svg.contains("role=\"img\"")
+        svg.contains("aria-label=\"N &lt; 0\"")
+            && svg.contains("<desc>")
+            && svg.contains("role=\"img\"")
     );
 }
 
@@ -218,9 +299,9 @@ fn letters_of_an_svg_are_outlines_and_are_read_aloud_all_the_same() {
 fn captions_are_files_of_markdown_and_latex() {
     let figure = printed("figure-2b", 84.0).expect("it can be drawn");
     let markdown = figure.caption_md();
-    assert!(
-        markdown.starts_with("![Figure 2(b): phase portrait of rolling](figure-2b.svg)\n\n**Figure 2(b): ")
-    );
+    assert!(markdown.starts_with(
+        "![Figure 2(b): phase portrait of rolling](figure-2b.svg)\n\n**Figure 2(b): "
+    ));
     assert!(markdown.contains("*μ*<sub>s</sub>*N*"));
     let tex = figure.caption_tex();
     assert!(

@@ -1,5 +1,5 @@
-//! Random hoops: a figure that is made shows something, or it is refused with a reason. `LITTLEWOOD_HOOPS=500` takes 500 of
-//! them, and `--nocapture` tells the slowest figures.
+//! Random hoops: a figure that is made shows something, or it is refused with a reason.
+//! `LITTLEWOOD_HOOPS=500` takes 500 of them, and `--nocapture` tells the slowest figures.
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -38,7 +38,14 @@ impl Draw {
             (0.0, 0.0)
         } else {
             let mass_ratio = if self.comes(0.1) { 0.0 } else { self.size() };
-            (mass_ratio, if mass_ratio > 0.0 && self.comes(0.5) { mass_ratio } else { self.size() })
+            (
+                mass_ratio,
+                if mass_ratio > 0.0 && self.comes(0.5) {
+                    mass_ratio
+                } else {
+                    self.size()
+                },
+            )
         };
         let offset = match self.unit() {
             share if share < 0.5 => 1.0,
@@ -46,8 +53,16 @@ impl Draw {
             share if share < 0.55 && mass_ratio > 0.0 => 0.0,
             _ => self.between(0.01, 1.0),
         };
-        let mu_s = if self.comes(0.1) { 0.0 } else { self.between(0.0, 1.5) };
-        let mu_k = if self.comes(0.2) { mu_s } else { mu_s * self.unit() };
+        let mu_s = if self.comes(0.1) {
+            0.0
+        } else {
+            self.between(0.0, 1.5)
+        };
+        let mu_k = if self.comes(0.2) {
+            mu_s
+        } else {
+            mu_s * self.unit()
+        };
         let mut parameters = HoopParameters::thin(mass_ratio)
             .with_offset(offset)
             .with_inertia(inertia)
@@ -56,7 +71,11 @@ impl Draw {
             let e = if self.comes(0.1) { 1.0 } else { self.unit() };
             parameters = parameters.with_restitution(e, RestitutionLaw::Energetic);
         }
-        let rate = if self.comes(0.1) { 0.0 } else { self.between(-5.0, 5.0) };
+        let rate = if self.comes(0.1) {
+            0.0
+        } else {
+            self.between(-5.0, 5.0)
+        };
         let mut start = Start::at(self.between(-3.1, 3.1), rate);
         if self.comes(0.3) {
             start.slip = self.between(-2.0, 2.0);
@@ -91,16 +110,26 @@ const SHORTEST: f64 = 0.004;
 /// Whether something of a layer is seen: a mark in the window, or a line that is long enough.
 fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
     let series = &layer.series;
-    let Some(places) = axes.iter().map(|axis| series.column(&axis.column)).collect::<Option<Vec<usize>>>()
+    let Some(places) = axes
+        .iter()
+        .map(|axis| series.column(&axis.column))
+        .collect::<Option<Vec<usize>>>()
     else {
         return false;
     };
     let inside: Vec<Vec<f64>> = series
         .rows()
         .map(|row| {
-            axes.iter().zip(&places).map(|(axis, place)| share(axis, row[*place])).collect::<Vec<f64>>()
+            axes.iter()
+                .zip(&places)
+                .map(|(axis, place)| share(axis, row[*place]))
+                .collect::<Vec<f64>>()
         })
-        .filter(|place| place.iter().all(|share| (-1e-9..=1.0 + 1e-9).contains(share)))
+        .filter(|place| {
+            place
+                .iter()
+                .all(|share| (-1e-9..=1.0 + 1e-9).contains(share))
+        })
         .collect();
     match layer.mark {
         Mark::Line(_)
@@ -112,7 +141,9 @@ fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
             let (low, high) = inside
                 .iter()
                 .map(|place| place[i])
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+                    (low.min(at), high.max(at))
+                });
             high - low > SHORTEST
         }),
         Mark::Head(_)
@@ -130,7 +161,9 @@ fn shows_something(panel: &Panel) -> bool {
         View::Space { x, y, z, .. } => vec![x, y, z],
     };
     assert!(
-        axes.iter().all(|axis| axis.range[0] < axis.range[1] && axis.range.iter().all(|end| end.is_finite()))
+        axes.iter()
+            .all(|axis| axis.range[0] < axis.range[1]
+                && axis.range.iter().all(|end| end.is_finite()))
     );
     panel
         .layers
@@ -141,7 +174,10 @@ fn shows_something(panel: &Panel) -> bool {
 
 fn check(figure: &Figure, input: &FigureInput) {
     for panel in &figure.panels {
-        let says_so = panel.labels.iter().any(|label| label.text.starts_with("nothing to show"));
+        let says_so = panel
+            .labels
+            .iter()
+            .any(|label| label.text.starts_with("nothing to show"));
         assert!(
             says_so || shows_something(panel),
             "{}, {}: nothing is seen of {input:?}",
@@ -149,9 +185,17 @@ fn check(figure: &Figure, input: &FigureInput) {
             panel.name
         );
         for axes in [&panel.view] {
-            if let View::Plane { x, y, axes: true, .. } = axes {
-                let has_ticks = |axis: &PlotAxis| axis.scale == Scale::Nothing || !axis.ticks.is_empty();
-                assert!(has_ticks(x) && has_ticks(y), "{}: no ticks, {input:?}", figure.name);
+            if let View::Plane {
+                x, y, axes: true, ..
+            } = axes
+            {
+                let has_ticks =
+                    |axis: &PlotAxis| axis.scale == Scale::Nothing || !axis.ticks.is_empty();
+                assert!(
+                    has_ticks(x) && has_ticks(y),
+                    "{}: no ticks, {input:?}",
+                    figure.name
+                );
             }
         }
     }
@@ -160,7 +204,10 @@ fn check(figure: &Figure, input: &FigureInput) {
 #[test]
 #[ignore = "thorough"]
 fn no_figure_of_a_random_hoop_is_empty() {
-    let hoops: u64 = std::env::var("LITTLEWOOD_HOOPS").ok().and_then(|text| text.parse().ok()).unwrap_or(40);
+    let hoops: u64 = std::env::var("LITTLEWOOD_HOOPS")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(40);
     let mut draw = Draw(14);
     let mut slowest: BTreeMap<&str, (Duration, String)> = BTreeMap::new();
     let mut made: BTreeMap<&str, u32> = BTreeMap::new();
@@ -168,8 +215,11 @@ fn no_figure_of_a_random_hoop_is_empty() {
         let input = draw.input();
         // The page of cases shows them whatever the hoop.
         for entry in FIGURES.iter().filter(|entry| entry.name != "cases") {
-            // The figure of thousands of motions of some hoops only, none of which slides for thousands of turns.
-            if ["outcomes", "atlas"].contains(&entry.name) && (hoop % 20 != 1 || input.hoop.mu_k() < 0.05) {
+            // The figure of thousands of motions of some hoops only, none of which slides for
+            // thousands of turns.
+            if ["outcomes", "atlas"].contains(&entry.name)
+                && (hoop % 20 != 1 || input.hoop.mu_k() < 0.05)
+            {
                 continue;
             }
             let clock = Instant::now();
@@ -189,15 +239,28 @@ fn no_figure_of_a_random_hoop_is_empty() {
             let taken = clock.elapsed();
             let slow = slowest.entry(entry.name).or_default();
             if taken > slow.0 {
-                *slow = (taken, format!("{:?}, {:?}", input.hoop.parameters(), input.start));
+                *slow = (
+                    taken,
+                    format!("{:?}, {:?}", input.hoop.parameters(), input.start),
+                );
             }
         }
     }
     for (name, (taken, of)) in slowest {
-        println!("{name}: {} made, slowest {taken:.3?} of {of}", made.get(name).copied().unwrap_or(0));
+        println!(
+            "{name}: {} made, slowest {taken:.3?} of {of}",
+            made.get(name).copied().unwrap_or(0)
+        );
     }
     // Few hoops may have no impact among them.
-    for entry in FIGURES.iter().filter(|entry| hoops >= 200 && entry.name != "cases") {
-        assert!(made.contains_key(entry.name), "no random hoop has {}", entry.name);
+    for entry in FIGURES
+        .iter()
+        .filter(|entry| hoops >= 200 && entry.name != "cases")
+    {
+        assert!(
+            made.contains_key(entry.name),
+            "no random hoop has {}",
+            entry.name
+        );
     }
 }

@@ -13,7 +13,10 @@ const SLOW: [&str; 4] = ["outcomes", "atlas", "bifurcation", "cases"];
 
 fn of_case(name: &str, case: &str) -> Figure {
     let input = FigureInput::of_case(case).expect("a case");
-    find_figure(name).expect("a name of the catalogue").figure(&input).expect("it can be drawn")
+    find_figure(name)
+        .expect("a name of the catalogue")
+        .figure(&input)
+        .expect("it can be drawn")
 }
 
 /// All figures of all cases, but for the slow ones.
@@ -41,10 +44,13 @@ fn each_key_is_of_something_that_is_drawn() {
                 (Mark::Line(a) | Mark::Arrow(a), Mark::Line(b) | Mark::Arrow(b)) => {
                     a.colour == b.colour && a.dash == b.dash
                 }
-                (Mark::Hoop { rim, .. }, Mark::Line(b)) => rim.colour == b.colour && rim.dash == b.dash,
+                (Mark::Hoop { rim, .. }, Mark::Line(b)) => {
+                    rim.colour == b.colour && rim.dash == b.dash
+                }
                 (a, b) => core::mem::discriminant(&a) == core::mem::discriminant(&b),
             };
-            let is_drawn = layers().any(|layer| is_it(layer.mark) && layer.series.rows().next().is_some());
+            let is_drawn =
+                layers().any(|layer| is_it(layer.mark) && layer.series.rows().next().is_some());
             assert!(is_drawn, "{}, {case}: '{}'", figure.name, key.text);
         }
     });
@@ -69,30 +75,55 @@ fn a_start_on_a_slope_lies_on_its_orbit_of_demand() {
     for case in ["uphill-disc", "ramp-jump", "ramp-libration"] {
         let input = FigureInput::of_case(case).expect("a case");
         let figure = of_case("friction-demand", case);
-        let rows: Vec<[f64; 2]> =
-            series(&figure, "start").iter().flat_map(|found| columns(found, ["theta", "demand"])).collect();
+        let rows: Vec<[f64; 2]> = series(&figure, "start")
+            .iter()
+            .flat_map(|found| columns(found, ["theta", "demand"]))
+            .collect();
         let (curve, start) = rows.split_at(rows.len() - 1);
-        let far = |[theta, demand]: &[f64; 2]| (theta - start[0][0]).abs() + (demand - start[0][1]).abs();
+        let far =
+            |[theta, demand]: &[f64; 2]| (theta - start[0][0]).abs() + (demand - start[0][1]).abs();
         let least = curve.iter().map(far).fold(f64::INFINITY, f64::min);
-        assert!(start[0][0] == input.start.theta && least < 0.02, "{case}: {least}");
+        assert!(
+            start[0][0] == input.start.theta && least < 0.02,
+            "{case}: {least}"
+        );
         let energy = RollingLaw::new(&input.hoop).energy(input.start.theta, input.start.theta_rate);
-        assert!(series(&figure, "start")[0].rows().all(|row| row[2] == energy));
+        assert!(
+            series(&figure, "start")[0]
+                .rows()
+                .all(|row| row[2] == energy)
+        );
     }
     // The third turn downhill demands more friction than there is.
     let figure = of_case("friction-demand", "ramp-jump");
     let demanded = columns(series(&figure, "start")[0], ["theta", "demand"]);
-    let slips = demanded.iter().find(|[_, demand]| *demand > 1.0).expect("it slips")[0];
-    let motion = littlewood::cases::find_case("ramp-jump").expect("a case").simulate().expect("a motion");
+    let slips = demanded
+        .iter()
+        .find(|[_, demand]| *demand > 1.0)
+        .expect("it slips")[0];
+    let motion = littlewood::cases::find_case("ramp-jump")
+        .expect("a case")
+        .simulate()
+        .expect("a motion");
     let wanted = motion.transitions()[0].before.theta;
     assert!((slips - wanted).abs() < 0.05, "{slips}, {wanted}");
 }
 
 #[test]
 fn starts_at_the_wall_are_in_the_picture() {
-    for case in ["sliding-band", "bounces-forever", "ramp-bounces", "figure-3"] {
+    for case in [
+        "sliding-band",
+        "bounces-forever",
+        "ramp-bounces",
+        "figure-3",
+    ] {
         let figure = of_case("wall", case);
-        let View::Space { x, y, z, .. } = &figure.panels[0].view else { panic!("three axes") };
-        let starts = figure.series("start").map(|found| columns(found, ["theta", "theta_rate", "slip"]));
+        let View::Space { x, y, z, .. } = &figure.panels[0].view else {
+            panic!("three axes")
+        };
+        let starts = figure
+            .series("start")
+            .map(|found| columns(found, ["theta", "theta_rate", "slip"]));
         for row in starts.unwrap_or_default() {
             let seen = [x, y, z].iter().all(|axis| {
                 let value = match axis.column.as_ref() {
@@ -111,21 +142,34 @@ fn starts_at_the_wall_are_in_the_picture() {
 fn each_hoop_of_a_path_has_one_label_with_its_time() {
     for case in CASES {
         let input = FigureInput::of_case(case.name).expect("a case");
-        let Ok(figure) = find_figure("figure-3b").expect("a figure").figure(&input) else { continue };
+        let Ok(figure) = find_figure("figure-3b").expect("a figure").figure(&input) else {
+            continue;
+        };
         let hoops = series(&figure, "hoop")[0].rows().count();
         let labels = &figure.panels[0].labels;
         assert!(labels.len() <= hoops, "{}", case.name);
-        assert!(labels.iter().all(|label| label.text.contains(" = ")), "{}", case.name);
+        assert!(
+            labels.iter().all(|label| label.text.contains(" = ")),
+            "{}",
+            case.name
+        );
     }
 }
 
 #[test]
 fn the_name_of_the_weight_stands_on_no_curve() {
-    for (case, name) in [("ramp-jump", "weight × cos α"), ("figure-3", "weight"), ("jam", "weight")] {
+    for (case, name) in [
+        ("ramp-jump", "weight × cos α"),
+        ("figure-3", "weight"),
+        ("jam", "weight"),
+    ] {
         let figure = of_case("forces", case);
         let panel = &figure.panels[0];
         let texts = figure.texts();
-        let (_, [left, top, right, bottom]) = texts.iter().find(|(text, _)| text == name).expect("the name");
+        let (_, [left, top, right, bottom]) = texts
+            .iter()
+            .find(|(text, _)| text == name)
+            .expect("the name");
         let normal = panel.layers.last().expect("the curve").series.rows();
         for [x, y] in normal.filter_map(|row| panel.place([row[0], row[1]])) {
             let beside = x < *left || x > *right || y < *top || y > *bottom;
@@ -139,8 +183,15 @@ fn every_caption_of_a_hoop_on_a_slope_names_it() {
     for case in ["ramp-jump", "ramp-libration", "ramp-bounces", "uphill-disc"] {
         let input = FigureInput::of_case(case).expect("a case");
         for entry in FIGURES.iter().filter(|entry| !SLOW.contains(&entry.name)) {
-            let Ok(figure) = entry.figure(&input) else { continue };
-            assert!(plain(&figure.caption).contains("α = "), "{}, {case}: {}", entry.name, figure.caption);
+            let Ok(figure) = entry.figure(&input) else {
+                continue;
+            };
+            assert!(
+                plain(&figure.caption).contains("α = "),
+                "{}, {case}: {}",
+                entry.name,
+                figure.caption
+            );
         }
     }
 }
@@ -148,11 +199,23 @@ fn every_caption_of_a_hoop_on_a_slope_names_it() {
 #[test]
 fn bands_that_cannot_be_told_apart_have_no_lines_between_them() {
     let input = FigureInput::of_case("bounces-forever").expect("a case");
-    let figure = find_figure("bifurcation").expect("a figure").figure(&input).expect("it can be drawn");
+    let figure = find_figure("bifurcation")
+        .expect("a figure")
+        .figure(&input)
+        .expect("it can be drawn");
     let panel = &figure.panels[0];
     let at = |row: &[f64]| panel.place([row[0], row[1]]).expect("a plane")[0];
-    let line = panel.layers.iter().find(|layer| layer.series.name == "boundary").expect("boundaries");
-    let mut places: Vec<f64> = line.series.pieces.iter().map(|piece| at(&piece[0])).collect();
+    let line = panel
+        .layers
+        .iter()
+        .find(|layer| layer.series.name == "boundary")
+        .expect("boundaries");
+    let mut places: Vec<f64> = line
+        .series
+        .pieces
+        .iter()
+        .map(|piece| at(&piece[0]))
+        .collect();
     places.sort_by(f64::total_cmp);
     let bands: usize = panel
         .layers
@@ -160,7 +223,11 @@ fn bands_that_cannot_be_told_apart_have_no_lines_between_them() {
         .filter(|layer| matches!(layer.mark, Mark::Fill(_)))
         .map(|layer| layer.series.pieces.len())
         .sum();
-    assert!(places.len() < bands - 1, "{} lines, {bands} bands", places.len());
+    assert!(
+        places.len() < bands - 1,
+        "{} lines, {bands} bands",
+        places.len()
+    );
     // Each line is beside a band of more than three pixels.
     for i in 1..places.len() - 1 {
         let widest = f64::max(places[i] - places[i - 1], places[i + 1] - places[i]);
@@ -170,13 +237,20 @@ fn bands_that_cannot_be_told_apart_have_no_lines_between_them() {
 
 #[test]
 fn far_beyond_a_small_separatrix_all_starts_roll_for_ever() {
-    for parameters in [HoopParameters::thin(1000.0), HoopParameters::thin(1.0).with_offset(1e-3)] {
+    for parameters in [
+        HoopParameters::thin(1000.0),
+        HoopParameters::thin(1.0).with_offset(1e-3),
+    ] {
         let hoop = Hoop::new(parameters.with_friction(0.5, 0.4)).expect("a hoop");
         let separatrix = PhasePlane::new(&hoop).separatrix_rate(PI);
         for i in 0..40 {
             for j in -20..=20 {
                 let start = Start::at(PI * f64::from(i) / 20.0, separatrix * f64::from(j));
-                let kind = hoop.simulate(start, Limits::default()).expect("a motion").outcome().kind();
+                let kind = hoop
+                    .simulate(start, Limits::default())
+                    .expect("a motion")
+                    .outcome()
+                    .kind();
                 // At an equilibrium it rolls, too.
                 assert!(kind == OutcomeKind::RollsForever, "{start:?}: {kind}");
             }

@@ -7,9 +7,14 @@ use littlewood_figures::{FIGURES, FigureInput, View, find_figure, plain};
 
 /// R = 0.4 m and g = 10 m/s² make √(R/g) = 0.2 s and √(gR) = 2 m/s; m2 g = 5 N, m2 g R = 2 J.
 fn units() -> Units {
-    SiParameters { particle_mass_kg: 0.5, radius_m: 0.4, gravity_m_per_s2: 10.0, ..SiParameters::default() }
-        .units()
-        .expect("units")
+    SiParameters {
+        particle_mass_kg: 0.5,
+        radius_m: 0.4,
+        gravity_m_per_s2: 10.0,
+        ..SiParameters::default()
+    }
+    .units()
+    .expect("units")
 }
 
 /// What one unit of (2.9) of a column is, by hand.
@@ -33,7 +38,12 @@ fn every_number_is_converted_and_its_column_says_the_unit() {
     for entry in FIGURES {
         let input = FigureInput::of_case(entry.case).expect("a case");
         let own = entry.figure(&input).expect("it can be drawn");
-        let si = entry.figure(&FigureInput { units: Some(units()), ..input }).expect("it can be drawn");
+        let si = entry
+            .figure(&FigureInput {
+                units: Some(units()),
+                ..input
+            })
+            .expect("it can be drawn");
         for (own, si) in own.panels.iter().zip(&si.panels) {
             for (own, si) in own.layers.iter().zip(&si.layers) {
                 let (own, si) = (&own.series, &si.series);
@@ -44,7 +54,8 @@ fn every_number_is_converted_and_its_column_says_the_unit() {
                         }
                         continue;
                     }
-                    let (unit, suffix) = unit(column).unwrap_or_else(|| panic!("{}: {column}", entry.name));
+                    let (unit, suffix) =
+                        unit(column).unwrap_or_else(|| panic!("{}: {column}", entry.name));
                     assert_eq!(si.columns[i], format!("{column}{suffix}"));
                     for (a, b) in own.rows().zip(si.rows()) {
                         assert!(
@@ -62,24 +73,37 @@ fn every_number_is_converted_and_its_column_says_the_unit() {
 #[test]
 fn axes_and_labels_have_si_units_and_none_of_the_paper() {
     for entry in FIGURES {
-        let input = FigureInput { units: Some(units()), ..FigureInput::of_case(entry.case).expect("a case") };
+        let input = FigureInput {
+            units: Some(units()),
+            ..FigureInput::of_case(entry.case).expect("a case")
+        };
         let figure = entry.figure(&input).expect("it can be drawn");
         for panel in &figure.panels {
             let axes = match &panel.view {
-                View::Plane { x, y, axes: true, .. } => vec![x, y],
+                View::Plane {
+                    x, y, axes: true, ..
+                } => vec![x, y],
                 View::Plane { .. } => vec![],
                 View::Space { x, y, z, .. } => vec![x, y, z],
             };
             for axis in axes {
                 let title = plain(&axis.title);
-                assert!(!title.contains('√') && !title.contains("(R)") && !title.contains("m₂g"), "{title}");
-                let suffix = SampleColumn::Time.dimension().map(littlewood::tables::Dimension::si_suffix);
+                assert!(
+                    !title.contains('√') && !title.contains("(R)") && !title.contains("m₂g"),
+                    "{title}"
+                );
+                let suffix = SampleColumn::Time
+                    .dimension()
+                    .map(littlewood::tables::Dimension::si_suffix);
                 if suffix.is_some_and(|suffix| axis.column == format!("time{suffix}")) {
                     assert!(title.is_empty() || title == "t  (s)", "{title}");
                 }
             }
-            for text in
-                panel.labels.iter().map(|label| &label.text).chain(panel.keys.iter().map(|key| &key.text))
+            for text in panel
+                .labels
+                .iter()
+                .map(|label| &label.text)
+                .chain(panel.keys.iter().map(|key| &key.text))
             {
                 assert!(!text.contains("*τ*"), "{}: {text}", entry.name);
             }
@@ -91,11 +115,25 @@ fn axes_and_labels_have_si_units_and_none_of_the_paper() {
 #[test]
 fn figure_7a_slips_at_ln_5_times_the_unit_of_time() {
     let entry = find_figure("figure-7a").expect("a figure");
-    let input = FigureInput { units: Some(units()), ..FigureInput::of_case(entry.case).expect("a case") };
+    let input = FigureInput {
+        units: Some(units()),
+        ..FigureInput::of_case(entry.case).expect("a case")
+    };
     let figure = entry.figure(&input).expect("it can be drawn");
-    let labels: Vec<String> =
-        figure.panels.iter().flat_map(|panel| &panel.labels).map(|label| plain(&label.text)).collect();
+    let labels: Vec<String> = figure
+        .panels
+        .iter()
+        .flat_map(|panel| &panel.labels)
+        .map(|label| plain(&label.text))
+        .collect();
     // 0.2 ln 5 = 0.32189.
-    assert!(labels.iter().any(|text| text == "tₛ = 0.3219 s"), "{labels:?}");
-    assert!(plain(&figure.caption).contains("θ′(0) = 2.5 rad/s"), "{}", figure.caption);
+    assert!(
+        labels.iter().any(|text| text == "tₛ = 0.3219 s"),
+        "{labels:?}"
+    );
+    assert!(
+        plain(&figure.caption).contains("θ′(0) = 2.5 rad/s"),
+        "{}",
+        figure.caption
+    );
 }

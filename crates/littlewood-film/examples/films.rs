@@ -1,5 +1,5 @@
-//! The three films of the paper, one of what comes after the landing and one on a ramp, as the documentation shows them. Writes them into the folder
-//! that is named as the first argument.
+//! The three films of the paper, one of what comes after the landing and one on a ramp, as the
+//! documentation shows them. Writes them into the folder that is named as the first argument.
 
 use std::fs;
 use std::path::PathBuf;
@@ -28,7 +28,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let limits = Limits::default().with_until(impacts.map(|(_, until)| until));
         let motion = Hoop::new(hoop)?.simulate(start, limits)?;
         let slow_impacts = impacts.map(|(factor, _)| factor);
-        let pace = Pace { fps: 20, slow, units: None, hold_s: None, slow_impacts };
+        let pace = Pace {
+            fps: 20,
+            slow,
+            units: None,
+            hold_s: None,
+            slow_impacts,
+        };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto)?;
         let mut encoder = GifFilm::new(Vec::new(), &film)?;
         film.play(&mut encoder, |_| true)?;

@@ -26,16 +26,29 @@ const MARKS: u32 = 24;
 const SHORTEST: f64 = 1e-3;
 
 /// The trail of the centre and, in the colour of the mode, that of the mass centre.
-pub(crate) fn draw_trail(canvas: &mut Canvas, view: &View, trail: &Trail, scene: &Scene, unit: f64) {
+pub(crate) fn draw_trail(
+    canvas: &mut Canvas,
+    view: &View,
+    trail: &Trail,
+    scene: &Scene,
+    unit: f64,
+) {
     let pieces = trail.pieces(scene.sample);
     let place = |points: &[Sample], which: fn(&Sample) -> Position| -> Vec<Place> {
-        points.iter().map(|sample| view.place(which(sample))).collect()
+        points
+            .iter()
+            .map(|sample| view.place(which(sample)))
+            .collect()
     };
     for (_, steps) in &pieces {
         canvas.line(&place(steps, |step| step.centre), 1.4 * unit, LINE);
     }
     for (mode, steps) in &pieces {
-        canvas.line(&place(steps, |step| step.mass_centre), 2.6 * unit, of_mode(*mode));
+        canvas.line(
+            &place(steps, |step| step.mass_centre),
+            2.6 * unit,
+            of_mode(*mode),
+        );
     }
 }
 
@@ -45,7 +58,12 @@ pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &
     let radius = view.scale;
     let rim = (RIM * radius).max(1.5 * unit);
     canvas.ring(centre, radius - 0.5 * rim, rim, SOFT);
-    canvas.ring(centre, radius - 0.5 * rim, (rim - 1.6 * unit).max(1.0), LINE);
+    canvas.ring(
+        centre,
+        radius - 0.5 * rim,
+        (rim - 1.6 * unit).max(1.0),
+        LINE,
+    );
     let theta = scene.sample.state.theta + view.tilt.angle;
     for mark in 0..MARKS {
         let angle = theta + 2.0 * PI * f64::from(mark) / f64::from(MARKS);
@@ -84,26 +102,45 @@ pub(crate) fn draw_mass_centre(canvas: &mut Canvas, (x, y): Place, radius: f64) 
     }
 }
 
-/// The weight, the normal force, the friction and the slip velocity, with their letters. Each has a form of its own, so that
-/// they are told apart without colours too.
+/// The weight, the normal force, the friction and the slip velocity, with their letters. Each has a
+/// form of its own, so that they are told apart without colours too.
 pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit: f64) {
-    let style = Style { size: 13.0 * unit, is_bold: true, anchor: 0.5 };
+    let style = Style {
+        size: 13.0 * unit,
+        is_bold: true,
+        anchor: 0.5,
+    };
     if let Some(weight) = visible(&scene.weight) {
         let (tail, head) = ends(view, weight);
         Shape::Open.draw(canvas, tail, head, SOFT, unit);
         // On the side where the normal force is not.
-        let side = if weight.tail.x > scene.lowest.x { 11.0 } else { -11.0 };
-        canvas.label(WEIGHT, (head.0 + side * unit, head.1 - 2.0 * unit), style, SOFT);
+        let side = if weight.tail.x > scene.lowest.x {
+            11.0
+        } else {
+            -11.0
+        };
+        canvas.label(
+            WEIGHT,
+            (head.0 + side * unit, head.1 - 2.0 * unit),
+            style,
+            SOFT,
+        );
     }
-    // The slip velocity begins at the contact point too; it is drawn lower, so that F does not cover it.
+    // The slip velocity begins at the contact point too; it is drawn lower, so that F does not
+    // cover it.
     let lowered = 9.0 * unit;
     if let Some(slip) = visible(&scene.slip) {
         let (tail, head) = (view.place(slip.tail), view.place(slip.head));
         let [tail, head] = [tail, head].map(|place| view.moved(place, 0.0, lowered));
-        let side = Shape::Thin.unless_cut(slip).draw(canvas, tail, head, SLIP, unit);
+        let side = Shape::Thin
+            .unless_cut(slip)
+            .draw(canvas, tail, head, SLIP, unit);
         canvas.label(
             &marked(SampleColumn::Slip.sign()),
-            (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit + 11.0 * unit * side.1),
+            (
+                head.0 + 11.0 * unit * side.0,
+                head.1 + 4.0 * unit + 11.0 * unit * side.1,
+            ),
             style,
             SLIP,
         );
@@ -113,20 +150,33 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         // From the edge of the point of contact, so that a short arrow is seen beside it.
         let beside = (CONTACT + 1.2) * unit * if friction.value < 0.0 { -1.0 } else { 1.0 };
         let [tail, head] = [tail, head].map(|place| view.moved(place, beside, 0.0));
-        let side = Shape::Hollow.unless_cut(friction).draw(canvas, tail, head, FRICTION_FORCE, unit);
+        let side =
+            Shape::Hollow
+                .unless_cut(friction)
+                .draw(canvas, tail, head, FRICTION_FORCE, unit);
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
         canvas.label(
             &marked(SampleColumn::Friction.sign()),
-            view.moved((head.0 + 7.0 * unit * side.0, head.1 + 7.0 * unit * side.1), 0.0, 16.0 * unit),
+            view.moved(
+                (head.0 + 7.0 * unit * side.0, head.1 + 7.0 * unit * side.1),
+                0.0,
+                16.0 * unit,
+            ),
             style,
             FRICTION_FORCE,
         );
     }
     if let Some(normal) = visible(&scene.normal) {
         let (tail, head) = ends(view, normal);
-        Shape::Solid.unless_cut(normal).draw(canvas, tail, head, NORMAL_FORCE, unit);
+        Shape::Solid
+            .unless_cut(normal)
+            .draw(canvas, tail, head, NORMAL_FORCE, unit);
         // On the side where the particle is not.
-        let side = if scene.sample.particle.x > scene.sample.centre.x { -11.0 } else { 11.0 };
+        let side = if scene.sample.particle.x > scene.sample.centre.x {
+            -11.0
+        } else {
+            11.0
+        };
         canvas.label(
             &marked(SampleColumn::Normal.sign()),
             view.moved((head.0, head.1 + 6.0 * unit), side * unit, 0.0),
@@ -174,13 +224,22 @@ impl Shape {
             return (0.0, 0.0);
         }
         let (x, y) = (along.0 / length, along.1 / length);
-        let at = |back: f64, aside: f64| (head.0 - back * x - aside * y, head.1 - back * y + aside * x);
+        let at =
+            |back: f64, aside: f64| (head.0 - back * x - aside * y, head.1 - back * y + aside * x);
         match self {
             Self::Solid | Self::Cut => {
                 let tip = (9.0 * unit).min(length);
                 let half = 0.42 * tip;
-                canvas.line(&[tail, at(0.8 * tip, 0.0)], (0.3 * tip).max(1.2 * unit), colour);
-                for back in [0.0, 0.75 * tip].into_iter().take(if self == Self::Cut { 2 } else { 1 }) {
+                canvas.line(
+                    &[tail, at(0.8 * tip, 0.0)],
+                    (0.3 * tip).max(1.2 * unit),
+                    colour,
+                );
+                for back in
+                    [0.0, 0.75 * tip]
+                        .into_iter()
+                        .take(if self == Self::Cut { 2 } else { 1 })
+                {
                     let point = at(back, 0.0);
                     let base = (point.0 - tip * x, point.1 - tip * y);
                     let side = |half: f64| (base.0 - half * y, base.1 + half * x);
@@ -190,23 +249,47 @@ impl Shape {
             Self::Hollow => {
                 let tip = (10.5 * unit).min(length);
                 let half = 0.5 * tip;
-                canvas.line(&[tail, at(0.9 * tip, 0.0)], (0.24 * tip).max(1.4 * unit), colour);
+                canvas.line(
+                    &[tail, at(0.9 * tip, 0.0)],
+                    (0.24 * tip).max(1.4 * unit),
+                    colour,
+                );
                 canvas.polygon(&[head, at(tip, half), at(tip, -half)], colour);
                 let inner = 0.27 * tip;
                 canvas.polygon(
-                    &[at(inner, 0.0), at(0.86 * tip, 0.58 * half), at(0.86 * tip, -0.58 * half)],
+                    &[
+                        at(inner, 0.0),
+                        at(0.86 * tip, 0.58 * half),
+                        at(0.86 * tip, -0.58 * half),
+                    ],
                     PAPER,
                 );
             }
             Self::Open => {
                 let tip = (8.0 * unit).min(length);
                 canvas.line(&[tail, head], 1.8 * unit, colour);
-                canvas.line(&[at(tip, 0.55 * tip), head, at(tip, -0.55 * tip)], 1.8 * unit, colour);
+                canvas.line(
+                    &[at(tip, 0.55 * tip), head, at(tip, -0.55 * tip)],
+                    1.8 * unit,
+                    colour,
+                );
             }
             Self::Thin => {
                 let tip = (9.0 * unit).min(length);
-                canvas.line(&[tail, at(0.8 * tip, 0.0)], (0.16 * tip).max(1.2 * unit), colour);
-                canvas.polygon(&[head, at(tip, 0.3 * tip), at(0.75 * tip, 0.0), at(tip, -0.3 * tip)], colour);
+                canvas.line(
+                    &[tail, at(0.8 * tip, 0.0)],
+                    (0.16 * tip).max(1.2 * unit),
+                    colour,
+                );
+                canvas.polygon(
+                    &[
+                        head,
+                        at(tip, 0.3 * tip),
+                        at(0.75 * tip, 0.0),
+                        at(tip, -0.3 * tip),
+                    ],
+                    colour,
+                );
             }
         }
         (x, y)
@@ -214,7 +297,13 @@ impl Shape {
 }
 
 /// The impulse of an impact, with its parts in words.
-pub(crate) fn draw_impulse(canvas: &mut Canvas, view: &View, scene: &Scene, words: &[String], unit: f64) {
+pub(crate) fn draw_impulse(
+    canvas: &mut Canvas,
+    view: &View,
+    scene: &Scene,
+    words: &[String],
+    unit: f64,
+) {
     let Some(impulse) = scene.impulse else { return };
     let (tail, head) = (view.place(impulse.tail), view.place(impulse.head));
     let length = libm::hypot(head.0 - tail.0, head.1 - tail.1);
@@ -223,9 +312,16 @@ pub(crate) fn draw_impulse(canvas: &mut Canvas, view: &View, scene: &Scene, word
     }
     Shape::Solid.draw(canvas, tail, head, IMPULSE, 1.4 * unit);
     // On the side where the particle is not.
-    let (side, anchor) =
-        if scene.sample.particle.x > scene.sample.centre.x { (-9.0, 1.0) } else { (9.0, 0.0) };
-    let style = Style { size: 11.5 * unit, is_bold: true, anchor };
+    let (side, anchor) = if scene.sample.particle.x > scene.sample.centre.x {
+        (-9.0, 1.0)
+    } else {
+        (9.0, 0.0)
+    };
+    let style = Style {
+        size: 11.5 * unit,
+        is_bold: true,
+        anchor,
+    };
     for (i, words) in words.iter().enumerate() {
         // Above the plane, however short the arrow is.
         let top = (head.1 + 4.0 * unit).min(tail.1 - 20.0 * unit);
@@ -236,9 +332,9 @@ pub(crate) fn draw_impulse(canvas: &mut Canvas, view: &View, scene: &Scene, word
 
 /// An arrow that is longer than a rounding error.
 fn visible(arrow: &Option<DrawnArrow>) -> Option<&DrawnArrow> {
-    arrow
-        .as_ref()
-        .filter(|arrow| (arrow.head.x - arrow.tail.x).abs() + (arrow.head.y - arrow.tail.y).abs() > SHORTEST)
+    arrow.as_ref().filter(|arrow| {
+        (arrow.head.x - arrow.tail.x).abs() + (arrow.head.y - arrow.tail.y).abs() > SHORTEST
+    })
 }
 
 fn ends(view: &View, arrow: &DrawnArrow) -> (Place, Place) {

@@ -1,4 +1,5 @@
-//! Where the plane and the body lie in the picture: one scale for both directions. The camera is level, and sees the slope.
+//! Where the plane and the body lie in the picture: one scale for both directions. The camera is
+//! level, and sees the slope.
 
 use littlewood::modes::Position;
 use littlewood::{Hoop, Sample, Trajectory};
@@ -32,7 +33,8 @@ pub(crate) const EXAMINED: usize = 4000;
 /// Smallest radius, in units of lettering, with which `Auto` shows the whole path.
 const SMALLEST: f64 = 72.0;
 
-/// Smallest radius of a hoop that is followed: it then goes out of sight of the plane in a very high jump.
+/// Smallest radius of a hoop that is followed: it then goes out of sight of the plane in a very
+/// high jump.
 const SMALLEST_FOLLOWED: f64 = 48.0;
 
 /// The part of the picture in which the motion is seen, in pixels.
@@ -61,7 +63,10 @@ impl Tilt {
 
     /// How far a point lies to the right of the origin of the plane and above it.
     pub(crate) fn level(self, Position { x, y }: Position) -> Position {
-        Position { x: x * self.cos - y * self.sin, y: x * self.sin + y * self.cos }
+        Position {
+            x: x * self.cos - y * self.sin,
+            y: x * self.sin + y * self.cos,
+        }
     }
 
     /// How high a hoop in contact reaches down.
@@ -125,10 +130,27 @@ impl Camera {
             Framing::Follow => false,
         };
         if is_whole {
-            return Self { window, tilt, scale: whole.min(largest), middle, lowest, follows: [false; 2] };
+            return Self {
+                window,
+                tilt,
+                scale: whole.min(largest),
+                middle,
+                lowest,
+                follows: [false; 2],
+            };
         }
-        let scale = upright.min(window.width / 5.0).min(largest).max(SMALLEST_FOLLOWED * unit);
-        Self { window, tilt, scale, middle, lowest, follows: [true, scale > upright] }
+        let scale = upright
+            .min(window.width / 5.0)
+            .min(largest)
+            .max(SMALLEST_FOLLOWED * unit);
+        Self {
+            window,
+            tilt,
+            scale,
+            middle,
+            lowest,
+            follows: [true, scale > upright],
+        }
     }
 
     /// Whether the view is the same in all frames.
@@ -143,10 +165,27 @@ impl Camera {
 
     /// What the camera sees of a scene.
     pub(crate) fn view(&self, scene: &Scene) -> View {
-        let Window { left, top, width, height } = self.window;
-        let Sample { centre, mass_centre, .. } = scene.sample;
+        let Window {
+            left,
+            top,
+            width,
+            height,
+        } = self.window;
+        let Sample {
+            centre,
+            mass_centre,
+            ..
+        } = scene.sample;
         let [across, base] = if self.follows[0] {
-            [self.tilt.level(Position { y: centre.y, ..mass_centre }).x, self.tilt.base(centre)]
+            [
+                self.tilt
+                    .level(Position {
+                        y: centre.y,
+                        ..mass_centre
+                    })
+                    .x,
+                self.tilt.base(centre),
+            ]
         } else {
             [self.middle, self.lowest]
         };
@@ -172,7 +211,10 @@ impl View {
     /// Place of a point in the picture.
     pub(crate) fn place(&self, point: Position) -> (f64, f64) {
         let point = self.tilt.level(point);
-        (self.origin.0 + self.scale * point.x, self.origin.1 - self.scale * point.y)
+        (
+            self.origin.0 + self.scale * point.x,
+            self.origin.1 - self.scale * point.y,
+        )
     }
 
     /// A place so many pixels further along the plane and into it.
@@ -183,26 +225,47 @@ impl View {
 
     /// Between which x the plane is seen in a window.
     pub(crate) fn seen(&self, window: Window) -> [f64; 2] {
-        let Window { left, top, width, height } = window;
+        let Window {
+            left,
+            top,
+            width,
+            height,
+        } = window;
         let Tilt { sin, cos, .. } = self.tilt;
         let sides = [
             (self.origin.0, self.scale * cos, [left, left + width]),
             (self.origin.1, -self.scale * sin, [top, top + height]),
         ];
-        let crossings = sides.into_iter().filter(|(_, step, _)| *step != 0.0).map(|(origin, step, sides)| {
-            let [a, b] = sides.map(|side| (side - origin) / step);
-            [a.min(b), a.max(b)]
-        });
-        crossings
-            .fold([f64::NEG_INFINITY, f64::INFINITY], |seen, at| [seen[0].max(at[0]), seen[1].min(at[1])])
+        let crossings =
+            sides
+                .into_iter()
+                .filter(|(_, step, _)| *step != 0.0)
+                .map(|(origin, step, sides)| {
+                    let [a, b] = sides.map(|side| (side - origin) / step);
+                    [a.min(b), a.max(b)]
+                });
+        crossings.fold([f64::NEG_INFINITY, f64::INFINITY], |seen, at| {
+            [seen[0].max(at[0]), seen[1].min(at[1])]
+        })
     }
 
     /// The corners of what lies under the plane in a window.
     pub(crate) fn under(&self, window: Window) -> Vec<(f64, f64)> {
-        let Window { left, top, width, height } = window;
-        let corners = [(left, top), (left + width, top), (left + width, top + height), (left, top + height)];
-        let depth =
-            |(x, y): (f64, f64)| (x - self.origin.0) * self.tilt.sin + (y - self.origin.1) * self.tilt.cos;
+        let Window {
+            left,
+            top,
+            width,
+            height,
+        } = window;
+        let corners = [
+            (left, top),
+            (left + width, top),
+            (left + width, top + height),
+            (left, top + height),
+        ];
+        let depth = |(x, y): (f64, f64)| {
+            (x - self.origin.0) * self.tilt.sin + (y - self.origin.1) * self.tilt.cos
+        };
         let mut under = Vec::new();
         for (i, corner) in corners.into_iter().enumerate() {
             let next = corners[(i + 1) % corners.len()];
@@ -212,7 +275,10 @@ impl View {
             }
             if (here > 0.0) != (there > 0.0) {
                 let share = here / (here - there);
-                under.push((corner.0 + share * (next.0 - corner.0), corner.1 + share * (next.1 - corner.1)));
+                under.push((
+                    corner.0 + share * (next.0 - corner.0),
+                    corner.1 + share * (next.1 - corner.1),
+                ));
             }
         }
         under
@@ -223,26 +289,38 @@ impl View {
 mod tests {
     use super::*;
 
-    /// What is drawn of a force on a slope: the weight points downwards, the reaction of the plane of a hoop at rest upwards.
+    /// What is drawn of a force on a slope: the weight points downwards, the reaction of the plane
+    /// of a hoop at rest upwards.
     #[test]
     fn the_weight_is_vertical_in_the_picture() {
         for slope in [0.0, 0.4, -0.4, 1.5] {
-            let parameters =
-                littlewood::HoopParameters::thin(1.0).with_friction(20.0, 20.0).with_slope(slope);
+            let parameters = littlewood::HoopParameters::thin(1.0)
+                .with_friction(20.0, 20.0)
+                .with_slope(slope);
             let hoop = Hoop::new(parameters).expect("a hoop");
             let plane = littlewood::theory::PhasePlane::new(&hoop);
             // Where there is no equilibrium only the weight is looked at.
-            let rest = plane.equilibria().first().map(|equilibrium| equilibrium.theta);
+            let rest = plane
+                .equilibria()
+                .first()
+                .map(|equilibrium| equilibrium.theta);
             let start = littlewood::Start::at(rest.unwrap_or(1.0), 0.0);
             let limits = littlewood::Limits::default().with_until(Some(1e-3));
             let motion = hoop.simulate(start, limits).expect("a motion");
             let sample = motion.at(0.0).expect("an instant");
             let scale = ArrowScale::fitting(&hoop, core::iter::once(sample), &[]);
             let scene = Scene::of(sample, scale);
-            let view = View { scale: 100.0, tilt: Tilt::of(&hoop), origin: (320.0, 300.0) };
+            let view = View {
+                scale: 100.0,
+                tilt: Tilt::of(&hoop),
+                origin: (320.0, 300.0),
+            };
             let weight = scene.weight.expect("an arrow");
             let [tail, head] = [weight.tail, weight.head].map(|end| view.place(end));
-            assert!((head.0 - tail.0).abs() < 1e-11 && head.1 > tail.1 + 10.0, "{slope}: {tail:?} {head:?}");
+            assert!(
+                (head.0 - tail.0).abs() < 1e-11 && head.1 > tail.1 + 10.0,
+                "{slope}: {tail:?} {head:?}"
+            );
             if rest.is_some() {
                 let ends = |arrow: Option<crate::scene::DrawnArrow>| {
                     arrow.map_or((0.0, 0.0), |arrow| {
@@ -252,7 +330,10 @@ mod tests {
                 };
                 let (normal, friction) = (ends(scene.normal), ends(scene.friction));
                 let sum = (normal.0 + friction.0, normal.1 + friction.1);
-                assert!(sum.0.abs() < 1e-9 && (sum.1 + (head.1 - tail.1)).abs() < 1e-9, "{slope}: {sum:?}");
+                assert!(
+                    sum.0.abs() < 1e-9 && (sum.1 + (head.1 - tail.1)).abs() < 1e-9,
+                    "{slope}: {sum:?}"
+                );
             }
         }
     }

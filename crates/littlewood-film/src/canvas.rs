@@ -1,9 +1,9 @@
-//! Shapes and words on pixels. Everything is opaque and of one colour, lines are straight or circular: what is drawn
-//! needs no operation of the rasteriser that differs between processors.
+//! Shapes and words on pixels. Everything is opaque and of one colour, lines are straight or
+//! circular: what is drawn needs no operation of the rasteriser that differs between processors.
 
 use tiny_skia::{
-    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect, Stroke,
-    StrokeDash, Transform,
+    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect,
+    Stroke, StrokeDash, Transform,
 };
 
 use crate::colour::PAPER;
@@ -39,7 +39,8 @@ impl Canvas {
         self.pixels.data_mut().copy_from_slice(other);
     }
 
-    /// Takes over what another picture of the same size has in a box, as far as there is such: left, top, width, height.
+    /// Takes over what another picture of the same size has in a box, as far as there is such:
+    /// left, top, width, height.
     pub(crate) fn restore(&mut self, other: &[u8], [left, top, width, height]: [f64; 4]) {
         let sides = [self.pixels.width(), self.pixels.height()];
         let [columns, rows] = [[left, left + width], [top, top + height]];
@@ -63,7 +64,9 @@ impl Canvas {
         let rows = self.pixels.pixels_mut().chunks_exact_mut(stride).skip(top);
         for (to, from) in rows.zip(image.pixels.chunks_exact(3 * image.size[0])) {
             for (to, from) in to[left..][..columns].iter_mut().zip(from.chunks_exact(3)) {
-                if let Some(colour) = PremultipliedColorU8::from_rgba(from[0], from[1], from[2], 255) {
+                if let Some(colour) =
+                    PremultipliedColorU8::from_rgba(from[0], from[1], from[2], 255)
+                {
                     *to = colour;
                 }
             }
@@ -78,7 +81,8 @@ impl Canvas {
     pub(crate) fn fill(&mut self, path: Option<Path>, colour: Rgb) {
         if let Some(path) = path {
             let transform = Transform::identity();
-            self.pixels.fill_path(&path, &paint(colour), FillRule::Winding, transform, None);
+            self.pixels
+                .fill_path(&path, &paint(colour), FillRule::Winding, transform, None);
         }
     }
 
@@ -94,7 +98,8 @@ impl Canvas {
             dash,
             ..Stroke::default()
         };
-        self.pixels.stroke_path(&path, &paint(colour), &stroke, Transform::identity(), None);
+        self.pixels
+            .stroke_path(&path, &paint(colour), &stroke, Transform::identity(), None);
     }
 
     pub(crate) fn rectangle(&mut self, (x, y): Place, width: f64, height: f64, colour: Rgb) {

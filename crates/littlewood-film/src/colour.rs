@@ -4,7 +4,9 @@ use littlewood::Mode;
 use littlewood_draw::{REGION, THEME};
 use littlewood_style::{Arrow, EnergyPart, Ink, Rgb};
 
-pub(crate) use littlewood_draw::{FRICTION_FORCE, GRID as LINE, IMPULSE, INK, NORMAL_FORCE, PAPER, SOFT};
+pub(crate) use littlewood_draw::{
+    FRICTION_FORCE, GRID as LINE, IMPULSE, INK, NORMAL_FORCE, PAPER, SOFT,
+};
 
 pub(crate) const GROUND: Rgb = Ink::Ground.colour(THEME);
 pub(crate) const SLIP: Rgb = Arrow::Slip.colour(THEME);
@@ -24,13 +26,27 @@ pub(crate) fn on_mode(mode: Mode) -> Rgb {
     of_mode(mode).more_legible(INK, PAPER)
 }
 
-/// All colours that are drawn with, with impulses and energies only where these are shown; what else there is in a picture
-/// are mixtures at edges.
+/// All colours that are drawn with, with impulses and energies only where these are shown; what
+/// else there is in a picture are mixtures at edges.
 pub(crate) fn all(with_energies: bool) -> Vec<Rgb> {
-    let energies = EnergyPart::ALL.map(of_energy).into_iter().chain([IMPULSE]).filter(|_| with_energies);
-    [PAPER, INK, SOFT, LINE, GROUND, REGION, NORMAL_FORCE, FRICTION_FORCE, SLIP]
+    let energies = EnergyPart::ALL
+        .map(of_energy)
         .into_iter()
-        .chain(Mode::ALL.map(of_mode))
-        .chain(energies)
-        .collect()
+        .chain([IMPULSE])
+        .filter(|_| with_energies);
+    [
+        PAPER,
+        INK,
+        SOFT,
+        LINE,
+        GROUND,
+        REGION,
+        NORMAL_FORCE,
+        FRICTION_FORCE,
+        SLIP,
+    ]
+    .into_iter()
+    .chain(Mode::ALL.map(of_mode))
+    .chain(energies)
+    .collect()
 }

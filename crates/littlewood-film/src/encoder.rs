@@ -3,7 +3,8 @@
 use crate::error::FilmError;
 use crate::schedule::Shown;
 
-/// Takes frames in order. Each has the size of the film: red, green, blue and 255 for each pixel, row by row.
+/// Takes frames in order. Each has the size of the film: red, green, blue and 255 for each pixel,
+/// row by row.
 pub trait Encoder {
     /// Takes a frame.
     ///
@@ -13,7 +14,11 @@ pub trait Encoder {
 }
 
 /// The rectangle in which two pictures differ: left, top, width, height. None if they are equal.
-pub(crate) fn difference<P: PartialEq>(before: &[P], after: &[P], width: usize) -> Option<[usize; 4]> {
+pub(crate) fn difference<P: PartialEq>(
+    before: &[P],
+    after: &[P],
+    width: usize,
+) -> Option<[usize; 4]> {
     let rows = || before.chunks_exact(width).zip(after.chunks_exact(width));
     let top = rows().position(|(a, b)| a != b)?;
     let bottom = rows().rposition(|(a, b)| a != b)?;

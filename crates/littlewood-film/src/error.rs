@@ -23,7 +23,11 @@ pub enum FilmError {
     OddSize { size: FrameSize },
     /// A rate of frames outside the bounds.
     #[error("fps = {fps} must be between 1 and {most} frames per second in {format}")]
-    FrameRate { fps: u32, most: u32, format: &'static str },
+    FrameRate {
+        fps: u32,
+        most: u32,
+        format: &'static str,
+    },
     /// A slowness that is no duration.
     #[error("slow = {slow} must be a finite number greater than 0")]
     Slow { slow: f64 },
@@ -47,7 +51,10 @@ pub enum FilmError {
     Write(#[from] io::Error),
     /// An encoder has refused a frame.
     #[error("encoding the {format} failed: {message}")]
-    Encoding { format: &'static str, message: String },
+    Encoding {
+        format: &'static str,
+        message: String,
+    },
     /// ffmpeg cannot be started.
     #[error("a video needs ffmpeg, and '{program}' cannot be started: {source}")]
     NoFfmpeg { program: String, source: io::Error },
@@ -81,7 +88,9 @@ impl FilmError {
                 "take fewer frames per second, a smaller factor for --slow, or an earlier --until"
             }
             Self::Stopped { .. } => "no film has been written",
-            Self::Write(_) | Self::Encoding { .. } => "make room, or choose a folder that can be written to",
+            Self::Write(_) | Self::Encoding { .. } => {
+                "make room, or choose a folder that can be written to"
+            }
             Self::NoFfmpeg { .. } => {
                 "install ffmpeg (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or write a .gif, \
                  which needs no other program"

@@ -27,8 +27,12 @@ impl Video {
     /// Codec, quality and container, as ffmpeg takes them.
     const fn arguments(self) -> &'static str {
         match self {
-            Self::Mp4 => "-c:v libx264 -preset slow -tune animation -crf 20 -movflags +faststart -f mp4",
-            Self::WebM => "-c:v libvpx-vp9 -deadline good -cpu-used 2 -crf 30 -b:v 0 -row-mt 0 -f webm",
+            Self::Mp4 => {
+                "-c:v libx264 -preset slow -tune animation -crf 20 -movflags +faststart -f mp4"
+            }
+            Self::WebM => {
+                "-c:v libvpx-vp9 -deadline good -cpu-used 2 -crf 30 -b:v 0 -row-mt 0 -f webm"
+            }
         }
     }
 }
@@ -43,22 +47,49 @@ pub struct FfmpegFilm {
 }
 
 impl FfmpegFilm {
-    /// Starts ffmpeg, which writes to a file that may be there already. `program` is its name or path.
+    /// Starts ffmpeg, which writes to a file that may be there already. `program` is its name or
+    /// path.
     ///
     /// # Errors
     /// A side that is odd, or ffmpeg cannot be started.
-    pub fn start(program: &OsStr, path: &Path, film: &Film<'_>, video: Video) -> Result<Self, FilmError> {
+    pub fn start(
+        program: &OsStr,
+        path: &Path,
+        film: &Film<'_>,
+        video: Video,
+    ) -> Result<Self, FilmError> {
         let size = film.size();
         if size.width() % 2 + size.height() % 2 != 0 {
             return Err(FilmError::OddSize { size });
         }
         let mut ffmpeg = Command::new(program)
             .args(["-hide_banner", "-loglevel", "error", "-nostats", "-y"])
-            .args(["-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", &size.to_string()])
-            .args(["-framerate", &film.schedule().fps.to_string(), "-i", "pipe:0"])
+            .args([
+                "-f",
+                "rawvideo",
+                "-pixel_format",
+                "rgb24",
+                "-video_size",
+                &size.to_string(),
+            ])
+            .args([
+                "-framerate",
+                &film.schedule().fps.to_string(),
+                "-i",
+                "pipe:0",
+            ])
             .args(["-an", "-pix_fmt", "yuv420p"])
             // The same bytes from one version of ffmpeg, whatever the number of cores.
-            .args(["-threads", "2", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"])
+            .args([
+                "-threads",
+                "2",
+                "-fflags",
+                "+bitexact",
+                "-flags:v",
+                "+bitexact",
+                "-map_metadata",
+                "-1",
+            ])
             .args(video.arguments().split(' '))
             .arg(path)
             .stdin(Stdio::piped())
@@ -82,7 +113,12 @@ impl FfmpegFilm {
                 kept
             })
         });
-        Ok(Self { ffmpeg, frames, messages, row: Vec::with_capacity(3 * size.area()) })
+        Ok(Self {
+            ffmpeg,
+            frames,
+            messages,
+            row: Vec::with_capacity(3 * size.area()),
+        })
     }
 
     /// Waits until ffmpeg has written the file.
@@ -96,12 +132,23 @@ impl FfmpegFilm {
 
     fn wait(&mut self) -> Result<(), FilmError> {
         let status = self.ffmpeg.wait()?;
-        let messages = self.messages.take().and_then(|thread| thread.join().ok()).unwrap_or_default();
+        let messages = self
+            .messages
+            .take()
+            .and_then(|thread| thread.join().ok())
+            .unwrap_or_default();
         if status.success() {
             return Ok(());
         }
-        let message = if messages.is_empty() { "it gave no reason".to_owned() } else { messages.join("; ") };
-        Err(FilmError::Ffmpeg { status: status.to_string(), message })
+        let message = if messages.is_empty() {
+            "it gave no reason".to_owned()
+        } else {
+            messages.join("; ")
+        };
+        Err(FilmError::Ffmpeg {
+            status: status.to_string(),
+            message,
+        })
     }
 }
 
@@ -112,7 +159,9 @@ impl Encoder for FfmpegFilm {
             self.row.extend([*red, *green, *blue]);
         }
         for _ in 0..shown.copies() {
-            let Some(frames) = &mut self.frames else { return Ok(()) };
+            let Some(frames) = &mut self.frames else {
+                return Ok(());
+            };
             match frames.write_all(&self.row) {
                 // It has ended before all frames were there: its own message says why.
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => {
@@ -129,7 +178,8 @@ impl Encoder for FfmpegFilm {
 
 impl Drop for FfmpegFilm {
     fn drop(&mut self) {
-        // Nobody waits for the rest of a film that is given up. Of one that is finished nothing is left to end.
+        // Nobody waits for the rest of a film that is given up. Of one that is finished nothing is
+        // left to end.
         self.frames = None;
         let _ = self.ffmpeg.kill();
         let _ = self.ffmpeg.wait();

@@ -112,19 +112,28 @@ impl<'a> Film<'a> {
             EnergyBar::Always => true,
             EnergyBar::Never => false,
         };
-        let energies = is_shown.then(|| Energies::new(self.trajectory, self.schedule.end)).flatten();
+        let energies = is_shown
+            .then(|| Energies::new(self.trajectory, self.schedule.end))
+            .flatten();
         Self { energies, ..self }
     }
 
-    /// The same film with a pane beside the hoop in which the motion runs along; it takes the place of a bar of the energy.
+    /// The same film with a pane beside the hoop in which the motion runs along; it takes the place
+    /// of a bar of the energy.
     #[must_use]
     pub fn with_pane(self, with: With) -> Self {
-        Self { with: Some(with), energies: None, ..self }
+        Self {
+            with: Some(with),
+            energies: None,
+            ..self
+        }
     }
 
     /// Whether impulses or energies are drawn, which have inks of their own.
     pub(crate) const fn has_energies(&self) -> bool {
-        self.energies.is_some() || !self.impacts.is_empty() || matches!(self.with, Some(With::Energy))
+        self.energies.is_some()
+            || !self.impacts.is_empty()
+            || matches!(self.with, Some(With::Energy))
     }
 
     /// The instants of the frames.
@@ -141,7 +150,12 @@ impl<'a> Film<'a> {
             (None, Some(_)) => COLUMN,
             (None, None) => 0.0,
         };
-        Window { left: 0.0, top: HEAD * u, width: width - u * column, height: height - (HEAD + FOOT) * u }
+        Window {
+            left: 0.0,
+            top: HEAD * u,
+            width: width - u * column,
+            height: height - (HEAD + FOOT) * u,
+        }
     }
 
     /// Lengths of the arrows.
@@ -160,13 +174,20 @@ impl<'a> Film<'a> {
     /// None of a film that could be made.
     pub fn scene(&self, index: u64) -> Result<Scene, FilmError> {
         let moment = self.schedule.moment(index);
-        let replayed = moment.impact.and_then(|(number, share)| Some((self.impacts.get(number)?, share)));
+        let replayed = moment
+            .impact
+            .and_then(|(number, share)| Some((self.impacts.get(number)?, share)));
         if let Some((shown, share)) = replayed {
             return Ok(Scene::in_impact(shown, share, self.scale));
         }
         let sample = self.trajectory.at(moment.time);
-        let sample = sample.ok_or(FilmError::NoMotion { outcome: self.trajectory.outcome().kind() })?;
-        Ok(Scene { impulse: self.impulse(index), ..Scene::of(sample, self.scale) })
+        let sample = sample.ok_or(FilmError::NoMotion {
+            outcome: self.trajectory.outcome().kind(),
+        })?;
+        Ok(Scene {
+            impulse: self.impulse(index),
+            ..Scene::of(sample, self.scale)
+        })
     }
 
     /// The largest of the impulses that are still to be seen at a frame.
@@ -185,12 +206,15 @@ impl<'a> Film<'a> {
     /// # Errors
     /// None of a film that could be made.
     pub fn energy(&self, index: u64) -> Result<Option<EnergyParts>, FilmError> {
-        let Some(energies) = &self.energies else { return Ok(None) };
+        let Some(energies) = &self.energies else {
+            return Ok(None);
+        };
         let is_before = self.schedule.moment(index).impact.is_some();
         Ok(energies.ledger.parts(&self.scene(index)?.sample, is_before))
     }
 
-    /// Draws all frames and hands them to an encoder. `watch` is called with the number of frames done; it returns whether to go on.
+    /// Draws all frames and hands them to an encoder. `watch` is called with the number of frames
+    /// done; it returns whether to go on.
     ///
     /// # Errors
     /// The encoder's, or [`FilmError::Stopped`] if `watch` returns false.
@@ -240,14 +264,22 @@ impl<'a> Reel<'a> {
         let panel = Panel::new(film.size, film.units);
         let (size, unit) = (film.size, film.size.unit());
         let (trajectory, schedule) = (film.trajectory, &film.schedule);
-        let camera = Camera::new(trajectory, schedule, film.framing, film.window(), unit, film.scale);
+        let camera = Camera::new(
+            trajectory,
+            schedule,
+            film.framing,
+            film.window(),
+            unit,
+            film.scale,
+        );
         panel.draw_still(&mut canvas, trajectory, schedule, &film.note);
         if camera.is_still() {
             let view = camera.view(&film.scene(0)?);
             draw_plane(&mut canvas, &view, film.window(), unit, film.units.as_ref());
         }
-        let pane =
-            film.with.map(|with| Pane::new(with, trajectory, schedule, pane_of(size), unit, film.units));
+        let pane = film
+            .with
+            .map(|with| Pane::new(with, trajectory, schedule, pane_of(size), unit, film.units));
         let pane = pane.transpose()?;
         if let Some(pane) = &pane {
             pane.draw_still(&mut canvas);
@@ -258,11 +290,29 @@ impl<'a> Reel<'a> {
             inset
         });
         let ground = canvas.data().to_vec();
-        Ok(Self { film, camera, panel, canvas, trail: Trail::new(), pane, inset, ground })
+        Ok(Self {
+            film,
+            camera,
+            panel,
+            canvas,
+            trail: Trail::new(),
+            pane,
+            inset,
+            ground,
+        })
     }
 
     fn draw(&mut self, index: u64) -> Result<&[u8], FilmError> {
-        let Self { film, camera, panel, canvas, trail, pane, inset, ground } = self;
+        let Self {
+            film,
+            camera,
+            panel,
+            canvas,
+            trail,
+            pane,
+            inset,
+            ground,
+        } = self;
         let (scene, unit) = (film.scene(index)?, film.size.unit());
         let view = camera.view(&scene);
         trail.extend(film.trajectory, &film.schedule, scene.time());
@@ -293,9 +343,21 @@ impl<'a> Reel<'a> {
             inset.draw_moving(canvas, &scene);
         }
         if let (Some(parts), Some(energies)) = (film.energy(index)?, &film.energies) {
-            let Window { left, top, width, .. } = film.window();
-            let top = if camera.is_still() { top } else { beside_inset(film.size) };
-            draw_bar(canvas, [left + width, top, camera.floor()], &parts, energies.most, unit);
+            let Window {
+                left, top, width, ..
+            } = film.window();
+            let top = if camera.is_still() {
+                top
+            } else {
+                beside_inset(film.size)
+            };
+            draw_bar(
+                canvas,
+                [left + width, top, camera.floor()],
+                &parts,
+                energies.most,
+                unit,
+            );
         }
         let is_last = index + 1 == film.schedule.frames && !film.schedule.closes();
         let outcome = is_last.then(|| film.trajectory.outcome());
@@ -324,7 +386,12 @@ fn pane_of(size: FrameSize) -> [f64; 4] {
 fn inset_of(size: FrameSize) -> [f64; 4] {
     let u = size.unit();
     let width = inset::WIDTH * u;
-    [f64::from(size.width()) - width - 12.0 * u, INSET_TOP * u, width, inset::HEIGHT * u]
+    [
+        f64::from(size.width()) - width - 12.0 * u,
+        INSET_TOP * u,
+        width,
+        inset::HEIGHT * u,
+    ]
 }
 
 /// Upper end of the inset, under the clock.

@@ -13,7 +13,8 @@ use crate::quantise::{Quantiser, TRANSPARENT};
 use crate::schedule::Shown;
 use crate::size::SizeError;
 
-/// Most frames per second: programs slow down what is shown for less than two hundredths of a second.
+/// Most frames per second: programs slow down what is shown for less than two hundredths of a
+/// second.
 const MOST_FPS: u32 = 50;
 
 /// Writes an endless GIF.
@@ -35,12 +36,18 @@ impl<W: Write> GifFilm<W> {
     pub fn new(writer: W, film: &Film<'_>) -> Result<Self, FilmError> {
         let (fps, size) = (film.schedule().fps, film.size());
         if fps > MOST_FPS {
-            return Err(FilmError::FrameRate { fps, most: MOST_FPS, format: "GIF" });
+            return Err(FilmError::FrameRate {
+                fps,
+                most: MOST_FPS,
+                format: "GIF",
+            });
         }
         let quantiser = Quantiser::new(film.has_energies());
-        let side = |pixels: u32| u16::try_from(pixels).map_err(|_| FilmError::from(SizeError { size }));
+        let side =
+            |pixels: u32| u16::try_from(pixels).map_err(|_| FilmError::from(SizeError { size }));
         let (width, height) = (side(size.width())?, side(size.height())?);
-        let mut encoder = GifEncoder::new(writer, width, height, &quantiser.table()).map_err(error)?;
+        let mut encoder =
+            GifEncoder::new(writer, width, height, &quantiser.table()).map_err(error)?;
         encoder.set_repeat(Repeat::Infinite).map_err(error)?;
         Ok(Self {
             encoder,
@@ -69,7 +76,11 @@ impl<W: Write> Encoder for GifFilm<W> {
         self.now.clone_from(&self.before);
         self.now.resize(pixels.len() / 4, TRANSPARENT);
         self.drawn.resize(pixels.len(), 0);
-        let changes = pixels.as_chunks::<4>().0.iter().zip(self.drawn.as_chunks_mut::<4>().0);
+        let changes = pixels
+            .as_chunks::<4>()
+            .0
+            .iter()
+            .zip(self.drawn.as_chunks_mut::<4>().0);
         for ((pixel, before), index) in changes.zip(&mut self.now) {
             // Most pixels are as they were, and looking up a colour takes longer than seeing that.
             if pixel != before {
@@ -111,13 +122,18 @@ impl<W: Write> Encoder for GifFilm<W> {
 
 impl<W: Write> std::fmt::Debug for GifFilm<W> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("GifFilm").field("width", &self.width).finish_non_exhaustive()
+        f.debug_struct("GifFilm")
+            .field("width", &self.width)
+            .finish_non_exhaustive()
     }
 }
 
 fn error(error: EncodingError) -> FilmError {
     match error {
         EncodingError::Io(error) => FilmError::Write(error),
-        other => FilmError::Encoding { format: "GIF", message: other.to_string() },
+        other => FilmError::Encoding {
+            format: "GIF",
+            message: other.to_string(),
+        },
     }
 }

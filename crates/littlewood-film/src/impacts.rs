@@ -4,8 +4,8 @@ use littlewood::impact::{Compliance, Impact, ImpactCase, Impulse};
 use littlewood::modes::Position;
 use littlewood::{Cause, Sample, Trajectory};
 
-/// Smallest impulse that is replayed slowly, in parts of the largest of the motion. There is no end to smaller ones where
-/// bounces settle.
+/// Smallest impulse that is replayed slowly, in parts of the largest of the motion. There is no end
+/// to smaller ones where bounces settle.
 const NOTICEABLE: f64 = 0.1;
 
 /// An impact that is shown.
@@ -25,22 +25,40 @@ pub(crate) struct ShownImpact {
 }
 
 impl ShownImpact {
-    /// The impacts up to a time, one by one: those by which a hoop settles are too small to be seen.
+    /// The impacts up to a time, one by one: those by which a hoop settles are too small to be
+    /// seen.
     pub(crate) fn all(trajectory: &Trajectory, end: f64) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
-        if let (Some(first), Some(phase)) = (trajectory.transitions().first(), trajectory.phases().first())
-            && first.from.is_none()
+        if let (Some(first), Some(phase)) = (
+            trajectory.transitions().first(),
+            trajectory.phases().first(),
+        ) && first.from.is_none()
         {
-            found.extend(first.impact.map(|impact| Self::new(trajectory, impact, phase.first())));
+            found.extend(
+                first
+                    .impact
+                    .map(|impact| Self::new(trajectory, impact, phase.first())),
+            );
         }
-        for phase in trajectory.phases().iter().take_while(|phase| phase.start().time <= end) {
-            let Some(transition) = trajectory.end_of(phase).filter(|it| it.time() <= end) else { continue };
-            let Some((impact, before)) = transition.impact.zip(phase.last()) else { continue };
+        for phase in trajectory
+            .phases()
+            .iter()
+            .take_while(|phase| phase.start().time <= end)
+        {
+            let Some(transition) = trajectory.end_of(phase).filter(|it| it.time() <= end) else {
+                continue;
+            };
+            let Some((impact, before)) = transition.impact.zip(phase.last()) else {
+                continue;
+            };
             if transition.cause != Cause::Settle && impact.case != ImpactCase::None {
                 found.push(Self::new(trajectory, impact, before));
             }
         }
-        let largest = found.iter().map(|shown| shown.impact.impulse.normal).fold(0.0, f64::max);
+        let largest = found
+            .iter()
+            .map(|shown| shown.impact.impulse.normal)
+            .fold(0.0, f64::max);
         for shown in &mut found {
             shown.is_noticeable = shown.impact.impulse.normal >= NOTICEABLE * largest;
         }
@@ -51,7 +69,10 @@ impl ShownImpact {
         let theta = before.state.theta;
         Self {
             time: before.state.time,
-            place: Position { x: before.centre.x, y: 0.0 },
+            place: Position {
+                x: before.centre.x,
+                y: 0.0,
+            },
             impact,
             is_noticeable: true,
             before,
@@ -80,7 +101,9 @@ impl ShownImpact {
             return self.impact.after.slip;
         }
         let Impulse { normal, friction } = self.impulse_at(share);
-        let change = self.compliance.map_or(0.0, |by| by.a * friction + by.b * normal);
+        let change = self
+            .compliance
+            .map_or(0.0, |by| by.a * friction + by.b * normal);
         self.impact.before.slip + change
     }
 }

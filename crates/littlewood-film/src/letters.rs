@@ -9,7 +9,8 @@ pub(crate) struct Style {
     /// Size in pixels.
     pub(crate) size: f64,
     pub(crate) is_bold: bool,
-    /// Part of the width that lies left of the given place: 0 for words that begin there, 1 for words that end there.
+    /// Part of the width that lies left of the given place: 0 for words that begin there, 1 for
+    /// words that end there.
     pub(crate) anchor: f64,
 }
 
@@ -26,7 +27,11 @@ impl Style {
 
     /// Width of the line along the outlines; zero if letters are not bold.
     pub(crate) fn bold(self) -> f64 {
-        if self.is_bold { BOLD * self.letters() } else { 0.0 }
+        if self.is_bold {
+            BOLD * self.letters()
+        } else {
+            0.0
+        }
     }
 
     /// Width of words, with marks, in pixels.
@@ -39,7 +44,11 @@ impl Style {
         let left = x - self.anchor * self.width(words);
         let place = |[right, down]: [f64; 2]| [left + right, y + down];
         let segments = outlines(words, self.letters()).flat_map(|(segments, _)| segments);
-        skia(&segments.map(|segment| segment.placed(place)).collect::<Vec<_>>())
+        skia(
+            &segments
+                .map(|segment| segment.placed(place))
+                .collect::<Vec<_>>(),
+        )
     }
 }
 
@@ -51,8 +60,7 @@ mod tests {
 
     #[test]
     fn the_face_has_every_letter_that_films_use() {
-        let words =
-            "rolling sliding ← → gliding flight τ η′ θ ∞ − × ½ √ μₛ μₖ m₁ m₂ ℓ I R² = ≥ · – 0123456789";
+        let words = "rolling sliding ← → gliding flight τ η′ θ ∞ − × ½ √ μₛ μₖ m₁ m₂ ℓ I R² = ≥ · – 0123456789";
         assert_eq!(missing(words), "");
         assert_eq!(missing("\u{e000}"), "\u{e000}");
     }
@@ -60,14 +68,24 @@ mod tests {
     #[test]
     fn words_lie_where_their_anchor_says() {
         for anchor in [0.0, 0.5, 1.0] {
-            let style = Style { size: 16.0, is_bold: false, anchor };
+            let style = Style {
+                size: 16.0,
+                is_bold: false,
+                anchor,
+            };
             let bounds = style.outline("rolling", (100.0, 50.0)).unwrap().bounds();
             let left = 100.0 - anchor * style.width("rolling");
             let [from, to] = [bounds.left(), bounds.right()].map(f64::from);
             assert!((left..left + 2.0).contains(&from), "{bounds:?}");
-            assert!((-2.0..0.0).contains(&(to - left - style.width("rolling"))), "{bounds:?}");
+            assert!(
+                (-2.0..0.0).contains(&(to - left - style.width("rolling"))),
+                "{bounds:?}"
+            );
             // The tail of the letter g hangs below the base line.
-            assert!(bounds.top() > 30.0 && bounds.bottom() > 50.0 && bounds.bottom() < 56.0, "{bounds:?}");
+            assert!(
+                bounds.top() > 30.0 && bounds.bottom() > 50.0 && bounds.bottom() < 56.0,
+                "{bounds:?}"
+            );
         }
     }
 }

@@ -1,9 +1,10 @@
 //! Films of Littlewood's hoop, from the exact motion.
 //!
-//! A [`Film`] shows a [`Trajectory`](littlewood::Trajectory): the hoop with its particle, the contact point and the gap,
-//! normal force, friction and slip velocity, the trails of the mass centre and of the centre C, the mode and the clock.
-//! Frames are drawn one by one and handed to an [`Encoder`]: [`GifFilm`] needs no other program and writes
-//! to any [`std::io::Write`], [`FfmpegFilm`] needs ffmpeg.
+//! A [`Film`] shows a [`Trajectory`](littlewood::Trajectory): the hoop with its particle, the
+//! contact point and the gap, normal force, friction and slip velocity, the trails of the mass
+//! centre and of the centre C, the mode and the clock. Frames are drawn one by one and handed to an
+//! [`Encoder`]: [`GifFilm`] needs no other program and writes to any [`std::io::Write`],
+//! [`FfmpegFilm`] needs ffmpeg.
 //!
 //! ```
 //! use littlewood::cases::find_case;
@@ -20,18 +21,21 @@
 //!
 //! # What is drawn
 //!
-//! One scale for both directions; where the hoop would be small the camera goes with it, and the whole path is shown in small. Arrows are proportional to what they show, with one scale for N and F and one for η′,
-//! chosen for the motion ([`ArrowScale`]); an arrow that would be longer than 1.7 R is cut and has two heads. The slip
-//! velocity is drawn below the plane, where F does not cover it. In flight the lowest point is joined to the plane, and
-//! there are no forces. Where the particle of a massless hoop reaches θ = ±π, θ′ (and, with the particle inside the rim,
-//! η′) is infinite: the body is drawn at its place, which is finite, and the value is given as ∞ without an arrow's end.
-//! The last frame is the end of the motion itself, to the last bit.
+//! One scale for both directions; where the hoop would be small the camera goes with it, and the
+//! whole path is shown in small. Arrows are proportional to what they show, with one scale for N
+//! and F and one for η′, chosen for the motion ([`ArrowScale`]); an arrow that would be longer than
+//! 1.7 R is cut and has two heads. The slip velocity is drawn below the plane, where F does not
+//! cover it. In flight the lowest point is joined to the plane, and there are no forces. Where the
+//! particle of a massless hoop reaches θ = ±π, θ′ (and, with the particle inside the rim, η′) is
+//! infinite: the body is drawn at its place, which is finite, and the value is given as ∞ without
+//! an arrow's end. The last frame is the end of the motion itself, to the last bit.
 //!
 //! # The same bytes everywhere
 //!
-//! The motion is the same on every platform, sines come from `libm`, the fonts and the colours of a GIF are fixed, and
-//! shapes are opaque, straight, circular or quadratic: of the rasteriser only operations are used whose results do not
-//! depend on the processor, with its vector code or without.
+//! The motion is the same on every platform, sines come from `libm`, the fonts and the colours of a
+//! GIF are fixed, and shapes are opaque, straight, circular or quadratic: of the rasteriser only
+//! operations are used whose results do not depend on the processor, with its vector code or
+//! without.
 
 mod bar;
 mod body;

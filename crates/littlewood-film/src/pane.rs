@@ -1,4 +1,5 @@
-//! A second picture beside the hoop, in which the motion runs along: the phase plane, the friction, or the energy.
+//! A second picture beside the hoop, in which the motion runs along: the phase plane, the friction,
+//! or the energy.
 
 use core::f64::consts::{PI, TAU};
 
@@ -7,8 +8,8 @@ use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use littlewood::theory::{PhasePlane, Window};
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Dash, DrawError, GRID, Image, Label, Layer, Mark, Panel, PlotAxis, REGION, SMALL, Scale, Series,
-    Sheet, Stroke, marked,
+    Content, Dash, DrawError, GRID, Image, Label, Layer, Mark, Panel, PlotAxis, REGION, SMALL,
+    Scale, Series, Sheet, Stroke, marked,
 };
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, EnergyPart, EnergyParts, Ledger};
@@ -51,7 +52,8 @@ struct Piece {
     points: Vec<(f64, [f64; 2])>,
 }
 
-/// A pane: a figure that is drawn once, and once more as it is at the end, of which a film uncovers more and more.
+/// A pane: a figure that is drawn once, and once more as it is at the end, of which a film uncovers
+/// more and more.
 pub(crate) struct Pane {
     with: With,
     panel: Panel,
@@ -91,7 +93,10 @@ impl Pane {
             let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
             samples.iter().filter_map(parts).collect()
         };
-        let energies = Ledger::new(trajectory).as_ref().map(parts).unwrap_or_default();
+        let energies = Ledger::new(trajectory)
+            .as_ref()
+            .map(parts)
+            .unwrap_or_default();
         let ranges = match with {
             With::Plane => [[-PI, PI], rates(&samples, trajectory)],
             With::Friction => [times, [0.0, most_demand(trajectory)]],
@@ -111,29 +116,61 @@ impl Pane {
                 Some(piece) if !begins && piece.mode == sample.mode && !jumps(piece) => {
                     piece.points.push(entry);
                 }
-                _ => pieces.push(Piece { mode: sample.mode, points: vec![entry] }),
+                _ => pieces.push(Piece {
+                    mode: sample.mode,
+                    points: vec![entry],
+                }),
             }
             begins = false;
         }
-        let shown = Shown { with, trajectory, units, ranges, pieces: &pieces, energies: &energies };
+        let shown = Shown {
+            with,
+            trajectory,
+            units,
+            ranges,
+            pieces: &pieces,
+            energies: &energies,
+        };
         let scale = SCALE * unit;
         let size = [width, height].map(libm::round);
         let sheet = Sheet::new(None, size[0] / scale)?;
         let drawn = |is_done| -> Result<(Panel, Image), DrawError> {
             let (keys, room) = sheet.keys(shown.entries(), 0.0);
             let ([left, inner], top) = (sheet.span(), room + ABOVE);
-            let mut panel =
-                Sheet::panel([left, top, inner, size[1] / scale - top - BELOW], shown.content(is_done));
+            let mut panel = Sheet::panel(
+                [left, top, inner, size[1] / scale - top - BELOW],
+                shown.content(is_done),
+            );
             panel.keys = keys;
-            let figure =
-                sheet.figure("pane", "", String::new(), size[1] / scale, vec![panel.clone()]).fitted();
+            let figure = sheet
+                .figure(
+                    "pane",
+                    "",
+                    String::new(),
+                    size[1] / scale,
+                    vec![panel.clone()],
+                )
+                .fitted();
             let image = figure.pixels(size.map(|side| side as u32), scale)?;
             Ok((panel, image))
         };
         let (panel, still) = drawn(false)?;
-        let done = if with == With::Plane { None } else { Some(drawn(true)?.1) };
+        let done = if with == With::Plane {
+            None
+        } else {
+            Some(drawn(true)?.1)
+        };
         let (corner, units) = ([left, top].map(libm::round), shown.worth());
-        Ok(Self { with, panel, corner, scale, still, done, pieces, units })
+        Ok(Self {
+            with,
+            panel,
+            corner,
+            scale,
+            still,
+            done,
+            pieces,
+            units,
+        })
     }
 
     /// What does not change from frame to frame.
@@ -174,9 +211,22 @@ impl Pane {
             canvas.disc(centre, 5.4 * self.scale, PAPER);
             canvas.disc(centre, 4.0 * self.scale, INK);
         } else if self.with == With::Friction {
-            let words = if sample.mode.touches_plane() { "*N* = *F* = 0" } else { "no contact" };
-            let style = Style { size: 12.0 * self.scale, is_bold: false, anchor: 0.5 };
-            canvas.label(words, self.place([0.5 * (left + right), top + 16.0]), style, SOFT);
+            let words = if sample.mode.touches_plane() {
+                "*N* = *F* = 0"
+            } else {
+                "no contact"
+            };
+            let style = Style {
+                size: 12.0 * self.scale,
+                is_bold: false,
+                anchor: 0.5,
+            };
+            canvas.label(
+                words,
+                self.place([0.5 * (left + right), top + 16.0]),
+                style,
+                SOFT,
+            );
         }
     }
 }
@@ -188,7 +238,8 @@ const BELOW: f64 = 2.0;
 impl Shown<'_> {
     /// What a unit of either axis is worth in the units of the film.
     fn worth(&self) -> [f64; 2] {
-        self.dimensions().map(|dimension| self.units.map_or(1.0, |units| units.unit(dimension)))
+        self.dimensions()
+            .map(|dimension| self.units.map_or(1.0, |units| units.unit(dimension)))
     }
 
     fn dimensions(&self) -> [Dimension; 2] {
@@ -200,9 +251,15 @@ impl Shown<'_> {
     }
 
     fn content(&self, is_done: bool) -> Content {
-        let time = if self.units.is_some() { "*t*".to_owned() } else { marked(Quantity::Time.sign()) };
+        let time = if self.units.is_some() {
+            "*t*".to_owned()
+        } else {
+            marked(Quantity::Time.sign())
+        };
         let names = match self.with {
-            With::Plane => [Quantity::Theta, Quantity::ThetaRate].map(|quantity| marked(quantity.sign())),
+            With::Plane => {
+                [Quantity::Theta, Quantity::ThetaRate].map(|quantity| marked(quantity.sign()))
+            }
             With::Friction => [time, "|*F*|/*N*".to_owned()],
             With::Energy => [time, marked(SampleColumn::Energy.sign())],
         };
@@ -226,18 +283,32 @@ impl Shown<'_> {
             With::Energy => self.bands(if is_done { 1.0 } else { 0.3 }),
         };
         for piece in self.pieces {
-            let stroke =
-                if is_done { Stroke::solid(of_mode(piece.mode), MOTION) } else { Stroke::solid(GRID, 1.4) };
-            layers
-                .push(self.layer(vec![piece.points.iter().map(|(_, at)| *at).collect()], Mark::Line(stroke)));
+            let stroke = if is_done {
+                Stroke::solid(of_mode(piece.mode), MOTION)
+            } else {
+                Stroke::solid(GRID, 1.4)
+            };
+            layers.push(self.layer(
+                vec![piece.points.iter().map(|(_, at)| *at).collect()],
+                Mark::Line(stroke),
+            ));
         }
-        Content { name: "pane", x, y, layers, labels: self.labels() }
+        Content {
+            name: "pane",
+            x,
+            y,
+            layers,
+            labels: self.labels(),
+        }
     }
 
     fn layer(&self, pieces: Vec<Vec<[f64; 2]>>, mark: Mark) -> Layer {
         let [right, up] = self.worth();
         let row = |[x, y]: [f64; 2]| vec![right * x, up * y];
-        let pieces = pieces.into_iter().map(|piece| piece.into_iter().map(row).collect()).collect();
+        let pieces = pieces
+            .into_iter()
+            .map(|piece| piece.into_iter().map(row).collect())
+            .collect();
         Series::new("", &COLUMNS, pieces).drawn(mark)
     }
 
@@ -247,20 +318,31 @@ impl Shown<'_> {
         let [x, y] = self.ranges;
         let window = Window { x, y };
         let region = self.layer(plane.rolling_region(&window), Mark::Fill(REGION));
-        let lines = CURVES.map(|(curve, _)| self.layer(curve.pieces(&plane, &window), of_curve(curve)));
+        let lines =
+            CURVES.map(|(curve, _)| self.layer(curve.pieces(&plane, &window), of_curve(curve)));
         core::iter::once(region).chain(lines).collect()
     }
 
     /// The coefficients of friction.
     fn friction(&self) -> [(Quantity, f64, Dash); 2] {
         let hoop = self.trajectory.hoop();
-        [(Quantity::MuS, hoop.mu_s(), Dash::Solid), (Quantity::MuK, hoop.mu_k(), Dash::Dashed)]
+        [
+            (Quantity::MuS, hoop.mu_s(), Dash::Solid),
+            (Quantity::MuK, hoop.mu_k(), Dash::Dashed),
+        ]
     }
 
     fn limits(&self) -> Vec<Layer> {
         let line = |(_, limit, dash)| {
-            let stroke = Stroke { colour: FRICTION_FORCE, width: 1.6, dash };
-            self.layer(vec![self.ranges[0].map(|time| [time, limit]).to_vec()], Mark::Line(stroke))
+            let stroke = Stroke {
+                colour: FRICTION_FORCE,
+                width: 1.6,
+                dash,
+            };
+            self.layer(
+                vec![self.ranges[0].map(|time| [time, limit]).to_vec()],
+                Mark::Line(stroke),
+            )
         };
         self.friction().map(line).to_vec()
     }
@@ -274,7 +356,10 @@ impl Shown<'_> {
             let down = if quantity == Quantity::MuS { -8.0 } else { 8.0 };
             let at = [self.worth()[0] * self.ranges[0][1], limit];
             // At one place in the first and in the last picture.
-            let label = Label::new(marked(quantity.sign()), &at).right().shifted(-5.0, down).fixed();
+            let label = Label::new(marked(quantity.sign()), &at)
+                .right()
+                .shifted(-5.0, down)
+                .fixed();
             label.sized(SMALL).coloured(FRICTION_FORCE)
         };
         self.friction().map(label).to_vec()
@@ -301,15 +386,25 @@ impl Shown<'_> {
     /// The keys.
     fn entries(&self) -> Vec<(Mark, String)> {
         match self.with {
-            With::Plane => CURVES.map(|(curve, words)| (of_curve(curve), words.to_owned())).to_vec(),
+            With::Plane => CURVES
+                .map(|(curve, words)| (of_curve(curve), words.to_owned()))
+                .to_vec(),
             With::Friction => Vec::new(),
             With::Energy => {
                 let most = self.ranges[1][1];
                 let is_seen = |part: &EnergyPart| {
-                    self.energies.iter().map(|(_, parts)| parts.part(*part)).fold(0.0, f64::max) > 1e-6 * most
+                    self.energies
+                        .iter()
+                        .map(|(_, parts)| parts.part(*part))
+                        .fold(0.0, f64::max)
+                        > 1e-6 * most
                 };
                 let key = |part: EnergyPart| (Mark::Fill(of_energy(part)), part.label().to_owned());
-                EnergyPart::ALL.into_iter().filter(is_seen).map(key).collect()
+                EnergyPart::ALL
+                    .into_iter()
+                    .filter(is_seen)
+                    .map(key)
+                    .collect()
             }
         }
     }
@@ -340,11 +435,19 @@ fn place_of(with: With, sample: &Sample) -> Option<[f64; 2]> {
 
 /// The sign of a unit, with marks.
 pub(crate) fn unit_sign(units: Option<&Units>, dimension: Dimension) -> String {
-    if units.is_some() { dimension.si_sign().to_owned() } else { marked(dimension.scale_sign()) }
+    if units.is_some() {
+        dimension.si_sign().to_owned()
+    } else {
+        marked(dimension.scale_sign())
+    }
 }
 
 pub(crate) fn with_unit(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") }
+    if unit.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name} / {unit}")
+    }
 }
 
 /// An angle between −π and π.
@@ -365,20 +468,34 @@ fn most_demand(trajectory: &Trajectory) -> f64 {
 }
 
 fn most_energy(energies: &[(f64, EnergyParts)]) -> f64 {
-    let sum =
-        |parts: &EnergyParts| EnergyPart::ALL.iter().map(|part| parts.part(*part).max(0.0)).sum::<f64>();
-    let most = energies.iter().map(|(_, parts)| sum(parts)).filter(|sum| sum.is_finite()).fold(0.0, f64::max);
+    let sum = |parts: &EnergyParts| {
+        EnergyPart::ALL
+            .iter()
+            .map(|part| parts.part(*part).max(0.0))
+            .sum::<f64>()
+    };
+    let most = energies
+        .iter()
+        .map(|(_, parts)| sum(parts))
+        .filter(|sum| sum.is_finite())
+        .fold(0.0, f64::max);
     if most > 0.0 { 1.05 * most } else { 1.0 }
 }
 
-/// The range of rates of a motion: symmetric, with the curves of rolling in sight; rates that grow without bound are cut.
+/// The range of rates of a motion: symmetric, with the curves of rolling in sight; rates that grow
+/// without bound are cut.
 fn rates(samples: &[Sample], trajectory: &Trajectory) -> [f64; 2] {
-    let mut rates: Vec<f64> =
-        samples.iter().map(|sample| sample.state.theta_rate.abs()).filter(|rate| rate.is_finite()).collect();
+    let mut rates: Vec<f64> = samples
+        .iter()
+        .map(|sample| sample.state.theta_rate.abs())
+        .filter(|rate| rate.is_finite())
+        .collect();
     rates.sort_by(f64::total_cmp);
     let most = rates.last().copied().unwrap_or(1.0);
     let usual = rates.get(rates.len() * 9 / 10).copied().unwrap_or(1.0);
-    let at_top = PhasePlane::new(trajectory.hoop()).lift_off_rate(0.0).unwrap_or(1.0);
+    let at_top = PhasePlane::new(trajectory.hoop())
+        .lift_off_rate(0.0)
+        .unwrap_or(1.0);
     let high = 1.12 * most.min(2.5 * usual.max(0.5 * at_top)).max(1.3 * at_top);
     [-high, high]
 }

@@ -7,7 +7,9 @@ use littlewood_draw::marked;
 
 use crate::body::{Shape, WEIGHT, draw_mass_centre};
 use crate::canvas::Canvas;
-use crate::colour::{FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode};
+use crate::colour::{
+    FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode,
+};
 use crate::letters::Style;
 use crate::pane::unit_sign;
 use crate::scene::Scene;
@@ -45,11 +47,21 @@ impl Panel {
     pub(crate) fn new(size: FrameSize, units: Option<Units>) -> Self {
         let time_decimals = decimals(units.map_or(1.0, |units| units.time_s), 3);
         let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-        Self { width, height, unit: size.unit(), units, time_decimals }
+        Self {
+            width,
+            height,
+            unit: size.unit(),
+            units,
+            time_decimals,
+        }
     }
 
     const fn style(&self, size: f64, is_bold: bool, anchor: f64) -> Style {
-        Style { size: size * self.unit, is_bold, anchor }
+        Style {
+            size: size * self.unit,
+            is_bold,
+            anchor,
+        }
     }
 
     /// What does not change: the line of phases, the parameters, the signs.
@@ -70,9 +82,17 @@ impl Panel {
                 [phase.start().time, phase.end_time()].map(|time| self.place_of(time, schedule));
             let from = if last.is_none() { left } else { begin };
             canvas.rectangle((from, top), to - from, tall, of_mode(mode));
-            let (words, style) = (mode.with_arrow(phase.direction()), self.style(10.5, true, 0.5));
+            let (words, style) = (
+                mode.with_arrow(phase.direction()),
+                self.style(10.5, true, 0.5),
+            );
             if style.width(&words) + 6.0 * u < to - from {
-                canvas.words(&words, (0.5 * (from + to), top + 11.2 * u), style, on_mode(mode));
+                canvas.words(
+                    &words,
+                    (0.5 * (from + to), top + 11.2 * u),
+                    style,
+                    on_mode(mode),
+                );
             }
             // Between bounces that are shorter than can be seen there is nothing to set off.
             let is_dense = last == Some(mode) && to - from < 4.0 * u;
@@ -91,8 +111,16 @@ impl Panel {
             canvas.words(part, (MARGIN * u, 66.0 * u), style, SOFT);
         }
         let base = self.height - 9.0 * u;
-        canvas.words(&parameters(trajectory.hoop()), (MARGIN * u, base), style, SOFT);
-        let end = Style { anchor: 1.0, ..style };
+        canvas.words(
+            &parameters(trajectory.hoop()),
+            (MARGIN * u, base),
+            style,
+            SOFT,
+        );
+        let end = Style {
+            anchor: 1.0,
+            ..style
+        };
         canvas.words(note, (self.width - MARGIN * u, base), end, SOFT);
         self.draw_signs(canvas, trajectory.hoop());
     }
@@ -101,8 +129,14 @@ impl Panel {
     fn draw_impacts(&self, canvas: &mut Canvas, trajectory: &Trajectory, schedule: &Schedule) {
         let u = self.unit;
         let top = self.height - 52.0 * u;
-        let impacts = trajectory.transitions().iter().filter(|transition| transition.impact.is_some());
-        for time in impacts.map(Transition::time).take_while(|time| *time <= schedule.end) {
+        let impacts = trajectory
+            .transitions()
+            .iter()
+            .filter(|transition| transition.impact.is_some());
+        for time in impacts
+            .map(Transition::time)
+            .take_while(|time| *time <= schedule.end)
+        {
             let place = self.place_of(time, schedule);
             canvas.rectangle((place - 0.8 * u, top - 4.0 * u), 1.6 * u, 4.0 * u, IMPULSE);
         }
@@ -112,7 +146,11 @@ impl Panel {
     fn place_of(&self, time: f64, schedule: &Schedule) -> f64 {
         let left = MARGIN * self.unit;
         let span = schedule.end - schedule.start;
-        let part = if span > 0.0 { (time - schedule.start) / span } else { 1.0 };
+        let part = if span > 0.0 {
+            (time - schedule.start) / span
+        } else {
+            1.0
+        };
         left + (self.width - 2.0 * left) * part.clamp(0.0, 1.0)
     }
 
@@ -120,27 +158,60 @@ impl Panel {
     fn draw_signs(&self, canvas: &mut Canvas, hoop: &Hoop) {
         let (left, base) = (MARGIN * self.unit, self.height - 23.0 * self.unit);
         let has_disc = hoop.mass_ratio() > 0.0;
-        let arrow = |words: &str, column: SampleColumn| format!("{words} {}", marked(column.sign()));
-        let particle = if has_disc { "particle" } else { "particle = mass centre" };
+        let arrow =
+            |words: &str, column: SampleColumn| format!("{words} {}", marked(column.sign()));
+        let particle = if has_disc {
+            "particle"
+        } else {
+            "particle = mass centre"
+        };
         let mut signs = vec![(9.0, particle.to_owned(), Sign::Particle)];
         signs.extend(has_disc.then(|| (9.0, "mass centre".to_owned(), Sign::MassCentre)));
         signs.push((6.0, "centre *C*".to_owned(), Sign::Centre));
         let normal = arrow(SampleColumn::Normal.long_name(), SampleColumn::Normal);
         signs.extend([
             (20.0, normal, Sign::Arrow(Shape::Solid, NORMAL_FORCE)),
-            (20.0, arrow("friction", SampleColumn::Friction), Sign::Arrow(Shape::Hollow, FRICTION_FORCE)),
-            (20.0, format!("weight {WEIGHT}"), Sign::Arrow(Shape::Open, SOFT)),
-            (20.0, arrow("slip velocity", SampleColumn::Slip), Sign::Arrow(Shape::Thin, SLIP)),
+            (
+                20.0,
+                arrow("friction", SampleColumn::Friction),
+                Sign::Arrow(Shape::Hollow, FRICTION_FORCE),
+            ),
+            (
+                20.0,
+                format!("weight {WEIGHT}"),
+                Sign::Arrow(Shape::Open, SOFT),
+            ),
+            (
+                20.0,
+                arrow("slip velocity", SampleColumn::Slip),
+                Sign::Arrow(Shape::Thin, SLIP),
+            ),
         ]);
-        let impulse = || (20.0, "impulse (*J*, *P*)".to_owned(), Sign::Arrow(Shape::Solid, IMPULSE));
+        let impulse = || {
+            (
+                20.0,
+                "impulse (*J*, *P*)".to_owned(),
+                Sign::Arrow(Shape::Solid, IMPULSE),
+            )
+        };
         signs.extend(hoop.restitution().map(|_| impulse()));
-        let style = |u: f64| Style { size: 10.0 * u, is_bold: false, anchor: 0.0 };
+        let style = |u: f64| Style {
+            size: 10.0 * u,
+            is_bold: false,
+            anchor: 0.0,
+        };
         let after = |x: f64, u: f64, (room, words, _): &(f64, String, Sign)| {
             x + room * u + 4.0 * u + style(u).width(words) + 11.0 * u
         };
-        let (room, wide) =
-            (self.width - 2.0 * left, signs.iter().fold(left, |x, sign| after(x, self.unit, sign)) - left);
-        let u = if wide > room { self.unit * (room / wide) } else { self.unit };
+        let (room, wide) = (
+            self.width - 2.0 * left,
+            signs.iter().fold(left, |x, sign| after(x, self.unit, sign)) - left,
+        );
+        let u = if wide > room {
+            self.unit * (room / wide)
+        } else {
+            self.unit
+        };
         let (mut x, middle) = (left, base - 3.6 * u);
         for entry in &signs {
             let (room, words, sign) = entry;
@@ -179,19 +250,46 @@ impl Panel {
             .fold(0.0, f64::max);
         let wide = widest + 22.0 * u;
         canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));
-        canvas.words(&words, (left + 0.5 * wide, 25.2 * u), style, on_mode(scene.mode()));
-        let impact = || scene.impulse.map(|impulse| format!("impact: {}", impulse.case.label()));
+        canvas.words(
+            &words,
+            (left + 0.5 * wide, 25.2 * u),
+            style,
+            on_mode(scene.mode()),
+        );
+        let impact = || {
+            scene
+                .impulse
+                .map(|impulse| format!("impact: {}", impulse.case.label()))
+        };
         if let Some(note) = outcome.as_ref().and_then(note_of).or_else(impact) {
-            canvas.words(&note, (left + wide + 10.0 * u, 25.0 * u), self.style(13.0, true, 0.0), INK);
+            canvas.words(
+                &note,
+                (left + wide + 10.0 * u, 25.0 * u),
+                self.style(13.0, true, 0.0),
+                INK,
+            );
         }
         let clock = self.style(18.0, false, 1.0);
-        canvas.words(&self.clock(scene.time()), (self.width - left, 26.5 * u), clock, INK);
+        canvas.words(
+            &self.clock(scene.time()),
+            (self.width - left, 26.5 * u),
+            clock,
+            INK,
+        );
         // The inset begins to the right of them.
-        for (at, (name, value, colour)) in [0.0, 98.0, 202.0, 324.0].into_iter().zip(self.values(scene)) {
+        for (at, (name, value, colour)) in [0.0, 98.0, 202.0, 324.0]
+            .into_iter()
+            .zip(self.values(scene))
+        {
             let x = left + at * u;
             canvas.words(&name, (x, 49.0 * u), self.style(12.0, true, 0.0), colour);
             let indent = self.style(12.0, true, 0.0).width(&name);
-            canvas.words(&value, (x + indent, 49.0 * u), self.style(12.0, false, 0.0), INK);
+            canvas.words(
+                &value,
+                (x + indent, 49.0 * u),
+                self.style(12.0, false, 0.0),
+                INK,
+            );
         }
         let x = self.place_of(scene.time(), schedule);
         let top = self.height - 52.0 * u;
@@ -203,14 +301,24 @@ impl Panel {
     pub(crate) fn draw_slow(&self, canvas: &mut Canvas, factor: f64) {
         let u = self.unit;
         let place = (self.width - (MARGIN + 112.0) * u, 25.0 * u);
-        canvas.words(&format!("{} × slower", short(factor)), place, self.style(11.0, true, 1.0), INK);
+        canvas.words(
+            &format!("{} × slower", short(factor)),
+            place,
+            self.style(11.0, true, 1.0),
+            INK,
+        );
     }
 
     /// The normal and the friction impulse that the scene shows.
     pub(crate) fn impulse(&self, scene: &Scene) -> Vec<String> {
-        let of = |sign: &str, value: f64| format!("*{sign}* = {}", self.value(value, Dimension::Impulse, 2));
+        let of = |sign: &str, value: f64| {
+            format!("*{sign}* = {}", self.value(value, Dimension::Impulse, 2))
+        };
         scene.impulse.map_or_else(Vec::new, |drawn| {
-            vec![of("P", drawn.impulse.normal), of("J", drawn.impulse.friction)]
+            vec![
+                of("P", drawn.impulse.normal),
+                of("J", drawn.impulse.friction),
+            ]
         })
     }
 
@@ -226,12 +334,27 @@ impl Panel {
         let sample = &scene.sample;
         let force = |value| format!(" = {}", self.value(value, Dimension::Force, 2));
         // In flight that of the lowest point of the rim, as in figures and tables.
-        let slip = format!(" = {}", self.value(sample.state.slip, Dimension::Velocity, 2));
+        let slip = format!(
+            " = {}",
+            self.value(sample.state.slip, Dimension::Velocity, 2)
+        );
         [
-            (marked(SampleColumn::Normal.sign()), force(sample.normal), NORMAL_FORCE),
-            (marked(SampleColumn::Friction.sign()), force(sample.friction), FRICTION_FORCE),
+            (
+                marked(SampleColumn::Normal.sign()),
+                force(sample.normal),
+                NORMAL_FORCE,
+            ),
+            (
+                marked(SampleColumn::Friction.sign()),
+                force(sample.friction),
+                FRICTION_FORCE,
+            ),
             (marked(SampleColumn::Slip.sign()), slip, SLIP),
-            (SampleColumn::Gap.sign().to_owned(), format!(" = {}", self.gap(scene)), INK),
+            (
+                SampleColumn::Gap.sign().to_owned(),
+                format!(" = {}", self.gap(scene)),
+                INK,
+            ),
         ]
     }
 
@@ -256,7 +379,9 @@ fn note_of(outcome: &Outcome) -> Option<String> {
     } else {
         String::new()
     };
-    outcome.is_final().then(|| format!("{}{infinite}", outcome.kind().label()))
+    outcome
+        .is_final()
+        .then(|| format!("{}{infinite}", outcome.kind().label()))
 }
 
 /// The numbers that define the hoop.
@@ -265,9 +390,16 @@ fn parameters(hoop: &Hoop) -> String {
     let words: Vec<String> = Quantity::HOOP
         .into_iter()
         .filter_map(|quantity| {
-            Some(format!("{} = {}", marked(quantity.sign()), short(setup.said(quantity)?)))
+            Some(format!(
+                "{} = {}",
+                marked(quantity.sign()),
+                short(setup.said(quantity)?)
+            ))
         })
-        .chain(hoop.restitution().map(|restitution| format!("({})", restitution.law())))
+        .chain(
+            hoop.restitution()
+                .map(|restitution| format!("({})", restitution.law())),
+        )
         .collect();
     words.join("   ")
 }
@@ -276,7 +408,11 @@ fn parameters(hoop: &Hoop) -> String {
 pub(crate) fn short(value: f64) -> String {
     let text = format!("{value:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if value != 0.0 && text == "0" { format!("{value:.1e}").replace('-', "−") } else { text.to_owned() }
+    if value != 0.0 && text == "0" {
+        format!("{value:.1e}").replace('-', "−")
+    } else {
+        text.to_owned()
+    }
 }
 
 /// A number with these decimals, with a minus sign and without a negative zero.
@@ -286,7 +422,11 @@ fn number(value: f64, decimals: usize) -> String {
     }
     let text = format!("{:.decimals$}", value.abs());
     let is_zero = text.bytes().all(|byte| matches!(byte, b'0' | b'.'));
-    if value < 0.0 && !is_zero { format!("−{text}") } else { text }
+    if value < 0.0 && !is_zero {
+        format!("−{text}")
+    } else {
+        text
+    }
 }
 
 /// Decimals that show a quantity of this size to `usual` decimals of it.
@@ -302,17 +442,31 @@ mod tests {
 
     #[test]
     fn the_slip_velocity_in_flight_is_that_of_the_lowest_point() {
-        let motion = littlewood::cases::find_case("figure-3").expect("a case").simulate().expect("a motion");
+        let motion = littlewood::cases::find_case("figure-3")
+            .expect("a case")
+            .simulate()
+            .expect("a motion");
         let place = |time: f64| motion.at(time).expect("an instant of the motion").centre.x;
-        let scale = ArrowScale { force: 1.0, weight: 1.0, down: (0.0, -1.0), velocity: 1.0, impulse: 1.0 };
+        let scale = ArrowScale {
+            force: 1.0,
+            weight: 1.0,
+            down: (0.0, -1.0),
+            velocity: 1.0,
+            impulse: 1.0,
+        };
         let scene = Scene::of(motion.at(2.5).expect("it flies"), scale);
         let [.., (sign, text, _), _] = Panel::new(FrameSize::default(), None).values(&scene);
         // The velocity of the centre by differences; θ′ turns the lowest point forwards.
         let step = 1e-6;
-        let wanted = (place(2.5 + step) - place(2.5 - step)) / (2.0 * step) + scene.sample.state.theta_rate;
+        let wanted =
+            (place(2.5 + step) - place(2.5 - step)) / (2.0 * step) + scene.sample.state.theta_rate;
         assert_eq!(
             text,
-            format!(" = {} {}", number(wanted, 2), marked(Dimension::Velocity.scale_sign())),
+            format!(
+                " = {} {}",
+                number(wanted, 2),
+                marked(Dimension::Velocity.scale_sign())
+            ),
             "{sign}"
         );
     }
@@ -326,6 +480,9 @@ mod tests {
         assert_eq!(short(2.0), "2");
         assert_eq!(short(0.0), "0");
         assert_eq!(short(1e-7), "1.0e−7");
-        assert_eq!([decimals(1.0, 2), decimals(0.03, 2), decimals(250.0, 2)], [2, 4, 0]);
+        assert_eq!(
+            [decimals(1.0, 2), decimals(0.03, 2), decimals(250.0, 2)],
+            [2, 4, 0]
+        );
     }
 }

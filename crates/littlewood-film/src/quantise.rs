@@ -11,7 +11,8 @@ pub(crate) const TRANSPARENT: u8 = 0;
 /// Steps from each ink to the paper.
 const STEPS: u16 = 12;
 
-/// Levels of red, green and blue of the colours for all other mixtures; fewer where there are more inks.
+/// Levels of red, green and blue of the colours for all other mixtures; fewer where there are more
+/// inks.
 const LEVELS: [u16; 3] = [5, 6, 4];
 const FEWER_LEVELS: [u16; 3] = [4, 5, 3];
 
@@ -53,7 +54,10 @@ impl Quantiser {
             }
         }
         colours.resize(256, PAPER);
-        Self { colours, known: HashMap::new() }
+        Self {
+            colours,
+            known: HashMap::new(),
+        }
     }
 
     /// The colours one after the other.
@@ -64,7 +68,9 @@ impl Quantiser {
     /// Index of the nearest colour.
     pub(crate) fn index(&mut self, colour: Rgb) -> u8 {
         let Self { colours, known } = self;
-        *known.entry(colour).or_insert_with(|| nearest(&colours[1..], colour) + 1)
+        *known
+            .entry(colour)
+            .or_insert_with(|| nearest(&colours[1..], colour) + 1)
     }
 }
 
@@ -102,11 +108,15 @@ mod tests {
             assert!(index != TRANSPARENT);
             assert_eq!(quantiser.colours[usize::from(index)], ink);
             for part in 0..=8_u16 {
-                let mixture = [0, 1, 2]
-                    .map(|i| ((u16::from(ink.0[i]) * part + u16::from(PAPER.0[i]) * (8 - part)) / 8) as u8);
+                let mixture = [0, 1, 2].map(|i| {
+                    ((u16::from(ink.0[i]) * part + u16::from(PAPER.0[i]) * (8 - part)) / 8) as u8
+                });
                 let index = quantiser.index(Rgb(mixture));
                 let found = quantiser.colours[usize::from(index)];
-                assert!((0..3).all(|i| found.0[i].abs_diff(mixture[i]) <= 18), "{mixture:?} {found:?}");
+                assert!(
+                    (0..3).all(|i| found.0[i].abs_diff(mixture[i]) <= 18),
+                    "{mixture:?} {found:?}"
+                );
             }
         }
     }

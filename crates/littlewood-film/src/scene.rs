@@ -10,15 +10,16 @@ use crate::impacts::ShownImpact;
 /// Longest arrow, in radii. A longer one is cut there and drawn with two heads.
 const LONGEST: f64 = 1.7;
 
-/// Lengths of arrows for a force equal to the weight (m1 + m2) g, and for the velocity √(gR), in radii: as long as the
-/// largest of a motion has room, within these bounds.
+/// Lengths of arrows for a force equal to the weight (m1 + m2) g, and for the velocity √(gR), in
+/// radii: as long as the largest of a motion has room, within these bounds.
 const WEIGHT: [f64; 2] = [0.15, 0.6];
 const VELOCITY: [f64; 2] = [0.1, 1.0];
 
 /// Length of the largest impulse of a motion, in radii.
 const IMPULSE: f64 = 1.3;
 
-/// Lengths of arrows: one scale for both forces, so that their sum is the reaction of the plane, and one for the slip.
+/// Lengths of arrows: one scale for both forces, so that their sum is the reaction of the plane,
+/// and one for the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArrowScale {
     /// Radii for the force m2 g.
@@ -60,8 +61,15 @@ impl ArrowScale {
 
 fn impulse_scale(impacts: &[ShownImpact]) -> f64 {
     let size = |impulse: Impulse| libm::hypot(impulse.normal, impulse.friction);
-    let largest = impacts.iter().map(|shown| size(shown.impact.impulse)).fold(0.0, f64::max);
-    if largest > 0.0 { IMPULSE / largest } else { IMPULSE }
+    let largest = impacts
+        .iter()
+        .map(|shown| size(shown.impact.impulse))
+        .fold(0.0, f64::max);
+    if largest > 0.0 {
+        IMPULSE / largest
+    } else {
+        IMPULSE
+    }
 }
 
 /// The impulse of an impact as an arrow.
@@ -85,7 +93,12 @@ impl DrawnImpulse {
             x: tail.x + scale.impulse * impulse.friction,
             y: tail.y + scale.impulse * impulse.normal,
         };
-        Self { tail, head, impulse, case: shown.impact.case }
+        Self {
+            tail,
+            head,
+            impulse,
+            case: shown.impact.case,
+        }
     }
 }
 
@@ -110,8 +123,16 @@ impl DrawnArrow {
         }
         let wanted = value * scale;
         let length = wanted.clamp(-LONGEST, LONGEST);
-        let head = Position { x: tail.x + length * x, y: tail.y + length * y };
-        Some(Self { tail, head, value, is_cut: wanted != length })
+        let head = Position {
+            x: tail.x + length * x,
+            y: tail.y + length * y,
+        };
+        Some(Self {
+            tail,
+            head,
+            value,
+            is_cut: wanted != length,
+        })
     }
 }
 
@@ -137,11 +158,14 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene of an instant. Everything that is drawn is finite: where a gliding particle reaches θ = ±π, θ′ is
-    /// infinite, but the body has a place.
+    /// The scene of an instant. Everything that is drawn is finite: where a gliding particle
+    /// reaches θ = ±π, θ′ is infinite, but the body has a place.
     #[must_use]
     pub fn of(sample: Sample, scale: ArrowScale) -> Self {
-        let lowest = Position { x: sample.centre.x, y: sample.gap };
+        let lowest = Position {
+            x: sample.centre.x,
+            y: sample.gap,
+        };
         let contact = sample.mode.touches_plane().then_some(lowest);
         let arrow = |direction, value, scale| DrawnArrow::along(direction, contact?, value, scale);
         Self {
@@ -156,12 +180,24 @@ impl Scene {
         }
     }
 
-    /// The scene in an impact of which a share has passed: the body stands, and the slip velocity changes.
+    /// The scene in an impact of which a share has passed: the body stands, and the slip velocity
+    /// changes.
     pub(crate) fn in_impact(shown: &ShownImpact, share: f64, scale: ArrowScale) -> Self {
         let scene = Self::of(shown.before, scale);
-        let slip = DrawnArrow::along((1.0, 0.0), shown.place, shown.slip_at(share), scale.velocity);
+        let slip = DrawnArrow::along(
+            (1.0, 0.0),
+            shown.place,
+            shown.slip_at(share),
+            scale.velocity,
+        );
         let impulse = Some(DrawnImpulse::new(shown, share, scale));
-        Self { normal: None, friction: None, slip, impulse, ..scene }
+        Self {
+            normal: None,
+            friction: None,
+            slip,
+            impulse,
+            ..scene
+        }
     }
 
     /// Time τ.
@@ -174,15 +210,28 @@ impl Scene {
         self.sample.mode
     }
 
-    /// Left, right, lower and upper end of what is drawn and of the plane beneath, as a level camera sees them.
+    /// Left, right, lower and upper end of what is drawn and of the plane beneath, as a level
+    /// camera sees them.
     pub(crate) fn extent(&self, tilt: Tilt) -> [f64; 4] {
         let centre = self.sample.centre;
         let [centre, foot] = [centre, Position { y: 0.0, ..centre }].map(|point| tilt.level(point));
-        let mut extent = [centre.x - 1.0, centre.x + 1.0, foot.y.min(centre.y - 1.0), centre.y + 1.0];
-        for arrow in [self.normal, self.friction, self.slip].into_iter().flatten() {
+        let mut extent = [
+            centre.x - 1.0,
+            centre.x + 1.0,
+            foot.y.min(centre.y - 1.0),
+            centre.y + 1.0,
+        ];
+        for arrow in [self.normal, self.friction, self.slip]
+            .into_iter()
+            .flatten()
+        {
             let head = tilt.level(arrow.head);
-            extent =
-                [extent[0].min(head.x), extent[1].max(head.x), extent[2].min(head.y), extent[3].max(head.y)];
+            extent = [
+                extent[0].min(head.x),
+                extent[1].max(head.x),
+                extent[2].min(head.y),
+                extent[3].max(head.y),
+            ];
         }
         extent
     }

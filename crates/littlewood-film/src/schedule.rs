@@ -26,7 +26,8 @@ const STAYS_S: f64 = 0.8;
 /// Time shown of a motion that lasts for ever and has no period.
 const HORIZON: f64 = 10.0;
 
-/// Time after which a motion that lasts for ever is not waited for to come to its last phase, or to the end of a period.
+/// Time after which a motion that lasts for ever is not waited for to come to its last phase, or to
+/// the end of a period.
 const PATIENCE: f64 = 30.0;
 
 /// What a film shows of a motion.
@@ -66,17 +67,19 @@ pub struct Pace {
     pub slow: f64,
     /// Units, if the film shows seconds, metres and newtons.
     pub units: Option<Units>,
-    /// Time for which the last picture stays, in seconds; the default is 1.5, and 0 for a film that closes.
+    /// Time for which the last picture stays, in seconds; the default is 1.5, and 0 for a film that
+    /// closes.
     pub hold_s: Option<f64>,
-    /// How many times slower the film runs about the impacts, if it does; in each of them it stands still while the
-    /// impulse grows. Small impacts are not slowed down.
+    /// How many times slower the film runs about the impacts, if it does; in each of them it stands
+    /// still while the impulse grows. Small impacts are not slowed down.
     pub slow_impacts: Option<f64>,
 }
 
 impl Pace {
     /// Seconds of film for a unit of dimensionless time.
     fn seconds(&self) -> f64 {
-        self.units.map_or(self.slow, |units| self.slow * units.time_s)
+        self.units
+            .map_or(self.slow, |units| self.slow * units.time_s)
     }
 }
 
@@ -112,21 +115,27 @@ pub struct Shown {
 }
 
 impl Schedule {
-    /// Frames from the start of a motion to its end. A motion without an end is shown for a whole oscillation, so
-    /// that the film closes, for two turns, or for ten units of time.
+    /// Frames from the start of a motion to its end. A motion without an end is shown for a whole
+    /// oscillation, so that the film closes, for two turns, or for ten units of time.
     ///
     /// # Errors
     /// A rate, a slowness or a hold out of bounds, no motion, or too many frames.
     pub fn new(trajectory: &Trajectory, pace: &Pace) -> Result<Self, FilmError> {
         let Pace { fps, slow, .. } = *pace;
         if !(1..=MOST_FPS).contains(&fps) {
-            return Err(FilmError::FrameRate { fps, most: MOST_FPS, format: "a film" });
+            return Err(FilmError::FrameRate {
+                fps,
+                most: MOST_FPS,
+                format: "a film",
+            });
         }
         if !(slow.is_finite() && slow > 0.0) {
             return Err(FilmError::Slow { slow });
         }
         if trajectory.phases().is_empty() {
-            return Err(FilmError::NoMotion { outcome: trajectory.outcome().kind() });
+            return Err(FilmError::NoMotion {
+                outcome: trajectory.outcome().kind(),
+            });
         }
         let start = trajectory.start().time;
         let (end, part) = shown_until(trajectory);
@@ -140,15 +149,23 @@ impl Schedule {
             Some(factor) => return Err(FilmError::SlowImpacts { factor }),
             None => None,
         };
-        let seconds = timeline.as_ref().map_or((end - start) * pace.seconds(), Timeline::seconds);
+        let seconds = timeline
+            .as_ref()
+            .map_or((end - start) * pace.seconds(), Timeline::seconds);
         let intervals = libm::ceil(seconds * f64::from(fps) - 1e-9).max(0.0);
         let frames = intervals + if closes { 0.0 } else { 1.0 };
         if frames > MOST_FRAMES as f64 {
-            return Err(FilmError::TooLong { frames, most: MOST_FRAMES });
+            return Err(FilmError::TooLong {
+                frames,
+                most: MOST_FRAMES,
+            });
         }
         let hold_s = pace.hold_s.unwrap_or(if closes { 0.0 } else { 1.5 });
         if !(0.0..=LONGEST_HOLD).contains(&hold_s) {
-            return Err(FilmError::Hold { hold_s, most_s: LONGEST_HOLD });
+            return Err(FilmError::Hold {
+                hold_s,
+                most_s: LONGEST_HOLD,
+            });
         }
         Ok(Self {
             start,
@@ -162,24 +179,32 @@ impl Schedule {
         })
     }
 
-    /// Whether the film goes on with its first frame after the last, because the motion comes back to its start.
+    /// Whether the film goes on with its first frame after the last, because the motion comes back
+    /// to its start.
     pub const fn closes(&self) -> bool {
         matches!(self.part, Part::Period)
     }
 
-    /// The instant that a frame shows. The last is the end of the motion, to the last bit; it comes less than a frame
-    /// late.
+    /// The instant that a frame shows. The last is the end of the motion, to the last bit; it comes
+    /// less than a frame late.
     pub fn time(&self, index: u64) -> f64 {
         self.moment(index).time
     }
 
     /// What a frame shows.
     pub(crate) fn moment(&self, index: u64) -> Moment {
-        let evenly = |time: f64| Moment { time, is_slow: false, impact: None };
+        let evenly = |time: f64| Moment {
+            time,
+            is_slow: false,
+            impact: None,
+        };
         if index + 1 >= self.frames && !self.closes() {
             return evenly(self.end);
         }
-        let slowed = self.timeline.as_ref().and_then(|timeline| timeline.moment(self.second(index)));
+        let slowed = self
+            .timeline
+            .as_ref()
+            .and_then(|timeline| timeline.moment(self.second(index)));
         slowed.unwrap_or_else(|| evenly((self.start + index as f64 * self.step).min(self.end)))
     }
 
@@ -192,12 +217,14 @@ impl Schedule {
         index as f64 / f64::from(self.fps)
     }
 
-    /// Whether the impulse of an impact is still in the picture at a frame: for a short while, and as long as the film is
-    /// slow.
+    /// Whether the impulse of an impact is still in the picture at a frame: for a short while, and
+    /// as long as the film is slow.
     pub(crate) fn shows(&self, index: u64, (number, impact): (usize, &ShownImpact)) -> bool {
         let second = self.second(index);
         let [from, until] = match &self.timeline {
-            Some(timeline) => timeline.after(number).unwrap_or_else(|| [timeline.second(impact.time); 2]),
+            Some(timeline) => timeline
+                .after(number)
+                .unwrap_or_else(|| [timeline.second(impact.time); 2]),
             None => [(impact.time - self.start) / (self.step * f64::from(self.fps)); 2],
         };
         second >= from && second <= until.max(from + STAYS_S)
@@ -206,7 +233,11 @@ impl Schedule {
     /// When a frame is shown.
     pub const fn shown(&self, index: u64) -> Shown {
         let is_last = index + 1 == self.frames;
-        Shown { index, fps: self.fps, hold_ms: if is_last { self.hold_ms } else { 0 } }
+        Shown {
+            index,
+            fps: self.fps,
+            hold_ms: if is_last { self.hold_ms } else { 0 },
+        }
     }
 }
 
@@ -242,11 +273,15 @@ fn shown_until(trajectory: &Trajectory) -> (f64, Part) {
     let start = trajectory.start().time;
     let since = outcome.state().time;
     let period = outcome.recurrence().and_then(|recurrence| {
-        Some((recurrence.kind(), recurrence.period().filter(|period| period.is_finite())?))
+        Some((
+            recurrence.kind(),
+            recurrence.period().filter(|period| period.is_finite())?,
+        ))
     });
     let (until, part) = match period {
         None => (since + HORIZON, Part::While),
-        // The hoop that rolls back and forth is back at its place; the one that slides has moved on.
+        // The hoop that rolls back and forth is back at its place; the one that slides has moved
+        // on.
         Some((RecurrenceKind::Libration, period))
             if outcome.kind() == OutcomeKind::RollsForever && trajectory.phases().len() == 1 =>
         {

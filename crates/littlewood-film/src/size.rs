@@ -30,7 +30,11 @@ impl FrameSize {
     /// A side outside these bounds.
     pub fn new(width: u32, height: u32) -> Result<Self, SizeError> {
         let size = Self { width, height };
-        if SIDES.contains(&width) && SIDES.contains(&height) { Ok(size) } else { Err(SizeError { size }) }
+        if SIDES.contains(&width) && SIDES.contains(&height) {
+            Ok(size)
+        } else {
+            Err(SizeError { size })
+        }
     }
 
     /// Width.
@@ -56,7 +60,10 @@ impl FrameSize {
 
 impl Default for FrameSize {
     fn default() -> Self {
-        Self { width: 640, height: 360 }
+        Self {
+            width: 640,
+            height: 360,
+        }
     }
 }
 

@@ -41,9 +41,14 @@ pub(crate) struct Timeline {
 }
 
 impl Timeline {
-    /// Times from `start` to `end` at so many seconds of film for a unit of time, and at `factor` times as many about
-    /// the impacts that are noticeable.
-    pub(crate) fn new([start, end]: [f64; 2], pace: f64, factor: f64, impacts: &[ShownImpact]) -> Self {
+    /// Times from `start` to `end` at so many seconds of film for a unit of time, and at `factor`
+    /// times as many about the impacts that are noticeable.
+    pub(crate) fn new(
+        [start, end]: [f64; 2],
+        pace: f64,
+        factor: f64,
+        impacts: &[ShownImpact],
+    ) -> Self {
         let shown: Vec<(usize, f64)> = impacts
             .iter()
             .enumerate()
@@ -59,7 +64,11 @@ impl Timeline {
             timeline.push([begin, *at], factor * pace, Kind::Slow);
             let still = timeline.seconds();
             let (seconds, times) = ([still, still + STILL_S], [*at, *at]);
-            timeline.parts.push(Part { seconds, times, kind: Kind::Impact(*number) });
+            timeline.parts.push(Part {
+                seconds,
+                times,
+                kind: Kind::Impact(*number),
+            });
             timeline.push([*at, stop], factor * pace, Kind::Slow);
             from = stop;
         }
@@ -70,7 +79,11 @@ impl Timeline {
     fn push(&mut self, times: [f64; 2], pace: f64, kind: Kind) {
         if times[1] > times[0] {
             let from = self.seconds();
-            self.parts.push(Part { seconds: [from, from + pace * (times[1] - times[0])], times, kind });
+            self.parts.push(Part {
+                seconds: [from, from + pace * (times[1] - times[0])],
+                times,
+                kind,
+            });
         }
     }
 
@@ -83,29 +96,56 @@ impl Timeline {
     pub(crate) fn moment(&self, second: f64) -> Option<Moment> {
         let after = self.parts.partition_point(|part| part.seconds[0] <= second);
         let part = self.parts.get(after.max(1) - 1)?;
-        let share = ((second - part.seconds[0]) / (part.seconds[1] - part.seconds[0])).clamp(0.0, 1.0);
+        let share =
+            ((second - part.seconds[0]) / (part.seconds[1] - part.seconds[0])).clamp(0.0, 1.0);
         let time = part.times[0] + share * (part.times[1] - part.times[0]);
         Some(match part.kind {
-            Kind::Even => Moment { time, is_slow: false, impact: None },
-            Kind::Slow => Moment { time, is_slow: true, impact: None },
-            Kind::Impact(number) => Moment { time, is_slow: true, impact: Some((number, share)) },
+            Kind::Even => Moment {
+                time,
+                is_slow: false,
+                impact: None,
+            },
+            Kind::Slow => Moment {
+                time,
+                is_slow: true,
+                impact: None,
+            },
+            Kind::Impact(number) => Moment {
+                time,
+                is_slow: true,
+                impact: Some((number, share)),
+            },
         })
     }
 
     /// The second from which an impact is past, and until which it is shown slowly, if it is.
     pub(crate) fn after(&self, number: usize) -> Option<[f64; 2]> {
-        let index = self.parts.iter().position(|part| part.kind == Kind::Impact(number))?;
+        let index = self
+            .parts
+            .iter()
+            .position(|part| part.kind == Kind::Impact(number))?;
         let past = self.parts[index].seconds[1];
-        let slow = self.parts.get(index + 1).filter(|part| part.kind == Kind::Slow);
+        let slow = self
+            .parts
+            .get(index + 1)
+            .filter(|part| part.kind == Kind::Slow);
         Some([past, slow.map_or(past, |part| part.seconds[1])])
     }
 
     /// The second at which a time is reached.
     pub(crate) fn second(&self, time: f64) -> f64 {
-        let part = self.parts.iter().find(|part| time <= part.times[1]).or(self.parts.last());
+        let part = self
+            .parts
+            .iter()
+            .find(|part| time <= part.times[1])
+            .or(self.parts.last());
         part.map_or(0.0, |part| {
             let span = part.times[1] - part.times[0];
-            let share = if span > 0.0 { (time - part.times[0]) / span } else { 0.0 };
+            let share = if span > 0.0 {
+                (time - part.times[0]) / span
+            } else {
+                0.0
+            };
             part.seconds[0] + share * (part.seconds[1] - part.seconds[0])
         })
     }

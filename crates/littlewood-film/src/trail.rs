@@ -23,7 +23,11 @@ pub(crate) struct Trail {
 
 impl Trail {
     pub(crate) const fn new() -> Self {
-        Self { steps: VecDeque::new(), next: 0, phase: 0 }
+        Self {
+            steps: VecDeque::new(),
+            next: 0,
+            phase: 0,
+        }
     }
 
     /// Extends the trail to a time.
@@ -31,17 +35,25 @@ impl Trail {
         loop {
             let time = schedule.start + self.next as f64 * (schedule.step / FINENESS as f64);
             let phases = trajectory.phases();
-            let phase = phases.get(self.phase).filter(|phase| trajectory.end_of(phase).is_some());
+            let phase = phases
+                .get(self.phase)
+                .filter(|phase| trajectory.end_of(phase).is_some());
             let change = phase.map(Phase::end_time);
             match change {
                 Some(change) if change <= time && change <= until => {
                     let before = phase.and_then(Phase::last);
                     let after = phases.get(self.phase + 1).map(Phase::first);
-                    before.into_iter().chain(after).for_each(|sample| self.push(sample));
+                    before
+                        .into_iter()
+                        .chain(after)
+                        .for_each(|sample| self.push(sample));
                     self.phase += 1;
                 }
                 _ if time <= until => {
-                    trajectory.at(time).into_iter().for_each(|sample| self.push(sample));
+                    trajectory
+                        .at(time)
+                        .into_iter()
+                        .for_each(|sample| self.push(sample));
                     self.next += 1;
                 }
                 _ => return,

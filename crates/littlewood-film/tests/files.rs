@@ -12,13 +12,27 @@ use littlewood_film::{
 };
 
 fn motion(name: &str) -> Trajectory {
-    find_case(name).expect("a named case").simulate().expect("it can be simulated")
+    find_case(name)
+        .expect("a named case")
+        .simulate()
+        .expect("it can be simulated")
 }
 
 fn film(motion: &Trajectory, fps: u32, size: (u32, u32)) -> Film<'_> {
-    let pace = Pace { fps, slow: 1.0, units: None, hold_s: None, slow_impacts: None };
-    Film::new(motion, &pace, FrameSize::new(size.0, size.1).expect("it can be made"), Framing::Auto)
-        .expect("it can be made")
+    let pace = Pace {
+        fps,
+        slow: 1.0,
+        units: None,
+        hold_s: None,
+        slow_impacts: None,
+    };
+    Film::new(
+        motion,
+        &pace,
+        FrameSize::new(size.0, size.1).expect("it can be made"),
+        Framing::Auto,
+    )
+    .expect("it can be made")
 }
 
 fn gif(film: &Film<'_>) -> Vec<u8> {
@@ -41,14 +55,27 @@ fn a_gif_has_all_frames_their_durations_and_their_pixels() {
     while let Some(frame) = decoder.read_next_frame().unwrap() {
         duration += u64::from(frame.delay);
         let width = usize::from(frame.width);
-        for (i, pixel) in frame.buffer.chunks_exact(4).enumerate().filter(|(_, pixel)| pixel[3] == 255) {
-            let (x, y) = (usize::from(frame.left) + i % width, usize::from(frame.top) + i / width);
+        for (i, pixel) in frame
+            .buffer
+            .chunks_exact(4)
+            .enumerate()
+            .filter(|(_, pixel)| pixel[3] == 255)
+        {
+            let (x, y) = (
+                usize::from(frame.left) + i % width,
+                usize::from(frame.top) + i / width,
+            );
             screen[4 * (320 * y + x)..][..4].copy_from_slice(pixel);
         }
         if count % 10 == 0 {
             // The colours of a GIF are few, but nowhere far from what was drawn.
             let drawn = film.still(count).unwrap();
-            let worst = screen.iter().zip(&drawn).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+            let worst = screen
+                .iter()
+                .zip(&drawn)
+                .map(|(a, b)| a.abs_diff(*b))
+                .max()
+                .unwrap();
             assert!(worst <= 60, "{worst} in frame {count}");
         }
         count += 1;
@@ -74,7 +101,13 @@ fn the_committed_films_are_what_is_drawn() {
         let limits = Limits::default().with_until(impacts.map(|(_, until)| until));
         let motion = Hoop::new(hoop).unwrap().simulate(start, limits).unwrap();
         let slow_impacts = impacts.map(|(factor, _)| factor);
-        let pace = Pace { fps: 20, slow, units: None, hold_s: None, slow_impacts };
+        let pace = Pace {
+            fps: 20,
+            slow,
+            units: None,
+            hold_s: None,
+            slow_impacts,
+        };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto).unwrap();
         let committed = fs::read(folder.join(file).with_extension("gif")).unwrap();
         assert!(committed.len() < 2_000_000);
@@ -91,7 +124,10 @@ fn a_film_that_is_stopped_says_where() {
     let film = film(&motion, 10, (160, 160));
     let mut encoder = GifFilm::new(Vec::new(), &film).unwrap();
     let error = film.play(&mut encoder, |done| done < 7).unwrap_err();
-    assert!(matches!(error, FilmError::Stopped { done: 7, total: 40 }), "{error}");
+    assert!(
+        matches!(error, FilmError::Stopped { done: 7, total: 40 }),
+        "{error}"
+    );
 }
 
 /// Takes a number of bytes, then the disk is full.
@@ -132,18 +168,37 @@ fn a_gif_has_at_most_50_frames_a_second() {
     assert!(GifFilm::new(Vec::new(), &film(&motion, 50, (160, 160))).is_ok());
     let film = film(&motion, 51, (160, 160));
     let error = GifFilm::new(Vec::new(), &film).unwrap_err();
-    assert!(matches!(error, FilmError::FrameRate { fps: 51, most: 50, format: "GIF" }));
+    assert!(matches!(
+        error,
+        FilmError::FrameRate {
+            fps: 51,
+            most: 50,
+            format: "GIF"
+        }
+    ));
 }
 
 #[test]
 fn sizes_have_bounds() {
-    for (width, height) in [(0, 360), (640, 0), (159, 360), (640, 4097), (u32::MAX, u32::MAX)] {
-        assert!(matches!(FrameSize::new(width, height), Err(SizeError { .. })));
+    for (width, height) in [
+        (0, 360),
+        (640, 0),
+        (159, 360),
+        (640, 4097),
+        (u32::MAX, u32::MAX),
+    ] {
+        assert!(matches!(
+            FrameSize::new(width, height),
+            Err(SizeError { .. })
+        ));
     }
     // Small, tall, and wide.
     for size in [(160, 160), (160, 900), (1600, 160)] {
         let motion = motion("figure-3");
-        assert_eq!(film(&motion, 2, size).still(3).unwrap().len(), 4 * (size.0 * size.1) as usize);
+        assert_eq!(
+            film(&motion, 2, size).still(3).unwrap().len(),
+            4 * (size.0 * size.1) as usize
+        );
     }
 }
 
@@ -158,7 +213,13 @@ fn an_mp4_needs_even_sides_and_ffmpeg() {
         Err(FilmError::OddSize { .. })
     ));
     let even = film(&motion, 10, (160, 160));
-    let error = FfmpegFilm::start("ffmpeg-that-is-not-there".as_ref(), &path, &even, Video::Mp4).unwrap_err();
+    let error = FfmpegFilm::start(
+        "ffmpeg-that-is-not-there".as_ref(),
+        &path,
+        &even,
+        Video::Mp4,
+    )
+    .unwrap_err();
     assert!(
         matches!(&error, FilmError::NoFfmpeg { .. }) && error.hint().contains("install ffmpeg"),
         "{error}"
@@ -193,8 +254,10 @@ fn ffmpeg_receives_every_frame_and_repeats_of_the_last() {
         let mut frame = vec![0; 160 * 170 * 3];
         io::Read::read_exact(&mut received, &mut frame).unwrap();
         let drawn = film.still(index.min(film.schedule().frames - 1)).unwrap();
-        let colours: Vec<u8> =
-            drawn.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+        let colours: Vec<u8> = drawn
+            .chunks_exact(4)
+            .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+            .collect();
         assert!(frame == colours, "frame {index}");
     }
     assert_eq!(io::Read::read(&mut received, &mut [0]).unwrap(), 0);
@@ -215,7 +278,10 @@ fn what_ffmpeg_says_is_passed_on() {
         let mut encoder = FfmpegFilm::start(program.as_ref(), &path, &film, Video::Mp4).unwrap();
         let played = film.play(&mut encoder, |_| true);
         let error = played.and_then(|()| encoder.finish()).unwrap_err();
-        assert!(error.to_string().contains("Unknown encoder libx264"), "{error}");
+        assert!(
+            error.to_string().contains("Unknown encoder libx264"),
+            "{error}"
+        );
     }
 }
 
@@ -225,7 +291,9 @@ fn a_frame_that_does_not_change_is_a_frame() {
     let film = film(&motion, 10, (160, 160));
     let mut encoder = GifFilm::new(Vec::new(), &film).unwrap();
     for index in 0..3 {
-        encoder.frame(&[255; 160 * 160 * 4], film.schedule().shown(index)).unwrap();
+        encoder
+            .frame(&[255; 160 * 160 * 4], film.schedule().shown(index))
+            .unwrap();
     }
     let bytes = encoder.finish().unwrap();
     let mut decoder = gif::Decoder::new(&bytes[..]).unwrap();

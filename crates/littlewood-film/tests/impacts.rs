@@ -1,14 +1,26 @@
-//! Impacts in films: the energy adds up, impulses are to scale, and time runs slowly where it is said to.
+//! Impacts in films: the energy adds up, impulses are to scale, and time runs slowly where it is
+//! said to.
 
 use littlewood::cases::{CASES, find_case};
-use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory};
+use littlewood::{
+    Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory,
+};
 use littlewood_film::{EnergyBar, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Schedule};
 use littlewood_style::EnergyParts;
 
-const PACE: Pace = Pace { fps: 25, slow: 3.0, units: None, hold_s: None, slow_impacts: None };
+const PACE: Pace = Pace {
+    fps: 25,
+    slow: 3.0,
+    units: None,
+    hold_s: None,
+    slow_impacts: None,
+};
 
 fn motion(name: &str) -> Trajectory {
-    find_case(name).expect("a named case").simulate().expect("it can be simulated")
+    find_case(name)
+        .expect("a named case")
+        .simulate()
+        .expect("it can be simulated")
 }
 
 fn film<'a>(motion: &'a Trajectory, pace: &Pace) -> Film<'a> {
@@ -22,11 +34,15 @@ fn energies(film: &Film<'_>) -> Vec<EnergyParts> {
         .collect()
 }
 
-/// The mass centre's and the rotation's part, from positions by finite differences: an independent kinetic energy.
+/// The mass centre's and the rotation's part, from positions by finite differences: an independent
+/// kinetic energy.
 fn kinetic(motion: &Trajectory, time: f64, step: f64) -> Option<f64> {
     let [before, now, after] = [time - step, time, time + step].map(|time| motion.at(time));
     let (before, now, after) = (before?, now?, after?);
-    let is_smooth = motion.transitions().iter().all(|transition| (transition.time() - time).abs() > step);
+    let is_smooth = motion
+        .transitions()
+        .iter()
+        .all(|transition| (transition.time() - time).abs() > step);
     let rate = |f: fn(&littlewood::Sample) -> f64| (f(&after) - f(&before)) / (2.0 * step);
     let hoop = motion.hoop();
     let (vx, vy) = (rate(|s| s.mass_centre.x), rate(|s| s.mass_centre.y));
@@ -42,16 +58,30 @@ fn the_parts_add_up_to_the_energy_at_the_start() {
         let film = film(&motion, &PACE).with_energy_bar(EnergyBar::Always);
         let mut checked = 0;
         for (index, parts) in energies(&film).into_iter().enumerate() {
-            let EnergyParts { kinetic: moving, potential, friction, impacts, start } = parts;
+            let EnergyParts {
+                kinetic: moving,
+                potential,
+                friction,
+                impacts,
+                start,
+            } = parts;
             let sum = moving + potential + friction + impacts;
-            assert!((sum - start).abs() < 1e-11 * start.max(1.0), "{} {index}: {sum} and {start}", case.name);
+            assert!(
+                (sum - start).abs() < 1e-11 * start.max(1.0),
+                "{} {index}: {sum} and {start}",
+                case.name
+            );
             // Down a slope the potential energy has no least value.
             let falls = case.setup.hoop.slope != 0.0;
             let is_positive = moving > -1e-12 && friction > -1e-12 && (potential > -1e-12 || falls);
             assert!(is_positive, "{} {index}", case.name);
             let time = film.schedule().time(index as u64);
             if let Some(wanted) = kinetic(&motion, time, 1e-5).filter(|wanted| *wanted < 1e3) {
-                assert!((moving - wanted).abs() < 1e-6 * wanted.max(1.0), "{} {index}: {moving}", case.name);
+                assert!(
+                    (moving - wanted).abs() < 1e-6 * wanted.max(1.0),
+                    "{} {index}: {moving}",
+                    case.name
+                );
                 checked += 1;
             }
         }
@@ -61,15 +91,24 @@ fn the_parts_add_up_to_the_energy_at_the_start() {
 
 #[test]
 fn impacts_take_what_the_notes_say() {
-    // Figure 3 lands with 7.822…; e = 0 takes 4.27572946865290831 of it, e = 0.5 takes 3.36244341922728.
+    // Figure 3 lands with 7.822…; e = 0 takes 4.27572946865290831 of it, e = 0.5 takes
+    // 3.36244341922728.
     for (e, lost) in [(0.0, 4.275_729_468_652_908), (0.5, 3.362_443_419_227_28)] {
         let case = find_case("figure-3").unwrap();
-        let hoop = Hoop::new(case.setup.hoop.with_restitution(e, RestitutionLaw::Energetic)).unwrap();
+        let hoop = Hoop::new(
+            case.setup
+                .hoop
+                .with_restitution(e, RestitutionLaw::Energetic),
+        )
+        .unwrap();
         let motion = hoop.simulate(case.setup.start, Limits::until(4.5)).unwrap();
         let film = film(&motion, &PACE);
         let last = energies(&film).pop().unwrap();
         assert!((last.impacts - lost).abs() < 1e-11, "{e}: {}", last.impacts);
-        assert!((last.start - 9.0).abs() < 1e-13, "8 of Figure 3, and 1 from the bottom up");
+        assert!(
+            (last.start - 9.0).abs() < 1e-13,
+            "8 of Figure 3, and 1 from the bottom up"
+        );
         let first = energies(&film)[0];
         assert_eq!((first.friction, first.impacts), (0.0, 0.0));
     }
@@ -84,24 +123,49 @@ fn a_film_has_a_bar_if_there_is_something_to_lose_in_impacts() {
     assert!(has(film(&lands, &PACE).with_energy_bar(EnergyBar::Always)));
     // Without a bar the picture of a motion without restitution is what it was.
     let plain = film(&lands, &PACE).still(100).unwrap();
-    assert!(plain == film(&lands, &PACE).with_energy_bar(EnergyBar::Auto).still(100).unwrap());
-    assert!(plain != film(&lands, &PACE).with_energy_bar(EnergyBar::Always).still(100).unwrap());
+    assert!(
+        plain
+            == film(&lands, &PACE)
+                .with_energy_bar(EnergyBar::Auto)
+                .still(100)
+                .unwrap()
+    );
+    assert!(
+        plain
+            != film(&lands, &PACE)
+                .with_energy_bar(EnergyBar::Always)
+                .still(100)
+                .unwrap()
+    );
 }
 
 #[test]
 fn an_impulse_is_an_arrow_at_the_instant_and_to_scale() {
     let motion = motion("figure-3-bounces");
     let film = film(&motion, &PACE);
-    let landing = motion.transitions().iter().find(|transition| transition.impact.is_some()).unwrap();
+    let landing = motion
+        .transitions()
+        .iter()
+        .find(|transition| transition.impact.is_some())
+        .unwrap();
     let impact = landing.impact.unwrap();
     let mut frames = 0;
     for index in 0..film.schedule().frames {
         let (time, scene) = (film.schedule().time(index), film.scene(index).unwrap());
-        assert!(scene.impulse.is_none() || time >= landing.time(), "not before the impact");
-        if let Some(drawn) = scene.impulse.filter(|drawn| drawn.impulse == impact.impulse) {
+        assert!(
+            scene.impulse.is_none() || time >= landing.time(),
+            "not before the impact"
+        );
+        if let Some(drawn) = scene
+            .impulse
+            .filter(|drawn| drawn.impulse == impact.impulse)
+        {
             frames += 1;
             assert_eq!(drawn.tail.y, 0.0);
-            assert!((drawn.tail.x - landing.before.x).abs() < 1e-14, "at the point of contact");
+            assert!(
+                (drawn.tail.x - landing.before.x).abs() < 1e-14,
+                "at the point of contact"
+            );
             let scale = film.scale().impulse;
             let extent = (drawn.head.x - drawn.tail.x, drawn.head.y - drawn.tail.y);
             assert!((extent.0 - scale * impact.impulse.friction).abs() < 1e-13);
@@ -111,15 +175,28 @@ fn an_impulse_is_an_arrow_at_the_instant_and_to_scale() {
             assert!(time - landing.time() < 0.8 / 3.0 + 1e-9, "{time}");
         }
     }
-    assert!((19..=21).contains(&frames), "0.8 s at 25 frames a second: {frames}");
+    assert!(
+        (19..=21).contains(&frames),
+        "0.8 s at 25 frames a second: {frames}"
+    );
 }
 
 #[test]
 fn a_replay_is_slower_by_the_factor_and_goes_through_the_impact() {
     let motion = motion("figure-3-bounces");
-    let film = film(&motion, &Pace { slow_impacts: Some(8.0), ..PACE });
+    let film = film(
+        &motion,
+        &Pace {
+            slow_impacts: Some(8.0),
+            ..PACE
+        },
+    );
     let schedule = film.schedule();
-    let landing = motion.transitions().iter().find(|transition| transition.impact.is_some()).unwrap();
+    let landing = motion
+        .transitions()
+        .iter()
+        .find(|transition| transition.impact.is_some())
+        .unwrap();
     let impact = landing.impact.unwrap();
     let compliance = motion.hoop().compliance(landing.before.theta).unwrap();
     let (mut still, mut last) = (0, 0.0);
@@ -134,36 +211,70 @@ fn a_replay_is_slower_by_the_factor_and_goes_through_the_impact() {
             assert!(drawn.normal >= last && drawn.normal <= impact.impulse.normal);
             last = drawn.normal;
             let slip = scene.slip.map_or(0.0, |slip| slip.value);
-            let wanted = impact.before.slip + compliance.a * drawn.friction + compliance.b * drawn.normal;
+            let wanted =
+                impact.before.slip + compliance.a * drawn.friction + compliance.b * drawn.normal;
             assert!((slip - wanted).abs() < 1e-12, "u = u0 + A J + B P");
-            assert!(drawn.friction.abs() <= 0.4 * drawn.normal + 1e-12, "in the cone of μk while it slips");
-        } else if near(before) && near(now) && (before - landing.time()) * (now - landing.time()) > 0.0 {
+            assert!(
+                drawn.friction.abs() <= 0.4 * drawn.normal + 1e-12,
+                "in the cone of μk while it slips"
+            );
+        } else if near(before)
+            && near(now)
+            && (before - landing.time()) * (now - landing.time()) > 0.0
+        {
             assert!(schedule.is_slow(index));
             // A frame of 1/25 s at 3 s for a unit of time, eight times slower.
-            assert!((now - before - 1.0 / (25.0 * 3.0 * 8.0)).abs() < 1e-12, "{before} {now}");
+            assert!(
+                (now - before - 1.0 / (25.0 * 3.0 * 8.0)).abs() < 1e-12,
+                "{before} {now}"
+            );
         }
     }
-    assert!((29..=31).contains(&still), "1.2 s at 25 frames a second: {still}");
+    assert!(
+        (29..=31).contains(&still),
+        "1.2 s at 25 frames a second: {still}"
+    );
     // Small bounces are not slowed down: of 26 landings three have a tenth of the largest impulse.
-    let slow = (0..schedule.frames).filter(|index| schedule.is_slow(*index)).count() as f64 / 25.0;
+    let slow = (0..schedule.frames)
+        .filter(|index| schedule.is_slow(*index))
+        .count() as f64
+        / 25.0;
     let each = 2.0 * 0.06 * 3.0 * 8.0 + 1.2;
-    let large = motion.transitions().iter().filter_map(|transition| transition.impact);
-    let large = large.filter(|other| other.impulse.normal > 0.1 * impact.impulse.normal).count();
-    assert!(large == 3 && slow < each * large as f64 + 0.2 && slow > each * (large - 1) as f64, "{slow}");
+    let large = motion
+        .transitions()
+        .iter()
+        .filter_map(|transition| transition.impact);
+    let large = large
+        .filter(|other| other.impulse.normal > 0.1 * impact.impulse.normal)
+        .count();
+    assert!(
+        large == 3 && slow < each * large as f64 + 0.2 && slow > each * (large - 1) as f64,
+        "{slow}"
+    );
 }
 
 #[test]
 fn what_cannot_be_slowed_down_is_refused() {
     let bounces = motion("figure-3-bounces");
     for factor in [0.0, 0.5, -1.0, f64::NAN, f64::INFINITY] {
-        let pace = Pace { slow_impacts: Some(factor), ..PACE };
+        let pace = Pace {
+            slow_impacts: Some(factor),
+            ..PACE
+        };
         let error = Schedule::new(&bounces, &pace).unwrap_err();
         assert!(matches!(error, FilmError::SlowImpacts { .. }), "{error}");
         assert!(error.to_string().contains("slow_impacts") && error.hint().contains("such as 8"));
     }
     // Without impacts the film is as it was.
     let lands = motion("figure-3");
-    let slowed = Schedule::new(&lands, &Pace { slow_impacts: Some(8.0), ..PACE }).unwrap();
+    let slowed = Schedule::new(
+        &lands,
+        &Pace {
+            slow_impacts: Some(8.0),
+            ..PACE
+        },
+    )
+    .unwrap();
     assert_eq!(slowed, Schedule::new(&lands, &PACE).unwrap());
 }
 
@@ -171,35 +282,84 @@ fn what_cannot_be_slowed_down_is_refused() {
 #[test]
 #[ignore = "thorough"]
 fn every_hoop_has_a_film() {
-    let e = |parameters: HoopParameters, e: f64| parameters.with_restitution(e, RestitutionLaw::Energetic);
+    let e = |parameters: HoopParameters, e: f64| {
+        parameters.with_restitution(e, RestitutionLaw::Energetic)
+    };
     let thin = |m1: f64| HoopParameters::thin(m1).with_friction(0.5, 0.4);
-    let balanced = HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4);
+    let balanced = HoopParameters::thin(1.0)
+        .with_offset(0.0)
+        .with_friction(0.5, 0.4);
     let rest = std::f64::consts::PI;
-    let newton =
-        HoopParameters::thin(0.5).with_friction(1.5, 1.5).with_restitution(0.9, RestitutionLaw::Newton);
+    let newton = HoopParameters::thin(0.5)
+        .with_friction(1.5, 1.5)
+        .with_restitution(0.9, RestitutionLaw::Newton);
     for (what, parameters, start, until) in [
-        ("balanced, thrown", e(balanced, 0.6), Start::at(0.0, 1.0).with_gap_rate(1.0), None),
-        ("balanced, for ever", e(balanced, 1.0), Start::at(0.0, 0.0).with_gap_rate(1.0), None),
+        (
+            "balanced, thrown",
+            e(balanced, 0.6),
+            Start::at(0.0, 1.0).with_gap_rate(1.0),
+            None,
+        ),
+        (
+            "balanced, for ever",
+            e(balanced, 1.0),
+            Start::at(0.0, 0.0).with_gap_rate(1.0),
+            None,
+        ),
         ("light", e(thin(1e-3), 0.5), Start::at(1.0, 2.0), Some(10.0)),
         ("at rest", e(thin(1.0), 0.5), Start::at(rest, 0.0), None),
-        ("at rest, tiny throw", e(thin(1.0), 0.5), Start::at(rest, 0.0).with_gap_rate(1e-9), Some(3.0)),
-        ("spinning", e(thin(1.0), 0.5), Start::at(0.0, 6.0), Some(8.0)),
-        ("Newton", newton, Start::at(0.3, 1.0).with_slip(1.5).with_gap_rate(0.8), Some(6.0)),
-        ("slow", e(thin(1.0), 0.9), Start::at(2.0, 1e-3).with_gap_rate(1e-3), Some(2.0)),
-        ("without friction", e(thin(1.0).with_friction(0.0, 0.0), 0.5), Start::at(1.0, 4.0), Some(8.0)),
+        (
+            "at rest, tiny throw",
+            e(thin(1.0), 0.5),
+            Start::at(rest, 0.0).with_gap_rate(1e-9),
+            Some(3.0),
+        ),
+        (
+            "spinning",
+            e(thin(1.0), 0.5),
+            Start::at(0.0, 6.0),
+            Some(8.0),
+        ),
+        (
+            "Newton",
+            newton,
+            Start::at(0.3, 1.0).with_slip(1.5).with_gap_rate(0.8),
+            Some(6.0),
+        ),
+        (
+            "slow",
+            e(thin(1.0), 0.9),
+            Start::at(2.0, 1e-3).with_gap_rate(1e-3),
+            Some(2.0),
+        ),
+        (
+            "without friction",
+            e(thin(1.0).with_friction(0.0, 0.0), 0.5),
+            Start::at(1.0, 4.0),
+            Some(8.0),
+        ),
     ] {
         let motion = Hoop::new(parameters)
             .unwrap()
             .simulate(start, Limits::default().with_until(until))
             .unwrap_or_else(|error| panic!("{what}: {error}"));
         for slow_impacts in [None, Some(4.0)] {
-            let pace = Pace { fps: 5, slow: 1.0, slow_impacts, ..PACE };
+            let pace = Pace {
+                fps: 5,
+                slow: 1.0,
+                slow_impacts,
+                ..PACE
+            };
             let film = film(&motion, &pace);
             let mut encoder = GifFilm::new(Vec::new(), &film).unwrap();
-            film.play(&mut encoder, |_| true).unwrap_or_else(|error| panic!("{what}: {error}"));
+            film.play(&mut encoder, |_| true)
+                .unwrap_or_else(|error| panic!("{what}: {error}"));
             for parts in energies(&film) {
                 let sum = parts.kinetic + parts.potential + parts.friction + parts.impacts;
-                assert!((sum - parts.start).abs() < 1e-10 * parts.start.max(1.0), "{what}: {parts:?}");
+                assert!(
+                    (sum - parts.start).abs() < 1e-10 * parts.start.max(1.0),
+                    "{what}: {parts:?}"
+                );
             }
         }
     }
@@ -210,7 +370,16 @@ fn a_motion_that_bounces_for_ever_is_shown_for_some_bounces() {
     let motion = motion("bounces-forever");
     assert_eq!(motion.outcome().kind(), OutcomeKind::TransitionLimit);
     let schedule = Schedule::new(&motion, &PACE).unwrap();
-    let landings = motion.transitions().iter().filter(|landing| landing.time() <= schedule.end).count();
+    let landings = motion
+        .transitions()
+        .iter()
+        .filter(|landing| landing.time() <= schedule.end)
+        .count();
     assert!((4..=16).contains(&landings), "{landings}");
-    assert!(motion.phases().iter().all(|phase| phase.mode() == Mode::Flight));
+    assert!(
+        motion
+            .phases()
+            .iter()
+            .all(|phase| phase.mode() == Mode::Flight)
+    );
 }

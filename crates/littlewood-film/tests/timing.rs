@@ -6,10 +6,19 @@ use littlewood::{Limits, OutcomeKind, Trajectory};
 use littlewood_film::{FilmError, Pace, Schedule, Shown};
 use proptest::prelude::*;
 
-const PACE: Pace = Pace { fps: 25, slow: 3.0, units: None, hold_s: None, slow_impacts: None };
+const PACE: Pace = Pace {
+    fps: 25,
+    slow: 3.0,
+    units: None,
+    hold_s: None,
+    slow_impacts: None,
+};
 
 fn motion(name: &str) -> Trajectory {
-    find_case(name).expect("a named case").simulate().expect("it can be simulated")
+    find_case(name)
+        .expect("a named case")
+        .simulate()
+        .expect("it can be simulated")
 }
 
 #[test]
@@ -33,7 +42,10 @@ fn an_oscillation_closes() {
     assert!(last < period && period - last <= schedule.step * (1.0 + 1e-9));
     assert_eq!(schedule.shown(schedule.frames - 1).hold_ms, 0);
     let motion = motion("figure-2-libration");
-    let (start, end) = (motion.at(0.0).unwrap().state, motion.at(period).unwrap().state);
+    let (start, end) = (
+        motion.at(0.0).unwrap().state,
+        motion.at(period).unwrap().state,
+    );
     assert!((start.theta - end.theta).abs() < 1e-12 && (start.x - end.x).abs() < 1e-12);
 }
 
@@ -49,7 +61,15 @@ fn slow_counts_seconds_of_the_motion_in_si_units() {
     .units()
     .unwrap();
     let motion = motion("figure-3");
-    let schedule = Schedule::new(&motion, &Pace { slow: 8.0, units: Some(units), ..PACE }).unwrap();
+    let schedule = Schedule::new(
+        &motion,
+        &Pace {
+            slow: 8.0,
+            units: Some(units),
+            ..PACE
+        },
+    )
+    .unwrap();
     let plain = Schedule::new(&motion, &Pace { slow: 4.0, ..PACE }).unwrap();
     assert_eq!(schedule, plain);
 }
@@ -60,7 +80,10 @@ fn a_rotation_is_shown_for_two_turns_and_a_limit_is_kept() {
     let endless = case.simulate().unwrap();
     let schedule = Schedule::new(&endless, &PACE).unwrap();
     let turned = endless.at(schedule.end).unwrap().state.theta - endless.start().theta;
-    assert!((turned.abs() - 4.0 * std::f64::consts::PI).abs() < 1e-12, "{turned}");
+    assert!(
+        (turned.abs() - 4.0 * std::f64::consts::PI).abs() < 1e-12,
+        "{turned}"
+    );
     let limited = littlewood::Hoop::new(case.setup.hoop)
         .unwrap()
         .simulate(case.setup.start, Limits::until(1.0))
@@ -73,24 +96,46 @@ fn bad_values_are_refused() {
     let motion = motion("figure-3");
     let refused = |pace: Pace| Schedule::new(&motion, &pace).unwrap_err();
     for fps in [0, 241, u32::MAX] {
-        assert!(matches!(refused(Pace { fps, ..PACE }), FilmError::FrameRate { .. }));
+        assert!(matches!(
+            refused(Pace { fps, ..PACE }),
+            FilmError::FrameRate { .. }
+        ));
     }
     for slow in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(refused(Pace { slow, ..PACE }), FilmError::Slow { .. }));
+        assert!(matches!(
+            refused(Pace { slow, ..PACE }),
+            FilmError::Slow { .. }
+        ));
     }
     for hold in [-1.0, 61.0, f64::NAN] {
-        assert!(matches!(refused(Pace { hold_s: Some(hold), ..PACE }), FilmError::Hold { .. }));
+        assert!(matches!(
+            refused(Pace {
+                hold_s: Some(hold),
+                ..PACE
+            }),
+            FilmError::Hold { .. }
+        ));
     }
     for slow in [1e9, 1e308] {
-        assert!(matches!(refused(Pace { slow, ..PACE }), FilmError::TooLong { .. }));
+        assert!(matches!(
+            refused(Pace { slow, ..PACE }),
+            FilmError::TooLong { .. }
+        ));
     }
     let still = find_case("painleve").unwrap().simulate().unwrap();
     assert!(matches!(
         Schedule::new(&still, &PACE),
-        Err(FilmError::NoMotion { outcome: OutcomeKind::Inconsistent })
+        Err(FilmError::NoMotion {
+            outcome: OutcomeKind::Inconsistent
+        })
     ));
     // Faster than a frame: the start and the end.
-    assert_eq!(Schedule::new(&motion, &Pace { slow: 1e-9, ..PACE }).unwrap().frames, 2);
+    assert_eq!(
+        Schedule::new(&motion, &Pace { slow: 1e-9, ..PACE })
+            .unwrap()
+            .frames,
+        2
+    );
 }
 
 proptest! {

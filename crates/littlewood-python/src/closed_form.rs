@@ -66,8 +66,12 @@ pub(crate) fn slip_angle<'py>(
 ) -> PyResult<Reals<'py>> {
     let mut angles = Vec::with_capacity(mu_s.as_array().len());
     for (i, (&mu_s, &offset)) in mu_s.as_array().iter().zip(offset.as_array()).enumerate() {
-        let hoop = Hoop::new(HoopParameters::thin(0.0).with_offset(offset).with_friction(mu_s, 0.0))
-            .map_err(|error| refuse(py, &error, Some(i)))?;
+        let hoop = Hoop::new(
+            HoopParameters::thin(0.0)
+                .with_offset(offset)
+                .with_friction(mu_s, 0.0),
+        )
+        .map_err(|error| refuse(py, &error, Some(i)))?;
         angles.push(match hoop.body() {
             Body::Massless(body) => closed_form::slip_angle(&body, mu_s).unwrap_or(f64::NAN),
             Body::Heavy(_) => f64::NAN,

@@ -13,8 +13,9 @@ use crate::error::{not_differentiable, unknown_quantity};
 /// The reason outside a motion.
 const OUTSIDE: &str = "outside";
 
-/// The derivatives of states, one row for each state with its numbers in the order of [`State::COLUMNS`], and the name of the reason
-/// for each row. A row without derivatives is NaN; a row that has them has an empty reason.
+/// The derivatives of states, one row for each state with its numbers in the order of
+/// [`State::COLUMNS`], and the name of the reason for each row. A row without derivatives is NaN; a
+/// row that has them has an empty reason.
 pub(crate) type Rows<'py> = (Bound<'py, PyArray1<f64>>, Vec<&'static str>);
 
 #[derive(Default)]
@@ -34,23 +35,35 @@ impl Collected {
     }
 }
 
-fn named<T: Copy>(derivative: &Derivative<T>, state: impl Fn(T) -> State) -> Result<State, &'static str> {
+fn named<T: Copy>(
+    derivative: &Derivative<T>,
+    state: impl Fn(T) -> State,
+) -> Result<State, &'static str> {
     derivative.map(state).map_err(NoDerivative::name)
 }
 
 /// The quantities of these names, or all that the motion has.
-fn quantities(py: Python<'_>, motion: &Trajectory, names: Option<Vec<String>>) -> PyResult<Vec<Quantity>> {
+fn quantities(
+    py: Python<'_>,
+    motion: &Trajectory,
+    names: Option<Vec<String>>,
+) -> PyResult<Vec<Quantity>> {
     let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
     let Some(names) = names else {
         let bounces = motion.hoop().restitution().is_some();
-        return Ok(known().filter(|quantity| bounces || *quantity != Quantity::Restitution).collect());
+        return Ok(known()
+            .filter(|quantity| bounces || *quantity != Quantity::Restitution)
+            .collect());
     };
     let find = |name: &String| known().find(|quantity| quantity.name() == name);
-    names.iter().map(|name| find(name).ok_or_else(|| unknown_quantity(py, name, known()))).collect()
+    names
+        .iter()
+        .map(|name| find(name).ok_or_else(|| unknown_quantity(py, name, known())))
+        .collect()
 }
 
-/// The names of the quantities, the rows of all transitions, those of the outcome, and by their names the numbers of its
-/// recurrence.
+/// The names of the quantities, the rows of all transitions, those of the outcome, and by their
+/// names the numbers of its recurrence.
 pub(crate) type All<'py> = (Vec<&'static str>, Rows<'py>, Rows<'py>, Bound<'py, PyDict>);
 
 /// All derivatives of a motion with respect to these quantities, or to all that it has.
@@ -60,8 +73,9 @@ pub(crate) fn all<'py>(
     names: Option<Vec<String>>,
 ) -> PyResult<All<'py>> {
     let quantities = quantities(py, motion, names)?;
-    let found =
-        py.detach(|| motion.derivatives(&quantities)).map_err(|error| not_differentiable(py, error))?;
+    let found = py
+        .detach(|| motion.derivatives(&quantities))
+        .map_err(|error| not_differentiable(py, error))?;
     let (mut transitions, mut outcome) = (Collected::default(), Collected::default());
     for derivative in found.transitions().iter().flatten() {
         transitions.push(named(derivative, |event| event.after));
@@ -71,7 +85,9 @@ pub(crate) fn all<'py>(
         outcome.push(named(derivative, |end| end.state));
         let recurrence = derivative.ok().and_then(|end| end.recurrence);
         for (name, detail) in recurrence.iter().flat_map(Recurrence::details) {
-            let Detail::Real(value, _) = detail else { continue };
+            let Detail::Real(value, _) = detail else {
+                continue;
+            };
             if !numbers.contains(name)? {
                 numbers.set_item(name, vec![f64::NAN; quantities.len()])?;
             }
@@ -81,7 +97,12 @@ pub(crate) fn all<'py>(
         }
     }
     let names = quantities.into_iter().map(Quantity::name).collect();
-    Ok((names, transitions.into_rows(py), outcome.into_rows(py), numbers))
+    Ok((
+        names,
+        transitions.into_rows(py),
+        outcome.into_rows(py),
+        numbers,
+    ))
 }
 
 /// The derivatives of the state at fixed times, time after time.
@@ -96,12 +117,17 @@ pub(crate) fn at<'py>(
         let mut rows = Collected::default();
         for each in motion.derivatives_at(times, &quantities)? {
             match each {
-                Some(each) => each.iter().for_each(|derivative| rows.push(named(derivative, |state| state))),
+                Some(each) => each
+                    .iter()
+                    .for_each(|derivative| rows.push(named(derivative, |state| state))),
                 None => quantities.iter().for_each(|_| rows.push(Err(OUTSIDE))),
             }
         }
         Ok(rows)
     });
     let rows = found.map_err(|error| not_differentiable(py, error))?;
-    Ok((quantities.into_iter().map(Quantity::name).collect(), rows.into_rows(py)))
+    Ok((
+        quantities.into_iter().map(Quantity::name).collect(),
+        rows.into_rows(py),
+    ))
 }

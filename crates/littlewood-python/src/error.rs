@@ -15,20 +15,51 @@ pyo3::create_exception!(
     "A parameter without physical meaning.\n\nThe message names the value, the bound it breaks and the unit; it is that of the command line.\n\nAttributes\n----------\nquantity : str\n    Name of the parameter.\nhint : str\n    What to do about it.\nindex : int or None\n    Place of the start among many."
 );
 
-/// The exception of an error, with the sentence of the command line; `index` is the place of the start in an array.
+/// The exception of an error, with the sentence of the command line; `index` is the place of the
+/// start in an array.
 pub(crate) fn refuse(py: Python<'_>, error: &Refusal, index: Option<usize>) -> PyErr {
-    exception(py, error.to_string(), error.quantity().name(), error.hint(), index)
+    exception(
+        py,
+        error.to_string(),
+        error.quantity().name(),
+        error.hint(),
+        index,
+    )
 }
 
 /// The exception of a word that there is not, of a parameter that has a default.
-pub(crate) fn unknown(py: Python<'_>, error: &UnknownName, parameter: &str, default: &str) -> PyErr {
-    exception(py, error.to_string(), parameter, &format!("leave it out for {default}"), None)
+pub(crate) fn unknown(
+    py: Python<'_>,
+    error: &UnknownName,
+    parameter: &str,
+    default: &str,
+) -> PyErr {
+    exception(
+        py,
+        error.to_string(),
+        parameter,
+        &format!("leave it out for {default}"),
+        None,
+    )
 }
 
 /// The exception of a quantity that neither a hoop nor a start has; these have the known ones.
-pub(crate) fn unknown_quantity(py: Python<'_>, name: &str, known: impl Iterator<Item = Quantity>) -> PyErr {
-    let hint = format!("quantities are {}", Vec::from_iter(known.map(Quantity::name)).join(", "));
-    exception(py, format!("there is no quantity of a hoop or a start named '{name}'"), name, &hint, None)
+pub(crate) fn unknown_quantity(
+    py: Python<'_>,
+    name: &str,
+    known: impl Iterator<Item = Quantity>,
+) -> PyErr {
+    let hint = format!(
+        "quantities are {}",
+        Vec::from_iter(known.map(Quantity::name)).join(", ")
+    );
+    exception(
+        py,
+        format!("there is no quantity of a hoop or a start named '{name}'"),
+        name,
+        &hint,
+        None,
+    )
 }
 
 /// The exception of a quantity with respect to which a motion has no derivatives.
@@ -42,7 +73,13 @@ pub(crate) fn too_large(error: &TryReserveError) -> PyErr {
     PyMemoryError::new_err(error.to_string())
 }
 
-fn exception(py: Python<'_>, message: String, quantity: &str, hint: &str, index: Option<usize>) -> PyErr {
+fn exception(
+    py: Python<'_>,
+    message: String,
+    quantity: &str,
+    hint: &str,
+    index: Option<usize>,
+) -> PyErr {
     let exception = ParameterError::new_err(message);
     let value = exception.value(py);
     let told = value

@@ -1,9 +1,9 @@
 //! The module `littlewood._core` of the Python package: the core behind NumPy arrays.
 //!
-//! It is thin on purpose. Arrays and lists of numbers come in, arrays, dictionaries and tuples go out; classes,
-//! broadcasting and documentation are those of the package `python/littlewood`, its only caller. Names, codes, labels,
-//! units and colours come from the tables of the core and of `littlewood-style`. Arrays that are computed here are
-//! handed over, not copied.
+//! It is thin on purpose. Arrays and lists of numbers come in, arrays, dictionaries and tuples go
+//! out; classes, broadcasting and documentation are those of the package `python/littlewood`, its
+//! only caller. Names, codes, labels, units and colours come from the tables of the core and of
+//! `littlewood-style`. Arrays that are computed here are handed over, not copied.
 
 mod closed_form;
 mod derivatives;
@@ -34,19 +34,23 @@ mod _core {
     #[pymodule_export]
     use crate::{
         closed_form::{
-            alpha, gliding_path, gliding_time_to_plane, in_rolling_region, rolling_angle, rolling_energy,
-            rolling_friction, rolling_half_sine, rolling_normal, rolling_time_to_plane, rolling_type,
-            slip_angle, slip_time_from_top, stable_manifold_rate, unloading_time_from_top,
-            unstable_manifold_rate,
+            alpha, gliding_path, gliding_time_to_plane, in_rolling_region, rolling_angle,
+            rolling_energy, rolling_friction, rolling_half_sine, rolling_normal,
+            rolling_time_to_plane, rolling_type, slip_angle, slip_time_from_top,
+            stable_manifold_rate, unloading_time_from_top, unstable_manifold_rate,
         },
         digest::digest_line,
         link::{problem_of_link, read_link, write_link},
         many::{classes, derivative_column, summaries},
-        motion::{Trajectory, bouncing_orbit, check_hoop, check_proof, check_until, classify, simulate},
+        motion::{
+            Trajectory, bouncing_orbit, check_hoop, check_proof, check_until, classify, simulate,
+        },
         palette::{curves, dashes, font, lengths, marked, swatches_of, unicode},
         plane::PhasePlane,
         program::run_program,
-        table::{cases, edges, name_of_case, quantities, sample_columns, sequence_names, summary_columns},
+        table::{
+            cases, edges, name_of_case, quantities, sample_columns, sequence_names, summary_columns,
+        },
         units::{derived_units, hoop_from_si, sample_in_si, start_from_si},
     };
 

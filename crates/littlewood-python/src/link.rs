@@ -11,21 +11,33 @@ use crate::record::{GivenHoop, HoopNumbers, StartNumbers, given, hoop, start, st
 type UnitNumbers = (f64, f64, f64, f64);
 
 /// Hoop, law of restitution, units if it has some, start and limit.
-type ProblemRow = (HoopNumbers, Option<&'static str>, Option<UnitNumbers>, StartNumbers, Option<f64>);
+type ProblemRow = (
+    HoopNumbers,
+    Option<&'static str>,
+    Option<UnitNumbers>,
+    StartNumbers,
+    Option<f64>,
+);
 
-/// What cannot be read of a link first, key, text and reason, if anything; whether the link says anything of a motion; its
-/// instant.
+/// What cannot be read of a link first, key, text and reason, if anything; whether the link says
+/// anything of a motion; its instant.
 #[pyfunction]
 pub(crate) fn read_link(link: &str) -> (Option<(String, String, String)>, bool, Option<f64>) {
     let read = Link::read(link, "");
     let refusal = read.refusals.into_iter().next();
-    (refusal.map(|Refusal { key, text, reason }| (key, text, reason)), read.has_problem, read.link.at)
+    (
+        refusal.map(|Refusal { key, text, reason }| (key, text, reason)),
+        read.has_problem,
+        read.link.at,
+    )
 }
 
 #[pyfunction]
 pub(crate) fn problem_of_link(py: Python<'_>, link: &str) -> PyResult<ProblemRow> {
     let problem = Link::read(link, "").link.problem;
-    let (setup, units, until) = problem.to_setup().map_err(|error| refuse(py, &error, None))?;
+    let (setup, units, until) = problem
+        .to_setup()
+        .map_err(|error| refuse(py, &error, None))?;
     let (numbers, law) = given(setup.hoop);
     let units = units.map(|it| (it.mass_kg, it.length_m, it.time_s, it.gravity_m_per_s2));
     Ok((numbers, law, units, start_numbers(setup.start), until))
@@ -43,5 +55,10 @@ pub(crate) fn write_link(
 ) -> PyResult<String> {
     let setup = Setup::new(hoop(py, &given)?.parameters(), start(start_numbers));
     let problem = Problem::of_setup(&setup, until);
-    Ok(Link { problem, at, view: Link::read(shown, "").link.view }.to_string())
+    Ok(Link {
+        problem,
+        at,
+        view: Link::read(shown, "").link.view,
+    }
+    .to_string())
 }

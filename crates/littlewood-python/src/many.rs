@@ -1,6 +1,8 @@
 //! Many starts in, columns out.
 
-use littlewood::tables::{Class, DerivativeColumn, Group, PhaseSequence, Quantity, Setup, UnknownDerivative};
+use littlewood::tables::{
+    Class, DerivativeColumn, Group, PhaseSequence, Quantity, Setup, UnknownDerivative,
+};
 use littlewood::{OutcomeKind, RestitutionLaw, Summary};
 use littlewood_sweep::{ColumnValues, Points, Refused, of_derivative};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
@@ -24,7 +26,11 @@ struct Column(Vec<f64>);
 
 impl Column {
     fn get(&self, i: usize) -> f64 {
-        if self.0.len() == 1 { self.0[0] } else { self.0[i] }
+        if self.0.len() == 1 {
+            self.0[0]
+        } else {
+            self.0[i]
+        }
     }
 }
 
@@ -36,7 +42,10 @@ struct Given {
 
 impl Given {
     fn setup(&self, i: usize) -> Setup {
-        let values = self.columns.iter().map(|column| column.as_ref().map(|column| column.get(i)));
+        let values = self
+            .columns
+            .iter()
+            .map(|column| column.as_ref().map(|column| column.get(i)));
         setup(AXES.into_iter().zip(values), self.law)
     }
 
@@ -50,10 +59,13 @@ impl Given {
 
 /// Summaries of many motions.
 ///
-/// `columns` are the axes of the table, each of one value or of `count` values, or none if no point has it. `starts`
-/// is the number of starts of each hoop that are expected in all.
+/// `columns` are the axes of the table, each of one value or of `count` values, or none if no point
+/// has it. `starts` is the number of starts of each hoop that are expected in all.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "they are named where a person writes them, in the package")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "they are named where a person writes them, in the package"
+)]
 pub(crate) fn summaries<'py>(
     py: Python<'py>,
     columns: [Option<PyReadonlyArray1<'py, f64>>; AXES.len()],
@@ -68,9 +80,14 @@ pub(crate) fn summaries<'py>(
     progress: Option<Py<PyAny>>,
     derivatives: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let columns = columns
-        .map(|column| column.map(|column| Column(column.as_array().iter().copied().collect::<Vec<_>>())));
-    if columns.iter().flatten().any(|column| column.0.len() != 1 && column.0.len() != count) {
+    let columns = columns.map(|column| {
+        column.map(|column| Column(column.as_array().iter().copied().collect::<Vec<_>>()))
+    });
+    if columns
+        .iter()
+        .flatten()
+        .any(|column| column.0.len() != 1 && column.0.len() != count)
+    {
         return Err(PyRuntimeError::new_err("columns of unequal length"));
     }
     if count > MOST_POINTS {
@@ -80,9 +97,15 @@ pub(crate) fn summaries<'py>(
     // What is needed at once, at least: without it the process would end.
     with_room::<(usize, Summary)>(count).map_err(|error| too_large(&error))?;
     with_room::<f64>(count.saturating_mul(derivatives.len())).map_err(|error| too_large(&error))?;
-    let given = Given { columns, law: law(py, &law_name)? };
+    let given = Given {
+        columns,
+        law: law(py, &law_name)?,
+    };
     let limits = limits(py, until, (max_transitions, max_slides), proof)?;
-    let derivatives = derivatives.iter().map(|name| derivative(name)).collect::<PyResult<Vec<_>>>()?;
+    let derivatives = derivatives
+        .iter()
+        .map(|name| derivative(name))
+        .collect::<PyResult<Vec<_>>>()?;
     let points = Points {
         count,
         at: &|i| given.setup(i),
@@ -96,17 +119,26 @@ pub(crate) fn summaries<'py>(
     let dict = PyDict::new(py);
     for (column, values) in columns.into_columns() {
         match values {
-            ColumnValues::U8(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
-            ColumnValues::U32(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
-            ColumnValues::U64(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
-            ColumnValues::F64(values) => dict.set_item(column.to_string(), values.into_pyarray(py))?,
+            ColumnValues::U8(values) => {
+                dict.set_item(column.to_string(), values.into_pyarray(py))?
+            }
+            ColumnValues::U32(values) => {
+                dict.set_item(column.to_string(), values.into_pyarray(py))?
+            }
+            ColumnValues::U64(values) => {
+                dict.set_item(column.to_string(), values.into_pyarray(py))?
+            }
+            ColumnValues::F64(values) => {
+                dict.set_item(column.to_string(), values.into_pyarray(py))?
+            }
         }
     }
     Ok(dict)
 }
 
 fn derivative(name: &str) -> PyResult<DerivativeColumn> {
-    name.parse().map_err(|error: UnknownDerivative| PyValueError::new_err(error.to_string()))
+    name.parse()
+        .map_err(|error: UnknownDerivative| PyValueError::new_err(error.to_string()))
 }
 
 /// The quantity, and the long name, the unit and the scale of a derivative.
@@ -124,13 +156,16 @@ pub(crate) fn classes<'py>(
     sequence: PyReadonlyArray1<'py, u64>,
     lift_off_time: PyReadonlyArray1<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray1<u8>>> {
-    let (outcome, sequence, lift_off_time) =
-        (outcome.as_array(), sequence.as_array(), lift_off_time.as_array());
+    let (outcome, sequence, lift_off_time) = (
+        outcome.as_array(),
+        sequence.as_array(),
+        lift_off_time.as_array(),
+    );
     let mut codes = Vec::with_capacity(outcome.len());
     for ((&outcome, &sequence), &lift_off_time) in outcome.iter().zip(sequence).zip(lift_off_time) {
         let mut summary = Summary::NOT_COMPUTED;
-        summary.outcome =
-            OutcomeKind::try_from(outcome).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        summary.outcome = OutcomeKind::try_from(outcome)
+            .map_err(|error| PyValueError::new_err(error.to_string()))?;
         summary.sequence = PhaseSequence::from_bits(sequence);
         summary.lift_off_time = lift_off_time;
         codes.push(Class::of(&summary).code());

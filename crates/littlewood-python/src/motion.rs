@@ -7,7 +7,8 @@ use littlewood::impact::{BouncingOrbit, ContactVelocities, Impact};
 use littlewood::tables::Detail;
 use littlewood::theory::{Candidates, Classification, RollingType};
 use littlewood::{
-    Direction, Hoop, HoopParameters, Limits, Mode, Phase, RestitutionLaw, Sample, Start, Trajectory as Core,
+    Direction, Hoop, HoopParameters, Limits, Mode, Phase, RestitutionLaw, Sample, Start,
+    Trajectory as Core,
 };
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
@@ -24,16 +25,23 @@ use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, limits, start, 
 use crate::samples::Samples;
 use crate::units::{Scales, units};
 
-/// Checks the parameters of a hoop; returns its mass m, h, its moment of inertia about the mass centre, and its law of
-/// restitution.
+/// Checks the parameters of a hoop; returns its mass m, h, its moment of inertia about the mass
+/// centre, and its law of restitution.
 #[pyfunction]
 pub(crate) fn check_hoop(
     py: Python<'_>,
     given: GivenHoop,
 ) -> PyResult<(f64, f64, f64, Option<&'static str>)> {
     let hoop = hoop(py, &given)?;
-    let law = hoop.restitution().map(|restitution| RestitutionLaw::name(restitution.law()));
-    Ok((hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre(), law))
+    let law = hoop
+        .restitution()
+        .map(|restitution| RestitutionLaw::name(restitution.law()));
+    Ok((
+        hoop.mass(),
+        hoop.h(),
+        hoop.body().inertia_about_mass_centre(),
+        law,
+    ))
 }
 
 /// Checks a time limit for a start at τ = 0, before anything is computed.
@@ -56,8 +64,14 @@ pub(crate) fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
 #[pyclass(frozen, module = "littlewood._core")]
 pub(crate) struct Trajectory(Core, Start);
 
-/// A part of a page: what it is, its label or headings, its rows with the mode of each, and the columns of numbers.
-type BlockRow = (&'static str, Vec<String>, Vec<(Option<&'static str>, Vec<String>)>, Vec<usize>);
+/// A part of a page: what it is, its label or headings, its rows with the mode of each, and the
+/// columns of numbers.
+type BlockRow = (
+    &'static str,
+    Vec<String>,
+    Vec<(Option<&'static str>, Vec<String>)>,
+    Vec<usize>,
+);
 
 /// Simulates a motion, with the interpreter released.
 #[pyfunction]
@@ -74,14 +88,25 @@ pub(crate) fn simulate(
     let limits = limits(py, until, (max_transitions, max_slides), proof)?;
     let start = start(start_numbers);
     let motion = py.detach(|| hoop.simulate(start, limits));
-    motion.map(|motion| Trajectory(motion, start)).map_err(|error| refuse(py, &error, None))
+    motion
+        .map(|motion| Trajectory(motion, start))
+        .map_err(|error| refuse(py, &error, None))
 }
 
 /// θ′, η′ and the rate of the gap.
 type Velocities = (f64, f64, f64);
 
-/// Case, velocities before and after, the impulse upwards and along E1, the works of both, energy lost.
-type ImpactRow = (&'static str, Velocities, Velocities, (f64, f64), f64, f64, f64);
+/// Case, velocities before and after, the impulse upwards and along E1, the works of both, energy
+/// lost.
+type ImpactRow = (
+    &'static str,
+    Velocities,
+    Velocities,
+    (f64, f64),
+    f64,
+    f64,
+    f64,
+);
 
 /// Before, after, impact, mode that ends, mode that begins, its direction, cause.
 type TransitionRow = (
@@ -94,12 +119,25 @@ type TransitionRow = (
     &'static str,
 );
 
-/// Mode, direction, start and end state, energy at the start, energy lost, whether a glide is a limit of small inertia, and
-/// the place of the transition that ends it.
-type PhaseRow = (&'static str, i8, StateNumbers, Option<StateNumbers>, f64, f64, bool, Option<usize>);
+/// Mode, direction, start and end state, energy at the start, energy lost, whether a glide is a
+/// limit of small inertia, and the place of the transition that ends it.
+type PhaseRow = (
+    &'static str,
+    i8,
+    StateNumbers,
+    Option<StateNumbers>,
+    f64,
+    f64,
+    bool,
+    Option<usize>,
+);
 
 fn impact_row(impact: &Impact) -> ImpactRow {
-    let velocities = |ContactVelocities { theta_rate, slip, gap_rate }| (theta_rate, slip, gap_rate);
+    let velocities = |ContactVelocities {
+                          theta_rate,
+                          slip,
+                          gap_rate,
+                      }| (theta_rate, slip, gap_rate);
     (
         impact.case.name(),
         velocities(impact.before),
@@ -117,15 +155,23 @@ fn before(motion: &Core, time: f64) -> Option<Instant> {
         // The first of all instants, which is just before a jam if the start jams.
         return instants(motion, Sampling::of(motion, 2)).next();
     }
-    let earlier = motion.phases().partition_point(|phase| phase.start().time < time);
+    let earlier = motion
+        .phases()
+        .partition_point(|phase| phase.start().time < time);
     let last = motion.phases().get(..earlier).and_then(<[Phase]>::last);
-    let ended = last.filter(|phase| phase.end_time() == time).and_then(Phase::last);
+    let ended = last
+        .filter(|phase| phase.end_time() == time)
+        .and_then(Phase::last);
     ended.or_else(|| motion.at(time)).map(after)
 }
 
 /// An instant of a motion that begins or goes on.
 fn after(sample: Sample) -> Instant {
-    Instant { sample, mode: Some(sample.mode), event: None }
+    Instant {
+        sample,
+        mode: Some(sample.mode),
+        event: None,
+    }
 }
 
 #[pymethods]
@@ -144,7 +190,9 @@ impl Trajectory {
                     phase.first().energy,
                     phase.energy_lost(),
                     !phase.is_outside_small_inertia_limit(),
-                    self.0.end_of(phase).and_then(|end| transitions.element_offset(end)),
+                    self.0
+                        .end_of(phase)
+                        .and_then(|end| transitions.element_offset(end)),
                 )
             })
             .collect()
@@ -178,7 +226,12 @@ impl Trajectory {
         add_details(&details, outcome.details())?;
         add_candidates(&details, outcome.candidates())?;
         let words = sentence::outcome(&self.0, Scale::new(None));
-        Ok((outcome.kind().name(), outcome.state().numbers(), details, words))
+        Ok((
+            outcome.kind().name(),
+            outcome.state().numbers(),
+            details,
+            words,
+        ))
     }
 
     /// The motion as the command line prints it.
@@ -189,11 +242,19 @@ impl Trajectory {
         String::from_utf8(text).unwrap_or_default()
     }
 
-    /// The motion as the command line writes it in JSON, with so many evenly spaced instants, if any, and in SI units, too,
-    /// if it has some.
-    fn json(&self, py: Python<'_>, samples: Option<usize>, scales: Option<Scales>) -> PyResult<String> {
+    /// The motion as the command line writes it in JSON, with so many evenly spaced instants, if
+    /// any, and in SI units, too, if it has some.
+    fn json(
+        &self,
+        py: Python<'_>,
+        samples: Option<usize>,
+        scales: Option<Scales>,
+    ) -> PyResult<String> {
         let units = scales.map(|scales| units(py, scales)).transpose()?;
-        let subject = Subject { units: units.as_ref(), ..self.subject() };
+        let subject = Subject {
+            units: units.as_ref(),
+            ..self.subject()
+        };
         let sampling = samples.map(|count| Sampling::of(&self.0, count));
         py.detach(|| {
             let mut text = Room(Vec::new());
@@ -205,14 +266,28 @@ impl Trajectory {
 
     /// The same in parts: facts, tables and notes.
     fn blocks(&self) -> Vec<BlockRow> {
-        let plain = |cells: &[String]| cells.iter().map(|cell| (None, vec![cell.clone()])).collect();
+        let plain = |cells: &[String]| {
+            cells
+                .iter()
+                .map(|cell| (None, vec![cell.clone()]))
+                .collect()
+        };
         let row = |row: &Row| (row.mode.map(Mode::name), row.cells.clone());
         let block = |block: &Block| match block {
             Block::Title(text) => Some(("title", vec![text.clone()], vec![], vec![])),
-            Block::Fact(label, lines) => Some(("fact", vec![(*label).to_owned()], plain(lines), vec![])),
-            Block::Table(Table { head, rows, numbers }) => {
-                Some(("table", head.clone(), rows.iter().map(row).collect(), numbers.clone()))
+            Block::Fact(label, lines) => {
+                Some(("fact", vec![(*label).to_owned()], plain(lines), vec![]))
             }
+            Block::Table(Table {
+                head,
+                rows,
+                numbers,
+            }) => Some((
+                "table",
+                head.clone(),
+                rows.iter().map(row).collect(),
+                numbers.clone(),
+            )),
             Block::Note(text) => Some(("note", vec![text.clone()], vec![], vec![])),
             Block::Gap => None,
         };
@@ -223,7 +298,8 @@ impl Trajectory {
         self.0.end_time()
     }
 
-    /// Time up to which plots and tables show the motion: its end, or two periods of one that lasts for ever.
+    /// Time up to which plots and tables show the motion: its end, or two periods of one that lasts
+    /// for ever.
     fn shown_until(&self) -> f64 {
         Sampling::of(&self.0, 2).until
     }
@@ -240,7 +316,8 @@ impl Trajectory {
         self.0.summary().sequence.to_string()
     }
 
-    /// The instants `times`; at a transition the last of what ends (`is_before`), or the first of what begins.
+    /// The instants `times`; at a transition the last of what ends (`is_before`), or the first of
+    /// what begins.
     fn at<'py>(
         &self,
         py: Python<'py>,
@@ -251,7 +328,11 @@ impl Trajectory {
         let samples = py.detach(|| -> Result<Samples, TryReserveError> {
             let mut samples = Samples::with_room(times.len())?;
             for time in times {
-                let instant = if is_before { before(&self.0, time) } else { self.0.at(time).map(after) };
+                let instant = if is_before {
+                    before(&self.0, time)
+                } else {
+                    self.0.at(time).map(after)
+                };
                 match instant {
                     Some(Instant { sample, mode, .. }) => samples.push(&sample, mode),
                     None => samples.push_nothing(time),
@@ -263,9 +344,15 @@ impl Trajectory {
     }
 
     /// `count` instants evenly spaced up to `until`, and both sides of each transition.
-    fn sample_evenly<'py>(&self, py: Python<'py>, count: usize, until: f64) -> PyResult<Bound<'py, PyDict>> {
+    fn sample_evenly<'py>(
+        &self,
+        py: Python<'py>,
+        count: usize,
+        until: f64,
+    ) -> PyResult<Bound<'py, PyDict>> {
         let samples = py.detach(|| -> Result<Samples, TryReserveError> {
-            let mut samples = Samples::with_room(count.saturating_add(2 * self.0.transitions().len()))?;
+            let mut samples =
+                Samples::with_room(count.saturating_add(2 * self.0.transitions().len()))?;
             for Instant { sample, mode, .. } in instants(&self.0, Sampling { count, until }) {
                 samples.push(&sample, mode);
             }
@@ -274,8 +361,13 @@ impl Trajectory {
         samples.map_err(|error| too_large(&error))?.into_dict(py)
     }
 
-    /// The derivatives of the transitions and of the outcome with respect to these quantities, or to all that there are.
-    fn derivatives<'py>(&self, py: Python<'py>, quantities: Option<Vec<String>>) -> PyResult<All<'py>> {
+    /// The derivatives of the transitions and of the outcome with respect to these quantities, or
+    /// to all that there are.
+    fn derivatives<'py>(
+        &self,
+        py: Python<'py>,
+        quantities: Option<Vec<String>>,
+    ) -> PyResult<All<'py>> {
         derivatives::all(py, &self.0, quantities)
     }
 
@@ -334,9 +426,13 @@ fn add_details(
 
 /// The motions that are consistent, and the numbers that decide.
 fn add_candidates(dict: &Bound<'_, PyDict>, candidates: Option<Candidates>) -> PyResult<()> {
-    let Some(candidates) = candidates else { return Ok(()) };
-    let consistent: Vec<(&str, i8)> =
-        candidates.consistent().map(|(mode, direction)| (mode.name(), Direction::code(direction))).collect();
+    let Some(candidates) = candidates else {
+        return Ok(());
+    };
+    let consistent: Vec<(&str, i8)> = candidates
+        .consistent()
+        .map(|(mode, direction)| (mode.name(), Direction::code(direction)))
+        .collect();
     dict.set_item("consistent", consistent)?;
     add_details(dict, candidates.details())
 }
@@ -348,8 +444,9 @@ pub(crate) fn classify(
     given: GivenHoop,
     start_numbers: StartNumbers,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let found: Classification =
-        hoop(py, &given)?.classify(start(start_numbers)).map_err(|error| refuse(py, &error, None))?;
+    let found: Classification = hoop(py, &given)?
+        .classify(start(start_numbers))
+        .map_err(|error| refuse(py, &error, None))?;
     let dict = PyDict::new(py);
     dict.set_item("region", found.region.name())?;
     dict.set_item("mode", found.mode.map(Mode::name))?;
@@ -359,7 +456,14 @@ pub(crate) fn classify(
     dict.set_item("rolling_friction", found.rolling_forces.friction)?;
     dict.set_item("contact", found.contact)?;
     dict.set_item("rolling_type", found.rolling_type.map(RollingType::name))?;
-    let end = found.rolling_end.map(|end| (end.elapsed, end.theta, end.theta_rate, end.limit.cause().name()));
+    let end = found.rolling_end.map(|end| {
+        (
+            end.elapsed,
+            end.theta,
+            end.theta_rate,
+            end.limit.cause().name(),
+        )
+    });
     dict.set_item("rolling_end", end)?;
     dict.set_item("reverse_chatter", found.reverse_chatter)?;
     let details = PyDict::new(py);
@@ -371,15 +475,33 @@ pub(crate) fn classify(
     Ok(dict)
 }
 
-/// Rates of the flights over the top and under the bottom, rate of the gap, friction, period, start.
+/// Rates of the flights over the top and under the bottom, rate of the gap, friction, period,
+/// start.
 type OrbitRow = (f64, f64, f64, f64, f64, StartNumbers);
 
 /// The motion that bounces for ever with impacts at this angle, if there is one.
 #[pyfunction]
-pub(crate) fn bouncing_orbit(py: Python<'_>, given: GivenHoop, angle: f64) -> PyResult<Option<OrbitRow>> {
+pub(crate) fn bouncing_orbit(
+    py: Python<'_>,
+    given: GivenHoop,
+    angle: f64,
+) -> PyResult<Option<OrbitRow>> {
     let orbit = BouncingOrbit::new(&hoop(py, &given)?, angle);
     Ok(orbit.map(|orbit| {
-        let BouncingOrbit { top_rate, bottom_rate, gap_rate, friction, .. } = orbit;
-        (top_rate, bottom_rate, gap_rate, friction, orbit.period(), start_numbers(orbit.start()))
+        let BouncingOrbit {
+            top_rate,
+            bottom_rate,
+            gap_rate,
+            friction,
+            ..
+        } = orbit;
+        (
+            top_rate,
+            bottom_rate,
+            gap_rate,
+            friction,
+            orbit.period(),
+            start_numbers(orbit.start()),
+        )
     }))
 }

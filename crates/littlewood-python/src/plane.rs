@@ -18,7 +18,8 @@ pub(crate) struct PhasePlane {
     plane: Core,
 }
 
-/// The methods of the class: functions of the plane and one or two reals, element by element, and others as they stand.
+/// The methods of the class: functions of the plane and one or two reals, element by element, and
+/// others as they stand.
 macro_rules! methods {
     ($($name:ident($plane:ident, $($argument:ident),+) -> $output:ty = $value:expr;)+ { $($others:tt)* }) => {
         #[pymethods]
@@ -75,7 +76,8 @@ methods! {
         energies.into_pyarray(py)
     }
 
-    /// The pieces of the curve of this name in a window, [from, to] of θ and of θ′, and the place of its letter; `None` for an unknown name.
+    /// The pieces of the curve of this name in a window, [from, to] of θ and of θ′, and the place
+    /// of its letter; `None` for an unknown name.
     fn curve(&self, name: &str, theta: [f64; 2], theta_rate: [f64; 2]) -> (Pieces, Option<[f64; 2]>) {
         let window = Window { x: theta, y: theta_rate };
         let curve = Curve::ALL.into_iter().find(|curve| curve.name() == name);

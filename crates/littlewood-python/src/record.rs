@@ -1,4 +1,5 @@
-//! Numbers of a hoop, a start, a state and a setup in SI units, in the order of the tables of the core.
+//! Numbers of a hoop, a start, a state and a setup in SI units, in the order of the tables of the
+//! core.
 
 use littlewood::si::SiSetup;
 use littlewood::tables::{Quantity, Setup, UnknownName};
@@ -31,7 +32,12 @@ pub(crate) type SiStartNumbers = [f64; Quantity::SI_START.len()];
 pub(crate) fn law(py: Python<'_>, name: &LawName) -> PyResult<Option<RestitutionLaw>> {
     let parse = |name: &String| {
         name.parse().map_err(|error: UnknownName| {
-            unknown(py, &error, "restitution_law", &format!("the {} law", RestitutionLaw::default()))
+            unknown(
+                py,
+                &error,
+                "restitution_law",
+                &format!("the {} law", RestitutionLaw::default()),
+            )
         })
     };
     name.as_ref().map(parse).transpose()
@@ -44,7 +50,9 @@ pub(crate) fn limits(
     proof: &str,
 ) -> PyResult<Limits> {
     let default = || format!("'{}'", Proof::default());
-    let proof = proof.parse().map_err(|error: UnknownName| unknown(py, &error, "proof", &default()))?;
+    let proof = proof
+        .parse()
+        .map_err(|error: UnknownName| unknown(py, &error, "proof", &default()))?;
     Ok(Limits::default()
         .with_until(until)
         .with_transitions(max_transitions)
@@ -75,7 +83,10 @@ pub(crate) fn hoop(py: Python<'_>, (numbers, name): &GivenHoop) -> PyResult<Hoop
 /// A hoop as the package has it, from its parameters.
 pub(crate) fn given(parameters: HoopParameters) -> (HoopNumbers, Option<&'static str>) {
     let setup = Setup::new(parameters, Start::default());
-    (Quantity::HOOP.map(|quantity| setup.get(quantity)), parameters.restitution_law.map(RestitutionLaw::name))
+    (
+        Quantity::HOOP.map(|quantity| setup.get(quantity)),
+        parameters.restitution_law.map(RestitutionLaw::name),
+    )
 }
 
 pub(crate) fn start(numbers: StartNumbers) -> Start {

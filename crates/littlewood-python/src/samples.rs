@@ -8,7 +8,8 @@ use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Code of the mode where there is no motion: before the start, after the end, and just before a jam.
+/// Code of the mode where there is no motion: before the start, after the end, and just before a
+/// jam.
 pub(crate) const OUTSIDE: i8 = -1;
 
 /// The values of a column.
@@ -40,7 +41,11 @@ impl Samples {
             };
             values.map(|values| (column, values))
         };
-        SampleColumn::ALL.into_iter().map(column).collect::<Result<_, _>>().map(Self)
+        SampleColumn::ALL
+            .into_iter()
+            .map(column)
+            .collect::<Result<_, _>>()
+            .map(Self)
     }
 
     /// An instant; of one just before a jam there is no mode.
@@ -64,7 +69,11 @@ impl Samples {
                 Values::Code(codes) if *column == SampleColumn::Mode => codes.push(OUTSIDE),
                 Values::Code(codes) => codes.push(Direction::code(None)),
                 Values::Real(reals) => {
-                    reals.push(if *column == SampleColumn::Time { time } else { f64::NAN });
+                    reals.push(if *column == SampleColumn::Time {
+                        time
+                    } else {
+                        f64::NAN
+                    });
                 }
             }
         }

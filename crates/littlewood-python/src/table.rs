@@ -1,11 +1,12 @@
-//! Tables of the core: quantities, modes, causes, kinds and laws of impacts, outcomes, classes, regions, phases, columns,
-//! cases, edges.
+//! Tables of the core: quantities, modes, causes, kinds and laws of impacts, outcomes, classes,
+//! regions, phases, columns, cases, edges.
 
 use littlewood::cases::{CASES, find_case};
 use littlewood::impact::ImpactCase;
 use littlewood::si::STANDARD_GRAVITY;
 use littlewood::tables::{
-    Class, ColumnType, Dimension, PhaseCode, PhaseSequence, Presence, Quantity, SampleColumn, SummaryColumn,
+    Class, ColumnType, Dimension, PhaseCode, PhaseSequence, Presence, Quantity, SampleColumn,
+    SummaryColumn,
 };
 use littlewood::theory::{EDGES, RollingType, StartRegion};
 use littlewood::{Cause, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, State};
@@ -38,7 +39,13 @@ pub(crate) fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
             dict.set_item("scale", row.dimension.scale())?;
             dict.set_item("long_name", row.long_name)?;
             dict.set_item("help", row.help)?;
-            dict.set_item("bounds", row.bounds.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+            dict.set_item(
+                "bounds",
+                row.bounds
+                    .iter()
+                    .map(ToString::to_string)
+                    .collect::<Vec<_>>(),
+            )?;
             dict.set_item("default", row.presence.default_value())?;
             dict.set_item("is_optional", row.presence == Presence::Optional)?;
             Ok(dict)
@@ -93,7 +100,14 @@ pub(crate) fn summary_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>
 }
 
 /// A named case: name, title, source, hoop, law of restitution, start.
-type CaseRow = (&'static str, &'static str, &'static str, HoopNumbers, Option<&'static str>, StartNumbers);
+type CaseRow = (
+    &'static str,
+    &'static str,
+    &'static str,
+    HoopNumbers,
+    Option<&'static str>,
+    StartNumbers,
+);
 
 #[pyfunction]
 pub(crate) fn cases() -> Vec<CaseRow> {
@@ -101,7 +115,14 @@ pub(crate) fn cases() -> Vec<CaseRow> {
         .iter()
         .map(|case| {
             let (hoop, law) = given(case.setup.hoop);
-            (case.name, case.title, case.source, hoop, law, start_numbers(case.setup.start))
+            (
+                case.name,
+                case.title,
+                case.source,
+                hoop,
+                law,
+                start_numbers(case.setup.start),
+            )
         })
         .collect()
 }
@@ -129,7 +150,15 @@ pub(crate) fn edges() -> Vec<EdgeRow> {
         .iter()
         .map(|edge| {
             let (from, to) = (edge.from.map(Mode::name), edge.to.map(Mode::name));
-            (edge.body.name(), from, edge.cause.name(), edge.guard, edge.reset, to, edge.source)
+            (
+                edge.body.name(),
+                from,
+                edge.cause.name(),
+                edge.guard,
+                edge.reset,
+                to,
+                edge.source,
+            )
         })
         .collect()
 }
@@ -137,7 +166,10 @@ pub(crate) fn edges() -> Vec<EdgeRow> {
 /// Sequences of phases, one letter a phase.
 #[pyfunction]
 pub(crate) fn sequence_names(bits: PyReadonlyArray1<'_, u64>) -> Vec<String> {
-    bits.as_array().iter().map(|&bits| PhaseSequence::from_bits(bits).to_string()).collect()
+    bits.as_array()
+        .iter()
+        .map(|&bits| PhaseSequence::from_bits(bits).to_string())
+        .collect()
 }
 
 fn names<const N: usize>(quantities: [Quantity; N]) -> Vec<&'static str> {
@@ -149,7 +181,10 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("START", names(Quantity::START))?;
     module.add("AXES", names(Quantity::AXES))?;
     let friction = Varies::Friction;
-    module.add("FRICTION", (friction.name(), friction.sign(), friction.long_name()))?;
+    module.add(
+        "FRICTION",
+        (friction.name(), friction.sign(), friction.long_name()),
+    )?;
     module.add("SI_HOOP", names(Quantity::SI_HOOP))?;
     module.add("SI_START", names(Quantity::SI_START))?;
     module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;
@@ -157,24 +192,46 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
     module.add("MAX_SLIDES", Limits::default().slides)?;
     module.add("MOST_COUNT", usize::MAX)?;
-    module.add("SAMPLE_COUNTS", (*Sampling::COUNTS.start(), *Sampling::COUNTS.end()))?;
+    module.add(
+        "SAMPLE_COUNTS",
+        (*Sampling::COUNTS.start(), *Sampling::COUNTS.end()),
+    )?;
     module.add("PROOF", Limits::default().proof.name())?;
     module.add("PROOFS", Proof::NAMES.to_vec())?;
     module.add("OUTSIDE", OUTSIDE)?;
-    module.add("MODES", Mode::ALL.map(|mode| (mode.code(), mode.name())).to_vec())?;
+    module.add(
+        "MODES",
+        Mode::ALL.map(|mode| (mode.code(), mode.name())).to_vec(),
+    )?;
     let causes = Cause::ALL.map(|cause| (cause.code(), cause.name(), cause.label()));
     module.add("CAUSES", causes.to_vec())?;
     let impacts = ImpactCase::ALL.map(|case| (case.code(), case.name(), case.label()));
     module.add("IMPACT_CASES", impacts.to_vec())?;
     let laws = RestitutionLaw::ALL.map(|law| (law.code(), law.name(), law.label()));
     module.add("RESTITUTION_LAWS", laws.to_vec())?;
-    let outcomes = OutcomeKind::ALL.map(|kind| (kind.code(), kind.name(), kind.label(), kind.is_final()));
+    let outcomes =
+        OutcomeKind::ALL.map(|kind| (kind.code(), kind.name(), kind.label(), kind.is_final()));
     module.add("OUTCOMES", outcomes.to_vec())?;
     let classes = Class::ALL.map(|class| (class.code(), class.name(), class.label()));
     module.add("CLASSES", classes.to_vec())?;
-    module.add("REGIONS", StartRegion::ALL.map(|region| (region.code(), region.name())).to_vec())?;
-    module.add("ROLLING_TYPES", RollingType::ALL.map(|kind| (kind.code(), kind.name())).to_vec())?;
-    module.add("PHASES", PhaseCode::ALL.map(|code| (code.code(), code.name(), code.meaning())).to_vec())?;
+    module.add(
+        "REGIONS",
+        StartRegion::ALL
+            .map(|region| (region.code(), region.name()))
+            .to_vec(),
+    )?;
+    module.add(
+        "ROLLING_TYPES",
+        RollingType::ALL
+            .map(|kind| (kind.code(), kind.name()))
+            .to_vec(),
+    )?;
+    module.add(
+        "PHASES",
+        PhaseCode::ALL
+            .map(|code| (code.code(), code.name(), code.meaning()))
+            .to_vec(),
+    )?;
     module.add("SEQUENCE_CAPACITY", PhaseSequence::CAPACITY)?;
     module.add("SEQUENCE_VERSION", PhaseSequence::VERSION)?;
     module.add("SEQUENCE_ENCODING", PhaseSequence::ENCODING)

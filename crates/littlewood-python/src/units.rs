@@ -8,7 +8,8 @@ use pyo3::prelude::*;
 
 use crate::error::refuse;
 use crate::record::{
-    HoopNumbers, LawName, SiHoopNumbers, SiStartNumbers, StartNumbers, given, law, si_setup, start_numbers,
+    HoopNumbers, LawName, SiHoopNumbers, SiStartNumbers, StartNumbers, given, law, si_setup,
+    start_numbers,
 };
 
 /// m2, R and g in SI units.
@@ -34,9 +35,20 @@ pub(crate) fn hoop_from_si(
 ) -> PyResult<(HoopNumbers, (f64, f64, f64, f64))> {
     let values: Vec<_> = Quantity::SI_HOOP.into_iter().zip(numbers).collect();
     let si = si_setup(&values, law(py, &law_name)?);
-    let (hoop, units) = si.hoop.to_hoop().map_err(|error| refuse(py, &error, None))?;
+    let (hoop, units) = si
+        .hoop
+        .to_hoop()
+        .map_err(|error| refuse(py, &error, None))?;
     let (numbers, _) = given(hoop.parameters());
-    Ok((numbers, (units.mass_kg, units.length_m, units.time_s, units.gravity_m_per_s2)))
+    Ok((
+        numbers,
+        (
+            units.mass_kg,
+            units.length_m,
+            units.time_s,
+            units.gravity_m_per_s2,
+        ),
+    ))
 }
 
 /// A start, and a time limit if there is one, from SI units.
@@ -48,11 +60,16 @@ pub(crate) fn start_from_si(
     until_s: Option<f64>,
 ) -> PyResult<(StartNumbers, Option<f64>)> {
     let units = units(py, scales)?;
-    let values: Vec<_> = Quantity::SI_START.into_iter().zip(numbers.map(Some)).collect();
+    let values: Vec<_> = Quantity::SI_START
+        .into_iter()
+        .zip(numbers.map(Some))
+        .collect();
     let si = si_setup(&values, None);
     let convert = || {
         let start = units.start(&si.start)?;
-        let until = until_s.map(|until_s| units.until(until_s, &start)).transpose()?;
+        let until = until_s
+            .map(|until_s| units.until(until_s, &start))
+            .transpose()?;
         Ok((start_numbers(start), until))
     };
     convert().map_err(|error| refuse(py, &error, None))
@@ -66,12 +83,20 @@ pub(crate) fn sample_in_si<'py>(
     column: &str,
     values: PyReadonlyArray1<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let column: SampleColumn = column.parse().map_err(|error| PyValueError::new_err(format!("{error}")))?;
+    let column: SampleColumn = column
+        .parse()
+        .map_err(|error| PyValueError::new_err(format!("{error}")))?;
     let Some(dimension) = column.dimension() else {
-        return Err(PyValueError::new_err(format!("{column} is a code, which has no unit")));
+        return Err(PyValueError::new_err(format!(
+            "{column} is a code, which has no unit"
+        )));
     };
     let units = units(py, scales)?;
-    let values: Vec<f64> = values.as_array().iter().map(|&value| units.to_si(dimension, value)).collect();
+    let values: Vec<f64> = values
+        .as_array()
+        .iter()
+        .map(|&value| units.to_si(dimension, value))
+        .collect();
     Ok(values.into_pyarray(py))
 }
 

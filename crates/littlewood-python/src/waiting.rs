@@ -12,10 +12,12 @@ use pyo3::prelude::*;
 /// Time between two looks at the signals.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Runs `work` on `threads` threads of its own (0: as many as there are cores) without holding the interpreter.
+/// Runs `work` on `threads` threads of its own (0: as many as there are cores) without holding the
+/// interpreter.
 ///
-/// The threads end with the work: a process that forks afterwards has none to miss. `progress` is called with the
-/// amount done, about ten times a second and at the end. What Ctrl-C or `progress` raise stops the work.
+/// The threads end with the work: a process that forks afterwards has none to miss. `progress` is
+/// called with the amount done, about ten times a second and at the end. What Ctrl-C or `progress`
+/// raise stops the work.
 pub(crate) fn run<T: Send>(
     py: Python<'_>,
     threads: usize,
@@ -26,7 +28,11 @@ pub(crate) fn run<T: Send>(
     let count = |progress: Progress| {
         followed.fetch_max(progress.followed, Ordering::Relaxed);
     };
-    let options = || Options { cancel: Some(&cancelled), progress: Some(&count), ..Options::default() };
+    let options = || Options {
+        cancel: Some(&cancelled),
+        progress: Some(&count),
+        ..Options::default()
+    };
     py.detach(|| {
         let workers = Workers::new(NonZeroUsize::new(threads))
             .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
@@ -51,9 +57,9 @@ pub(crate) fn run<T: Send>(
                 let result = match result {
                     Ok(Ok(result)) => Ok(Ok(result)),
                     Ok(Err(Halt::Refused(refused))) => Ok(Err(refused)),
-                    Ok(Err(Halt::Cancelled)) | Err(RecvTimeoutError::Disconnected) => {
-                        Err(PyRuntimeError::new_err("the simulation has stopped before its end"))
-                    }
+                    Ok(Err(Halt::Cancelled)) | Err(RecvTimeoutError::Disconnected) => Err(
+                        PyRuntimeError::new_err("the simulation has stopped before its end"),
+                    ),
                     Err(RecvTimeoutError::Timeout) => {
                         if let (None, Err(error)) = (&raised, look()) {
                             cancelled.store(true, Ordering::Relaxed);

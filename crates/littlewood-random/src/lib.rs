@@ -1,8 +1,10 @@
-//! Random hoops, starts and limits over the whole accepted range: the one generator of tests, fuzzers, digests and measurements.
+//! Random hoops, starts and limits over the whole accepted range: the one generator of tests,
+//! fuzzers, digests and measurements.
 //!
-//! Sizes are log-uniform up to the bound of each quantity. Mixed with them are zero, the bounds, the smallest numbers, numbers
-//! that a person types, ties (equal coefficients, a particle on the rim, multiples of π/2, starts on a boundary of the phase plane)
-//! and the usual ranges. The same seed draws the same numbers on every machine.
+//! Sizes are log-uniform up to the bound of each quantity. Mixed with them are zero, the bounds,
+//! the smallest numbers, numbers that a person types, ties (equal coefficients, a particle on the
+//! rim, multiples of π/2, starts on a boundary of the phase plane) and the usual ranges. The same
+//! seed draws the same numbers on every machine.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -11,8 +13,20 @@ use littlewood::theory::{Body, PhasePlane};
 use littlewood::{Direction, Hoop, HoopParameters, Limits, RestitutionLaw, Start};
 
 /// Small numbers, each of which some computation may take for zero.
-const TINY: [f64; 12] =
-    [5e-324, f64::MIN_POSITIVE, 1e-300, 1e-150, 1e-30, 1e-16, 2e-16, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3];
+const TINY: [f64; 12] = [
+    5e-324,
+    f64::MIN_POSITIVE,
+    1e-300,
+    1e-150,
+    1e-30,
+    1e-16,
+    2e-16,
+    1e-12,
+    1e-9,
+    1e-6,
+    1e-4,
+    1e-3,
+];
 
 /// Numbers that a person types.
 const NICE: [f64; 8] = [0.1, 0.25, 0.4, 0.5, 0.75, 1.0, 2.0, 3.0];
@@ -99,7 +113,11 @@ impl Draw {
             _ => self.between(quantity.row().usual),
         };
         let value = if self.comes(0.5) { -size } else { size };
-        if quantity.check(value).is_ok() { value } else { size.clamp(0.0, most) }
+        if quantity.check(value).is_ok() {
+            value
+        } else {
+            size.clamp(0.0, most)
+        }
     }
 
     /// A number, or one beside it.
@@ -132,9 +150,16 @@ impl Draw {
                 let mass_ratio = self.allowed(Quantity::MassRatio);
                 (mass_ratio, mass_ratio)
             }
-            _ => (self.allowed(Quantity::MassRatio), self.allowed(Quantity::Inertia)),
+            _ => (
+                self.allowed(Quantity::MassRatio),
+                self.allowed(Quantity::Inertia),
+            ),
         };
-        let offset = if self.comes(0.3) { 1.0 } else { self.allowed(Quantity::Offset) };
+        let offset = if self.comes(0.3) {
+            1.0
+        } else {
+            self.allowed(Quantity::Offset)
+        };
         let mu_s = self.allowed(Quantity::MuS).abs();
         let mu_k = match self.below(10) {
             0 | 1 => mu_s,
@@ -162,7 +187,11 @@ impl Draw {
 
     /// A start, each number within its bounds.
     pub fn start(&mut self) -> Start {
-        let theta = if self.comes(0.5) { self.between([-PI, PI]) } else { self.allowed(Quantity::Theta) };
+        let theta = if self.comes(0.5) {
+            self.between([-PI, PI])
+        } else {
+            self.allowed(Quantity::Theta)
+        };
         let mut start = Start::at(theta, self.allowed(Quantity::ThetaRate));
         if self.comes(0.5) {
             start = start.with_slip(self.allowed(Quantity::Slip));
@@ -171,27 +200,41 @@ impl Draw {
             start = start.with_gap_rate(self.allowed(Quantity::GapRate));
         }
         if self.comes(0.1) {
-            start = start.with_time(self.allowed(Quantity::Time)).with_x(self.allowed(Quantity::X));
+            start = start
+                .with_time(self.allowed(Quantity::Time))
+                .with_x(self.allowed(Quantity::X));
         }
         start
     }
 
-    /// A start on a boundary of the phase plane of a hoop, to the last digit or nearly so; none where the boundary does not cross
-    /// the angle that was drawn, or is out of bounds there.
+    /// A start on a boundary of the phase plane of a hoop, to the last digit or nearly so; none
+    /// where the boundary does not cross the angle that was drawn, or is out of bounds there.
     pub fn on_boundary(&mut self, hoop: &Hoop) -> Option<Start> {
         let plane = PhasePlane::new(hoop);
         let theta = self.between([-PI, PI]);
         let rate = boundary_rate(&plane, theta, self.below(BOUNDARIES))?;
         let nudge = self.one_of(&[0.0, 0.0, 0.0, 1e-15, -1e-15, 1e-9, -1e-9, 1e-6]);
         let rate = (if self.comes(0.5) { -rate } else { rate }) * (1.0 + nudge);
-        Quantity::ThetaRate.check(rate).is_ok().then(|| Start::at(theta, rate))
+        Quantity::ThetaRate
+            .check(rate)
+            .is_ok()
+            .then(|| Start::at(theta, rate))
     }
 
     /// A hoop with a start; now and then they contradict each other.
     pub fn setup(&mut self) -> Setup {
         let (hoop, start) = (self.hoop(), self.start());
-        let boundary = if self.comes(0.15) { Hoop::new(hoop).ok() } else { None };
-        Setup::new(hoop, boundary.and_then(|hoop| self.on_boundary(&hoop)).unwrap_or(start))
+        let boundary = if self.comes(0.15) {
+            Hoop::new(hoop).ok()
+        } else {
+            None
+        };
+        Setup::new(
+            hoop,
+            boundary
+                .and_then(|hoop| self.on_boundary(&hoop))
+                .unwrap_or(start),
+        )
     }
 
     /// The same, drawn until they are accepted.
@@ -200,7 +243,12 @@ impl Draw {
             let Setup { hoop, start } = self.setup();
             if let Ok(hoop) = Hoop::new(hoop)
                 && hoop
-                    .simulate(start, Limits::default().with_transitions(1).with_until(Some(start.time)))
+                    .simulate(
+                        start,
+                        Limits::default()
+                            .with_transitions(1)
+                            .with_until(Some(start.time)),
+                    )
                     .is_ok()
             {
                 return (hoop, start);
@@ -220,8 +268,16 @@ impl Draw {
 
     /// A hoop that is put on a slope, up to nearly vertical.
     pub fn on_slope(&mut self, hoop: &Hoop) -> Hoop {
-        let slope = if self.comes(0.5) { self.between([-1.5, 1.5]) } else { self.allowed(Quantity::Slope) };
-        let slope = if self.comes(0.1) { libm::atan(hoop.mu_s()).copysign(slope) } else { slope };
+        let slope = if self.comes(0.5) {
+            self.between([-1.5, 1.5])
+        } else {
+            self.allowed(Quantity::Slope)
+        };
+        let slope = if self.comes(0.1) {
+            libm::atan(hoop.mu_s()).copysign(slope)
+        } else {
+            slope
+        };
         Hoop::new(hoop.parameters().with_slope(slope)).unwrap_or(*hoop)
     }
 
@@ -251,11 +307,16 @@ impl Draw {
             _ => Some(start.time + self.of_any_size([-3.0, 4.0])),
         };
         let limits = Limits::default().with_until(until);
-        if self.comes(0.3) { limits.with_transitions(self.one_of(&[1, 2, 3, 7, 100])) } else { limits }
+        if self.comes(0.3) {
+            limits.with_transitions(self.one_of(&[1, 2, 3, 7, 100]))
+        } else {
+            limits
+        }
     }
 }
 
-/// Boundaries of the phase plane: N = 0 and slip to either side in rolling, lift-off, and the separatrix.
+/// Boundaries of the phase plane: N = 0 and slip to either side in rolling, lift-off, and the
+/// separatrix.
 pub const BOUNDARIES: usize = 5;
 
 /// θ′ on one of them, by its number, at an angle; none where it does not cross the angle.
@@ -274,7 +335,11 @@ fn largest(quantity: Quantity) -> f64 {
     let bound = |bound: &Bound| match *bound {
         Bound::AtMostConstant(most) | Bound::MagnitudeAtMost(most) => Some(most),
         Bound::MagnitudeBelow(bound) => Some(bound.next_down()),
-        Bound::Finite | Bound::Positive | Bound::NonNegative | Bound::AtMost(..) | Bound::AtLeast(..) => None,
+        Bound::Finite
+        | Bound::Positive
+        | Bound::NonNegative
+        | Bound::AtMost(..)
+        | Bound::AtLeast(..) => None,
     };
     quantity.bounds().iter().find_map(bound).unwrap_or(1e9)
 }
@@ -282,9 +347,25 @@ fn largest(quantity: Quantity) -> f64 {
 /// The command that follows a motion.
 pub fn command(setup: &Setup, limits: Limits) -> String {
     let HoopParameters {
-        mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law, ..
+        mass_ratio,
+        offset,
+        inertia,
+        mu_s,
+        mu_k,
+        slope,
+        restitution,
+        restitution_law,
+        ..
     } = setup.hoop;
-    let Start { time, theta, theta_rate, slip, gap_rate, x, .. } = setup.start;
+    let Start {
+        time,
+        theta,
+        theta_rate,
+        slip,
+        gap_rate,
+        x,
+        ..
+    } = setup.start;
     let mut words = format!(
         "littlewood simulate --mass-ratio {mass_ratio:e} --offset {offset:e} --inertia {inertia:e} --mu-s {mu_s:e} \
          --mu-k {mu_k:e} --theta {theta:e} --theta-rate {theta_rate:e} --slip {slip:e}"
@@ -292,7 +373,12 @@ pub fn command(setup: &Setup, limits: Limits) -> String {
     if let (Some(restitution), Some(law)) = (restitution, restitution_law) {
         words += &format!(" --restitution {restitution:e} --restitution-law {law}");
     }
-    for (flag, value) in [("slope", slope), ("gap-rate", gap_rate), ("x", x), ("time", time)] {
+    for (flag, value) in [
+        ("slope", slope),
+        ("gap-rate", gap_rate),
+        ("x", x),
+        ("time", time),
+    ] {
         if value != 0.0 {
             words += &format!(" --{flag} {value:e}");
         }
@@ -310,13 +396,18 @@ pub fn command(setup: &Setup, limits: Limits) -> String {
 mod tests {
     use super::*;
 
-    /// The first numbers of the generator from 1234567, as published with the reference implementation.
+    /// The first numbers of the generator from 1234567, as published with the reference
+    /// implementation.
     #[test]
     fn the_generator_is_split_mix_64() {
         let mut draw = Draw(1_234_567);
         assert_eq!(
             [draw.bits(), draw.bits(), draw.bits()],
-            [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]
+            [
+                6_457_827_717_110_365_317,
+                3_203_168_211_198_807_973,
+                9_817_491_932_198_370_423
+            ]
         );
     }
 }

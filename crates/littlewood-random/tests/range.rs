@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use littlewood::tables::Quantity;
 use littlewood_random::Draw;
 
-/// Each decade of a quantity with a bound comes, the largest and the smallest, and no number beyond the bound.
+/// Each decade of a quantity with a bound comes, the largest and the smallest, and no number beyond
+/// the bound.
 #[test]
 fn every_size_is_drawn() {
     for (quantity, top) in [
@@ -24,7 +25,10 @@ fn every_size_is_drawn() {
                 decades.insert(libm::floor(libm::log10(value.abs())) as i32);
             }
         }
-        assert!((-12..=top).all(|decade| decades.contains(&decade)), "{quantity}: {decades:?}");
+        assert!(
+            (-12..=top).all(|decade| decades.contains(&decade)),
+            "{quantity}: {decades:?}"
+        );
     }
 }
 

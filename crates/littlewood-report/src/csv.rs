@@ -8,8 +8,8 @@ use littlewood::{Cause, Outcome, OutcomeKind, Phase, State, Trajectory};
 
 use crate::instants::{START, instants};
 use crate::record::{
-    Fields, Value, derivative_columns, digit_columns, edge, edge_of, jump, opening, sample, si_jump,
-    si_sample, si_state, state,
+    Fields, Value, derivative_columns, digit_columns, edge, edge_of, jump, opening, sample,
+    si_jump, si_sample, si_state, state,
 };
 use crate::{Sampling, Subject};
 
@@ -38,23 +38,43 @@ fn events<W: Write>(
     subject: &Subject<'_>,
     trajectory: &Trajectory,
 ) -> csv::Result<()> {
-    // Without impacts every row has the state of its instant, and the gap does not open but by itself.
+    // Without impacts every row has the state of its instant, and the gap does not open but by
+    // itself.
     let may_jump = trajectory.hoop().restitution().is_some() || subject.start.gap_rate != 0.0;
     let rows = rows(subject, trajectory).into_iter().map(|row| {
-        let Row { state: at, edge, gap_rate, side, impact, transition } = row;
+        let Row {
+            state: at,
+            edge,
+            gap_rate,
+            side,
+            impact,
+            transition,
+        } = row;
         let fields = state(&at).followed_by(edge);
         let fields = match subject.digits {
-            Some(digits) => fields.followed_by(digit_columns(transition.and_then(|index| digits.get(index)))),
+            Some(digits) => fields.followed_by(digit_columns(
+                transition.and_then(|index| digits.get(index)),
+            )),
             None => fields,
         };
         let fields = match subject.derivatives {
             Some(derivatives) => fields.followed_by(derivative_columns(derivatives, transition)),
             None => fields,
         };
-        let fields = if may_jump { fields.followed_by(jump(gap_rate, side, impact)) } else { fields };
-        let Some(units) = subject.units else { return fields };
+        let fields = if may_jump {
+            fields.followed_by(jump(gap_rate, side, impact))
+        } else {
+            fields
+        };
+        let Some(units) = subject.units else {
+            return fields;
+        };
         let fields = fields.followed_by(si_state(units, &at));
-        if may_jump { fields.followed_by(si_jump(units, gap_rate, impact)) } else { fields }
+        if may_jump {
+            fields.followed_by(si_jump(units, gap_rate, impact))
+        } else {
+            fields
+        }
     });
     write_rows(writer, rows)
 }
@@ -73,23 +93,45 @@ struct Row<'a> {
 
 impl Row<'_> {
     const fn smooth(state: State, gap_rate: f64, edge: Fields, transition: Option<usize>) -> Self {
-        Self { state, edge, gap_rate, side: None, impact: None, transition }
+        Self {
+            state,
+            edge,
+            gap_rate,
+            side: None,
+            impact: None,
+            transition,
+        }
     }
 }
 
 fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
     let (mode, direction) = opening(trajectory);
     let start = edge(None, mode, direction, Some(START));
-    let mut rows = vec![Row::smooth(trajectory.start(), subject.start.gap_rate, start, None)];
+    let mut rows = vec![Row::smooth(
+        trajectory.start(),
+        subject.start.gap_rate,
+        start,
+        None,
+    )];
     let outcome = trajectory.outcome();
     for (index, transition) in trajectory.transitions().iter().enumerate() {
         let Some(impact) = &transition.impact else {
             let mut gap_rate = 0.0;
-            if let (Cause::Landing, Outcome::Landing { gap_rate: closing, .. }) = (transition.cause, outcome)
+            if let (
+                Cause::Landing,
+                Outcome::Landing {
+                    gap_rate: closing, ..
+                },
+            ) = (transition.cause, outcome)
             {
                 gap_rate = closing;
             }
-            rows.push(Row::smooth(transition.after, gap_rate, edge_of(transition), Some(index)));
+            rows.push(Row::smooth(
+                transition.after,
+                gap_rate,
+                edge_of(transition),
+                Some(index),
+            ));
             continue;
         };
         rows.push(Row {
@@ -112,15 +154,32 @@ fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
     if outcome.kind().last_event().is_none() {
         let last = trajectory.phases().last().map(Phase::mode);
         let edge = edge(last, None, None, Some(outcome.kind().name()));
-        rows.push(Row::smooth(outcome.state(), gap_rate_at_limit(trajectory), edge, None));
+        rows.push(Row::smooth(
+            outcome.state(),
+            gap_rate_at_limit(trajectory),
+            edge,
+            None,
+        ));
     }
     rows
 }
 
 /// Rate of the gap where a limit has stopped a motion; zero where it ends otherwise.
 fn gap_rate_at_limit(trajectory: &Trajectory) -> f64 {
-    let by_time = || trajectory.phases().last().and_then(Phase::last).map(|last| last.gap_rate);
-    let by_count = || trajectory.transitions().last()?.impact.map(|impact| impact.after.gap_rate);
+    let by_time = || {
+        trajectory
+            .phases()
+            .last()
+            .and_then(Phase::last)
+            .map(|last| last.gap_rate)
+    };
+    let by_count = || {
+        trajectory
+            .transitions()
+            .last()?
+            .impact
+            .map(|impact| impact.after.gap_rate)
+    };
     let rate = match trajectory.outcome().kind() {
         OutcomeKind::TimeLimit => by_time(),
         OutcomeKind::TransitionLimit => by_count(),
@@ -151,7 +210,10 @@ fn samples<W: Write>(
     sampling: Sampling,
 ) -> csv::Result<()> {
     let rows = instants(trajectory, sampling).map(|instant| {
-        let event = [("event", Value::Word(Some(instant.event.unwrap_or_default())))];
+        let event = [(
+            "event",
+            Value::Word(Some(instant.event.unwrap_or_default())),
+        )];
         let row = sample(&instant).followed_by(event.into_iter().collect());
         match subject.units {
             Some(units) => row.followed_by(si_sample(units, &instant)),
@@ -162,7 +224,10 @@ fn samples<W: Write>(
 }
 
 /// A line with the names, and one for each row.
-fn write_rows<W: Write>(writer: &mut Writer<W>, rows: impl Iterator<Item = Fields>) -> csv::Result<()> {
+fn write_rows<W: Write>(
+    writer: &mut Writer<W>,
+    rows: impl Iterator<Item = Fields>,
+) -> csv::Result<()> {
     for (index, row) in rows.enumerate() {
         if index == 0 {
             writer.write_record(row.names())?;

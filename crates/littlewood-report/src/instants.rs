@@ -11,22 +11,27 @@ pub struct Instant {
     pub sample: Sample,
     /// The mode; none where no motion is consistent, just before a jam.
     pub mode: Option<Mode>,
-    /// The event, `start` at first, or the outcome where there is no motion. A transition is named at the last instant of the phase that it ends; a jam that ends
-    /// none, at the first of the phase that begins.
+    /// The event, `start` at first, or the outcome where there is no motion. A transition is named
+    /// at the last instant of the phase that it ends; a jam that ends none, at the first of the
+    /// phase that begins.
     pub event: Option<&'static str>,
 }
 
 impl Instant {
     fn of(sample: Sample, event: Option<&'static str>) -> Self {
-        Self { sample, mode: Some(sample.mode), event }
+        Self {
+            sample,
+            mode: Some(sample.mode),
+            event,
+        }
     }
 }
 
 /// What stands for an event at the first instant.
 pub(crate) const START: &str = "start";
 
-/// Evenly spaced instants of a motion, and every transition between them twice: just before it and just after. A motion
-/// that ends where it begins, because none is consistent, has its start alone.
+/// Evenly spaced instants of a motion, and every transition between them twice: just before it and
+/// just after. A motion that ends where it begins, because none is consistent, has its start alone.
 pub fn instants(trajectory: &Trajectory, sampling: Sampling) -> impl Iterator<Item = Instant> + '_ {
     Instants {
         trajectory,
@@ -36,7 +41,11 @@ pub fn instants(trajectory: &Trajectory, sampling: Sampling) -> impl Iterator<It
         transition: 0,
         held: trajectory.only_instant().map(|sample| {
             let event = Some(trajectory.outcome().kind().name());
-            Instant { sample, mode: None, event }
+            Instant {
+                sample,
+                mode: None,
+                event,
+            }
         }),
     }
 }
@@ -62,7 +71,11 @@ impl<I: Iterator<Item = Sample>> Iterator for Instants<'_, I> {
             return Some(held);
         }
         let sample = self.samples.next()?;
-        Some(if self.has_begun { Instant::of(sample, self.ends(&sample)) } else { self.begins(sample) })
+        Some(if self.has_begun {
+            Instant::of(sample, self.ends(&sample))
+        } else {
+            self.begins(sample)
+        })
     }
 }
 
@@ -71,13 +84,21 @@ impl<'a, I> Instants<'a, I> {
     fn begins(&mut self, sample: Sample) -> Instant {
         self.has_begun = true;
         let start = (self.phase == 0).then_some(START);
-        let jam = self.trajectory.transitions().get(self.transition).filter(|next| next.from.is_none());
+        let jam = self
+            .trajectory
+            .transitions()
+            .get(self.transition)
+            .filter(|next| next.from.is_none());
         let instant = match jam {
             None => Instant::of(sample, start),
             Some(jam) => {
                 self.transition += 1;
                 self.held = Some(Instant::of(sample, Some(jam.cause.name())));
-                Instant { sample: before(jam, sample), mode: None, event: start }
+                Instant {
+                    sample: before(jam, sample),
+                    mode: None,
+                    event: start,
+                }
             }
         };
         // Of a first phase that has no length there is one instant only.
@@ -89,7 +110,9 @@ impl<'a, I> Instants<'a, I> {
 
     /// The event, if this is the last instant of the phase.
     fn ends(&mut self, sample: &Sample) -> Option<&'static str> {
-        let phase = self.current().filter(|phase| phase.end() == Some(sample.state))?;
+        let phase = self
+            .current()
+            .filter(|phase| phase.end() == Some(sample.state))?;
         if self.phase + 1 < self.trajectory.phases().len() {
             self.phase += 1;
             self.has_begun = false;
@@ -104,7 +127,8 @@ impl<'a, I> Instants<'a, I> {
     }
 }
 
-/// The instant before a jam from a state where no motion is consistent, given the one after it: the hoop has not moved.
+/// The instant before a jam from a state where no motion is consistent, given the one after it: the
+/// hoop has not moved.
 fn before(jam: &Transition, after: Sample) -> Sample {
     let mut sample = after;
     sample.state = jam.before;

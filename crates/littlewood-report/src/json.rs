@@ -53,7 +53,11 @@ struct SampleEntry {
 
 impl Serialize for Samples<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { trajectory, sampling, units } = self;
+        let Self {
+            trajectory,
+            sampling,
+            units,
+        } = self;
         serializer.collect_seq(instants(trajectory, *sampling).map(|instant| SampleEntry {
             sample: sample(&instant),
             si: units.map(|units| si_sample(units, &instant)),
@@ -83,16 +87,29 @@ pub fn motion(
             .enumerate()
             .map(|(index, it)| {
                 let digits = subject.digits.and_then(|digits| digits.get(index));
-                TransitionRecord::new(it, units, digits, subject.derivatives.map(|all| (all, index)))
+                TransitionRecord::new(
+                    it,
+                    units,
+                    digits,
+                    subject.derivatives.map(|all| (all, index)),
+                )
             })
             .collect(),
         outcome: OutcomeRecord::new(&trajectory.outcome(), units, subject.derivatives),
         uncertainty: subject.uncertainty.map(UncertaintyRecord::new),
-        phases: trajectory.phases().iter().map(|phase| PhaseRecord::new(phase, units)).collect(),
+        phases: trajectory
+            .phases()
+            .iter()
+            .map(|phase| PhaseRecord::new(phase, units))
+            .collect(),
         energy: Fields::of_details(energy.clone()),
         si: units.map(|units| SiRecord::new(trajectory.hoop().parameters(), units, energy)),
         sampled_until: sampling.map(|sampling| sampling.until),
-        samples: sampling.map(|sampling| Samples { trajectory, sampling, units }),
+        samples: sampling.map(|sampling| Samples {
+            trajectory,
+            sampling,
+            units,
+        }),
     };
     write(writer, &document)
 }
@@ -100,9 +117,15 @@ pub fn motion(
 /// The energy lost, and the part of it that impacts have where there can be any.
 fn energy_lost(trajectory: &Trajectory) -> Vec<(&'static str, Detail)> {
     let energy = |name, value| (name, Detail::Real(value, Dimension::Energy));
-    let impacts = trajectory.hoop().restitution().map(|_| trajectory.impact_energy_lost());
+    let impacts = trajectory
+        .hoop()
+        .restitution()
+        .map(|_| trajectory.impact_energy_lost());
     let impacts = impacts.map(|lost| energy(SummaryColumn::ImpactEnergyLost.name(), lost));
-    [energy("energy_lost", trajectory.energy_lost())].into_iter().chain(impacts).collect()
+    [energy("energy_lost", trajectory.energy_lost())]
+        .into_iter()
+        .chain(impacts)
+        .collect()
 }
 
 #[derive(Serialize)]
@@ -135,7 +158,8 @@ pub fn classification(
         hoop: hoop(body.parameters()),
         start: StartRecord::new(subject.start, found.mode, found.direction, units),
         classification: found.into(),
-        jam: jam_of(body, subject.start, found).map(|impact| TransitionRecord::of_jam(&impact, units)),
+        jam: jam_of(body, subject.start, found)
+            .map(|impact| TransitionRecord::of_jam(&impact, units)),
         si: units.map(|units| SiRecord::new(body.parameters(), units, None)),
     };
     write(writer, &document)
@@ -146,7 +170,10 @@ pub fn classification(
 /// # Errors
 /// A failure to write.
 pub fn cases(writer: impl Write) -> io::Result<()> {
-    write(writer, &CASES.iter().map(CaseRecord::from).collect::<Vec<_>>())
+    write(
+        writer,
+        &CASES.iter().map(CaseRecord::from).collect::<Vec<_>>(),
+    )
 }
 
 /// Any document, indented, with a newline at the end.

@@ -1,7 +1,8 @@
 //! The result formats of `littlewood`: a motion as a page, as JSON, as CSV and as a link.
 //!
-//! The command line, the laboratory in the browser and whatever else shows a motion write it through this crate, so
-//! that the same motion is the same bytes everywhere. Nothing here opens a file: the functions take a
+//! The command line, the laboratory in the browser and whatever else shows a motion write it
+//! through this crate, so that the same motion is the same bytes everywhere. Nothing here opens a
+//! file: the functions take a
 //! [`std::io::Write`].
 //!
 //! ```
@@ -16,7 +17,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! For a person, [`page`] has a motion as a [`sheet`] of facts and tables, and [`sentence`] what happens at an instant;
+//! For a person, [`page`] has a motion as a [`sheet`] of facts and tables, and [`sentence`] what
+//! happens at an instant;
 //! [`number`] and [`scale`] write single values, without dimension or in SI units.
 
 pub mod csv;

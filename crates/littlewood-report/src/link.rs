@@ -1,7 +1,9 @@
-//! Links of the laboratory: a motion, an instant and how the page shows them, as the text after `#` in an address.
+//! Links of the laboratory: a motion, an instant and how the page shows them, as the text after `#`
+//! in an address.
 //!
-//! `case=figure-3&mu_k=0.3&at=1.2&map=0`: a case and what differs from it, or numbers without dimension or in SI units;
-//! the instant; what of the page is not as it is at first. A link that is written has every bit of what it says.
+//! `case=figure-3&mu_k=0.3&at=1.2&map=0`: a case and what differs from it, or numbers without
+//! dimension or in SI units; the instant; what of the page is not as it is at first. A link that is
+//! written has every bit of what it says.
 
 use core::fmt;
 
@@ -22,7 +24,11 @@ const FLAG: &[&str] = &["0", "1"];
 
 /// How the page shows a motion: the keys, what each may say, and what the page does at first.
 pub const VIEW: [(&str, &[&str], &str); 11] = [
-    ("rate", &["1", "1.5", "2", "3", "4", "6", "8", "12", "20"], "4"),
+    (
+        "rate",
+        &["1", "1.5", "2", "3", "4", "6", "8", "12", "20"],
+        "4",
+    ),
     ("speed", &["0.1", "0.25", "0.5", "1", "2", "4"], "0.5"),
     ("slow", FLAG, "0"),
     ("loop", FLAG, "0"),
@@ -60,46 +66,77 @@ impl Problem {
     /// A problem without dimension.
     #[must_use]
     pub fn of_setup(setup: &Setup, until: Option<f64>) -> Self {
-        let value = |quantity| if quantity == Quantity::Until { until } else { setup.get(quantity) };
-        let values = Self::quantities(false).map(|quantity| (quantity, value(quantity))).collect();
-        Self { is_si: false, values, law: setup.hoop.restitution_law }
+        let value = |quantity| {
+            if quantity == Quantity::Until {
+                until
+            } else {
+                setup.get(quantity)
+            }
+        };
+        let values = Self::quantities(false)
+            .map(|quantity| (quantity, value(quantity)))
+            .collect();
+        Self {
+            is_si: false,
+            values,
+            law: setup.hoop.restitution_law,
+        }
     }
 
     /// The value of a quantity.
     pub fn get(&self, wanted: Quantity) -> Option<f64> {
-        self.values.iter().find(|(quantity, _)| *quantity == wanted)?.1
+        self.values
+            .iter()
+            .find(|(quantity, _)| *quantity == wanted)?
+            .1
     }
 
     /// The law by which the hoop bounces, if it does.
     fn effective_law(&self) -> Option<RestitutionLaw> {
-        self.get(Quantity::Restitution).map(|_| self.law.unwrap_or_default())
+        self.get(Quantity::Restitution)
+            .map(|_| self.law.unwrap_or_default())
     }
 
     /// The case that it is to the last bit, if it is one.
     pub fn case(&self) -> Option<&'static NamedCase> {
         let same = |other: &Self| {
             let bits = |problem: &Self| {
-                problem.values.iter().map(|(_, value)| value.map(f64::to_bits)).collect::<Vec<_>>()
+                problem
+                    .values
+                    .iter()
+                    .map(|(_, value)| value.map(f64::to_bits))
+                    .collect::<Vec<_>>()
             };
             bits(self) == bits(other) && self.effective_law() == other.effective_law()
         };
-        CASES.iter().filter(|_| !self.is_si).find(|case| same(&Self::of_setup(&case.setup, None)))
+        CASES
+            .iter()
+            .filter(|_| !self.is_si)
+            .find(|case| same(&Self::of_setup(&case.setup, None)))
     }
 
     /// The problem without dimension, its units if it is in SI units, and its limit.
     ///
     /// # Errors
-    /// Values in SI units without physical meaning; those without dimension are checked where they are used.
+    /// Values in SI units without physical meaning; those without dimension are checked where they
+    /// are used.
     pub fn to_setup(&self) -> Result<(Setup, Option<Units>, Option<f64>), ParameterError> {
         if self.is_si {
-            let (setup, units) = SiSetup::from_values(|quantity| self.get(quantity), self.law).to_setup()?;
-            let until = self.get(Quantity::UntilS).map(|until_s| units.until(until_s, &setup.start));
+            let (setup, units) =
+                SiSetup::from_values(|quantity| self.get(quantity), self.law).to_setup()?;
+            let until = self
+                .get(Quantity::UntilS)
+                .map(|until_s| units.until(until_s, &setup.start));
             return Ok((setup, Some(units), until.transpose()?));
         }
         let mut setup = Setup::new(HoopParameters::default(), Start::default());
         setup.hoop.restitution_law = self.law;
         for (quantity, value) in &self.values {
-            let missing = if quantity.row().presence == Presence::Optional { None } else { Some(f64::NAN) };
+            let missing = if quantity.row().presence == Presence::Optional {
+                None
+            } else {
+                Some(f64::NAN)
+            };
             if let Some(value) = value.or(missing) {
                 setup.set(*quantity, value);
             }
@@ -145,21 +182,44 @@ impl Link {
     /// A problem as the page shows it at first.
     #[must_use]
     pub fn of(problem: Problem) -> Self {
-        Self { problem, at: None, view: VIEW.map(|(_, _, first)| first) }
+        Self {
+            problem,
+            at: None,
+            view: VIEW.map(|(_, _, first)| first),
+        }
     }
 
-    /// Reads a link. Of the problem what it does not say is that of the case that it names; without one, that of the link
-    /// `shown`, which may be empty.
+    /// Reads a link. Of the problem what it does not say is that of the case that it names; without
+    /// one, that of the link `shown`, which may be empty.
     pub fn read(text: &str, shown: &str) -> Reading {
-        let first = CASES.first().map(|case| Self::of(Problem::of_setup(&case.setup, None)));
-        let shown = if shown.is_empty() { first } else { Some(Self::read(shown, "").link) };
-        let shown = shown.unwrap_or_else(|| Self::of(Problem { is_si: false, values: vec![], law: None }));
-        let mut given = Given { pairs: pairs(text), refusals: Vec::new() };
+        let first = CASES
+            .first()
+            .map(|case| Self::of(Problem::of_setup(&case.setup, None)));
+        let shown = if shown.is_empty() {
+            first
+        } else {
+            Some(Self::read(shown, "").link)
+        };
+        let shown = shown.unwrap_or_else(|| {
+            Self::of(Problem {
+                is_si: false,
+                values: vec![],
+                law: None,
+            })
+        });
+        let mut given = Given {
+            pairs: pairs(text),
+            refusals: Vec::new(),
+        };
         let mut problem = given.problem(&shown.problem);
         let has_problem = problem.is_some();
         let at = given.number(AT);
         let view = VIEW.map(|(key, choices, first)| {
-            let first = if key == THEME { shown.view.last().copied().unwrap_or(first) } else { first };
+            let first = if key == THEME {
+                shown.view.last().copied().unwrap_or(first)
+            } else {
+                first
+            };
             given.choice(key, choices).unwrap_or(first)
         });
         let _ = given.take(PIN);
@@ -173,7 +233,11 @@ impl Link {
             given.refuse(&key, &text, reason.to_owned());
         }
         let problem = problem.take().unwrap_or(shown.problem);
-        Reading { link: Self { problem, at, view }, has_problem, refusals: given.refusals }
+        Reading {
+            link: Self { problem, at, view },
+            has_problem,
+            refusals: given.refusals,
+        }
     }
 }
 
@@ -189,12 +253,17 @@ impl fmt::Display for Link {
             };
             for (quantity, value) in problem.values.iter().filter(said) {
                 parts.extend(value.map(|value| format!("{}={}", quantity.name(), written(value))));
-                let law = problem.effective_law().filter(|_| *quantity == Quantity::Restitution);
+                let law = problem
+                    .effective_law()
+                    .filter(|_| *quantity == Quantity::Restitution);
                 parts.extend(law.map(|law| format!("{RESTITUTION_LAW}={}", law.name())));
             }
         }
         parts.extend(at.map(|at| format!("{AT}={}", written(at))));
-        let changed = VIEW.iter().zip(view).filter(|((_, _, first), says)| first != *says);
+        let changed = VIEW
+            .iter()
+            .zip(view)
+            .filter(|((_, _, first), says)| first != *says);
         parts.extend(changed.map(|((key, ..), says)| format!("{key}={says}")));
         f.write_str(&parts.join("&"))
     }
@@ -213,7 +282,11 @@ impl Given {
     }
 
     fn refuse(&mut self, key: &str, text: &str, reason: String) {
-        self.refusals.push(Refusal { key: key.to_owned(), text: text.to_owned(), reason });
+        self.refusals.push(Refusal {
+            key: key.to_owned(),
+            text: text.to_owned(),
+            reason,
+        });
     }
 
     fn number(&mut self, key: &str) -> Option<f64> {
@@ -228,7 +301,8 @@ impl Given {
     fn choice(&mut self, key: &str, choices: &[&'static str]) -> Option<&'static str> {
         let text = self.take(key)?;
         let number = read_number(&text);
-        let same = |choice: &&str| **choice == text || (number.is_some() && read_number(choice) == number);
+        let same =
+            |choice: &&str| **choice == text || (number.is_some() && read_number(choice) == number);
         let found = choices.iter().copied().find(same);
         if found.is_none() {
             self.refuse(key, &text, format!("one of {}", choices.join(", ")));
@@ -243,7 +317,9 @@ impl Given {
         if let (Some(name), Some(None)) = (&case, named) {
             self.refuse(CASE, name, format!("there is no case named '{name}'"));
         }
-        let of_case = named.flatten().map(|case| Problem::of_setup(&case.setup, None));
+        let of_case = named
+            .flatten()
+            .map(|case| Problem::of_setup(&case.setup, None));
         let says = |quantity: &Quantity| self.pairs.iter().any(|(key, _)| key == quantity.name());
         let given: Vec<Quantity> = Quantity::ALL.into_iter().filter(says).collect();
         let law = self.take(RESTITUTION_LAW);
@@ -252,7 +328,13 @@ impl Given {
         }
         let base = of_case.as_ref().unwrap_or(shown);
         // What may be left out is left out, unless a case has it.
-        let kept = |quantity| if case.is_some() { base.get(quantity) } else { None };
+        let kept = |quantity| {
+            if case.is_some() {
+                base.get(quantity)
+            } else {
+                None
+            }
+        };
         let law_of_case = base.law.filter(|_| case.is_some());
         let is_si = given.iter().any(|quantity| quantity.is_si());
         let values = Problem::quantities(is_si).map(|quantity| {
@@ -263,7 +345,9 @@ impl Given {
                 Presence::Default(value) if quantity.goes_without_saying(value) => {
                     kept(quantity).or(Some(value))
                 }
-                Presence::Required | Presence::Default(_) if base.is_si == is_si => base.get(quantity),
+                Presence::Required | Presence::Default(_) if base.is_si == is_si => {
+                    base.get(quantity)
+                }
                 Presence::Default(value) => Some(value),
                 Presence::Required => {
                     if is_missing {
@@ -278,18 +362,31 @@ impl Given {
         let law = law.and_then(|text| {
             let law = text.parse().ok();
             if law.is_none() {
-                self.refuse(RESTITUTION_LAW, &text, format!("one of {}", RestitutionLaw::NAMES.join(", ")));
+                self.refuse(
+                    RESTITUTION_LAW,
+                    &text,
+                    format!("one of {}", RestitutionLaw::NAMES.join(", ")),
+                );
             }
             law
         });
-        Some(Problem { is_si, values, law: law.or(law_of_case) })
+        Some(Problem {
+            is_si,
+            values,
+            law: law.or(law_of_case),
+        })
     }
 }
 
 /// The keys of a link and what it says of each; of several the last.
 fn pairs(text: &str) -> Vec<(String, String)> {
     let mut pairs: Vec<(String, String)> = Vec::new();
-    for part in text.strip_prefix('#').unwrap_or(text).split('&').filter(|part| !part.is_empty()) {
+    for part in text
+        .strip_prefix('#')
+        .unwrap_or(text)
+        .split('&')
+        .filter(|part| !part.is_empty())
+    {
         let (key, value) = part.split_once('=').unwrap_or((part, ""));
         let (key, value) = (decoded(key), decoded(value));
         pairs.retain(|(other, _)| *other != key);
@@ -308,7 +405,9 @@ fn decoded(text: &str) -> String {
             continue;
         }
         let mut digit = || rest.next().and_then(|byte| char::from(byte).to_digit(16));
-        let (Some(high), Some(low)) = (digit(), digit()) else { return text.to_owned() };
+        let (Some(high), Some(low)) = (digit(), digit()) else {
+            return text.to_owned();
+        };
         bytes.extend(u8::try_from(16 * high + low));
     }
     String::from_utf8(bytes).unwrap_or_else(|_| text.to_owned())
@@ -317,12 +416,21 @@ fn decoded(text: &str) -> String {
 /// A finite number as people and programs write it; `None` for anything else.
 pub fn read_number(text: &str) -> Option<f64> {
     let plain = text.trim().replacen('−', "-", 1);
-    let is_plain = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
-    plain.parse().ok().filter(|number: &f64| is_plain && number.is_finite())
+    let is_plain = plain
+        .bytes()
+        .all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    plain
+        .parse()
+        .ok()
+        .filter(|number: &f64| is_plain && number.is_finite())
 }
 
 /// A number in few letters, such that the same is read again.
 fn written(number: f64) -> String {
     let plain = number.to_string();
-    if plain.len() <= 24 { plain } else { format!("{number:e}") }
+    if plain.len() <= 24 {
+        plain
+    } else {
+        format!("{number:e}")
+    }
 }

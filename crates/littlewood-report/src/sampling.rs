@@ -20,11 +20,14 @@ impl Sampling {
     /// Numbers of instants that can be asked for: with more a table outgrows memory.
     pub const COUNTS: RangeInclusive<u64> = 2..=10_000_000;
 
-    /// `count` instants of a motion, to its end. A motion without an end is sampled for two periods of the last
-    /// phase, or for ten units of time where that has none.
+    /// `count` instants of a motion, to its end. A motion without an end is sampled for two periods
+    /// of the last phase, or for ten units of time where that has none.
     #[must_use]
     pub fn of(trajectory: &Trajectory, count: usize) -> Self {
-        Self { count, until: horizon(trajectory) }
+        Self {
+            count,
+            until: horizon(trajectory),
+        }
     }
 }
 
@@ -34,7 +37,11 @@ fn horizon(trajectory: &Trajectory) -> f64 {
         return end;
     }
     let outcome = trajectory.outcome();
-    let period = outcome.recurrence().and_then(|recurrence| recurrence.period());
-    let last = period.filter(|period| period.is_finite()).map_or(APERIODIC, |period| 2.0 * period);
+    let period = outcome
+        .recurrence()
+        .and_then(|recurrence| recurrence.period());
+    let last = period
+        .filter(|period| period.is_finite())
+        .map_or(APERIODIC, |period| 2.0 * period);
     outcome.state().time + last
 }

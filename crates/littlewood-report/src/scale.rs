@@ -25,10 +25,13 @@ impl<'a> Scale<'a> {
         shown.sign()
     }
 
-    /// The printed symbol of a column of samples, or of its counterpart in SI units. The columns of a state have the
-    /// names of the quantities that a start is given by.
+    /// The printed symbol of a column of samples, or of its counterpart in SI units. The columns of
+    /// a state have the names of the quantities that a start is given by.
     pub fn column_sign(self, column: SampleColumn) -> &'static str {
-        column.name().parse().map_or_else(|_| column.sign(), |quantity| self.sign(quantity))
+        column
+            .name()
+            .parse()
+            .map_or_else(|_| column.sign(), |quantity| self.sign(quantity))
     }
 
     /// The heading of a column: in SI units with the unit in a second line.
@@ -53,7 +56,8 @@ impl<'a> Scale<'a> {
         }
     }
 
-    /// A dimensionless value in this system, with its unit in either: without dimension that is a power of m2, R and g.
+    /// A dimensionless value in this system, with its unit in either: without dimension that is a
+    /// power of m2, R and g.
     pub fn show_with_unit(self, dimension: Dimension, value: f64) -> String {
         match self.0 {
             None if value == 0.0 => brief(value),
@@ -65,10 +69,18 @@ impl<'a> Scale<'a> {
     /// θ in radians and in degrees.
     pub fn show_angle(self, theta: f64) -> String {
         let degrees = brief((theta.to_degrees() * 10.0).round() / 10.0);
-        format!("{} = {} ({degrees}°)", self.sign(Quantity::Theta), self.show(Dimension::Angle, theta))
+        format!(
+            "{} = {} ({degrees}°)",
+            self.sign(Quantity::Theta),
+            self.show(Dimension::Angle, theta)
+        )
     }
 }
 
 fn with_unit(number: String, unit: &str) -> String {
-    if unit.is_empty() { number } else { format!("{number} {unit}") }
+    if unit.is_empty() {
+        number
+    } else {
+        format!("{number} {unit}")
+    }
 }

@@ -25,7 +25,10 @@ pub struct Row {
 
 impl From<Vec<String>> for Row {
     fn from(cells: Vec<String>) -> Self {
-        Self { cells, ..Self::default() }
+        Self {
+            cells,
+            ..Self::default()
+        }
     }
 }
 
@@ -97,16 +100,29 @@ impl Sheet {
     /// Adds a table.
     pub fn table(&mut self, head: Vec<String>, rows: Vec<impl Into<Row>>, numbers: &[usize]) {
         let rows = rows.into_iter().map(Into::into).collect();
-        self.add(Table { head, rows, numbers: numbers.to_vec() });
+        self.add(Table {
+            head,
+            rows,
+            numbers: numbers.to_vec(),
+        });
     }
 
-    /// Writes the page, with the emphasis of a terminal if that is wanted. Tables break long cells to stay within
-    /// `width`, if there is one.
+    /// Writes the page, with the emphasis of a terminal if that is wanted. Tables break long cells
+    /// to stay within `width`, if there is one.
     ///
     /// # Errors
     /// A failure to write.
-    pub fn write(&self, writer: &mut dyn Write, emphasis: bool, width: Option<usize>) -> io::Result<()> {
-        let [bold, dim, plain] = if emphasis { ["\x1b[1m", "\x1b[2m", "\x1b[0m"] } else { [""; 3] };
+    pub fn write(
+        &self,
+        writer: &mut dyn Write,
+        emphasis: bool,
+        width: Option<usize>,
+    ) -> io::Result<()> {
+        let [bold, dim, plain] = if emphasis {
+            ["\x1b[1m", "\x1b[2m", "\x1b[0m"]
+        } else {
+            [""; 3]
+        };
         for block in &self.blocks {
             match block {
                 Block::Title(text) => writeln!(writer, "{bold}{text}{plain}")?,
@@ -153,7 +169,12 @@ impl Table {
         Ok(())
     }
 
-    fn write_row(&self, writer: &mut dyn Write, row: &[String], widths: &[usize]) -> io::Result<()> {
+    fn write_row(
+        &self,
+        writer: &mut dyn Write,
+        row: &[String],
+        widths: &[usize],
+    ) -> io::Result<()> {
         let columns = row.iter().zip(widths);
         let broken: Vec<Vec<String>> = columns.map(|(cell, &width)| broken(cell, width)).collect();
         let height = broken.iter().map(Vec::len).max().unwrap_or(0);
@@ -181,7 +202,9 @@ fn length(text: &str) -> usize {
 
 /// The lines of a cell, each within a width where words allow it.
 fn broken(cell: &str, width: usize) -> Vec<String> {
-    cell.lines().flat_map(|line| filled(line.split(' ').map(str::to_owned), " ", width)).collect()
+    cell.lines()
+        .flat_map(|line| filled(line.split(' ').map(str::to_owned), " ", width))
+        .collect()
 }
 
 /// Items in lines, as many in each as there is room for.

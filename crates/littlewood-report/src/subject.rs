@@ -28,12 +28,22 @@ impl Subject<'_> {
     /// A start alone, without dimension.
     #[must_use]
     pub const fn of_start(start: Start) -> Self {
-        Self { case: None, start, units: None, digits: None, derivatives: None, uncertainty: None }
+        Self {
+            case: None,
+            start,
+            units: None,
+            digits: None,
+            derivatives: None,
+            uncertainty: None,
+        }
     }
 
     /// A named case without dimension.
     #[must_use]
     pub const fn of_case(case: &'static NamedCase) -> Self {
-        Self { case: Some(case), ..Self::of_start(case.setup.start) }
+        Self {
+            case: Some(case),
+            ..Self::of_start(case.setup.start)
+        }
     }
 }

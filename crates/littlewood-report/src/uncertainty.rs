@@ -1,4 +1,5 @@
-//! What errors of the given numbers make of a motion: to first order, by its derivatives, and in a sample of motions.
+//! What errors of the given numbers make of a motion: to first order, by its derivatives, and in a
+//! sample of motions.
 
 use littlewood::derivatives::{Derivative, Derivatives, NotDifferentiable};
 use littlewood::tables::{Quantity, Setup};
@@ -60,12 +61,19 @@ impl Sums {
 }
 
 const fn state_of([time, theta, theta_rate, slip, x]: [f64; 5]) -> State {
-    State { time, theta, theta_rate, slip, x }
+    State {
+        time,
+        theta,
+        theta_rate,
+        slip,
+        x,
+    }
 }
 
 impl Uncertainty {
-    /// The standard errors of a motion with these limits. A number whose sample is out of bounds, such as a friction below 0, is left out.
-    /// `progress` is told how many motions of the sample are done.
+    /// The standard errors of a motion with these limits. A number whose sample is out of bounds,
+    /// such as a friction below 0, is left out. `progress` is told how many motions of the sample
+    /// are done.
     ///
     /// # Errors
     /// A quantity with respect to which the motion has no derivatives.
@@ -80,40 +88,63 @@ impl Uncertainty {
         let derivatives = motion.derivatives(&quantities)?;
         let first_orders = first_orders(&derivatives, &given);
         let events = motion.transitions().len();
-        let mut sums = vec![Sums { count: 0, sum: [0.0; 5], squares: [0.0; 5] }; events + 1];
+        let mut sums = vec![
+            Sums {
+                count: 0,
+                sum: [0.0; 5],
+                squares: [0.0; 5]
+            };
+            events + 1
+        ];
         let (mut motions, mut alike) = (0, 0);
         for number in 0..SAMPLE {
             progress(number);
             let mut drawn = *setup;
             for ((quantity, error), deviate) in given.iter().zip(deviates(number, given.len())) {
-                drawn.set(*quantity, setup.get(*quantity).unwrap_or(0.0) + error * deviate);
+                drawn.set(
+                    *quantity,
+                    setup.get(*quantity).unwrap_or(0.0) + error * deviate,
+                );
             }
             let other = Hoop::new(drawn.hoop).and_then(|hoop| hoop.simulate(drawn.start, limits));
             let Ok(other) = other else { continue };
             motions += 1;
             let pairs = motion.transitions().iter().zip(other.transitions());
-            let same = pairs.take_while(|(ours, theirs)| (ours.cause, ours.to) == (theirs.cause, theirs.to));
+            let same = pairs
+                .take_while(|(ours, theirs)| (ours.cause, ours.to) == (theirs.cause, theirs.to));
             let mut passed = 0;
             for (ours, theirs) in same {
                 sums[passed].add(&theirs.after, &ours.after);
                 passed += 1;
             }
             let ends = (motion.outcome(), other.outcome());
-            if passed == events && other.transitions().len() == events && ends.0.kind() == ends.1.kind() {
+            if passed == events
+                && other.transitions().len() == events
+                && ends.0.kind() == ends.1.kind()
+            {
                 alike += 1;
                 sums[events].add(&ends.1.state(), &ends.0.state());
             }
         }
-        let spreads = first_orders.into_iter().zip(&sums).map(|(first_order, sums)| Spread {
-            first_order,
-            sample: sums.deviation(),
-            motions: sums.count,
-        });
-        Ok(Self { given, motions, alike, spreads: spreads.collect() })
+        let spreads = first_orders
+            .into_iter()
+            .zip(&sums)
+            .map(|(first_order, sums)| Spread {
+                first_order,
+                sample: sums.deviation(),
+                motions: sums.count,
+            });
+        Ok(Self {
+            given,
+            motions,
+            alike,
+            spreads: spreads.collect(),
+        })
     }
 }
 
-/// The standard errors of each transition and of the outcome to first order: errors of different quantities add in squares.
+/// The standard errors of each transition and of the outcome to first order: errors of different
+/// quantities add in squares.
 fn first_orders(derivatives: &Derivatives, given: &[(Quantity, f64)]) -> Vec<Option<State>> {
     let of = |each: Vec<Derivative<State>>| {
         let mut squares = [0.0; 5];
@@ -126,12 +157,16 @@ fn first_orders(derivatives: &Derivatives, given: &[(Quantity, f64)]) -> Vec<Opt
     };
     let events = derivatives.transitions().iter();
     let events = events.map(|each| each.iter().map(|it| it.map(|it| it.after)).collect());
-    let outcome = derivatives.outcome().iter().map(|it| it.map(|it| it.state)).collect();
+    let outcome = derivatives
+        .outcome()
+        .iter()
+        .map(|it| it.map(|it| it.state))
+        .collect();
     events.chain([outcome]).map(of).collect()
 }
 
-/// Normal deviates of a point of a sequence that fills a cube evenly (the multiples of powers of a generalized golden ratio), by pairs of
-/// its coordinates (Box and Muller).
+/// Normal deviates of a point of a sequence that fills a cube evenly (the multiples of powers of a
+/// generalized golden ratio), by pairs of its coordinates (Box and Muller).
 fn deviates(number: usize, count: usize) -> impl Iterator<Item = f64> {
     let dimensions = 2 * count;
     // The root of x^(d + 1) = x + 1.
@@ -144,7 +179,10 @@ fn deviates(number: usize, count: usize) -> impl Iterator<Item = f64> {
         at - at.floor()
     };
     (0..count).map(move |k| {
-        let (radius, angle) = (1.0 - coordinate(2 * k), core::f64::consts::TAU * coordinate(2 * k + 1));
+        let (radius, angle) = (
+            1.0 - coordinate(2 * k),
+            core::f64::consts::TAU * coordinate(2 * k + 1),
+        );
         (-2.0 * libm::log(radius)).sqrt() * libm::cos(angle)
     })
 }

@@ -1,6 +1,9 @@
 //! What is said of impacts, against numbers worked out from the notes and from the equations.
 
-#![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
+#![allow(
+    clippy::excessive_precision,
+    reason = "the reference has more digits than a double"
+)]
 
 use littlewood::cases::find_case;
 use littlewood::{Cause, Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory};
@@ -12,7 +15,8 @@ const PLAIN: Scale<'_> = Scale::new(None);
 fn bouncing(case: &str, restitution: f64, law: RestitutionLaw) -> Trajectory {
     let setup = find_case(case).expect("a named case").setup;
     let hoop = Hoop::new(setup.hoop.with_restitution(restitution, law)).expect("a hoop");
-    hoop.simulate(setup.start, Limits::until(40.0)).expect("a motion")
+    hoop.simulate(setup.start, Limits::until(40.0))
+        .expect("a motion")
 }
 
 fn told(motion: &Trajectory) -> Vec<String> {
@@ -20,7 +24,8 @@ fn told(motion: &Trajectory) -> Vec<String> {
     (0..motion.transitions().len()).map(tell).collect()
 }
 
-/// The kinetic energy of Figure 3 just before its landing, from the numbers of the notes: m = 2, h = 1/2, I = 3/2.
+/// The kinetic energy of Figure 3 just before its landing, from the numbers of the notes: m = 2,
+/// h = 1/2, I = 3/2.
 fn before_the_landing() -> f64 {
     let (theta, rate) = (9.891_172_939_575_516, 1.998_705_937_114_139_9);
     let (slip, gap_rate) = (-0.785_244_687_128_996_169, -1.913_012_569_038_374_656);
@@ -32,15 +37,24 @@ fn before_the_landing() -> f64 {
 #[test]
 fn an_impact_is_told_with_the_part_of_the_energy_that_is_gone() {
     for (restitution, lost, words) in [
-        (0.5, 3.362_443_419_227_28, "Lands: slips, then sticks while it springs back; "),
+        (
+            0.5,
+            3.362_443_419_227_28,
+            "Lands: slips, then sticks while it springs back; ",
+        ),
         (0.0, 4.275_729_468_652_908_31, "Lands: slips throughout; "),
     ] {
         let motion = bouncing("figure-3", restitution, RestitutionLaw::Energetic);
-        let landing = motion.transitions().iter().position(|it| it.cause == Cause::Landing).unwrap();
+        let landing = motion
+            .transitions()
+            .iter()
+            .position(|it| it.cause == Cause::Landing)
+            .unwrap();
         let percent = 100.0 * lost / before_the_landing();
         assert!((10.0..99.0).contains(&percent));
         let sentence = sentence::transition(&motion, landing, PLAIN).unwrap();
-        let expected = format!("{words}{percent:.0} % of its kinetic energy before the impact is lost, and ");
+        let expected =
+            format!("{words}{percent:.0} % of its kinetic energy before the impact is lost, and ");
         assert!(sentence.starts_with(&expected), "{sentence}");
         // w after it, of the notes; or the slide that goes on.
         let end = if restitution > 0.0 {
@@ -59,7 +73,11 @@ fn an_impact_is_told_with_the_part_of_the_energy_that_is_gone() {
 #[test]
 fn the_end_of_bounces_is_told_with_their_number() {
     let motion = bouncing("figure-3", 0.5, RestitutionLaw::Energetic);
-    let landings = motion.transitions().iter().filter(|it| it.cause == Cause::Landing).count();
+    let landings = motion
+        .transitions()
+        .iter()
+        .filter(|it| it.cause == Cause::Landing)
+        .count();
     let last = told(&motion).pop().unwrap();
     let expected = format!(
         "Settles: after {landings} bounces and infinitely many smaller ones, the rim stays at the plane, and it rolls."
@@ -72,7 +90,10 @@ fn the_end_of_bounces_is_told_with_their_number() {
         if event.cause == Cause::Landing {
             since += 1;
         } else if event.cause == Cause::Settle {
-            assert!(sentence.starts_with(&format!("Settles: after {since} bounce")), "{sentence}");
+            assert!(
+                sentence.starts_with(&format!("Settles: after {since} bounce")),
+                "{sentence}"
+            );
             since = 0;
         } else {
             assert_eq!(since, 0);
@@ -97,12 +118,26 @@ fn a_jam_is_told_at_the_start_and_behind_every_transition_its_own_end() {
     let percent = 100.0 * (1.0 - kinetic(-1.0, 0.0) / kinetic(-0.5, 1.0));
     let begin = "Jams: no motion is consistent here, and the plane ends the slip in an impact without a collision \
                  (Painlevé); ";
-    let (number, end) = told[0].strip_prefix(begin).and_then(|rest| rest.split_once(" % ")).unwrap();
-    assert!((number.parse::<f64>().unwrap() - percent).abs() <= 0.05, "{} is not {percent}", told[0]);
-    assert_eq!(end, "of its kinetic energy before the impact is lost, and it rolls.");
-    for (text, begin) in
-        told[1..].iter().zip(["Slips", "Sticks", "Slips", "Jumps", "Lands: slips, then sticks"])
-    {
+    let (number, end) = told[0]
+        .strip_prefix(begin)
+        .and_then(|rest| rest.split_once(" % "))
+        .unwrap();
+    assert!(
+        (number.parse::<f64>().unwrap() - percent).abs() <= 0.05,
+        "{} is not {percent}",
+        told[0]
+    );
+    assert_eq!(
+        end,
+        "of its kinetic energy before the impact is lost, and it rolls."
+    );
+    for (text, begin) in told[1..].iter().zip([
+        "Slips",
+        "Sticks",
+        "Slips",
+        "Jumps",
+        "Lands: slips, then sticks",
+    ]) {
         assert!(text.starts_with(begin), "{text}");
     }
 }
@@ -114,24 +149,40 @@ fn a_gain_of_energy_is_told_and_no_loss_too() {
         .with_friction(1.0, 0.5)
         .with_restitution(1.0, RestitutionLaw::Newton);
     let start = Start::at(3.5, 1.0).with_slip(0.4).with_gap_rate(1.0);
-    let motion = Hoop::new(hoop).unwrap().simulate(start, Limits::until(1.5)).unwrap();
-    assert_eq!(sentence::start(&motion, PLAIN), "Is thrown: the rim leaves the plane at 1 √(gR).");
+    let motion = Hoop::new(hoop)
+        .unwrap()
+        .simulate(start, Limits::until(1.5))
+        .unwrap();
+    assert_eq!(
+        sentence::start(&motion, PLAIN),
+        "Is thrown: the rim leaves the plane at 1 √(gR)."
+    );
     let text = &told(&motion)[0];
     assert!(
         text.contains("its kinetic energy grows by ") && text.contains("as Newton's law allows"),
         "{text}"
     );
     let forever = bouncing("bounces-forever", 1.0, RestitutionLaw::Energetic);
-    assert!(told(&forever).iter().all(|text| text.contains("none of its kinetic energy is lost")));
+    assert!(
+        told(&forever)
+            .iter()
+            .all(|text| text.contains("none of its kinetic energy is lost"))
+    );
 }
 
 #[test]
 fn a_landing_without_restitution_is_told_as_before_also_after_a_throw() {
     let setup = find_case("figure-3").unwrap().setup;
     let start = setup.start.with_gap_rate(0.25);
-    let motion = Hoop::new(setup.hoop).unwrap().simulate(start, Limits::default()).unwrap();
+    let motion = Hoop::new(setup.hoop)
+        .unwrap()
+        .simulate(start, Limits::default())
+        .unwrap();
     let text = sentence::outcome(&motion, PLAIN);
-    assert!(text.starts_with("Lands ") && text.contains(" in the air, at most "), "{text}");
+    assert!(
+        text.starts_with("Lands ") && text.contains(" in the air, at most "),
+        "{text}"
+    );
 }
 
 #[test]
@@ -149,15 +200,28 @@ fn instants_name_every_event_once_and_lose_no_side() {
             let seen: Vec<_> = instants(&motion, Sampling::of(&motion, 50)).collect();
             let events: Vec<&str> = seen.iter().filter_map(|instant| instant.event).collect();
             let causes = motion.transitions().iter().map(|it| it.cause.name());
-            assert_eq!(events, core::iter::once("start").chain(causes).collect::<Vec<_>>(), "{case}, {law}");
+            assert_eq!(
+                events,
+                core::iter::once("start").chain(causes).collect::<Vec<_>>(),
+                "{case}, {law}"
+            );
             assert_eq!(seen[0].sample.state, motion.start());
-            assert!(seen.windows(2).all(|pair| pair[0].sample.state.time <= pair[1].sample.state.time));
+            assert!(
+                seen.windows(2)
+                    .all(|pair| pair[0].sample.state.time <= pair[1].sample.state.time)
+            );
             // Every jump is between two neighbours that are its sides.
             for event in motion.transitions() {
                 let sides = seen.windows(2).filter(|pair| {
                     pair[0].sample.state == event.before && pair[1].sample.state == event.after
                 });
-                assert_eq!(sides.count(), 1, "{case}, {law}: {} at {}", event.cause, event.time());
+                assert_eq!(
+                    sides.count(),
+                    1,
+                    "{case}, {law}: {} at {}",
+                    event.cause,
+                    event.time()
+                );
             }
         }
     }

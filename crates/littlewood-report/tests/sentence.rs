@@ -10,13 +10,16 @@ const PLAIN: Scale<'_> = Scale::new(None);
 
 #[test]
 fn figure_3_begins_with_too_little_friction() {
-    // At θ = π/2, θ′ = 2: D = 4, f_R = 5/4, N = 2 − 5/4 = 3/4, F = 4 − 2·5/4 = 3/2 (2.11, 2.12), so |F|/N = 2.
+    // At θ = π/2, θ′ = 2: D = 4, f_R = 5/4, N = 2 − 5/4 = 3/4, F = 4 − 2·5/4 = 3/2 (2.11, 2.12), so
+    // |F|/N = 2.
     let motion = find_case("figure-3").unwrap().simulate().unwrap();
     assert_eq!(
         sentence::start(&motion, PLAIN),
         "Slips: rolling would need a friction coefficient of 2; there is 0.5."
     );
-    let told: Vec<String> = (0..4).map(|i| sentence::transition(&motion, i, PLAIN).unwrap()).collect();
+    let told: Vec<String> = (0..4)
+        .map(|i| sentence::transition(&motion, i, PLAIN).unwrap())
+        .collect();
     for (text, begin) in told.iter().zip([
         "Sticks and rolls",
         "Slips: it needs more friction than the ground has (μₛ = 0.5).",
@@ -25,9 +28,14 @@ fn figure_3_begins_with_too_little_friction() {
     ]) {
         assert!(text.starts_with(begin), "{text}");
     }
-    // The mass centre rises at −h sin θ θ′ = 0.865 (2.7), from the state at the lift-off to 18 digits.
+    // The mass centre rises at −h sin θ θ′ = 0.865 (2.7), from the state at the lift-off to 18
+    // digits.
     let rise = -0.5 * libm::sin(5.236_735_770_878_168) * 1.998_705_937_114_139_9;
-    assert!(told[2].contains(&format!("rises at {rise:.3} √(gR)")), "{}", told[2]);
+    assert!(
+        told[2].contains(&format!("rises at {rise:.3} √(gR)")),
+        "{}",
+        told[2]
+    );
     assert_eq!(sentence::transition(&motion, 4, PLAIN), None);
     assert_eq!(sentence::outcome(&motion, PLAIN), told[3]);
 }
@@ -35,23 +43,44 @@ fn figure_3_begins_with_too_little_friction() {
 #[test]
 fn lengths_and_times_have_the_units_that_are_asked_for() {
     let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
-    let motion = hoop.simulate(Start::at(0.0, 4.0), Limits::default()).unwrap();
-    let units =
-        SiParameters { particle_mass_kg: 0.14, radius_m: 0.45, ..SiParameters::default() }.units().unwrap();
+    let motion = hoop
+        .simulate(Start::at(0.0, 4.0), Limits::default())
+        .unwrap();
+    let units = SiParameters {
+        particle_mass_kg: 0.14,
+        radius_m: 0.45,
+        ..SiParameters::default()
+    }
+    .units()
+    .unwrap();
     let plain = sentence::outcome(&motion, PLAIN);
     let si = sentence::outcome(&motion, Scale::new(Some(&units)));
-    assert!(plain.contains(" R to the left after ") && plain.contains(" √(R/g) in the air"), "{plain}");
-    assert!(si.contains(" m to the left after ") && si.contains(" s in the air"), "{si}");
+    assert!(
+        plain.contains(" R to the left after ") && plain.contains(" √(R/g) in the air"),
+        "{plain}"
+    );
+    assert!(
+        si.contains(" m to the left after ") && si.contains(" s in the air"),
+        "{si}"
+    );
 }
 
 #[test]
 fn what_a_start_says_is_what_the_equations_say_there() {
     let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
     let first = |theta, rate| {
-        sentence::start(&hoop.simulate(Start::at(theta, rate), Limits::default()).unwrap(), PLAIN)
+        sentence::start(
+            &hoop
+                .simulate(Start::at(theta, rate), Limits::default())
+                .unwrap(),
+            PLAIN,
+        )
     };
     // At rest at the bottom F = 0. At θ = 0 it is left at once if h θ′² > 1, θ′ > √2.
-    assert_eq!(first(core::f64::consts::PI, 0.0), "Rolls: no friction is needed here.");
+    assert_eq!(
+        first(core::f64::consts::PI, 0.0),
+        "Rolls: no friction is needed here."
+    );
     assert_eq!(
         first(0.0, 1.5),
         "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > 1."
@@ -61,7 +90,9 @@ fn what_a_start_says_is_what_the_equations_say_there() {
         told("sliding-band"),
         "Slips: to roll, the ground would have to pull it down, and it can only push."
     );
-    assert!(told("painleve").starts_with("Rigid bodies have no answer here (Painlevé's paradox): "));
+    assert!(
+        told("painleve").starts_with("Rigid bodies have no answer here (Painlevé's paradox): ")
+    );
     let massless = find_case("figure-7").unwrap().simulate().unwrap();
     assert_eq!(
         sentence::outcome(&massless, PLAIN),
@@ -73,7 +104,11 @@ fn what_a_start_says_is_what_the_equations_say_there() {
 fn a_slip_that_is_rounding_is_none() {
     // Bounces that never slip: before each impact the contact point is at rest, up to rounding.
     let motion = find_case("bounces-forever").unwrap().simulate().unwrap();
-    let impacts = motion.transitions().iter().filter(|event| event.impact.is_some()).count();
+    let impacts = motion
+        .transitions()
+        .iter()
+        .filter(|event| event.impact.is_some())
+        .count();
     assert!(impacts > 10);
     for index in 0..motion.transitions().len() {
         let text = sentence::transition(&motion, index, PLAIN).unwrap();
@@ -85,15 +120,23 @@ fn a_slip_that_is_rounding_is_none() {
 fn every_case_has_a_sentence_for_each_of_its_events() {
     for case in CASES {
         let motion = case.simulate().unwrap();
-        let told = (0..motion.transitions().len()).filter_map(|i| sentence::transition(&motion, i, PLAIN));
-        let all = [sentence::start(&motion, PLAIN), sentence::outcome(&motion, PLAIN)];
+        let told =
+            (0..motion.transitions().len()).filter_map(|i| sentence::transition(&motion, i, PLAIN));
+        let all = [
+            sentence::start(&motion, PLAIN),
+            sentence::outcome(&motion, PLAIN),
+        ];
         for text in all.into_iter().chain(told) {
             assert!(
                 text.ends_with('.') && text.chars().next().is_some_and(char::is_uppercase),
                 "{}: {text}",
                 case.name
             );
-            assert!(!text.contains("NaN") && !text.contains('_'), "{}: {text}", case.name);
+            assert!(
+                !text.contains("NaN") && !text.contains('_'),
+                "{}: {text}",
+                case.name
+            );
         }
     }
 }

@@ -5,7 +5,8 @@ use crate::rgb::Rgb;
 use crate::theme::Theme;
 
 named! {
-    /// A colour that a picture gives a meaning for itself alone: no mode, class, force or curve has it.
+    /// A colour that a picture gives a meaning for itself alone: no mode, class, force or curve has
+    /// it.
     pub enum Accent {
         /// The first.
         Violet = "violet",

@@ -66,10 +66,13 @@ impl Curve {
     /// What holds on it, as the label says.
     pub fn condition(self, slope: f64) -> &'static str {
         let label = self.label(slope);
-        label.split_once(": ").map_or(label, |(_, condition)| condition)
+        label
+            .split_once(": ")
+            .map_or(label, |(_, condition)| condition)
     }
 
-    /// Its pieces in a window of the plane of a hoop; none of the levels, each of which belongs to an energy.
+    /// Its pieces in a window of the plane of a hoop; none of the levels, each of which belongs to
+    /// an energy.
     pub fn pieces(self, plane: &PhasePlane, window: &Window) -> Vec<Vec<[f64; 2]>> {
         match self {
             Self::SlipLimit => plane.slip_curve(window),
@@ -81,9 +84,9 @@ impl Curve {
         }
     }
 
-    /// Where its letter stands in a window: on the curve, at about a part of its lowest point in sight, near θ = π/2; below
-    /// θ′ = 0, as the motions of the paper are above. None
-    /// without a letter, or where the curve does not pass.
+    /// Where its letter stands in a window: on the curve, at about a part of its lowest point in
+    /// sight, near θ = π/2; below θ′ = 0, as the motions of the paper are above. None without a
+    /// letter, or where the curve does not pass.
     pub fn place_of_letter(self, plane: &PhasePlane, window: &Window) -> Option<[f64; 2]> {
         let part = match self {
             Self::SlipLimit => 0.66,
@@ -91,19 +94,32 @@ impl Curve {
             Self::Separatrix | Self::LiftOff | Self::ReverseChatter | Self::Level => return None,
         };
         let pieces = self.pieces(plane, window);
-        let lowest = pieces.iter().flatten().map(|[_, rate]| *rate).fold(0.0, f64::min);
+        let lowest = pieces
+            .iter()
+            .flatten()
+            .map(|[_, rate]| *rate)
+            .fold(0.0, f64::min);
         let wanted = part * lowest;
         let margin = 0.02 * (window.x[1] - window.x[0]);
         let is_inside = |theta: f64| theta > window.x[0] + margin && theta < window.x[1] - margin;
         let on_chord = |chord: &[[f64; 2]]| {
             let ([x, y], [to_x, to_y]) = (chord[0], chord[1]);
-            let along = if y == to_y { (FRAC_PI_2 - x) / (to_x - x) } else { (wanted - y) / (to_y - y) }
-                .clamp(0.0, 1.0);
+            let along = if y == to_y {
+                (FRAC_PI_2 - x) / (to_x - x)
+            } else {
+                (wanted - y) / (to_y - y)
+            }
+            .clamp(0.0, 1.0);
             [x + along * (to_x - x), y + along * (to_y - y)]
         };
         let far = |[x, y]: &[f64; 2]| ((y - wanted) / lowest).abs() + 0.05 * (x - FRAC_PI_2).abs();
-        let places = pieces.iter().flat_map(|piece| piece.windows(2)).map(on_chord);
-        places.filter(|[x, _]| is_inside(*x)).min_by(|a, b| far(a).total_cmp(&far(b)))
+        let places = pieces
+            .iter()
+            .flat_map(|piece| piece.windows(2))
+            .map(on_chord);
+        places
+            .filter(|[x, _]| is_inside(*x))
+            .min_by(|a, b| far(a).total_cmp(&far(b)))
     }
 
     /// Colour.

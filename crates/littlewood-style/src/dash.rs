@@ -19,8 +19,8 @@ named! {
 }
 
 impl Dash {
-    /// Lengths of dashes and gaps by turns in units of the width of the line, as `stroke-dasharray` and programs that
-    /// plot take them; empty for a solid line.
+    /// Lengths of dashes and gaps by turns in units of the width of the line, as `stroke-dasharray`
+    /// and programs that plot take them; empty for a solid line.
     pub const fn pattern(self) -> &'static [f64] {
         match self {
             Self::Solid => &[],

@@ -7,7 +7,8 @@ use crate::rgb::Rgb;
 use crate::theme::Theme;
 
 named! {
-    /// A part of the energy that a motion has had at its start. What is lost has the colour of what takes it.
+    /// A part of the energy that a motion has had at its start. What is lost has the colour of what
+    /// takes it.
     pub enum EnergyPart {
         /// Kinetic.
         Kinetic = "kinetic",

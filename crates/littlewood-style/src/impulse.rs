@@ -9,8 +9,8 @@ use crate::theme::Theme;
 use crate::width::{CURVE, FINE};
 
 named! {
-    /// A line of the plane of impulses. A limit of friction has the colour of the friction force, the line without slip that
-    /// of the slip.
+    /// A line of the plane of impulses. A limit of friction has the colour of the friction force,
+    /// the line without slip that of the slip.
     pub enum ImpulseLine {
         /// u = 0.
         Sticking = "sticking",

@@ -4,8 +4,9 @@ use littlewood::{Hoop, Mode, Sample, Trajectory};
 
 use crate::energy::EnergyPart;
 
-/// The energy at the start by what it has become, over m2 g R; the potential energy is counted from its least value, on a
-/// slope from that where the motion begins, below which it may fall. The parts add up to the energy at the start.
+/// The energy at the start by what it has become, over m2 g R; the potential energy is counted from
+/// its least value, on a slope from that where the motion begins, below which it may fall. The
+/// parts add up to the energy at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyParts {
     /// Kinetic.
@@ -39,7 +40,8 @@ pub struct Ledger {
     /// Where the motion begins along the plane.
     x: f64,
     start: f64,
-    /// Time at the start of each phase, its energy then, and what had been lost to friction and in impacts.
+    /// Time at the start of each phase, its energy then, and what had been lost to friction and in
+    /// impacts.
     phases: Vec<Entry>,
 }
 
@@ -57,7 +59,11 @@ impl Ledger {
         let hoop = *trajectory.hoop();
         let (mut friction, mut impacts) = (0.0, 0.0);
         // A jam at the start ends no phase.
-        if let Some(first) = trajectory.transitions().first().filter(|first| first.from.is_none()) {
+        if let Some(first) = trajectory
+            .transitions()
+            .first()
+            .filter(|first| first.from.is_none())
+        {
             impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
         }
         let first = trajectory.phases().first()?.first();
@@ -65,22 +71,42 @@ impl Ledger {
         let start = first.energy + impacts + reference(&hoop, x);
         let mut phases = Vec::with_capacity(trajectory.phases().len());
         for phase in trajectory.phases() {
-            phases.push(Entry { time: phase.start().time, energy: phase.first().energy, friction, impacts });
+            phases.push(Entry {
+                time: phase.start().time,
+                energy: phase.first().energy,
+                friction,
+                impacts,
+            });
             friction += phase.energy_lost();
-            let impact = trajectory.end_of(phase).and_then(|transition| transition.impact);
+            let impact = trajectory
+                .end_of(phase)
+                .and_then(|transition| transition.impact);
             impacts += impact.map_or(0.0, |impact| impact.energy_lost());
         }
-        Some(Self { hoop, x, start, phases })
+        Some(Self {
+            hoop,
+            x,
+            start,
+            phases,
+        })
     }
 
     /// The parts at an instant: of the phase before a transition, or of the one after it.
     pub fn parts(&self, sample: &Sample, is_before: bool) -> Option<EnergyParts> {
         let time = sample.state.time;
-        let after = self
-            .phases
-            .partition_point(|entry| if is_before { entry.time < time } else { entry.time <= time });
+        let after = self.phases.partition_point(|entry| {
+            if is_before {
+                entry.time < time
+            } else {
+                entry.time <= time
+            }
+        });
         let entry = self.phases.get(after.max(1) - 1)?;
-        let gap = if sample.gap.is_finite() { sample.gap } else { 0.0 };
+        let gap = if sample.gap.is_finite() {
+            sample.gap
+        } else {
+            0.0
+        };
         let (sin, cos) = libm::sincos(sample.state.theta);
         let (along, across) = libm::sincos(self.hoop.slope());
         let hoop = &self.hoop;
@@ -91,11 +117,18 @@ impl Ledger {
             Mode::Rolling | Mode::Gliding | Mode::Flight => 0.0,
         };
         let (friction, impacts) = (entry.friction + slides, entry.impacts);
-        // Where a particle of a massless hoop meets the plane its rate is infinite, but not its energy.
+        // Where a particle of a massless hoop meets the plane its rate is infinite, but not its
+        // energy.
         let kinetic = Some(sample.energy + reference(hoop, self.x) - potential)
             .filter(|kinetic| kinetic.is_finite())
             .unwrap_or(self.start - potential - friction - impacts);
-        Some(EnergyParts { kinetic, potential, friction, impacts, start: self.start })
+        Some(EnergyParts {
+            kinetic,
+            potential,
+            friction,
+            impacts,
+            start: self.start,
+        })
     }
 }
 

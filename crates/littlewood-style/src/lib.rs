@@ -1,9 +1,10 @@
-//! The look of all pictures of `littlewood`: figures, maps, films, the page and the pictures of the Python package.
+//! The look of all pictures of `littlewood`: figures, maps, films, the page and the pictures of the
+//! Python package.
 //!
-//! A colour means one thing. Modes, classes of outcomes, forces and curves each have their own; what has none (kinetic
-//! and potential energy) takes an [`Accent`]. Colours are told apart by the
-//! colour-blind, and in grey: modes and classes that meet in one picture differ in lightness, and lines in their dashes
-//! too. Each colour has a variant for a light and for a dark paper.
+//! A colour means one thing. Modes, classes of outcomes, forces and curves each have their own;
+//! what has none (kinetic and potential energy) takes an [`Accent`]. Colours are told apart by the
+//! colour-blind, and in grey: modes and classes that meet in one picture differ in lightness, and
+//! lines in their dashes too. Each colour has a variant for a light and for a dark paper.
 
 mod accent;
 mod arrow;

@@ -22,7 +22,11 @@ impl Rgb {
     pub fn luminance(self) -> f64 {
         let [red, green, blue] = self.0.map(|value| {
             let value = f64::from(value) / 255.0;
-            if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
+            if value <= 0.040_45 {
+                value / 12.92
+            } else {
+                libm::pow((value + 0.055) / 1.055, 2.4)
+            }
         });
         0.2126 * red + 0.7152 * green + 0.0722 * blue
     }
@@ -30,7 +34,11 @@ impl Rgb {
     /// CIE lightness L*, 0 to 100: what is left of a colour in grey.
     pub fn lightness(self) -> f64 {
         let luminance = self.luminance();
-        if luminance > 0.008_856 { 116.0 * libm::cbrt(luminance) - 16.0 } else { 903.3 * luminance }
+        if luminance > 0.008_856 {
+            116.0 * libm::cbrt(luminance) - 16.0
+        } else {
+            903.3 * luminance
+        }
     }
 
     /// Contrast ratio of two colours, 1 to 21 (WCAG 2).
@@ -41,7 +49,11 @@ impl Rgb {
 
     /// The more legible of two colours on this one.
     pub fn more_legible(self, a: Self, b: Self) -> Self {
-        if self.contrast(a) >= self.contrast(b) { a } else { b }
+        if self.contrast(a) >= self.contrast(b) {
+            a
+        } else {
+            b
+        }
     }
 
     /// This colour laid over another with an opacity from 0 to 1.
@@ -51,7 +63,14 @@ impl Rgb {
         };
         let [red, green, blue] = self.0;
         let [ground_red, ground_green, ground_blue] = ground.0;
-        Self([(red, ground_red), (green, ground_green), (blue, ground_blue)].map(mixed))
+        Self(
+            [
+                (red, ground_red),
+                (green, ground_green),
+                (blue, ground_blue),
+            ]
+            .map(mixed),
+        )
     }
 
     /// The grey of the same luminance, as a printer without colours shows it.

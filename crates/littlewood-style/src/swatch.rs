@@ -29,7 +29,13 @@ pub struct Swatch {
 /// All colours on a paper.
 pub fn swatches(theme: Theme) -> Vec<Swatch> {
     let mut swatches = Vec::new();
-    let mut add = |group, name, colour| swatches.push(Swatch { group, name, colour });
+    let mut add = |group, name, colour| {
+        swatches.push(Swatch {
+            group,
+            name,
+            colour,
+        })
+    };
     for ink in Ink::ALL {
         add("ink", ink.name(), ink.colour(theme));
     }

@@ -11,7 +11,8 @@ pub struct Tick {
     pub label: String,
 }
 
-/// Ticks at round numbers from `a` to `b` > `a`, at most about `most` of them; none where these differ by less than numbers can.
+/// Ticks at round numbers from `a` to `b` > `a`, at most about `most` of them; none where these
+/// differ by less than numbers can.
 pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;
     if !least.is_normal() || least < 0.0 {
@@ -34,13 +35,17 @@ pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
             } else {
                 format!("{value:.1e}")
             };
-            Tick { value, label: minus(&label) }
+            Tick {
+                value,
+                label: minus(&label),
+            }
         })
         .collect()
 }
 
-/// Ticks of a logarithmic axis from `a` to `b` > `a` > 0, at most about `most` of them: at 1, 2 and 5 of each decade, at 1
-/// and 3, at its beginning, or at the beginning of some. Within a decade they are those of [`round`].
+/// Ticks of a logarithmic axis from `a` to `b` > `a` > 0, at most about `most` of them: at 1, 2 and
+/// 5 of each decade, at 1 and 3, at its beginning, or at the beginning of some. Within a decade
+/// they are those of [`round`].
 pub fn logarithmic(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let slack = 1e-9;
     let (low, high) = (libm::log10(a), libm::log10(b));
@@ -58,7 +63,10 @@ pub fn logarithmic(a: f64, b: f64, most: usize) -> Vec<Tick> {
                 } else {
                     factor * libm::exp10(f64::from(decade))
                 };
-                within(value).then(|| Tick { value, label: of_decade(factor, decade) })
+                within(value).then(|| Tick {
+                    value,
+                    label: of_decade(factor, decade),
+                })
             })
             .collect()
     };
@@ -69,9 +77,15 @@ pub fn logarithmic(a: f64, b: f64, most: usize) -> Vec<Tick> {
         }
     }
     if high - low < 2.0 {
-        return round(a, b, most).into_iter().filter(|tick| tick.value > 0.0).collect();
+        return round(a, b, most)
+            .into_iter()
+            .filter(|tick| tick.value > 0.0)
+            .collect();
     }
-    (2..).map(|every| of(&[1.0], every)).find(|ticks| ticks.len() <= most.max(1)).unwrap_or_default()
+    (2..)
+        .map(|every| of(&[1.0], every))
+        .find(|ticks| ticks.len() <= most.max(1))
+        .unwrap_or_default()
 }
 
 /// A number of one digit and its decade: `0.02`, `500`, `10⁻⁷`, `3·10⁶`.
@@ -84,9 +98,16 @@ fn of_decade(factor: f64, decade: i32) -> String {
         0..5 => format!("{}", factor * libm::exp10(f64::from(decade))),
         _ => {
             let raised = |letter: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(letter.to_digit(10)? as usize);
-            let power: String =
-                decade.to_string().chars().map(|letter| raised(letter).unwrap_or('⁻')).collect();
-            if factor == 1.0 { format!("10{power}") } else { format!("{factor}·10{power}") }
+            let power: String = decade
+                .to_string()
+                .chars()
+                .map(|letter| raised(letter).unwrap_or('⁻'))
+                .collect();
+            if factor == 1.0 {
+                format!("10{power}")
+            } else {
+                format!("{factor}·10{power}")
+            }
         }
     }
 }
@@ -94,16 +115,28 @@ fn of_decade(factor: f64, decade: i32) -> String {
 /// Ticks at multiples of a fraction of π, for angles.
 pub fn angular(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;
-    let Some((over, under)) = [(1, 12), (1, 6), (1, 4), (1, 2), (1, 1), (2, 1), (5, 1), (10, 1), (50, 1)]
-        .into_iter()
-        .find(|&(over, under)| PI * f64::from(over) / f64::from(under) >= least)
-        .filter(|_| least >= PI / 24.0)
-    else {
+    let Some((over, under)) = [
+        (1, 12),
+        (1, 6),
+        (1, 4),
+        (1, 2),
+        (1, 1),
+        (2, 1),
+        (5, 1),
+        (10, 1),
+        (50, 1),
+    ]
+    .into_iter()
+    .find(|&(over, under)| PI * f64::from(over) / f64::from(under) >= least)
+    .filter(|_| least >= PI / 24.0) else {
         return round(a, b, most);
     };
     let step = PI * f64::from(over) / f64::from(under);
     multiples(a, b, step)
-        .map(|i| Tick { value: i * step, label: of_pi(i as i64 * i64::from(over), i64::from(under)) })
+        .map(|i| Tick {
+            value: i * step,
+            label: of_pi(i as i64 * i64::from(over), i64::from(under)),
+        })
         .collect()
 }
 
@@ -111,7 +144,11 @@ pub fn angular(a: f64, b: f64, most: usize) -> Vec<Tick> {
 fn multiples(a: f64, b: f64, step: f64) -> impl Iterator<Item = f64> {
     let slack = 1e-9;
     let (first, last) = (libm::ceil(a / step - slack), libm::floor(b / step + slack));
-    let count = if last >= first { (last - first) as usize + 1 } else { 0 };
+    let count = if last >= first {
+        (last - first) as usize + 1
+    } else {
+        0
+    };
     // Adding zero makes -0 a 0.
     (0..count).map(move |i| first + i as f64 + 0.0)
 }
@@ -126,7 +163,11 @@ pub fn of_pi(over: i64, under: i64) -> String {
         -1 => "−π".to_owned(),
         _ => minus(&format!("{over}π")),
     };
-    if under == 1 { over } else { format!("{over}/{under}") }
+    if under == 1 {
+        over
+    } else {
+        format!("{over}/{under}")
+    }
 }
 
 const fn greatest_divisor(mut a: u64, mut b: u64) -> u64 {

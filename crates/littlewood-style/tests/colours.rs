@@ -6,31 +6,46 @@ use littlewood::Mode;
 use littlewood::tables::Class;
 use littlewood::theory::{BodyClass, EDGES};
 use littlewood_style::{
-    Accent, Arrow, Curve, EnergyPart, ImpulseLine, Ink, RANKS, Rgb, Swatch, Theme, dash_of, of_class,
-    of_fraction, of_mode, of_rank, swatches,
+    Accent, Arrow, Curve, EnergyPart, ImpulseLine, Ink, RANKS, Rgb, Swatch, Theme, dash_of,
+    of_class, of_fraction, of_mode, of_rank, swatches,
 };
 
 /// Distance in the CIE L*a*b* space; about 2 can just be seen.
 fn distance(a: Rgb, b: Rgb) -> f64 {
     let [a, b] = [a, b].map(lab);
-    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b) * (a - b))
+        .sum::<f64>()
+        .sqrt()
 }
 
 fn lab(colour: Rgb) -> [f64; 3] {
     let [r, g, b] = colour.0.map(|value| {
         let value = f64::from(value) / 255.0;
-        if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
+        if value <= 0.040_45 {
+            value / 12.92
+        } else {
+            libm::pow((value + 0.055) / 1.055, 2.4)
+        }
     });
-    let bent = |t: f64| if t > 0.008_856 { libm::cbrt(t) } else { 7.787 * t + 16.0 / 116.0 };
+    let bent = |t: f64| {
+        if t > 0.008_856 {
+            libm::cbrt(t)
+        } else {
+            7.787 * t + 16.0 / 116.0
+        }
+    };
     let x = bent((0.412_456_4 * r + 0.357_576_1 * g + 0.180_437_5 * b) / 0.950_47);
     let y = bent(0.212_672_9 * r + 0.715_152_2 * g + 0.072_175_0 * b);
     let z = bent((0.019_333_9 * r + 0.119_192 * g + 0.950_304_1 * b) / 1.088_83);
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Whether two classes can be found in one map of a kind of hoop. A hoop with inertia may leave the plane and may be
-/// faster than the clock; with friction it may slip for ever or meet P ≤ 0, and without it repeats itself. The particle of a massless one comes to the
-/// plane, or to the bottom if it is inside the rim.
+/// Whether two classes can be found in one map of a kind of hoop. A hoop with inertia may leave the
+/// plane and may be faster than the clock; with friction it may slip for ever or meet P ≤ 0, and
+/// without it repeats itself. The particle of a massless one comes to the plane, or to the bottom
+/// if it is inside the rim.
 fn meet(a: Class, b: Class) -> bool {
     const HEAVY: [Class; 7] = [
         Class::LeavesAtOnce,
@@ -91,7 +106,11 @@ fn classes_that_meet_in_one_map_differ_in_grey() {
     for theme in Theme::ALL {
         for (i, a) in Class::ALL.into_iter().enumerate() {
             let is_of_a_motion = !matches!(a, Class::Invalid | Class::NotComputed);
-            assert_eq!(meet(a, a), is_of_a_motion, "{a} is in a map of some kind of hoop");
+            assert_eq!(
+                meet(a, a),
+                is_of_a_motion,
+                "{a} is in a map of some kind of hoop"
+            );
             for b in Class::ALL.into_iter().take(i).filter(|b| meet(a, *b)) {
                 let gap = (of_class(a, theme).lightness() - of_class(b, theme).lightness()).abs();
                 assert!(gap > 12.0, "{a} and {b}, {theme:?}: {gap}");
@@ -105,7 +124,8 @@ fn points_without_a_motion_differ_in_grey_from_all_others() {
     for theme in Theme::ALL {
         for empty in [Class::Invalid, Class::NotComputed] {
             for class in Class::ALL.into_iter().filter(|class| *class != empty) {
-                let gap = (of_class(empty, theme).lightness() - of_class(class, theme).lightness()).abs();
+                let gap =
+                    (of_class(empty, theme).lightness() - of_class(class, theme).lightness()).abs();
                 assert!(gap > 8.0, "{empty} and {class}, {theme:?}: {gap}");
             }
         }
@@ -119,7 +139,12 @@ fn a_colour_has_one_meaning() {
         let classes = Class::ALL.map(|class| (class.name(), of_class(class, theme)));
         let arrows = Arrow::ALL.map(|arrow| (arrow.name(), arrow.colour(theme)));
         let accents = Accent::ALL.map(|accent| (accent.name(), accent.colour(theme)));
-        let all: Vec<_> = modes.into_iter().chain(classes).chain(arrows).chain(accents).collect();
+        let all: Vec<_> = modes
+            .into_iter()
+            .chain(classes)
+            .chain(arrows)
+            .chain(accents)
+            .collect();
         for (i, (a, first)) in all.iter().enumerate() {
             for (b, second) in &all[..i] {
                 let apart = distance(*first, *second);
@@ -147,7 +172,10 @@ fn lines_are_told_apart_without_colours() {
         for (i, a) in Curve::ALL.into_iter().enumerate() {
             for b in Curve::ALL.into_iter().take(i) {
                 let gap = (a.colour(theme).lightness() - b.colour(theme).lightness()).abs();
-                assert!(a.dash() != b.dash() || gap > 12.0, "{a:?} and {b:?}, {theme:?}: {gap}");
+                assert!(
+                    a.dash() != b.dash() || gap > 12.0,
+                    "{a:?} and {b:?}, {theme:?}: {gap}"
+                );
             }
         }
     }
@@ -159,15 +187,24 @@ fn lines_of_impulses_and_parts_of_an_energy_are_told_apart() {
         for (i, a) in ImpulseLine::ALL.into_iter().enumerate() {
             for b in ImpulseLine::ALL.into_iter().take(i) {
                 let apart = distance(a.colour(theme), b.colour(theme));
-                assert!(a.dash() != b.dash() || apart > 20.0, "{a:?} and {b:?}, {theme:?}");
+                assert!(
+                    a.dash() != b.dash() || apart > 20.0,
+                    "{a:?} and {b:?}, {theme:?}"
+                );
             }
-            assert!(a.colour(theme).contrast(Ink::Paper.colour(theme)) > 4.5, "{a:?}, {theme:?}");
+            assert!(
+                a.colour(theme).contrast(Ink::Paper.colour(theme)) > 4.5,
+                "{a:?}, {theme:?}"
+            );
         }
         // Those that lie side by side in a bar.
         for pair in EnergyPart::ALL.windows(2) {
             let [a, b] = [pair[0].colour(theme), pair[1].colour(theme)];
             let in_grey = (a.lightness() - b.lightness()).abs();
-            assert!(distance(a, b) > 20.0 && in_grey > 4.0, "{pair:?}, {theme:?}: {in_grey}");
+            assert!(
+                distance(a, b) > 20.0 && in_grey > 4.0,
+                "{pair:?}, {theme:?}: {in_grey}"
+            );
         }
     }
 }
@@ -180,21 +217,41 @@ fn lines_and_letters_stand_out_from_the_paper() {
             // 3 is the bound of WCAG 2 for lines and bold letters.
             let colour = of_mode(mode, theme);
             assert!(colour.contrast(paper) > 3.0, "{mode}, {theme:?}");
-            assert!(colour.contrast(colour.more_legible(ink, paper)) > 3.5, "{mode}, {theme:?}");
+            assert!(
+                colour.contrast(colour.more_legible(ink, paper)) > 3.5,
+                "{mode}, {theme:?}"
+            );
         }
         for arrow in Arrow::ALL {
-            assert!(arrow.colour(theme).contrast(paper) > 4.5, "{arrow:?}, {theme:?}");
+            assert!(
+                arrow.colour(theme).contrast(paper) > 4.5,
+                "{arrow:?}, {theme:?}"
+            );
         }
         for accent in Accent::ALL {
-            assert!(accent.colour(theme).contrast(paper) > 3.0, "{accent:?}, {theme:?}");
+            assert!(
+                accent.colour(theme).contrast(paper) > 3.0,
+                "{accent:?}, {theme:?}"
+            );
         }
-        for curve in [Curve::SlipLimit, Curve::NormalForceZero, Curve::Separatrix, Curve::LiftOff] {
+        for curve in [
+            Curve::SlipLimit,
+            Curve::NormalForceZero,
+            Curve::Separatrix,
+            Curve::LiftOff,
+        ] {
             for ground in [Ink::Paper, Ink::Region].map(|ink| ink.colour(theme)) {
-                assert!(curve.colour(theme).contrast(ground) > 4.5, "{curve:?}, {theme:?}");
+                assert!(
+                    curve.colour(theme).contrast(ground) > 4.5,
+                    "{curve:?}, {theme:?}"
+                );
             }
         }
         let soft = Ink::Soft.colour(theme);
-        assert!(ink.contrast(paper) > 7.0 && soft.contrast(paper) > 4.5, "{theme:?}");
+        assert!(
+            ink.contrast(paper) > 7.0 && soft.contrast(paper) > 4.5,
+            "{theme:?}"
+        );
         assert!(soft.contrast(Ink::Ground.colour(theme)) > 4.0, "{theme:?}");
     }
 }
@@ -208,8 +265,11 @@ fn every_name_is_there_once() {
             assert!(!table[..i].iter().any(same), "{swatch:?}");
         }
         for (group, names) in [("mode", &Mode::NAMES[..]), ("class", &Class::NAMES)] {
-            let found: Vec<&str> =
-                table.iter().filter(|swatch| swatch.group == group).map(|swatch| swatch.name).collect();
+            let found: Vec<&str> = table
+                .iter()
+                .filter(|swatch| swatch.group == group)
+                .map(|swatch| swatch.name)
+                .collect();
             assert_eq!(found, names);
         }
     }
@@ -220,7 +280,10 @@ fn colours_are_written_as_style_sheets_have_them() {
     assert_eq!(of_mode(Mode::Rolling, Theme::Light).hex(), "#004b87");
     assert_eq!(Rgb([255, 255, 255]).grey(), Rgb([255; 3]));
     assert_eq!(Rgb([0, 0, 0]).grey(), Rgb([0; 3]));
-    assert_eq!(Rgb([200, 100, 0]).over(Rgb([0, 100, 200]), 0.25), Rgb([50, 100, 150]));
+    assert_eq!(
+        Rgb([200, 100, 0]).over(Rgb([0, 100, 200]), 0.25),
+        Rgb([50, 100, 150])
+    );
     let grey = Rgb([0xbf, 0x53, 0x00]).grey();
     assert!((grey.lightness() - Rgb([0xbf, 0x53, 0x00]).lightness()).abs() < 0.3);
     assert!((Rgb([255, 255, 255]).contrast(Rgb([0, 0, 0])) - 21.0).abs() < 1e-12);
@@ -233,13 +296,21 @@ fn tints_of_a_hue_and_neighbours_differ_in_lightness() {
         for rank in 0..RANKS {
             let apart = |other: f64| (lightness(rank, false) - other).abs() > 12.0;
             assert!(apart(lightness(rank, true)), "{rank}, {theme:?}");
-            assert!(rank == 0 || apart(lightness(rank - 1, false)), "{rank}, {theme:?}");
+            assert!(
+                rank == 0 || apart(lightness(rank - 1, false)),
+                "{rank}, {theme:?}"
+            );
         }
     }
 }
 
 #[test]
 fn a_scale_grows_lighter() {
-    let scale: Vec<f64> = (0..=200).map(|i| of_fraction(f64::from(i) / 200.0).lightness()).collect();
-    assert!(scale.windows(2).all(|pair| pair[1] >= pair[0]) && scale[200] - scale[0] > 70.0, "{scale:?}");
+    let scale: Vec<f64> = (0..=200)
+        .map(|i| of_fraction(f64::from(i) / 200.0).lightness())
+        .collect();
+    assert!(
+        scale.windows(2).all(|pair| pair[1] >= pair[0]) && scale[200] - scale[0] > 70.0,
+        "{scale:?}"
+    );
 }

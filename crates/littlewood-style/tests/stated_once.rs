@@ -1,8 +1,9 @@
 //! Names, labels and colours stand in their table and in no other source file.
 //!
-//! Rust has the items themselves: a name in quotes outside its table is a second statement. Python and TypeScript look
-//! an item up by its name, and a wrong one is an error there (a `KeyError`, a type that does not fit); in these a file
-//! states a table a second time if it has labels or colours of it, or the greater part of its names.
+//! Rust has the items themselves: a name in quotes outside its table is a second statement. Python
+//! and TypeScript look an item up by its name, and a wrong one is an error there (a `KeyError`, a
+//! type that does not fit); in these a file states a table a second time if it has labels or
+//! colours of it, or the greater part of its names.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -22,7 +23,11 @@ const SOURCES: [(&str, &[&str]); 3] = [
 ];
 
 /// Folders and files of sources that are not written by hand.
-const GENERATED: [&str; 3] = ["web/src/generated", "web/src/wasm", "python/littlewood/laboratory.js"];
+const GENERATED: [&str; 3] = [
+    "web/src/generated",
+    "web/src/wasm",
+    "python/littlewood/laboratory.js",
+];
 
 const QUANTITIES: &str = "crates/littlewood/src/model/quantity.rs";
 const CURVES: &str = "crates/littlewood-style/src/curve.rs";
@@ -121,12 +126,18 @@ fn collect(root: &Path, folder: &Path, endings: &[&str], sources: &mut Vec<Sourc
             }
             continue;
         }
-        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let ending = path
+            .extension()
+            .and_then(|ending| ending.to_str())
+            .unwrap_or_default();
         let is_source = !GENERATED.contains(&file.as_str())
             && (!file.starts_with("crates") || file.split('/').nth(2) == Some("src"));
         if is_source && endings.contains(&ending) {
             let text = fs::read_to_string(root.join(&path)).expect("a text in UTF-8");
-            sources.push(Source { file, text: unwrapped(&without_comments(&text, ending)) });
+            sources.push(Source {
+                file,
+                text: unwrapped(&without_comments(&text, ending)),
+            });
         }
     }
 }
@@ -137,7 +148,11 @@ fn without_comments(text: &str, ending: &str) -> String {
         ("rs", Some(end)) => &text[..end],
         _ => text,
     };
-    let opens: &[&str] = if ending.starts_with("py") { &["#"] } else { &["//", "/*", "* "] };
+    let opens: &[&str] = if ending.starts_with("py") {
+        &["#"]
+    } else {
+        &["//", "/*", "* "]
+    };
     text.lines()
         .filter(|line| !opens.iter().any(|open| line.trim_start().starts_with(open)))
         .flat_map(|line| [line, "\n"])
@@ -161,24 +176,43 @@ struct Table {
 fn tables() -> Vec<Table> {
     let table = |file, names: &[&'static str], labels: &[&'static str]| Table {
         file,
-        names: names.iter().copied().filter(|name| is_unmistakable(name)).collect(),
+        names: names
+            .iter()
+            .copied()
+            .filter(|name| is_unmistakable(name))
+            .collect(),
         // One word of a label is plain English.
-        labels: labels.iter().copied().filter(|label| label.contains(' ')).collect(),
+        labels: labels
+            .iter()
+            .copied()
+            .filter(|label| label.contains(' '))
+            .collect(),
     };
     vec![
         table(
             QUANTITIES,
             &Quantity::NAMES,
-            &[Quantity::ALL.map(Quantity::long_name), Quantity::ALL.map(|quantity| quantity.row().help)]
-                .concat(),
+            &[
+                Quantity::ALL.map(Quantity::long_name),
+                Quantity::ALL.map(|quantity| quantity.row().help),
+            ]
+            .concat(),
         ),
-        table("crates/littlewood/src/walk/automaton.rs", &Cause::NAMES, &Cause::ALL.map(Cause::label)),
+        table(
+            "crates/littlewood/src/walk/automaton.rs",
+            &Cause::NAMES,
+            &Cause::ALL.map(Cause::label),
+        ),
         table(
             "crates/littlewood/src/walk/outcome.rs",
             &OutcomeKind::NAMES,
             &OutcomeKind::ALL.map(OutcomeKind::label),
         ),
-        table("crates/littlewood/src/motion/class.rs", &Class::NAMES, &Class::ALL.map(Class::label)),
+        table(
+            "crates/littlewood/src/motion/class.rs",
+            &Class::NAMES,
+            &Class::ALL.map(Class::label),
+        ),
         table(
             "crates/littlewood/src/motion/columns.rs",
             &SampleColumn::NAMES,
@@ -189,13 +223,27 @@ fn tables() -> Vec<Table> {
             &SummaryColumn::NAMES,
             &SummaryColumn::ALL.map(SummaryColumn::long_name),
         ),
-        table("crates/littlewood/src/walk/sequence.rs", &[], &PhaseCode::ALL.map(PhaseCode::meaning)),
-        table("crates/littlewood/src/motion/classify.rs", &StartRegion::NAMES, &[]),
-        table("crates/littlewood/src/modes/rolling/recurrence.rs", &RecurrenceKind::NAMES, &[]),
+        table(
+            "crates/littlewood/src/walk/sequence.rs",
+            &[],
+            &PhaseCode::ALL.map(PhaseCode::meaning),
+        ),
+        table(
+            "crates/littlewood/src/motion/classify.rs",
+            &StartRegion::NAMES,
+            &[],
+        ),
+        table(
+            "crates/littlewood/src/modes/rolling/recurrence.rs",
+            &RecurrenceKind::NAMES,
+            &[],
+        ),
         table(
             CURVES,
             &Curve::ALL.map(Curve::name),
-            &[0.0, 1.0].map(|slope| Curve::ALL.map(|curve| curve.label(slope))).concat(),
+            &[0.0, 1.0]
+                .map(|slope| Curve::ALL.map(|curve| curve.label(slope)))
+                .concat(),
         ),
     ]
 }
@@ -210,14 +258,22 @@ fn is_rust(source: &Source) -> bool {
 }
 
 fn has_literal(source: &Source, text: &str) -> bool {
-    let quotes: &[char] = if source.file.ends_with(".ts") { &['"', '\'', '`'] } else { &['"', '\''] };
-    quotes.iter().any(|quote| source.text.contains(&format!("{quote}{text}{quote}")))
+    let quotes: &[char] = if source.file.ends_with(".ts") {
+        &['"', '\'', '`']
+    } else {
+        &['"', '\'']
+    };
+    quotes
+        .iter()
+        .any(|quote| source.text.contains(&format!("{quote}{text}{quote}")))
 }
 
 /// Whether an object of TypeScript has a key of this name.
 fn has_key(source: &Source, name: &str) -> bool {
     source.file.ends_with(".ts")
-        && [' ', '{'].iter().any(|before| source.text.contains(&format!("{before}{name}:")))
+        && [' ', '{']
+            .iter()
+            .any(|before| source.text.contains(&format!("{before}{name}:")))
 }
 
 /// What stands a second time is what is allowed to, no more and no less.
@@ -239,16 +295,27 @@ fn names_and_labels_stand_in_their_tables_alone() {
     assert!(rust > 150 && sources.len() > rust + 50);
     let tables = tables();
     let mut found = BTreeSet::new();
-    for Table { file, names, labels } in &tables {
-        let table = sources.iter().find(|source| source.file == *file).expect("the file of a table");
-        for (text, is_label) in
-            names.iter().map(|name| (*name, false)).chain(labels.iter().map(|label| (*label, true)))
+    for Table {
+        file,
+        names,
+        labels,
+    } in &tables
+    {
+        let table = sources
+            .iter()
+            .find(|source| source.file == *file)
+            .expect("the file of a table");
+        for (text, is_label) in names
+            .iter()
+            .map(|name| (*name, false))
+            .chain(labels.iter().map(|label| (*label, true)))
         {
             assert!(has_literal(table, text), "{text} is not in {file}");
             // Two tables may have the same name, of a cause and of the outcome that it leads to.
             let is_another = |other: &&Source| {
                 !tables.iter().any(|table| {
-                    table.file == other.file && (table.names.contains(&text) || table.labels.contains(&text))
+                    table.file == other.file
+                        && (table.names.contains(&text) || table.labels.contains(&text))
                 })
             };
             for other in sources.iter().filter(is_another) {
@@ -272,8 +339,10 @@ fn no_file_in_another_language_lists_a_table() {
     let mut found = BTreeSet::new();
     for source in sources.iter().filter(|source| !is_rust(source)) {
         for Table { file, names, .. } in tables.iter().filter(|table| table.names.len() > 1) {
-            let named =
-                names.iter().filter(|name| has_literal(source, name) || has_key(source, name)).count();
+            let named = names
+                .iter()
+                .filter(|name| has_literal(source, name) || has_key(source, name))
+                .count();
             if 2 * named > names.len() {
                 found.insert((source.file.as_str(), *file));
             }
@@ -281,10 +350,16 @@ fn no_file_in_another_language_lists_a_table() {
     }
     compare(
         found,
-        LISTINGS.iter().map(|Listing { file, table, reason }| {
-            assert!(!reason.is_empty());
-            (*file, *table)
-        }),
+        LISTINGS.iter().map(
+            |Listing {
+                 file,
+                 table,
+                 reason,
+             }| {
+                assert!(!reason.is_empty());
+                (*file, *table)
+            },
+        ),
     );
 }
 
@@ -294,12 +369,14 @@ fn every_file_of_tests_is_a_module_of_their_program() {
     let mut forgotten = Vec::new();
     for package in fs::read_dir(crates).unwrap() {
         let tests = package.unwrap().path().join("tests");
-        let Ok(all) = fs::read_to_string(tests.join("all.rs")) else { continue };
+        let Ok(all) = fs::read_to_string(tests.join("all.rs")) else {
+            continue;
+        };
         for file in fs::read_dir(&tests).unwrap() {
             let file = file.unwrap().path();
             let name = file.file_stem().unwrap().to_string_lossy().into_owned();
-            let has_tests =
-                file.extension().is_some_and(|ending| ending == "rs") || file.join("mod.rs").exists();
+            let has_tests = file.extension().is_some_and(|ending| ending == "rs")
+                || file.join("mod.rs").exists();
             if has_tests && name != "all" && !all.contains(&format!("mod {name};")) {
                 forgotten.push(file);
             }
@@ -310,11 +387,17 @@ fn every_file_of_tests_is_a_module_of_their_program() {
 
 #[test]
 fn colours_stand_in_the_style_alone() {
-    let colours: BTreeSet<[u8; 3]> =
-        Theme::ALL.into_iter().flat_map(swatches).map(|swatch| swatch.colour.0).collect();
+    let colours: BTreeSet<[u8; 3]> = Theme::ALL
+        .into_iter()
+        .flat_map(swatches)
+        .map(|swatch| swatch.colour.0)
+        .collect();
     assert!(colours.len() > 50);
     let mut second = Vec::new();
-    for source in sources().iter().filter(|source| !source.file.starts_with("crates/littlewood-style/")) {
+    for source in sources()
+        .iter()
+        .filter(|source| !source.file.starts_with("crates/littlewood-style/"))
+    {
         let text = source.text.to_lowercase();
         for [red, green, blue] in &colours {
             for written in [

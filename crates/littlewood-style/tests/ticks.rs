@@ -13,17 +13,38 @@ fn angles_have_multiples_of_pi() {
     let ticks = angular(-PI, PI, 6);
     assert_eq!(labels(&ticks), ["−π", "−π/2", "0", "π/2", "π"]);
     assert_eq!(ticks[4].value, PI);
-    assert_eq!(labels(&angular(0.0, 4.0 * PI, 6)), ["0", "π", "2π", "3π", "4π"]);
-    assert_eq!(labels(&angular(0.0, PI, 4)), ["0", "π/4", "π/2", "3π/4", "π"]);
-    assert_eq!(labels(&angular(0.0, 0.2, 4)), ["0.00", "0.05", "0.10", "0.15", "0.20"]);
+    assert_eq!(
+        labels(&angular(0.0, 4.0 * PI, 6)),
+        ["0", "π", "2π", "3π", "4π"]
+    );
+    assert_eq!(
+        labels(&angular(0.0, PI, 4)),
+        ["0", "π/4", "π/2", "3π/4", "π"]
+    );
+    assert_eq!(
+        labels(&angular(0.0, 0.2, 4)),
+        ["0.00", "0.05", "0.10", "0.15", "0.20"]
+    );
 }
 
 #[test]
 fn logarithmic_axes_have_decades() {
-    assert_eq!(labels(&logarithmic(0.01, 1.0, 8)), ["0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1"]);
-    assert_eq!(labels(&logarithmic(1e-3, 1.0, 7)), ["0.001", "0.003", "0.01", "0.03", "0.1", "0.3", "1"]);
-    assert_eq!(labels(&logarithmic(1e-7, 1e6, 6)), ["10⁻⁶", "0.001", "1", "1000", "10⁶"]);
-    assert_eq!(labels(&logarithmic(2.0, 3.0, 6)), ["2.0", "2.2", "2.4", "2.6", "2.8", "3.0"]);
+    assert_eq!(
+        labels(&logarithmic(0.01, 1.0, 8)),
+        ["0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1"]
+    );
+    assert_eq!(
+        labels(&logarithmic(1e-3, 1.0, 7)),
+        ["0.001", "0.003", "0.01", "0.03", "0.1", "0.3", "1"]
+    );
+    assert_eq!(
+        labels(&logarithmic(1e-7, 1e6, 6)),
+        ["10⁻⁶", "0.001", "1", "1000", "10⁶"]
+    );
+    assert_eq!(
+        labels(&logarithmic(2.0, 3.0, 6)),
+        ["2.0", "2.2", "2.4", "2.6", "2.8", "3.0"]
+    );
     assert_eq!(logarithmic(0.01, 1.0, 8)[0].value, 0.01);
 }
 
@@ -38,7 +59,16 @@ fn an_axis_of_no_width_has_no_ticks() {
 #[test]
 fn numbers_are_round() {
     assert_eq!(labels(&round(-4.01, 4.01, 6)), ["−4", "−2", "0", "2", "4"]);
-    assert_eq!(labels(&round(0.0, 1.0, 5)), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-    assert_eq!(labels(&round(0.0, 1.0, 4)), ["0.00", "0.25", "0.50", "0.75", "1.00"]);
-    assert_eq!(labels(&round(0.0, 3e7, 3)), ["0.0e0", "1.0e7", "2.0e7", "3.0e7"]);
+    assert_eq!(
+        labels(&round(0.0, 1.0, 5)),
+        ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+    );
+    assert_eq!(
+        labels(&round(0.0, 1.0, 4)),
+        ["0.00", "0.25", "0.50", "0.75", "1.00"]
+    );
+    assert_eq!(
+        labels(&round(0.0, 3e7, 3)),
+        ["0.0e0", "1.0e7", "2.0e7", "3.0e7"]
+    );
 }

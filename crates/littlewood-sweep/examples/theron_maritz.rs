@@ -1,13 +1,15 @@
-//! The sequences of phases of the first turn, in the set-up of Theron and Maritz: from the top, rolling, μs = μk, over
-//! eccentricity, friction and angular velocity. `docs/atlas.md` has its counts.
+//! The sequences of phases of the first turn, in the set-up of Theron and Maritz: from the top,
+//! rolling, μs = μk, over eccentricity, friction and angular velocity. `docs/atlas.md` has its
+//! counts.
 //!
 //! ```sh
 //! cargo run --release -p littlewood-sweep --example theron_maritz -- 40 shift 1 0.02
 //! ```
 //!
-//! takes 40 values of each of the three, μ from 0.02, then refines the grid, once, around the rarest sequences. `shift`
-//! is a hoop with g = R = m1 = Izz = 1 and a particle of mass 3 at any distance from the centre, `rim` a thin hoop with a
-//! particle of any mass on its rim. The angular velocity goes up to the one at which the hoop leaves the plane at once.
+//! takes 40 values of each of the three, μ from 0.02, then refines the grid, once, around the
+//! rarest sequences. `shift` is a hoop with g = R = m1 = Izz = 1 and a particle of mass 3 at any
+//! distance from the centre, `rim` a thin hoop with a particle of any mass on its rim. The angular
+//! velocity goes up to the one at which the hoop leaves the plane at once.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +17,8 @@ use littlewood::tables::{Quantity, Setup};
 use littlewood::{HoopParameters, Start};
 use littlewood_sweep::{Atlas, AtlasEntry, Axis, Grid, Options, Stop, SweepError, Workers};
 
-/// A way to make a hoop of each eccentricity γ, the distance of the mass centre from the centre in radii.
+/// A way to make a hoop of each eccentricity γ, the distance of the mass centre from the centre in
+/// radii.
 #[derive(Clone, Copy, PartialEq)]
 enum Family {
     Shift,
@@ -35,11 +38,14 @@ impl Family {
             Self::Shift => (1.0 / 3.0, (gamma / 0.75).min(1.0)),
             Self::Rim => (1.0 / gamma - 1.0, 1.0),
         };
-        HoopParameters::thin(mass_ratio).with_offset(offset).with_friction(1.0, 0.0)
+        HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_friction(1.0, 0.0)
     }
 }
 
-/// A box of γ, μ and θ′√γ, the last from 0 (at rest) to 1 (off the plane at once), in so many steps each.
+/// A box of γ, μ and θ′√γ, the last from 0 (at rest) to 1 (off the plane at once), in so many steps
+/// each.
 #[derive(Clone, Copy)]
 struct Box3 {
     low: [f64; 3],
@@ -108,16 +114,26 @@ fn say(what: &str, atlas: &Atlas) {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let count: usize = std::env::args().nth(1).map_or(Ok(40), |count| count.parse())?;
+    let count: usize = std::env::args()
+        .nth(1)
+        .map_or(Ok(40), |count| count.parse())?;
     let family = match std::env::args().nth(2).as_deref() {
         Some("rim") => Family::Rim,
         _ => Family::Shift,
     };
-    let levels: u32 = std::env::args().nth(3).map_or(Ok(0), |levels| levels.parse())?;
+    let levels: u32 = std::env::args()
+        .nth(3)
+        .map_or(Ok(0), |levels| levels.parse())?;
     let least_mu: f64 = std::env::args().nth(4).map_or(Ok(0.005), |mu| mu.parse())?;
     let workers = Workers::new(None)?;
-    let all = Box3 { low: [0.01, least_mu, 0.01], high: [family.most(), 2.0, 0.999], count };
-    println!("kinds: all  no directions  no lift-off  neither; then the same four with stops told apart");
+    let all = Box3 {
+        low: [0.01, least_mu, 0.01],
+        high: [family.most(), 2.0, 0.999],
+        count,
+    };
+    println!(
+        "kinds: all  no directions  no lift-off  neither; then the same four with stops told apart"
+    );
     let mut atlas = all.atlas(family, &workers)?;
     say("grid", &atlas);
     let mut boxes: Vec<(Box3, Vec<AtlasEntry>)> = vec![(all, atlas.entries.clone())];

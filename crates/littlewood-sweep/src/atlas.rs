@@ -24,12 +24,13 @@ pub struct AtlasEntry {
     pub count: u64,
     /// The first of them.
     pub example: Setup,
-    /// The number of that point ([`Grid::point`]); in an atlas of several grids the points of later grids are numbered after those of
-    /// earlier ones.
+    /// The number of that point ([`Grid::point`]); in an atlas of several grids the points of later
+    /// grids are numbered after those of earlier ones.
     pub number: u64,
 }
 
-/// The sequence of a point, and what stops it; none for a point whose parameters contradict each other.
+/// The sequence of a point, and what stops it; none for a point whose parameters contradict each
+/// other.
 type Found = Option<(PhaseSequence, Option<Stop>)>;
 
 /// All sequences of phases of one or more grids, the most frequent first.
@@ -58,15 +59,19 @@ impl Atlas {
     ) -> Result<Self, ParameterError> {
         Self::collect(grid, options, |chunk, watch| {
             let points: Vec<Setup> = chunk.points(grid).collect();
-            let columns =
-                match workers.compute_points((&points, &[]), Some(grid.starts_of_a_hoop()), limits, watch) {
-                    Ok(columns) => columns,
-                    Err(Halt::Refused(refused)) => return Err(refused.error),
-                    Err(Halt::Cancelled) => return Ok(None),
-                };
-            let sequences = columns
-                .summaries()
-                .map(|summary| (summary.outcome != OutcomeKind::Invalid).then_some((summary.sequence, None)));
+            let columns = match workers.compute_points(
+                (&points, &[]),
+                Some(grid.starts_of_a_hoop()),
+                limits,
+                watch,
+            ) {
+                Ok(columns) => columns,
+                Err(Halt::Refused(refused)) => return Err(refused.error),
+                Err(Halt::Cancelled) => return Ok(None),
+            };
+            let sequences = columns.summaries().map(|summary| {
+                (summary.outcome != OutcomeKind::Invalid).then_some((summary.sequence, None))
+            });
             Ok(Some(sequences.collect()))
         })
     }
@@ -125,7 +130,9 @@ impl Atlas {
         let (mut points, mut invalid) = (0, 0);
         let ledger = Ledger::new(options, 0, grid.len());
         for chunk in (0..chunks.count()).map(|number| chunks.chunk(number)) {
-            let Some(sequences) = sequences(&chunk, &ledger.watch())? else { break };
+            let Some(sequences) = sequences(&chunk, &ledger.watch())? else {
+                break;
+            };
             for (indices, sequence) in chunk.indices().zip(sequences) {
                 points += 1;
                 let Some(key) = sequence else {
@@ -152,7 +159,12 @@ impl Atlas {
                 number,
             })
             .collect();
-        let mut atlas = Self { entries, points, invalid, total: grid.len() };
+        let mut atlas = Self {
+            entries,
+            points,
+            invalid,
+            total: grid.len(),
+        };
         atlas.sort();
         Ok(atlas)
     }
@@ -184,7 +196,10 @@ impl Atlas {
                 .find(|known| (known.sequence, known.stop) == (entry.sequence, entry.stop))
             {
                 Some(known) => known.count += entry.count,
-                None => self.entries.push(AtlasEntry { number: before + entry.number, ..entry }),
+                None => self.entries.push(AtlasEntry {
+                    number: before + entry.number,
+                    ..entry
+                }),
             }
         }
         self.points += other.points;
@@ -194,7 +209,8 @@ impl Atlas {
     }
 
     fn sort(&mut self) {
-        self.entries.sort_by_key(|entry| (core::cmp::Reverse(entry.count), entry.number, entry.stop));
+        self.entries
+            .sort_by_key(|entry| (core::cmp::Reverse(entry.count), entry.number, entry.stop));
     }
 }
 

@@ -1,7 +1,10 @@
-//! What stores say of their columns: the attributes of the CF conventions, and how codes are to be read.
+//! What stores say of their columns: the attributes of the CF conventions, and how codes are to be
+//! read.
 
 use littlewood::OutcomeKind;
-use littlewood::tables::{ColumnType, DerivativeColumn, Dimension, PhaseCode, PhaseSequence, SummaryColumn};
+use littlewood::tables::{
+    ColumnType, DerivativeColumn, Dimension, PhaseCode, PhaseSequence, SummaryColumn,
+};
 use serde_json::{Map, Value, json};
 
 use crate::axis::Varies;
@@ -12,7 +15,10 @@ pub(crate) const CONVENTIONS: &str = "CF-1.11";
 pub(crate) type Attributes = Map<String, Value>;
 
 pub(crate) fn of_axis(varies: Varies) -> Attributes {
-    named(varies.long_name()).into_iter().chain(units(varies.dimension())).collect()
+    named(varies.long_name())
+        .into_iter()
+        .chain(units(varies.dimension()))
+        .collect()
 }
 
 pub(crate) fn of_column(column: Column) -> Attributes {
@@ -20,7 +26,11 @@ pub(crate) fn of_column(column: Column) -> Attributes {
         Column::Summary(column) => of_summary(column),
         Column::Derivative(column) => {
             let [long_name, units, scale] = of_derivative(column);
-            attributes_of([("long_name", long_name.into()), ("units", units.into()), ("scale", scale.into())])
+            attributes_of([
+                ("long_name", long_name.into()),
+                ("units", units.into()),
+                ("scale", scale.into()),
+            ])
         }
     }
 }
@@ -37,7 +47,11 @@ pub fn of_derivative(DerivativeColumn { number, quantity }: DerivativeColumn) ->
         [over, "1"] => over.to_owned(),
         [over, under] => format!("{over}/({under})"),
     };
-    let long_name = format!("derivative of the {} by the {}", number.long_name(), quantity.long_name());
+    let long_name = format!(
+        "derivative of the {} by the {}",
+        number.long_name(),
+        quantity.long_name()
+    );
     [long_name, units, scale]
 }
 
@@ -50,9 +64,12 @@ fn of_summary(column: SummaryColumn) -> Attributes {
         }
         ColumnType::Flag => flags(&[0, 1], &["no", "yes"]),
         ColumnType::Sequence => {
-            let legend = PhaseCode::ALL
-                .into_iter()
-                .map(|phase| (phase.code().to_string(), format!("{phase}: {}", phase.meaning()).into()));
+            let legend = PhaseCode::ALL.into_iter().map(|phase| {
+                (
+                    phase.code().to_string(),
+                    format!("{phase}: {}", phase.meaning()).into(),
+                )
+            });
             let end = [("0".to_owned(), "end of the sequence".into())];
             let legend: Attributes = end.into_iter().chain(legend).collect();
             attributes_of([
@@ -77,7 +94,10 @@ pub(crate) fn of_words(column: SummaryColumn) -> Attributes {
 }
 
 fn attributes_of<const N: usize>(attributes: [(&str, Value); N]) -> Attributes {
-    attributes.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+    attributes
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect()
 }
 
 fn named(long_name: &str) -> Attributes {
@@ -86,11 +106,17 @@ fn named(long_name: &str) -> Attributes {
 
 /// `units` that UDUNITS can parse, and the scale of (2.9) of which the values are multiples.
 fn units(dimension: Dimension) -> Attributes {
-    attributes_of([("units", dimension.cf_unit().into()), ("scale", dimension.scale().into())])
+    attributes_of([
+        ("units", dimension.cf_unit().into()),
+        ("scale", dimension.scale().into()),
+    ])
 }
 
 fn flags(codes: &[u8], names: &[&str]) -> Attributes {
-    attributes_of([("flag_values", json!(codes)), ("flag_meanings", names.join(" ").into())])
+    attributes_of([
+        ("flag_values", json!(codes)),
+        ("flag_meanings", names.join(" ").into()),
+    ])
 }
 
 #[cfg(test)]
@@ -99,14 +125,18 @@ mod tests {
 
     use super::*;
 
-    /// UDUNITS parses `1` and `rad`; it refuses scales such as `sqrt(R/g)`, and reads `R` as roentgen, `m2` as square metres.
+    /// UDUNITS parses `1` and `rad`; it refuses scales such as `sqrt(R/g)`, and reads `R` as
+    /// roentgen, `m2` as square metres.
     const PARSED_BY_UDUNITS: [&str; 2] = ["1", "rad"];
 
     #[test]
     fn derivatives_have_the_units_of_their_quotients() {
         let of = |name: &str| of_derivative(name.parse().expect("a derivative"));
         let [long_name, units, scale] = of("jump_length_by_theta_rate");
-        assert_eq!(long_name, "derivative of the length of the first jump by the rate of the angle");
+        assert_eq!(
+            long_name,
+            "derivative of the length of the first jump by the rate of the angle"
+        );
         assert_eq!([units.as_str(), scale.as_str()], ["1", "R/(sqrt(g/R))"]);
         let [_, units, scale] = of("end_theta_by_theta");
         assert_eq!([units.as_str(), scale.as_str()], ["rad rad-1", "1"]);
@@ -118,7 +148,10 @@ mod tests {
 
     #[test]
     fn units_can_be_parsed_and_scales_stand_beside_them() {
-        let quantities = Quantity::HOOP.into_iter().chain(Quantity::START).map(|it| of_axis(it.into()));
+        let quantities = Quantity::HOOP
+            .into_iter()
+            .chain(Quantity::START)
+            .map(|it| of_axis(it.into()));
         let columns = SummaryColumn::ALL.into_iter().map(of_summary);
         for attributes in quantities.chain(columns) {
             assert!(attributes["long_name"].is_string());
@@ -127,7 +160,9 @@ mod tests {
                     assert!(PARSED_BY_UDUNITS.contains(&units.as_str().unwrap()));
                     assert!(attributes["scale"].is_string());
                 }
-                None => assert!(attributes.contains_key("flag_values") || attributes.contains_key("legend")),
+                None => assert!(
+                    attributes.contains_key("flag_values") || attributes.contains_key("legend")
+                ),
             }
         }
     }
@@ -136,8 +171,14 @@ mod tests {
     fn flags_have_a_meaning_of_one_word_for_each_value() {
         for column in SummaryColumn::ALL {
             let attributes = of_summary(column);
-            let Some(values) = attributes.get("flag_values") else { continue };
-            let words = attributes["flag_meanings"].as_str().unwrap().split(' ').count();
+            let Some(values) = attributes.get("flag_values") else {
+                continue;
+            };
+            let words = attributes["flag_meanings"]
+                .as_str()
+                .unwrap()
+                .split(' ')
+                .count();
             assert_eq!(values.as_array().unwrap().len(), words, "{column}");
         }
     }

@@ -1,4 +1,5 @@
-//! An axis of a sweep: one quantity, or both coefficients of friction together, evenly spaced or by equal factors.
+//! An axis of a sweep: one quantity, or both coefficients of friction together, evenly spaced or by
+//! equal factors.
 
 use core::fmt;
 
@@ -59,7 +60,8 @@ impl Varies {
     }
 
     pub(crate) fn set(self, setup: &mut Setup, value: f64) {
-        self.quantities().for_each(|quantity| setup.set(quantity, value));
+        self.quantities()
+            .for_each(|quantity| setup.set(quantity, value));
     }
 }
 
@@ -97,7 +99,10 @@ impl Spacing {
 
 /// What is wrong with the axes of a grid.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
+#[expect(
+    missing_docs,
+    reason = "the message of each says what it and its fields are"
+)]
 pub enum AxisError {
     #[error("a sweep cannot vary {quantity}; axes are {}, {}", names(&Quantity::AXES), Varies::Friction)]
     NotAnAxis { quantity: Quantity },
@@ -109,7 +114,11 @@ pub enum AxisError {
     #[error("axis {axis}: 1 point cannot include both ends, {} and {}", Number(*from), Number(*to))]
     OnePointTwoEnds { axis: Varies, from: f64, to: f64 },
     #[error("axis {axis}: {count} points from {} to {} are all the same", Number(*from), Number(*from))]
-    NoExtent { axis: Varies, from: f64, count: usize },
+    NoExtent {
+        axis: Varies,
+        from: f64,
+        count: usize,
+    },
     #[error("axis {axis}: equal factors cannot lead from {} to {}", Number(*from), Number(*to))]
     NoFactor { axis: Varies, from: f64, to: f64 },
     #[error("a grid needs at least one axis")]
@@ -119,17 +128,26 @@ pub enum AxisError {
     #[error("the grid has {}{points} points; at most {} can be counted", if *points == u128::MAX { "more than " } else { "" }, i64::MAX)]
     TooMany { points: u128 },
     #[error("axis {quantity}: at {}: {source}", Number(*value))]
-    Value { quantity: Quantity, value: f64, source: ParameterError },
+    Value {
+        quantity: Quantity,
+        value: f64,
+        source: ParameterError,
+    },
     #[error("{0}")]
     Fixed(#[from] ParameterError),
 }
 
 /// The names of some quantities, for messages.
 pub(crate) fn names(quantities: &[Quantity]) -> String {
-    quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
+    quantities
+        .iter()
+        .map(|quantity| quantity.name())
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
-/// An axis: `count` values of one quantity of [`Quantity::AXES`], or of [`Varies::Friction`], both ends included.
+/// An axis: `count` values of one quantity of [`Quantity::AXES`], or of [`Varies::Friction`], both
+/// ends included.
 ///
 /// ```
 /// use littlewood::tables::Quantity;
@@ -167,12 +185,17 @@ getters! {
 }
 
 impl Axis {
-    /// Checks that the quantity can be varied, that the ends are finite, that there is a point, and that several points
-    /// differ.
+    /// Checks that the quantity can be varied, that the ends are finite, that there is a point, and
+    /// that several points differ.
     ///
     /// # Errors
     /// Names what is wrong.
-    pub fn new(varies: impl Into<Varies>, from: f64, to: f64, count: usize) -> Result<Self, AxisError> {
+    pub fn new(
+        varies: impl Into<Varies>,
+        from: f64,
+        to: f64,
+        count: usize,
+    ) -> Result<Self, AxisError> {
         let axis = varies.into();
         if let Varies::One(quantity) = axis
             && !Quantity::AXES.contains(&quantity)
@@ -188,8 +211,17 @@ impl Axis {
             0 => Err(AxisError::Empty { axis }),
             1 if from != to => Err(AxisError::OnePointTwoEnds { axis, from, to }),
             2.. if from == to => Err(AxisError::NoExtent { axis, from, count }),
-            _ if !(to - from).is_finite() => Err(AxisError::NotFinite { axis, value: to - from }),
-            _ => Ok(Self { varies: axis, from, to, count, spacing: Spacing::Even }),
+            _ if !(to - from).is_finite() => Err(AxisError::NotFinite {
+                axis,
+                value: to - from,
+            }),
+            _ => Ok(Self {
+                varies: axis,
+                from,
+                to,
+                count,
+                spacing: Spacing::Even,
+            }),
         }
     }
 
@@ -198,7 +230,12 @@ impl Axis {
     /// # Errors
     /// Equal factors between numbers of different signs, or from or to 0.
     pub fn with_spacing(self, spacing: Spacing) -> Result<Self, AxisError> {
-        let Self { varies: axis, from, to, .. } = self;
+        let Self {
+            varies: axis,
+            from,
+            to,
+            ..
+        } = self;
         if spacing == Spacing::Log && !(to / from > 0.0 && (to / from).is_finite()) {
             return Err(AxisError::NoFactor { axis, from, to });
         }
@@ -207,11 +244,13 @@ impl Axis {
 
     /// Whether its values are hoops, not starts.
     pub(crate) fn is_of_the_hoop(&self) -> bool {
-        self.varies.quantities().any(|quantity| quantity.group() == Group::Hoop)
+        self.varies
+            .quantities()
+            .any(|quantity| quantity.group() == Group::Hoop)
     }
 
-    /// Value `i`: from + (to − from)·i/(count − 1), or from·(to/from)^(i/(count − 1)), and the end itself for the last one
-    /// and all beyond.
+    /// Value `i`: from + (to − from)·i/(count − 1), or from·(to/from)^(i/(count − 1)), and the end
+    /// itself for the last one and all beyond.
     pub fn value(&self, i: usize) -> f64 {
         let last = self.count - 1;
         if i == 0 {

@@ -7,8 +7,8 @@ use crate::options::MOST_CHUNK_POINTS;
 
 /// The chunks of a grid: equal boxes, those at the far ends cut off.
 ///
-/// The axes of the start fill a chunk first, the last of them fastest, then those of the hoop: so a chunk has as few
-/// hoops, and as many starts of each, as its size allows.
+/// The axes of the start fill a chunk first, the last of them fastest, then those of the hoop: so a
+/// chunk has as few hoops, and as many starts of each, as its size allows.
 ///
 /// ```
 /// use littlewood::tables::{Quantity, Setup};
@@ -63,7 +63,10 @@ impl Chunks {
                 break;
             }
         }
-        Self { grid: grid.shape(), shape }
+        Self {
+            grid: grid.shape(),
+            shape,
+        }
     }
 
     /// Chunks of a given shape; sizes that exceed the grid are reduced to it.
@@ -87,7 +90,10 @@ impl Chunks {
     }
 
     fn places(&self) -> impl DoubleEndedIterator<Item = usize> + '_ {
-        self.grid.iter().zip(&self.shape).map(|(count, size)| count.div_ceil(*size))
+        self.grid
+            .iter()
+            .zip(&self.shape)
+            .map(|(count, size)| count.div_ceil(*size))
     }
 
     /// A chunk below [`Chunks::count`]; the last axis runs fastest.
@@ -103,14 +109,22 @@ impl Chunks {
             })
             .collect();
         place.reverse();
-        let origin: Vec<usize> = place.iter().zip(&self.shape).map(|(i, size)| i * size).collect();
+        let origin: Vec<usize> = place
+            .iter()
+            .zip(&self.shape)
+            .map(|(i, size)| i * size)
+            .collect();
         let shape = origin
             .iter()
             .zip(&self.shape)
             .zip(&self.grid)
             .map(|((origin, size), count)| (*size).min(count - origin))
             .collect();
-        Chunk { place, origin, shape }
+        Chunk {
+            place,
+            origin,
+            shape,
+        }
     }
 }
 

@@ -26,7 +26,9 @@ impl core::fmt::Display for Column {
 
 impl Column {
     /// The columns of results with these derivatives.
-    pub fn all(derivatives: &[DerivativeColumn]) -> impl ExactSizeIterator<Item = Self> + Clone + '_ {
+    pub fn all(
+        derivatives: &[DerivativeColumn],
+    ) -> impl ExactSizeIterator<Item = Self> + Clone + '_ {
         let place = |place: usize| match SummaryColumn::ALL.get(place) {
             Some(column) => Self::Summary(*column),
             None => Self::Derivative(derivatives[place - COLUMNS]),
@@ -50,14 +52,15 @@ impl Column {
     }
 }
 
-/// The results of many points: one vector for each [`Column`], all of the same length, in the order of the
-/// points.
+/// The results of many points: one vector for each [`Column`], all of the same length, in the order
+/// of the points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
     /// In the order of [`Column::all`].
     columns: Vec<ColumnValues>,
     derivatives: Vec<DerivativeColumn>,
-    /// The class of each point: pictures and counts need it, and it takes much longer to find from the columns.
+    /// The class of each point: pictures and counts need it, and it takes much longer to find from
+    /// the columns.
     classes: Vec<Class>,
 }
 
@@ -174,9 +177,14 @@ getters! {
 
 impl Columns {
     pub(crate) fn blank(len: usize, derivatives: &[DerivativeColumn]) -> Self {
-        let columns = Column::all(derivatives).map(|column| ColumnValues::repeat(column.not_computed(), len));
+        let columns =
+            Column::all(derivatives).map(|column| ColumnValues::repeat(column.not_computed(), len));
         let classes = vec![Class::of(&Summary::NOT_COMPUTED); len];
-        Self { columns: columns.collect(), derivatives: derivatives.to_vec(), classes }
+        Self {
+            columns: columns.collect(),
+            derivatives: derivatives.to_vec(),
+            classes,
+        }
     }
 
     pub(crate) fn set(&mut self, i: usize, summary: &Summary) {
@@ -189,21 +197,29 @@ impl Columns {
     pub(crate) fn set_derivatives(&mut self, i: usize, values: &[f64]) {
         for (column, value) in self.columns[COLUMNS..].iter_mut().zip(values) {
             // The sign and the payload of a computed NaN are unspecified.
-            column.set(i, SummaryValue::F64(if value.is_nan() { f64::NAN } else { *value }));
+            column.set(
+                i,
+                SummaryValue::F64(if value.is_nan() { f64::NAN } else { *value }),
+            );
         }
     }
 
     /// From the values of each of [`Column::all`].
     ///
     /// # Errors
-    /// Says which column is of another type or length than it must be, or holds a number that is no code.
+    /// Says which column is of another type or length than it must be, or holds a number that is no
+    /// code.
     pub(crate) fn from_values(
         columns: Vec<ColumnValues>,
         derivatives: &[DerivativeColumn],
     ) -> Result<Self, String> {
         let all = Column::all(derivatives);
         if columns.len() != all.len() {
-            return Err(format!("{} columns instead of {}", columns.len(), all.len()));
+            return Err(format!(
+                "{} columns instead of {}",
+                columns.len(),
+                all.len()
+            ));
         }
         let len = columns[0].len();
         for (column, values) in all.zip(&columns) {
@@ -212,15 +228,23 @@ impl Columns {
                 return Err(format!("column {column} is of another type"));
             }
             if values.len() != len {
-                return Err(format!("column {column} has {} values, others {len}", values.len()));
+                return Err(format!(
+                    "column {column} has {} values, others {len}",
+                    values.len()
+                ));
             }
             if let (ColumnType::Outcome, ColumnValues::U8(codes)) = (column.column_type(), values) {
                 for &code in codes {
-                    OutcomeKind::try_from(code).map_err(|error| format!("column {column}: {error}"))?;
+                    OutcomeKind::try_from(code)
+                        .map_err(|error| format!("column {column}: {error}"))?;
                 }
             }
         }
-        let mut columns = Self { columns, derivatives: derivatives.to_vec(), classes: Vec::new() };
+        let mut columns = Self {
+            columns,
+            derivatives: derivatives.to_vec(),
+            classes: Vec::new(),
+        };
         columns.classes = (0..len).map(|i| Class::of(&columns.summary(i))).collect();
         Ok(columns)
     }
@@ -288,7 +312,10 @@ mod tests {
     #[test]
     fn values_that_are_no_columns_are_refused() {
         let good = Columns::blank(2, &[]);
-        assert_eq!(Columns::from_values(good.columns.clone(), &[]).map(|columns| columns.len()), Ok(2));
+        assert_eq!(
+            Columns::from_values(good.columns.clone(), &[]).map(|columns| columns.len()),
+            Ok(2)
+        );
         let with = |column: SummaryColumn, values| {
             let mut columns = good.columns.clone();
             columns[usize::from(column.code())] = values;

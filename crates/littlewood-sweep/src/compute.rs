@@ -17,7 +17,8 @@ use crate::regions::Place;
 use crate::setup::{HoopBits, hoop_bits};
 use crate::watch::{Ledger, Watch};
 
-/// Points that one task computes: enough to outweigh its overhead, few enough to share a chunk among many cores.
+/// Points that one task computes: enough to outweigh its overhead, few enough to share a chunk
+/// among many cores.
 const TASK: usize = 512;
 /// Points of a task at least, and tasks for each thread where there are few points.
 const FEWEST: usize = 16;
@@ -26,12 +27,16 @@ const TASKS: usize = 4;
 /// Hoops whose engines are kept for the next call.
 const KEPT: usize = 8;
 
-/// Threads that can be asked for: more than any machine has cores, and few enough that all of them start in a moment.
+/// Threads that can be asked for: more than any machine has cores, and few enough that all of them
+/// start in a moment.
 pub const MOST_THREADS: usize = 1024;
 
 /// Threads could not be started.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
+#[expect(
+    missing_docs,
+    reason = "the message of each says what it and its fields are"
+)]
 pub enum ThreadsError {
     #[error("{threads} threads: at most {MOST_THREADS} can be asked for")]
     TooMany { threads: usize },
@@ -125,8 +130,14 @@ impl Workers {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .map_err(|error| ThreadsError::NotStarted { threads, reason: error.to_string() })?;
-        Ok(Self { pool, engines: Mutex::new(Vec::new()) })
+            .map_err(|error| ThreadsError::NotStarted {
+                threads,
+                reason: error.to_string(),
+            })?;
+        Ok(Self {
+            pool,
+            engines: Mutex::new(Vec::new()),
+        })
     }
 
     /// Number of threads.
@@ -140,9 +151,10 @@ impl Workers {
 
     /// Computes points, in their order. The result does not depend on the number of threads.
     ///
-    /// Points that share their hoop share its engine, wherever they stand; a hoop with few points has one for
-    /// few starts. Results of engines for many starts and for few agree to rounding. Where the parameters of a hoop contradict each other
-    /// (μk > μs, or a point mass at the centre) the outcome is
+    /// Points that share their hoop share its engine, wherever they stand; a hoop with few points
+    /// has one for few starts. Results of engines for many starts and for few agree to rounding.
+    /// Where the parameters of a hoop contradict each other (μk > μs, or a point mass at the
+    /// centre) the outcome is
     /// [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid).
     ///
     /// ```
@@ -169,7 +181,8 @@ impl Workers {
         self.compute_all(&points, None, limits)
     }
 
-    /// As [`Workers::compute`], of a run in which each hoop has so many starts, where that is known.
+    /// As [`Workers::compute`], of a run in which each hoop has so many starts, where that is
+    /// known.
     fn compute_all(
         &self,
         points: &[Setup],
@@ -184,7 +197,8 @@ impl Workers {
         }
     }
 
-    /// What finds the keys of places of a grid by their summaries; `told` is told of the motions that it has followed.
+    /// What finds the keys of places of a grid by their summaries; `told` is told of the motions
+    /// that it has followed.
     pub(crate) fn keys_of_places(
         &self,
         grid: &Grid,
@@ -194,7 +208,10 @@ impl Workers {
     ) -> impl FnMut(&[Place]) -> Result<Vec<u64>, ParameterError> {
         let mut followed = 0;
         move |places| {
-            let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();
+            let points: Vec<_> = places
+                .iter()
+                .map(|&place| grid.point_between(place))
+                .collect();
             let columns = self.compute_all(&points, Some(grid.starts_of_a_hoop()), limits)?;
             followed += places.len() as u64;
             told(followed);
@@ -202,11 +219,13 @@ impl Workers {
         }
     }
 
-    /// Computes points as [`Workers::compute`] does, where it is told how far it is and may be cancelled: of
+    /// Computes points as [`Workers::compute`] does, where it is told how far it is and may be
+    /// cancelled: of
     /// [`Options`] it takes `cancel` and `progress`. `starts_of_a_hoop` is how many starts each hoop has in all calls.
     ///
     /// # Errors
-    /// The first value, in the order of the points, that has no physical meaning by itself; a cancelled run.
+    /// The first value, in the order of the points, that has no physical meaning by itself; a
+    /// cancelled run.
     pub fn follow(
         &self,
         points: Points<'_>,
@@ -218,7 +237,8 @@ impl Workers {
         self.follow_points(points, starts_of_a_hoop, limits, &ledger.watch())
     }
 
-    /// Computes points of a run in which each hoop has so many starts, or, where that is not known, as many as here.
+    /// Computes points of a run in which each hoop has so many starts, or, where that is not known,
+    /// as many as here.
     pub(crate) fn compute_points(
         &self,
         (points, derivatives): (&[Setup], &[DerivativeColumn]),
@@ -227,7 +247,12 @@ impl Workers {
         watch: &Watch<'_>,
     ) -> Result<Columns, Halt> {
         let at = |index: usize| points[index];
-        let points = Points { count: points.len(), at: &at, share_hoop: false, derivatives };
+        let points = Points {
+            count: points.len(),
+            at: &at,
+            share_hoop: false,
+            derivatives,
+        };
         self.follow_points(points, starts_of_a_hoop, limits, watch)
     }
 
@@ -244,13 +269,20 @@ impl Workers {
             starts_of_a_hoop,
             limits,
             watch,
-            known: std::mem::take(&mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner)),
+            known: std::mem::take(
+                &mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner),
+            ),
             keep: groups.len() <= KEPT,
             share: TASKS * self.threads(),
         };
         let batches = batches(&groups, job.points_of_a_task(points.count));
         let results: Vec<Done<'_>> = self
-            .install(|| batches.par_iter().map(|batch| job.batch(batch)).collect::<Vec<Result<_, Halt>>>())
+            .install(|| {
+                batches
+                    .par_iter()
+                    .map(|batch| job.batch(batch))
+                    .collect::<Vec<Result<_, Halt>>>()
+            })
             .into_iter()
             .fold(Ok(Vec::new()), first_halt)?;
 
@@ -258,7 +290,11 @@ impl Workers {
         let mut engines = Vec::new();
         for (prepared, tasks) in results {
             engines.extend(prepared);
-            for Task { places, columns: results } in tasks {
+            for Task {
+                places,
+                columns: results,
+            } in tasks
+            {
                 columns.spread(&places, &results);
             }
         }
@@ -310,7 +346,10 @@ impl Job<'_> {
                         let mut columns = Columns::blank(places.len(), self.points.derivatives);
                         let watch = &mut self.watch.clone();
                         self.compute(engine.as_deref(), places, (&mut columns, 0), watch)?;
-                        Ok(Task { places: Cow::Borrowed(places), columns })
+                        Ok(Task {
+                            places: Cow::Borrowed(places),
+                            columns,
+                        })
                     })
                     .collect::<Vec<_>>();
                 // In order: a parallel `collect` into a Result would return any of several errors.
@@ -326,7 +365,10 @@ impl Job<'_> {
                     self.compute(engine.as_deref(), group, (&mut columns, first), watch)?;
                     first += group.len();
                 }
-                vec![Task { places: Cow::Owned(places), columns }]
+                vec![Task {
+                    places: Cow::Owned(places),
+                    columns,
+                }]
             }
         };
         Ok((kept, tasks))
@@ -347,9 +389,16 @@ impl Job<'_> {
         // What was prepared earlier must not change the digits of a hoop with few points.
         let prepares = builder.is_some_and(|builder| builder.prepares());
         let bits = hoop_bits(point);
-        let prepared = match self.known.iter().find(|known| prepares && known.bits == bits) {
+        let prepared = match self
+            .known
+            .iter()
+            .find(|known| prepares && known.bits == bits)
+        {
             Some(prepared) => prepared.clone(),
-            None => Prepared { bits, engine: builder.map(|builder| Arc::new(builder.build())) },
+            None => Prepared {
+                bits,
+                engine: builder.map(|builder| Arc::new(builder.build())),
+            },
         };
         Ok((prepared, self.keep && prepares))
     }
@@ -357,8 +406,11 @@ impl Job<'_> {
     /// The derivatives of a point; none of a hoop that cannot be.
     fn derivatives(&self, index: usize) -> Vec<f64> {
         let Setup { hoop, start, .. } = (self.points.at)(index);
-        let motion = Hoop::new(hoop).ok().and_then(|hoop| hoop.simulate(start, self.limits).ok());
-        let found = motion.and_then(|motion| motion.summary_derivatives(self.points.derivatives).ok());
+        let motion = Hoop::new(hoop)
+            .ok()
+            .and_then(|hoop| hoop.simulate(start, self.limits).ok());
+        let found =
+            motion.and_then(|motion| motion.summary_derivatives(self.points.derivatives).ok());
         found.unwrap_or_default()
     }
 
@@ -375,12 +427,15 @@ impl Job<'_> {
                 return Err(Halt::Cancelled);
             }
             let index = place as usize;
-            let summary =
-                match engine.map(|engine| engine.summary((self.points.at)(index).start, self.limits)) {
-                    None => Summary::INVALID,
-                    Some(Err(error)) if error.is_contradiction() => Summary::INVALID,
-                    Some(summary) => summary.map_err(|error| Halt::Refused(Refused { index, error }))?,
-                };
+            let summary = match engine
+                .map(|engine| engine.summary((self.points.at)(index).start, self.limits))
+            {
+                None => Summary::INVALID,
+                Some(Err(error)) if error.is_contradiction() => Summary::INVALID,
+                Some(summary) => {
+                    summary.map_err(|error| Halt::Refused(Refused { index, error }))?
+                }
+            };
             columns.set(i, &summary);
             if !self.points.derivatives.is_empty() {
                 columns.set_derivatives(i, &self.derivatives(index));
@@ -413,7 +468,8 @@ fn batches(groups: &[Group], points: usize) -> Vec<&[Group]> {
 /// # Panics
 /// For more than 2³² points.
 fn group_by_hoop(points: Points<'_>, watch: &Watch<'_>) -> Result<Vec<Group>, Halt> {
-    let count = u32::try_from(points.count).expect("at most 2^32 points at once; compute them in chunks");
+    let count =
+        u32::try_from(points.count).expect("at most 2^32 points at once; compute them in chunks");
     if points.share_hoop && count > 0 {
         return Ok(vec![(0..count).collect()]);
     }

@@ -1,4 +1,5 @@
-//! The description of a run, as stores keep it: two runs with the same description have the same result.
+//! The description of a run, as stores keep it: two runs with the same description have the same
+//! result.
 
 use littlewood::tables::{DerivativeColumn, PhaseSequence, Quantity, Setup};
 use littlewood::{HoopParameters, Limits, Start};
@@ -9,8 +10,8 @@ use crate::grid::Grid;
 use crate::setup::{RESTITUTION_LAW, given};
 use crate::starts::StartList;
 
-/// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and no version, version 2 no
-/// columns of impacts.
+/// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and
+/// no version, version 2 no columns of impacts.
 pub const STORE_FORMAT: u32 = 4;
 
 const SPACING: &str = "spacing";
@@ -34,29 +35,47 @@ pub struct ForeignVersion {
 }
 
 impl ForeignVersion {
-    /// Of the version in a header and those in a description; none if all are those of this program.
+    /// Of the version in a header and those in a description; none if all are those of this
+    /// program.
     pub(crate) fn find(header: Option<&Value>, run: &Value) -> Option<Self> {
-        let number = |version: Option<&Value>| version.and_then(Value::as_u64).unwrap_or(FIRST_FORMAT);
-        let program = run.get("version").and_then(Value::as_str).map(str::to_owned);
+        let number =
+            |version: Option<&Value>| version.and_then(Value::as_u64).unwrap_or(FIRST_FORMAT);
+        let program = run
+            .get("version")
+            .and_then(Value::as_str)
+            .map(str::to_owned);
         [
             ("format", header, STORE_FORMAT),
             ("format", run.get("format"), STORE_FORMAT),
-            ("sequences of version", run.get("sequence_version"), PhaseSequence::VERSION),
+            (
+                "sequences of version",
+                run.get("sequence_version"),
+                PhaseSequence::VERSION,
+            ),
         ]
         .into_iter()
         .map(|(what, version, needed)| (what, number(version), needed))
         .find(|&(_, found, needed)| found != u64::from(needed))
-        .map(|(what, found, needed)| Self { what, found, needed, program })
+        .map(|(what, found, needed)| Self {
+            what,
+            found,
+            needed,
+            program,
+        })
     }
 }
 
 fn numbers(values: impl Iterator<Item = (Quantity, f64)>) -> Map<String, Value> {
-    values.map(|(quantity, value)| (quantity.name().to_owned(), value.into())).collect()
+    values
+        .map(|(quantity, value)| (quantity.name().to_owned(), value.into()))
+        .collect()
 }
 
 /// The name of the law of restitution; null where there is no restitution.
 fn law(setup: &Setup, has_restitution: bool) -> Value {
-    has_restitution.then(|| setup.hoop.restitution_law.unwrap_or_default().name()).into()
+    has_restitution
+        .then(|| setup.hoop.restitution_law.unwrap_or_default().name())
+        .into()
 }
 
 /// What a run computes, in JSON.
@@ -124,7 +143,8 @@ impl Description {
     /// Stores without derivatives say nothing of them.
     fn with_derivatives(derivatives: &[DerivativeColumn], mut value: Value) -> Self {
         if !derivatives.is_empty() {
-            value[DERIVATIVES] = Vec::from_iter(derivatives.iter().map(DerivativeColumn::to_string)).into();
+            value[DERIVATIVES] =
+                Vec::from_iter(derivatives.iter().map(DerivativeColumn::to_string)).into();
         }
         Self(value)
     }
@@ -161,10 +181,17 @@ impl Description {
             let count = usize::try_from(axis.get("count")?.as_u64()?).ok()?;
             let spacing = match axis.get(SPACING) {
                 None => Spacing::default(),
-                Some(name) => [Spacing::Even, Spacing::Log].into_iter().find(|s| name == s.name())?,
+                Some(name) => [Spacing::Even, Spacing::Log]
+                    .into_iter()
+                    .find(|s| name == s.name())?,
             };
             let [from, to] = ["from", "to"].map(|end| axis.get(end).and_then(Value::as_f64));
-            axes.push(Axis::new(varies, from?, to?, count).ok()?.with_spacing(spacing).ok()?);
+            axes.push(
+                Axis::new(varies, from?, to?, count)
+                    .ok()?
+                    .with_spacing(spacing)
+                    .ok()?,
+            );
         }
         let limits = value.get("limits")?;
         let limits = Limits::default()
@@ -176,17 +203,28 @@ impl Description {
             })
             .with_proof(limits.get("proof")?.as_str()?.parse().ok()?);
         let chunk = value.get("chunk")?.as_array()?;
-        let chunk =
-            chunk.iter().map(|size| usize::try_from(size.as_u64()?).ok()).collect::<Option<Vec<_>>>()?;
-        let derivatives = value.get(DERIVATIVES).and_then(Value::as_array).into_iter().flatten();
-        let derivatives = derivatives.map(|name| name.as_str()?.parse().ok()).collect::<Option<Vec<_>>>()?;
-        Some((Grid::new(base, axes).ok()?.with_derivatives(derivatives), limits, chunk))
+        let chunk = chunk
+            .iter()
+            .map(|size| usize::try_from(size.as_u64()?).ok())
+            .collect::<Option<Vec<_>>>()?;
+        let derivatives = value
+            .get(DERIVATIVES)
+            .and_then(Value::as_array)
+            .into_iter()
+            .flatten();
+        let derivatives = derivatives
+            .map(|name| name.as_str()?.parse().ok())
+            .collect::<Option<Vec<_>>>()?;
+        Some((
+            Grid::new(base, axes).ok()?.with_derivatives(derivatives),
+            limits,
+            chunk,
+        ))
     }
 }
 
 fn of_limits(limits: Limits) -> Value {
-    let mut value =
-        json!({ "until": limits.until, "transitions": limits.transitions, "proof": limits.proof.name() });
+    let mut value = json!({ "until": limits.until, "transitions": limits.transitions, "proof": limits.proof.name() });
     if limits.slides != Limits::default().slides {
         value["slides"] = json!(limits.slides);
     }
@@ -198,7 +236,13 @@ fn compare(path: &str, there: Option<&Value>, here: Option<&Value>, differences:
     if there.map(Value::to_string) == here.map(Value::to_string) {
         return;
     }
-    let join = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+    let join = |key: &str| {
+        if path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{path}.{key}")
+        }
+    };
     match (there, here) {
         (Some(Value::Object(there)), Some(Value::Object(here))) => {
             let keys: std::collections::BTreeSet<_> = there.keys().chain(here.keys()).collect();
@@ -212,8 +256,14 @@ fn compare(path: &str, there: Option<&Value>, here: Option<&Value>, differences:
             }
         }
         _ => {
-            let show = |value: Option<&Value>| value.map_or_else(|| "nothing".to_owned(), Value::to_string);
-            differences.push(format!("{path}: {} there, {} here", show(there), show(here)));
+            let show = |value: Option<&Value>| {
+                value.map_or_else(|| "nothing".to_owned(), Value::to_string)
+            };
+            differences.push(format!(
+                "{path}: {} there, {} here",
+                show(there),
+                show(here)
+            ));
         }
     }
 }
@@ -225,16 +275,20 @@ mod tests {
     #[test]
     fn a_grid_comes_back_from_its_description() {
         let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
-        let friction =
-            Axis::new(Varies::Friction, 0.01, 1.0, 5).and_then(|axis| axis.with_spacing(Spacing::Log));
+        let friction = Axis::new(Varies::Friction, 0.01, 1.0, 5)
+            .and_then(|axis| axis.with_spacing(Spacing::Log));
         let theta = Axis::new(Quantity::Theta, -1.0, 1.0, 3);
         let axes = vec![friction.expect("an axis"), theta.expect("an axis")];
         let derivatives = vec!["end_x_by_mu_k".parse().expect("a derivative")];
         let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 1.0)), axes).expect("a grid");
         let grid = grid.with_derivatives(derivatives);
         let description = Description::of_grid(&grid, Limits::default(), &[5, 3]);
-        let (again, limits, chunk) = Description::grid(&description.0).expect("a description of a grid");
-        assert_eq!((again, limits, chunk), (grid, Limits::default(), vec![5, 3]));
+        let (again, limits, chunk) =
+            Description::grid(&description.0).expect("a description of a grid");
+        assert_eq!(
+            (again, limits, chunk),
+            (grid, Limits::default(), vec![5, 3])
+        );
         // Stores of evenly spaced axes are as they have always been.
         assert!(description.0["axes"][1].get(SPACING).is_none());
     }

@@ -16,8 +16,8 @@ use crate::tally::Tally;
 pub enum Target<'a> {
     /// A Zarr v3 store, for grids.
     Zarr(&'a Path),
-    /// One Parquet file. Until the run is complete, finished chunks are in the folder `NAME.parts` beside it, which is
-    /// read as [`Target::ParquetFolder`] is.
+    /// One Parquet file. Until the run is complete, finished chunks are in the folder `NAME.parts`
+    /// beside it, which is read as [`Target::ParquetFolder`] is.
     Parquet(&'a Path),
     /// A folder with a Parquet file for each chunk, which readers take as one table.
     ParquetFolder(&'a Path),
@@ -44,7 +44,10 @@ pub(crate) enum Destination {
 
 impl Destination {
     pub(crate) fn store(root: &Path, format: impl Format + 'static) -> Self {
-        Self::Store { root: root.to_owned(), format: Box::new(format) }
+        Self::Store {
+            root: root.to_owned(),
+            format: Box::new(format),
+        }
     }
 
     #[cfg(feature = "parquet")]
@@ -66,9 +69,10 @@ impl Destination {
             Self::Store { root, format } => Store::inspect(root, format.as_ref(), resume),
             #[cfg(feature = "parquet")]
             Self::File(file) => match file.inspect()? {
-                Some(_) if !resume => {
-                    Err(StoreError::Exists { path: file.path().to_owned(), complete: true })
-                }
+                Some(_) if !resume => Err(StoreError::Exists {
+                    path: file.path().to_owned(),
+                    complete: true,
+                }),
                 Some(_) => Ok(()),
                 None => Store::inspect(file.parts(), file.table(), resume),
             },
@@ -95,7 +99,12 @@ impl Destination {
                 None => State::Open(open(file.parts())?),
             },
         };
-        Ok(OpenDestination { destination: self, state, disk, count })
+        Ok(OpenDestination {
+            destination: self,
+            state,
+            disk,
+            count,
+        })
     }
 }
 
@@ -148,7 +157,11 @@ impl OpenDestination<'_> {
         })
     }
 
-    pub(crate) fn add(&mut self, chunk: WrittenChunk, files: &[StoreFile]) -> Result<(), StoreError> {
+    pub(crate) fn add(
+        &mut self,
+        chunk: WrittenChunk,
+        files: &[StoreFile],
+    ) -> Result<(), StoreError> {
         match &mut self.state {
             State::Open(store) => store.add(chunk, files),
             State::Done(_) => Ok(()),
@@ -157,7 +170,9 @@ impl OpenDestination<'_> {
 
     /// Completes it once all chunks are there; `tally` are the points of the run.
     pub(crate) fn complete(self, tally: Tally) -> Result<(), StoreError> {
-        let State::Open(store) = self.state else { return Ok(()) };
+        let State::Open(store) = self.state else {
+            return Ok(());
+        };
         store.complete()?;
         #[cfg(feature = "parquet")]
         if let Destination::File(file) = self.destination {

@@ -4,7 +4,8 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-/// File operations of a sweep, with the errors of the operating system; tests replace them by a disk that fills up.
+/// File operations of a sweep, with the errors of the operating system; tests replace them by a
+/// disk that fills up.
 pub trait Disk: Sync {
     /// Makes a folder and those above it.
     fn create_folder(&self, path: &Path) -> io::Result<()>;
@@ -21,8 +22,9 @@ pub trait Disk: Sync {
 
 /// The file system.
 ///
-/// A file is written under another name and then renamed. It is not forced to the medium (`fsync`): after a failure of
-/// the power the checksums of the chunks show what is missing when the run is resumed.
+/// A file is written under another name and then renamed. It is not forced to the medium (`fsync`):
+/// after a failure of the power the checksums of the chunks show what is missing when the run is
+/// resumed.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileSystem;
 
@@ -49,14 +51,19 @@ impl Disk for FileSystem {
             .and_then(|mut file| file.write_all(bytes))
             .and_then(|()| fs::rename(&unfinished, path));
         if written.is_err() {
-            // The first error is the one to report; this only frees the room that the unfinished file takes.
+            // The first error is the one to report; this only frees the room that the unfinished
+            // file takes.
             let _ = fs::remove_file(&unfinished);
         }
         written
     }
 
     fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
-        OpenOptions::new().append(true).create(true).open(path)?.write_all(bytes)
+        OpenOptions::new()
+            .append(true)
+            .create(true)
+            .open(path)?
+            .write_all(bytes)
     }
 
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {

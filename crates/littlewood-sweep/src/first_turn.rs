@@ -1,17 +1,19 @@
-//! The first turn of a hoop, as Theron and Maritz follow it (Math. Comput. Modelling 47, 2008, 1077): from the start to
-//! one revolution, to the instant when θ′ changes sign, or to lift-off.
+//! The first turn of a hoop, as Theron and Maritz follow it (Math. Comput. Modelling 47, 2008,
+//! 1077): from the start to one revolution, to the instant when θ′ changes sign, or to lift-off.
 
 use core::f64::consts::TAU;
 
 use littlewood::tables::PhaseSequence;
-use littlewood::{Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, Proof, Start};
+use littlewood::{
+    Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, Proof, Start,
+};
 
-/// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of its orbit, in which
-/// θ′ changes sign twice at most, half a period apart.
+/// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of
+/// its orbit, in which θ′ changes sign twice at most, half a period apart.
 const INSTANTS: u32 = 64;
 
-/// Limits of transitions to which a motion is followed, one after the other until it stops. Most first turns have few
-/// transitions; with μs = μk slips can shrink without end.
+/// Limits of transitions to which a motion is followed, one after the other until it stops. Most
+/// first turns have few transitions; with μs = μk slips can shrink without end.
 const TRANSITIONS: [usize; 3] = [6, 30, 200];
 
 /// What ends a first turn.
@@ -25,7 +27,8 @@ pub enum Stop {
     LiftsOff,
     /// The motion ends in another way: a Painlevé paradox, or a particle at the plane.
     Ends,
-    /// None of these happens, or not within 200 transitions: rest, or an orbit that approaches the top.
+    /// None of these happens, or not within 200 transitions: rest, or an orbit that approaches the
+    /// top.
     Never,
 }
 
@@ -45,7 +48,8 @@ impl Stop {
 /// The first turn of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FirstTurn {
-    /// Phases up to the stop; the last is the one in which it comes. After lift-off it is the flight.
+    /// Phases up to the stop; the last is the one in which it comes. After lift-off it is the
+    /// flight.
     pub sequence: PhaseSequence,
     /// What stops it.
     pub stop: Stop,
@@ -80,23 +84,46 @@ impl FirstTurn {
     }
 
     /// The first turn within a number of transitions, and whether they have cut it off.
-    fn within(hoop: &Hoop, start: Start, transitions: usize) -> Result<(Self, bool), ParameterError> {
+    fn within(
+        hoop: &Hoop,
+        start: Start,
+        transitions: usize,
+    ) -> Result<(Self, bool), ParameterError> {
         // Slips that shrink for ever, too, come to the end of the turn.
-        let limits = Limits::default().with_transitions(transitions).with_proof(Proof::None);
+        let limits = Limits::default()
+            .with_transitions(transitions)
+            .with_proof(Proof::None);
         let motion = hoop.simulate(start, limits)?;
         let mut sequence = PhaseSequence::default();
         let Some(travel) = Direction::of_sign(start.theta_rate) else {
             for phase in motion.phases() {
                 sequence.push(phase.mode(), phase.direction());
             }
-            let turn = Self { sequence, stop: Stop::Never, time: f64::NAN };
-            return Ok((turn, motion.outcome().kind() == OutcomeKind::TransitionLimit));
+            let turn = Self {
+                sequence,
+                stop: Stop::Never,
+                time: f64::NAN,
+            };
+            return Ok((
+                turn,
+                motion.outcome().kind() == OutcomeKind::TransitionLimit,
+            ));
         };
-        let turn = Turn { theta: start.theta, travel: travel.sign() };
+        let turn = Turn {
+            theta: start.theta,
+            travel: travel.sign(),
+        };
         for phase in motion.phases() {
             sequence.push(phase.mode(), phase.direction());
             if !phase.mode().touches_plane() {
-                return Ok((Self { sequence, stop: Stop::LiftsOff, time: phase.start().time }, false));
+                return Ok((
+                    Self {
+                        sequence,
+                        stop: Stop::LiftsOff,
+                        time: phase.start().time,
+                    },
+                    false,
+                ));
             }
             let duration = if phase.duration().is_finite() {
                 phase.duration()
@@ -104,10 +131,21 @@ impl FirstTurn {
                 period(phase, &motion.outcome()).unwrap_or(0.0)
             };
             if let Some((stop, elapsed)) = turn.stop_in(phase, duration) {
-                return Ok((Self { sequence, stop, time: phase.start().time + elapsed }, false));
+                return Ok((
+                    Self {
+                        sequence,
+                        stop,
+                        time: phase.start().time + elapsed,
+                    },
+                    false,
+                ));
             }
         }
-        let never = Self { sequence, stop: Stop::Never, time: f64::NAN };
+        let never = Self {
+            sequence,
+            stop: Stop::Never,
+            time: f64::NAN,
+        };
         Ok(match motion.outcome().kind() {
             OutcomeKind::TransitionLimit => (never, true),
             OutcomeKind::RollsForever
@@ -126,7 +164,13 @@ impl FirstTurn {
             | OutcomeKind::StepLimit
             | OutcomeKind::Unresolved
             | OutcomeKind::NotComputed
-            | OutcomeKind::Invalid => (Self { stop: Stop::Ends, ..never }, false),
+            | OutcomeKind::Invalid => (
+                Self {
+                    stop: Stop::Ends,
+                    ..never
+                },
+                false,
+            ),
         })
     }
 }

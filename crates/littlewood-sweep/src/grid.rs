@@ -46,10 +46,10 @@ getters! {
 }
 
 impl Grid {
-    /// Checks every value that has a meaning of its own: ends of axes, fixed values, and a value on an axis together
-    /// with fixed values. Where the fault is in a combination of two axes (μk > μs on a grid of both, say), the points
-    /// with that combination have the outcome [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid), and the
-    /// others are computed.
+    /// Checks every value that has a meaning of its own: ends of axes, fixed values, and a value on
+    /// an axis together with fixed values. Where the fault is in a combination of two axes (μk > μs
+    /// on a grid of both, say), the points with that combination have the outcome
+    /// [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid), and the others are computed.
     ///
     /// # Errors
     /// Names the axis, its value and the bound it breaks.
@@ -60,18 +60,28 @@ impl Grid {
         let mut points = 1_u128;
         for (i, axis) in axes.iter().enumerate() {
             for quantity in axis.varies().quantities() {
-                if axes[..i].iter().any(|other| other.varies().quantities().any(|taken| taken == quantity)) {
+                if axes[..i]
+                    .iter()
+                    .any(|other| other.varies().quantities().any(|taken| taken == quantity))
+                {
                     return Err(AxisError::Twice { quantity });
                 }
             }
             points = points.saturating_mul(axis.count() as u128);
         }
-        let len = i64::try_from(points).map_err(|_| AxisError::TooMany { points })?.unsigned_abs();
+        let len = i64::try_from(points)
+            .map_err(|_| AxisError::TooMany { points })?
+            .unsigned_abs();
         let mut base = base;
         for axis in &axes {
             axis.varies().set(&mut base, axis.from());
         }
-        let grid = Self { base, axes, len, derivatives: Vec::new() };
+        let grid = Self {
+            base,
+            axes,
+            len,
+            derivatives: Vec::new(),
+        };
         grid.check_each()?;
         for related in CONTRADICTIONS {
             grid.check_together(related)?;
@@ -115,7 +125,8 @@ impl Grid {
         range.map(|index| self.point(index))
     }
 
-    /// The point at these fractions of the way along the axes; axes beyond them have their first value.
+    /// The point at these fractions of the way along the axes; axes beyond them have their first
+    /// value.
     pub(crate) fn point_between(&self, place: [f64; 2]) -> Setup {
         let mut point = self.base;
         for (axis, fraction) in self.axes.iter().zip(place) {
@@ -135,16 +146,21 @@ impl Grid {
 
     /// The axis of a quantity; none where it is fixed.
     pub fn axis(&self, quantity: Quantity) -> Option<&Axis> {
-        self.axes.iter().find(|axis| axis.varies().quantities().any(|varied| varied == quantity))
+        self.axes
+            .iter()
+            .find(|axis| axis.varies().quantities().any(|varied| varied == quantity))
     }
 
     /// The quantities of [`Quantity::AXES`] that have a value and no axis.
     pub(crate) fn fixed(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
-        let fixed = Quantity::AXES.into_iter().filter(|&quantity| self.axis(quantity).is_none());
+        let fixed = Quantity::AXES
+            .into_iter()
+            .filter(|&quantity| self.axis(quantity).is_none());
         fixed.filter_map(|quantity| Some((quantity, self.base.get(quantity)?)))
     }
 
-    /// Checks every quantity alone: bounds are intervals, so checking the ends of an axis checks all of it.
+    /// Checks every quantity alone: bounds are intervals, so checking the ends of an axis checks
+    /// all of it.
     fn check_each(&self) -> Result<(), AxisError> {
         for quantity in quantities() {
             match self.axis(quantity) {
@@ -167,12 +183,18 @@ impl Grid {
         Ok(())
     }
 
-    /// Checks quantities that can contradict each other: with one axis among them its ends, with none the fixed values.
-    /// The values that contradict nothing are an interval, so that an axis between two of them has no others; of an axis
-    /// that leaves the interval the first value outside is named.
+    /// Checks quantities that can contradict each other: with one axis among them its ends, with
+    /// none the fixed values. The values that contradict nothing are an interval, so that an axis
+    /// between two of them has no others; of an axis that leaves the interval the first value
+    /// outside is named.
     fn check_together(&self, related: &[Quantity]) -> Result<(), AxisError> {
-        let mut axes = related.iter().filter_map(|&quantity| Some((quantity, self.axis(quantity)?)));
-        let mut point = Setup { hoop: WITHOUT_CONTRADICTION, ..self.base };
+        let mut axes = related
+            .iter()
+            .filter_map(|&quantity| Some((quantity, self.axis(quantity)?)));
+        let mut point = Setup {
+            hoop: WITHOUT_CONTRADICTION,
+            ..self.base
+        };
         for &quantity in related {
             if let Some(value) = self.base.get(quantity) {
                 point.set(quantity, value);
@@ -189,7 +211,11 @@ impl Grid {
                     point.set(quantity, value);
                     match Hoop::new(point.hoop) {
                         Ok(_) => Ok(()),
-                        Err(source) => Err(AxisError::Value { quantity, value, source }),
+                        Err(source) => Err(AxisError::Value {
+                            quantity,
+                            value,
+                            source,
+                        }),
                     }
                 };
                 check(0)?;
@@ -198,7 +224,11 @@ impl Grid {
                     let (mut inside, mut outside) = (0, last);
                     while outside - inside > 1 {
                         let middle = inside + (outside - inside) / 2;
-                        *(if check(middle).is_ok() { &mut inside } else { &mut outside }) = middle;
+                        *(if check(middle).is_ok() {
+                            &mut inside
+                        } else {
+                            &mut outside
+                        }) = middle;
                     }
                     check(outside)?;
                 }
@@ -209,13 +239,19 @@ impl Grid {
     }
 }
 
-/// Quantities that can contradict each other though each is within its bounds: μk > μs, a point mass at the centre, and a
-/// massless hoop with restitution.
+/// Quantities that can contradict each other though each is within its bounds: μk > μs, a point
+/// mass at the centre, and a massless hoop with restitution.
 const CONTRADICTIONS: [&[Quantity]; 2] = [
     &[Quantity::MuS, Quantity::MuK],
-    &[Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::Restitution],
+    &[
+        Quantity::MassRatio,
+        Quantity::Offset,
+        Quantity::Inertia,
+        Quantity::Restitution,
+    ],
 ];
 
 /// A hoop whose other parameters contradict no value of the related ones.
-const WITHOUT_CONTRADICTION: HoopParameters =
-    HoopParameters::thin(1.0).with_offset(0.5).with_friction(0.5, 0.5);
+const WITHOUT_CONTRADICTION: HoopParameters = HoopParameters::thin(1.0)
+    .with_offset(0.5)
+    .with_friction(0.5, 0.5);

@@ -1,7 +1,9 @@
-//! Sweeps and maps of the loaded hoop: many motions at once, from a grid or a list to arrays, files and pictures.
+//! Sweeps and maps of the loaded hoop: many motions at once, from a grid or a list to arrays, files
+//! and pictures.
 //!
-//! A [`Grid`] is a base [`Setup`](littlewood::tables::Setup), a hoop with a start, and any number of [`Axis`]es that vary its
-//! quantities. [`Workers`] compute points on all cores into [`Columns`], one vector for each
+//! A [`Grid`] is a base [`Setup`](littlewood::tables::Setup), a hoop with a start, and any number
+//! of [`Axis`]es that vary its quantities. [`Workers`] compute points on all cores into
+//! [`Columns`], one vector for each
 //! [`SummaryColumn`](littlewood::tables::SummaryColumn); the result does not depend on the number of threads.
 //!
 //! ```
@@ -19,19 +21,24 @@
 //! # Ok::<(), littlewood_sweep::SweepError>(())
 //! ```
 //!
-//! Larger runs go to disk chunk by chunk: [`sweep_grid`] and [`sweep_list`] write any of a Zarr v3 store that xarray opens
-//! as a data set, a Parquet file, and a folder of Parquet files ([`Target`]). Memory stays flat. A run that was stopped
-//! can be resumed ([`Options::resume`]); its files then equal, byte for byte, those of a run that was not. Nothing that
-//! exists is overwritten. [`Picture`] draws a grid with two axes or a store of one, [`Atlas`] lists the sequences of
-//! phases that occur.
+//! Larger runs go to disk chunk by chunk: [`sweep_grid`] and [`sweep_list`] write any of a Zarr v3
+//! store that xarray opens as a data set, a Parquet file, and a folder of Parquet files
+//! ([`Target`]). Memory stays flat. A run that was stopped can be resumed ([`Options::resume`]);
+//! its files then equal, byte for byte, those of a run that was not. Nothing that exists is
+//! overwritten. [`Picture`] draws a grid with two axes or a store of one, [`Atlas`] lists the
+//! sequences of phases that occur.
 //!
-//! The features `zarr` and `parquet`, both on by default, bring the formats; without one its targets are refused.
+//! The features `zarr` and `parquet`, both on by default, bring the formats; without one its
+//! targets are refused.
 //!
 //! All quantities are dimensionless, as in the core.
 
 #![cfg_attr(
     not(any(feature = "parquet", feature = "zarr")),
-    allow(unused, reason = "without a format of files nothing calls what keeps them")
+    allow(
+        unused,
+        reason = "without a format of files nothing calls what keeps them"
+    )
 )]
 
 mod atlas;

@@ -1,4 +1,5 @@
-//! Running a sweep: chunk after chunk is computed and written atomically; a run that was stopped is resumed.
+//! Running a sweep: chunk after chunk is computed and written atomically; a run that was stopped is
+//! resumed.
 
 use std::sync::Arc;
 
@@ -56,13 +57,19 @@ pub(crate) fn run(
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
     let (mut run, missing) = Run::open(source, destinations, &mut view, workers, options)?;
-    let (starts_of_a_hoop, derivatives) = (source.starts_of_a_hoop(), source.derivatives().to_vec());
+    let (starts_of_a_hoop, derivatives) =
+        (source.starts_of_a_hoop(), source.derivatives().to_vec());
     let mut batches = missing.chunks(BATCH);
     let mut finished: Vec<FinishedChunk> = Vec::new();
     loop {
-        // While one batch is written the next is computed. A cancelled run writes the chunks that it has computed.
+        // While one batch is written the next is computed. A cancelled run writes the chunks that
+        // it has computed.
         let cancelled = run.ledger.watch().is_cancelled();
-        let batch = if cancelled { &[][..] } else { batches.next().unwrap_or_default() };
+        let batch = if cancelled {
+            &[][..]
+        } else {
+            batches.next().unwrap_or_default()
+        };
         if batch.is_empty() && finished.is_empty() {
             break;
         }
@@ -79,8 +86,12 @@ pub(crate) fn run(
                         .into_par_iter()
                         .map(|input| {
                             let points = (input.points.as_slice(), derivatives.as_slice());
-                            let found =
-                                workers.compute_points(points, starts_of_a_hoop, limits, &ledger.watch());
+                            let found = workers.compute_points(
+                                points,
+                                starts_of_a_hoop,
+                                limits,
+                                &ledger.watch(),
+                            );
                             encode(input, found, destinations)
                         })
                         .collect::<Vec<_>>()
@@ -96,7 +107,9 @@ pub(crate) fn run(
             let (chunk, columns) = match chunk {
                 Ok(chunk) => chunk,
                 Err(Failure::Cancelled) => continue,
-                Err(Failure::Point { chunk, refused }) => return Err(source.refused(chunk, refused)),
+                Err(Failure::Point { chunk, refused }) => {
+                    return Err(source.refused(chunk, refused));
+                }
                 Err(Failure::Store(error)) => return Err(error.into()),
             };
             if let Some(view) = &mut view {
@@ -115,7 +128,8 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// Opens the destinations, shows the chunks that all of them have, and returns the numbers of the others.
+    /// Opens the destinations, shows the chunks that all of them have, and returns the numbers of
+    /// the others.
     fn open(
         source: &dyn Source,
         destinations: &'a [Destination],
@@ -132,7 +146,10 @@ impl<'a> Run<'a> {
             .map(|destination| destination.open(source.count(), options, workers))
             .collect::<Result<Vec<OpenDestination<'_>>, StoreError>>()?;
         let has = |number: &usize| {
-            !destinations.is_empty() && destinations.iter().all(|destination| destination.has(*number))
+            !destinations.is_empty()
+                && destinations
+                    .iter()
+                    .all(|destination| destination.has(*number))
         };
         let (known, missing): (Vec<usize>, Vec<usize>) = (0..source.count()).partition(has);
         if let (Some(view), Some(destination)) = (view, destinations.first()) {
@@ -140,12 +157,23 @@ impl<'a> Run<'a> {
                 view(number, &destination.read(number)?);
             }
         }
-        // A file that is complete knows all its points, but not which are in which chunk; a store beside it does.
-        let tally = destinations.iter().find_map(|destination| destination.tally(&known)).unwrap_or_default();
+        // A file that is complete knows all its points, but not which are in which chunk; a store
+        // beside it does.
+        let tally = destinations
+            .iter()
+            .find_map(|destination| destination.tally(&known))
+            .unwrap_or_default();
         let reused: u64 = known.iter().map(|&number| source.points_of(number)).sum();
         let ledger = Arc::new(Ledger::new(options, reused, source.total()));
         ledger.report();
-        Ok((Self { destinations, ledger, tally }, missing))
+        Ok((
+            Self {
+                destinations,
+                ledger,
+                tally,
+            },
+            missing,
+        ))
     }
 
     /// The points of some chunks, and which destinations lack them.
@@ -153,8 +181,16 @@ impl<'a> Run<'a> {
         batch
             .iter()
             .map(|&number| {
-                let lacking = self.destinations.iter().map(|destination| !destination.has(number)).collect();
-                Ok(Input { number, points: source.points(number)?, lacking })
+                let lacking = self
+                    .destinations
+                    .iter()
+                    .map(|destination| !destination.has(number))
+                    .collect();
+                Ok(Input {
+                    number,
+                    points: source.points(number)?,
+                    lacking,
+                })
             })
             .collect()
     }
@@ -176,19 +212,35 @@ impl<'a> Run<'a> {
 
     /// Completes the destinations if all chunks are there.
     fn complete(self) -> Result<Report, StoreError> {
-        let Self { destinations, ledger, mut tally } = self;
+        let Self {
+            destinations,
+            ledger,
+            mut tally,
+        } = self;
         let progress = ledger.progress();
         let complete = progress.done == progress.total;
-        let damaged_chunks = destinations.iter().map(OpenDestination::damaged_chunks).sum();
+        let damaged_chunks = destinations
+            .iter()
+            .map(OpenDestination::damaged_chunks)
+            .sum();
         if complete {
             for destination in destinations {
-                destination.complete(tally).map_err(|error| error.with_finished(progress.done))?;
+                destination
+                    .complete(tally)
+                    .map_err(|error| error.with_finished(progress.done))?;
             }
         }
         tally.add(Class::NotComputed, progress.total - progress.done);
         let computed = progress.done - progress.reused;
         let reused = progress.reused;
-        Ok(Report { points: progress.total, computed, reused, damaged_chunks, complete, tally })
+        Ok(Report {
+            points: progress.total,
+            computed,
+            reused,
+            damaged_chunks,
+            complete,
+            tally,
+        })
     }
 }
 
@@ -206,22 +258,37 @@ enum Failure {
 }
 
 fn encode(
-    Input { number, points, lacking }: Input,
+    Input {
+        number,
+        points,
+        lacking,
+    }: Input,
     found: Result<Columns, Halt>,
     destinations: &[Destination],
 ) -> Result<(FinishedChunk, Columns), Failure> {
     let columns = found.map_err(|halt| match halt {
-        Halt::Refused(refused) => Failure::Point { chunk: number, refused },
+        Halt::Refused(refused) => Failure::Point {
+            chunk: number,
+            refused,
+        },
         Halt::Cancelled => Failure::Cancelled,
     })?;
     let files = destinations
         .iter()
         .zip(lacking)
         .map(|(destination, lacking)| {
-            lacking.then(|| destination.format().encode(number, &points, &columns)).transpose()
+            lacking
+                .then(|| destination.format().encode(number, &points, &columns))
+                .transpose()
         })
         .collect::<Result<_, _>>()
         .map_err(Failure::Store)?;
     let tally = Tally::of_columns(&columns);
-    Ok((FinishedChunk { written: WrittenChunk { number, tally }, files }, columns))
+    Ok((
+        FinishedChunk {
+            written: WrittenChunk { number, tally },
+            files,
+        },
+        columns,
+    ))
 }

@@ -3,20 +3,26 @@
 use littlewood::RestitutionLaw;
 use littlewood::tables::{Quantity, Setup};
 
-/// All quantities of a setup, in the order of tables: what a motion depends on, then where and when it starts.
+/// All quantities of a setup, in the order of tables: what a motion depends on, then where and when
+/// it starts.
 pub(crate) fn quantities() -> impl Iterator<Item = Quantity> {
     Quantity::AXES.into_iter().chain(places())
 }
 
 /// The quantities of a start that no motion depends on: where and when it is.
 pub(crate) fn places() -> impl Iterator<Item = Quantity> {
-    Quantity::START.into_iter().filter(|quantity| !Quantity::AXES.contains(quantity))
+    Quantity::START
+        .into_iter()
+        .filter(|quantity| !Quantity::AXES.contains(quantity))
 }
 
 /// Those of [`quantities`] that a setup gives a value; the slope only where there is one.
 pub(crate) fn given(setup: &Setup) -> impl Iterator<Item = (Quantity, f64)> {
-    let is_listed = |(quantity, value): &(Quantity, f64)| *quantity != Quantity::Slope || *value != 0.0;
-    quantities().filter_map(|quantity| Some((quantity, setup.get(quantity)?))).filter(is_listed)
+    let is_listed =
+        |(quantity, value): &(Quantity, f64)| *quantity != Quantity::Slope || *value != 0.0;
+    quantities()
+        .filter_map(|quantity| Some((quantity, setup.get(quantity)?)))
+        .filter(is_listed)
 }
 
 /// The law of restitution of a hoop, under the name that descriptions use.
@@ -27,5 +33,8 @@ pub(crate) type HoopBits = ([u64; Quantity::HOOP.len()], Option<RestitutionLaw>)
 
 /// The bits of the parameters of the hoop: setups that agree in them share one engine.
 pub(crate) fn hoop_bits(setup: &Setup) -> HoopBits {
-    (setup.values(Quantity::HOOP).map(f64::to_bits), setup.hoop.restitution_law)
+    (
+        setup.values(Quantity::HOOP).map(f64::to_bits),
+        setup.hoop.restitution_law,
+    )
 }

@@ -70,7 +70,13 @@ pub(crate) struct ListSource<'a> {
 
 impl<'a> ListSource<'a> {
     pub(crate) const fn new(list: &'a StartList, chunk_points: usize) -> Self {
-        Self { list, chunk_points, rows: None, next: 0, lines: Vec::new() }
+        Self {
+            list,
+            chunk_points,
+            rows: None,
+            next: 0,
+            lines: Vec::new(),
+        }
     }
 
     fn first_row(&self, chunk: usize) -> u64 {
@@ -134,14 +140,24 @@ impl Source for ListSource<'_> {
             .find(|(number, _)| *number == chunk)
             .and_then(|(_, lines)| lines.get(refused.index).copied());
         let column = match refused.error {
-            // A time limit before the start: the list may have the time of the start, never the limit.
-            ParameterError::OutOfBounds { quantity: Quantity::Until, .. } => Quantity::Time,
+            // A time limit before the start: the list may have the time of the start, never the
+            // limit.
+            ParameterError::OutOfBounds {
+                quantity: Quantity::Until,
+                ..
+            } => Quantity::Time,
             error => error.quantity(),
         };
         match line {
             Some(line) if self.list.columns().contains(&column) => {
                 let path = self.list.path().to_owned();
-                ListError::BadValue { path, line, column, source: refused.error }.into()
+                ListError::BadValue {
+                    path,
+                    line,
+                    column,
+                    source: refused.error,
+                }
+                .into()
             }
             Some(_) | None => refused.error.into(),
         }

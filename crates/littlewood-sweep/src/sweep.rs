@@ -21,16 +21,18 @@ use crate::zarr::Layout;
 /// Is called with the results of each chunk of a grid.
 pub type ChunkView<'a> = dyn FnMut(&Chunk, &Columns) + 'a;
 
-/// Computes a grid into any number of stores and files at once. Each point is computed at most once.
+/// Computes a grid into any number of stores and files at once. Each point is computed at most
+/// once.
 ///
-/// Memory stays flat: a few chunks are held, whatever the size of the grid. Every file is written atomically. A
-/// run that was cancelled or killed is resumed with [`Options::resume`]; its files are then the same, byte for byte, as
-/// those of a run that was not. `view` is called with the results of every chunk, including those of an earlier run.
+/// Memory stays flat: a few chunks are held, whatever the size of the grid. Every file is written
+/// atomically. A run that was cancelled or killed is resumed with [`Options::resume`]; its files
+/// are then the same, byte for byte, as those of a run that was not. `view` is called with the
+/// results of every chunk, including those of an earlier run.
 ///
 /// # Errors
-/// A target that is there already, unless it is resumed; one of other parameters or of another version of the format,
-/// which is left as it is; one that another process is writing to; a disk that is full; a limit without meaning; more chunks
-/// than [`MOST_CHUNKS`].
+/// A target that is there already, unless it is resumed; one of other parameters or of another
+/// version of the format, which is left as it is; one that another process is writing to; a disk
+/// that is full; a limit without meaning; more chunks than [`MOST_CHUNKS`].
 pub fn sweep_grid(
     grid: &Grid,
     limits: Limits,
@@ -50,7 +52,10 @@ pub fn sweep_grid(
             #[cfg(feature = "zarr")]
             Target::Zarr(path) => {
                 check_axes(grid)?;
-                Ok(Destination::store(path, Layout::new(grid, chunks.clone(), description.clone())))
+                Ok(Destination::store(
+                    path,
+                    Layout::new(grid, chunks.clone(), description.clone()),
+                ))
             }
             #[cfg(feature = "parquet")]
             Target::Parquet(path) => Ok(Destination::file(path, table())),
@@ -60,20 +65,32 @@ pub fn sweep_grid(
             other => Err(not_built(other)),
         })
         .collect::<Result<Vec<_>, SweepError>>()?;
-    let mut source = GridSource { grid, chunks: chunks.clone() };
+    let mut source = GridSource {
+        grid,
+        chunks: chunks.clone(),
+    };
     match view {
         None => run(&mut source, &destinations, None, limits, workers, options),
         Some(view) => {
             let mut view = |number: usize, columns: &Columns| view(&chunks.chunk(number), columns);
-            run(&mut source, &destinations, Some(&mut view), limits, workers, options)
+            run(
+                &mut source,
+                &destinations,
+                Some(&mut view),
+                limits,
+                workers,
+                options,
+            )
         }
     }
 }
 
-/// Computes a list of starts into any number of Parquet targets at once, one row a start in the order of the list.
+/// Computes a list of starts into any number of Parquet targets at once, one row a start in the
+/// order of the list.
 ///
 /// # Errors
-/// As [`sweep_grid`]; a row whose values have no physical meaning; a Zarr target, which has no place for a list.
+/// As [`sweep_grid`]; a row whose values have no physical meaning; a Zarr target, which has no
+/// place for a list.
 pub fn sweep_list(
     list: &StartList,
     limits: Limits,
@@ -90,7 +107,9 @@ pub fn sweep_list(
     let destinations = targets
         .iter()
         .map(|target| match target {
-            Target::Zarr(path) => Err(SweepError::ListAsZarr { path: (*path).to_owned() }),
+            Target::Zarr(path) => Err(SweepError::ListAsZarr {
+                path: (*path).to_owned(),
+            }),
             #[cfg(feature = "parquet")]
             Target::Parquet(path) => Ok(Destination::file(path, table())),
             #[cfg(feature = "parquet")]
@@ -102,18 +121,35 @@ pub fn sweep_list(
     run(&mut source, &destinations, None, limits, workers, options)
 }
 
-/// Refuses a run whose chunks cannot all be kept track of, before anything is written or allocated for them.
+/// Refuses a run whose chunks cannot all be kept track of, before anything is written or allocated
+/// for them.
 const fn check_chunks(points: u64, chunk: usize, chunks: usize) -> Result<(), SweepError> {
-    if chunks > MOST_CHUNKS { Err(SweepError::TooManyChunks { points, chunk, chunks }) } else { Ok(()) }
+    if chunks > MOST_CHUNKS {
+        Err(SweepError::TooManyChunks {
+            points,
+            chunk,
+            chunks,
+        })
+    } else {
+        Ok(())
+    }
 }
 
 /// Refuses a grid whose coordinates are too many for a Zarr store.
 #[cfg(feature = "zarr")]
 fn check_axes(grid: &Grid) -> Result<(), SweepError> {
-    match grid.axes().iter().find(|axis| axis.count() > Layout::MOST_COORDINATES) {
+    match grid
+        .axes()
+        .iter()
+        .find(|axis| axis.count() > Layout::MOST_COORDINATES)
+    {
         Some(axis) => {
             let (axis, count) = (axis.varies(), axis.count());
-            Err(SweepError::LongAxis { axis, count, most: Layout::MOST_COORDINATES })
+            Err(SweepError::LongAxis {
+                axis,
+                count,
+                most: Layout::MOST_COORDINATES,
+            })
         }
         None => Ok(()),
     }
@@ -125,5 +161,8 @@ fn not_built(target: &Target<'_>) -> SweepError {
         Target::Zarr(path) => (path, "zarr"),
         Target::Parquet(path) | Target::ParquetFolder(path) => (path, "parquet"),
     };
-    SweepError::NotBuilt { path: path.to_path_buf(), feature }
+    SweepError::NotBuilt {
+        path: path.to_path_buf(),
+        feature,
+    }
 }

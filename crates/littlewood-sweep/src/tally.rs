@@ -47,7 +47,10 @@ impl Tally {
 
     /// The classes that occur, in the order of [`Class::ALL`].
     pub fn iter(&self) -> impl Iterator<Item = (Class, u64)> + '_ {
-        Class::ALL.into_iter().zip(self.0).filter(|(_, count)| *count > 0)
+        Class::ALL
+            .into_iter()
+            .zip(self.0)
+            .filter(|(_, count)| *count > 0)
     }
 }
 

@@ -4,8 +4,8 @@ use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use crate::options::{Options, Progress};
 
-/// Motions after which a thread tells of them: seldom enough to cost nothing where a motion takes a microsecond, often
-/// enough where one takes a tenth of a second.
+/// Motions after which a thread tells of them: seldom enough to cost nothing where a motion takes a
+/// microsecond, often enough where one takes a tenth of a second.
 const TELL: u64 = 32;
 
 /// The counts of a run, which all its threads share.
@@ -20,7 +20,13 @@ pub(crate) struct Ledger<'a> {
 impl<'a> Ledger<'a> {
     pub(crate) const fn new(options: &'a Options<'a>, reused: u64, total: u64) -> Self {
         let (followed, done) = (AtomicU64::new(reused), AtomicU64::new(reused));
-        Self { options, followed, done, reused, total }
+        Self {
+            options,
+            followed,
+            done,
+            reused,
+            total,
+        }
     }
 
     pub(crate) fn progress(&self) -> Progress {
@@ -44,7 +50,11 @@ impl<'a> Ledger<'a> {
     }
 
     pub(crate) const fn watch(&self) -> Watch<'_> {
-        Watch { ledger: Some(self), cancel: self.options.cancel, untold: 0 }
+        Watch {
+            ledger: Some(self),
+            cancel: self.options.cancel,
+            untold: 0,
+        }
     }
 }
 
@@ -58,7 +68,11 @@ pub(crate) struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    pub(crate) const NONE: Watch<'static> = Watch { ledger: None, cancel: None, untold: 0 };
+    pub(crate) const NONE: Watch<'static> = Watch {
+        ledger: None,
+        cancel: None,
+        untold: 0,
+    };
 
     pub(crate) fn is_cancelled(&self) -> bool {
         self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))

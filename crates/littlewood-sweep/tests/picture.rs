@@ -1,6 +1,10 @@
 //! Pictures: the right colour at the right place.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests stand outside of test functions"
+)]
 
 use std::f64::consts::PI;
 
@@ -10,18 +14,28 @@ use littlewood::theory::PhasePlane;
 use littlewood::{Hoop, HoopParameters, Limits, Start};
 use littlewood_style::{Curve, Theme, of_class};
 use littlewood_sweep::{
-    Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError, sweep_grid,
+    Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError,
+    sweep_grid,
 };
 
 fn draw(grid: &Grid, shade: Shade, size: PictureSize) -> (Picture, Vec<u8>) {
-    let picture =
-        Picture::of_grid(grid, Limits::until(50.0), shade, size, &workers(2), &Options::default()).unwrap();
+    let picture = Picture::of_grid(
+        grid,
+        Limits::until(50.0),
+        shade,
+        size,
+        &workers(2),
+        &Options::default(),
+    )
+    .unwrap();
     let png = picture.png().unwrap();
     (picture, png)
 }
 
 fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
-    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
+        .read_info()
+        .unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     (info.width, info.height, pixels)
@@ -29,17 +43,21 @@ fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
 
 #[test]
 fn the_map_of_figure_2_has_its_regions_where_they_are() {
-    let size = PictureSize { width: 600, height: 400 };
+    let size = PictureSize {
+        width: 600,
+        height: 400,
+    };
     let (picture, png) = draw(&map(100), Shade::Class, size);
     let total: u64 = Class::ALL.iter().map(|&class| picture.count(class)).sum();
     assert_eq!((total, picture.count(Class::NotComputed)), (10_000, 0));
     let (width, height, pixels) = decode(&png);
     assert_eq!((width, height), (600, 400));
-    // Colours along the line θ = 0, downwards in the picture: from θ′ = 4 (leaves at once) through θ′ = 0 (rolls for
-    // ever) to θ′ = −4, which mirrors the upper half.
+    // Colours along the line θ = 0, downwards in the picture: from θ′ = 4 (leaves at once) through
+    // θ′ = 0 (rolls for ever) to θ′ = −4, which mirrors the upper half.
     let x = 318;
-    let column: Vec<[u8; 3]> =
-        (0..400).map(|y| core::array::from_fn(|k| pixels[(y * 600 + x) * 3 + k])).collect();
+    let column: Vec<[u8; 3]> = (0..400)
+        .map(|y| core::array::from_fn(|k| pixels[(y * 600 + x) * 3 + k]))
+        .collect();
     let [dark, pale] =
         [Class::LeavesAtOnce, Class::RollsForever].map(|class| of_class(class, Theme::Light).0);
     let first = column.iter().position(|colour| *colour == dark).unwrap();
@@ -47,12 +65,18 @@ fn the_map_of_figure_2_has_its_regions_where_they_are() {
     assert!(last - first > 250, "{first} {last}");
     assert_eq!(column[usize::midpoint(first, last)], pale);
     // On it the body rolls for ever while θ′² < 1.2², roughly, of the 4: a bit less than a third.
-    let rolling = column[first..last].iter().filter(|colour| **colour == pale).count() as f64;
-    assert!((0.25..0.33).contains(&(rolling / (last - first) as f64)), "{rolling}");
+    let rolling = column[first..last]
+        .iter()
+        .filter(|colour| **colour == pale)
+        .count() as f64;
+    assert!(
+        (0.25..0.33).contains(&(rolling / (last - first) as f64)),
+        "{rolling}"
+    );
 }
 
-/// The share of pixels of the map that have the colour of another class than the motion that begins there, among those that
-/// have the colour of a class.
+/// The share of pixels of the map that have the colour of another class than the motion that begins
+/// there, among those that have the colour of a class.
 fn wrong(picture: &Picture, grid: &Grid) -> f64 {
     let figure = picture.figure(None).unwrap();
     let [[left, top], [right, bottom]] = figure.panels.last().unwrap().axes_frame();
@@ -62,11 +86,14 @@ fn wrong(picture: &Picture, grid: &Grid) -> f64 {
     // Steps that share no factor with the sides go everywhere.
     for i in 0..4000_u32 {
         let (x, y) = (i * 761 % width, i * 577 % height);
-        let share = |pixel: u32, from: f64, to: f64| ((f64::from(pixel) + 0.5) / scale - from) / (to - from);
+        let share = |pixel: u32, from: f64, to: f64| {
+            ((f64::from(pixel) + 0.5) / scale - from) / (to - from)
+        };
         let place = [share(x, left, right), 1.0 - share(y, top, bottom)];
         let at = 3 * (y * width + x) as usize;
-        let colour =
-            Class::ALL.into_iter().find(|class| of_class(*class, Theme::Light).0 == pixels[at..at + 3]);
+        let colour = Class::ALL
+            .into_iter()
+            .find(|class| of_class(*class, Theme::Light).0 == pixels[at..at + 3]);
         if place.iter().all(|share| (0.0..1.0).contains(share))
             && let Some(class) = colour
         {
@@ -79,19 +106,40 @@ fn wrong(picture: &Picture, grid: &Grid) -> f64 {
     assert!(seen.len() > 2000, "{}", seen.len());
     let points = seen.iter().map(|(point, _)| *point);
     let columns = workers(2).compute(points, Limits::until(50.0)).unwrap();
-    let wrong = seen.iter().zip(columns.classes()).filter(|((_, shown), class)| shown != *class);
+    let wrong = seen
+        .iter()
+        .zip(columns.classes())
+        .filter(|((_, shown), class)| shown != *class);
     wrong.count() as f64 / seen.len() as f64
 }
 
 #[test]
 fn boundaries_are_followed_to_the_pixel() {
-    let (grid, size) = (map(31), PictureSize { width: 600, height: 400 });
+    let (grid, size) = (
+        map(31),
+        PictureSize {
+            width: 600,
+            height: 400,
+        },
+    );
     let (workers, options) = (workers(2), Options::default());
     let mut picture = Picture::new(&grid, Limits::until(50.0), Shade::Class, size).unwrap();
     let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
-    sweep_grid(&grid, Limits::until(50.0), &[], Some(&mut add), &workers, &options).unwrap();
+    sweep_grid(
+        &grid,
+        Limits::until(50.0),
+        &[],
+        Some(&mut add),
+        &workers,
+        &options,
+    )
+    .unwrap();
     let before = wrong(&picture, &grid);
-    assert!(picture.follow(Limits::until(50.0), &workers, &options).unwrap());
+    assert!(
+        picture
+            .follow(Limits::until(50.0), &workers, &options)
+            .unwrap()
+    );
     let after = wrong(&picture, &grid);
     // A corner of a region that reaches less than a cell far is not seen.
     assert!(before > 0.02 && after < 0.002, "{before} {after}");
@@ -99,7 +147,10 @@ fn boundaries_are_followed_to_the_pixel() {
 
 #[test]
 fn a_picture_is_the_same_every_time_and_a_finer_grid_is_thinned() {
-    let size = PictureSize { width: 400, height: 300 };
+    let size = PictureSize {
+        width: 400,
+        height: 300,
+    };
     let (_, first) = draw(&map(30), Shade::Column(SummaryColumn::JumpHeight), size);
     let (_, second) = draw(&map(30), Shade::Column(SummaryColumn::JumpHeight), size);
     assert!(first == second);
@@ -108,7 +159,13 @@ fn a_picture_is_the_same_every_time_and_a_finer_grid_is_thinned() {
         Axis::new(Quantity::ThetaRate, 4.0, -4.0, 3).unwrap(),
     ];
     let (picture, _) = draw(&Grid::new(figure_2(), axes).unwrap(), Shade::Class, size);
-    assert_eq!(Class::ALL.iter().map(|&class| picture.count(class)).sum::<u64>(), 6_000);
+    assert_eq!(
+        Class::ALL
+            .iter()
+            .map(|&class| picture.count(class))
+            .sum::<u64>(),
+        6_000
+    );
 }
 
 #[test]
@@ -119,7 +176,14 @@ fn every_shade_can_be_drawn_also_where_nothing_has_a_value() {
     ];
     let grid = Grid::new(figure_2(), axes).unwrap();
     for shade in Shade::all() {
-        draw(&grid, shade, PictureSize { width: 300, height: 300 });
+        draw(
+            &grid,
+            shade,
+            PictureSize {
+                width: 300,
+                height: 300,
+            },
+        );
     }
 }
 
@@ -134,12 +198,15 @@ fn what_is_no_map_is_refused() {
         let is_number = SummaryColumn::numbers().any(|number| number == column);
         match picture {
             Ok(_) => assert!(is_number, "{column}"),
-            Err(PictureError::NoNumber { column: refused }) => assert!(!is_number && refused == column),
+            Err(PictureError::NoNumber { column: refused }) => {
+                assert!(!is_number && refused == column)
+            }
             Err(error) => panic!("{error}"),
         }
     }
     let column = "end_x_by_mu_k".parse().unwrap();
-    let error = Picture::new(&map(3), Limits::default(), Shade::Derivative(column), size).unwrap_err();
+    let error =
+        Picture::new(&map(3), Limits::default(), Shade::Derivative(column), size).unwrap_err();
     assert!(matches!(error, PictureError::NotComputed { column: refused } if refused == column));
     let grid = map(3).with_derivatives(vec![column]);
     assert!(Picture::new(&grid, Limits::default(), Shade::Derivative(column), size).is_ok());
@@ -152,7 +219,10 @@ fn what_is_no_map_is_refused() {
             &workers(1),
             &Options::default(),
         );
-        assert!(matches!(error, Err(SweepError::Picture(PictureError::Size { .. }))));
+        assert!(matches!(
+            error,
+            Err(SweepError::Picture(PictureError::Size { .. }))
+        ));
     }
 }
 
@@ -160,18 +230,41 @@ fn what_is_no_map_is_refused() {
 fn curves(hoop: HoopParameters, theta_first: bool) -> Vec<(Curve, f64, f64)> {
     let theta = Axis::new(Quantity::Theta, -PI, PI, 20).unwrap();
     let rate = Axis::new(Quantity::ThetaRate, -4.0, 4.0, 20).unwrap();
-    let axes = if theta_first { vec![theta, rate] } else { vec![rate, theta] };
+    let axes = if theta_first {
+        vec![theta, rate]
+    } else {
+        vec![rate, theta]
+    };
     let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), axes).unwrap();
-    let picture = Picture::new(&grid, Limits::default(), Shade::Class, PictureSize::default());
-    let figure = picture.and_then(Picture::with_curves).unwrap().figure(None).unwrap();
-    let plane = figure.panels.into_iter().find(|panel| panel.name == "plane").unwrap();
+    let picture = Picture::new(
+        &grid,
+        Limits::default(),
+        Shade::Class,
+        PictureSize::default(),
+    );
+    let figure = picture
+        .and_then(Picture::with_curves)
+        .unwrap()
+        .figure(None)
+        .unwrap();
+    let plane = figure
+        .panels
+        .into_iter()
+        .find(|panel| panel.name == "plane")
+        .unwrap();
     let named = |name: &str| Curve::ALL.into_iter().find(|curve| curve.name() == name);
-    let known =
-        plane.layers.iter().filter_map(|layer| Some((named(&layer.series.name)?, &layer.series.pieces)));
+    let known = plane
+        .layers
+        .iter()
+        .filter_map(|layer| Some((named(&layer.series.name)?, &layer.series.pieces)));
     known
         .flat_map(|(curve, pieces)| pieces.iter().flatten().map(move |point| (curve, point)))
         .map(|(curve, point)| {
-            let [x, y] = if theta_first { [point[0], point[1]] } else { [point[1], point[0]] };
+            let [x, y] = if theta_first {
+                [point[0], point[1]]
+            } else {
+                [point[1], point[0]]
+            };
             (curve, PI * (2.0 * x - 1.0), 4.0 * (2.0 * y - 1.0))
         })
         .collect()
@@ -182,7 +275,13 @@ fn each_curve_is_where_its_equation_holds() {
     let heavy = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
     let massless = HoopParameters::thin(0.0).with_friction(0.5, 0.5);
     let (tilted, tilted_massless) = (heavy.with_slope(0.4), massless.with_slope(0.3));
-    let cases = [(heavy, true), (heavy, false), (tilted, true), (massless, true), (tilted_massless, true)];
+    let cases = [
+        (heavy, true),
+        (heavy, false),
+        (tilted, true),
+        (massless, true),
+        (tilted_massless, true),
+    ];
     for (parameters, theta_first) in cases {
         let hoop = Hoop::new(parameters).unwrap();
         let plane = PhasePlane::new(&hoop);
@@ -193,16 +292,29 @@ fn each_curve_is_where_its_equation_holds() {
                 Curve::SlipLimit if forces.normal.abs() < 1e-9 => (forces.friction, 0),
                 Curve::SlipLimit => (forces.friction.abs() - 0.5 * forces.normal, 0),
                 Curve::NormalForceZero => (forces.normal, 1),
-                Curve::LiftOff => (libm::cos(hoop.slope()) - hoop.h() * libm::cos(theta) * rate * rate, 2),
+                Curve::LiftOff => (
+                    libm::cos(hoop.slope()) - hoop.h() * libm::cos(theta) * rate * rate,
+                    2,
+                ),
                 Curve::Separatrix | Curve::ReverseChatter | Curve::Level => (f64::NAN, 0),
             };
             // Far up the plane the forces are large, and so are their errors.
-            assert!(miss.abs() < 1e-9 * (1.0 + rate * rate), "{curve:?} at {theta} {rate}: {miss}");
+            assert!(
+                miss.abs() < 1e-9 * (1.0 + rate * rate),
+                "{curve:?} at {theta} {rate}: {miss}"
+            );
             seen[number] += 1;
         }
         // A massless hoop has verticals and lines, and never lifts off.
-        let least = if parameters.mass_ratio > 0.0 { [20, 20, 20] } else { [8, 8, 0] };
-        assert!(seen.iter().zip(least).all(|(count, least)| *count >= least), "{seen:?}");
+        let least = if parameters.mass_ratio > 0.0 {
+            [20, 20, 20]
+        } else {
+            [8, 8, 0]
+        };
+        assert!(
+            seen.iter().zip(least).all(|(count, least)| *count >= least),
+            "{seen:?}"
+        );
         assert!(parameters.mass_ratio > 0.0 || seen[2] == 0, "{seen:?}");
     }
 }

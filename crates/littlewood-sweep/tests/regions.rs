@@ -6,13 +6,16 @@ use littlewood_sweep::{Detail, Lattice, Place, Region, Regions};
 
 fn find(count: [usize; 2], detail: &Detail, key: impl Fn(Place) -> u64) -> Regions {
     let lattice = Lattice::even(count, &key);
-    let mut ask = |places: &[Place]| Ok::<_, Infallible>(places.iter().map(|&place| key(place)).collect());
+    let mut ask =
+        |places: &[Place]| Ok::<_, Infallible>(places.iter().map(|&place| key(place)).collect());
     Regions::find(&lattice, detail, &mut ask).expect("nothing fails")
 }
 
 /// How often outlines wind about a place.
 fn winding(outlines: &[Vec<Place>], [x, y]: Place) -> i32 {
-    let edges = outlines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+    let edges = outlines
+        .iter()
+        .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
     edges
         .map(|(a, b)| {
             let left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
@@ -35,7 +38,11 @@ fn check(found: &Regions, key: impl Fn(Place) -> u64, allowed: usize) {
             let around = |region: &Region| winding(&region.outlines, place);
             for region in &found.regions {
                 let times = around(region);
-                assert!((0..=1).contains(&times), "{} {place:?}: {times}", region.key);
+                assert!(
+                    (0..=1).contains(&times),
+                    "{} {place:?}: {times}",
+                    region.key
+                );
                 wrong += usize::from((times == 1) != (region.key == own));
             }
         }
@@ -55,13 +62,24 @@ fn a_ring_has_a_hole_and_its_points_lie_on_the_circles() {
         let r = square([x - 0.5, y - 0.5]);
         u64::from(r > 0.01) + u64::from(r > 0.1)
     };
-    let found = find([12, 9], &Detail { parts: 16, ..Detail::default() }, key);
+    let found = find(
+        [12, 9],
+        &Detail {
+            parts: 16,
+            ..Detail::default()
+        },
+        key,
+    );
     // Chords are flat to a part of the plane.
     check(&found, key, 16);
     assert_eq!(found.regions[1].outlines.len(), 2);
     assert!((found.regions[0].area - 0.01 * core::f64::consts::PI).abs() < 1e-4);
     for boundary in &found.boundaries {
-        let wanted = if boundary.sides.contains(&0) { 0.01 } else { 0.1 };
+        let wanted = if boundary.sides.contains(&0) {
+            0.01
+        } else {
+            0.1
+        };
         for [x, y] in &boundary.points {
             // To a width along the side of a cell.
             let r = square([x - 0.5, y - 0.5]);
@@ -84,7 +102,8 @@ fn boundaries_meet_where_three_regions_do() {
     for boundary in &found.boundaries {
         let ends = [boundary.points.first(), boundary.points.last()];
         let near = ends.into_iter().flatten().any(|[x, y]| {
-            square([x - middle[0], y - middle[1]]) < (2.0 / 15.0 / 4.0 / 64.0_f64) * (2.0 / 15.0 / 4.0 / 64.0)
+            square([x - middle[0], y - middle[1]])
+                < (2.0 / 15.0 / 4.0 / 64.0_f64) * (2.0 / 15.0 / 4.0 / 64.0)
         });
         assert!(near, "{ends:?}");
         // Straight lines need no points between their ends.
@@ -96,9 +115,19 @@ fn boundaries_meet_where_three_regions_do() {
 fn a_boundary_is_followed_where_the_lattice_sees_it_no_more() {
     // A tongue that becomes narrower than a cell.
     let key = |[x, y]: Place| u64::from((y - 0.503).abs() < 0.12 * (0.93 - x));
-    let found = find([11, 11], &Detail { parts: 8, ..Detail::default() }, key);
+    let found = find(
+        [11, 11],
+        &Detail {
+            parts: 8,
+            ..Detail::default()
+        },
+        key,
+    );
     check(&found, key, 0);
-    let tip = found.regions[1].outlines[0].iter().map(|place| place[0]).fold(0.0, f64::max);
+    let tip = found.regions[1].outlines[0]
+        .iter()
+        .map(|place| place[0])
+        .fold(0.0, f64::max);
     assert!(tip > 0.87, "{tip}");
 }
 
@@ -123,7 +152,10 @@ fn where_all_places_differ_the_work_is_bounded() {
         let mixed = (x * 1e6) as u64 ^ ((y * 1e6) as u64).rotate_left(7);
         mixed.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 62
     };
-    let detail = Detail { most: 500, ..Detail::default() };
+    let detail = Detail {
+        most: 500,
+        ..Detail::default()
+    };
     let found = find([65, 65], &detail, key);
     assert!(asked.get() < 400_000, "{}", asked.get());
     let area: f64 = found.regions.iter().map(|region| region.area).sum();
@@ -135,7 +167,11 @@ fn one_key_is_the_whole_plane() {
     let found = find([5, 5], &Detail::default(), |_| 7);
     assert_eq!(
         found.regions,
-        [Region { key: 7, outlines: vec![vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]], area: 1.0 }]
+        [Region {
+            key: 7,
+            outlines: vec![vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]],
+            area: 1.0
+        }]
     );
     assert!(found.boundaries.is_empty());
 }

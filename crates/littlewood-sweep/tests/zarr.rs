@@ -1,6 +1,10 @@
 //! Zarr stores, read by the library and not by the code that has written them.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests stand outside of test functions"
+)]
 
 use std::fs;
 
@@ -17,9 +21,22 @@ fn the_arrays_hold_what_was_computed_with_names_and_units() {
     let path = folder.path().join("map.zarr");
     let (grid, limits) = (mixed(), Limits::until(20.0));
     // Chunks that do not divide the grid, along an axis that is not the slowest.
-    let options = Options { chunk_points: 100, ..Options::default() };
-    sweep_grid(&grid, limits, &[Target::Zarr(&path)], None, &workers(2), &options).unwrap();
-    let columns = workers(1).compute(grid.points(0..grid.len()), limits).unwrap();
+    let options = Options {
+        chunk_points: 100,
+        ..Options::default()
+    };
+    sweep_grid(
+        &grid,
+        limits,
+        &[Target::Zarr(&path)],
+        None,
+        &workers(2),
+        &options,
+    )
+    .unwrap();
+    let columns = workers(1)
+        .compute(grid.points(0..grid.len()), limits)
+        .unwrap();
 
     let open = |name: &str| Array::open(&path, name);
     let names = ["mu_s", "theta", "mu_k", "theta_rate"];
@@ -37,31 +54,72 @@ fn the_arrays_hold_what_was_computed_with_names_and_units() {
     assert_eq!(open("theta").attributes()["units"], "rad");
     let expected = reals(&columns, SummaryColumn::LiftOffTime);
     assert_eq!(
-        lift_off.reals().iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
+        lift_off
+            .reals()
+            .iter()
+            .map(|x| x.to_bits())
+            .collect::<Vec<_>>(),
         expected.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
     );
     let sequence = open("sequence");
-    let values = sequence.values("uint64").into_iter().map(u64::from_le_bytes).collect();
-    assert_eq!(&ColumnValues::U64(values), columns.column(SummaryColumn::Sequence));
+    let values = sequence
+        .values("uint64")
+        .into_iter()
+        .map(u64::from_le_bytes)
+        .collect();
+    assert_eq!(
+        &ColumnValues::U64(values),
+        columns.column(SummaryColumn::Sequence)
+    );
     assert_eq!(sequence.attributes()["version"], PhaseSequence::VERSION);
     assert_eq!(sequence.attributes()["legend"]["7"], "F: flight");
     let outcome = open("outcome");
-    let values = outcome.values("uint8").into_iter().map(u8::from_le_bytes).collect();
-    assert_eq!(&ColumnValues::U8(values), columns.column(SummaryColumn::Outcome));
-    assert_eq!(outcome.metadata["fill_value"], Summary::NOT_COMPUTED.outcome.code());
-    let flags = outcome.attributes()["flag_values"].as_array().unwrap().len();
-    assert_eq!(outcome.attributes()["flag_meanings"].as_str().unwrap().split(' ').count(), flags);
+    let values = outcome
+        .values("uint8")
+        .into_iter()
+        .map(u8::from_le_bytes)
+        .collect();
+    assert_eq!(
+        &ColumnValues::U8(values),
+        columns.column(SummaryColumn::Outcome)
+    );
+    assert_eq!(
+        outcome.metadata["fill_value"],
+        Summary::NOT_COMPUTED.outcome.code()
+    );
+    let flags = outcome.attributes()["flag_values"]
+        .as_array()
+        .unwrap()
+        .len();
+    assert_eq!(
+        outcome.attributes()["flag_meanings"]
+            .as_str()
+            .unwrap()
+            .split(' ')
+            .count(),
+        flags
+    );
 }
 
 #[test]
 fn the_group_says_what_was_run_and_holds_the_metadata_of_its_arrays() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.zarr");
-    sweep_grid(&map(5), Limits::until(1.0), &[Target::Zarr(&path)], None, &workers(1), &Options::default())
-        .unwrap();
+    sweep_grid(
+        &map(5),
+        Limits::until(1.0),
+        &[Target::Zarr(&path)],
+        None,
+        &workers(1),
+        &Options::default(),
+    )
+    .unwrap();
     let text = fs::read_to_string(path.join("zarr.json")).unwrap();
     let json: Value = serde_json::from_str(&text).unwrap();
-    assert_eq!((&json["zarr_format"], &json["node_type"]), (&3.into(), &"group".into()));
+    assert_eq!(
+        (&json["zarr_format"], &json["node_type"]),
+        (&3.into(), &"group".into())
+    );
     let attributes = &json["attributes"];
     assert_eq!(attributes["status"], "complete");
     assert_eq!(attributes["Conventions"], "CF-1.11");
@@ -69,11 +127,16 @@ fn the_group_says_what_was_run_and_holds_the_metadata_of_its_arrays() {
         (&attributes["format"], &attributes["run"]["format"]),
         (&STORE_FORMAT.into(), &STORE_FORMAT.into())
     );
-    assert_eq!(attributes["run"]["sequence_version"], PhaseSequence::VERSION);
+    assert_eq!(
+        attributes["run"]["sequence_version"],
+        PhaseSequence::VERSION
+    );
     assert_eq!(attributes["run"]["fixed"]["mu_k"], 0.4);
     assert_eq!(attributes["run"]["version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(attributes["run"]["axes"][1]["count"], 5);
-    let consolidated = json["consolidated_metadata"]["metadata"].as_object().unwrap();
+    let consolidated = json["consolidated_metadata"]["metadata"]
+        .as_object()
+        .unwrap();
     assert_eq!(consolidated.len(), 2 + SummaryColumn::ALL.len());
     for (name, metadata) in consolidated {
         let own: Value =

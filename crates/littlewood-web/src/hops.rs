@@ -1,4 +1,5 @@
-//! Motions by the number of their landings: counts as a map holds them, and the classes in which it shows them.
+//! Motions by the number of their landings: counts as a map holds them, and the classes in which it
+//! shows them.
 
 /// Number of colours that a map has for them.
 pub const CLASSES: usize = 9;
@@ -6,13 +7,17 @@ pub const CLASSES: usize = 9;
 /// Code of a start that has not been computed.
 pub(crate) const NOT_COMPUTED: u8 = u8::MAX;
 
-/// The count of landings as a map holds it; there are no more within the transitions that it follows.
+/// The count of landings as a map holds it; there are no more within the transitions that it
+/// follows.
 pub(crate) fn code(landings: u32) -> u8 {
-    u8::try_from(landings).unwrap_or(NOT_COMPUTED - 1).min(NOT_COMPUTED - 1)
+    u8::try_from(landings)
+        .unwrap_or(NOT_COMPUTED - 1)
+        .min(NOT_COMPUTED - 1)
 }
 
-/// The classes of some counts, by how often each occurs: the least and the largest count of each class. Every count is a class
-/// as long as there are enough; else classes of about equal size follow that of the motions that do not land.
+/// The classes of some counts, by how often each occurs: the least and the largest count of each
+/// class. Every count is a class as long as there are enough; else classes of about equal size
+/// follow that of the motions that do not land.
 pub(crate) fn classes(frequencies: &[usize; 256]) -> Vec<[u8; 2]> {
     let counts: Vec<(u8, usize)> = (0..NOT_COMPUTED)
         .zip(frequencies)
@@ -34,7 +39,8 @@ pub(crate) fn classes(frequencies: &[usize; 256]) -> Vec<[u8; 2]> {
         }
         size += often;
         let left = CLASSES - classes.len();
-        // A class is full with its share of what it and those after it have, or where each count that is left can have one.
+        // A class is full with its share of what it and those after it have, or where each count
+        // that is left can have one.
         if left > 0 && (size * (left + 1) >= rest || counts.len() - place - 1 <= left) {
             rest -= size;
             size = 0;

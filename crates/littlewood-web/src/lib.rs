@@ -1,14 +1,15 @@
 //! The core of `littlewood` for the browser.
 //!
-//! A thin boundary: numbers cross it as `Float64Array`s, so that not a bit is lost on the way, and texts as the command
-//! line writes them. [`Motion`] is a simulated motion, [`Routh`] the diagram of an impact, [`Moves`] what
-//! moves an event, [`Prediction`] a landing predicted from another motion, [`Plane`] the (θ, θ′) plane with
-//! its curves, [`OutcomeMap`] what becomes of every start of that plane, [`Problem`] a hoop and a start in either system of
-//! units. A value that has no physical meaning is a [`Refusal`], which names the quantity.
+//! A thin boundary: numbers cross it as `Float64Array`s, so that not a bit is lost on the way, and
+//! texts as the command line writes them. [`Motion`] is a simulated motion, [`Routh`] the diagram
+//! of an impact, [`Moves`] what moves an event, [`Prediction`] a landing predicted from another
+//! motion, [`Plane`] the (θ, θ′) plane with its curves, [`OutcomeMap`] what becomes of every start
+//! of that plane, [`Problem`] a hoop and a start in either system of units. A value that has no
+//! physical meaning is a [`Refusal`], which names the quantity.
 //!
-//! Names, labels, units, codes and colours do not cross it: the page has them in files that are generated from the
-//! tables of the core and of `littlewood-style` (`tests/generated`), and [`boundary`] lets it check that both are of one
-//! version.
+//! Names, labels, units, codes and colours do not cross it: the page has them in files that are
+//! generated from the tables of the core and of `littlewood-style` (`tests/generated`), and
+//! [`boundary`] lets it check that both are of one version.
 
 mod boundary;
 mod cases;

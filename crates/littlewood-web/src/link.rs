@@ -8,17 +8,27 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::problem::given;
 
-/// What a link says, as JSON: the problem, the instant, the view, and what could not be read. `shown` is the link of what
-/// the page shows. A number that is missing is null.
+/// What a link says, as JSON: the problem, the instant, the view, and what could not be read.
+/// `shown` is the link of what the page shows. A number that is missing is null.
 #[wasm_bindgen(js_name = readLink)]
 pub fn read_link(fragment: &str, shown: &str) -> String {
     let read = Link::read(fragment, shown);
     let Link { problem, at, view } = read.link;
-    let limit = if problem.is_si { Quantity::UntilS } else { Quantity::Until };
-    let values: Map<String, Value> =
-        problem.values.iter().map(|(quantity, value)| (quantity.name().to_owned(), json!(value))).collect();
-    let view: Map<String, Value> =
-        VIEW.iter().zip(view).map(|((key, ..), says)| ((*key).to_owned(), json!(says))).collect();
+    let limit = if problem.is_si {
+        Quantity::UntilS
+    } else {
+        Quantity::Until
+    };
+    let values: Map<String, Value> = problem
+        .values
+        .iter()
+        .map(|(quantity, value)| (quantity.name().to_owned(), json!(value)))
+        .collect();
+    let view: Map<String, Value> = VIEW
+        .iter()
+        .zip(view)
+        .map(|((key, ..), says)| ((*key).to_owned(), json!(says)))
+        .collect();
     let errors: Vec<Value> = read
         .refusals
         .iter()
@@ -37,8 +47,8 @@ pub fn read_link(fragment: &str, shown: &str) -> String {
     .to_string()
 }
 
-/// The link of a problem that has been checked: its numbers in the order of `problem`, what may be left out, the
-/// instant, and what each key of the view says.
+/// The link of a problem that has been checked: its numbers in the order of `problem`, what may be
+/// left out, the instant, and what each key of the view says.
 #[wasm_bindgen(js_name = writeLink)]
 pub fn write_link(
     is_si: bool,
@@ -51,9 +61,16 @@ pub fn write_link(
 ) -> String {
     let law = law.and_then(|law| law.parse().ok());
     let problem = given(is_si, numbers, restitution, law, until);
-    let mut link = Link { at, ..Link::of(problem) };
+    let mut link = Link {
+        at,
+        ..Link::of(problem)
+    };
     for ((says, given), (_, choices, _)) in link.view.iter_mut().zip(view).zip(VIEW) {
-        *says = choices.iter().find(|choice| **choice == given).copied().unwrap_or(says);
+        *says = choices
+            .iter()
+            .find(|choice| **choice == given)
+            .copied()
+            .unwrap_or(says);
     }
     link.to_string()
 }

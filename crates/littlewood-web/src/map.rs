@@ -10,12 +10,12 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::hops;
 use crate::problem::Problem;
 
-/// Largest number of transitions that a map follows: it has to be there while a person looks. With bounces, with little friction and with
-/// light hoops there can be more.
+/// Largest number of transitions that a map follows: it has to be there while a person looks. With
+/// bounces, with little friction and with light hoops there can be more.
 const TRANSITIONS: usize = 200;
 
-/// Where more than one motion of 64 has so many transitions and does not lift off, motions are followed only until their energy proves
-/// that they never will.
+/// Where more than one motion of 64 has so many transitions and does not lift off, motions are
+/// followed only until their energy proves that they never will.
 const LONG: usize = 100;
 
 /// What a map shows of each motion.
@@ -39,8 +39,8 @@ impl MapSubject {
 
 /// A square map of one turn, −π < θ < π, and of −r < θ′ < r, row by row from the top.
 ///
-/// A level computes every `stride`-th start of every `stride`-th row, and none twice. Without slip the map is its own
-/// image under (θ, θ′) → (−θ, −θ′), bit for bit, and one half is enough.
+/// A level computes every `stride`-th start of every `stride`-th row, and none twice. Without slip
+/// the map is its own image under (θ, θ′) → (−θ, −θ′), bit for bit, and one half is enough.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct OutcomeMap {
@@ -59,8 +59,8 @@ pub struct OutcomeMap {
 
 #[wasm_bindgen]
 impl OutcomeMap {
-    /// An empty map of the hoop, the slip and the rate of the gap of a problem, with `side` starts each way and rates
-    /// below `rate`.
+    /// An empty map of the hoop, the slip and the rate of the gap of a problem, with `side` starts
+    /// each way and rates below `rate`.
     #[wasm_bindgen(constructor)]
     pub fn new(problem: &Problem, rate: f64, side: usize, subject: MapSubject) -> Self {
         let Start { slip, gap_rate, .. } = problem.start;
@@ -88,7 +88,11 @@ impl OutcomeMap {
 
     /// Number of rows of starts that a level computes.
     pub fn rows(&self, stride: usize) -> usize {
-        let side = if self.symmetric { self.side / 2 } else { self.side };
+        let side = if self.symmetric {
+            self.side / 2
+        } else {
+            self.side
+        };
         side.div_ceil(stride.max(1))
     }
 
@@ -112,7 +116,8 @@ impl OutcomeMap {
         }
     }
 
-    /// The classes of the numbers of landings of a map: the least and the largest number of each, in turn.
+    /// The classes of the numbers of landings of a map: the least and the largest number of each,
+    /// in turn.
     #[wasm_bindgen(js_name = hopClasses)]
     pub fn hop_classes(codes: &[u8]) -> Vec<u8> {
         let mut frequencies = [0; 256];
@@ -122,7 +127,8 @@ impl OutcomeMap {
         hops::classes(&frequencies).concat()
     }
 
-    /// The codes of the classes, or the numbers of landings, of all cells, each as the nearest start of this level has it.
+    /// The codes of the classes, or the numbers of landings, of all cells, each as the nearest
+    /// start of this level has it.
     pub fn classes(&self, stride: usize) -> Vec<u8> {
         let stride = stride.max(1);
         let snap = |i: usize| i - i % stride;
@@ -130,7 +136,11 @@ impl OutcomeMap {
         for y in 0..self.side {
             let folded = self.symmetric && y >= self.side / 2;
             for x in 0..self.side {
-                let (x, y) = if folded { (self.side - 1 - x, self.side - 1 - y) } else { (x, y) };
+                let (x, y) = if folded {
+                    (self.side - 1 - x, self.side - 1 - y)
+                } else {
+                    (x, y)
+                };
                 classes.push(self.cells[snap(y) * self.side + snap(x)]);
             }
         }
@@ -159,17 +169,26 @@ impl OutcomeMap {
 
     fn has_long_motions(&self) -> bool {
         let engine = self.until_landing.as_ref().unwrap_or(&self.engine);
-        let window = Window { x: [-PI, PI], y: [-self.rate, self.rate] };
-        let base = Start::default().with_slip(self.slip).with_gap_rate(self.gap_rate);
+        let window = Window {
+            x: [-PI, PI],
+            y: [-self.rate, self.rate],
+        };
+        let base = Start::default()
+            .with_slip(self.slip)
+            .with_gap_rate(self.gap_rate);
         let long = engine.long_motions(window, base, self.limits, LONG);
-        long.filter(|summary| summary.lift_off_time.is_nan()).count() > 1
+        long.filter(|summary| summary.lift_off_time.is_nan())
+            .count()
+            > 1
     }
 
-    /// The class is decided where the body first leaves the plane, so that bounces need not be followed for it. Only a jam
-    /// comes before that.
+    /// The class is decided where the body first leaves the plane, so that bounces need not be
+    /// followed for it. Only a jam comes before that.
     fn class_of(&self, start: Start) -> Class {
         let class = |engine: &Engine| {
-            engine.summary(start, self.limits).map_or(Class::Invalid, |summary| Class::of(&summary))
+            engine
+                .summary(start, self.limits)
+                .map_or(Class::Invalid, |summary| Class::of(&summary))
         };
         match self.until_landing.as_ref().map(class) {
             Some(decided) if decided != Class::Painleve => decided,
@@ -178,12 +197,17 @@ impl OutcomeMap {
     }
 }
 
-/// The class of the motion of a problem ([`Class`]), followed until it leaves the plane or is proved not to.
+/// The class of the motion of a problem ([`Class`]), followed until it leaves the plane or is
+/// proved not to.
 #[wasm_bindgen(js_name = classOf)]
 pub fn class_of(problem: &Problem) -> u8 {
-    let limits = Limits::default().with_transitions(TRANSITIONS).with_proof(Proof::Contact);
+    let limits = Limits::default()
+        .with_transitions(TRANSITIONS)
+        .with_proof(Proof::Contact);
     let summary = Engine::new(&problem.hoop).summary(problem.start, limits);
-    summary.map_or(Class::Invalid, |summary| Class::of(&summary)).code()
+    summary
+        .map_or(Class::Invalid, |summary| Class::of(&summary))
+        .code()
 }
 
 fn without_restitution(hoop: &Hoop) -> Hoop {

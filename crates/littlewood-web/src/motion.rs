@@ -38,20 +38,29 @@ impl Motion {
     pub fn new(problem: &Problem, case: Option<String>) -> Result<Self, Refusal> {
         let trajectory = problem.hoop.simulate(problem.start, problem.limits)?;
         let case = case.as_deref().and_then(find_case);
-        Ok(Self { problem: problem.clone(), case, trajectory })
+        Ok(Self {
+            problem: problem.clone(),
+            case,
+            trajectory,
+        })
     }
 
-    /// Time at which the motion ends, or up to which it is shown if it has no end. Of bounces that only a limit has stopped
-    /// the first are shown.
+    /// Time at which the motion ends, or up to which it is shown if it has no end. Of bounces that
+    /// only a limit has stopped the first are shown.
     pub fn horizon(&self) -> f64 {
         let until = Sampling::of(&self.trajectory, 2).until;
         let bounces = self.trajectory.hoop().restitution().is_some();
         let is_stopped = self.trajectory.outcome().kind() == OutcomeKind::TransitionLimit;
-        let shown = self.trajectory.transitions().get(SHOWN).filter(|_| bounces && is_stopped);
+        let shown = self
+            .trajectory
+            .transitions()
+            .get(SHOWN)
+            .filter(|_| bounces && is_stopped);
         shown.map_or(until, Transition::time)
     }
 
-    /// `count` instants evenly spaced in time up to `until`, and every transition twice: the columns of
+    /// `count` instants evenly spaced in time up to `until`, and every transition twice: the
+    /// columns of
     /// [`SampleColumn::ALL`] one after the other.
     pub fn samples(&self, count: usize, until: f64) -> Vec<f64> {
         let samples: Vec<Sample> = self.trajectory.sample_evenly(count, until).collect();
@@ -64,7 +73,10 @@ impl Motion {
     /// One instant, in the columns of [`SampleColumn::ALL`]; empty outside the motion.
     pub fn at(&self, time: f64) -> Vec<f64> {
         self.trajectory.at(time).map_or_else(Vec::new, |sample| {
-            SampleColumn::ALL.into_iter().map(|column| column.of(&sample).number()).collect()
+            SampleColumn::ALL
+                .into_iter()
+                .map(|column| column.of(&sample).number())
+                .collect()
         })
     }
 
@@ -78,20 +90,27 @@ impl Motion {
     #[wasm_bindgen(js_name = transitionSentences)]
     pub fn transition_sentences(&self) -> Vec<String> {
         (0..self.trajectory.transitions().len())
-            .map(|index| sentence::transition(&self.trajectory, index, self.scale()).unwrap_or_default())
+            .map(|index| {
+                sentence::transition(&self.trajectory, index, self.scale()).unwrap_or_default()
+            })
             .collect()
     }
 
-    /// The parts of the energy at a time, over m2 g R, in the order of `EnergyPart` of the style crate. They add up to the
-    /// energy of the start; empty outside the motion.
+    /// The parts of the energy at a time, over m2 g R, in the order of `EnergyPart` of the style
+    /// crate. They add up to the energy of the start; empty outside the motion.
     pub fn energies(&self, time: f64) -> Vec<f64> {
         let parts = || Ledger::new(&self.trajectory)?.parts(&self.trajectory.at(time)?, false);
-        parts().map_or_else(Vec::new, |it| EnergyPart::ALL.map(|part| it.part(part)).to_vec())
+        parts().map_or_else(Vec::new, |it| {
+            EnergyPart::ALL.map(|part| it.part(part)).to_vec()
+        })
     }
 
     /// Routh's diagram of the impact at a transition, if there is one.
     pub fn routh(&self, transition: usize) -> Option<Routh> {
-        Routh::of(self.trajectory.hoop(), self.trajectory.transitions().get(transition)?)
+        Routh::of(
+            self.trajectory.hoop(),
+            self.trajectory.transitions().get(transition)?,
+        )
     }
 
     /// What moves a transition, if there is one.
@@ -99,15 +118,25 @@ impl Motion {
         Moves::of(&self.problem, &self.trajectory, transition)
     }
 
-    /// What the derivatives of this motion predict of a landing of another one; none for a transition that is no landing.
+    /// What the derivatives of this motion predict of a landing of another one; none for a
+    /// transition that is no landing.
     pub fn prediction(&self, transition: usize) -> Option<Prediction> {
         let is_landing = self.trajectory.transitions().get(transition)?.cause == Cause::Landing;
-        if is_landing { Prediction::new(&self.problem, &self.trajectory, transition) } else { None }
+        if is_landing {
+            Prediction::new(&self.problem, &self.trajectory, transition)
+        } else {
+            None
+        }
     }
 
-    /// The table of the phases as the command line prints it, as JSON; with `all` nothing is folded or left out.
+    /// The table of the phases as the command line prints it, as JSON; with `all` nothing is folded
+    /// or left out.
     pub fn table(&self, all: bool) -> String {
-        let Table { head, rows, numbers } = page::phases(&self.trajectory, self.scale(), all);
+        let Table {
+            head,
+            rows,
+            numbers,
+        } = page::phases(&self.trajectory, self.scale(), all);
         let rows: Vec<Value> = rows
             .iter()
             .map(|it| json!({ "mode": it.mode.map(Mode::name), "time": it.time, "folds": it.folds, "cells": it.cells }))
@@ -121,14 +150,30 @@ impl Motion {
         sentence::outcome(&self.trajectory, self.scale())
     }
 
-    /// The motion as `littlewood simulate --format json` prints it, with `--samples` if a number is given.
+    /// The motion as `littlewood simulate --format json` prints it, with `--samples` if a number is
+    /// given.
     pub fn json(&self, samples: Option<usize>) -> String {
-        self.text(|text| documents::motion(text, &self.subject(), &self.trajectory, self.sampling(samples)))
+        self.text(|text| {
+            documents::motion(
+                text,
+                &self.subject(),
+                &self.trajectory,
+                self.sampling(samples),
+            )
+        })
     }
 
-    /// The motion as `littlewood simulate --format csv` prints it, with `--samples` if a number is given.
+    /// The motion as `littlewood simulate --format csv` prints it, with `--samples` if a number is
+    /// given.
     pub fn csv(&self, samples: Option<usize>) -> String {
-        self.text(|text| csv::motion(text, &self.subject(), &self.trajectory, self.sampling(samples)))
+        self.text(|text| {
+            csv::motion(
+                text,
+                &self.subject(),
+                &self.trajectory,
+                self.sampling(samples),
+            )
+        })
     }
 }
 
@@ -139,7 +184,11 @@ impl Motion {
 
     const fn subject(&self) -> Subject<'_> {
         let Problem { start, units, .. } = &self.problem;
-        Subject { case: self.case, units: units.as_ref(), ..Subject::of_start(*start) }
+        Subject {
+            case: self.case,
+            units: units.as_ref(),
+            ..Subject::of_start(*start)
+        }
     }
 
     fn sampling(&self, samples: Option<usize>) -> Option<Sampling> {

@@ -38,14 +38,16 @@ struct Row {
 
 impl Row {
     fn moved(&self, column: usize) -> Derivative<f64> {
-        self.moved.map(|numbers| numbers.get(column).copied().unwrap_or_default())
+        self.moved
+            .map(|numbers| numbers.get(column).copied().unwrap_or_default())
     }
 }
 
 #[wasm_bindgen]
 impl Moves {
-    /// The quantities, what each is changed by, and by how much that moves a column of [`State::COLUMNS`], as JSON: the largest move first,
-    /// and last what has no derivative, with the reason.
+    /// The quantities, what each is changed by, and by how much that moves a column of
+    /// [`State::COLUMNS`], as JSON: the largest move first, and last what has no derivative, with
+    /// the reason.
     pub fn rows(&self, column: usize) -> String {
         let row = |row: &Row| {
             json!({
@@ -67,15 +69,24 @@ impl Moves {
         };
         let moved = match row.moved(column) {
             Err(reason) => {
-                return format!("Nothing is known of what moves this event ({event}): {}.", reason.label());
+                return format!(
+                    "Nothing is known of what moves this event ({event}): {}.",
+                    reason.label()
+                );
             }
             Ok(0.0) => return format!("Nothing moves this event ({event})."),
             Ok(moved) => moved,
         };
         let scale = Scale::new(self.units.as_ref());
-        let unit = column_moved.dimension().map_or("", |it| unit_of(it, self.units.is_some()));
+        let unit = column_moved
+            .dimension()
+            .map_or("", |it| unit_of(it, self.units.is_some()));
         let (sign, name) = (row.quantity.sign(), row.quantity.long_name());
-        let part = if row.is_of_range { "of its usual range" } else { "of it" };
+        let part = if row.is_of_range {
+            "of its usual range"
+        } else {
+            "of it"
+        };
         let plus = if moved > 0.0 { "+" } else { "" };
         let by = format!("{plus}{} {unit}", brief(three(moved)));
         format!(
@@ -88,7 +99,11 @@ impl Moves {
 
 impl Moves {
     /// Of a transition of the motion of a problem; none if there is no such transition.
-    pub(crate) fn of(problem: &Problem, trajectory: &Trajectory, transition: usize) -> Option<Self> {
+    pub(crate) fn of(
+        problem: &Problem,
+        trajectory: &Trajectory,
+        transition: usize,
+    ) -> Option<Self> {
         let event = trajectory.transitions().get(transition)?;
         let partials = Partials::of(problem, trajectory, transition)?;
         let setup = problem.setup();
@@ -103,64 +118,92 @@ impl Moves {
                     let change = units.from_si(plain.dimension(), change);
                     partials
                         .move_of(|other| if other == plain { change } else { 0.0 })
-                        .map(|moved| in_columns(moved, |dimension, moved| units.to_si(dimension, moved)))
+                        .map(|moved| {
+                            in_columns(moved, |dimension, moved| units.to_si(dimension, moved))
+                        })
                 }
-                // A unit that grows makes the dimensionless numbers smaller, and those of the event in SI units larger.
+                // A unit that grows makes the dimensionless numbers smaller, and those of the event
+                // in SI units larger.
                 (Some(units), Some(place)) => {
-                    let growth = |dimension: Dimension| PART * 0.5 * f64::from(dimension.halves()[place]);
-                    let change =
-                        |other: Quantity| -growth(other.dimension()) * setup.get(other).unwrap_or(0.0);
+                    let growth =
+                        |dimension: Dimension| PART * 0.5 * f64::from(dimension.halves()[place]);
+                    let change = |other: Quantity| {
+                        -growth(other.dimension()) * setup.get(other).unwrap_or(0.0)
+                    };
                     let numbers = event.after.numbers();
                     partials.move_of(change).map(|mut moved| {
-                        for ((moved, number), column) in moved.iter_mut().zip(numbers).zip(State::COLUMNS) {
+                        for ((moved, number), column) in
+                            moved.iter_mut().zip(numbers).zip(State::COLUMNS)
+                        {
                             *moved += column.dimension().map_or(0.0, growth) * number;
                         }
                         in_columns(moved, |dimension, moved| units.to_si(dimension, moved))
                     })
                 }
             };
-            Row { quantity, is_of_range, change, moved }
+            Row {
+                quantity,
+                is_of_range,
+                change,
+                moved,
+            }
         };
         let rows = values(problem).map(row).collect();
-        Some(Self { cause: event.cause, units: problem.units, rows })
+        Some(Self {
+            cause: event.cause,
+            units: problem.units,
+            rows,
+        })
     }
 
     fn sorted(&self, column: usize) -> Vec<&Row> {
         let mut rows: Vec<&Row> = self.rows.iter().collect();
-        rows.sort_by(|one, other| match (one.moved(column), other.moved(column)) {
-            (Ok(one), Ok(other)) => other.abs().total_cmp(&one.abs()),
-            (Ok(_), Err(_)) => Ordering::Less,
-            (Err(_), Ok(_)) => Ordering::Greater,
-            (Err(_), Err(_)) => Ordering::Equal,
-        });
+        rows.sort_by(
+            |one, other| match (one.moved(column), other.moved(column)) {
+                (Ok(one), Ok(other)) => other.abs().total_cmp(&one.abs()),
+                (Ok(_), Err(_)) => Ordering::Less,
+                (Err(_), Ok(_)) => Ordering::Greater,
+                (Err(_), Err(_)) => Ordering::Equal,
+            },
+        );
         rows
     }
 }
 
-/// The quantities of hoop, plane and start on which the motion depends, in the units of a problem, with their values.
+/// The quantities of hoop, plane and start on which the motion depends, in the units of a problem,
+/// with their values.
 fn values(problem: &Problem) -> impl Iterator<Item = (Quantity, f64)> {
     let setup = problem.setup();
-    let si = problem.units.as_ref().map(|units| SiSetup::new(&setup, units));
+    let si = problem
+        .units
+        .as_ref()
+        .map(|units| SiSetup::new(&setup, units));
     let (hoop, start): (&'static [Quantity], &'static [Quantity]) = match si {
         None => (&Quantity::HOOP, &Quantity::START),
         Some(_) => (&Quantity::SI_HOOP, &Quantity::SI_START),
     };
-    hoop.iter().chain(start).copied().filter(|quantity| quantity.group() != Group::Place).filter_map(
-        move |quantity| {
+    hoop.iter()
+        .chain(start)
+        .copied()
+        .filter(|quantity| quantity.group() != Group::Place)
+        .filter_map(move |quantity| {
             let value = match &si {
                 None => setup.get(quantity),
                 Some(si) => si.get(quantity),
             };
             Some((quantity, value?))
-        },
-    )
+        })
 }
 
 /// The place of a quantity among the exponents of m2, R and g.
 fn unit_place(quantity: Quantity) -> Option<usize> {
-    [Quantity::ParticleMassKg, Quantity::RadiusM, Quantity::GravityMPerS2]
-        .iter()
-        .position(|unit| *unit == quantity)
+    [
+        Quantity::ParticleMassKg,
+        Quantity::RadiusM,
+        Quantity::GravityMPerS2,
+    ]
+    .iter()
+    .position(|unit| *unit == quantity)
 }
 
 fn in_columns(mut change: Change, convert: impl Fn(Dimension, f64) -> f64) -> Change {

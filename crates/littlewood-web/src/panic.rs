@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
 extern "C" {
-    /// Shows the message and a button that loads the page anew: after a panic this module is not used again.
+    /// Shows the message and a button that loads the page anew: after a panic this module is not
+    /// used again.
     #[wasm_bindgen(js_name = littlewoodPanicked)]
     fn show(message: &str);
 }

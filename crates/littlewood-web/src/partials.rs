@@ -9,28 +9,38 @@ use crate::problem::Problem;
 /// By how much the columns of [`State::COLUMNS`] change.
 pub(crate) type Change = [f64; State::COLUMNS.len()];
 
-/// The derivatives of a transition, and of the state after it, with respect to all quantities of hoop, plane and start.
+/// The derivatives of a transition, and of the state after it, with respect to all quantities of
+/// hoop, plane and start.
 #[derive(Clone, Debug)]
 pub(crate) struct Partials(Vec<(Quantity, Derivative<Change>)>);
 
 impl Partials {
     /// Those of a transition of the motion of a problem; none if there is no such transition.
-    pub(crate) fn of(problem: &Problem, trajectory: &Trajectory, transition: usize) -> Option<Self> {
+    pub(crate) fn of(
+        problem: &Problem,
+        trajectory: &Trajectory,
+        transition: usize,
+    ) -> Option<Self> {
         let setup = problem.setup();
         let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-        let quantities: Vec<Quantity> =
-            quantities.filter(|quantity| setup.get(*quantity).is_some()).collect();
+        let quantities: Vec<Quantity> = quantities
+            .filter(|quantity| setup.get(*quantity).is_some())
+            .collect();
         // What comes after it need not be differentiated.
         let until_then = problem.limits.with_transitions(transition + 1);
         let motion = problem.hoop.simulate(problem.start, until_then).ok()?;
         let derivatives = motion.derivatives(&quantities).ok()?;
-        debug_assert_eq!(motion.transitions().get(transition), trajectory.transitions().get(transition));
+        debug_assert_eq!(
+            motion.transitions().get(transition),
+            trajectory.transitions().get(transition)
+        );
         let each = derivatives.transitions().get(transition)?.iter();
         let each = each.map(|derivative| derivative.map(|event| event.after.numbers()));
         Some(Self(quantities.into_iter().zip(each).collect()))
     }
 
-    /// By how much changes of quantities move the transition and the state after it, to first order. What does not change needs no derivative.
+    /// By how much changes of quantities move the transition and the state after it, to first
+    /// order. What does not change needs no derivative.
     pub(crate) fn move_of(&self, change: impl Fn(Quantity) -> f64) -> Derivative<Change> {
         let mut sum = [0.0; State::COLUMNS.len()];
         for (quantity, derivative) in &self.0 {

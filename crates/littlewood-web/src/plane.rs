@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::problem::Problem;
 
-/// The plane of one hoop in a window. Points are θ, θ′ one after the other, with NaN, NaN between pieces.
+/// The plane of one hoop in a window. Points are θ, θ′ one after the other, with NaN, NaN between
+/// pieces.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Plane {
@@ -31,7 +32,10 @@ impl Plane {
         Self {
             plane: PhasePlane::new(&problem.hoop),
             law: RollingLaw::new(&problem.hoop),
-            window: Window { x: [from, to], y: [-rate, rate] },
+            window: Window {
+                x: [from, to],
+                y: [-rate, rate],
+            },
         }
     }
 
@@ -43,7 +47,11 @@ impl Plane {
     /// Where the letter of this curve stands, if it has one and passes.
     #[wasm_bindgen(js_name = placeOfLetter)]
     pub fn place_of_letter(&self, name: &str) -> Option<Vec<f64>> {
-        Some(named(name)?.place_of_letter(&self.plane, &self.window)?.to_vec())
+        Some(
+            named(name)?
+                .place_of_letter(&self.plane, &self.window)?
+                .to_vec(),
+        )
     }
 
     /// The orbit of energy E.
@@ -73,7 +81,8 @@ impl Plane {
         vec![forces.normal, forces.friction]
     }
 
-    /// Angles of the equilibria in (−π, π], each followed by 1 if it is stable, −1 if unstable, 0 if neutral.
+    /// Angles of the equilibria in (−π, π], each followed by 1 if it is stable, −1 if unstable, 0
+    /// if neutral.
     pub fn equilibria(&self) -> Vec<f64> {
         self.plane
             .equilibria()

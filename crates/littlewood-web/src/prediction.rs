@@ -11,7 +11,8 @@ use crate::problem::Problem;
 /// Parts of a path.
 const PARTS: u32 = 32;
 
-/// What the derivatives of a motion say of a landing, and of the flight before it, when its numbers change.
+/// What the derivatives of a motion say of a landing, and of the flight before it, when its numbers
+/// change.
 #[wasm_bindgen]
 #[derive(Clone, Debug)]
 pub struct Prediction {
@@ -51,7 +52,10 @@ impl Prediction {
                 Some(event) => moved(event)?,
                 None => State::from(problem.start).numbers(),
             };
-            Ok(Predicted { landing, path: path(problem, take_off, landing) })
+            Ok(Predicted {
+                landing,
+                path: path(problem, take_off, landing),
+            })
         })())
     }
 }
@@ -60,23 +64,35 @@ impl Prediction {
 impl Ghost {
     /// Why there is no prediction.
     pub fn reason(&self) -> Option<String> {
-        self.0.as_ref().err().map(|reason| NoDerivative::label(*reason).to_owned())
+        self.0
+            .as_ref()
+            .err()
+            .map(|reason| NoDerivative::label(*reason).to_owned())
     }
 
     /// The landing, in the columns of [`State::COLUMNS`]; empty where there is a reason.
     pub fn landing(&self) -> Vec<f64> {
-        self.0.as_ref().map_or_else(|_| Vec::new(), |it| it.landing.to_vec())
+        self.0
+            .as_ref()
+            .map_or_else(|_| Vec::new(), |it| it.landing.to_vec())
     }
 
-    /// The path of the mass centre in the flight before it: x along the plane and the height over it, in turn.
+    /// The path of the mass centre in the flight before it: x along the plane and the height over
+    /// it, in turn.
     pub fn path(&self) -> Vec<f64> {
-        self.0.as_ref().map_or_else(|_| Vec::new(), |it| it.path.clone())
+        self.0
+            .as_ref()
+            .map_or_else(|_| Vec::new(), |it| it.path.clone())
     }
 }
 
 impl Prediction {
     /// For a landing of the motion of a problem; none for another transition.
-    pub(crate) fn new(problem: &Problem, trajectory: &Trajectory, transition: usize) -> Option<Self> {
+    pub(crate) fn new(
+        problem: &Problem,
+        trajectory: &Trajectory,
+        transition: usize,
+    ) -> Option<Self> {
         let event = |index: usize| {
             let after = trajectory.transitions().get(index)?.after.numbers();
             Some((after, Partials::of(problem, trajectory, index)?))
@@ -89,18 +105,22 @@ impl Prediction {
     }
 }
 
-/// The path of the mass centre between two instants at which the rim is at the plane: the parabola with the acceleration of gravity.
+/// The path of the mass centre between two instants at which the rim is at the plane: the parabola
+/// with the acceleration of gravity.
 fn path(problem: &Problem, from: Change, to: Change) -> Vec<f64> {
     let h = problem.hoop.h();
     let slope = problem.hoop.slope();
-    let mass_centre = |[_, theta, _, _, x]: Change| [x - h * libm::sin(theta), 1.0 + h * libm::cos(theta)];
+    let mass_centre =
+        |[_, theta, _, _, x]: Change| [x - h * libm::sin(theta), 1.0 + h * libm::cos(theta)];
     let (begin, end) = (mass_centre(from), mass_centre(to));
     let duration = to[0] - from[0];
     let fall = [libm::sin(slope), libm::cos(slope)].map(|it| 0.5 * it * duration * duration);
     let point = |number: u32| {
         let part = f64::from(number) / f64::from(PARTS);
         let rest = 1.0 - part;
-        core::array::from_fn::<f64, 2, _>(|i| rest * begin[i] + part * end[i] + part * rest * fall[i])
+        core::array::from_fn::<f64, 2, _>(|i| {
+            rest * begin[i] + part * end[i] + part * rest * fall[i]
+        })
     };
     (0..=PARTS).flat_map(point).collect()
 }

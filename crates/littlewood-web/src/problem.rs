@@ -9,15 +9,21 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::refusal::Refusal;
 
-/// The numbers of a problem without dimension, in the order in which they cross the boundary: all but those whose absence
-/// has a meaning.
+/// The numbers of a problem without dimension, in the order in which they cross the boundary: all
+/// but those whose absence has a meaning.
 pub fn dimensionless_quantities() -> impl Iterator<Item = Quantity> {
-    Quantity::HOOP.into_iter().chain(Quantity::START).filter(has_value)
+    Quantity::HOOP
+        .into_iter()
+        .chain(Quantity::START)
+        .filter(has_value)
 }
 
 /// The numbers of a problem in SI units, in the order in which they cross the boundary, likewise.
 pub fn si_quantities() -> impl Iterator<Item = Quantity> {
-    Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START).filter(has_value)
+    Quantity::SI_HOOP
+        .into_iter()
+        .chain(Quantity::SI_START)
+        .filter(has_value)
 }
 
 /// Whether a problem always has a value of a quantity.
@@ -40,9 +46,10 @@ pub struct Problem {
 
 #[wasm_bindgen]
 impl Problem {
-    /// Without dimension (2.9): the numbers of [`dimensionless_quantities`]; the coefficient of restitution and the name
-    /// of its law, none where the motion ends at the landing. `until` limits the time; none to follow the motion to its
-    /// end. A number that is missing is refused as NaN is.
+    /// Without dimension (2.9): the numbers of [`dimensionless_quantities`]; the coefficient of
+    /// restitution and the name of its law, none where the motion ends at the landing. `until`
+    /// limits the time; none to follow the motion to its end. A number that is missing is refused
+    /// as NaN is.
     ///
     /// # Errors
     /// Values without physical meaning.
@@ -55,8 +62,8 @@ impl Problem {
         Self::checked(&given(false, numbers, restitution, law_named(law)?, until))
     }
 
-    /// In SI units: the numbers of [`si_quantities`], and the rest as without dimension. Converted just as the command
-    /// line does.
+    /// In SI units: the numbers of [`si_quantities`], and the rest as without dimension. Converted
+    /// just as the command line does.
     ///
     /// # Errors
     /// Values without physical meaning.
@@ -73,25 +80,35 @@ impl Problem {
     #[wasm_bindgen(js_name = toDimensionless)]
     pub fn to_dimensionless(&self) -> Vec<f64> {
         let setup = self.setup();
-        dimensionless_quantities().filter_map(|quantity| setup.get(quantity)).collect()
+        dimensionless_quantities()
+            .filter_map(|quantity| setup.get(quantity))
+            .collect()
     }
 
     /// The coefficient of restitution; none where the motion ends at the landing.
     #[wasm_bindgen(getter)]
     pub fn restitution(&self) -> Option<f64> {
-        self.hoop.restitution().map(|restitution| restitution.coefficient())
+        self.hoop
+            .restitution()
+            .map(|restitution| restitution.coefficient())
     }
 
     /// The name of its law.
     #[wasm_bindgen(getter, js_name = restitutionLaw)]
     pub fn restitution_law(&self) -> Option<String> {
-        self.hoop.restitution().as_ref().map(Restitution::law).map(|law| law.name().to_owned())
+        self.hoop
+            .restitution()
+            .as_ref()
+            .map(Restitution::law)
+            .map(|law| law.name().to_owned())
     }
 
-    /// What one unit of (2.9) of an impulse is worth in the units of the problem: 1 without dimension.
+    /// What one unit of (2.9) of an impulse is worth in the units of the problem: 1 without
+    /// dimension.
     #[wasm_bindgen(getter, js_name = impulseUnit)]
     pub fn impulse_unit(&self) -> f64 {
-        self.units.map_or(1.0, |units| units.unit(Dimension::Impulse))
+        self.units
+            .map_or(1.0, |units| units.unit(Dimension::Impulse))
     }
 
     /// The numbers in SI units, in the order of [`Problem::si`], for m2, R and g.
@@ -105,18 +122,29 @@ impl Problem {
         radius_m: f64,
         gravity_m_per_s2: f64,
     ) -> Result<Vec<f64>, Refusal> {
-        let units = SiParameters { particle_mass_kg, radius_m, gravity_m_per_s2, ..SiParameters::default() }
-            .units()?;
+        let units = SiParameters {
+            particle_mass_kg,
+            radius_m,
+            gravity_m_per_s2,
+            ..SiParameters::default()
+        }
+        .units()?;
         let setup = SiSetup::new(&self.setup(), &units);
-        Ok(si_quantities().filter_map(|quantity| setup.get(quantity)).collect())
+        Ok(si_quantities()
+            .filter_map(|quantity| setup.get(quantity))
+            .collect())
     }
 
-    /// What one unit of (2.9) of each column of a sample is worth in the units of the problem, in the order of
+    /// What one unit of (2.9) of each column of a sample is worth in the units of the problem, in
+    /// the order of
     /// [`SampleColumn::ALL`]: 1 without dimension, and for a code.
     #[wasm_bindgen(js_name = columnUnits)]
     pub fn column_units(&self) -> Vec<f64> {
         let unit = |dimension: Dimension| self.units.map_or(1.0, |units| units.unit(dimension));
-        SampleColumn::ALL.into_iter().map(|column| column.dimension().map_or(1.0, unit)).collect()
+        SampleColumn::ALL
+            .into_iter()
+            .map(|column| column.dimension().map_or(1.0, unit))
+            .collect()
     }
 
     /// Whether the hoop has no inertia: it rolls and glides (§3).
@@ -138,7 +166,12 @@ impl Problem {
         let hoop = Hoop::new(setup.hoop)?;
         // A start has its own bounds, which only a use of it checks.
         setup.start.check()?;
-        Ok(Self { hoop, start: setup.start, limits: Limits::default().with_until(until), units })
+        Ok(Self {
+            hoop,
+            start: setup.start,
+            limits: Limits::default().with_until(until),
+            units,
+        })
     }
 
     pub(crate) const fn setup(&self) -> Setup {
@@ -150,7 +183,8 @@ fn law_named(name: Option<String>) -> Result<Option<RestitutionLaw>, Refusal> {
     Ok(name.as_deref().map(str::parse).transpose()?)
 }
 
-/// A problem of numbers as they cross the boundary. One that is missing is refused where the problem is checked.
+/// A problem of numbers as they cross the boundary. One that is missing is refused where the
+/// problem is checked.
 pub(crate) fn given(
     is_si: bool,
     numbers: &[f64],
@@ -164,6 +198,8 @@ pub(crate) fn given(
         Quantity::Until | Quantity::UntilS => until,
         _ => numbers.next(),
     };
-    let values = link::Problem::quantities(is_si).map(|quantity| (quantity, value(quantity))).collect();
+    let values = link::Problem::quantities(is_si)
+        .map(|quantity| (quantity, value(quantity)))
+        .collect();
     link::Problem { is_si, values, law }
 }

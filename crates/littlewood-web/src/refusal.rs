@@ -21,7 +21,11 @@ pub struct Refusal {
 
 impl Refusal {
     fn new(quantity: Quantity, message: String, hint: &str) -> Self {
-        Self { quantity: quantity.name().to_owned(), message, hint: hint.to_owned() }
+        Self {
+            quantity: quantity.name().to_owned(),
+            message,
+            hint: hint.to_owned(),
+        }
     }
 }
 
@@ -34,6 +38,10 @@ impl From<ParameterError> for Refusal {
 /// A law of restitution that there is not.
 impl From<UnknownName> for Refusal {
     fn from(error: UnknownName) -> Self {
-        Self::new(Quantity::Restitution, error.to_string(), "choose one of these")
+        Self::new(
+            Quantity::Restitution,
+            error.to_string(),
+            "choose one of these",
+        )
     }
 }

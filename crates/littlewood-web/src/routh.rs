@@ -1,11 +1,13 @@
-//! Routh's diagram of an impact: the plane of impulses, J along the plane against P upwards, and the way through it.
+//! Routh's diagram of an impact: the plane of impulses, J along the plane against P upwards, and
+//! the way through it.
 //!
 //! ```text
 //! Δη′ = A J + B P,   Δgap′ = B J + C P.
 //! ```
 //!
-//! The way begins at the origin. It goes on with the slope −μk σ to the line of sticking, η′ = 0, and from there along that line
-//! or with the slope of the slip that follows; where it crosses the line of greatest compression, gap′ = 0, the gap begins to open.
+//! The way begins at the origin. It goes on with the slope −μk σ to the line of sticking, η′ = 0,
+//! and from there along that line or with the slope of the slip that follows; where it crosses the
+//! line of greatest compression, gap′ = 0, the gap begins to open.
 
 use littlewood::impact::{Compliance, Impact, Impulse};
 use littlewood::{Cause, Hoop, Transition};
@@ -33,7 +35,8 @@ pub struct Routh {
 
 #[wasm_bindgen]
 impl Routh {
-    /// The way: P and J of its corners, one after the other. The last is the impulse of the whole impact.
+    /// The way: P and J of its corners, one after the other. The last is the impulse of the whole
+    /// impact.
     pub fn way(&self) -> Vec<f64> {
         self.way.concat()
     }
@@ -64,9 +67,12 @@ impl Routh {
 }
 
 impl Routh {
-    /// Of an impact of this hoop; none for a transition without one, and for bounces that settle, which are many.
+    /// Of an impact of this hoop; none for a transition without one, and for bounces that settle,
+    /// which are many.
     pub(crate) fn of(hoop: &Hoop, transition: &Transition) -> Option<Self> {
-        let impact = transition.impact.filter(|impact| impact.impulse.normal > 0.0)?;
+        let impact = transition
+            .impact
+            .filter(|impact| impact.impulse.normal > 0.0)?;
         if transition.cause == Cause::Settle {
             None
         } else {
@@ -76,12 +82,34 @@ impl Routh {
 
     fn new(hoop: &Hoop, theta: f64, impact: &Impact) -> Option<Self> {
         let Compliance { a, b, c, .. } = hoop.compliance(theta)?;
-        let sticking = Line { friction: a, normal: b, value: -impact.before.slip };
-        let compression = Line { friction: b, normal: c, value: -impact.before.gap_rate };
-        let way: Vec<Point> = hoop.impact_course(theta, impact).into_iter().map(point).collect();
-        let frame = Frame::around(way.iter().copied().chain(sticking_in_sight(&way, &sticking)));
+        let sticking = Line {
+            friction: a,
+            normal: b,
+            value: -impact.before.slip,
+        };
+        let compression = Line {
+            friction: b,
+            normal: c,
+            value: -impact.before.gap_rate,
+        };
+        let way: Vec<Point> = hoop
+            .impact_course(theta, impact)
+            .into_iter()
+            .map(point)
+            .collect();
+        let frame = Frame::around(
+            way.iter()
+                .copied()
+                .chain(sticking_in_sight(&way, &sticking)),
+        );
         let greatest_compression = crossing(&way, impact, &compression);
-        Some(Self { way, greatest_compression, frame, sticking, compression })
+        Some(Self {
+            way,
+            greatest_compression,
+            frame,
+            sticking,
+            compression,
+        })
     }
 }
 
@@ -89,7 +117,8 @@ const fn point(impulse: Impulse) -> Point {
     [impulse.normal, impulse.friction]
 }
 
-/// Where a way without a bend would come to the line of sticking, if that is not far beyond its end.
+/// Where a way without a bend would come to the line of sticking, if that is not far beyond its
+/// end.
 fn sticking_in_sight(way: &[Point], sticking: &Line) -> Option<Point> {
     let &[[0.0, 0.0], end] = way else { return None };
     let part = -sticking.excess([0.0, 0.0]) / (sticking.excess(end) - sticking.excess([0.0, 0.0]));
@@ -100,7 +129,11 @@ fn sticking_in_sight(way: &[Point], sticking: &Line) -> Option<Point> {
 fn crossing(way: &[Point], impact: &Impact, compression: &Line) -> Option<Point> {
     let last = way.len() - 1;
     let gap_rate = |corner: usize| {
-        if corner == last { impact.after.gap_rate } else { compression.excess(way[corner]) }
+        if corner == last {
+            impact.after.gap_rate
+        } else {
+            compression.excess(way[corner])
+        }
     };
     (0..last).find_map(|corner| {
         let (from, to) = (gap_rate(corner), gap_rate(corner + 1));
@@ -129,11 +162,22 @@ impl Line {
     /// Its ends in a frame: P and J of both, or nothing.
     fn within(&self, frame: &Frame) -> Vec<f64> {
         let at_normal = |normal: f64| [normal, (self.value - self.normal * normal) / self.friction];
-        let at_friction = |friction: f64| [(self.value - self.friction * friction) / self.normal, friction];
-        let on_sides =
-            frame.normal.map(at_normal).into_iter().filter(|point| is_within(frame.friction, point[1]));
-        let on_ends =
-            frame.friction.map(at_friction).into_iter().filter(|point| is_within(frame.normal, point[0]));
+        let at_friction = |friction: f64| {
+            [
+                (self.value - self.friction * friction) / self.normal,
+                friction,
+            ]
+        };
+        let on_sides = frame
+            .normal
+            .map(at_normal)
+            .into_iter()
+            .filter(|point| is_within(frame.friction, point[1]));
+        let on_ends = frame
+            .friction
+            .map(at_friction)
+            .into_iter()
+            .filter(|point| is_within(frame.normal, point[0]));
         let mut points: Vec<Point> = on_sides.chain(on_ends).collect();
         points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
         match (points.first(), points.last()) {
@@ -158,8 +202,9 @@ impl Frame {
     fn around(points: impl Iterator<Item = Point> + Clone) -> Self {
         let range = |coordinate: usize| {
             let values = points.clone().map(|point| point[coordinate]);
-            let (least, most) = values
-                .fold((0.0, 0.0), |(least, most): (f64, f64), value| (least.min(value), most.max(value)));
+            let (least, most) = values.fold((0.0, 0.0), |(least, most): (f64, f64), value| {
+                (least.min(value), most.max(value))
+            });
             (least, most)
         };
         let (_, most) = range(0);
@@ -167,6 +212,9 @@ impl Frame {
         let (least, most) = range(1);
         // A frictionless impact has a picture, too.
         let extent = (most - least).max(0.2 * normal[1]);
-        Self { normal, friction: [least - ROOM * extent, most + ROOM * extent] }
+        Self {
+            normal,
+            friction: [least - ROOM * extent, most + ROOM * extent],
+        }
     }
 }

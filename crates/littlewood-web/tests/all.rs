@@ -1,6 +1,9 @@
 //! The tests of the module of the page: one program, a module for each subject.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests stand outside of test functions")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests stand outside of test functions"
+)]
 
 mod generated;
 mod map;

@@ -10,14 +10,20 @@ use littlewood_web::{MapSubject, OutcomeMap, Problem, class_of};
 
 /// Figure 2, with another friction, slip and coefficient of restitution.
 fn figure_2(friction: [f64; 2], start: Start, restitution: Option<f64>) -> Problem {
-    of_setup(HoopParameters::thin(1.0).with_friction(friction[0], friction[1]), start, restitution)
+    of_setup(
+        HoopParameters::thin(1.0).with_friction(friction[0], friction[1]),
+        start,
+        restitution,
+    )
 }
 
 fn of_setup(hoop: HoopParameters, start: Start, restitution: Option<f64>) -> Problem {
     let setup = Setup::new(hoop, start);
     let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-    let numbers: Vec<f64> =
-        quantities.filter(|it| *it != Quantity::Restitution).filter_map(|it| setup.get(it)).collect();
+    let numbers: Vec<f64> = quantities
+        .filter(|it| *it != Quantity::Restitution)
+        .filter_map(|it| setup.get(it))
+        .collect();
     Problem::dimensionless(&numbers, restitution, None, None).unwrap()
 }
 
@@ -51,26 +57,46 @@ fn levels_end_with_every_start_and_the_folded_half_is_right() {
     }
     let engine = Engine::new(&Hoop::figure_2(0.5, 0.4).unwrap());
     for (cell, code) in map.classes(1).into_iter().enumerate() {
-        let summary = engine.summary(start_of(cell, 64), Limits::default().with_transitions(200)).unwrap();
+        let summary = engine
+            .summary(start_of(cell, 64), Limits::default().with_transitions(200))
+            .unwrap();
         assert_eq!(class(code), Class::of(&summary), "{cell}");
     }
 }
 
-/// Who jumps is the same whether a motion is followed to its end or to the proof that it never will.
+/// Who jumps is the same whether a motion is followed to its end or to the proof that it never
+/// will.
 #[test]
 fn long_motions_are_followed_until_they_cannot_lift_off() {
     let thin = HoopParameters::thin(1.0);
-    let light = HoopParameters::thin(0.0).with_inertia(0.03).with_friction(0.5, 0.4);
-    for (parameters, is_long) in
-        [(thin.with_friction(0.5, 0.4), false), (thin.with_friction(0.05, 0.04), true), (light, true)]
-    {
+    let light = HoopParameters::thin(0.0)
+        .with_inertia(0.03)
+        .with_friction(0.5, 0.4);
+    for (parameters, is_long) in [
+        (thin.with_friction(0.5, 0.4), false),
+        (thin.with_friction(0.05, 0.04), true),
+        (light, true),
+    ] {
         let hoop = Hoop::new(parameters).unwrap();
         let mut in_contact = 0;
         let problem = of_setup(parameters, Start::default(), None);
-        for (cell, code) in codes(&problem, 4.0, 24, MapSubject::Outcome).into_iter().enumerate() {
-            let motion = hoop.simulate(start_of(cell, 24), Limits::default()).unwrap();
-            let lifts_off = motion.phases().iter().any(|phase| phase.mode() == Mode::Flight);
-            assert_eq!(class(code).stays_in_contact(), !lifts_off, "{:?} {cell}", class(code));
+        for (cell, code) in codes(&problem, 4.0, 24, MapSubject::Outcome)
+            .into_iter()
+            .enumerate()
+        {
+            let motion = hoop
+                .simulate(start_of(cell, 24), Limits::default())
+                .unwrap();
+            let lifts_off = motion
+                .phases()
+                .iter()
+                .any(|phase| phase.mode() == Mode::Flight);
+            assert_eq!(
+                class(code).stays_in_contact(),
+                !lifts_off,
+                "{:?} {cell}",
+                class(code)
+            );
             in_contact += usize::from(class(code) == Class::InContact);
         }
         assert_eq!(in_contact > 0, is_long, "{parameters:?}");
@@ -96,28 +122,48 @@ fn footnote_3_leaves_at_once_and_the_bottom_rolls_for_ever() {
 
 #[test]
 fn one_motion_has_the_class_of_its_cell() {
-    for (cell, code) in codes(&plain(), 4.0, 24, MapSubject::Outcome).into_iter().enumerate() {
+    for (cell, code) in codes(&plain(), 4.0, 24, MapSubject::Outcome)
+        .into_iter()
+        .enumerate()
+    {
         let alone = class(class_of(&figure_2([0.5, 0.4], start_of(cell, 24), None)));
         let mapped = class(code);
-        assert!(mapped == alone || mapped.stays_in_contact() && alone.stays_in_contact(), "{cell}");
+        assert!(
+            mapped == alone || mapped.stays_in_contact() && alone.stays_in_contact(),
+            "{cell}"
+        );
     }
 }
 
 #[test]
 fn hops_are_the_landings_of_each_motion() {
     let parameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
-    let hoop = Hoop::new(parameters.with_restitution(0.3, littlewood::RestitutionLaw::Energetic)).unwrap();
+    let hoop =
+        Hoop::new(parameters.with_restitution(0.3, littlewood::RestitutionLaw::Energetic)).unwrap();
     let problem = figure_2([0.5, 0.4], Start::default(), Some(0.3));
-    for (cell, code) in codes(&problem, 4.0, 16, MapSubject::Hops).into_iter().enumerate() {
-        let motion = hoop.simulate(start_of(cell, 16), Limits::default()).unwrap();
-        let count = motion.transitions().iter().filter(|it| it.cause == Cause::Landing).count();
+    for (cell, code) in codes(&problem, 4.0, 16, MapSubject::Hops)
+        .into_iter()
+        .enumerate()
+    {
+        let motion = hoop
+            .simulate(start_of(cell, 16), Limits::default())
+            .unwrap();
+        let count = motion
+            .transitions()
+            .iter()
+            .filter(|it| it.cause == Cause::Landing)
+            .count();
         assert_eq!(usize::from(code), count.min(254), "{cell}");
     }
 }
 
 #[test]
 fn without_restitution_no_motion_lands_twice() {
-    assert!(codes(&plain(), 4.0, 32, MapSubject::Hops).into_iter().all(|code| code <= 1));
+    assert!(
+        codes(&plain(), 4.0, 32, MapSubject::Hops)
+            .into_iter()
+            .all(|code| code <= 1)
+    );
 }
 
 #[test]
@@ -128,15 +174,27 @@ fn restitution_changes_the_outcome_only_where_it_jams() {
     let Setup { hoop, start } = find_case("jam").unwrap().setup;
     let with = outcomes(&of_setup(hoop, start, hoop.restitution));
     let without = outcomes(&of_setup(hoop, start, None));
-    let jams = with.iter().zip(&without).filter(|(with, without)| with != without);
+    let jams = with
+        .iter()
+        .zip(&without)
+        .filter(|(with, without)| with != without);
     assert!(jams.clone().count() > 0);
-    assert!(jams.map(|(_, without)| *without).all(|without| without == Class::Painleve.code()));
+    assert!(
+        jams.map(|(_, without)| *without)
+            .all(|without| without == Class::Painleve.code())
+    );
 }
 
 /// The classes of so many hops, by how often each occurs.
 fn classes(counts: impl IntoIterator<Item = (u8, usize)>) -> Vec<[u8; 2]> {
-    let codes: Vec<u8> = counts.into_iter().flat_map(|(count, often)| vec![count; often]).collect();
-    OutcomeMap::hop_classes(&codes).chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
+    let codes: Vec<u8> = counts
+        .into_iter()
+        .flat_map(|(count, often)| vec![count; often])
+        .collect();
+    OutcomeMap::hop_classes(&codes)
+        .chunks_exact(2)
+        .map(|pair| [pair[0], pair[1]])
+        .collect()
 }
 
 #[test]
@@ -158,6 +216,10 @@ fn many_counts_are_in_classes_of_about_equal_size() {
     // A count that most starts have gets a class of its own; classes do not overlap.
     let uneven = classes((1..=40).map(|count| (count, if count == 26 { 90_000 } else { 11 })));
     assert_eq!(uneven.len(), CLASSES);
-    assert!(uneven.windows(2).all(|pair| pair[0][0] <= pair[0][1] && pair[0][1] + 1 == pair[1][0]));
+    assert!(
+        uneven
+            .windows(2)
+            .all(|pair| pair[0][0] <= pair[0][1] && pair[0][1] + 1 == pair[1][0])
+    );
     assert_eq!((uneven[0][0], uneven[CLASSES - 1][1]), (1, 40));
 }

@@ -14,19 +14,30 @@ const X: usize = 4;
 /// By how much a column of the event moves with each quantity; none without a derivative.
 fn moved(moves: &Moves, column: usize) -> BTreeMap<Quantity, Option<f64>> {
     let rows: Vec<Value> = serde_json::from_str(&moves.rows(column)).unwrap();
-    let row = |row: &Value| (row["quantity"].as_str().unwrap().parse().unwrap(), row["moved"].as_f64());
+    let row = |row: &Value| {
+        (
+            row["quantity"].as_str().unwrap().parse().unwrap(),
+            row["moved"].as_f64(),
+        )
+    };
     rows.iter().map(row).collect()
 }
 
 fn of(problem: &Problem, transition: usize) -> Moves {
-    Motion::new(problem, None).unwrap().moves(transition).unwrap()
+    Motion::new(problem, None)
+        .unwrap()
+        .moves(transition)
+        .unwrap()
 }
 
 #[test]
 fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
-    // m1, m2, R, ℓ, Izz, g, μs, μk, α, θ, dθ/dt, dη/dt, rate of the gap, x, t: the mass centre is the centre.
+    // m1, m2, R, ℓ, Izz, g, μs, μk, α, θ, dθ/dt, dη/dt, rate of the gap, x, t: the mass centre is
+    // the centre.
     let (gravity, slope, rate, lift, x): (f64, f64, f64, f64, f64) = (8.0, 0.25, 3.0, 2.0, 4.0);
-    let si = [1.5, 0.5, 2.0, 0.0, 3.0, gravity, 0.5, 0.4, slope, 0.5, rate, 1.0, lift, x, 0.0];
+    let si = [
+        1.5, 0.5, 2.0, 0.0, 3.0, gravity, 0.5, 0.4, slope, 0.5, rate, 1.0, lift, x, 0.0,
+    ];
     let moves = of(&Problem::si(&si, None, None, None).unwrap(), 0);
     let (sin, cos) = (libm::sin(slope), libm::cos(slope));
     // t = 2 v/(g cos α), θ = θ₀ + θ̇ t.
@@ -34,7 +45,10 @@ fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
     let expected = |quantity| match quantity {
         Quantity::GapRateMPerS => (0.01 * time, 0.01 * rate * time),
         Quantity::GravityMPerS2 => (-0.01 * time, -0.01 * rate * time),
-        Quantity::Slope => (0.01 * slope * time * sin / cos, 0.01 * slope * rate * time * sin / cos),
+        Quantity::Slope => (
+            0.01 * slope * time * sin / cos,
+            0.01 * slope * rate * time * sin / cos,
+        ),
         Quantity::ThetaRateRadPerS => (0.0, 0.01 * rate * time),
         Quantity::Theta => (0.0, 0.01 * 0.5),
         _ => (0.0, 0.0),
@@ -52,35 +66,66 @@ fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
             (in_time.unwrap() - expected_time).abs() <= 8.0 * f64::EPSILON * time,
             "{quantity}: {in_time:?}"
         );
-        assert!((in_angle.unwrap() - expected_angle).abs() <= 8.0 * f64::EPSILON * rate * time, "{quantity}");
+        assert!(
+            (in_angle.unwrap() - expected_angle).abs() <= 8.0 * f64::EPSILON * rate * time,
+            "{quantity}"
+        );
     }
 }
 
 #[test]
 fn masses_that_grow_together_move_nothing() {
     // Only their ratios are in the equations.
-    let si = [0.4, 0.14, 0.45, 0.45, 0.081, 9.8, 0.5, 0.4, 0.1, 1.2, 6.0, 0.0, 0.0, 0.0, 0.0];
+    let si = [
+        0.4, 0.14, 0.45, 0.45, 0.081, 9.8, 0.5, 0.4, 0.1, 1.2, 6.0, 0.0, 0.0, 0.0, 0.0,
+    ];
     let motion = Motion::new(&Problem::si(&si, None, None, None).unwrap(), None).unwrap();
-    let moves = motion.moves(motion.transition_sentences().len() - 1).unwrap();
+    let moves = motion
+        .moves(motion.transition_sentences().len() - 1)
+        .unwrap();
     for column in [TIME, THETA, X] {
         let masses: Vec<f64> = moved(&moves, column)
             .into_iter()
             .filter(|(quantity, _)| {
-                [Quantity::DiscMassKg, Quantity::ParticleMassKg, Quantity::InertiaKgM2].contains(quantity)
+                [
+                    Quantity::DiscMassKg,
+                    Quantity::ParticleMassKg,
+                    Quantity::InertiaKgM2,
+                ]
+                .contains(quantity)
             })
             .map(|(_, moved)| moved.unwrap())
             .collect();
         let size: f64 = masses.iter().map(|it| it.abs()).sum();
         assert!(size > 1e-6);
         // The move by m2 is the sum of the other two, rounded a few times.
-        assert!(masses.iter().sum::<f64>().abs() <= 8.0 * f64::EPSILON * size, "{masses:?}");
+        assert!(
+            masses.iter().sum::<f64>().abs() <= 8.0 * f64::EPSILON * size,
+            "{masses:?}"
+        );
     }
 }
 
 #[test]
 fn what_has_no_derivative_is_last_and_says_why() {
-    let numbers = [1.0, 1.0, 1.0, 0.5, 0.4, 0.0, core::f64::consts::FRAC_PI_2, 2.0, 0.0, 0.0, 0.0, 0.0];
-    let moves = of(&Problem::dimensionless(&numbers, None, None, None).unwrap(), 3);
+    let numbers = [
+        1.0,
+        1.0,
+        1.0,
+        0.5,
+        0.4,
+        0.0,
+        core::f64::consts::FRAC_PI_2,
+        2.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    ];
+    let moves = of(
+        &Problem::dimensionless(&numbers, None, None, None).unwrap(),
+        3,
+    );
     let rows: Value = serde_json::from_str(&moves.rows(X)).unwrap();
     let rows = rows.as_array().unwrap();
     assert_eq!(rows.len(), 10);
@@ -89,16 +134,25 @@ fn what_has_no_derivative_is_last_and_says_why() {
         assert_eq!(row["reason"], NoDerivative::OneSided.label());
         assert!(["slip", "gap_rate"].contains(&row["quantity"].as_str().unwrap()));
     }
-    let sizes: Vec<f64> = rows[..8].iter().map(|row| row["moved"].as_f64().unwrap().abs()).collect();
+    let sizes: Vec<f64> = rows[..8]
+        .iter()
+        .map(|row| row["moved"].as_f64().unwrap().abs())
+        .collect();
     assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
     // α = 0 is changed by a part of its usual range.
     let slope = rows.iter().find(|row| row["quantity"] == "slope").unwrap();
     assert_eq!(slope["change"], 0.02);
-    let first = rows[0]["quantity"].as_str().unwrap().parse::<Quantity>().unwrap();
+    let first = rows[0]["quantity"]
+        .as_str()
+        .unwrap()
+        .parse::<Quantity>()
+        .unwrap();
     let sentence = moves.sentence(X);
     assert!(
-        sentence.starts_with(&format!("This event (landing) moves most with {}, the ", first.sign()))
-            && sentence.ends_with(" R."),
+        sentence.starts_with(&format!(
+            "This event (landing) moves most with {}, the ",
+            first.sign()
+        )) && sentence.ends_with(" R."),
         "{sentence}"
     );
 }

@@ -21,7 +21,10 @@ fn the_forces_of_littlewoods_hoop_are_those_of_the_paper() {
     for ((theta, square, product), rate) in places.into_iter().zip([0.2, 0.9, -1.2, 1.4]) {
         let expected = [square * (1.0 - rate * rate), (rate * rate - 1.0) * product];
         for (computed, expected) in plane.forces(theta, rate).into_iter().zip(expected) {
-            assert!((computed - expected).abs() < 1e-14, "{theta} {rate}: {computed} {expected}");
+            assert!(
+                (computed - expected).abs() < 1e-14,
+                "{theta} {rate}: {computed} {expected}"
+            );
         }
     }
 }

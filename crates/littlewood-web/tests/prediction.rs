@@ -23,7 +23,10 @@ fn setup_of(mu_k: f64, slip: f64) -> Setup {
 }
 
 fn motion_of(setup: Setup) -> Trajectory {
-    Hoop::new(setup.hoop).unwrap().simulate(setup.start, Limits::default()).unwrap()
+    Hoop::new(setup.hoop)
+        .unwrap()
+        .simulate(setup.start, Limits::default())
+        .unwrap()
 }
 
 fn problem_of(setup: Setup) -> Problem {
@@ -45,27 +48,50 @@ fn problem_of(setup: Setup) -> Problem {
 
 #[test]
 fn the_flight_of_a_stone_is_predicted_exactly() {
-    // Without an offset the landing is at τ = 2 gap′, and linear in the rate; the mass centre rises by gap′²/2.
-    let thrown = |gap_rate| problem([1.0, 0.0, 1.0, 0.5, 0.4, 0.0, 0.25, 1.5, 0.5, gap_rate, 0.0, 0.0]);
-    let prediction = Motion::new(&thrown(1.0), None).unwrap().prediction(0).unwrap();
+    // Without an offset the landing is at τ = 2 gap′, and linear in the rate; the mass centre rises
+    // by gap′²/2.
+    let thrown = |gap_rate| {
+        problem([
+            1.0, 0.0, 1.0, 0.5, 0.4, 0.0, 0.25, 1.5, 0.5, gap_rate, 0.0, 0.0,
+        ])
+    };
+    let prediction = Motion::new(&thrown(1.0), None)
+        .unwrap()
+        .prediction(0)
+        .unwrap();
     let ghost = prediction.of(&thrown(1.5));
-    let [time, theta, ..] = ghost.landing()[..] else { panic!("{ghost:?}") };
+    let [time, theta, ..] = ghost.landing()[..] else {
+        panic!("{ghost:?}")
+    };
     assert!(
-        (time - 3.0).abs() <= 8.0 * f64::EPSILON * 3.0 && (theta - 4.75).abs() <= 8.0 * f64::EPSILON * 4.75
+        (time - 3.0).abs() <= 8.0 * f64::EPSILON * 3.0
+            && (theta - 4.75).abs() <= 8.0 * f64::EPSILON * 4.75
     );
-    let top = ghost.path().chunks(2).map(|point| point[1]).fold(0.0, f64::max);
-    assert!((top - (1.0 + 0.5 * 1.5 * 1.5)).abs() < 16.0 * f64::EPSILON * 2.0, "{top}");
+    let top = ghost
+        .path()
+        .chunks(2)
+        .map(|point| point[1])
+        .fold(0.0, f64::max);
+    assert!(
+        (top - (1.0 + 0.5 * 1.5 * 1.5)).abs() < 16.0 * f64::EPSILON * 2.0,
+        "{top}"
+    );
 }
 
 #[test]
 fn what_a_prediction_misses_is_of_second_order() {
     let landing = 3;
-    let prediction = Motion::new(&problem_of(setup_of(0.4, 0.0)), None).unwrap().prediction(landing).unwrap();
+    let prediction = Motion::new(&problem_of(setup_of(0.4, 0.0)), None)
+        .unwrap()
+        .prediction(landing)
+        .unwrap();
     let missed = |change: f64| {
         let exact = setup_of(0.4 + change, 0.0);
-        prediction.of(&problem_of(exact)).landing()[0] - motion_of(exact).transitions()[landing].time()
+        prediction.of(&problem_of(exact)).landing()[0]
+            - motion_of(exact).transitions()[landing].time()
     };
-    // Of an even change the even orders are left: a second difference, quartered by halves but for the fourth order.
+    // Of an even change the even orders are left: a second difference, quartered by halves but for
+    // the fourth order.
     let even = |change: f64| missed(change) + missed(-change);
     let ratio = even(2e-3) / even(1e-3);
     assert!((ratio - 4.0).abs() < 1e-2, "{ratio}");
@@ -79,8 +105,14 @@ fn what_a_prediction_misses_is_of_second_order() {
 fn only_landings_are_predicted_and_what_has_no_derivative_has_a_reason() {
     let motion = Motion::new(&problem_of(setup_of(0.4, 0.0)), None).unwrap();
     assert!(motion.prediction(2).is_none() && motion.prediction(9).is_none());
-    let ghost = motion.prediction(3).unwrap().of(&problem_of(setup_of(0.4, 0.1)));
-    assert_eq!(ghost.reason().as_deref(), Some(NoDerivative::OneSided.label()));
+    let ghost = motion
+        .prediction(3)
+        .unwrap()
+        .of(&problem_of(setup_of(0.4, 0.1)));
+    assert_eq!(
+        ghost.reason().as_deref(),
+        Some(NoDerivative::OneSided.label())
+    );
     assert!(ghost.landing().is_empty() && ghost.path().is_empty());
 }
 
@@ -88,11 +120,21 @@ fn only_landings_are_predicted_and_what_has_no_derivative_has_a_reason() {
 fn the_path_is_that_of_the_motion_where_nothing_changes() {
     let same = problem_of(setup_of(0.4, 0.0));
     let motion = motion_of(setup_of(0.4, 0.0));
-    let path = Motion::new(&same, None).unwrap().prediction(3).unwrap().of(&same).path();
+    let path = Motion::new(&same, None)
+        .unwrap()
+        .prediction(3)
+        .unwrap()
+        .of(&same)
+        .path();
     let [from, to] = [2, 3].map(|index| motion.transitions()[index].time());
     for (number, point) in path.chunks(2).enumerate() {
-        let sample = motion.at(from + (to - from) * number as f64 / PARTS as f64).unwrap();
-        let away = libm::hypot(point[0] - sample.mass_centre.x, point[1] - sample.mass_centre.y);
+        let sample = motion
+            .at(from + (to - from) * number as f64 / PARTS as f64)
+            .unwrap();
+        let away = libm::hypot(
+            point[0] - sample.mass_centre.x,
+            point[1] - sample.mass_centre.y,
+        );
         assert!(away < 1e-12, "{number}: {away}");
     }
 }

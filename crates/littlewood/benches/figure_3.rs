@@ -17,10 +17,18 @@ fn figure_3(criterion: &mut Criterion) {
 
 /// A motion, and its derivatives with respect to one quantity and to two.
 fn derivatives(criterion: &mut Criterion) {
-    for name in ["figure-3", "figure-3-bounces", "stick-slip-no-jump", "rolls-forever", "ramp-libration"] {
+    for name in [
+        "figure-3",
+        "figure-3-bounces",
+        "stick-slip-no-jump",
+        "rolls-forever",
+        "ramp-libration",
+    ] {
         let case = find_case(name).expect("a named case");
         let mut group = criterion.benchmark_group(format!("derivatives of {name}"));
-        group.bench_function("motion", |bencher| bencher.iter(|| black_box(case).simulate()));
+        group.bench_function("motion", |bencher| {
+            bencher.iter(|| black_box(case).simulate())
+        });
         let motion = case.simulate().expect("a motion");
         for quantities in [&[Quantity::MuK][..], &[Quantity::MuK, Quantity::Theta]] {
             group.bench_function(format!("{} of them", quantities.len()), |bencher| {

@@ -1,7 +1,8 @@
-//! Parts of the solvers that a benchmark can switch off, to measure what each of them earns: the feature `ablation`.
+//! Parts of the solvers that a benchmark can switch off, to measure what each of them earns: the
+//! feature `ablation`.
 //!
-//! Without the feature every part is on, and nothing is asked at run time. A part that is off is done by the next slower solver; results
-//! stay the same to rounding.
+//! Without the feature every part is on, and nothing is asked at run time. A part that is off is
+//! done by the next slower solver; results stay the same to rounding.
 
 /// A part that can be switched off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +32,10 @@ mod switch {
 
     /// Switches these parts off, and all others on, in the whole process.
     pub fn switch_off(parts: &[Part]) {
-        OFF.store(parts.iter().fold(0, |off, part| off | 1 << *part as u32), Ordering::Relaxed);
+        OFF.store(
+            parts.iter().fold(0, |off, part| off | 1 << *part as u32),
+            Ordering::Relaxed,
+        );
     }
 
     pub(crate) fn is_on(part: Part) -> bool {

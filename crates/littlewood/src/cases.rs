@@ -72,7 +72,8 @@ macro_rules! cases {
     };
 }
 
-/// All cases. Starts that the paper does not give were found by search; `tests/cases.rs` verifies each title.
+/// All cases. Starts that the paper does not give were found by search; `tests/cases.rs` verifies
+/// each title.
 pub const CASES: &[NamedCase] = cases! {
     "figure-3", "slides, rolls, slides, then jumps", "Figure 3, section 2(f)" =>
         THIN_HOOP, Start::at(FRAC_PI_2, 2.0);

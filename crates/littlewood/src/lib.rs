@@ -1,10 +1,11 @@
 //! Littlewood's hoop: exact simulation of a hoop with a particle fixed to it, on a rough plane.
 //!
-//! The model is that of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of
-//! Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019); the documentation cites its equation numbers. A disc or
-//! hoop of mass m1, radius R and moment of inertia `I_zz` carries a particle of mass m2 at the distance ℓ from its
-//! centre. θ is the counterclockwise angle of the particle from the upward vertical. With η = x + θ, η′ is the slip
-//! velocity of the contact point. All quantities are dimensionless, m2 = R = g = 1 (2.9); [`si`] converts.
+//! The model is that of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the
+//! curious dynamics of Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019); the documentation
+//! cites its equation numbers. A disc or hoop of mass m1, radius R and moment of inertia `I_zz`
+//! carries a particle of mass m2 at the distance ℓ from its centre. θ is the counterclockwise angle
+//! of the particle from the upward vertical. With η = x + θ, η′ is the slip velocity of the contact
+//! point. All quantities are dimensionless, m2 = R = g = 1 (2.9); [`si`] converts.
 //!
 //! # A tour
 //!
@@ -42,8 +43,8 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 //!
-//! With a coefficient of restitution a motion continues after a landing, with frictional impacts, settling and the jam of
-//! Painlevé's paradox.
+//! With a coefficient of restitution a motion continues after a landing, with frictional impacts,
+//! settling and the jam of Painlevé's paradox.
 //!
 //! ```
 //! use littlewood::{Cause, Hoop, Limits, Mode, Restitution, RestitutionLaw, Start};
@@ -71,14 +72,18 @@
 //!
 //! # Accuracy
 //!
-//! Closed forms and elliptic integrals give rolling, gliding and flight; Taylor series that converge to rounding give
-//! sliding. Events are isolated, not sampled: see `DESIGN.md`. Tolerances are at the level of rounding; the user sets
-//! none.
+//! Closed forms and elliptic integrals give rolling, gliding and flight; Taylor series that
+//! converge to rounding give sliding. Events are isolated, not sampled: see `DESIGN.md`. Tolerances
+//! are at the level of rounding; the user sets none.
 
 #[cfg(feature = "ablation")]
 pub mod ablation;
 #[cfg(not(feature = "ablation"))]
-#[expect(dead_code, unreachable_pub, reason = "only the benchmark lists the parts")]
+#[expect(
+    dead_code,
+    unreachable_pub,
+    reason = "only the benchmark lists the parts"
+)]
 mod ablation;
 pub mod cases;
 mod engine;
@@ -104,11 +109,13 @@ pub use walk::automaton::{Cause, Transition};
 pub use walk::outcome::{Outcome, OutcomeKind};
 
 pub mod theory {
-    //! The paper: its phase plane, its equations, its closed forms, and the automaton of its motions.
+    //! The paper: its phase plane, its equations, its closed forms, and the automaton of its
+    //! motions.
     //!
     //! [`PhasePlane`] gives the regions and curves of the figures, [`RollingLaw`] and [`SlidingLaw`] the equations of motion
-    //! in contact, and [`closed_form`] the results of §3 for Littlewood's hoop. [`Hoop::classify`](crate::Hoop::classify)
-    //! returns the [`StartRegion`] of a start. [`EDGES`] lists all transitions of simulated motions.
+    //! in contact, and [`closed_form`] the results of §3 for Littlewood's hoop.
+    //! [`Hoop::classify`](crate::Hoop::classify) returns the [`StartRegion`] of a start. [`EDGES`]
+    //! lists all transitions of simulated motions.
     //!
     //! ```
     //! use littlewood::theory::closed_form;
@@ -133,11 +140,13 @@ pub mod theory {
 }
 
 pub mod impact {
-    //! Impacts of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of restitution.
+    //! Impacts of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of
+    //! restitution.
     //!
     //! [`Hoop::impact`](crate::Hoop::impact) computes one [`Impact`] in closed form,
     //! [`Hoop::settling`](crate::Hoop::settling) the sum of infinitely many bounces, and [`BouncingOrbit`] a motion that
-    //! bounces for ever. The transitions of a simulated hoop with a [`Restitution`](crate::Restitution) contain the impacts.
+    //! bounces for ever. The transitions of a simulated hoop with a
+    //! [`Restitution`](crate::Restitution) contain the impacts.
     //!
     //! ```
     //! use littlewood::cases::find_case;
@@ -185,16 +194,18 @@ pub mod derivatives {
     //! Derivatives of a motion with respect to the quantities of its hoop, plane and start.
     //!
     //! [`Trajectory::derivatives`](crate::Trajectory::derivatives) differentiates the time of each transition, the states before and after
-    //! it, and the outcome; [`Trajectory::derivatives_at`](crate::Trajectory::derivatives_at) the state at a time. A derivative that does
-    //! not exist is a [`NoDerivative`] with its reason.
+    //! it, and the outcome; [`Trajectory::derivatives_at`](crate::Trajectory::derivatives_at) the
+    //! state at a time. A derivative that does not exist is a [`NoDerivative`] with its reason.
 
     pub use crate::motion::derivatives::{
-        Derivative, Derivatives, EventDerivative, NoDerivative, NotDifferentiable, OutcomeDerivative,
+        Derivative, Derivatives, EventDerivative, NoDerivative, NotDifferentiable,
+        OutcomeDerivative,
     };
 }
 
 pub mod si {
-    //! SI units: a hoop and its start in kilograms, metres and seconds, and the units that convert its motion.
+    //! SI units: a hoop and its start in kilograms, metres and seconds, and the units that convert
+    //! its motion.
     //!
     //! The rest of this library is dimensionless, m2 = R = g = 1 (2.9).
     //!
@@ -214,10 +225,11 @@ pub mod si {
 }
 
 pub mod tables {
-    //! Tables for front ends: quantities of a hoop and a start, columns of samples and summaries, classes of outcomes, codes
-    //! of phases.
+    //! Tables for front ends: quantities of a hoop and a start, columns of samples and summaries,
+    //! classes of outcomes, codes of phases.
     //!
-    //! Each item has a name, which `FromStr` parses, and a code. A [`Setup`] is a hoop and a start with access by quantity.
+    //! Each item has a name, which `FromStr` parses, and a code. A [`Setup`] is a hoop and a start
+    //! with access by quantity.
     //!
     //! ```
     //! use littlewood::tables::{Quantity, Setup, SummaryColumn};

@@ -1,5 +1,6 @@
-//! Random motions of the whole accepted range, against 60 digits (`evidence/reference/accuracy`). The errors of those that the file keeps are
-//! those that it has measured, or at least as small as of ordinary motions.
+//! Random motions of the whole accepted range, against 60 digits (`evidence/reference/accuracy`).
+//! The errors of those that the file keeps are those that it has measured, or at least as small as
+//! of ordinary motions.
 #![allow(clippy::panic)]
 
 use littlewood::{Hoop, HoopParameters, Limits, Proof, RestitutionLaw, Start};
@@ -26,9 +27,14 @@ fn errors_on_the_whole_accepted_range_are_those_of_the_page() {
             parameters = parameters.with_restitution(number(coefficient), law);
         }
         let hoop = Hoop::new(parameters).expect("a valid hoop");
-        let start =
-            Start::at(theta, theta_rate).with_slip(slip).with_gap_rate(gap_rate).with_x(x).with_time(time);
-        let limits = Limits::default().with_transitions(100).with_proof(Proof::None);
+        let start = Start::at(theta, theta_rate)
+            .with_slip(slip)
+            .with_gap_rate(gap_rate)
+            .with_x(x)
+            .with_time(time);
+        let limits = Limits::default()
+            .with_transitions(100)
+            .with_proof(Proof::None);
         let ours = hoop.simulate(start, limits).expect("a valid start");
         let hoop = &motion["hoop"];
         let largest = ordinary.max(1.01 * number(&motion["lost"]));
@@ -37,15 +43,24 @@ fn errors_on_the_whole_accepted_range_are_those_of_the_page() {
             let ours = &ours.transitions()[k];
             assert_eq!(theirs["cause"], ours.cause.name(), "{hoop} {k}");
             for (name, value) in of_state(&ours.before) {
-                let Some(exact) = theirs.get(name) else { continue };
+                let Some(exact) = theirs.get(name) else {
+                    continue;
+                };
                 let [exact, conditioning] = numbers(exact);
                 let size: f64 = match name {
                     "x" => exact.abs().max(1.0),
                     "slip" => exact.abs().max(ours.before.theta_rate.abs()),
                     _ => exact.abs(),
                 };
-                let error = if value == exact { 0.0 } else { (value - exact).abs() / (f64::EPSILON * size) };
-                assert!(error <= largest * conditioning, "{hoop} {k} {name}: {value} {exact}");
+                let error = if value == exact {
+                    0.0
+                } else {
+                    (value - exact).abs() / (f64::EPSILON * size)
+                };
+                assert!(
+                    error <= largest * conditioning,
+                    "{hoop} {k} {name}: {value} {exact}"
+                );
                 compared += 1;
             }
         }

@@ -1,5 +1,5 @@
-//! Flights, bounces and their end: against numbers of 25 digits from `evidence/reference/bounces.py`, and by their invariants on random
-//! hoops.
+//! Flights, bounces and their end: against numbers of 25 digits from
+//! `evidence/reference/bounces.py`, and by their invariants on random hoops.
 #![allow(clippy::panic)] // a failed expectation
 
 use crate::common::flight::{check_flights, check_landings};
@@ -9,8 +9,8 @@ use littlewood::impact::{BouncingOrbit, Impact, NoSettling};
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{BodyClass, EDGES};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw, Start,
-    State, Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw,
+    Start, State, Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -18,11 +18,18 @@ use serde_json::Value;
 const BOUNCES: &str = include_str!("../../../evidence/reference/bounces.json");
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+    value
+        .as_f64()
+        .unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
 }
 
 fn numbers<const N: usize>(value: &Value) -> [f64; N] {
-    let list: Vec<f64> = value.as_array().expect("a list").iter().map(number).collect();
+    let list: Vec<f64> = value
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(number)
+        .collect();
     list.try_into().expect("as many numbers")
 }
 
@@ -33,7 +40,9 @@ fn data(key: &str) -> Vec<Value> {
 
 fn thrown(value: &Value) -> Start {
     let [theta, theta_rate, slip, gap_rate] = numbers(value);
-    Start::at(theta, theta_rate).with_slip(slip).with_gap_rate(gap_rate)
+    Start::at(theta, theta_rate)
+        .with_slip(slip)
+        .with_gap_rate(gap_rate)
 }
 
 #[track_caller]
@@ -49,19 +58,33 @@ fn close(what: &str, ours: f64, theirs: &Value, tolerance: f64) {
 fn flights_land_where_the_general_solution_does() {
     for flight in data("flights") {
         let [mass_ratio, offset, inertia] = numbers(&flight["hoop"]);
-        let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia))
-            .expect("a valid hoop");
+        let hoop = Hoop::new(
+            HoopParameters::thin(mass_ratio)
+                .with_offset(offset)
+                .with_inertia(inertia),
+        )
+        .expect("a valid hoop");
         let start = thrown(&flight["start"]);
-        let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
-        let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+        let motion = hoop
+            .simulate(start, Limits::default())
+            .expect("a valid start");
+        let Outcome::Landing { state, gap_rate } = motion.outcome() else {
+            panic!("{:?}", motion.outcome())
+        };
         let expected = &flight["landing"];
         let time = number(&expected["time"]);
-        // A short flight is known to its own digits, and where the gap closes slowly its end to their quotient.
+        // A short flight is known to its own digits, and where the gap closes slowly its end to
+        // their quotient.
         let slow = (1.0 + start.gap_rate) / number(&expected["gap_rate"]).abs().max(1e-300);
         let digits = 4e-15 * time * (1.0 + start.theta_rate.abs()) * slow.clamp(1.0, 1e3);
         let of_angle = 4e-16 * (1.0 + state.theta.abs());
         let what = format!("{:?} {start:?}", hoop.parameters());
-        close(&format!("{what} time"), state.time, &expected["time"], digits);
+        close(
+            &format!("{what} time"),
+            state.time,
+            &expected["time"],
+            digits,
+        );
         close(
             &format!("{what} theta"),
             state.theta,
@@ -85,21 +108,33 @@ fn flights_land_where_the_general_solution_does() {
 
 fn bouncing(record: &Value) -> (Hoop, Start) {
     let [mass_ratio, offset, inertia, mu_s, mu_k] = numbers(&record["hoop"]);
-    let law = record["law"].as_str().expect("a law").parse().expect("a law");
+    let law = record["law"]
+        .as_str()
+        .expect("a law")
+        .parse()
+        .expect("a law");
     let hoop = HoopParameters::thin(mass_ratio)
         .with_offset(offset)
         .with_inertia(inertia)
         .with_friction(mu_s, mu_k)
         .with_restitution(number(&record["restitution"]), law);
-    (Hoop::new(hoop).expect("a valid hoop"), thrown(&record["start"]))
+    (
+        Hoop::new(hoop).expect("a valid hoop"),
+        thrown(&record["start"]),
+    )
 }
 
 #[test]
 fn bounces_settle_where_brute_force_at_80_digits_does() {
     for record in data("bounces") {
         let (hoop, start) = bouncing(&record);
-        let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
-        let settles = motion.transitions().iter().find(|it| it.cause == Cause::Settle);
+        let motion = hoop
+            .simulate(start, Limits::default())
+            .expect("a valid start");
+        let settles = motion
+            .transitions()
+            .iter()
+            .find(|it| it.cause == Cause::Settle);
         let end = settles.unwrap_or_else(|| panic!("settles: {record}")).after;
         let expected = &record["end"];
         let what = record.to_string();
@@ -108,14 +143,21 @@ fn bounces_settle_where_brute_force_at_80_digits_does() {
         close(&what, end.theta, &expected["theta"], 1e-12);
         close(&what, end.theta_rate, &expected["theta_rate"], 1e-12 * size);
         close(&what, end.slip, &expected["slip"], 1e-12 * size);
-        assert_eq!(end.slip == 0.0, record["sticks"].as_bool().expect("a flag"), "{what}");
+        assert_eq!(
+            end.slip == 0.0,
+            record["sticks"].as_bool().expect("a flag"),
+            "{what}"
+        );
     }
 }
 
 /// Numbers of the notes on Figure 3 with e = 0.5, from brute force at 40 digits.
 #[test]
 fn figure_3_settles_and_rolls() {
-    let motion = find_case("figure-3-bounces").expect("a case").simulate().expect("a valid case");
+    let motion = find_case("figure-3-bounces")
+        .expect("a case")
+        .simulate()
+        .expect("a valid case");
     let settled = motion.transitions().last().expect("settles");
     assert_eq!(
         (settled.cause, settled.from, settled.to),
@@ -129,22 +171,35 @@ fn figure_3_settles_and_rolls() {
     assert!((rolls.normal - 6.515_077_719).abs() < 1e-9);
     assert!((rolls.friction.abs() / rolls.normal - 0.073_26).abs() < 5e-6);
     let restitution = motion.hoop().restitution().expect("has restitution");
-    let settling = motion.hoop().settling(&settled.after, 1e-12, restitution).expect("settles");
+    let settling = motion
+        .hoop()
+        .settling(&settled.after, 1e-12, restitution)
+        .expect("settles");
     assert!((settling.ratio - 0.492_024_505_882_643).abs() < 1e-12);
 }
 
-/// Wherever the sum of the bounces takes over, it leads to the same state but for the square of the time it covers.
+/// Wherever the sum of the bounces takes over, it leads to the same state but for the square of the
+/// time it covers.
 #[test]
 fn the_end_does_not_depend_on_where_the_sum_takes_over() {
     // The light hoops' motions have no derivatives of order one.
-    for record in data("bounces").into_iter().filter(|record| number(&record["hoop"][2]) > 1e-3) {
+    for record in data("bounces")
+        .into_iter()
+        .filter(|record| number(&record["hoop"][2]) > 1e-3)
+    {
         let (hoop, start) = bouncing(&record);
         let restitution = hoop.restitution().expect("has restitution");
-        let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+        let motion = hoop
+            .simulate(start, Limits::default())
+            .expect("a valid start");
         let expected = &record["end"];
         let end = ["time", "theta", "theta_rate", "slip"].map(|key| number(&expected[key]));
         let mut seen = 0;
-        for transition in motion.transitions().iter().filter(|it| it.cause == Cause::Landing) {
+        for transition in motion
+            .transitions()
+            .iter()
+            .filter(|it| it.cause == Cause::Landing)
+        {
             let from = transition.after;
             let left = end[0] - from.time;
             if !(1e-7..1e-3).contains(&left) {
@@ -160,7 +215,8 @@ fn the_end_does_not_depend_on_where_the_sum_takes_over() {
                 settling.impact.after.slip,
             ];
             for (ours, theirs) in found.into_iter().zip(end) {
-                // The second derivatives of these motions are of order one, but for the light hoop's.
+                // The second derivatives of these motions are of order one, but for the light
+                // hoop's.
                 let bound = 1e-12 + 100.0 * left * left;
                 assert!(
                     (ours - theirs).abs() < bound,
@@ -177,15 +233,21 @@ fn the_end_does_not_depend_on_where_the_sum_takes_over() {
 #[test]
 fn short_bounces_settle_at_once_where_the_hoop_presses_hard() {
     let parameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
-    let hoop = Hoop::new(parameters.with_restitution(0.5, RestitutionLaw::Energetic)).expect("heavy");
+    let hoop =
+        Hoop::new(parameters.with_restitution(0.5, RestitutionLaw::Energetic)).expect("heavy");
     let start = Start::at(core::f64::consts::PI, 30.0).with_gap_rate(2.5e-7);
-    let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start");
+    let motion = hoop
+        .simulate(start, Limits::default().with_transitions(1))
+        .expect("a valid start");
     assert_eq!(motion.transitions()[0].cause, Cause::Settle);
 }
 
 fn restitution() -> impl Strategy<Value = Restitution> {
     let coefficient = prop_oneof![2 => Just(0.0), 4 => 0.0..=1.0_f64, 1 => Just(1.0), 1 => 0.0..1e-9_f64, 1 => 0.95..=1.0_f64];
-    (coefficient, prop::sample::select(RestitutionLaw::ALL.to_vec()))
+    (
+        coefficient,
+        prop::sample::select(RestitutionLaw::ALL.to_vec()),
+    )
         .prop_map(|(e, law)| Restitution::new(e, law).expect("between 0 and 1"))
 }
 
@@ -196,7 +258,10 @@ fn throw() -> impl Strategy<Value = f64> {
 
 fn bouncing_motion() -> impl Strategy<Value = (Hoop, Start)> {
     (heavy_motion(), restitution(), throw()).prop_map(|((hoop, start), restitution, gap_rate)| {
-        (hoop.with_restitution(restitution).expect("heavy"), start.with_gap_rate(gap_rate))
+        (
+            hoop.with_restitution(restitution).expect("heavy"),
+            start.with_gap_rate(gap_rate),
+        )
     })
 }
 
@@ -213,7 +278,9 @@ fn size(motion: &Trajectory) -> f64 {
         .iter()
         .flat_map(|it| [it.before, it.after])
         .chain([start])
-        .fold(0.0_f64, |size, state| size.max(state.theta_rate.abs()).max(state.slip.abs()));
+        .fold(0.0_f64, |size, state| {
+            size.max(state.theta_rate.abs()).max(state.slip.abs())
+        });
     1.0 + motion.hoop().mass() * (1.0 + 4.0 * rate * rate)
 }
 
@@ -300,7 +367,8 @@ proptest! {
         prop_assert!(summary.lift_off_time == lift_off || (lift_off.is_nan() && summary.lift_off_time.is_nan()));
         let landed = flight.filter(|flight| motion.end_of(flight).is_some_and(|end| end.cause == Cause::Landing));
         let Some((flight, end)) = landed.and_then(|flight| Some((flight, flight.end()?))) else {
-            // Later flights, behind bounces that have settled, are no first jump either; where none lands there is none.
+            // Later flights, behind bounces that have settled, are no first jump either; where none
+            // lands there is none.
             prop_assert!(summary.landings > 0 || summary.jump_length.is_nan());
             return Ok(());
         };
@@ -332,7 +400,8 @@ proptest! {
     }
 }
 
-/// Two symmetric flights a turn, without slip, for ever: the numbers at φ = 2.2 from the three equations at 40 digits.
+/// Two symmetric flights a turn, without slip, for ever: the numbers at φ = 2.2 from the three
+/// equations at 40 digits.
 #[test]
 fn the_motion_that_bounces_for_ever_has_the_numbers_of_its_equations() {
     let hoop = Hoop::figure_2(0.5, 0.4).expect("a valid hoop");
@@ -342,30 +411,54 @@ fn the_motion_that_bounces_for_ever_has_the_numbers_of_its_equations() {
     assert!((orbit.gap_rate - 1.274_198_847_857_927_4).abs() < 1e-15);
     let case = find_case("bounces-forever").expect("a case");
     let start = case.setup.start;
-    assert_eq!((orbit.start().theta, orbit.start().slip), (start.theta, start.slip));
+    assert_eq!(
+        (orbit.start().theta, orbit.start().slip),
+        (start.theta, start.slip)
+    );
     assert!((orbit.start().theta_rate - start.theta_rate).abs() < 1e-15);
     assert!((orbit.start().gap_rate - start.gap_rate).abs() < 1e-15);
     let hoop = Hoop::new(case.setup.hoop).expect("a valid hoop");
-    let motion = hoop.simulate(case.setup.start, Limits::until(1000.0)).expect("a valid start");
+    let motion = hoop
+        .simulate(case.setup.start, Limits::until(1000.0))
+        .expect("a valid start");
     assert_eq!(motion.outcome().kind(), OutcomeKind::TimeLimit);
     for (index, landing) in motion.transitions().iter().enumerate() {
-        assert_eq!((landing.cause, landing.to), (Cause::Landing, Some(Mode::Flight)));
+        assert_eq!(
+            (landing.cause, landing.to),
+            (Cause::Landing, Some(Mode::Flight))
+        );
         assert!(landing.before.slip.abs() < 1e-11, "{landing:?}");
         let impact = landing.impact.expect("an impact");
-        assert!(impact.energy_lost().abs() < 1e-11 && (impact.after.gap_rate - orbit.gap_rate).abs() < 1e-11);
+        assert!(
+            impact.energy_lost().abs() < 1e-11
+                && (impact.after.gap_rate - orbit.gap_rate).abs() < 1e-11
+        );
         let turns = 0.5 * (index as f64 + 1.0 - (index % 2) as f64);
-        let half =
-            if index % 2 == 0 { 2.0 * orbit.angle / orbit.top_rate - 0.5 * orbit.period() } else { 0.0 };
-        let expected =
-            turns * orbit.period() + half + if index % 2 == 0 { 0.0 } else { 0.5 * orbit.period() };
-        assert!((landing.time() - expected).abs() < 1e-9, "{index}: {} {expected}", landing.time());
+        let half = if index % 2 == 0 {
+            2.0 * orbit.angle / orbit.top_rate - 0.5 * orbit.period()
+        } else {
+            0.0
+        };
+        let expected = turns * orbit.period()
+            + half
+            + if index % 2 == 0 {
+                0.0
+            } else {
+                0.5 * orbit.period()
+            };
+        assert!(
+            (landing.time() - expected).abs() < 1e-9,
+            "{index}: {} {expected}",
+            landing.time()
+        );
     }
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
-    /// The gap of both flights, from the parabola of the mass centre, is open at every instant but their ends.
+    /// The gap of both flights, from the parabola of the mass centre, is open at every instant but
+    /// their ends.
     #[test]
     fn motions_that_bounce_for_ever_are_above_the_plane(hoop in moderate_hoop(), angle in 0.05..3.1_f64) {
         let Some(orbit) = BouncingOrbit::new(&hoop, angle) else { return Ok(()) };
@@ -403,7 +496,8 @@ proptest! {
         }
     }
 
-    /// No reverse chatter: the drift of the slip in flight is against sign B, where k1 = C + μk |B| exceeds k2.
+    /// No reverse chatter: the drift of the slip in flight is against sign B, where k1 = C + μk |B|
+    /// exceeds k2.
     #[test]
     fn bounces_shrink_by_the_coefficient_of_restitution_at_least(
         hoop in heavy_hoop(), start in start(), restitution in restitution(), v in 1e-12..1e-3_f64, still in any::<bool>(),
@@ -413,7 +507,8 @@ proptest! {
             Ok(settling) => {
                 prop_assert!(settling.ratio <= restitution.coefficient() * (1.0 + 1e-12) && settling.ratio < 1.0);
                 prop_assert!(settling.duration > 0.0 && settling.impact.impulse.normal > 0.0);
-                // The velocities answer to the sum of the impulses as to one impulse: u′ − u = A J + B P, w′ − w = B J + C P.
+                // The velocities answer to the sum of the impulses as to one impulse: u′ − u = A
+                // J + B P, w′ − w = B J + C P.
                 let Impact { before, after, impulse, .. } = settling.impact;
                 let compliance = hoop.compliance(state.theta).expect("heavy");
                 let (j, p) = (impulse.friction, impulse.normal);
@@ -433,8 +528,9 @@ proptest! {
         }
     }
 
-    /// Where bounces stick, from k1, k2 and the slip that each flight adds: e = 1 settles where they differ, by the energetic law and by
-    /// Poisson's, and so does a motion thrown by so little that the sum is short. By Newton's law nothing shrinks.
+    /// Where bounces stick, from k1, k2 and the slip that each flight adds: e = 1 settles where
+    /// they differ, by the energetic law and by Poisson's, and so does a motion thrown by so little
+    /// that the sum is short. By Newton's law nothing shrinks.
     #[test]
     fn with_restitution_1_friction_makes_bounces_settle(
         hoop in moderate_hoop(), theta in -3.1..3.1_f64, rate in -2.0..2.0_f64,
@@ -476,7 +572,8 @@ proptest! {
         }
     }
 
-    /// Without friction, by Newton's law, and while they slip, bounces give back all that they take.
+    /// Without friction, by Newton's law, and while they slip, bounces give back all that they
+    /// take.
     #[test]
     fn bounces_without_loss_go_on_to_the_limit(
         hoop in moderate_hoop(), theta in -3.1..3.1_f64, rate in -2.0..2.0_f64, slip in -1.0..1.0_f64, exponent in -14.0..0.0_f64,

@@ -1,8 +1,8 @@
-//! No call hangs: random hoops, starts and limits over the whole ranges of the quantities, each in bounded time, and each with a motion
-//! that keeps its laws and that the engine sums up alike.
+//! No call hangs: random hoops, starts and limits over the whole ranges of the quantities, each in
+//! bounded time, and each with a motion that keeps its laws and that the engine sums up alike.
 //!
-//! `LITTLEWOOD_CALLS=100000 cargo test --release -p littlewood bounded:: -- --nocapture` follows so many and prints how
-//! long they took; `LITTLEWOOD_FIRST_CALL` is the number of the first.
+//! `LITTLEWOOD_CALLS=100000 cargo test --release -p littlewood bounded:: -- --nocapture` follows so
+//! many and prints how long they took; `LITTLEWOOD_FIRST_CALL` is the number of the first.
 #![allow(clippy::panic)] // a failed expectation
 
 use std::collections::BTreeMap;
@@ -37,12 +37,17 @@ impl Call {
     fn new(seed: u64) -> Self {
         let mut draw = Draw::of_case(SEED, 0, seed);
         let setup = draw.setup();
-        Self { setup, limits: draw.limits(setup.start) }
+        Self {
+            setup,
+            limits: draw.limits(setup.start),
+        }
     }
 
     /// How it ended, or that the hoop was refused, and the seconds of a processor that it took.
     fn answer(&self) -> (String, f64) {
-        let Ok(hoop) = Hoop::new(self.setup.hoop) else { return ("refused".to_owned(), 0.0) };
+        let Ok(hoop) = Hoop::new(self.setup.hoop) else {
+            return ("refused".to_owned(), 0.0);
+        };
         let begin = clock();
         let Ok(motion) = hoop.simulate(self.setup.start, self.limits) else {
             return ("refused".to_owned(), clock() - begin);
@@ -57,7 +62,10 @@ impl Call {
             .summary(self.setup.start, self.limits)
             .expect("a valid start");
         let kind = motion.outcome().kind();
-        assert_eq!((engine.outcome, engine.transitions as usize), (kind, motion.transitions().len()));
+        assert_eq!(
+            (engine.outcome, engine.transitions as usize),
+            (kind, motion.transitions().len())
+        );
         (kind.to_string(), seconds)
     }
 
@@ -66,7 +74,8 @@ impl Call {
     }
 }
 
-/// Seconds that this thread has had of a processor, to some milliseconds, where the system tells; else those that have passed.
+/// Seconds that this thread has had of a processor, to some milliseconds, where the system tells;
+/// else those that have passed.
 fn clock() -> f64 {
     static BEGIN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     std::fs::read_to_string("/proc/thread-self/schedstat")
@@ -79,12 +88,17 @@ fn clock() -> f64 {
 }
 
 fn number(name: &str, default: u64) -> u64 {
-    std::env::var(name).ok().map_or(default, |text| text.parse().expect("a number"))
+    std::env::var(name)
+        .ok()
+        .map_or(default, |text| text.parse().expect("a number"))
 }
 
 #[test]
 fn every_call_comes_back() {
-    let (first, calls) = (number("LITTLEWOOD_FIRST_CALL", 1), number("LITTLEWOOD_CALLS", 400));
+    let (first, calls) = (
+        number("LITTLEWOOD_FIRST_CALL", 1),
+        number("LITTLEWOOD_CALLS", 400),
+    );
     let (sender, receiver) = mpsc::channel();
     std::thread::spawn(move || {
         for seed in first..first + calls {
@@ -98,10 +112,18 @@ fn every_call_comes_back() {
     for seed in first..first + calls {
         let (outcome, seconds) = match receiver.recv_timeout(PATIENCE) {
             Ok(answer) => answer,
-            Err(RecvTimeoutError::Timeout) => panic!("call {seed} hangs: {}", Call::new(seed).words()),
-            Err(RecvTimeoutError::Disconnected) => panic!("call {seed} panics: {}", Call::new(seed).words()),
+            Err(RecvTimeoutError::Timeout) => {
+                panic!("call {seed} hangs: {}", Call::new(seed).words())
+            }
+            Err(RecvTimeoutError::Disconnected) => {
+                panic!("call {seed} panics: {}", Call::new(seed).words())
+            }
         };
-        assert!(seconds < LONGEST, "call {seed} takes {seconds} s, {outcome}: {}", Call::new(seed).words());
+        assert!(
+            seconds < LONGEST,
+            "call {seed} takes {seconds} s, {outcome}: {}",
+            Call::new(seed).words()
+        );
         *outcomes.entry(outcome).or_insert(0) += 1;
         times.push(seconds);
     }

@@ -7,19 +7,31 @@ use littlewood::cases::{CASES, find_case};
 use littlewood::modes::Recurrence;
 use littlewood::theory::{Body, BodyClass, EDGES, RollingType, StartRegion};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start, Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start,
+    Trajectory,
 };
 
 fn case(name: &str) -> Trajectory {
-    find_case(name).unwrap_or_else(|| panic!("no case {name}")).simulate().expect("a valid case")
+    find_case(name)
+        .unwrap_or_else(|| panic!("no case {name}"))
+        .simulate()
+        .expect("a valid case")
 }
 
 fn modes(motion: &Trajectory) -> Vec<Mode> {
-    motion.phases().iter().map(littlewood::Phase::mode).collect()
+    motion
+        .phases()
+        .iter()
+        .map(littlewood::Phase::mode)
+        .collect()
 }
 
 fn causes(motion: &Trajectory) -> Vec<Cause> {
-    motion.transitions().iter().map(|transition| transition.cause).collect()
+    motion
+        .transitions()
+        .iter()
+        .map(|transition| transition.cause)
+        .collect()
 }
 
 use Mode::{Flight, Gliding, Rolling, Sliding};
@@ -28,11 +40,16 @@ use Mode::{Flight, Gliding, Rolling, Sliding};
 fn figure_3_slides_rolls_slides_and_jumps() {
     let motion = case("figure-3");
     assert_eq!(modes(&motion), [Sliding, Rolling, Sliding, Flight]);
-    assert_eq!(causes(&motion), [Cause::Stick, Cause::Slip, Cause::LiftOff, Cause::Landing]);
+    assert_eq!(
+        causes(&motion),
+        [Cause::Stick, Cause::Slip, Cause::LiftOff, Cause::Landing]
+    );
     // "the jump in the motion of the centre of mass is to the left"
     let flight = &motion.phases()[3];
     assert!(flight.last().expect("lands").mass_centre.x < flight.first().mass_centre.x);
-    let littlewood::modes::PhaseSolution::Flight(exact) = flight.solution() else { panic!("flies") };
+    let littlewood::modes::PhaseSolution::Flight(exact) = flight.solution() else {
+        panic!("flies")
+    };
     // Largest gap of the 40-digit run, at a resolution of 1e-3 in time: 0.63112604… at 3.16467….
     let (time, height) = exact.apex();
     assert!((flight.start().time + time - 3.164_670_213_819_437).abs() < 1e-3);
@@ -53,21 +70,40 @@ fn the_jumps_of_section_2f() {
 fn rolling_persists_for_all_time() {
     let motion = case("figure-2-libration");
     assert_eq!(modes(&motion), [Rolling]);
-    let Outcome::RollsForever { recurrence: Recurrence::Libration { theta_min, theta_max, .. }, .. } =
-        motion.outcome()
+    let Outcome::RollsForever {
+        recurrence:
+            Recurrence::Libration {
+                theta_min,
+                theta_max,
+                ..
+            },
+        ..
+    } = motion.outcome()
     else {
         panic!("{:?}", motion.outcome())
     };
     assert!((theta_min - 2.5).abs() < 1e-15);
-    assert!((theta_max + theta_min - std::f64::consts::TAU).abs() < 1e-15, "about the stable equilibrium");
+    assert!(
+        (theta_max + theta_min - std::f64::consts::TAU).abs() < 1e-15,
+        "about the stable equilibrium"
+    );
 
     let motion = case("rolls-forever");
     assert_eq!(modes(&motion), [Rolling]);
-    let rotates =
-        matches!(motion.outcome(), Outcome::RollsForever { recurrence: Recurrence::Rotation { .. }, .. });
+    let rotates = matches!(
+        motion.outcome(),
+        Outcome::RollsForever {
+            recurrence: Recurrence::Rotation { .. },
+            ..
+        }
+    );
     assert!(rotates, "{:?}", motion.outcome());
     // The proof, checked by brute force over two turns.
-    let Outcome::RollsForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
+    let Outcome::RollsForever {
+        recurrence: Recurrence::Rotation { period },
+        ..
+    } = motion.outcome()
+    else {
         return;
     };
     let demand = (0..=20_000).map(|i| {
@@ -83,7 +119,12 @@ fn rolling_and_sliding_alternate_without_a_jump() {
     let motion = case("stick-slip-no-jump");
     let modes = modes(&motion);
     assert!(modes.len() >= 5, "several alternations");
-    assert!(modes.iter().enumerate().all(|(i, mode)| *mode == if i % 2 == 0 { Rolling } else { Sliding }));
+    assert!(
+        modes
+            .iter()
+            .enumerate()
+            .all(|(i, mode)| *mode == if i % 2 == 0 { Rolling } else { Sliding })
+    );
     assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }));
 }
 
@@ -108,7 +149,11 @@ fn types_one_two_three() {
         let named = find_case(name).expect("a case");
         let hoop = Hoop::new(named.setup.hoop).expect("a valid hoop");
         let found = hoop.classify(named.setup.start).expect("a valid start");
-        assert_eq!((found.region, found.rolling_type), (StartRegion::Rolling, Some(kind)), "{name}");
+        assert_eq!(
+            (found.region, found.rolling_type),
+            (StartRegion::Rolling, Some(kind)),
+            "{name}"
+        );
         let motion = case(name);
         assert_eq!(modes(&motion)[..2], [Rolling, Gliding], "{name}");
         let slip = motion.transitions()[0];
@@ -116,13 +161,24 @@ fn types_one_two_three() {
         let (theta, rate) = (slip.before.theta, slip.before.theta_rate);
         let friction_angle = 2.0 * 0.5_f64.atan();
         match kind {
-            RollingType::I => assert!((rate.abs() - 1.0).abs() < 1e-15 && theta.abs() < friction_angle - 0.1),
-            RollingType::II => {
-                assert!((rate.abs() - 1.0).abs() < 1e-15 && (theta.abs() - friction_angle).abs() < 1e-15);
+            RollingType::I => {
+                assert!((rate.abs() - 1.0).abs() < 1e-15 && theta.abs() < friction_angle - 0.1)
             }
-            RollingType::III => assert!(rate.abs() < 0.9 && (theta.abs() - friction_angle).abs() < 1e-15),
+            RollingType::II => {
+                assert!(
+                    (rate.abs() - 1.0).abs() < 1e-15
+                        && (theta.abs() - friction_angle).abs() < 1e-15
+                );
+            }
+            RollingType::III => {
+                assert!(rate.abs() < 0.9 && (theta.abs() - friction_angle).abs() < 1e-15)
+            }
         }
-        assert_eq!(motion.outcome().kind().name(), "particle_at_plane", "{name}");
+        assert_eq!(
+            motion.outcome().kind().name(),
+            "particle_at_plane",
+            "{name}"
+        );
     }
 }
 
@@ -138,7 +194,9 @@ fn a_glide_sticks_inside_the_rolling_region() {
 #[test]
 fn painleve_is_an_outcome_of_its_own() {
     let motion = case("painleve");
-    let Outcome::Inconsistent { candidates, .. } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    let Outcome::Inconsistent { candidates, .. } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
     assert_eq!(candidates.count(), 0);
     assert!(candidates.contact > 0.0 && candidates.solvability[1] < 0.0);
     assert!(motion.phases().is_empty());
@@ -147,9 +205,15 @@ fn painleve_is_an_outcome_of_its_own() {
 #[test]
 fn motions_go_on_after_the_landing() {
     let motion = case("figure-3-bounces");
-    assert_eq!(modes(&motion)[..5], [Sliding, Rolling, Sliding, Flight, Flight]);
     assert_eq!(
-        (modes(&motion).last(), motion.transitions().last().map(|it| it.cause)),
+        modes(&motion)[..5],
+        [Sliding, Rolling, Sliding, Flight, Flight]
+    );
+    assert_eq!(
+        (
+            modes(&motion).last(),
+            motion.transitions().last().map(|it| it.cause)
+        ),
         (Some(&Rolling), Some(Cause::Settle))
     );
     assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }));
@@ -159,25 +223,49 @@ fn motions_go_on_after_the_landing() {
     assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }));
 
     let motion = case("two-hops");
-    assert_eq!(modes(&motion), [Sliding, Rolling, Sliding, Flight, Rolling, Sliding, Flight, Rolling]);
+    assert_eq!(
+        modes(&motion),
+        [
+            Sliding, Rolling, Sliding, Flight, Rolling, Sliding, Flight, Rolling
+        ]
+    );
 
     let motion = case("jam");
     let jam = motion.transitions().first().expect("jams");
-    assert_eq!((jam.cause, jam.from, jam.to, jam.time()), (Cause::Jam, None, Some(Rolling), 0.0));
-    assert!((jam.after.theta_rate + 1.0).abs() < 1e-14, "the rate of the closed form, −1");
-    assert_eq!(motion.end_of(&motion.phases()[0]).map(|it| it.cause), Some(Cause::Slip));
+    assert_eq!(
+        (jam.cause, jam.from, jam.to, jam.time()),
+        (Cause::Jam, None, Some(Rolling), 0.0)
+    );
+    assert!(
+        (jam.after.theta_rate + 1.0).abs() < 1e-14,
+        "the rate of the closed form, −1"
+    );
+    assert_eq!(
+        motion.end_of(&motion.phases()[0]).map(|it| it.cause),
+        Some(Cause::Slip)
+    );
 
     let motion = case("ramp-bounces");
     assert_eq!(modes(&motion).first(), Some(&Flight));
-    assert_eq!(motion.transitions().last().map(|it| it.cause), Some(Cause::Settle));
+    assert_eq!(
+        motion.transitions().last().map(|it| it.cause),
+        Some(Cause::Settle)
+    );
     assert!(motion.summary().landings > 20 && motion.summary().end.x > 20.0);
-    let Outcome::RollsForever { recurrence, .. } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    let Outcome::RollsForever { recurrence, .. } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
     assert!(matches!(recurrence, Recurrence::Libration { .. }));
 
     let motion = case("bounces-forever");
     assert!(modes(&motion).iter().all(|mode| *mode == Flight));
     assert!(matches!(motion.outcome(), Outcome::TransitionLimit { .. }));
-    assert!(motion.transitions().iter().all(|it| it.before.slip.abs() < 1e-9));
+    assert!(
+        motion
+            .transitions()
+            .iter()
+            .all(|it| it.before.slip.abs() < 1e-9)
+    );
 }
 
 #[test]
@@ -185,13 +273,20 @@ fn a_loaded_disc_climbs_and_a_ramp_makes_it_jump() {
     for (name, climbs) in [("uphill-disc", true), ("ramp-libration", false)] {
         let motion = case(name);
         assert_eq!(modes(&motion), [Rolling], "{name}");
-        let Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. } = motion.outcome()
+        let Outcome::RollsForever {
+            recurrence: Recurrence::Libration { period, .. },
+            ..
+        } = motion.outcome()
         else {
             panic!("{:?}", motion.outcome())
         };
         let farthest = motion.at(0.5 * period).expect("an instant").state;
         assert!(farthest.theta_rate.abs() < 1e-7, "{name}: {farthest:?}");
-        assert_eq!(farthest.x > 1.0, climbs, "{name}: the plane rises to the right");
+        assert_eq!(
+            farthest.x > 1.0,
+            climbs,
+            "{name}: the plane rises to the right"
+        );
     }
     let motion = case("ramp-jump");
     assert_eq!(modes(&motion), [Rolling, Sliding, Rolling, Sliding, Flight]);
@@ -199,7 +294,10 @@ fn a_loaded_disc_climbs_and_a_ramp_makes_it_jump() {
     let slide = &motion.phases()[3];
     let (first, last) = (slide.first().state, slide.last().expect("lifts off").state);
     let slipped = (last.x + last.theta) - (first.x + first.theta);
-    assert!((slide.duration() - 0.19).abs() < 0.005 && (slipped - 0.0033).abs() < 0.0001, "{slipped}");
+    assert!(
+        (slide.duration() - 0.19).abs() < 0.005 && (slipped - 0.0033).abs() < 0.0001,
+        "{slipped}"
+    );
 }
 
 #[test]
@@ -235,7 +333,10 @@ fn other_motions() -> Vec<Trajectory> {
         (rim, Start::at(1.0, -2.5).with_slip(0.5)),
     ]
     .into_iter()
-    .map(|(hoop, start)| hoop.simulate(start, Limits::until(40.0)).expect("a valid start"))
+    .map(|(hoop, start)| {
+        hoop.simulate(start, Limits::until(40.0))
+            .expect("a valid start")
+    })
     .chain(jams())
     .collect()
 }
@@ -257,30 +358,58 @@ fn jams() -> Vec<Trajectory> {
     let mut motions: Vec<Trajectory> = with_e
         .into_iter()
         .map(|(mass, mu, start)| {
-            hoop(mass, mu).with_restitution(plastic).expect("heavy").simulate(start, limits)
+            hoop(mass, mu)
+                .with_restitution(plastic)
+                .expect("heavy")
+                .simulate(start, limits)
         })
         .map(|motion| motion.expect("a valid start"))
         .collect();
-    let light = HoopParameters::thin(0.0).with_offset(0.1).with_inertia(1e-5).with_friction(0.02, 0.02);
-    let light = Hoop::new(light).and_then(|hoop| hoop.with_restitution(plastic)).expect("a valid hoop");
-    motions.push(light.simulate(Start::at(2.4, -3.9).with_slip(0.1), limits).expect("a valid start"));
+    let light = HoopParameters::thin(0.0)
+        .with_offset(0.1)
+        .with_inertia(1e-5)
+        .with_friction(0.02, 0.02);
+    let light = Hoop::new(light)
+        .and_then(|hoop| hoop.with_restitution(plastic))
+        .expect("a valid hoop");
+    motions.push(
+        light
+            .simulate(Start::at(2.4, -3.9).with_slip(0.1), limits)
+            .expect("a valid start"),
+    );
     // Without friction, from a rate at which η″ and η′ vanish together but for the last digits.
     let smooth = HoopParameters::thin(2.805_174_719_718_886_3).with_offset(0.999_999_999_618_712_1);
     let grazes = Start::at(-1.677_452_557_099_741, 1.000_000_000_010_5);
-    motions.push(Hoop::new(smooth).expect("a valid hoop").simulate(grazes, limits).expect("a valid start"));
+    motions.push(
+        Hoop::new(smooth)
+            .expect("a valid hoop")
+            .simulate(grazes, limits)
+            .expect("a valid start"),
+    );
     let (mass, mu, start) = runs_into_it;
-    motions.push(hoop(mass, mu).simulate(start, limits).expect("a valid start"));
+    motions.push(
+        hoop(mass, mu)
+            .simulate(start, limits)
+            .expect("a valid start"),
+    );
     let settles_sliding = hoop(1.0, 0.05)
         .with_restitution(Restitution::new(0.3, RestitutionLaw::Newton).expect("a coefficient"));
     let thrown = Start::at(2.0, 0.9).with_slip(1.5).with_gap_rate(0.02);
-    motions.push(settles_sliding.expect("heavy").simulate(thrown, limits).expect("a valid start"));
+    motions.push(
+        settles_sliding
+            .expect("heavy")
+            .simulate(thrown, limits)
+            .expect("a valid start"),
+    );
     motions
 }
 
 #[test]
 fn the_table_of_edges_is_the_automaton() {
     let mut taken = BTreeSet::new();
-    let cases = CASES.iter().map(|case| case.simulate().expect("a valid case"));
+    let cases = CASES
+        .iter()
+        .map(|case| case.simulate().expect("a valid case"));
     for motion in cases.chain(other_motions()) {
         let class = match motion.hoop().body() {
             Body::Heavy(_) => BodyClass::Heavy,
@@ -288,10 +417,15 @@ fn the_table_of_edges_is_the_automaton() {
         };
         for transition in motion.transitions() {
             let its = (class, transition.from, transition.cause, transition.to);
-            let edge = EDGES.iter().position(|edge| (edge.body, edge.from, edge.cause, edge.to) == its);
+            let edge = EDGES
+                .iter()
+                .position(|edge| (edge.body, edge.from, edge.cause, edge.to) == its);
             taken.insert(edge.unwrap_or_else(|| panic!("{transition:?} is no edge")));
         }
     }
-    let missing: Vec<_> = (0..EDGES.len()).filter(|i| !taken.contains(i)).map(|i| EDGES[i]).collect();
+    let missing: Vec<_> = (0..EDGES.len())
+        .filter(|i| !taken.contains(i))
+        .map(|i| EDGES[i])
+        .collect();
     assert!(missing.is_empty(), "never taken: {missing:#?}");
 }

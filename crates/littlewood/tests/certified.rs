@@ -1,5 +1,5 @@
-//! Every motion of `evidence/truth/certificates`, whose numbers are enclosed by balls of 30 digits: the same events, and each number of each
-//! event within the bound of its family.
+//! Every motion of `evidence/truth/certificates`, whose numbers are enclosed by balls of 30 digits:
+//! the same events, and each number of each event within the bound of its family.
 #![allow(clippy::panic)] // a failed expectation
 
 use std::collections::BTreeMap;
@@ -8,15 +8,16 @@ use std::path::Path;
 
 use littlewood::si::{SiParameters, SiState, Units};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, State, Trajectory,
-    Transition,
+    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, State,
+    Trajectory, Transition,
 };
 use serde_json::Value;
 
-/// How many units in the last place of its size, or of 1 if it is smaller, a number may be off: the power of two above twice the largest
-/// error of the family when this test was written, since another rounding of the same steps moves the largest by such a factor. Motions
-/// amplify rounding. Those of `near-tie` divide it by the distance, 1e-7 to 1e-9, between two events; the longest of `landing` and `paper`
-/// graze; those of `long-rolling` turn for a thousand time units.
+/// How many units in the last place of its size, or of 1 if it is smaller, a number may be off: the
+/// power of two above twice the largest error of the family when this test was written, since
+/// another rounding of the same steps moves the largest by such a factor. Motions amplify rounding.
+/// Those of `near-tie` divide it by the distance, 1e-7 to 1e-9, between two events; the longest of
+/// `landing` and `paper` graze; those of `long-rolling` turn for a thousand time units.
 fn bound(family: &str) -> f64 {
     match family {
         "massless" => 4.0,
@@ -35,7 +36,9 @@ fn bound(family: &str) -> f64 {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+    value
+        .as_f64()
+        .unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
 }
 
 /// The motion of a case by the library, and its units if it is given in SI.
@@ -44,8 +47,10 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
     let hoop = |name| get("hoop", name);
     let start = |name| get("start", name);
     let restitution = case["hoop"].get("restitution").and_then(Value::as_f64);
-    let restitution_law: Option<RestitutionLaw> =
-        case["hoop"].get("restitution_law").and_then(Value::as_str).map(|law| law.parse().expect("a law"));
+    let restitution_law: Option<RestitutionLaw> = case["hoop"]
+        .get("restitution_law")
+        .and_then(Value::as_str)
+        .map(|law| law.parse().expect("a law"));
     let until = case["until"].as_f64();
     match case["units"].as_str() {
         Some("si") => {
@@ -74,7 +79,10 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
             let start = units.start(&si).expect("a valid start");
             let until = until.map(|until| units.until(until, &start).expect("a valid limit"));
             let limits = Limits::default().with_until(until);
-            (hoop.simulate(start, limits).expect("a valid start"), Some(units))
+            (
+                hoop.simulate(start, limits).expect("a valid start"),
+                Some(units),
+            )
         }
         Some("dimensionless") => {
             let mut parameters = HoopParameters::thin(hoop("mass_ratio"))
@@ -87,7 +95,11 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
                 .with_slip(start("slip"))
                 .with_gap_rate(start("gap_rate"));
             let hoop = Hoop::new(parameters).expect("a valid hoop");
-            (hoop.simulate(start, Limits::default().with_until(until)).expect("a valid start"), None)
+            (
+                hoop.simulate(start, Limits::default().with_until(until))
+                    .expect("a valid start"),
+                None,
+            )
         }
         other => panic!("units {other:?}"),
     }
@@ -95,10 +107,23 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
 
 /// Largest error of the numbers of a state, in units in the last place.
 fn error(truth: &Value, state: &State, units: Option<&Units>) -> f64 {
-    let State { time, theta, theta_rate, slip, x, .. } = *state;
+    let State {
+        time,
+        theta,
+        theta_rate,
+        slip,
+        x,
+        ..
+    } = *state;
     let numbers = units.map_or([time, theta, theta_rate, slip, x], |units| {
         let si = units.state(state);
-        [si.time_s, si.theta_rad, si.theta_rate_rad_per_s, si.slip_m_per_s, si.x_m]
+        [
+            si.time_s,
+            si.theta_rad,
+            si.theta_rate_rad_per_s,
+            si.slip_m_per_s,
+            si.x_m,
+        ]
     });
     ["time", "theta", "theta_rate", "slip", "x"]
         .into_iter()
@@ -110,7 +135,10 @@ fn error(truth: &Value, state: &State, units: Option<&Units>) -> f64 {
 }
 
 /// The transition of each certified event; or what differs.
-fn pairs<'a>(events: &[Value], transitions: &'a [Transition]) -> Result<Vec<&'a Transition>, String> {
+fn pairs<'a>(
+    events: &[Value],
+    transitions: &'a [Transition],
+) -> Result<Vec<&'a Transition>, String> {
     let mut rest = transitions.iter().peekable();
     let mut found = Vec::new();
     for (place, event) in events.iter().enumerate() {
@@ -121,7 +149,9 @@ fn pairs<'a>(events: &[Value], transitions: &'a [Transition]) -> Result<Vec<&'a 
             };
             while rest.next_if(bounces).is_some() {}
         }
-        let ours = rest.next().ok_or_else(|| format!("no event {place}, {}", event["cause"]))?;
+        let ours = rest
+            .next()
+            .ok_or_else(|| format!("no event {place}, {}", event["cause"]))?;
         let to = ours.to.map(Mode::name);
         if event["cause"] != ours.cause.name() || event["to"].as_str() != to {
             return Err(format!(
@@ -131,8 +161,12 @@ fn pairs<'a>(events: &[Value], transitions: &'a [Transition]) -> Result<Vec<&'a 
         }
         found.push(ours);
     }
-    rest.next()
-        .map_or(Ok(found), |more| Err(format!("one more event, {} at {}", more.cause, more.before.time)))
+    rest.next().map_or(Ok(found), |more| {
+        Err(format!(
+            "one more event, {} at {}",
+            more.cause, more.before.time
+        ))
+    })
 }
 
 #[test]
@@ -168,20 +202,35 @@ fn every_certified_motion_is_that_of_the_library() {
             (end["kind"] == outcome.kind().name()).then(|| outcome.state())
         };
         let Some(last) = last else {
-            wrong.push(format!("{name} ends by {}, not {}", outcome.kind(), end["kind"]));
+            wrong.push(format!(
+                "{name} ends by {}, not {}",
+                outcome.kind(),
+                end["kind"]
+            ));
             continue;
         };
-        let errors =
-            events.iter().zip(&ours).map(|(event, ours)| error(&event["state"], &ours.after, units.as_ref()));
-        let at_end = end.get("state").map_or(0.0, |state| error(state, &last, units.as_ref()));
+        let errors = events
+            .iter()
+            .zip(&ours)
+            .map(|(event, ours)| error(&event["state"], &ours.after, units.as_ref()));
+        let at_end = end
+            .get("state")
+            .map_or(0.0, |state| error(state, &last, units.as_ref()));
         let largest = errors.fold(at_end, f64::max);
         if largest > bound(family) {
-            wrong.push(format!("{name} is off by {largest:.1} units in the last place"));
+            wrong.push(format!(
+                "{name} is off by {largest:.1} units in the last place"
+            ));
         }
         let of_family = families.entry(family.to_owned()).or_default();
         *of_family = (of_family.0 + 1, of_family.1.max(largest));
     }
-    println!("certified motions and the largest error of a number in units in the last place: {families:?}");
+    println!(
+        "certified motions and the largest error of a number in units in the last place: {families:?}"
+    );
     assert!(wrong.is_empty(), "{wrong:#?}");
-    assert!(families.values().map(|(count, _)| count).sum::<u32>() >= 409, "{families:?}");
+    assert!(
+        families.values().map(|(count, _)| count).sum::<u32>() >= 409,
+        "{families:?}"
+    );
 }

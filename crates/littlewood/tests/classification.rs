@@ -8,7 +8,9 @@ use proptest::prelude::*;
 /// Compares what is said of a start with the first phase of its motion.
 pub(crate) fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
     let said = hoop.classify(start).expect("a valid start");
-    let limits = Limits::default().with_transitions(1).with_proof(Proof::None);
+    let limits = Limits::default()
+        .with_transitions(1)
+        .with_proof(Proof::None);
     let motion = hoop.simulate(start, limits).expect("a valid start");
     let Some(first) = motion.phases().first() else {
         prop_assert_eq!(said.mode, None);
@@ -40,7 +42,10 @@ pub(crate) fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
             }
         }
     } else {
-        prop_assert_eq!((said.rolling_end, said.recurrence, said.rolling_type), (None, None, None));
+        prop_assert_eq!(
+            (said.rolling_end, said.recurrence, said.rolling_type),
+            (None, None, None)
+        );
     }
     Ok(())
 }
@@ -76,22 +81,27 @@ proptest! {
     }
 }
 
-/// Where N = Î m w/P with w = 0 falling, no slide is consistent, even where P > 0: the hoop leaves the plane. P ≤ 0 elsewhere, so that
-/// both directions are weighed.
+/// Where N = Î m w/P with w = 0 falling, no slide is consistent, even where P > 0: the hoop leaves
+/// the plane. P ≤ 0 elsewhere, so that both directions are weighed.
 #[test]
 fn a_slide_that_is_unloaded_to_the_bit_and_leaves_is_no_candidate() {
-    let parameters = HoopParameters::thin(3.0).with_inertia(0.2).with_friction(3.0, 3.0);
+    let parameters = HoopParameters::thin(3.0)
+        .with_inertia(0.2)
+        .with_friction(3.0, 3.0);
     let hoop = Hoop::new(parameters).expect("a valid hoop");
     let mut found = 0;
     for k in 1..40 {
         let theta = -0.01 * f64::from(k);
         let cos = libm::cos(theta);
         let about = (4.0 / cos).sqrt();
-        let rates = (-20..=20_i64).map(|ulps| f64::from_bits(about.to_bits().wrapping_add_signed(ulps)));
+        let rates =
+            (-20..=20_i64).map(|ulps| f64::from_bits(about.to_bits().wrapping_add_signed(ulps)));
         // h = 1/4: w = 1 − h cos θ θ′² vanishes to the bit.
         for rate in rates.filter(|rate| cos * (rate * rate) == 4.0) {
             for slip in [-0.5, 0.5] {
-                let said = hoop.classify(Start::at(theta, rate).with_slip(slip)).expect("a valid start");
+                let said = hoop
+                    .classify(Start::at(theta, rate).with_slip(slip))
+                    .expect("a valid start");
                 assert_eq!(said.mode, Some(Mode::Flight), "{theta} {rate} {slip}");
                 found += 1;
             }

@@ -1,6 +1,7 @@
-//! Starts beside the curves on which two events coincide, against the motions of `evidence/reference/coincidences.json`: an integration of the
-//! balances of momentum with 40 digits. Every number has a unit there, estimated in the same digits: what it changes by where the
-//! numbers of the start, and the states between, change by an ulp.
+//! Starts beside the curves on which two events coincide, against the motions of
+//! `evidence/reference/coincidences.json`: an integration of the balances of momentum with 40
+//! digits. Every number has a unit there, estimated in the same digits: what it changes by where
+//! the numbers of the start, and the states between, change by an ulp.
 #![allow(clippy::panic)]
 
 use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Phase, Proof, Start, State};
@@ -8,12 +9,15 @@ use serde_json::Value;
 
 const REFERENCE: &str = include_str!("../../../evidence/reference/coincidences.json");
 
-/// Errors of the library, in units. `largest` in the file is the most of all starts that are compared there.
+/// Errors of the library, in units. `largest` in the file is the most of all starts that are
+/// compared there.
 const UNITS: f64 = 64.0;
 
 /// A number written as one, or as a word.
 pub(crate) fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+    value
+        .as_f64()
+        .unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
 }
 
 pub(crate) fn numbers<const N: usize>(value: &Value) -> [f64; N] {
@@ -30,7 +34,8 @@ struct Motion {
 }
 
 fn motions() -> Vec<Motion> {
-    let data: Value = serde_json::from_str(REFERENCE).expect("evidence/reference/coincidences.json");
+    let data: Value =
+        serde_json::from_str(REFERENCE).expect("evidence/reference/coincidences.json");
     let kept = data["kept"].as_array().expect("a list of motions");
     Vec::from_iter(kept.iter().map(|reference| {
         let [mass_ratio, offset, inertia, mu_s, mu_k] = numbers(&reference["hoop"]);
@@ -44,7 +49,9 @@ fn motions() -> Vec<Motion> {
                     .with_friction(mu_s, mu_k),
             )
             .expect("a valid hoop"),
-            start: Start::at(theta, theta_rate).with_slip(slip).with_gap_rate(gap_rate),
+            start: Start::at(theta, theta_rate)
+                .with_slip(slip)
+                .with_gap_rate(gap_rate),
             limits: Limits::until(number(&reference["until"])).with_proof(Proof::None),
             reference: reference.clone(),
         }
@@ -52,31 +59,68 @@ fn motions() -> Vec<Motion> {
 }
 
 pub(crate) fn of_state(state: &State) -> [(&'static str, f64); 5] {
-    let State { time, theta, theta_rate, slip, x } = *state;
-    [("time", time), ("theta", theta), ("theta_rate", theta_rate), ("slip", slip), ("x", x)]
+    let State {
+        time,
+        theta,
+        theta_rate,
+        slip,
+        x,
+    } = *state;
+    [
+        ("time", time),
+        ("theta", theta),
+        ("theta_rate", theta_rate),
+        ("slip", slip),
+        ("x", x),
+    ]
 }
 
 #[test]
 fn events_that_all_but_coincide_are_those_of_40_digits() {
     let motions = motions();
     assert!(motions.len() >= 250);
-    for Motion { name, hoop, start, limits, reference } in motions {
+    for Motion {
+        name,
+        hoop,
+        start,
+        limits,
+        reference,
+    } in motions
+    {
         let motion = hoop.simulate(start, limits).expect("a valid start");
         let first = motion.phases().first().expect("a phase");
         assert_eq!(reference["first"][0], first.mode().name(), "{name}");
         let code = |direction: Option<Direction>| i64::from(Direction::code(direction));
-        assert_eq!(reference["first"][1].as_i64(), Some(code(Phase::direction(first))), "{name}");
+        assert_eq!(
+            reference["first"][1].as_i64(),
+            Some(code(Phase::direction(first))),
+            "{name}"
+        );
 
-        let theirs = reference["transitions"].as_array().expect("a list of transitions");
+        let theirs = reference["transitions"]
+            .as_array()
+            .expect("a list of transitions");
         let has_more = reference["outcome"] == "more";
-        assert!(motion.transitions().len() == theirs.len() || has_more, "{name}: {:?}", motion.transitions());
+        assert!(
+            motion.transitions().len() == theirs.len() || has_more,
+            "{name}: {:?}",
+            motion.transitions()
+        );
         for (ours, theirs) in motion.transitions().iter().zip(theirs) {
             assert_eq!(theirs["cause"], ours.cause.name(), "{name}");
             assert_eq!(theirs["to"], ours.to.map_or("none", Mode::name), "{name}");
-            assert_eq!(theirs["direction"].as_i64(), Some(code(ours.direction)), "{name}");
+            assert_eq!(
+                theirs["direction"].as_i64(),
+                Some(code(ours.direction)),
+                "{name}"
+            );
             for (key, value) in of_state(&ours.before) {
                 let [exact, unit] = numbers(&theirs[key]);
-                let error = if value == exact { 0.0 } else { (value - exact).abs() };
+                let error = if value == exact {
+                    0.0
+                } else {
+                    (value - exact).abs()
+                };
                 assert!(
                     error <= UNITS * unit,
                     "{name} {} {key}: {value} {exact} {}",
@@ -91,23 +135,45 @@ fn events_that_all_but_coincide_are_those_of_40_digits() {
 #[test]
 fn the_digits_that_are_said_to_be_trusted_can_be() {
     let (mut all, mut few) = (0, 0);
-    for Motion { name, hoop, start, limits, reference } in motions() {
+    for Motion {
+        name,
+        hoop,
+        start,
+        limits,
+        reference,
+    } in motions()
+    {
         let motion = hoop.simulate(start, limits).expect("a valid start");
         let digits = hoop.digits(start, limits).expect("a valid start");
         assert_eq!(digits.len(), motion.transitions().len(), "{name}");
-        let theirs = reference["transitions"].as_array().expect("a list of transitions");
+        let theirs = reference["transitions"]
+            .as_array()
+            .expect("a list of transitions");
         for ((ours, theirs), digits) in motion.transitions().iter().zip(theirs).zip(digits) {
             let Some(digits) = digits else { continue };
-            let trusted = [digits.time, digits.theta, digits.theta_rate, digits.slip, digits.x];
+            let trusted = [
+                digits.time,
+                digits.theta,
+                digits.theta_rate,
+                digits.slip,
+                digits.x,
+            ];
             for ((key, value), trusted) in of_state(&ours.before).into_iter().zip(trusted) {
                 let [exact, _] = numbers::<2>(&theirs[key]);
                 // At a rest the reference has a root to 40 digits where the library has 0.
                 let exact = if exact.abs() < 1e-35 { 0.0 } else { exact };
-                let error = if value == exact { 0.0 } else { (value - exact).abs() };
+                let error = if value == exact {
+                    0.0
+                } else {
+                    (value - exact).abs()
+                };
                 let within = libm::pow(10.0, -f64::from(trusted)) * exact.abs();
                 // The exact number is rounded here.
                 let rounded = 0.5 * f64::EPSILON * exact.abs();
-                assert!(error <= within + rounded, "{name} {key}: {value} {exact}, {trusted} digits");
+                assert!(
+                    error <= within + rounded,
+                    "{name} {key}: {value} {exact}, {trusted} digits"
+                );
                 all += 1;
                 few += u32::from(trusted < 12);
             }

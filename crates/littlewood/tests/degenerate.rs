@@ -1,4 +1,5 @@
-//! Starts on a boundary, at rest, on a vertical, without offset, friction or (nearly) inertia; and bad parameters.
+//! Starts on a boundary, at rest, on a vertical, without offset, friction or (nearly) inertia; and
+//! bad parameters.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -8,26 +9,36 @@ use littlewood::modes::{PhaseSolution, Recurrence};
 use littlewood::tables::{Bound, Quantity, Setup};
 use littlewood::theory::{PhasePlane, RollingLaw, StartRegion};
 use littlewood::{
-    Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Start, Trajectory,
+    Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Start,
+    Trajectory,
 };
 use proptest::prelude::*;
 
 fn hoop(mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64) -> Hoop {
     Hoop::new(
-        HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia).with_friction(mu_s, mu_k),
+        HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k),
     )
     .expect("a valid hoop")
 }
 
 fn run(hoop: &Hoop, start: Start) -> Trajectory {
-    hoop.simulate(start, Limits::until(100.0)).expect("a valid start")
+    hoop.simulate(start, Limits::until(100.0))
+        .expect("a valid start")
 }
 
-/// Without kinetic friction a slide comes back to as much friction as rolling would ask for where it began: if that was too much by a last digit only, it
-/// is too much by as little there, and static friction never holds.
+/// Without kinetic friction a slide comes back to as much friction as rolling would ask for where
+/// it began: if that was too much by a last digit only, it is too much by as little there, and
+/// static friction never holds.
 #[test]
 fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
-    let hoops = [hoop(1.0, 1.0, 1.0, 0.5, 0.0), hoop(2.9, 1.0, 2.9, 0.8, 0.0), hoop(0.2, 0.7, 0.1, 0.3, 0.0)];
+    let hoops = [
+        hoop(1.0, 1.0, 1.0, 0.5, 0.0),
+        hoop(2.9, 1.0, 2.9, 0.8, 0.0),
+        hoop(0.2, 0.7, 0.1, 0.3, 0.0),
+    ];
     let mut seen = 0;
     for hoop in &hoops {
         let law = RollingLaw::new(hoop);
@@ -45,14 +56,21 @@ fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
                 let (mut holds, mut slips) = (low, high);
                 while holds.next_up() < slips {
                     let middle = 0.5 * (holds + slips);
-                    if excess(middle) > 0.0 { slips = middle } else { holds = middle }
+                    if excess(middle) > 0.0 {
+                        slips = middle
+                    } else {
+                        holds = middle
+                    }
                 }
                 let limits = Limits::until(20.0).with_transitions(40);
                 let begins = |theta: f64| {
-                    let motion = hoop.simulate(Start::at(theta, rate), limits).expect("a start");
+                    let motion = hoop
+                        .simulate(Start::at(theta, rate), limits)
+                        .expect("a start");
                     (motion.phases()[0].mode() == Mode::Sliding).then_some((theta, motion))
                 };
-                // The exact rules may put the limit elsewhere, by the rounding of the terms of |F| − μs N over its slope.
+                // The exact rules may put the limit elsewhere, by the rounding of the terms of |F|
+                // − μs N over its slope.
                 let slope = (excess(slips + 1e-6) - excess(holds - 1e-6)) / 2e-6;
                 let rounding = 8.0 * f64::EPSILON * hoop.mass() * (1.0 + rate * rate) / slope;
                 let beyond = std::iter::successors(Some(holds), |theta| Some(theta.next_up()));
@@ -61,7 +79,8 @@ fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
                 for event in motion.transitions() {
                     let angle = libm::remainder(event.before.theta, 2.0 * PI);
                     let miss = (angle.abs() - theta.abs()).abs();
-                    // η′ may vanish at another angle, too, where friction does hold, or the hoop lifts off.
+                    // η′ may vanish at another angle, too, where friction does hold, or the hoop
+                    // lifts off.
                     if miss > 1e-6 {
                         break;
                     }
@@ -69,12 +88,21 @@ fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
                         matches!(event.cause, Cause::Reversal | Cause::Graze),
                         "{theta} {rate} {event:?}"
                     );
-                    assert!(miss < 1e-13 * (1.0 + event.before.theta.abs()), "{theta} {rate} {event:?}");
+                    assert!(
+                        miss < 1e-13 * (1.0 + event.before.theta.abs()),
+                        "{theta} {rate} {event:?}"
+                    );
                     seen += 1;
                 }
                 for engine in &engines {
-                    let summary = engine.summary(Start::at(theta, rate), limits).expect("a start");
-                    assert_eq!(summary.sequence, motion.summary().sequence, "{theta} {rate}");
+                    let summary = engine
+                        .summary(Start::at(theta, rate), limits)
+                        .expect("a start");
+                    assert_eq!(
+                        summary.sequence,
+                        motion.summary().sequence,
+                        "{theta} {rate}"
+                    );
                 }
             }
         }
@@ -92,21 +120,40 @@ fn a_homogeneous_disc_slides_at_constant_deceleration_and_then_rolls() {
     assert_eq!((stick.cause, stick.to), (Cause::Stick, Some(Mode::Rolling)));
     assert!((stick.before.time - 1.0 / (0.25 * 5.0)).abs() < 1e-15);
     assert!((stick.before.theta_rate + 0.25 * 4.0 * 0.8).abs() < 1e-15);
-    let Outcome::RollsForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
+    let Outcome::RollsForever {
+        recurrence: Recurrence::Rotation { period },
+        ..
+    } = motion.outcome()
+    else {
         panic!("{:?}", motion.outcome())
     };
-    assert!((period - 2.0 * PI / 0.8).abs() < 1e-14, "constant speed: {period}");
+    assert!(
+        (period - 2.0 * PI / 0.8).abs() < 1e-14,
+        "constant speed: {period}"
+    );
     // At rest anywhere it stays at rest.
     let motion = run(&disc, Start::at(1.0, 0.0));
-    assert!(matches!(motion.outcome(), Outcome::RollsForever { recurrence: Recurrence::Rest, .. }));
+    assert!(matches!(
+        motion.outcome(),
+        Outcome::RollsForever {
+            recurrence: Recurrence::Rest,
+            ..
+        }
+    ));
     assert_eq!(motion.at(50.0).expect("at rest").state.theta, 1.0);
 }
 
 #[test]
 fn without_friction_a_disc_slides_for_ever() {
     let disc = hoop(1.0, 0.0, 0.5, 0.0, 0.0);
-    let motion = disc.simulate(Start::at(0.0, 1.0).with_slip(0.5), Limits::default()).expect("a valid start");
-    let Outcome::SlidesForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
+    let motion = disc
+        .simulate(Start::at(0.0, 1.0).with_slip(0.5), Limits::default())
+        .expect("a valid start");
+    let Outcome::SlidesForever {
+        recurrence: Recurrence::Rotation { period },
+        ..
+    } = motion.outcome()
+    else {
         panic!("{:?}", motion.outcome())
     };
     assert!((period - 2.0 * PI).abs() < 1e-14);
@@ -118,17 +165,28 @@ fn without_friction_a_disc_slides_for_ever() {
 #[test]
 fn without_friction_a_loaded_hoop_slides_periodically() {
     let smooth = hoop(1.0, 1.0, 1.0, 0.0, 0.0);
-    let motion =
-        smooth.simulate(Start::at(2.5, 0.0).with_slip(3.0), Limits::default()).expect("a valid start");
-    let Outcome::SlidesForever { recurrence: Recurrence::Libration { period, theta_min, theta_max }, .. } =
-        motion.outcome()
+    let motion = smooth
+        .simulate(Start::at(2.5, 0.0).with_slip(3.0), Limits::default())
+        .expect("a valid start");
+    let Outcome::SlidesForever {
+        recurrence:
+            Recurrence::Libration {
+                period,
+                theta_min,
+                theta_max,
+            },
+        ..
+    } = motion.outcome()
     else {
         panic!("{:?}", motion.outcome())
     };
     assert!((theta_min - 2.5).abs() < 1e-14 && (theta_min + theta_max - 2.0 * PI).abs() < 1e-13);
     // Energy of the vertical and rotary motion is conserved; the phase repeats.
     for time in [0.7, 3.0, 5.5] {
-        let (a, b) = (motion.at(time).expect("slides"), motion.at(time + 1000.0 * period).expect("slides"));
+        let (a, b) = (
+            motion.at(time).expect("slides"),
+            motion.at(time + 1000.0 * period).expect("slides"),
+        );
         assert!((a.state.theta - b.state.theta).abs() < 1e-10);
         assert!((a.state.slip - b.state.slip).abs() < 1e-10);
         assert!((a.energy - b.energy).abs() < 1e-12);
@@ -145,8 +203,16 @@ fn equilibria_stay_where_they_are() {
         (0.0, hoop(0.0, 1.0, 0.0, 0.5, 0.4)),
         (PI, hoop(0.0, 0.5, 0.0, 0.5, 0.4)),
     ] {
-        let motion = hoop.simulate(Start::at(theta, 0.0), Limits::default()).expect("a valid start");
-        let rests = matches!(motion.outcome(), Outcome::RollsForever { recurrence: Recurrence::Rest, .. });
+        let motion = hoop
+            .simulate(Start::at(theta, 0.0), Limits::default())
+            .expect("a valid start");
+        let rests = matches!(
+            motion.outcome(),
+            Outcome::RollsForever {
+                recurrence: Recurrence::Rest,
+                ..
+            }
+        );
         assert!(rests, "{theta}: {:?}", motion.outcome());
     }
 }
@@ -157,9 +223,14 @@ fn the_separatrix_takes_for_ever() {
     let rim = hoop(0.0, 1.0, 0.0, 10.0, 0.4);
     let theta = FRAC_PI_2;
     let rate = -(0.5 * theta).sin() / (0.5 * theta).cos();
-    let motion = rim.simulate(Start::at(theta, rate), Limits::default()).expect("a valid start");
+    let motion = rim
+        .simulate(Start::at(theta, rate), Limits::default())
+        .expect("a valid start");
     match motion.outcome() {
-        Outcome::RollsForever { recurrence: Recurrence::Asymptotic { theta }, .. } => assert_eq!(theta, 0.0),
+        Outcome::RollsForever {
+            recurrence: Recurrence::Asymptotic { theta },
+            ..
+        } => assert_eq!(theta, 0.0),
         // One ulp beside it the hoop turns back, or passes, after about 2 ln(1/ε).
         _ => assert!(motion.transitions()[0].before.time > 60.0),
     }
@@ -172,7 +243,8 @@ fn the_separatrix_takes_for_ever() {
 
 #[test]
 fn frictionless_planes_still_have_a_direction_of_slip() {
-    // θ > 0 at rest: gravity turns the hoop, the contact point moves with σ = −sign F, F = −μN → the sign of −F_roll.
+    // θ > 0 at rest: gravity turns the hoop, the contact point moves with σ = −sign F, F = −μN →
+    // the sign of −F_roll.
     let smooth = hoop(1.0, 1.0, 1.0, 0.0, 0.0);
     for theta in [0.5, -0.5, 2.0] {
         let first = run(&smooth, Start::at(theta, 0.0)).phases()[0].clone();
@@ -184,11 +256,15 @@ fn frictionless_planes_still_have_a_direction_of_slip() {
 
 #[test]
 fn equal_coefficients_slip_with_a_vanishing_acceleration() {
-    // μs = μk: at the slip η″ = 0 and η‴ decides. The slip still begins, in the direction against the friction force.
+    // μs = μk: at the slip η″ = 0 and η‴ decides. The slip still begins, in the direction against
+    // the friction force.
     let thin = hoop(1.0, 1.0, 1.0, 0.4, 0.4);
     let motion = run(&thin, Start::at(FRAC_PI_2, 2.0));
     let slip = motion.transitions()[1];
-    assert_eq!((slip.cause, slip.direction), (Cause::Slip, Some(Direction::Positive)));
+    assert_eq!(
+        (slip.cause, slip.direction),
+        (Cause::Slip, Some(Direction::Positive))
+    );
     let slide = &motion.phases()[2];
     assert!(slide.first().slip_acceleration.abs() < 1e-14);
     assert!(slide.duration() > 0.5);
@@ -203,18 +279,27 @@ fn a_start_on_the_slip_boundary_goes_where_the_orbit_goes() {
     for i in 0..200 {
         let theta = -PI + 2.0 * PI * f64::from(i) / 199.0;
         for direction in [Direction::Negative, Direction::Positive] {
-            let Some(rate) = plane.slip_rate(theta, direction) else { continue };
+            let Some(rate) = plane.slip_rate(theta, direction) else {
+                continue;
+            };
             for rate in [rate, -rate] {
                 let motion = simulate(&thin, Start::at(theta, rate));
                 let phase = &motion.phases()[0];
                 match phase.mode() {
-                    // Into 𝓡: the body rolls, for a time that is no rounding error, unless the orbit leaves at once.
+                    // Into 𝓡: the body rolls, for a time that is no rounding error, unless the
+                    // orbit leaves at once.
                     Mode::Rolling => seen[0] |= phase.duration() > 1e-3,
                     Mode::Sliding => {
                         seen[1] = true;
-                        assert_eq!(phase.direction(), Some(direction), "θ = {theta}, θ′ = {rate}");
+                        assert_eq!(
+                            phase.direction(),
+                            Some(direction),
+                            "θ = {theta}, θ′ = {rate}"
+                        );
                     }
-                    Mode::Flight | Mode::Gliding => panic!("θ = {theta}, θ′ = {rate}: {:?}", phase.mode()),
+                    Mode::Flight | Mode::Gliding => {
+                        panic!("θ = {theta}, θ′ = {rate}: {:?}", phase.mode())
+                    }
                 }
             }
         }
@@ -224,11 +309,15 @@ fn a_start_on_the_slip_boundary_goes_where_the_orbit_goes() {
 
 #[test]
 fn the_lift_off_curve_is_decided_by_the_next_derivative() {
-    // h = 1/2, θ = ±π/3, θ′ = 2: h cos θ θ′² = 1 up to rounding of the cosine; θ = 0, θ′ = √2: exactly 1 − 2ε.
+    // h = 1/2, θ = ±π/3, θ′ = 2: h cos θ θ′² = 1 up to rounding of the cosine; θ = 0, θ′ = √2:
+    // exactly 1 − 2ε.
     let thin = hoop(1.0, 1.0, 1.0, 0.5, 0.4);
     // s θ′ < 0: falls through zero, flies (or slides for an instant and lifts off).
     let motion = run(&thin, Start::at(-PI / 3.0, 2.0));
-    assert_eq!(motion.phases().last().map(littlewood::Phase::mode), Some(Mode::Flight));
+    assert_eq!(
+        motion.phases().last().map(littlewood::Phase::mode),
+        Some(Mode::Flight)
+    );
     assert!(motion.phases().last().expect("flies").start().time < 1e-7);
     // At the top with θ′² = 1/h to the last digit the body stays in contact: w″ = h cos θ θ′⁴ > 0.
     let quarter = hoop(3.0, 1.0, 1.0, 0.5, 0.4);
@@ -243,7 +332,8 @@ fn the_lift_off_curve_is_decided_by_the_next_derivative() {
 
 #[test]
 fn a_start_one_digit_off_the_lift_off_curve_stays_close_to_the_plane() {
-    // While 1 − h cos θ θ′² grows, a hoop that starts with the last digits of it below zero lands at once.
+    // While 1 − h cos θ θ′² grows, a hoop that starts with the last digits of it below zero lands
+    // at once.
     let hoop = hoop(0.1, 1.0, 0.1, 0.3, 0.2);
     let engine = Engine::new(&hoop);
     for k in 0..200 {
@@ -257,9 +347,15 @@ fn a_start_one_digit_off_the_lift_off_curve_stays_close_to_the_plane() {
                 motion.phases().first().map(littlewood::Phase::solution)
             {
                 // gap = b φ²/2 − h sin θ0 φ³/6 + …: lands at φ = 3 b/(h sin θ0).
-                assert!(flight.duration() < 1e-12 / theta, "{start:?}: {}", flight.duration());
+                assert!(
+                    flight.duration() < 1e-12 / theta,
+                    "{start:?}: {}",
+                    flight.duration()
+                );
             }
-            let summary = engine.summary(start, Limits::until(100.0)).expect("a valid start");
+            let summary = engine
+                .summary(start, Limits::until(100.0))
+                .expect("a valid start");
             assert_eq!(summary.sequence, motion.summary().sequence, "{start:?}");
         }
     }
@@ -282,8 +378,12 @@ fn a_massless_hoop_at_the_top_glides_only_at_the_rate_of_free_fall() {
     let motion = run(&rim, Start::at(0.0, 1.0));
     assert_eq!(motion.phases()[0].mode(), Mode::Gliding);
     assert_eq!(motion.outcome().kind().name(), "particle_at_plane");
-    assert!((motion.outcome().state().time - 2.0).abs() < 1e-15, "free fall through 2R");
-    // Faster, it would leave the plane, with a rotation that nothing determines; with slip, it cannot slide either.
+    assert!(
+        (motion.outcome().state().time - 2.0).abs() < 1e-15,
+        "free fall through 2R"
+    );
+    // Faster, it would leave the plane, with a rotation that nothing determines; with slip, it
+    // cannot slide either.
     for start in [Start::at(0.0, 1.5), Start::at(0.0, 0.5).with_slip(0.2)] {
         assert_eq!(run(&rim, start).outcome().kind().name(), "inconsistent");
     }
@@ -293,20 +393,30 @@ fn a_massless_hoop_at_the_top_glides_only_at_the_rate_of_free_fall() {
 fn an_upward_particle_reaches_the_top_of_the_massless_hoop() {
     let rim = hoop(0.0, 1.0, 0.0, 0.5, 0.4);
     let motion = run(&rim, Start::at(1.0, -2.5).with_slip(0.5));
-    let Outcome::ParticleAtTop { state } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    let Outcome::ParticleAtTop { state } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
     assert_eq!(state.theta, 0.0);
     assert!(state.theta_rate.is_infinite());
     // ȳ = 1 + cos θ0 + V0 τ − τ²/2 = 2.
     let rise = 2.5 * 1.0_f64.sin();
-    assert!((1.0_f64.cos() + rise * state.time - 0.5 * state.time * state.time - 1.0).abs() < 1e-14);
+    assert!(
+        (1.0_f64.cos() + rise * state.time - 0.5 * state.time * state.time - 1.0).abs() < 1e-14
+    );
 }
 
 #[test]
 fn the_number_of_transitions_is_a_limit_that_is_told() {
     let thin = hoop(1.0, 1.0, 1.0, 0.5, 0.4);
     let limits = Limits::default().with_until(None).with_transitions(2);
-    let motion = thin.simulate(Start::at(FRAC_PI_2, 2.0), limits).expect("a valid start");
-    let Outcome::TransitionLimit { state, transitions: 2 } = motion.outcome() else {
+    let motion = thin
+        .simulate(Start::at(FRAC_PI_2, 2.0), limits)
+        .expect("a valid start");
+    let Outcome::TransitionLimit {
+        state,
+        transitions: 2,
+    } = motion.outcome()
+    else {
         panic!("{:?}", motion.outcome())
     };
     assert_eq!(state, motion.transitions()[1].before);
@@ -317,34 +427,62 @@ fn the_number_of_transitions_is_a_limit_that_is_told() {
 fn a_time_limit_ends_on_time_in_every_mode() {
     let thin = hoop(1.0, 1.0, 1.0, 0.5, 0.4);
     let start = Start::at(FRAC_PI_2, 2.0).with_time(1.0);
-    for (until, mode) in
-        [(1.2, Mode::Sliding), (1.7, Mode::Rolling), (2.2, Mode::Sliding), (3.0, Mode::Flight)]
-    {
-        let motion = thin.simulate(start, Limits::until(until)).expect("a valid start");
-        let Outcome::TimeLimit { state } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    for (until, mode) in [
+        (1.2, Mode::Sliding),
+        (1.7, Mode::Rolling),
+        (2.2, Mode::Sliding),
+        (3.0, Mode::Flight),
+    ] {
+        let motion = thin
+            .simulate(start, Limits::until(until))
+            .expect("a valid start");
+        let Outcome::TimeLimit { state } = motion.outcome() else {
+            panic!("{:?}", motion.outcome())
+        };
         assert_eq!(state.time, until);
-        assert_eq!(motion.phases().last().map(littlewood::Phase::mode), Some(mode));
+        assert_eq!(
+            motion.phases().last().map(littlewood::Phase::mode),
+            Some(mode)
+        );
         assert_eq!(motion.at(until).expect("the end").state, state);
         assert_eq!(motion.at(until + 1e-9), None);
     }
-    let at_once = thin.simulate(start, Limits::until(1.0)).expect("a valid start");
+    let at_once = thin
+        .simulate(start, Limits::until(1.0))
+        .expect("a valid start");
     assert_eq!(at_once.end_time(), 1.0);
 }
 
 #[test]
 fn even_samples_contain_every_transition_twice() {
     let thin = hoop(1.0, 1.0, 1.0, 0.5, 0.4);
-    let motion = thin.simulate(Start::at(FRAC_PI_2, 2.0), Limits::default()).expect("a valid start");
+    let motion = thin
+        .simulate(Start::at(FRAC_PI_2, 2.0), Limits::default())
+        .expect("a valid start");
     let samples: Vec<_> = motion.sample_evenly(11, f64::INFINITY).collect();
     assert_eq!(samples.len(), 11 + 2 * 3);
-    assert!(samples.windows(2).all(|pair| pair[0].state.time <= pair[1].state.time));
+    assert!(
+        samples
+            .windows(2)
+            .all(|pair| pair[0].state.time <= pair[1].state.time)
+    );
     for transition in &motion.transitions()[..3] {
-        let at: Vec<_> =
-            samples.iter().filter(|sample| sample.state.time == transition.before.time).collect();
-        let [before, after] = at[..] else { panic!("two instants at a transition") };
-        assert_eq!((Some(before.mode), Some(after.mode)), (transition.from, transition.to));
+        let at: Vec<_> = samples
+            .iter()
+            .filter(|sample| sample.state.time == transition.before.time)
+            .collect();
+        let [before, after] = at[..] else {
+            panic!("two instants at a transition")
+        };
+        assert_eq!(
+            (Some(before.mode), Some(after.mode)),
+            (transition.from, transition.to)
+        );
     }
-    assert_eq!(samples.last().map(|sample| sample.state), Some(motion.outcome().state()));
+    assert_eq!(
+        samples.last().map(|sample| sample.state),
+        Some(motion.outcome().state())
+    );
 }
 
 #[test]
@@ -365,18 +503,41 @@ fn bad_parameters_are_refused_by_name_value_and_bound() {
         (with(Quantity::MuK, f64::NEG_INFINITY), Quantity::MuK),
     ] {
         let error = refused(parameters);
-        let ParameterError::OutOfBounds { quantity: found, bound: Bound::Finite, .. } = error else {
+        let ParameterError::OutOfBounds {
+            quantity: found,
+            bound: Bound::Finite,
+            ..
+        } = error
+        else {
             panic!("{error}")
         };
         assert_eq!(found, quantity);
     }
     for (parameters, message) in [
-        (with(Quantity::MassRatio, -1.0), "mass_ratio = -1 must not be negative"),
-        (with(Quantity::Offset, 1.5), "offset = 1.5 must not exceed 1"),
-        (with(Quantity::Offset, -0.1), "offset = -0.1 must not be negative"),
-        (with(Quantity::Inertia, -2.0), "inertia = -2 must not be negative"),
-        (with(Quantity::MuK, 0.6), "mu_k = 0.6 must not exceed mu_s = 0.5"),
-        (good.with_friction(-0.5, -0.6), "mu_s = -0.5 must not be negative"),
+        (
+            with(Quantity::MassRatio, -1.0),
+            "mass_ratio = -1 must not be negative",
+        ),
+        (
+            with(Quantity::Offset, 1.5),
+            "offset = 1.5 must not exceed 1",
+        ),
+        (
+            with(Quantity::Offset, -0.1),
+            "offset = -0.1 must not be negative",
+        ),
+        (
+            with(Quantity::Inertia, -2.0),
+            "inertia = -2 must not be negative",
+        ),
+        (
+            with(Quantity::MuK, 0.6),
+            "mu_k = 0.6 must not exceed mu_s = 0.5",
+        ),
+        (
+            good.with_friction(-0.5, -0.6),
+            "mu_s = -0.5 must not be negative",
+        ),
     ] {
         let error = refused(parameters);
         assert_eq!(error.to_string(), message);
@@ -384,16 +545,29 @@ fn bad_parameters_are_refused_by_name_value_and_bound() {
     }
     for mass_ratio in [0.0, 2.0] {
         let error = refused(
-            HoopParameters::thin(mass_ratio).with_offset(0.0).with_inertia(0.0).with_friction(0.5, 0.4),
+            HoopParameters::thin(mass_ratio)
+                .with_offset(0.0)
+                .with_inertia(0.0)
+                .with_friction(0.5, 0.4),
         );
         assert_eq!(error, ParameterError::NoMotion { mass_ratio });
     }
     let hoop = Hoop::new(good).expect("a valid hoop");
-    assert!(hoop.simulate(Start::at(nan, 0.0), Limits::default()).is_err());
-    assert!(hoop.simulate(Start::at(0.0, 1e200), Limits::default()).is_err());
-    let early =
-        hoop.simulate(Start::at(0.0, 0.5).with_time(2.0), Limits::until(1.0)).expect_err("before the start");
-    assert_eq!(early.to_string(), "until = 1 sqrt(R/g) must not be less than time = 2 sqrt(R/g)");
+    assert!(
+        hoop.simulate(Start::at(nan, 0.0), Limits::default())
+            .is_err()
+    );
+    assert!(
+        hoop.simulate(Start::at(0.0, 1e200), Limits::default())
+            .is_err()
+    );
+    let early = hoop
+        .simulate(Start::at(0.0, 0.5).with_time(2.0), Limits::until(1.0))
+        .expect_err("before the start");
+    assert_eq!(
+        early.to_string(),
+        "until = 1 sqrt(R/g) must not be less than time = 2 sqrt(R/g)"
+    );
 }
 
 #[test]
@@ -406,7 +580,10 @@ fn a_vanishing_inertia_approaches_the_massless_hoop() {
         assert_eq!(motion.transitions()[0].cause, Cause::Slip);
         errors.push((motion.transitions()[0].before.time - 5.0_f64.ln()).abs());
     }
-    assert!(errors[0] < 1e-3 && errors[1] < 1e-5 && errors[2] < 1e-7, "{errors:?}");
+    assert!(
+        errors[0] < 1e-3 && errors[1] < 1e-5 && errors[2] < 1e-7,
+        "{errors:?}"
+    );
 }
 
 proptest! {
@@ -446,9 +623,18 @@ proptest! {
 fn reversals_without_friction_end_in_a_period() {
     // At rest on the side: gravity swings the hoop, the contact point goes back and forth with it.
     let smooth = hoop(1.0, 1.0, 1.0, 0.0, 0.0);
-    let motion = smooth.simulate(Start::at(3.0, 0.0), Limits::default()).expect("a valid start");
-    let Outcome::SlidesForever { recurrence: Recurrence::Libration { period, theta_min, theta_max }, .. } =
-        motion.outcome()
+    let motion = smooth
+        .simulate(Start::at(3.0, 0.0), Limits::default())
+        .expect("a valid start");
+    let Outcome::SlidesForever {
+        recurrence:
+            Recurrence::Libration {
+                period,
+                theta_min,
+                theta_max,
+            },
+        ..
+    } = motion.outcome()
     else {
         panic!("{:?}", motion.outcome())
     };
@@ -459,45 +645,75 @@ fn reversals_without_friction_end_in_a_period() {
     assert_eq!(motion.energy_lost(), 0.0);
     // With a time limit it goes on to it.
     assert_eq!(
-        smooth.simulate(Start::at(3.0, 0.0), Limits::until(50.0)).expect("a valid start").end_time(),
+        smooth
+            .simulate(Start::at(3.0, 0.0), Limits::until(50.0))
+            .expect("a valid start")
+            .end_time(),
         50.0
     );
 }
 
-/// Without friction, from the rate of the lift-off over the top: at the mirror image of the start η′ and the normal force vanish
-/// together. What leads into flight is a lift-off, whichever rounds to come first.
+/// Without friction, from the rate of the lift-off over the top: at the mirror image of the start
+/// η′ and the normal force vanish together. What leads into flight is a lift-off, whichever rounds
+/// to come first.
 #[test]
 fn a_slip_that_ends_where_the_hoop_lifts_off_is_a_lift_off() {
     let hoop = HoopParameters::thin(0.858_335_096_611_543_2).with_offset(0.413_766_977_366_253_6);
     let start = Start::at(0.674_975_923_504_364, 2.398_478_851_386_528_3);
-    let motion =
-        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
-    let flies = motion.transitions().iter().find(|it| it.to == Some(Mode::Flight)).expect("flies");
-    assert_eq!((flies.cause, flies.from), (Cause::LiftOff, Some(Mode::Sliding)));
+    let motion = Hoop::new(hoop)
+        .expect("a valid hoop")
+        .simulate(start, Limits::default())
+        .expect("a valid start");
+    let flies = motion
+        .transitions()
+        .iter()
+        .find(|it| it.to == Some(Mode::Flight))
+        .expect("flies");
+    assert_eq!(
+        (flies.cause, flies.from),
+        (Cause::LiftOff, Some(Mode::Sliding))
+    );
     assert!((flies.before.theta - (std::f64::consts::TAU - start.theta)).abs() < 1e-7);
     assert!(flies.before.slip.abs() < 1e-7);
 }
 
-/// Next to Type II the glide begins with η″ = 1.5e-8, and its slip is 2e-16 at most before it reverses. The times have been computed
-/// with 45 digits by an independent program.
+/// Next to Type II the glide begins with η″ = 1.5e-8, and its slip is 2e-16 at most before it
+/// reverses. The times have been computed with 45 digits by an independent program.
 #[test]
 fn a_reversal_just_after_a_slip_next_to_type_ii_is_not_missed() {
     let mu = 0.528_315_945_331_795_3;
-    let motion =
-        run(&hoop(0.0, 1.0, 0.0, mu, mu), Start::at(0.104_267_634_546_428_75, 0.753_548_356_230_989_5));
-    let found = Vec::from_iter(motion.transitions().iter().map(|it| (it.cause, it.to, it.direction)));
+    let motion = run(
+        &hoop(0.0, 1.0, 0.0, mu, mu),
+        Start::at(0.104_267_634_546_428_75, 0.753_548_356_230_989_5),
+    );
+    let found = Vec::from_iter(
+        motion
+            .transitions()
+            .iter()
+            .map(|it| (it.cause, it.to, it.direction)),
+    );
     assert_eq!(
         found,
         [
             (Cause::Slip, Some(Mode::Gliding), Some(Direction::Positive)),
-            (Cause::Reversal, Some(Mode::Gliding), Some(Direction::Negative)),
+            (
+                Cause::Reversal,
+                Some(Mode::Gliding),
+                Some(Direction::Negative)
+            ),
             (Cause::ParticleAtPlane, None, None),
         ]
     );
-    for (transition, time) in
-        motion.transitions().iter().zip([1.036_895_971_622_241, 1.036_896_000_955_513, 2.162_636_097_892_943])
-    {
-        assert!((transition.time() - time).abs() < 1e-15, "{} {time}", transition.time());
+    for (transition, time) in motion.transitions().iter().zip([
+        1.036_895_971_622_241,
+        1.036_896_000_955_513,
+        2.162_636_097_892_943,
+    ]) {
+        assert!(
+            (transition.time() - time).abs() < 1e-15,
+            "{} {time}",
+            transition.time()
+        );
     }
 }
 
@@ -512,17 +728,26 @@ fn a_particle_that_is_all_but_at_the_plane_ends_on_its_own_side() {
             let Outcome::ParticleAtPlane { state } = motion.outcome() else {
                 panic!("{:?}", motion.outcome())
             };
-            assert!((state.theta - theta).abs() < 1e-14, "{theta} {}", state.theta);
+            assert!(
+                (state.theta - theta).abs() < 1e-14,
+                "{theta} {}",
+                state.theta
+            );
             assert!(state.time < 1e-14 && state.slip == 1.0);
         }
     }
 }
 
-/// x̄ = x̄0 + v Δτ, and at θ = π the centre is above the particle. The number has 45 digits behind it.
+/// x̄ = x̄0 + v Δτ, and at θ = π the centre is above the particle. The number has 45 digits behind
+/// it.
 #[test]
 fn the_centre_is_above_the_particle_at_the_end_of_a_glide() {
     let motion = run(&hoop(0.0, 1.0, 0.0, 3.0, 0.4), Start::at(0.0, 0.5));
     let state = motion.outcome().state();
-    assert!((state.x + 3.393_616_639_732_249).abs() < 1e-15, "{}", state.x);
+    assert!(
+        (state.x + 3.393_616_639_732_249).abs() < 1e-15,
+        "{}",
+        state.x
+    );
     assert_eq!(state.theta, PI);
 }

@@ -1,5 +1,6 @@
-//! Derivatives of motions: against central differences with 40 digits (evidence/reference/derivatives.py), conservation laws, symmetries,
-//! and the reasons why some do not exist.
+//! Derivatives of motions: against central differences with 40 digits
+//! (evidence/reference/derivatives.py), conservation laws, symmetries, and the reasons why some do
+//! not exist.
 #![allow(clippy::panic)] // a failed comparison
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
@@ -12,14 +13,20 @@ use littlewood::modes::{GrazingOrbit, Recurrence};
 use littlewood::tables::{Quantity, Setup, SummaryColumn, SummaryValue};
 use littlewood::theory::{Body, RollingLaw};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Phase, Restitution, RestitutionLaw, Sample, Start,
-    State, Summary, Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Phase, Restitution, RestitutionLaw, Sample,
+    Start, State, Summary, Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;
 
 fn numbers(state: &State) -> [f64; 5] {
-    [state.time, state.theta, state.theta_rate, state.slip, state.x]
+    [
+        state.time,
+        state.theta,
+        state.theta_rate,
+        state.slip,
+        state.x,
+    ]
 }
 
 const fn before(event: EventDerivative) -> State {
@@ -31,10 +38,13 @@ const fn after(event: EventDerivative) -> State {
 }
 
 fn size(numbers: [f64; 5]) -> f64 {
-    numbers.into_iter().fold(1.0, |size, number| size.max(number.abs()))
+    numbers
+        .into_iter()
+        .fold(1.0, |size, number| size.max(number.abs()))
 }
 
-/// A light hoop amplifies rounding by the square of the frequency at which it swings, once it passes the bottom.
+/// A light hoop amplifies rounding by the square of the frequency at which it swings, once it
+/// passes the bottom.
 fn amplification(hoop: &Hoop) -> f64 {
     1.0 + match hoop.body() {
         Body::Heavy(heavy) => heavy.offset / heavy.inertia,
@@ -50,7 +60,10 @@ fn derivatives_are_those_of_differences_with_40_digits() {
     let mut compared = 0;
     for (index, row) in motions.iter().enumerate() {
         let mut setup = Setup::new(HoopParameters::thin(1.0), Start::default());
-        for (quantities, table) in [(&Quantity::HOOP[..], &row["hoop"]), (&Quantity::START, &row["start"])] {
+        for (quantities, table) in [
+            (&Quantity::HOOP[..], &row["hoop"]),
+            (&Quantity::START, &row["start"]),
+        ] {
             for quantity in quantities {
                 if let Some(value) = table[quantity.name()].as_f64() {
                     setup.set(*quantity, value);
@@ -61,17 +74,30 @@ fn derivatives_are_those_of_differences_with_40_digits() {
         setup.hoop.restitution_law = law.map(|name| name.parse().expect("a law"));
         let events = row["events"].as_array().expect("a list");
         let limits = Limits::default().with_transitions(events.len());
-        let motion = Hoop::new(setup.hoop).expect("a hoop").simulate(setup.start, limits).expect("a start");
+        let motion = Hoop::new(setup.hoop)
+            .expect("a hoop")
+            .simulate(setup.start, limits)
+            .expect("a start");
         let named = events[0]["before"].as_object().expect("a table");
-        let quantities: Vec<Quantity> = named.keys().map(|name| name.parse().expect("a quantity")).collect();
+        let quantities: Vec<Quantity> = named
+            .keys()
+            .map(|name| name.parse().expect("a quantity"))
+            .collect();
         let derivatives = motion.derivatives(&quantities).expect("quantities");
         for (i, event) in events.iter().enumerate() {
-            assert_eq!(motion.transitions()[i].cause.name(), event["cause"].as_str().expect("a cause"));
+            assert_eq!(
+                motion.transitions()[i].cause.name(),
+                event["cause"].as_str().expect("a cause")
+            );
             for (k, quantity) in quantities.iter().enumerate() {
                 let ours = derivatives.transitions()[i][k];
-                for (when, of) in [("before", before as fn(EventDerivative) -> State), ("after", after)] {
+                for (when, of) in [
+                    ("before", before as fn(EventDerivative) -> State),
+                    ("after", after),
+                ] {
                     let theirs = event[when][quantity.name()].as_array().expect("numbers");
-                    let theirs: [f64; 5] = core::array::from_fn(|n| theirs[n].as_f64().expect("a number"));
+                    let theirs: [f64; 5] =
+                        core::array::from_fn(|n| theirs[n].as_f64().expect("a number"));
                     let ours = numbers(&of(ours.expect("a regular event")));
                     for (ours, theirs_n) in ours.into_iter().zip(theirs) {
                         let error = (ours - theirs_n).abs() / size(theirs);
@@ -94,36 +120,63 @@ fn derivatives_are_those_of_differences_with_40_digits() {
 fn all(motion: &Trajectory) -> (Vec<Quantity>, Derivatives) {
     let bounces = motion.hoop().restitution().is_some();
     let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-    let quantities: Vec<Quantity> =
-        quantities.filter(|quantity| bounces || *quantity != Quantity::Restitution).collect();
-    let derivatives = motion.derivatives(&quantities).expect("quantities of the motion");
+    let quantities: Vec<Quantity> = quantities
+        .filter(|quantity| bounces || *quantity != Quantity::Restitution)
+        .collect();
+    let derivatives = motion
+        .derivatives(&quantities)
+        .expect("quantities of the motion");
     (quantities, derivatives)
 }
 
 /// The transition that precedes a phase.
 fn before_phase(motion: &Trajectory, phase: &Phase) -> Option<usize> {
-    motion.transitions().iter().position(|it| it.time() == phase.start().time)
+    motion
+        .transitions()
+        .iter()
+        .position(|it| it.time() == phase.start().time)
 }
 
 /// The change of the energy in contact with a state, and the size of its terms.
 fn energy_change(hoop: &Hoop, (state, by): (State, State)) -> (f64, f64) {
-    let (m, h, inertia) = (hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre());
+    let (m, h, inertia) = (
+        hoop.mass(),
+        hoop.h(),
+        hoop.body().inertia_about_mass_centre(),
+    );
     let (sin, cos) = state.theta.sin_cos();
     let rate = state.theta_rate;
     let (vx, vy) = (state.slip - (1.0 + h * cos) * rate, -h * sin * rate);
     let dvx = by.slip - (1.0 + h * cos) * by.theta_rate + h * sin * rate * by.theta;
     let dvy = -h * sin * by.theta_rate - h * cos * rate * by.theta;
-    let terms = [m * vx * dvx, m * vy * dvy, inertia * rate * by.theta_rate, -hoop.offset() * sin * by.theta];
-    (terms.into_iter().sum(), terms.into_iter().map(f64::abs).sum())
+    let terms = [
+        m * vx * dvx,
+        m * vy * dvy,
+        inertia * rate * by.theta_rate,
+        -hoop.offset() * sin * by.theta,
+    ];
+    (
+        terms.into_iter().sum(),
+        terms.into_iter().map(f64::abs).sum(),
+    )
 }
 
 /// A motion of such a hoop, half of them with bounces.
 fn motions(hoops: impl Strategy<Value = Hoop>) -> impl Strategy<Value = Trajectory> {
-    let restitution = (0.1..0.95_f64, prop::sample::select(RestitutionLaw::ALL.to_vec()));
+    let restitution = (
+        0.1..0.95_f64,
+        prop::sample::select(RestitutionLaw::ALL.to_vec()),
+    );
     (hoops, start(), restitution, any::<bool>()).prop_map(|(hoop, start, (e, law), bounces)| {
         let restitution = Restitution::new(e, law).expect("a coefficient");
-        let hoop = if bounces { hoop.with_restitution(restitution).expect("heavy") } else { hoop };
-        let limits = Limits::default().with_transitions(12).with_until(Some(start.time + 50.0));
+        let hoop = if bounces {
+            hoop.with_restitution(restitution).expect("heavy")
+        } else {
+            hoop
+        };
+        let limits = Limits::default()
+            .with_transitions(12)
+            .with_until(Some(start.time + 50.0));
         hoop.simulate(start, limits).expect("a valid start")
     })
 }
@@ -131,8 +184,8 @@ fn motions(hoops: impl Strategy<Value = Hoop>) -> impl Strategy<Value = Trajecto
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
-    /// Time and place of the start shift the motion; a phase conserves what it conserves; and at a fixed time the state changes by what
-    /// the event moves.
+    /// Time and place of the start shift the motion; a phase conserves what it conserves; and at a
+    /// fixed time the state changes by what the event moves.
     #[test]
     fn derivatives_obey_the_laws_of_the_motion(motion in motions(heavy_hoop())) {
         let (quantities, derivatives) = all(&motion);
@@ -177,7 +230,8 @@ proptest! {
                 let (Ok(from), Ok(to)) = pair else { continue };
                 let ends = [(phase.start(), from.after), (last.before, to.before)];
                 let [(one, a), (other, b)] = ends.map(|end| energy_change(hoop, end));
-                // Large derivatives have large derivatives of their own, by which the last digits of a state show.
+                // Large derivatives have large derivatives of their own, by which the last digits
+                // of a state show.
                 if size(numbers(&to.before)).max(size(numbers(&from.after))) > 100.0 {
                     continue;
                 }
@@ -187,7 +241,8 @@ proptest! {
         }
     }
 
-    /// The derivatives of a summary are those of its differences, as far as two steps agree on them.
+    /// The derivatives of a summary are those of its differences, as far as two steps agree on
+    /// them.
     #[test]
     fn derivatives_of_a_summary_are_those_of_its_differences(motion in motions(moderate_hoop()), slope in prop_oneof![Just(0.0), -0.3..0.3]) {
         let mut setup = Setup::new(motion.hoop().parameters(), Start::default());
@@ -228,8 +283,9 @@ proptest! {
                 });
                 let [_, coarse, fine] = differences;
                 prop_assert_eq!(ours.is_nan(), real(&like).is_nan(), "{} {}", column, quantity);
-                // A difference of fourth order: halving the step divides its error by 16 where the number is smooth over the step, and by
-                // less where a step crosses a kink, such as an impact of another case. What it has changed then bounds the error.
+                // A difference of fourth order: halving the step divides its error by 16 where the
+                // number is smooth over the step, and by less where a step crosses a kink, such as
+                // an impact of another case. What it has changed then bounds the error.
                 let (change, next) = ((differences[0] - coarse).abs(), (coarse - fine).abs());
                 if ours.is_nan() || next > change / 8.0 + 1e-7 || change > 1e-2 * (1.0 + fine.abs()) {
                     continue;
@@ -251,7 +307,8 @@ proptest! {
                 continue;
             }
             let index = motion.transitions().iter().position(|it| it == transition).expect("its own");
-            // The time of the event belongs to the next phase: the last double before it to this one.
+            // The time of the event belongs to the next phase: the last double before it to this
+            // one.
             let at = motion.derivatives_at(&[transition.time().next_down()], &quantities).expect("quantities");
             for (k, at) in at[0].clone().expect("within the motion").into_iter().enumerate() {
                 let (Ok(along), Ok(at)) = (derivatives.transitions()[index][k], at) else { continue };
@@ -303,28 +360,59 @@ fn a_derivative_that_does_not_exist_says_why() {
     let of = |motion: &Trajectory, quantity| motion.derivatives(&[quantity]).expect("a quantity");
     let reason = |motion: &Trajectory, quantity| of(motion, quantity).transitions()[0][0].err();
     // Without slip a start rolls, or takes a slip of either sign.
-    let rolls = find_case("slip-then-jump").expect("a case").simulate().expect("a motion");
+    let rolls = find_case("slip-then-jump")
+        .expect("a case")
+        .simulate()
+        .expect("a motion");
     assert_eq!(reason(&rolls, Quantity::Slip), Some(NoDerivative::OneSided));
-    assert_eq!(reason(&rolls, Quantity::GapRate), Some(NoDerivative::OneSided));
+    assert_eq!(
+        reason(&rolls, Quantity::GapRate),
+        Some(NoDerivative::OneSided)
+    );
     assert_eq!(reason(&rolls, Quantity::MuS), None);
     // At an instant, too; instants come in any order, and outside the motion there is no state.
     let times = [0.5, -1.0, 0.25, 0.5];
-    let found = rolls.derivatives_at(&times, &[Quantity::Slip, Quantity::Theta]).expect("quantities");
-    assert_eq!(found[0].as_ref().map(|row| row[0]), Some(Err(NoDerivative::OneSided)));
+    let found = rolls
+        .derivatives_at(&times, &[Quantity::Slip, Quantity::Theta])
+        .expect("quantities");
+    assert_eq!(
+        found[0].as_ref().map(|row| row[0]),
+        Some(Err(NoDerivative::OneSided))
+    );
     assert_eq!(found[1], None);
     assert_eq!(found[0], found[3]);
-    let alone = rolls.derivatives_at(&times[2..3], &[Quantity::Slip, Quantity::Theta]).expect("quantities");
+    let alone = rolls
+        .derivatives_at(&times[2..3], &[Quantity::Slip, Quantity::Theta])
+        .expect("quantities");
     assert_eq!(found[2], alone[0]);
     assert!(found[2].as_ref().is_some_and(|row| row[1].is_ok()));
-    // A massless hoop with inertia is another body; the particle reaches the plane with an infinite rate.
-    let massless = find_case("type-1").expect("a case").simulate().expect("a motion");
-    assert_eq!(reason(&massless, Quantity::Inertia), Some(NoDerivative::OneSided));
-    assert_eq!(of(&massless, Quantity::Theta).outcome()[0].err(), Some(NoDerivative::Singular));
+    // A massless hoop with inertia is another body; the particle reaches the plane with an infinite
+    // rate.
+    let massless = find_case("type-1")
+        .expect("a case")
+        .simulate()
+        .expect("a motion");
+    assert_eq!(
+        reason(&massless, Quantity::Inertia),
+        Some(NoDerivative::OneSided)
+    );
+    assert_eq!(
+        of(&massless, Quantity::Theta).outcome()[0].err(),
+        Some(NoDerivative::Singular)
+    );
     // A slide of 1e5 turns.
     let hoop = HoopParameters::thin(1.0).with_friction(1e-9, 1e-9);
     let start = Start::at(0.0, 0.5).with_slip(1e-3);
-    let long = Hoop::new(hoop).expect("a hoop").simulate(start, Limits::default()).expect("a motion");
-    assert_eq!(reason(&long, Quantity::MuK), Some(NoDerivative::TooLong), "{:?}", long.outcome());
+    let long = Hoop::new(hoop)
+        .expect("a hoop")
+        .simulate(start, Limits::default())
+        .expect("a motion");
+    assert_eq!(
+        reason(&long, Quantity::MuK),
+        Some(NoDerivative::TooLong),
+        "{:?}",
+        long.outcome()
+    );
     // The orbit that touches the limit of friction.
     let hoop = Hoop::figure_2(0.5, 0.5).expect("a hoop");
     let law = RollingLaw::new(&hoop);
@@ -333,19 +421,29 @@ fn a_derivative_that_does_not_exist_says_why() {
     for step in 0..60 {
         let above = orbit.energy * (1.0 + f64::from(step) * f64::EPSILON) - law.energy(PI, 0.0);
         let start = Start::at(PI, (2.0 * above / law.denominator(PI)).sqrt());
-        let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a motion");
-        if motion.transitions().first().is_some_and(|first| first.cause == Cause::Slip) {
+        let motion = hoop
+            .simulate(start, Limits::default().with_transitions(1))
+            .expect("a motion");
+        if motion
+            .transitions()
+            .first()
+            .is_some_and(|first| first.cause == Cause::Slip)
+        {
             slips += 1;
             grazes += usize::from(reason(&motion, Quantity::MuS) == Some(NoDerivative::Grazing));
         }
     }
     assert!(slips > 30 && grazes == slips, "{grazes} of {slips}");
-    let start =
-        Start::at(PI, (2.0 * (orbit.energy + 1e-6 - law.energy(PI, 0.0)) / law.denominator(PI)).sqrt());
+    let start = Start::at(
+        PI,
+        (2.0 * (orbit.energy + 1e-6 - law.energy(PI, 0.0)) / law.denominator(PI)).sqrt(),
+    );
     let crosses = hoop.simulate(start, Limits::default()).expect("a motion");
     assert_eq!(reason(&crosses, Quantity::MuS), None);
     // What is no quantity of a motion.
-    let refused = rolls.derivatives(&[Quantity::Until]).expect_err("no quantity of hoop or start");
+    let refused = rolls
+        .derivatives(&[Quantity::Until])
+        .expect_err("no quantity of hoop or start");
     assert_eq!(refused.quantity, Quantity::Until);
     assert!(rolls.derivatives(&[Quantity::Restitution]).is_err());
 }
@@ -357,12 +455,24 @@ fn periods_and_amplitudes_have_the_derivatives_of_their_closed_forms() {
     for (theta, rate) in [(2.5, 0.0), (2.0, 0.3), (-2.0, 0.3), (PI, -0.4)] {
         let motion = |theta: f64, rate: f64, mass: f64| {
             let mut setup = case.setup;
-            (setup.start.theta, setup.start.theta_rate, setup.hoop.mass_ratio) = (theta, rate, mass);
-            Hoop::new(setup.hoop).expect("a hoop").simulate(setup.start, Limits::default()).expect("a motion")
+            (
+                setup.start.theta,
+                setup.start.theta_rate,
+                setup.hoop.mass_ratio,
+            ) = (theta, rate, mass);
+            Hoop::new(setup.hoop)
+                .expect("a hoop")
+                .simulate(setup.start, Limits::default())
+                .expect("a motion")
         };
         let numbers = |motion: &Trajectory| match motion.outcome() {
             Outcome::RollsForever {
-                recurrence: Recurrence::Libration { period, theta_min, theta_max },
+                recurrence:
+                    Recurrence::Libration {
+                        period,
+                        theta_min,
+                        theta_max,
+                    },
                 ..
             } => [period, theta_min, theta_max],
             other => panic!("{other:?}"),
@@ -370,9 +480,22 @@ fn periods_and_amplitudes_have_the_derivatives_of_their_closed_forms() {
         let here = motion(theta, rate, 1.0);
         let quantities = [Quantity::Theta, Quantity::ThetaRate, Quantity::MassRatio];
         let derivatives = here.derivatives(&quantities).expect("quantities");
-        for (k, direction) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate() {
-            let ours = derivatives.outcome()[k].expect("regular").recurrence.expect("a libration");
-            let Recurrence::Libration { period, theta_min, theta_max } = ours else { panic!("{ours:?}") };
+        for (k, direction) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+            .into_iter()
+            .enumerate()
+        {
+            let ours = derivatives.outcome()[k]
+                .expect("regular")
+                .recurrence
+                .expect("a libration");
+            let Recurrence::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } = ours
+            else {
+                panic!("{ours:?}")
+            };
             let at = |by: f64| {
                 let [a, b, c] = direction.map(|part| part * by);
                 numbers(&motion(theta + a, rate + b, 1.0 + c))
@@ -393,32 +516,50 @@ fn periods_and_amplitudes_have_the_derivatives_of_their_closed_forms() {
     }
 }
 
-/// θ after many periods of rolling: the derivative by the rate of the start grows with the time, as that of the period says.
+/// θ after many periods of rolling: the derivative by the rate of the start grows with the time, as
+/// that of the period says.
 #[test]
 fn rolling_through_many_periods_has_the_derivatives_of_its_differences() {
     // Rotation without friction's limits, a libration, and a well of a slope.
-    for (theta, rate, slope, offset) in [(0.0, 0.5, 0.0, 0.2), (2.5, 0.0, 0.0, 1.0), (2.9, 0.1, 0.1, 1.0)] {
+    for (theta, rate, slope, offset) in [
+        (0.0, 0.5, 0.0, 0.2),
+        (2.5, 0.0, 0.0, 1.0),
+        (2.9, 0.1, 0.1, 1.0),
+    ] {
         let motion = |change: f64| {
-            let hoop = HoopParameters::thin(1.0).with_friction(9.0, 9.0).with_offset(offset);
+            let hoop = HoopParameters::thin(1.0)
+                .with_friction(9.0, 9.0)
+                .with_offset(offset);
             let mut setup = Setup::new(hoop, Start::at(theta, rate + change));
             setup.set(Quantity::Slope, slope);
             let limits = Limits::default().with_until(Some(2000.0));
-            Hoop::new(setup.hoop).expect("a hoop").simulate(setup.start, limits).expect("a motion")
+            Hoop::new(setup.hoop)
+                .expect("a hoop")
+                .simulate(setup.start, limits)
+                .expect("a motion")
         };
         let here = motion(0.0);
         let times = [0.5, 400.0, 1999.0];
-        let found = here.derivatives_at(&times, &[Quantity::ThetaRate]).expect("a quantity");
+        let found = here
+            .derivatives_at(&times, &[Quantity::ThetaRate])
+            .expect("a quantity");
         for (time, found) in times.into_iter().zip(found) {
             let ours = found.expect("within the motion")[0].expect("regular");
             let step = 1e-6;
-            let [plus, minus] = [step, -step].map(|step| motion(step).at(time).expect("within").state);
-            for (ours, (plus, minus)) in
-                numbers(&ours).into_iter().zip(numbers(&plus).into_iter().zip(numbers(&minus)))
+            let [plus, minus] =
+                [step, -step].map(|step| motion(step).at(time).expect("within").state);
+            for (ours, (plus, minus)) in numbers(&ours)
+                .into_iter()
+                .zip(numbers(&plus).into_iter().zip(numbers(&minus)))
             {
                 let theirs = (plus - minus) / (2.0 * step);
-                // A central difference: rounding 1e-13 of the angle over the step, and the third derivative, which grows with the time cubed.
+                // A central difference: rounding 1e-13 of the angle over the step, and the third
+                // derivative, which grows with the time cubed.
                 let bound = 1e-6 + 1e-12 * time * time * time + 1e-7 * theirs.abs();
-                assert!((ours - theirs).abs() < bound, "{theta} {rate} {slope} {time}: {ours} {theirs}");
+                assert!(
+                    (ours - theirs).abs() < bound,
+                    "{theta} {rate} {slope} {time}: {ours} {theirs}"
+                );
             }
         }
     }

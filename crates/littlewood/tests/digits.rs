@@ -1,5 +1,6 @@
-//! The digits that are said to be trusted, against the motions of `evidence/reference/digits-usual.json`, `digits-heavy.json` and
-//! `digits-hard.json`, followed with 60 digits.
+//! The digits that are said to be trusted, against the motions of
+//! `evidence/reference/digits-usual.json`, `digits-heavy.json` and `digits-hard.json`, followed
+//! with 60 digits.
 #![allow(clippy::panic)] // a failed expectation
 
 use littlewood::tables::{Quantity, Setup};
@@ -32,10 +33,14 @@ impl Claims {
         // The exact number is rounded here.
         let allowed = libm::exp10(-f64::from(claimed)) * truth.abs();
         if error > allowed + 0.5 * f64::EPSILON * truth.abs() {
-            self.wrong.push(format!("{name}: {value} for {truth}, {claimed} digits"));
+            self.wrong
+                .push(format!("{name}: {value} for {truth}, {claimed} digits"));
         }
-        let true_digits =
-            if error == 0.0 { 15.0 } else { (-libm::log10(error / truth.abs())).floor().min(15.0) };
+        let true_digits = if error == 0.0 {
+            15.0
+        } else {
+            (-libm::log10(error / truth.abs())).floor().min(15.0)
+        };
         if true_digits - f64::from(claimed) < 2.0 {
             self.close += 1;
         } else {
@@ -54,8 +59,9 @@ fn problem(motion: &Value) -> (Hoop, Start) {
             }
         }
     }
-    setup.hoop.restitution_law =
-        motion["hoop"]["restitution_law"].as_str().map(|law| law.parse().expect("a law"));
+    setup.hoop.restitution_law = motion["hoop"]["restitution_law"]
+        .as_str()
+        .map(|law| law.parse().expect("a law"));
     (Hoop::new(setup.hoop).expect("a valid hoop"), setup.start)
 }
 
@@ -69,15 +75,34 @@ fn claims(text: &str) -> Claims {
         let digits = hoop.digits(start, limits).expect("a valid start");
         assert_eq!(digits.len(), ours.transitions().len());
         let events = motion["events"].as_array().expect("a list");
-        for (index, (theirs, (ours, digits))) in
-            events.iter().zip(ours.transitions().iter().zip(digits)).enumerate()
+        for (index, (theirs, (ours, digits))) in events
+            .iter()
+            .zip(ours.transitions().iter().zip(digits))
+            .enumerate()
         {
-            let Some(digits) = digits.filter(|_| ours.cause.name() != "settle") else { break };
+            let Some(digits) = digits.filter(|_| ours.cause.name() != "settle") else {
+                break;
+            };
             // What follows a rest with which the exact motion ends is not known.
             let is_last = index + 1 == events.len() && theirs[0] == "stick";
-            assert!(is_last || theirs[0] == ours.cause.name(), "{place} {index}: {theirs} {ours:?}");
-            let State { time, theta, theta_rate, slip, x } = ours.before;
-            let claimed = [digits.time, digits.theta, digits.theta_rate, digits.slip, digits.x];
+            assert!(
+                is_last || theirs[0] == ours.cause.name(),
+                "{place} {index}: {theirs} {ours:?}"
+            );
+            let State {
+                time,
+                theta,
+                theta_rate,
+                slip,
+                x,
+            } = ours.before;
+            let claimed = [
+                digits.time,
+                digits.theta,
+                digits.theta_rate,
+                digits.slip,
+                digits.x,
+            ];
             let numbers = [time, theta, theta_rate, slip, x].into_iter().zip(claimed);
             for ((value, claimed), truth) in numbers.zip(&theirs.as_array().expect("a list")[1..]) {
                 let truth = truth.as_str().expect("a number").parse().expect("a number");
@@ -90,14 +115,24 @@ fn claims(text: &str) -> Claims {
 
 #[test]
 fn no_more_digits_are_claimed_than_there_are() {
-    for (name, text, least, most_far) in
-        [("usual", USUAL, 500, 0.3), ("heavy", HEAVY, 500, 0.5), ("hard", HARD, 100, 0.5)]
-    {
-        let Claims { numbers, close, far, wrong } = claims(text);
+    for (name, text, least, most_far) in [
+        ("usual", USUAL, 500, 0.3),
+        ("heavy", HEAVY, 500, 0.5),
+        ("hard", HARD, 100, 0.5),
+    ] {
+        let Claims {
+            numbers,
+            close,
+            far,
+            wrong,
+        } = claims(text);
         println!(
             "{name}: {numbers} numbers, {close} have less than two digits more than claimed, {far} more"
         );
         assert!(wrong.is_empty(), "{name}: {wrong:#?}");
-        assert!(numbers > least && far as f64 <= most_far * numbers as f64, "{name}: {far} of {numbers}");
+        assert!(
+            numbers > least && far as f64 <= most_far * numbers as f64,
+            "{name}: {far} of {numbers}"
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! The equations of the paper, as printed, against those the library evaluates; and every solution against its
-//! equation of motion by finite differences.
+//! The equations of the paper, as printed, against those the library evaluates; and every solution
+//! against its equation of motion by finite differences.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start};
@@ -97,7 +97,8 @@ proptest! {
         }
     }
 
-    /// Item 1 of the algebraic structure: on an orbit u + 1 = K/D and the forces are those of (2.12).
+    /// Item 1 of the algebraic structure: on an orbit u + 1 = K/D and the forces are those of
+    /// (2.12).
     #[test]
     fn an_orbit_is_algebraic(hoop in heavy_hoop(), start in start(), elapsed in 0.0..30.0_f64) {
         let law = RollingLaw::new(&hoop);
@@ -110,7 +111,8 @@ proptest! {
         prop_assert!((before - after).abs() < 1e-13 * (before + hoop.offset()) + resolution, "{before} {after}");
     }
 
-    /// Every solution satisfies its differential equation: finite differences of the state along each phase.
+    /// Every solution satisfies its differential equation: finite differences of the state along
+    /// each phase.
     #[test]
     fn solutions_satisfy_their_equations((hoop, start) in heavy_motion()) {
         check_derivatives(&hoop, start)?;
@@ -156,9 +158,13 @@ fn check_derivatives(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
             if elapsed < step || elapsed + step > duration {
                 continue;
             }
-            let (before, now, after) =
-                (phase.sample(elapsed - step), phase.sample(elapsed), phase.sample(elapsed + step));
-            // Third derivatives, where the solution changes too fast for this step, make the difference useless.
+            let (before, now, after) = (
+                phase.sample(elapsed - step),
+                phase.sample(elapsed),
+                phase.sample(elapsed + step),
+            );
+            // Third derivatives, where the solution changes too fast for this step, make the
+            // difference useless.
             let change = |a: &littlewood::Sample, b: &littlewood::Sample| {
                 (a.theta_acceleration - b.theta_acceleration).abs()
                     + (a.slip_acceleration - b.slip_acceleration).abs()
@@ -171,17 +177,25 @@ fn check_derivatives(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
             if curvature >= 1e-3 * size {
                 continue;
             }
-            // The truncation error of a central difference is a third of how far the middle lies off the chord.
-            let bend = |f: fn(&littlewood::Sample) -> f64| (f(&now) - 0.5 * (f(&before) + f(&after))).abs();
+            // The truncation error of a central difference is a third of how far the middle lies
+            // off the chord.
+            let bend = |f: fn(&littlewood::Sample) -> f64| {
+                (f(&now) - 0.5 * (f(&before) + f(&after))).abs()
+            };
             let truncation = bend(|s| s.theta_acceleration) + bend(|s| s.slip_acceleration);
-            let tolerance =
-                truncation + 1e-6 * size + 1e-14 / step * (1.0 + now.state.theta.abs() + now.state.x.abs());
+            let tolerance = truncation
+                + 1e-6 * size
+                + 1e-14 / step * (1.0 + now.state.theta.abs() + now.state.x.abs());
             let slope = |f: fn(&littlewood::Sample) -> f64| (f(&after) - f(&before)) / (2.0 * step);
             let pairs = [
                 ("θ′", slope(|s| s.state.theta), now.state.theta_rate),
                 ("θ″", slope(|s| s.state.theta_rate), now.theta_acceleration),
                 ("η″", slope(|s| s.state.slip), now.slip_acceleration),
-                ("x′", slope(|s| s.state.x), now.state.slip - now.state.theta_rate),
+                (
+                    "x′",
+                    slope(|s| s.state.x),
+                    now.state.slip - now.state.theta_rate,
+                ),
                 ("gap′", slope(|s| s.gap), now.gap_rate),
             ];
             for (name, difference, value) in pairs {
@@ -203,25 +217,43 @@ fn check_derivatives(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
 fn without_a_normal_force_no_friction_is_enough() {
     let demand = |normal, friction| ContactForces { normal, friction }.demand();
     assert_eq!((demand(2.0, -1.0), demand(-1.0, 1.0)), (0.5, f64::INFINITY));
-    assert_eq!((demand(0.0, 1.0), demand(0.0, 0.0)), (f64::INFINITY, f64::INFINITY));
+    assert_eq!(
+        (demand(0.0, 1.0), demand(0.0, 0.0)),
+        (f64::INFINITY, f64::INFINITY)
+    );
 }
 
-const WINDOW: Window = Window { x: [-2.0, 2.0], y: [-1.0, 1.0] };
+const WINDOW: Window = Window {
+    x: [-2.0, 2.0],
+    y: [-1.0, 1.0],
+};
 
 #[test]
 fn a_curve_is_cut_where_it_leaves() {
     let pieces = WINDOW.pieces([-2.0, 2.0], 100, &|s| Some([s, s * s]));
-    let [piece] = &pieces[..] else { unreachable!("{pieces:?}") };
-    assert_eq!((piece[0], piece[piece.len() - 1]), ([-1.0, 1.0], [1.0, 1.0]));
+    let [piece] = &pieces[..] else {
+        unreachable!("{pieces:?}")
+    };
+    assert_eq!(
+        (piece[0], piece[piece.len() - 1]),
+        ([-1.0, 1.0], [1.0, 1.0])
+    );
     assert!(piece.iter().all(|[x, y]| *y == x * x));
 }
 
 #[test]
 fn chords_are_close() {
-    let pieces = WINDOW.pieces([0.0, std::f64::consts::TAU], 40, &|s| Some([s.cos(), s.sin()]));
-    let [piece] = &pieces[..] else { unreachable!("{pieces:?}") };
+    let pieces = WINDOW.pieces([0.0, std::f64::consts::TAU], 40, &|s| {
+        Some([s.cos(), s.sin()])
+    });
+    let [piece] = &pieces[..] else {
+        unreachable!("{pieces:?}")
+    };
     for pair in piece.windows(2) {
-        let (x, y) = (0.5 * (pair[0][0] + pair[1][0]), 0.5 * (pair[0][1] + pair[1][1]));
+        let (x, y) = (
+            0.5 * (pair[0][0] + pair[1][0]),
+            0.5 * (pair[0][1] + pair[1][1]),
+        );
         assert!((x * x + y * y).sqrt() > 1.0 - 2e-3);
     }
 }

@@ -11,7 +11,9 @@ use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Start};
 
 fn massless(offset: f64) -> Massless {
     let hoop = Hoop::new(HoopParameters::thin(0.0).with_offset(offset)).expect("a massless hoop");
-    let Body::Massless(body) = hoop.body() else { panic!("has no inertia") };
+    let Body::Massless(body) = hoop.body() else {
+        panic!("has no inertia")
+    };
     body
 }
 
@@ -47,8 +49,14 @@ fn integrated(theta: f64, rate: f64, elapsed: f64) -> f64 {
     let (mut t, mut w) = (theta, rate);
     for _ in 0..steps {
         let (k1, l1) = (w, acceleration(t, w));
-        let (k2, l2) = (w + dt / 2.0 * l1, acceleration(t + dt / 2.0 * k1, w + dt / 2.0 * l1));
-        let (k3, l3) = (w + dt / 2.0 * l2, acceleration(t + dt / 2.0 * k2, w + dt / 2.0 * l2));
+        let (k2, l2) = (
+            w + dt / 2.0 * l1,
+            acceleration(t + dt / 2.0 * k1, w + dt / 2.0 * l1),
+        );
+        let (k3, l3) = (
+            w + dt / 2.0 * l2,
+            acceleration(t + dt / 2.0 * k2, w + dt / 2.0 * l2),
+        );
         let (k4, l4) = (w + dt * l3, acceleration(t + dt * k3, w + dt * l3));
         t += dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
         w += dt / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
@@ -67,13 +75,20 @@ fn alpha_of_3_4_holds_for_either_sign_of_the_rate() {
         let e = closed_form::rolling_energy(theta, rate);
         2.0 * (alpha / 2.0 * (t / 2.0).exp() - (e - 1.0) / (4.0 * alpha) * (-t / 2.0).exp()).asin()
     };
-    for (theta, rate) in [(0.4, 0.3), (0.4, -0.3), (-0.5, 0.2), (-0.5, -0.6), (1.0, -0.1)] {
+    for (theta, rate) in [
+        (0.4, 0.3),
+        (0.4, -0.3),
+        (-0.5, 0.2),
+        (-0.5, -0.6),
+        (1.0, -0.1),
+    ] {
         let t = 0.8;
         let truth = integrated(theta, rate, t);
         let right = closed_form::alpha(theta, rate);
         assert!((angle(right, theta, rate, t) - truth).abs() < 1e-12);
         assert!((rolled(theta, rate, t) - truth).abs() < 1e-12);
-        let found = closed_form::rolling_angle(&Start::at(theta, rate), t).expect("not at the plane yet");
+        let found =
+            closed_form::rolling_angle(&Start::at(theta, rate), t).expect("not at the plane yet");
         assert!((found - truth).abs() < 1e-12);
         let printed = angle(printed_alpha(theta, rate), theta, rate, t);
         assert_eq!(
@@ -107,12 +122,19 @@ fn the_closed_form_does_not_divide_by_alpha_on_the_stable_manifold() {
 
 #[test]
 fn the_first_integral_of_gliding_is_not_the_printed_one() {
-    let motion = find_case("figure-7").expect("a case").simulate().expect("a valid case");
+    let motion = find_case("figure-7")
+        .expect("a case")
+        .simulate()
+        .expect("a valid case");
     let glide = &motion.phases()[1];
     assert_eq!(glide.mode(), Mode::Gliding);
-    let (first, last) = (glide.first().state, glide.sample(0.9 * glide.duration()).state);
+    let (first, last) = (
+        glide.first().state,
+        glide.sample(0.9 * glide.duration()).state,
+    );
     let right = |s: littlewood::State| GlidingIntegrals::at(&rim(), &s).w;
-    let printed = |s: littlewood::State| 0.5 * s.theta.sin() * s.theta_rate * s.theta_rate - s.theta;
+    let printed =
+        |s: littlewood::State| 0.5 * s.theta.sin() * s.theta_rate * s.theta_rate - s.theta;
     assert!((right(first) - right(last)).abs() < 1e-14);
     assert!((printed(first) - printed(last)).abs() > 0.01);
 }
@@ -120,7 +142,10 @@ fn the_first_integral_of_gliding_is_not_the_printed_one() {
 #[test]
 fn slip_through_zero_is_located_and_not_stopped_at_a_threshold() {
     // §2(c) stops when η′ < 1e-9. Figure 3 starts from η′ = 0 and its slide returns to 0 exactly.
-    let motion = find_case("figure-3").expect("a case").simulate().expect("a valid case");
+    let motion = find_case("figure-3")
+        .expect("a case")
+        .simulate()
+        .expect("a valid case");
     let slide = &motion.phases()[0];
     assert_eq!(slide.first().state.slip, 0.0);
     assert_eq!(slide.last().expect("an end").state.slip, 0.0);
@@ -130,7 +155,8 @@ fn slip_through_zero_is_located_and_not_stopped_at_a_threshold() {
 
 #[test]
 fn a_negative_normal_force_of_rolling_is_no_lift_off() {
-    // §2(a): "N vanishes immediately". In the band between n and 1 = h cos θ θ′² the body slides with N > 0.
+    // §2(a): "N vanishes immediately". In the band between n and 1 = h cos θ θ′² the body slides
+    // with N > 0.
     let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
     let plane = PhasePlane::new(&hoop);
     for theta in [-1.0, -0.7, 0.4, 0.9] {
@@ -141,7 +167,9 @@ fn a_negative_normal_force_of_rolling_is_no_lift_off() {
         assert!(n < lift);
         let rate = 0.5 * (n + lift);
         assert!(plane.forces(theta, rate).normal < 0.0);
-        let motion = hoop.simulate(Start::at(theta, rate), Limits::default()).expect("a valid start");
+        let motion = hoop
+            .simulate(Start::at(theta, rate), Limits::default())
+            .expect("a valid start");
         let first = motion.phases()[0].first();
         assert_eq!(first.mode, Mode::Sliding);
         assert!(first.normal > 0.0);
@@ -149,31 +177,46 @@ fn a_negative_normal_force_of_rolling_is_no_lift_off() {
         let law = SlidingLaw::new(&hoop, direction).expect("a heavy hoop");
         assert!(direction.sign() * law.accelerations(theta, rate).slip > 0.0);
         // Only the other side of the lift-off curve leaves at once.
-        let above = hoop.simulate(Start::at(theta, 1.0001 * lift), Limits::default()).expect("a valid start");
+        let above = hoop
+            .simulate(Start::at(theta, 1.0001 * lift), Limits::default())
+            .expect("a valid start");
         assert_eq!(above.phases()[0].mode(), Mode::Flight);
     }
 }
 
 #[test]
 fn the_massless_glide_is_not_always_a_limit_of_small_inertia() {
-    // A start at rest on the slip boundary with s σ > 0 and tan|θ/2| < μk glides in the paper; hoops of small inertia
-    // that slip there have no motion with N > 0.
+    // A start at rest on the slip boundary with s σ > 0 and tan|θ/2| < μk glides in the paper;
+    // hoops of small inertia that slip there have no motion with N > 0.
     let hoop = Hoop::littlewood(1.0, 0.9).expect("Littlewood's hoop");
     let start = Start::at(0.5, 0.2).with_slip(0.5);
-    let glide = hoop.simulate(start, Limits::default()).expect("a valid start");
+    let glide = hoop
+        .simulate(start, Limits::default())
+        .expect("a valid start");
     assert_eq!(glide.phases()[0].mode(), Mode::Gliding);
     assert!(glide.phases()[0].is_outside_small_inertia_limit());
-    let light = HoopParameters::thin(0.0).with_inertia(1e-6).with_friction(1.0, 0.9);
+    let light = HoopParameters::thin(0.0)
+        .with_inertia(1e-6)
+        .with_friction(1.0, 0.9);
     let light = Hoop::new(light).expect("a light hoop");
-    let slide = light.simulate(start, Limits::default()).expect("a valid start");
+    let slide = light
+        .simulate(start, Limits::default())
+        .expect("a valid start");
     assert_eq!(slide.outcome().kind().name(), "inconsistent");
     // On the other side the light hoop follows the glide.
     let start = Start::at(0.5, 0.2).with_slip(-0.5);
-    let glide = hoop.simulate(start, Limits::until(0.5)).expect("a valid start");
+    let glide = hoop
+        .simulate(start, Limits::until(0.5))
+        .expect("a valid start");
     assert!(!glide.phases()[0].is_outside_small_inertia_limit());
-    let slide = light.simulate(start, Limits::until(0.5)).expect("a valid start");
+    let slide = light
+        .simulate(start, Limits::until(0.5))
+        .expect("a valid start");
     let (a, b) = (glide.outcome().state(), slide.outcome().state());
-    assert!((a.theta - b.theta).abs() < 1e-4 && (a.slip - b.slip).abs() < 1e-4, "{a:?} {b:?}");
+    assert!(
+        (a.theta - b.theta).abs() < 1e-4 && (a.slip - b.slip).abs() < 1e-4,
+        "{a:?} {b:?}"
+    );
 }
 
 #[test]
@@ -182,18 +225,30 @@ fn littlewoods_closed_forms_agree_with_each_other() {
     let rate = 0.5;
     assert!((closed_form::slip_time_from_top(rate, 0.5) - 5.0_f64.ln()).abs() < 1e-15);
     let unloading = closed_form::unloading_time_from_top(0.9);
-    let angle = closed_form::rolling_angle(&Start::at(0.0, 0.9), unloading).expect("before the plane");
+    let angle =
+        closed_form::rolling_angle(&Start::at(0.0, 0.9), unloading).expect("before the plane");
     assert!((angle.cos() - 0.81).abs() < 1e-14);
     assert!(
-        (closed_form::gliding_time_to_plane(0.6_f64.acos(), 0.75) - (89.0_f64.sqrt() - 3.0) / 5.0).abs()
+        (closed_form::gliding_time_to_plane(0.6_f64.acos(), 0.75) - (89.0_f64.sqrt() - 3.0) / 5.0)
+            .abs()
             < 1e-15
     );
-    // The parabola of (3.19) is at the plane at the time of (3.20), whether it begins upwards or downwards.
-    for (theta, rate) in [(0.9, 0.7), (0.9, -0.7), (-2.0, 1.5), (-2.0, -1.5), (0.0, 2.0)] {
+    // The parabola of (3.19) is at the plane at the time of (3.20), whether it begins upwards or
+    // downwards.
+    for (theta, rate) in [
+        (0.9, 0.7),
+        (0.9, -0.7),
+        (-2.0, 1.5),
+        (-2.0, -1.5),
+        (0.0, 2.0),
+    ] {
         let time = closed_form::gliding_time_to_plane(theta, rate);
         assert!(
             time > 0.0
-                && closed_form::gliding_path(&Start::at(theta, rate).with_slip(0.3), time).1.abs() < 1e-14,
+                && closed_form::gliding_path(&Start::at(theta, rate).with_slip(0.3), time)
+                    .1
+                    .abs()
+                    < 1e-14,
             "{theta} {rate}"
         );
     }
@@ -209,13 +264,19 @@ fn littlewoods_closed_forms_agree_with_each_other() {
         );
     }
     // The parabola of (3.19) is where the simulated particle is.
-    let motion = find_case("figure-7").expect("a case").simulate().expect("a valid case");
+    let motion = find_case("figure-7")
+        .expect("a case")
+        .simulate()
+        .expect("a valid case");
     let glide = &motion.phases()[1];
-    let PhaseSolution::Gliding(_) = glide.solution() else { panic!("glides") };
+    let PhaseSolution::Gliding(_) = glide.solution() else {
+        panic!("glides")
+    };
     let first = glide.first();
     for part in [0.1, 0.5, 0.9] {
         let t = part * glide.duration();
-        let (x, y) = closed_form::gliding_path(&Start::at(first.state.theta, first.state.theta_rate), t);
+        let (x, y) =
+            closed_form::gliding_path(&Start::at(first.state.theta, first.state.theta_rate), t);
         let particle = glide.sample(t).particle;
         assert!((particle.x - first.particle.x - x).abs() < 1e-14);
         assert!((particle.y - y).abs() < 1e-14);
@@ -226,11 +287,23 @@ fn littlewoods_closed_forms_agree_with_each_other() {
 fn the_equilibria_of_figure_2_are_stable_at_the_bottom_and_unstable_at_the_top() {
     use littlewood::theory::Stability;
     let plane = PhasePlane::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
-    let [top, bottom] = plane.equilibria()[..] else { panic!("two equilibria") };
+    let [top, bottom] = plane.equilibria()[..] else {
+        panic!("two equilibria")
+    };
     assert_eq!((top.theta, bottom.theta), (0.0, PI));
     // D(0) = 6, D(π) = 2 for this hoop.
-    assert_eq!(top.stability, Stability::Unstable { exponent: (1.0_f64 / 6.0).sqrt() });
-    assert_eq!(bottom.stability, Stability::Stable { frequency: 0.5_f64.sqrt() });
+    assert_eq!(
+        top.stability,
+        Stability::Unstable {
+            exponent: (1.0_f64 / 6.0).sqrt()
+        }
+    );
+    assert_eq!(
+        bottom.stability,
+        Stability::Stable {
+            frequency: 0.5_f64.sqrt()
+        }
+    );
     assert!((plane.separatrix_rate(PI) - 2.0_f64.sqrt()).abs() < 1e-15);
     assert!(
         plane.slip_rate(FRAC_PI_2, Direction::Positive).is_none()

@@ -1,33 +1,47 @@
-//! Next to the ends of what numbers tell: slides and flights that last for very long, friction and inertia that are next to none.
+//! Next to the ends of what numbers tell: slides and flights that last for very long, friction and
+//! inertia that are next to none.
 #![allow(clippy::panic)] // a failed expectation
 
 use littlewood::modes::{Recurrence, SlideLimit};
 use littlewood::theory::{Body, Heavy};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Proof, RestitutionLaw,
-    Start, Transition,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Proof,
+    RestitutionLaw, Start, Transition,
 };
 
 /// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.
 #[test]
 fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
     let (mass_ratio, inertia, mu_k) = (0.156, 0.1765, 3e-13);
-    let hoop =
-        HoopParameters::thin(mass_ratio).with_offset(0.0).with_inertia(inertia).with_friction(1e-12, mu_k);
+    let hoop = HoopParameters::thin(mass_ratio)
+        .with_offset(0.0)
+        .with_inertia(inertia)
+        .with_friction(1e-12, mu_k);
     let start = Start::at(2.81, 1.0).with_slip(1.2345);
-    let motion =
-        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let motion = Hoop::new(hoop)
+        .expect("a valid hoop")
+        .simulate(start, Limits::default())
+        .expect("a valid start");
     let stick = motion.transitions().first().expect("sticks");
     let time = 1.2345 / (mu_k * (1.0 + (1.0 + mass_ratio) / inertia));
     assert_eq!((stick.cause, stick.to), (Cause::Stick, Some(Mode::Rolling)));
-    assert!((stick.time() / time - 1.0).abs() < 1e-14, "{} {time}", stick.time());
+    assert!(
+        (stick.time() / time - 1.0).abs() < 1e-14,
+        "{} {time}",
+        stick.time()
+    );
     let rate = 1.0 - mu_k * (1.0 + mass_ratio) / inertia * time;
     assert!((stick.before.theta_rate - rate).abs() < 1e-14 && stick.before.slip == 0.0);
 
     let smooth = Hoop::new(HoopParameters::thin(1.0).with_offset(0.0)).expect("a valid hoop");
-    let motion =
-        smooth.simulate(Start::at(0.5, 1e-9).with_slip(0.25), Limits::default()).expect("a valid start");
-    let Outcome::SlidesForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
+    let motion = smooth
+        .simulate(Start::at(0.5, 1e-9).with_slip(0.25), Limits::default())
+        .expect("a valid start");
+    let Outcome::SlidesForever {
+        recurrence: Recurrence::Rotation { period },
+        ..
+    } = motion.outcome()
+    else {
         panic!("{:?}", motion.outcome())
     };
     assert!((period * 1e-9 / std::f64::consts::TAU - 1.0).abs() < 1e-6);
@@ -37,41 +51,69 @@ fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
 #[test]
 fn a_fast_slip_of_a_hoop_of_next_to_no_inertia_ends_at_once() {
     let (inertia, mu) = (1e-30, 1e9);
-    let hoop = HoopParameters::thin(0.0).with_offset(0.0).with_inertia(inertia).with_friction(mu, mu);
+    let hoop = HoopParameters::thin(0.0)
+        .with_offset(0.0)
+        .with_inertia(inertia)
+        .with_friction(mu, mu);
     let start = Start::at(2.905_841_460_448_034, 0.015_5).with_slip(-1e6);
-    let motion =
-        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let motion = Hoop::new(hoop)
+        .expect("a valid hoop")
+        .simulate(start, Limits::default())
+        .expect("a valid start");
     let stick = motion.transitions().first().expect("sticks");
     let time = 1e6 / (mu * (1.0 + 1.0 / inertia));
     assert_eq!((stick.cause, stick.to), (Cause::Stick, Some(Mode::Rolling)));
-    assert!((stick.time() / time - 1.0).abs() < 1e-14, "{} {time}", stick.time());
     assert!(
-        (stick.before.theta_rate / (1e6 + 0.015_5) - 1.0).abs() < 1e-14 && stick.before.theta == start.theta
+        (stick.time() / time - 1.0).abs() < 1e-14,
+        "{} {time}",
+        stick.time()
+    );
+    assert!(
+        (stick.before.theta_rate / (1e6 + 0.015_5) - 1.0).abs() < 1e-14
+            && stick.before.theta == start.theta
     );
 }
 
-/// A heavy rim on a plane of next to no friction would slip for 4.4e12 time units, through 3e12 turns: the angle at their end would
-/// be known to no digit. The slip loses μk in each time unit.
+/// A heavy rim on a plane of next to no friction would slip for 4.4e12 time units, through 3e12
+/// turns: the angle at their end would be known to no digit. The slip loses μk in each time unit.
 #[test]
 fn a_slide_without_end_in_sight_says_how_much_is_left() {
     let mu_k = 3e-13;
-    let hoop = HoopParameters::thin(0.2387).with_offset(0.001).with_inertia(1e9).with_friction(1e-6, mu_k);
+    let hoop = HoopParameters::thin(0.2387)
+        .with_offset(0.001)
+        .with_inertia(1e9)
+        .with_friction(1e-6, mu_k);
     let start = Start::at(-5.16, 4.59).with_slip(1.33);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
-    let known = hoop.simulate(start, Limits::default()).expect("a valid start");
-    assert!(matches!(known.outcome(), Outcome::StaysInContact { .. }), "{:?}", known.outcome());
-    let motion = hoop.simulate(start, Limits::default().with_proof(Proof::None)).expect("a valid start");
-    let Outcome::StepLimit { state, limit: SlideLimit::One { steps, time_left } } = motion.outcome() else {
+    let known = hoop
+        .simulate(start, Limits::default())
+        .expect("a valid start");
+    assert!(
+        matches!(known.outcome(), Outcome::StaysInContact { .. }),
+        "{:?}",
+        known.outcome()
+    );
+    let motion = hoop
+        .simulate(start, Limits::default().with_proof(Proof::None))
+        .expect("a valid start");
+    let Outcome::StepLimit {
+        state,
+        limit: SlideLimit::One { steps, time_left },
+    } = motion.outcome()
+    else {
         panic!("{:?}", motion.outcome())
     };
     assert!(steps < 1_000 && !motion.outcome().is_final());
     assert!(state.theta > 6e9, "{state:?}");
     let expected = state.slip / mu_k;
-    assert!((time_left / expected - 1.0).abs() < 0.05, "{time_left} {expected}");
+    assert!(
+        (time_left / expected - 1.0).abs() < 0.05,
+        "{time_left} {expected}"
+    );
 }
 
-/// With ℓ = 0 and P = Î the slip loses μk (1 + m/Î) in each time unit. With the least coefficients that are numbers it takes longer than
-/// motions are followed, and than the largest number says.
+/// With ℓ = 0 and P = Î the slip loses μk (1 + m/Î) in each time unit. With the least coefficients
+/// that are numbers it takes longer than motions are followed, and than the largest number says.
 #[test]
 fn a_balanced_hoop_slips_for_longer_than_motions_are_followed() {
     let (mass, inertia, slip) = (4.0, 4.234, 0.4725);
@@ -81,8 +123,10 @@ fn a_balanced_hoop_slips_for_longer_than_motions_are_followed() {
             if mu == 0.0 {
                 continue;
             }
-            let hoop =
-                HoopParameters::thin(mass - 1.0).with_offset(0.0).with_inertia(inertia).with_friction(mu, mu);
+            let hoop = HoopParameters::thin(mass - 1.0)
+                .with_offset(0.0)
+                .with_inertia(inertia)
+                .with_friction(mu, mu);
             let hoop = Hoop::new(hoop).expect("a valid hoop");
             let start = Start::at(0.465, -0.0852).with_slip(-slip);
             let follow = |limits: Limits| hoop.simulate(start, limits).expect("a valid start");
@@ -90,13 +134,28 @@ fn a_balanced_hoop_slips_for_longer_than_motions_are_followed() {
             let motion = follow(Limits::default());
             let rounding = 1e-12 + 2.0 * f64::from_bits(1) / mu;
             if rest <= 1e150 {
-                assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }), "{:?}", motion.outcome());
+                assert!(
+                    matches!(motion.outcome(), Outcome::RollsForever { .. }),
+                    "{:?}",
+                    motion.outcome()
+                );
                 let stick = motion.transitions()[0];
-                assert!((stick.before.time / rest - 1.0).abs() < rounding, "{mu} {}", stick.before.time);
+                assert!(
+                    (stick.before.time / rest - 1.0).abs() < rounding,
+                    "{mu} {}",
+                    stick.before.time
+                );
             } else {
-                assert!(matches!(motion.outcome(), Outcome::StaysInContact { .. }), "{:?}", motion.outcome());
+                assert!(
+                    matches!(motion.outcome(), Outcome::StaysInContact { .. }),
+                    "{:?}",
+                    motion.outcome()
+                );
                 let unproved = follow(Limits::default().with_proof(Proof::None));
-                let Outcome::StepLimit { limit: SlideLimit::One { time_left, .. }, .. } = unproved.outcome()
+                let Outcome::StepLimit {
+                    limit: SlideLimit::One { time_left, .. },
+                    ..
+                } = unproved.outcome()
                 else {
                     panic!("{:?}", unproved.outcome())
                 };
@@ -106,7 +165,9 @@ fn a_balanced_hoop_slips_for_longer_than_motions_are_followed() {
                 );
             }
             let cut = follow(Limits::until(1e6));
-            let Outcome::TimeLimit { state } = cut.outcome() else { panic!("{:?}", cut.outcome()) };
+            let Outcome::TimeLimit { state } = cut.outcome() else {
+                panic!("{:?}", cut.outcome())
+            };
             let lost = 1e6 * mu * (1.0 + mass / inertia);
             assert!((state.slip + slip - lost).abs() < 1e-15, "{state:?}");
         }
@@ -115,19 +176,35 @@ fn a_balanced_hoop_slips_for_longer_than_motions_are_followed() {
 
 #[test]
 fn a_hoop_that_is_all_but_massless_is_refused() {
-    for (mass_ratio, offset, inertia) in
-        [(0.0, 1.0, 5e-324), (1e-61, 1.0, 0.0), (3.0, 1e-31, 0.0), (0.0, 0.0, 1e-150)]
-    {
-        let error = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia))
-            .expect_err("too light");
-        assert!(matches!(error, ParameterError::NearlyMassless { .. }), "{error}");
-        assert!(error.to_string().contains("must be 0, or not less than 1e-60 m2 R^2"), "{error}");
+    for (mass_ratio, offset, inertia) in [
+        (0.0, 1.0, 5e-324),
+        (1e-61, 1.0, 0.0),
+        (3.0, 1e-31, 0.0),
+        (0.0, 0.0, 1e-150),
+    ] {
+        let error = Hoop::new(
+            HoopParameters::thin(mass_ratio)
+                .with_offset(offset)
+                .with_inertia(inertia),
+        )
+        .expect_err("too light");
+        assert!(
+            matches!(error, ParameterError::NearlyMassless { .. }),
+            "{error}"
+        );
+        assert!(
+            error
+                .to_string()
+                .contains("must be 0, or not less than 1e-60 m2 R^2"),
+            "{error}"
+        );
     }
     assert!(Hoop::new(HoopParameters::thin(0.0).with_inertia(1e-60)).is_ok());
 }
 
-/// With μs = 1e9 rolling gives way where N is 1e-19, so that rounding tells the wrong side of the cone: the slide against the friction force is
-/// taken all the same. Times from a program of 60 digits (`evidence/reference/follower`).
+/// With μs = 1e9 rolling gives way where N is 1e-19, so that rounding tells the wrong side of the
+/// cone: the slide against the friction force is taken all the same. Times from a program of 60
+/// digits (`evidence/reference/follower`).
 #[test]
 fn a_slip_at_huge_friction_goes_against_the_friction_force() {
     let light = 3.093_124_034_665_051_7e-11;
@@ -135,18 +212,25 @@ fn a_slip_at_huge_friction_goes_against_the_friction_force() {
         .with_offset(0.543_016_490_341_794_7)
         .with_friction(1e9, 0.859_974_024_855_756_8);
     let start = Start::at(-2.057_134_228_173_551_6, -2.610_392_130_121_690_4);
-    let motion =
-        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let motion = Hoop::new(hoop)
+        .expect("a valid hoop")
+        .simulate(start, Limits::default())
+        .expect("a valid start");
     let times: Vec<f64> = motion.transitions().iter().map(Transition::time).collect();
-    let expected = [0.696_080_599_271_222, 1.337_471_157_519_41, 3.117_341_302_583_801_7];
+    let expected = [
+        0.696_080_599_271_222,
+        1.337_471_157_519_41,
+        3.117_341_302_583_801_7,
+    ];
     assert_eq!(times.len(), 3, "{:?}", motion.outcome());
     for (ours, theirs) in times.iter().zip(expected) {
         assert!((ours - theirs).abs() < 1e-9, "{times:?}");
     }
 }
 
-/// Next to P = 0 the series of a slide overflow one after another: those of the angle may be numbers and that of the normal force none.
-/// The slip ends there (60 digits, `evidence/reference/follower`).
+/// Next to P = 0 the series of a slide overflow one after another: those of the angle may be
+/// numbers and that of the normal force none. The slip ends there (60 digits,
+/// `evidence/reference/follower`).
 #[test]
 fn a_slide_towards_unbounded_forces_does_not_lift_off() {
     let hoop = HoopParameters::thin(0.002_893_206_777_576_306_5)
@@ -155,7 +239,9 @@ fn a_slide_towards_unbounded_forces_does_not_lift_off() {
         .with_friction(1e-6, 9.999_999_999_999_997e-7);
     let start = Start::at(2e-16, 3.595_144_166_216_662);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
-    let motion = hoop.simulate(start, Limits::until(0.2)).expect("a valid start");
+    let motion = hoop
+        .simulate(start, Limits::until(0.2))
+        .expect("a valid start");
     let expected = [
         (Cause::Slip, 0.056_359_463_235_719_39),
         (Cause::Stick, 0.061_317_605_848_191_19),
@@ -179,7 +265,9 @@ fn the_last_instants_of_a_slide_towards_unbounded_forces_are_on_the_way_to_its_e
     let start = Start::at(-2.405_726_591_963_814_4, -2.687_662_308_034_211_5);
     let start = start.with_slip(0.115_748_295_499_117_21);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
-    let motion = hoop.simulate(start, Limits::until(0.2)).expect("a valid start");
+    let motion = hoop
+        .simulate(start, Limits::until(0.2))
+        .expect("a valid start");
     let slide = &motion.phases()[1];
     let end = slide.end().expect("it sticks");
     let (mut elapsed, mut instants) = (slide.duration(), 0);
@@ -191,8 +279,9 @@ fn the_last_instants_of_a_slide_towards_unbounded_forces_are_on_the_way_to_its_e
     assert!(instants > 100);
 }
 
-/// A slide of a thousand turns, then thirty of a turn or less, and a jump that grazes the plane: no step rounds the angle to the last digit of
-/// all its turns (60 digits, `evidence/reference/follower`).
+/// A slide of a thousand turns, then thirty of a turn or less, and a jump that grazes the plane: no
+/// step rounds the angle to the last digit of all its turns (60 digits,
+/// `evidence/reference/follower`).
 #[test]
 fn slides_after_many_turns_keep_the_digits_of_an_angle_in_its_turn() {
     let mu = 6.250_645_073_604_898e-5;
@@ -200,25 +289,43 @@ fn slides_after_many_turns_keep_the_digits_of_an_angle_in_its_turn() {
         .with_offset(0.167_019_704_614_548_82)
         .with_inertia(0.673_281_490_214_766_7)
         .with_friction(mu, mu);
-    let start =
-        Start::at(-1.232_125_792_187_205_7, 2.832_120_411_003_164).with_slip(-0.629_170_491_372_690_3);
+    let start = Start::at(-1.232_125_792_187_205_7, 2.832_120_411_003_164)
+        .with_slip(-0.629_170_491_372_690_3);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
-    let motion = hoop.simulate(start, Limits::default()).expect("a valid start").summary();
-    assert_eq!((motion.outcome, motion.transitions), (OutcomeKind::Landing, 33));
+    let motion = hoop
+        .simulate(start, Limits::default())
+        .expect("a valid start")
+        .summary();
+    assert_eq!(
+        (motion.outcome, motion.transitions),
+        (OutcomeKind::Landing, 33)
+    );
     // A time of 2,000 is rounded by up to 2.3e-13 at each transition.
-    assert!((motion.lift_off_time - 2_105.506_863_120_022_4).abs() < 33.0 * 2.3e-13, "{motion:?}");
-    assert!((motion.end.theta_rate - 3.112_389_793_941_420_6).abs() < 5e-14, "{motion:?}");
-    assert!((motion.jump_length - 0.028_799_516_892_151_345).abs() < 1e-11, "{motion:?}");
+    assert!(
+        (motion.lift_off_time - 2_105.506_863_120_022_4).abs() < 33.0 * 2.3e-13,
+        "{motion:?}"
+    );
+    assert!(
+        (motion.end.theta_rate - 3.112_389_793_941_420_6).abs() < 5e-14,
+        "{motion:?}"
+    );
+    assert!(
+        (motion.jump_length - 0.028_799_516_892_151_345).abs() < 1e-11,
+        "{motion:?}"
+    );
 }
 
-/// At the top a light hoop has 1e-5 of the energy that it has at the bottom, and its slip all but vanishes there: events that rounding of the
-/// energy would make (60 digits, `evidence/reference/follower`).
+/// At the top a light hoop has 1e-5 of the energy that it has at the bottom, and its slip all but
+/// vanishes there: events that rounding of the energy would make (60 digits,
+/// `evidence/reference/follower`).
 #[test]
 fn a_light_hoop_without_friction_has_its_rate_at_the_top_to_the_last_digits() {
     let hoop = HoopParameters::thin(0.0).with_inertia(0.000_112_281_813_254_295_91);
     let start = Start::at(0.0, -0.822_255_722_075_246_2).with_slip(-1.903_046_044_822_691e-10);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
-    let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
+    let motion = hoop
+        .simulate(start, Limits::until(20.0))
+        .expect("a valid start");
     let expected = [
         (1.141_266_053_249_229_8, -1.210_765_548_115_670_7),
         (2.865_336_167_261_339, -5.072_419_759_063_916),
@@ -236,14 +343,19 @@ fn a_light_hoop_without_friction_has_its_rate_at_the_top_to_the_last_digits() {
         assert_eq!(transition.cause, Cause::Reversal);
         // ε (1 + |θ|) of each of the slides before, over Î where the hoop is slow.
         assert!((transition.time() - time).abs() < 1e-11, "{transition:?}");
-        assert!((transition.before.theta - theta).abs() < 1e-12, "{transition:?}");
+        assert!(
+            (transition.before.theta - theta).abs() < 1e-12,
+            "{transition:?}"
+        );
     }
 }
 
-/// The lighter a hoop, the faster an impact turns it, up to rates at which it would start nowhere, and beyond all numbers.
+/// The lighter a hoop, the faster an impact turns it, up to rates at which it would start nowhere,
+/// and beyond all numbers.
 #[test]
 fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
-    let start = Start::at(0.919_013_702_214_027, -3.713_109_040_932_079_3).with_slip(-0.892_122_598_492_862);
+    let start = Start::at(0.919_013_702_214_027, -3.713_109_040_932_079_3)
+        .with_slip(-0.892_122_598_492_862);
     let mut unresolved = 0;
     for inertia in [1e-60, 1e-40, 1e-20, 1e-10, 1e-5] {
         for law in RestitutionLaw::ALL {
@@ -251,11 +363,16 @@ fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
                 .with_friction(1.010_253_938_896_41, 0.0)
                 .with_restitution(1.0, law);
             let hoop = Hoop::new(parameters).expect("a valid hoop");
-            let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+            let motion = hoop
+                .simulate(start, Limits::default())
+                .expect("a valid start");
             let numbers = |all: &[f64]| all.iter().all(|x| x.is_finite());
             for transition in motion.transitions() {
                 let before = transition.before;
-                assert!(numbers(&[before.theta_rate, before.slip]), "{inertia} {law:?} {transition:?}");
+                assert!(
+                    numbers(&[before.theta_rate, before.slip]),
+                    "{inertia} {law:?} {transition:?}"
+                );
                 if let Some(impact) = &transition.impact {
                     let after = impact.after;
                     assert!(
@@ -265,7 +382,10 @@ fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
                 }
             }
             if let Outcome::Unresolved { state } = motion.outcome() {
-                assert!(numbers(&[state.theta_rate, state.slip]), "{inertia} {law:?} {state:?}");
+                assert!(
+                    numbers(&[state.theta_rate, state.slip]),
+                    "{inertia} {law:?} {state:?}"
+                );
                 unresolved += 1;
             }
         }
@@ -273,7 +393,8 @@ fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
     assert!(unresolved > 0);
 }
 
-/// A flight of 3e9 turns ends at an angle whose sine no double resolves: there the impact is not guessed.
+/// A flight of 3e9 turns ends at an angle whose sine no double resolves: there the impact is not
+/// guessed.
 #[test]
 fn an_impact_at_an_angle_that_is_not_resolved_is_none() {
     let parameters = HoopParameters::thin(0.121_466_028_205_290_8)
@@ -282,36 +403,60 @@ fn an_impact_at_an_angle_that_is_not_resolved_is_none() {
         .with_restitution(0.56, RestitutionLaw::Energetic);
     let start = Start::at(32.2, 121_093.0).with_slip(0.0038);
     let hoop = Hoop::new(parameters).expect("a valid hoop");
-    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
-    let Outcome::Unresolved { state } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    let motion = hoop
+        .simulate(start, Limits::default())
+        .expect("a valid start");
+    let Outcome::Unresolved { state } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
     assert!(state.theta > 1e9);
     let landing = motion.transitions().last().expect("lands");
-    assert_eq!((landing.cause, landing.to, landing.impact), (Cause::Landing, None, None));
+    assert_eq!(
+        (landing.cause, landing.to, landing.impact),
+        (Cause::Landing, None, None)
+    );
 }
 
-/// Without friction the momentum η′ − θ′(1 + h c) and the energy D θ′²/2 + m h c, D = Î + m h² s², are those of the start however many
-/// periods have passed. Far from the start the angle is rounded by more than a turn, so its cosine is taken from the momentum.
+/// Without friction the momentum η′ − θ′(1 + h c) and the energy D θ′²/2 + m h c, D = Î + m h² s²,
+/// are those of the start however many periods have passed. Far from the start the angle is rounded
+/// by more than a turn, so its cosine is taken from the momentum.
 #[test]
 fn a_slide_for_ever_stays_on_its_orbit_when_its_angle_has_no_digits_left() {
-    let parameters = HoopParameters::thin(1.0).with_offset(0.5).with_inertia(1.0).with_friction(0.0, 0.0);
+    let parameters = HoopParameters::thin(1.0)
+        .with_offset(0.5)
+        .with_inertia(1.0)
+        .with_friction(0.0, 0.0);
     let hoop = Hoop::new(parameters).expect("a valid hoop");
-    let Body::Heavy(Heavy { mass, h, inertia, .. }) = hoop.body() else { panic!("it has inertia") };
+    let Body::Heavy(Heavy {
+        mass, h, inertia, ..
+    }) = hoop.body()
+    else {
+        panic!("it has inertia")
+    };
     let energy = |rate: f64, cos: f64| {
         0.5 * (inertia + mass * h * h * (1.0 - cos * cos)) * rate * rate + mass * h * cos
     };
     let momentum = -h * libm::cos(1.0);
     let start = Start::at(1.0, 1.0).with_slip(1.0);
     for until in [1e3, 1e9, 1e15, 1e18, 1e40, 1e150] {
-        let motion = hoop.simulate(start, Limits::until(until)).expect("a valid start");
+        let motion = hoop
+            .simulate(start, Limits::until(until))
+            .expect("a valid start");
         let state = motion.at(until).expect("within the motion").state;
         let cos = ((state.slip - momentum) / state.theta_rate - 1.0) / h;
         assert!(cos.abs() < 1.0 + 1e-12, "{until} {state:?}");
         let drift = energy(state.theta_rate, cos) - energy(1.0, libm::cos(1.0));
         assert!(drift.abs() < 1e-12, "{until} {drift}");
         // The mass centre moves steadily, h at most from the centre.
-        assert!((state.x - momentum * until).abs() < 2.0 * h + 1e-14 * until, "{until} {}", state.x);
+        assert!(
+            (state.x - momentum * until).abs() < 2.0 * h + 1e-14 * until,
+            "{until} {}",
+            state.x
+        );
     }
-    let error = hoop.simulate(start, Limits::until(1e151)).expect_err("refused");
+    let error = hoop
+        .simulate(start, Limits::until(1e151))
+        .expect_err("refused");
     assert!(error.to_string().contains("1e150"), "{error}");
 }
 
@@ -319,7 +464,9 @@ fn a_slide_for_ever_stays_on_its_orbit_when_its_angle_has_no_digits_left() {
 #[test]
 fn a_glide_with_next_to_no_lever_conserves_the_energy_of_the_particle() {
     for offset in [1e-100_f64, 1e-155, 1e-200, 1e-300] {
-        let parameters = HoopParameters::thin(0.0).with_inertia(0.0).with_offset(offset);
+        let parameters = HoopParameters::thin(0.0)
+            .with_inertia(0.0)
+            .with_offset(offset);
         let hoop = Hoop::new(parameters.with_friction(0.4, 0.3)).expect("a valid hoop");
         let start = Start::at(1.0, 0.0).with_slip(1e-9);
         let limits = Limits::default().with_transitions(1);
@@ -329,16 +476,26 @@ fn a_glide_with_next_to_no_lever_conserves_the_energy_of_the_particle() {
         let state = motion.at(0.5 * last).expect("within the glide").state;
         let rise = (state.theta_rate * offset.sqrt()) * libm::sin(state.theta);
         let w = 0.5 * rise * rise * offset + offset * libm::cos(state.theta);
-        assert!((w / offset - libm::cos(1.0)).abs() < 1e-12, "{offset} {state:?}");
+        assert!(
+            (w / offset - libm::cos(1.0)).abs() < 1e-12,
+            "{offset} {state:?}"
+        );
     }
 }
 
-/// The particle of a massless hoop is 7e-33 above the plane, which the angle does not tell from none.
+/// The particle of a massless hoop is 7e-33 above the plane, which the angle does not tell from
+/// none.
 #[test]
 fn a_massless_hoop_whose_particle_is_at_the_plane_but_for_rounding_is_unresolved() {
     let hoop = Hoop::littlewood(1e9, 1e9).expect("a valid hoop");
     let start = Start::at(-3.0 * std::f64::consts::PI, 4e-11);
-    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
-    assert!(matches!(motion.outcome(), Outcome::Unresolved { .. }), "{:?}", motion.outcome());
+    let motion = hoop
+        .simulate(start, Limits::default())
+        .expect("a valid start");
+    assert!(
+        matches!(motion.outcome(), Outcome::Unresolved { .. }),
+        "{:?}",
+        motion.outcome()
+    );
     assert!(motion.transitions().is_empty());
 }

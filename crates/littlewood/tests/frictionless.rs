@@ -8,25 +8,37 @@ use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
-/// A light rim that slips where the plane hardly presses on it: η″ = 7.6e-6 there, and next to the bottom θ′ = 316. The slide is back where the cosine
-/// is that of the slip, after ∫ dθ/θ′ with (Î + sin² θ) θ′² + 2 cos θ conserved.
+/// A light rim that slips where the plane hardly presses on it: η″ = 7.6e-6 there, and next to the
+/// bottom θ′ = 316. The slide is back where the cosine is that of the slip, after ∫ dθ/θ′ with (Î +
+/// sin² θ) θ′² + 2 cos θ conserved.
 #[test]
 fn a_slide_comes_back_to_the_limit_of_static_friction_to_the_last_digits() {
     let inertia = 4.016_141_798_276_294e-5;
-    let hoop = HoopParameters::thin(0.0).with_inertia(inertia).with_friction(0.932_698_395_276_155_5, 0.0);
+    let hoop = HoopParameters::thin(0.0)
+        .with_inertia(inertia)
+        .with_friction(0.932_698_395_276_155_5, 0.0);
     let start = Start::at(0.874_754_659_037_452_8, -0.999_997_695_583_698_6);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
-    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
-    let [slip, stick, ..] = motion.transitions() else { unreachable!("slips and sticks") };
+    let motion = hoop
+        .simulate(start, Limits::default())
+        .expect("a valid start");
+    let [slip, stick, ..] = motion.transitions() else {
+        unreachable!("slips and sticks")
+    };
     assert_eq!((slip.cause, stick.cause), (Cause::Slip, Cause::Stick));
     let (from, to) = (slip.before, stick.before);
     assert_eq!(from.theta_rate.to_bits(), to.theta_rate.to_bits());
-    assert!((to.theta - (-TAU - from.theta)).abs() < 2e-15, "{from:?} {to:?}");
+    assert!(
+        (to.theta - (-TAU - from.theta)).abs() < 2e-15,
+        "{from:?} {to:?}"
+    );
 
     let inertia_at = |theta: f64| inertia + theta.sin() * theta.sin();
-    let energy = inertia_at(from.theta) * from.theta_rate * from.theta_rate + 2.0 * from.theta.cos();
+    let energy =
+        inertia_at(from.theta) * from.theta_rate * from.theta_rate + 2.0 * from.theta.cos();
     let slowness = |theta: f64| (inertia_at(theta) / (energy - 2.0 * theta.cos())).sqrt();
-    // Three nodes of Gauss in each of the intervals, which are short beside the √Î that the particle is wide at the bottom.
+    // Three nodes of Gauss in each of the intervals, which are short beside the √Î that the
+    // particle is wide at the bottom.
     let intervals = 100_000;
     let width = (from.theta - to.theta) / f64::from(intervals);
     let node = 0.6_f64.sqrt() * 0.5 * width;
@@ -36,10 +48,15 @@ fn a_slide_comes_back_to_the_limit_of_static_friction_to_the_last_digits() {
         width * (8.0 * slowness(middle) + 5.0 * outer) / 18.0
     });
     let time: f64 = time.sum();
-    assert!((to.time - from.time - time).abs() < 1e-12, "{} {time}", to.time - from.time);
+    assert!(
+        (to.time - from.time - time).abs() < 1e-12,
+        "{} {time}",
+        to.time - from.time
+    );
 }
 
-/// A time after the turning point on the other side of the bottom. The angle and the rate are those of ∫ dθ/θ′ with 30 digits.
+/// A time after the turning point on the other side of the bottom. The angle and the rate are those
+/// of ∫ dθ/θ′ with 30 digits.
 #[test]
 fn a_slide_is_known_behind_a_turning_point() {
     let hoop = HoopParameters::thin(4.279_724_030_550_52)
@@ -47,14 +64,23 @@ fn a_slide_is_known_behind_a_turning_point() {
         .with_slope(-0.497_437_103_729_231_67);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
     let start = Start::at(-0.301_803_837_171_314_4, 0.0);
-    let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
+    let motion = hoop
+        .simulate(start, Limits::until(20.0))
+        .expect("a valid start");
     let end = motion.summary().end;
     let (theta, rate) = (-5.475_480_700_992_735, 0.298_825_653_936_029_36);
-    assert!((end.theta - theta).abs() < 16.0 * f64::EPSILON * theta.abs(), "{end:?}");
-    assert!((end.theta_rate - rate).abs() < 16.0 * f64::EPSILON, "{end:?}");
+    assert!(
+        (end.theta - theta).abs() < 16.0 * f64::EPSILON * theta.abs(),
+        "{end:?}"
+    );
+    assert!(
+        (end.theta_rate - rate).abs() < 16.0 * f64::EPSILON,
+        "{end:?}"
+    );
 }
 
-/// Without any friction η′ is largest at the bottom, where η″ vanishes and rounding tells its sign: it falls behind, through zero, and rises again.
+/// Without any friction η′ is largest at the bottom, where η″ vanishes and rounding tells its sign:
+/// it falls behind, through zero, and rises again.
 #[test]
 fn a_slip_that_is_least_behind_the_bottom_reverses_there() {
     for (parameters, start) in [
@@ -68,23 +94,34 @@ fn a_slip_that_is_least_behind_the_bottom_reverses_there() {
         ),
     ] {
         let (mass_ratio, offset, inertia) = parameters;
-        let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia))
-            .expect("a valid hoop");
+        let hoop = Hoop::new(
+            HoopParameters::thin(mass_ratio)
+                .with_offset(offset)
+                .with_inertia(inertia),
+        )
+        .expect("a valid hoop");
         let limits = Limits::until(40.0);
         let motion = hoop.simulate(start, limits).expect("a valid start");
         // As far behind the bottom as the start lies before it.
         let reversal = motion.transitions()[0].before;
-        assert!((reversal.theta - (TAU - start.theta)).abs() < 1e-15, "{reversal:?}");
+        assert!(
+            (reversal.theta - (TAU - start.theta)).abs() < 1e-15,
+            "{reversal:?}"
+        );
         let motion = motion.summary();
         for engine in engines(&hoop) {
             let summary = engine.summary(start, limits).expect("a valid start");
-            assert_eq!((summary.outcome, summary.transitions), (motion.outcome, motion.transitions));
+            assert_eq!(
+                (summary.outcome, summary.transitions),
+                (motion.outcome, motion.transitions)
+            );
             assert_eq!(summary.sequence, motion.sequence);
         }
     }
 }
 
-/// Where two events coincide, nearly so, or rounding tells whether there is one, the engine has those of the simulation.
+/// Where two events coincide, nearly so, or rounding tells whether there is one, the engine has
+/// those of the simulation.
 #[test]
 fn events_next_to_each_other_are_those_of_the_simulation() {
     for ((mass_ratio, offset, inertia), mu_s, start) in [
@@ -125,7 +162,10 @@ fn events_next_to_each_other_are_those_of_the_simulation() {
             .with_friction(mu_s, 0.0);
         let hoop = Hoop::new(parameters).expect("a valid hoop");
         for limits in [Limits::until(20.0), Limits::default()] {
-            let motion = hoop.simulate(start, limits).expect("a valid start").summary();
+            let motion = hoop
+                .simulate(start, limits)
+                .expect("a valid start")
+                .summary();
             for engine in engines(&hoop) {
                 let summary = engine.summary(start, limits).expect("a valid start");
                 assert_eq!(
@@ -138,8 +178,8 @@ fn events_next_to_each_other_are_those_of_the_simulation() {
     }
 }
 
-/// Where η′ vanishes twice within 0.002 the second zero has its digits, too: as far behind the bottom as the third lies before it, by symmetry, and
-/// the same by all solvers.
+/// Where η′ vanishes twice within 0.002 the second zero has its digits, too: as far behind the
+/// bottom as the third lies before it, by symmetry, and the same by all solvers.
 #[test]
 fn reversals_next_to_each_other_have_their_digits() {
     let parameters = HoopParameters::thin(0.7938587574375968)
@@ -147,40 +187,70 @@ fn reversals_next_to_each_other_have_their_digits() {
         .with_inertia(0.43868262089929744);
     let hoop = Hoop::new(parameters).expect("a valid hoop");
     let start = Start::at(-2.6703065502307917, -2.4013239599419345);
-    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
-    let [first, second, third, ..] = motion.transitions() else { unreachable!("three reversals") };
+    let motion = hoop
+        .simulate(start, Limits::default())
+        .expect("a valid start");
+    let [first, second, third, ..] = motion.transitions() else {
+        unreachable!("three reversals")
+    };
     let [first, second, third] = [first, second, third].map(|reversal| reversal.before);
     assert!((first.theta - start.theta).abs() < 0.002, "{first:?}");
-    assert!((first.theta + second.theta + TAU).abs() < 2e-15, "{first:?} {second:?}");
+    assert!(
+        (first.theta + second.theta + TAU).abs() < 2e-15,
+        "{first:?} {second:?}"
+    );
     assert!((start.theta + third.theta + TAU).abs() < 2e-15, "{third:?}");
     let (before, behind) = (first.time, third.time - second.time);
     assert!((before - behind).abs() < 1e-15, "{before} {behind}");
     for engine in engines(&hoop) {
-        let end = engine.summary(start, Limits::default().with_transitions(1)).expect("a valid start").end;
-        assert!((end.theta - first.theta).abs() < 1e-15 && (end.time - first.time).abs() < 1e-15, "{end:?}");
+        let end = engine
+            .summary(start, Limits::default().with_transitions(1))
+            .expect("a valid start")
+            .end;
+        assert!(
+            (end.theta - first.theta).abs() < 1e-15 && (end.time - first.time).abs() < 1e-15,
+            "{end:?}"
+        );
     }
 }
 
-/// From η′ = 0 just behind the top a hoop without friction comes to η′ = 0 just before and just behind it in each turn: a pair of reversals, at these angles to the
-/// last digit and 2 θ₀/θ′ apart.
+/// From η′ = 0 just behind the top a hoop without friction comes to η′ = 0 just before and just
+/// behind it in each turn: a pair of reversals, at these angles to the last digit and 2 θ₀/θ′
+/// apart.
 #[test]
 fn pairs_of_reversals_next_to_the_top_are_found_in_each_turn() {
     let hoop = Hoop::figure_2(0.0, 0.0).expect("a valid hoop");
     for theta in [1e-3_f64, 1e-4, 1e-5, 1e-6, 1e-7] {
         let start = Start::at(theta, 0.7);
-        let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
-        let is_next_to_top = |state: &State| (state.theta - TAU * (state.theta / TAU).round()).abs() < 0.01;
-        let reversals: Vec<State> =
-            motion.transitions().iter().map(|reversal| reversal.before).filter(is_next_to_top).collect();
+        let motion = hoop
+            .simulate(start, Limits::until(20.0))
+            .expect("a valid start");
+        let is_next_to_top =
+            |state: &State| (state.theta - TAU * (state.theta / TAU).round()).abs() < 0.01;
+        let reversals: Vec<State> = motion
+            .transitions()
+            .iter()
+            .map(|reversal| reversal.before)
+            .filter(is_next_to_top)
+            .collect();
         // Three turns of 5.73.
         assert_eq!(reversals.len(), 6, "{theta}");
         for (pair, turns) in reversals.chunks(2).zip(1..) {
             let top = TAU * f64::from(turns);
             let digit = f64::EPSILON * top;
-            assert!((pair[0].theta - (top - theta)).abs() <= digit, "{theta}: {pair:?}");
-            assert!((pair[1].theta - (top + theta)).abs() <= digit, "{theta}: {pair:?}");
+            assert!(
+                (pair[0].theta - (top - theta)).abs() <= digit,
+                "{theta}: {pair:?}"
+            );
+            assert!(
+                (pair[1].theta - (top + theta)).abs() <= digit,
+                "{theta}: {pair:?}"
+            );
             let apart = 2.0 * theta / 0.7;
-            assert!((pair[1].time - pair[0].time - apart).abs() < 1e-14 + theta * apart, "{theta}: {pair:?}");
+            assert!(
+                (pair[1].time - pair[0].time - apart).abs() < 1e-14 + theta * apart,
+                "{theta}: {pair:?}"
+            );
         }
     }
 }
@@ -188,8 +258,8 @@ fn pairs_of_reversals_next_to_the_top_are_found_in_each_turn() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// A slide without an event in a whole period, a turn or the way from the first turning point to the third, lasts for ever, which is known as soon as that has
-    /// passed.
+    /// A slide without an event in a whole period, a turn or the way from the first turning point
+    /// to the third, lasts for ever, which is known as soon as that has passed.
     #[test]
     fn a_slide_is_known_to_last_for_ever_once_a_period_has_passed(
         hoop in heavy_hoop(),
@@ -205,7 +275,8 @@ proptest! {
         };
         // Next to an equilibrium, or the separatrix, a period is ill-conditioned.
         prop_assume!(period < 30.0 && start.theta_rate.abs() > 1e-3);
-        // From the start of a rotation on; a libration comes to its first turning point within half a period.
+        // From the start of a rotation on; a libration comes to its first turning point within half
+        // a period.
         let known = if matches!(recurrence, Recurrence::Rotation { .. }) { period } else { 1.5 * period };
         let [before, behind] = [part * period, known + period * (1e-6 + part * later)];
         for (until, expected) in [(before, OutcomeKind::TimeLimit), (behind, OutcomeKind::SlidesForever)] {

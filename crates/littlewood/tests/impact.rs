@@ -1,5 +1,6 @@
-//! The impact against stepping Newton's and Euler's equations in the impulse, without a table of cases; its balances of momentum
-//! and energy; its mirror image; and numbers computed with 40 digits.
+//! The impact against stepping Newton's and Euler's equations in the impulse, without a table of
+//! cases; its balances of momentum and energy; its mirror image; and numbers computed with 40
+//! digits.
 #![allow(clippy::panic)] // a failed expectation
 
 use crate::common::heavy_hoop;
@@ -15,8 +16,13 @@ fn restitution(coefficient: f64, law: RestitutionLaw) -> Restitution {
 }
 
 fn landing() -> (Hoop, State, f64) {
-    let motion = find_case("figure-3").expect("a case").simulate().expect("a valid case");
-    let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("lands") };
+    let motion = find_case("figure-3")
+        .expect("a case")
+        .simulate()
+        .expect("a valid case");
+    let Outcome::Landing { state, gap_rate } = motion.outcome() else {
+        panic!("lands")
+    };
     (*motion.hoop(), state, gap_rate)
 }
 
@@ -26,13 +32,25 @@ fn the_landing_of_figure_3_has_the_impact_of_the_40_digit_computation() {
     let (hoop, state, gap_rate) = landing();
     assert!((gap_rate + 1.913_012_569_038_374_6).abs() < 1e-13);
     assert!((state.slip + 0.785_244_687_128_996_2).abs() < 1e-13);
-    let plastic = hoop.impact(&state, gap_rate, restitution(0.0, RestitutionLaw::Energetic)).expect("lands");
+    let plastic = hoop
+        .impact(
+            &state,
+            gap_rate,
+            restitution(0.0, RestitutionLaw::Energetic),
+        )
+        .expect("lands");
     assert_eq!(plastic.case, ImpactCase::Slides);
     assert!((plastic.after.theta_rate - 1.989_854_986_135_947_2).abs() < 1e-12);
     assert!((plastic.after.slip + 0.025_733_797_279_415_87).abs() < 1e-12);
     assert!(plastic.after.gap_rate.abs() < 1e-15);
     assert!((plastic.energy_lost() - 4.275_729_468_652_908).abs() < 1e-12);
-    let half = hoop.impact(&state, gap_rate, restitution(0.5, RestitutionLaw::Energetic)).expect("lands");
+    let half = hoop
+        .impact(
+            &state,
+            gap_rate,
+            restitution(0.5, RestitutionLaw::Energetic),
+        )
+        .expect("lands");
     assert_eq!(half.case, ImpactCase::SticksInRestitution);
     assert!((half.after.theta_rate - 1.803_947_379_026_181_2).abs() < 1e-12);
     assert_eq!(half.after.slip, 0.0);
@@ -43,9 +61,12 @@ fn the_landing_of_figure_3_has_the_impact_of_the_40_digit_computation() {
 #[test]
 fn a_jam_without_restitution_leaves_with_the_rate_of_the_reference() {
     // P = −0.1996 at the start: without a closing gap the slip is stopped all the same.
-    let hoop = Hoop::new(HoopParameters::thin(0.125).with_friction(0.75, 0.75)).expect("a valid hoop");
+    let hoop =
+        Hoop::new(HoopParameters::thin(0.125).with_friction(0.75, 0.75)).expect("a valid hoop");
     let state = State::from(Start::at(0.5, -0.5).with_slip(1.0));
-    let jam = hoop.impact(&state, 0.0, restitution(0.0, RestitutionLaw::Energetic)).expect("heavy");
+    let jam = hoop
+        .impact(&state, 0.0, restitution(0.0, RestitutionLaw::Energetic))
+        .expect("heavy");
     assert_eq!(jam.case, ImpactCase::Jams);
     assert!((jam.after.theta_rate + 1.0).abs() < 1e-14, "{jam:?}");
     assert_eq!(jam.after.slip, 0.0);
@@ -60,10 +81,15 @@ fn what_is_no_impact_is_refused_or_said() {
         assert_eq!(refused.quantity(), Quantity::Restitution);
     }
     let e = restitution(0.5, RestitutionLaw::Poisson);
-    assert_eq!(hoop.impact(&state, 0.25, e), Err(ImpactError::Opening { gap_rate: 0.25 }));
+    assert_eq!(
+        hoop.impact(&state, 0.25, e),
+        Err(ImpactError::Opening { gap_rate: 0.25 })
+    );
     let massless = Hoop::littlewood(0.5, 0.4).expect("a valid hoop");
     assert_eq!(massless.impact(&state, -1.0, e), Err(ImpactError::Massless));
-    let still = hoop.impact(&State { slip: 0.0, ..state }, 0.0, e).expect("heavy");
+    let still = hoop
+        .impact(&State { slip: 0.0, ..state }, 0.0, e)
+        .expect("heavy");
     assert_eq!((still.case, still.after), (ImpactCase::None, still.before));
 }
 
@@ -75,8 +101,8 @@ struct Velocities {
     spin: f64,
 }
 
-/// Newton's and Euler's equations in the impulse, in small steps: friction opposes the slip that there is, and where there is
-/// none it is what keeps it so, within the limit of static friction.
+/// Newton's and Euler's equations in the impulse, in small steps: friction opposes the slip that
+/// there is, and where there is none it is what keeps it so, within the limit of static friction.
 struct Stepper {
     mass: f64,
     inertia: f64,
@@ -104,14 +130,25 @@ impl Stepper {
             return (-self.mu.1 * slip.signum(), false);
         }
         // What keeps the contact at rest: the slip of a unit of P, and of a unit of J.
-        let still = Velocities { x: 0.0, y: 0.0, spin: 0.0 };
-        let (of_normal, of_friction) =
-            (self.contact(&self.push(&still, 0.0, 1.0)).0, self.contact(&self.push(&still, 1.0, 0.0)).0);
+        let still = Velocities {
+            x: 0.0,
+            y: 0.0,
+            spin: 0.0,
+        };
+        let (of_normal, of_friction) = (
+            self.contact(&self.push(&still, 0.0, 1.0)).0,
+            self.contact(&self.push(&still, 1.0, 0.0)).0,
+        );
         let needed = -of_normal / of_friction;
-        if needed.abs() <= self.mu.0 { (needed, true) } else { (-self.mu.1 * of_normal.signum(), false) }
+        if needed.abs() <= self.mu.0 {
+            (needed, true)
+        } else {
+            (-self.mu.1 * of_normal.signum(), false)
+        }
     }
 
-    /// To the end of the impact: velocities, impulses, and the greatest magnitude of velocity on the way.
+    /// To the end of the impact: velocities, impulses, and the greatest magnitude of velocity on
+    /// the way.
     fn run(&self, mut v: Velocities, e: f64, law: RestitutionLaw) -> (Velocities, [f64; 2]) {
         let closing = -self.contact(&v).1;
         let (mut normal, mut friction) = (0.0, 0.0);
@@ -144,8 +181,10 @@ impl Stepper {
                     (part, last) = ((rest / step).max(0.0), true);
                 }
             }
-            let stops =
-                part < 1.0 && !last && slip != 0.0 && (slip - part * (slip - slip_next)).abs() < 1e-14;
+            let stops = part < 1.0
+                && !last
+                && slip != 0.0
+                && (slip - part * (slip - slip_next)).abs() < 1e-14;
             let p = part * step;
             v = self.push(&v, rate * p, p);
             normal += p;
@@ -160,7 +199,8 @@ impl Stepper {
                 // The slip velocity is zero here, but for rounding.
                 v.x -= self.contact(&v).0;
             }
-            // Of a slow impact of a hoop that turns fast the sum for the gap rate may not come any closer to zero.
+            // Of a slow impact of a hoop that turns fast the sum for the gap rate may not come any
+            // closer to zero.
             let rounding = 4.0 * f64::EPSILON * (v.y.abs() + v.spin.abs());
             if compression.is_none() && self.contact(&v).1 >= -rounding.max(1e-15 * closing) {
                 compression = Some(normal);
@@ -177,7 +217,9 @@ impl Stepper {
 }
 
 fn heavy(hoop: &Hoop) -> (f64, f64) {
-    let Body::Heavy(body) = hoop.body() else { panic!("heavy") };
+    let Body::Heavy(body) = hoop.body() else {
+        panic!("heavy")
+    };
     (body.inertia, body.h)
 }
 
@@ -199,7 +241,8 @@ fn kinetic(hoop: &Hoop, theta: f64, v: &littlewood::impact::ContactVelocities) -
 }
 
 fn impact(hoop: &Hoop, state: &State, gap_rate: f64, e: f64, law: RestitutionLaw) -> Impact {
-    hoop.impact(state, gap_rate, restitution(e, law)).expect("a heavy hoop that lands")
+    hoop.impact(state, gap_rate, restitution(e, law))
+        .expect("a heavy hoop that lands")
 }
 
 proptest! {

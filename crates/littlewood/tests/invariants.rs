@@ -1,16 +1,20 @@
-//! Every mode carries its law: energy in rolling, gliding and flight, horizontal momentum in gliding and flight,
-//! falling energy and the momentum integral in sliding; and every phase keeps, at every instant, the conditions under
-//! which its mode is the motion. A missed event breaks the latter.
+//! Every mode carries its law: energy in rolling, gliding and flight, horizontal momentum in
+//! gliding and flight, falling energy and the momentum integral in sliding; and every phase keeps,
+//! at every instant, the conditions under which its mode is the motion. A missed event breaks the
+//! latter.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::flight::{check_flights, check_landings};
-use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start, whole_range};
+use crate::common::{
+    heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start, whole_range,
+};
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{Body, GlidingIntegrals, SlidingLaw};
 use littlewood::{Cause, Direction, Hoop, Mode, Outcome, Phase, Sample, Start, State, Trajectory};
 use proptest::prelude::*;
 
-/// Where the particle passes the vertical, a light hoop turns with θ′² up to 2(E + ℓ̂)/Î, between two samples perhaps.
+/// Where the particle passes the vertical, a light hoop turns with θ′² up to 2(E + ℓ̂)/Î, between
+/// two samples perhaps.
 fn passing(hoop: &Hoop, first: &Sample, now: &Sample) -> f64 {
     let half_turn = |sample: &Sample| (sample.state.theta / std::f64::consts::PI).floor();
     if half_turn(first) == half_turn(now) {
@@ -19,14 +23,20 @@ fn passing(hoop: &Hoop, first: &Sample, now: &Sample) -> f64 {
     2.0 * hoop.mass() * (first.energy + hoop.offset()) / hoop.body().inertia_about_mass_centre()
 }
 
-/// The size of the terms of the energy, and of the forces, times that of the angle: the last digit of an angle is known to ε |θ|, so that
-/// what depends on it is rounded to that part of its size.
+/// The size of the terms of the energy, and of the forces, times that of the angle: the last digit
+/// of an angle is known to ε |θ|, so that what depends on it is rounded to that part of its size.
 pub(crate) fn size(hoop: &Hoop, sample: &Sample) -> f64 {
-    let State { theta, theta_rate, slip, .. } = sample.state;
+    let State {
+        theta,
+        theta_rate,
+        slip,
+        ..
+    } = sample.state;
     let u = theta_rate * theta_rate;
     let rises = sample.gap_rate * sample.gap_rate;
-    let terms =
-        1.0 + hoop.mass() * (1.0 + u + slip * slip + rises) + hoop.body().inertia_about_mass_centre() * u;
+    let terms = 1.0
+        + hoop.mass() * (1.0 + u + slip * slip + rises)
+        + hoop.body().inertia_about_mass_centre() * u;
     terms * (1.0 + theta.abs())
 }
 
@@ -34,8 +44,13 @@ fn sign(direction: Option<Direction>) -> f64 {
     direction.map_or(0.0, Direction::sign)
 }
 
-/// A phase; `slides_since` is the first instant of the slides that it goes on, which carry what rounding has done since.
-pub(crate) fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> Result<(), TestCaseError> {
+/// A phase; `slides_since` is the first instant of the slides that it goes on, which carry what
+/// rounding has done since.
+pub(crate) fn check_phase(
+    hoop: &Hoop,
+    phase: &Phase,
+    slides_since: &Sample,
+) -> Result<(), TestCaseError> {
     let first = phase.first();
     let mut before = first;
     let mut size = size(hoop, &first);
@@ -48,14 +63,20 @@ pub(crate) fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> 
         prop_assert_eq!(now.mode, phase.mode());
         match phase.solution() {
             PhaseSolution::Rolling(_) => {
-                prop_assert!((now.energy - first.energy).abs() < 1e-13 * size, "energy in rolling");
+                prop_assert!(
+                    (now.energy - first.energy).abs() < 1e-13 * size,
+                    "energy in rolling"
+                );
                 prop_assert_eq!(now.state.slip, 0.0);
                 let excess = now.friction.abs() - hoop.mu_s() * now.normal;
                 prop_assert!(
                     excess < 1e-9 * size * (1.0 + hoop.mu_s()),
                     "static friction at {elapsed}: {now:?}"
                 );
-                prop_assert!(now.normal > -1e-9 * size, "normal force at {elapsed}: {now:?}");
+                prop_assert!(
+                    now.normal > -1e-9 * size,
+                    "normal force at {elapsed}: {now:?}"
+                );
                 let held = now.state.x + now.state.theta - first.state.x - first.state.theta;
                 prop_assert!(
                     held.abs() < 1e-13 * (1.0 + now.state.theta.abs() + now.state.x.abs()),
@@ -63,7 +84,9 @@ pub(crate) fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> 
                 );
             }
             PhaseSolution::Sliding(_) => {
-                let Some(direction) = phase.direction() else { unreachable!() };
+                let Some(direction) = phase.direction() else {
+                    unreachable!()
+                };
                 let law = SlidingLaw::new(hoop, direction).expect("a heavy hoop");
                 if law.solvability(now.state.theta) < 1e-13 {
                     continue; // P = 0 to rounding: the end of a singular slide, where N is infinite
@@ -76,21 +99,27 @@ pub(crate) fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> 
                 );
                 let slipping = sign(phase.direction()) * now.state.slip;
                 // A clock that reads τ resolves η′ to η″ ulp(τ).
-                let resolution = 4.0 * f64::EPSILON * now.state.time.abs() * now.slip_acceleration.abs();
+                let resolution =
+                    4.0 * f64::EPSILON * now.state.time.abs() * now.slip_acceleration.abs();
                 prop_assert!(
                     slipping > -1e-13 * size - resolution,
                     "direction of slip at {elapsed}: {now:?}"
                 );
                 // N = Î m w/P, and w = 1 − h cos θ θ′² is known to the rounding of θ′.
                 let u = now.state.theta_rate * now.state.theta_rate;
-                let law_at =
-                    hoop.body().inertia_about_mass_centre() * hoop.mass() / law.solvability(now.state.theta);
+                let law_at = hoop.body().inertia_about_mass_centre() * hoop.mass()
+                    / law.solvability(now.state.theta);
                 let rounding = 1e-11 * law_at * (1.0 + u) * (1.0 + now.state.theta.abs());
-                prop_assert!(now.normal >= -rounding, "normal force at {elapsed}: {now:?}");
+                prop_assert!(
+                    now.normal >= -rounding,
+                    "normal force at {elapsed}: {now:?}"
+                );
                 let integral = |s: &Sample, time| law.momentum_integral(&State { time, ..s.state });
                 let drift = integral(&now, elapsed) - integral(&first, 0.0);
-                // An angle is known to its last digit, and θ′ to that times the frequency at which a light hoop swings.
-                let swing = (hoop.mass() * hoop.h() / hoop.body().inertia_about_mass_centre()).sqrt();
+                // An angle is known to its last digit, and θ′ to that times the frequency at which
+                // a light hoop swings.
+                let swing =
+                    (hoop.mass() * hoop.h() / hoop.body().inertia_about_mass_centre()).sqrt();
                 let digit = 4.0 * f64::EPSILON * (1.0 + now.state.theta.abs());
                 prop_assert!(
                     drift.abs() < (1e-12 * size + digit * swing) * (1.0 + hoop.mu_k()),
@@ -98,17 +127,33 @@ pub(crate) fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> 
                 );
             }
             PhaseSolution::Gliding(_) => {
-                let Body::Massless(body) = hoop.body() else { unreachable!() };
+                let Body::Massless(body) = hoop.body() else {
+                    unreachable!()
+                };
                 let integrals = |s: &Sample| GlidingIntegrals::at(&body, &s.state);
                 let (start, here) = (integrals(&first), integrals(&now));
-                prop_assert!((here.w - start.w).abs() < 1e-10 * size, "w: {start:?} {here:?}");
+                prop_assert!(
+                    (here.w - start.w).abs() < 1e-10 * size,
+                    "w: {start:?} {here:?}"
+                );
                 let pulled = libm::sin(hoop.slope()) * elapsed;
-                prop_assert!((here.momentum + pulled - start.momentum).abs() < 1e-10 * size, "momentum");
-                prop_assert!((now.energy - first.energy).abs() < 1e-10 * size, "energy in gliding");
+                prop_assert!(
+                    (here.momentum + pulled - start.momentum).abs() < 1e-10 * size,
+                    "momentum"
+                );
+                prop_assert!(
+                    (now.energy - first.energy).abs() < 1e-10 * size,
+                    "energy in gliding"
+                );
                 let slipping = sign(phase.direction()) * now.state.slip;
-                prop_assert!(slipping > -1e-10 * size, "direction of slip at {elapsed}: {now:?}");
+                prop_assert!(
+                    slipping > -1e-10 * size,
+                    "direction of slip at {elapsed}: {now:?}"
+                );
             }
-            PhaseSolution::Flight(_) => prop_assert_eq!(now.state.theta_rate, first.state.theta_rate),
+            PhaseSolution::Flight(_) => {
+                prop_assert_eq!(now.state.theta_rate, first.state.theta_rate)
+            }
         }
         before = now;
     }
@@ -116,7 +161,11 @@ pub(crate) fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> 
 }
 
 /// What must not be negative during a phase, with the part of its terms that rounding may take.
-fn margins(hoop: &Hoop, sample: &Sample, direction: Option<Direction>) -> Vec<(&'static str, f64, f64)> {
+fn margins(
+    hoop: &Hoop,
+    sample: &Sample,
+    direction: Option<Direction>,
+) -> Vec<(&'static str, f64, f64)> {
     let size = size(hoop, sample);
     match sample.mode {
         Mode::Rolling => vec![
@@ -134,8 +183,8 @@ fn margins(hoop: &Hoop, sample: &Sample, direction: Option<Direction>) -> Vec<(&
     }
 }
 
-/// Looks for the least of each margin between the instants of [`check_phase`]: around every instant that is lower than its
-/// neighbours the minimum is isolated by ternary search.
+/// Looks for the least of each margin between the instants of [`check_phase`]: around every instant
+/// that is lower than its neighbours the minimum is isolated by ternary search.
 pub(crate) fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
     let times: Vec<f64> = instants(phase.duration(), 40).collect();
     let at = |time: f64| {
@@ -145,7 +194,8 @@ pub(crate) fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseErr
     };
     let values: Vec<_> = times.iter().map(|time| at(*time)).collect();
     for i in 1..times.len() - 1 {
-        let (Some(before), Some(here), Some(after)) = (&values[i - 1], &values[i], &values[i + 1]) else {
+        let (Some(before), Some(here), Some(after)) = (&values[i - 1], &values[i], &values[i + 1])
+        else {
             continue;
         };
         for k in 0..here.len() {
@@ -156,10 +206,19 @@ pub(crate) fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseErr
             let (mut low, mut high) = (times[i - 1], times[i + 1]);
             for _ in 0..40 {
                 let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-                if value(a) < value(b) { high = b } else { low = a }
+                if value(a) < value(b) {
+                    high = b
+                } else {
+                    low = a
+                }
             }
-            let (name, least, rounding) = at(0.5 * (low + high)).map_or(here[k], |margins| margins[k]);
-            prop_assert!(least >= -rounding, "{name} at {low}: {least} in {:?}", phase.mode());
+            let (name, least, rounding) =
+                at(0.5 * (low + high)).map_or(here[k], |margins| margins[k]);
+            prop_assert!(
+                least >= -rounding,
+                "{name} at {low}: {least} in {:?}",
+                phase.mode()
+            );
         }
     }
     Ok(())
@@ -167,8 +226,12 @@ pub(crate) fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseErr
 
 pub(crate) fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), TestCaseError> {
     for phase in motion.phases() {
-        let Some(transition) = motion.end_of(phase) else { continue };
-        let Some(last) = phase.last() else { unreachable!("a phase with a transition ends") };
+        let Some(transition) = motion.end_of(phase) else {
+            continue;
+        };
+        let Some(last) = phase.last() else {
+            unreachable!("a phase with a transition ends")
+        };
         let size = size(hoop, &last);
         prop_assert_eq!(Some(phase.mode()), transition.from);
         match transition.cause {
@@ -181,31 +244,47 @@ pub(crate) fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), 
                 let body_is_heavy = matches!(hoop.body(), Body::Heavy(_));
                 if let (Some(direction), true) = (transition.direction, body_is_heavy) {
                     let along = direction.sign() * last.friction;
-                    prop_assert!(along <= 1e-9 * size, "slips against the friction force: {along} {last:?}");
+                    prop_assert!(
+                        along <= 1e-9 * size,
+                        "slips against the friction force: {along} {last:?}"
+                    );
                 }
             }
-            Cause::Stick | Cause::Reversal | Cause::Graze => prop_assert_eq!(transition.before.slip, 0.0),
+            Cause::Stick | Cause::Reversal | Cause::Graze => {
+                prop_assert_eq!(transition.before.slip, 0.0)
+            }
             Cause::LiftOff => {
                 let w = libm::cos(hoop.slope())
-                    - hoop.h() * libm::cos(last.state.theta) * last.state.theta_rate * last.state.theta_rate;
+                    - hoop.h()
+                        * libm::cos(last.state.theta)
+                        * last.state.theta_rate
+                        * last.state.theta_rate;
                 prop_assert!(w.abs() < 1e-11 * size, "1 = h cos θ θ′² at lift-off: {w}");
                 // Within so much of the top w differs from its minimum by its rounding.
                 let sin = libm::sin(last.state.theta);
-                let next_to_top = (8.0 * f64::EPSILON).sqrt() + f64::EPSILON * last.state.theta.abs();
+                let next_to_top =
+                    (8.0 * f64::EPSILON).sqrt() + f64::EPSILON * last.state.theta.abs();
                 prop_assert!(
                     sin * last.state.theta_rate < 0.0 || sin.abs() < next_to_top,
                     "rises at lift-off"
                 );
             }
             Cause::Landing => {
-                prop_assert!(last.gap_rate <= 1e-13 * size, "gap rate at landing: {}", last.gap_rate);
+                prop_assert!(
+                    last.gap_rate <= 1e-13 * size,
+                    "gap rate at landing: {}",
+                    last.gap_rate
+                );
             }
             _ => {}
         }
     }
     for phase in motion.phases() {
         // A jam from a start without a consistent motion comes before the first phase.
-        let before = motion.transitions().iter().rfind(|transition| transition.after == phase.start());
+        let before = motion
+            .transitions()
+            .iter()
+            .rfind(|transition| transition.after == phase.start());
         prop_assert!(
             before.is_some() || phase.start() == motion.start(),
             "a phase begins where a transition leaves it"

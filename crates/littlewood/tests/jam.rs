@@ -1,12 +1,13 @@
-//! Painlevé's jam: where a slide runs into P = 0 with slip left, and how the motion goes on by an impact without a collision.
+//! Painlevé's jam: where a slide runs into P = 0 with slip left, and how the motion goes on by an
+//! impact without a collision.
 #![allow(clippy::panic)] // a failed expectation
 
 use crate::common::start;
 use littlewood::impact::ImpactCase;
 use littlewood::theory::{Body, SlidingLaw};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw, Start,
-    Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw,
+    Start, Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -21,13 +22,17 @@ fn limits() -> Limits {
     Limits::until(5.0).with_transitions(40)
 }
 
-/// λ = 2 Î cos θ/(sin θ P′), mirrored so that the slip is positive: near the root of P, 1 − h cos θ θ′² ~ x^λ and N ~ x^(λ − 1).
+/// λ = 2 Î cos θ/(sin θ P′), mirrored so that the slip is positive: near the root of P, 1 − h cos θ
+/// θ′² ~ x^λ and N ~ x^(λ − 1).
 fn exponent(hoop: &Hoop, theta: f64, slip: f64) -> f64 {
-    let Body::Heavy(body) = hoop.body() else { panic!("heavy") };
+    let Body::Heavy(body) = hoop.body() else {
+        panic!("heavy")
+    };
     let theta = theta * slip.signum();
     let (sin, cos) = libm::sincos(theta);
     let doubled = cos * cos - sin * sin;
-    let slope = body.mass * body.h * (2.0 * body.h * sin * cos - hoop.mu_k() * (cos + body.h * doubled));
+    let slope =
+        body.mass * body.h * (2.0 * body.h * sin * cos - hoop.mu_k() * (cos + body.h * doubled));
     2.0 * body.inertia * cos / (sin * slope)
 }
 
@@ -37,7 +42,10 @@ fn runs_into_it() -> (f64, f64, Start) {
 }
 
 fn last_slide(motion: &Trajectory) -> &littlewood::Phase {
-    let slide = motion.phases().iter().rfind(|phase| phase.mode() == Mode::Sliding);
+    let slide = motion
+        .phases()
+        .iter()
+        .rfind(|phase| phase.mode() == Mode::Sliding);
     slide.expect("a slide")
 }
 
@@ -46,13 +54,18 @@ fn an_open_set_of_slides_runs_into_it() {
     let (mass, mu_k, start) = runs_into_it();
     let mut state = 0x1234_5678_9ABC_DEF1_u64;
     let mut uniform = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     };
     for _ in 0..500 {
         let hoop = hoop(mass + 2e-3 * uniform(), mu_k + 2e-3 * uniform());
-        let near = Start::at(start.theta + 2e-3 * uniform(), start.theta_rate + 2e-3 * uniform())
-            .with_slip(start.slip + 2e-3 * uniform());
+        let near = Start::at(
+            start.theta + 2e-3 * uniform(),
+            start.theta_rate + 2e-3 * uniform(),
+        )
+        .with_slip(start.slip + 2e-3 * uniform());
         let motion = hoop.simulate(near, limits()).expect("a valid start");
         let Outcome::Singular { state, .. } = motion.outcome() else {
             panic!("{near:?} {:?}", motion.outcome())
@@ -83,17 +96,29 @@ fn forces_grow_with_the_exponent_of_the_root() {
         }
         let sample = slide.sample(low);
         let (theta, rate) = (sample.state.theta, sample.state.theta_rate);
-        ((theta - end.theta).abs(), sample.normal, 1.0 - h * libm::cos(theta) * rate * rate)
+        (
+            (theta - end.theta).abs(),
+            sample.normal,
+            1.0 - h * libm::cos(theta) * rate * rate,
+        )
     };
     let (near, far) = (at(1e-9), at(1e-8));
     let slope = |a: f64, b: f64| libm::log(a / b) / libm::log(near.0 / far.0);
     // The next term of 1 − h cos θ θ′² is x, x^(1 − λ) in relation to the first: 1e-4 here.
-    assert!((slope(near.1, far.1) - (lambda - 1.0)).abs() < 1e-3, "{} {lambda}", slope(near.1, far.1));
-    assert!((slope(near.2, far.2) - lambda).abs() < 1e-3, "{} {lambda}", slope(near.2, far.2));
+    assert!(
+        (slope(near.1, far.1) - (lambda - 1.0)).abs() < 1e-3,
+        "{} {lambda}",
+        slope(near.1, far.1)
+    );
+    assert!(
+        (slope(near.2, far.2) - lambda).abs() < 1e-3,
+        "{} {lambda}",
+        slope(near.2, far.2)
+    );
 }
 
-/// With k1 = 0 the slip ends at the impulse P1 = |u| |B|/(A C − B²), θ′ jumps by −P1/(m h sin θ), and only Poisson's law lets the
-/// gap open, at k2 e P1.
+/// With k1 = 0 the slip ends at the impulse P1 = |u| |B|/(A C − B²), θ′ jumps by −P1/(m h sin θ),
+/// and only Poisson's law lets the gap open, at k2 e P1.
 #[test]
 fn the_slide_goes_on_by_a_jam() {
     let (mass, mu_k, start) = runs_into_it();
@@ -103,11 +128,23 @@ fn the_slide_goes_on_by_a_jam() {
             .with_restitution(Restitution::new(e, law).expect("a coefficient"))
             .expect("heavy");
         let motion = hoop.simulate(start, limits()).expect("a valid start");
-        let jam = motion.transitions().iter().find(|it| it.cause == Cause::Jam).expect("jams");
-        assert_eq!((jam.from, jam.to), (Some(Mode::Sliding), Some(Mode::Flight)));
+        let jam = motion
+            .transitions()
+            .iter()
+            .find(|it| it.cause == Cause::Jam)
+            .expect("jams");
+        assert_eq!(
+            (jam.from, jam.to),
+            (Some(Mode::Sliding), Some(Mode::Flight))
+        );
         let impact = jam.impact.expect("an impact");
-        assert_eq!((impact.case, impact.after.slip, jam.after.slip), (ImpactCase::Jams, 0.0, 0.0));
-        let Body::Heavy(body) = hoop.body() else { panic!("heavy") };
+        assert_eq!(
+            (impact.case, impact.after.slip, jam.after.slip),
+            (ImpactCase::Jams, 0.0, 0.0)
+        );
+        let Body::Heavy(body) = hoop.body() else {
+            panic!("heavy")
+        };
         let (sin, cos) = libm::sincos(jam.before.theta);
         let (arm, lever) = (body.h * sin, 1.0 + body.h * cos);
         let a = 1.0 / body.mass + lever * lever / body.inertia;
@@ -117,33 +154,56 @@ fn the_slide_goes_on_by_a_jam() {
         let ends = jam.before.slip.abs() * b.abs() / determinant;
         let after_compression = jam.before.theta_rate - ends / (body.mass * arm);
         let k2 = determinant / a;
-        let (opening, more) =
-            if law == RestitutionLaw::Poisson { (k2 * e * ends, e * ends) } else { (0.0, 0.0) };
-        assert!((impact.after.gap_rate - opening).abs() < 1e-7, "{law}: {impact:?}");
+        let (opening, more) = if law == RestitutionLaw::Poisson {
+            (k2 * e * ends, e * ends)
+        } else {
+            (0.0, 0.0)
+        };
+        assert!(
+            (impact.after.gap_rate - opening).abs() < 1e-7,
+            "{law}: {impact:?}"
+        );
         assert!((impact.impulse.normal - ends - more).abs() < 1e-7);
         let rate = after_compression + more * arm / (body.mass * a * body.inertia);
-        assert!((jam.after.theta_rate - rate).abs() < 1e-7, "{} {rate}", jam.after.theta_rate);
+        assert!(
+            (jam.after.theta_rate - rate).abs() < 1e-7,
+            "{} {rate}",
+            jam.after.theta_rate
+        );
     }
 }
 
 /// The command of the notes: next to P = 0 the slip has already ended, closer than doubles resolve.
 #[test]
 fn a_slip_that_ends_before_sticks() {
-    let parameters = HoopParameters::thin(0.0).with_inertia(1e-3).with_friction(0.5, 0.5);
-    let hoop = Hoop::new(parameters.with_restitution(0.0, RestitutionLaw::Energetic)).expect("a valid hoop");
+    let parameters = HoopParameters::thin(0.0)
+        .with_inertia(1e-3)
+        .with_friction(0.5, 0.5);
+    let hoop = Hoop::new(parameters.with_restitution(0.0, RestitutionLaw::Energetic))
+        .expect("a valid hoop");
     let start = Start::at(1.2, -0.9).with_slip(0.5);
-    let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start");
-    let [stick] = motion.transitions() else { panic!("{:?}", motion.transitions()) };
-    assert_eq!((stick.from, stick.cause, stick.to), (Some(Mode::Sliding), Cause::Stick, Some(Mode::Rolling)));
+    let motion = hoop
+        .simulate(start, Limits::default().with_transitions(1))
+        .expect("a valid start");
+    let [stick] = motion.transitions() else {
+        panic!("{:?}", motion.transitions())
+    };
+    assert_eq!(
+        (stick.from, stick.cause, stick.to),
+        (Some(Mode::Sliding), Cause::Stick, Some(Mode::Rolling))
+    );
 }
 
-/// Jams, ends of the slip and lift-offs next to P = 0, at 1e-1 to 1e-30 from it, and with slips that are 1e-11 of themselves from that
-/// which is just spent, against an integration with 80 digits of `evidence/reference/jams.py`.
+/// Jams, ends of the slip and lift-offs next to P = 0, at 1e-1 to 1e-30 from it, and with slips
+/// that are 1e-11 of themselves from that which is just spent, against an integration with 80
+/// digits of `evidence/reference/jams.py`.
 #[test]
 fn slides_end_next_to_p_0_as_at_80_digits() {
     let data: Value = serde_json::from_str(JAMS).expect("evidence/reference/jams.json");
     let number = |value: &Value| {
-        value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+        value
+            .as_f64()
+            .unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
     };
     let mut seen = [0; 4];
     for record in data["jams"].as_array().expect("a list") {
@@ -151,13 +211,20 @@ fn slides_end_next_to_p_0_as_at_80_digits() {
         let [theta, theta_rate, slip] = [0, 1, 2].map(|at| number(&record["start"][at]));
         let mu = number(&record["mu"]);
         let hoop = Hoop::new(
-            HoopParameters::thin(mass).with_offset(offset).with_inertia(inertia).with_friction(mu, mu),
+            HoopParameters::thin(mass)
+                .with_offset(offset)
+                .with_inertia(inertia)
+                .with_friction(mu, mu),
         )
         .expect("a valid hoop");
         for mirror in [1.0, -1.0] {
             let start = Start::at(mirror * theta, mirror * theta_rate).with_slip(mirror * slip);
-            let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start");
-            let [first, ..] = motion.transitions() else { panic!("{record} {:?}", motion.outcome()) };
+            let motion = hoop
+                .simulate(start, Limits::default().with_transitions(1))
+                .expect("a valid start");
+            let [first, ..] = motion.transitions() else {
+                panic!("{record} {:?}", motion.outcome())
+            };
             let kind = match first.cause {
                 Cause::Singularity => "jam",
                 Cause::Stick | Cause::Reversal => "stick",
@@ -166,7 +233,8 @@ fn slides_end_next_to_p_0_as_at_80_digits() {
             };
             assert_eq!(kind, record["end"].as_str().expect("a word"), "{record}");
             let end = first.before;
-            // A last digit of the start, where it has the most effect: the rate at the end of a slide that comes from far and slowly.
+            // A last digit of the start, where it has the most effect: the rate at the end of a
+            // slide that comes from far and slowly.
             let size = 1.0 + end.theta_rate.abs();
             for (what, ours, tolerance) in [
                 ("time", end.time, 1e-12),
@@ -175,10 +243,14 @@ fn slides_end_next_to_p_0_as_at_80_digits() {
                 ("slip", mirror * end.slip, 1e-12 * size),
             ] {
                 let theirs = number(&record[what]);
-                assert!((ours - theirs).abs() <= tolerance, "{record} {what}: {ours} is not {theirs}");
+                assert!(
+                    (ours - theirs).abs() <= tolerance,
+                    "{record} {what}: {ours} is not {theirs}"
+                );
             }
-            let resolved =
-                record["distance"].as_str().is_some_and(|it| it.parse::<f64>().expect("a number") > 1e-15);
+            let resolved = record["distance"]
+                .as_str()
+                .is_some_and(|it| it.parse::<f64>().expect("a number") > 1e-15);
             seen[match kind {
                 "jam" => 0,
                 "lift_off" => 1,
@@ -209,7 +281,8 @@ proptest! {
         }
     }
 
-    /// P < 0 with slip, and the plane holds the rim: no motion is consistent, and with restitution the slip ends at once.
+    /// P < 0 with slip, and the plane holds the rim: no motion is consistent, and with restitution
+    /// the slip ends at once.
     #[test]
     fn inconsistent_starts_jam(hoop in rough(), start in start(), e in 0.0..=1.0_f64) {
         let start = if start.slip == 0.0 { start.with_slip(0.7) } else { start };

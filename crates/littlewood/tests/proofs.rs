@@ -14,7 +14,10 @@ use serde_json::Value;
 
 /// Hoops of moderate proportions with one coefficient of friction.
 fn equal_friction() -> impl Strategy<Value = Hoop> {
-    let masses = prop_oneof![(0.1..4.0_f64).prop_map(|m1| (m1, m1)), (0.0..4.0_f64, 0.2..3.0_f64)];
+    let masses = prop_oneof![
+        (0.1..4.0_f64).prop_map(|m1| (m1, m1)),
+        (0.0..4.0_f64, 0.2..3.0_f64)
+    ];
     (masses, prop_oneof![Just(1.0), 0.1..1.0_f64], 0.02..1.2_f64).prop_filter_map(
         "a body that can move",
         |((mass_ratio, inertia), offset, mu)| {
@@ -34,12 +37,17 @@ fn energy(hoop: &Hoop, state: &State) -> f64 {
 }
 
 fn follow(hoop: &Hoop, state: State, transitions: usize) -> Trajectory {
-    hoop.simulate(Start::from(state), Limits::default().with_transitions(transitions).with_proof(Proof::None))
-        .expect("a start")
+    hoop.simulate(
+        Start::from(state),
+        Limits::default()
+            .with_transitions(transitions)
+            .with_proof(Proof::None),
+    )
+    .expect("a start")
 }
 
-/// Whether rounding does not take a motion past a bound that it is short of by this part: twice over is it amplified by (Î/m)^(−1/2) where a light
-/// particle passes the bottom.
+/// Whether rounding does not take a motion past a bound that it is short of by this part: twice
+/// over is it amplified by (Î/m)^(−1/2) where a light particle passes the bottom.
 fn stays_below(hoop: &Hoop, margin: f64) -> bool {
     margin * hoop.body().inertia_about_mass_centre() > 1e-12 * hoop.mass()
 }
@@ -84,7 +92,8 @@ proptest! {
     fn a_slip_near_the_grazing_orbit_loses_what_its_law_says(hoop in equal_friction(), librates in any::<bool>()) {
         let from = if librates { hoop.offset() * (1.0 - 1e-9) } else { 1e3 };
         let Some(orbit) = GrazingOrbit::below(&hoop, from) else { return Ok(()) };
-        // So near that a slip takes 1e-5 of the distance; terms of higher order are of the size of its square root.
+        // So near that a slip takes 1e-5 of the distance; terms of higher order are of the size of
+        // its square root.
         let distance = 1e-5 / orbit.loss;
         prop_assume!(distance < 1e-4 && distance > 1e-8);
         let law = RollingLaw::new(&hoop);
@@ -113,8 +122,8 @@ proptest! {
             let lost = last - now;
             prop_assert!(now > orbit.energy, "{} {orbit:?}", now);
             let like = losses.len().checked_sub(2).map_or(f64::INFINITY, |earlier| losses[earlier]);
-            // Two losses are the differences of four energies, of states with a rate and an angle, of many turns, that are known to some units in
-            // the last place.
+            // Two losses are the differences of four energies, of states with a rate and an angle,
+            // of many turns, that are known to some units in the last place.
             let State { theta, theta_rate, .. } = pair[1].before;
             let slope = hoop.offset() * (1.0 + theta_rate * theta_rate);
             let rounding = 4.0 * 4.0 * f64::EPSILON * (last.abs() + slope * theta.abs());
@@ -179,7 +188,8 @@ proptest! {
             .map(|k| PI * f64::from(k) / 20_000.0)
             .map(|theta| (1.0 + h * theta.cos()) * ((needed - height(theta)) / spin(theta)).sqrt())
             .fold(f64::INFINITY, f64::min);
-        // Of what a lift-off needs this start has a part of the one kind of energy, and of the rest.
+        // Of what a lift-off needs this start has a part of the one kind of energy, and of the
+        // rest.
         let level = turns * needed;
         prop_assume!(level > height(theta));
         let rate = sign(ahead) * ((level - height(theta)) / spin(theta)).sqrt();
@@ -205,7 +215,8 @@ proptest! {
         }
     }
 
-    /// The greatest velocity of the mass centre against the rotation for which there is a proof, found by halving: the motion from there.
+    /// The greatest velocity of the mass centre against the rotation for which there is a proof,
+    /// found by halving: the motion from there.
     #[test]
     fn a_slip_that_little_friction_takes_up_lifts_no_hoop(
         (hoop, little) in (prop_oneof![common::moderate_hoop(), common::heavy_hoop()], 1.5..5.0_f64),
@@ -251,25 +262,47 @@ proptest! {
 #[test]
 fn a_fast_slip_may_lift_a_hoop_that_turns_slowly() {
     let hoop = Hoop::figure_2(0.5, 0.4).expect("Figure 2's hoop");
-    let start = State { time: 0.0, theta: 3.0, theta_rate: 2.0, slip: -8.0, x: 0.0 };
+    let start = State {
+        time: 0.0,
+        theta: 3.0,
+        theta_rate: 2.0,
+        slip: -8.0,
+        x: 0.0,
+    };
     assert!(!hoop.never_lifts_off(&start));
     let motion = follow(&hoop, start, 10);
-    assert!(motion.phases().iter().any(|phase| phase.mode() == Mode::Flight), "{:?}", motion.outcome());
+    assert!(
+        motion
+            .phases()
+            .iter()
+            .any(|phase| phase.mode() == Mode::Flight),
+        "{:?}",
+        motion.outcome()
+    );
     // With the same θ and θ′, and a horizontal velocity of the mass centre of 1.
-    let slower = State { slip: 2.0 * (1.0 + 0.5 * start.theta.cos()) - 1.0, ..start };
+    let slower = State {
+        slip: 2.0 * (1.0 + 0.5 * start.theta.cos()) - 1.0,
+        ..start
+    };
     assert!(hoop.never_lifts_off(&slower));
-    // At the bottom (1 − h)² (C + 2 ℓ̂)/Î is 7/6 with C = 2 E_lift = 5, and less nowhere: the energy may be (5 + 2 · 7/6)/2.
+    // At the bottom (1 − h)² (C + 2 ℓ̂)/Î is 7/6 with C = 2 E_lift = 5, and less nowhere: the
+    // energy may be (5 + 2 · 7/6)/2.
     let turning = (1.5 + 0.5 * start.theta.sin().powi(2)) * 4.0 + 2.0 * start.theta.cos();
     for (part, is_proved) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
         let velocity = (0.5 * (5.0 + 2.0 * 7.0 / 6.0 - turning)).sqrt() * part;
-        let start = State { slip: 2.0 * (1.0 + 0.5 * start.theta.cos()) - velocity, ..start };
+        let start = State {
+            slip: 2.0 * (1.0 + 0.5 * start.theta.cos()) - velocity,
+            ..start
+        };
         assert_eq!(hoop.never_lifts_off(&start), is_proved, "{part}");
     }
 }
 
-/// The less friction, the more a hoop may slip that still turns too slowly. A quadrature of the work of friction over a turn with a sum of 20,000
-/// terms, in another language, has these greatest values of C and of the energy for m1/m2, ℓ/R, Izz, μs and μk. The proof bounds the quadrature
-/// by cells: it is a little weaker, and never stronger. For these hoops it proves more than the bound at an instant does.
+/// The less friction, the more a hoop may slip that still turns too slowly. A quadrature of the
+/// work of friction over a turn with a sum of 20,000 terms, in another language, has these greatest
+/// values of C and of the energy for m1/m2, ℓ/R, Izz, μs and μk. The proof bounds the quadrature by
+/// cells: it is a little weaker, and never stronger. For these hoops it proves more than the bound
+/// at an instant does.
 #[test]
 fn the_greatest_energies_without_a_lift_off_are_those_of_a_quadrature() {
     for ([mass_ratio, offset, izz, mu_s, mu_k], turning, greatest) in [
@@ -281,20 +314,37 @@ fn the_greatest_energies_without_a_lift_off_are_those_of_a_quadrature() {
         ([0.05, 1.0, 0.1, 1e-4, 1e-4], 2.154_356_2, 1.200_149_1),
         ([1.0, 0.9, 0.5, 1e-6, 9e-7], 3.811_081_1, 3.971_940_5),
     ] {
-        let parameters = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(izz);
+        let parameters = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(izz);
         let hoop = Hoop::new(parameters.with_friction(mu_s, mu_k)).expect("a hoop");
         let inertia = hoop.body().inertia_about_mass_centre();
         let needed = 2.0 * hoop.lift_off_energy().expect("a heavy hoop");
         let at = |growth: f64| needed - growth * (needed - turning);
-        let cases = [(1.1, 0.97, true), (1.1, 1.0001, false), (0.999, 0.97, false)];
-        for (turning, energy, is_proved) in cases.map(|(growth, part, is)| (at(growth), part * greatest, is))
+        let cases = [
+            (1.1, 0.97, true),
+            (1.1, 1.0001, false),
+            (0.999, 0.97, false),
+        ];
+        for (turning, energy, is_proved) in
+            cases.map(|(growth, part, is)| (at(growth), part * greatest, is))
         {
             // At the bottom.
             let rate = ((turning + 2.0 * offset) / inertia).sqrt();
             let velocity = ((2.0 * energy - turning) / hoop.mass()).sqrt();
             let slip = (1.0 - hoop.h()) * rate - velocity;
-            let start = State { time: 0.0, theta: PI, theta_rate: rate, slip, x: 0.0 };
-            assert_eq!(hoop.never_lifts_off(&start), is_proved, "{parameters:?} {turning} {energy}");
+            let start = State {
+                time: 0.0,
+                theta: PI,
+                theta_rate: rate,
+                slip,
+                x: 0.0,
+            };
+            assert_eq!(
+                hoop.never_lifts_off(&start),
+                is_proved,
+                "{parameters:?} {turning} {energy}"
+            );
         }
     }
 }
@@ -303,10 +353,13 @@ fn the_greatest_energies_without_a_lift_off_are_those_of_a_quadrature() {
 fn the_least_energy_of_a_lift_off_is_reached_at_the_top() {
     let hoop = Hoop::figure_2(0.5, 0.4).expect("Figure 2's hoop");
     let needed = hoop.lift_off_energy().expect("a heavy hoop");
-    // Past the top by a little, a little faster than 1/√h, the mass centre at rest but for its fall.
+    // Past the top by a little, a little faster than 1/√h, the mass centre at rest but for its
+    // fall.
     let (theta, rate) = (1e-4_f64, -(2.0_f64.sqrt() + 1e-7));
     let slip = rate * (1.0 + 0.5 * theta.cos());
-    let motion = hoop.simulate(Start::at(theta, rate).with_slip(slip), Limits::default()).expect("a start");
+    let motion = hoop
+        .simulate(Start::at(theta, rate).with_slip(slip), Limits::default())
+        .expect("a start");
     assert_eq!(motion.phases()[0].mode(), Mode::Flight);
     let has = 0.5 * (2.0 * (0.5 * theta.sin() * rate).powi(2) + 1.5 * rate * rate) + theta.cos();
     assert!(has > needed && has < needed + 1e-6, "{has} {needed}");
@@ -314,25 +367,39 @@ fn the_least_energy_of_a_lift_off_is_reached_at_the_top() {
 
 #[test]
 fn grazing_orbits_are_those_of_a_search_with_40_digits() {
-    let orbits: Value = serde_json::from_str(include_str!("../../../evidence/reference/grazing.json"))
-        .expect("the reference");
-    let number = |value: &Value| value.as_f64().or_else(|| value.as_str()?.parse().ok()).expect("a number");
+    let orbits: Value =
+        serde_json::from_str(include_str!("../../../evidence/reference/grazing.json"))
+            .expect("the reference");
+    let number = |value: &Value| {
+        value
+            .as_f64()
+            .or_else(|| value.as_str()?.parse().ok())
+            .expect("a number")
+    };
     for expected in orbits["orbits"].as_array().expect("orbits") {
         let get = |name: &str| number(&expected["hoop"][name]);
-        let parameters =
-            HoopParameters::thin(get("mass_ratio")).with_offset(get("offset")).with_inertia(get("inertia"));
+        let parameters = HoopParameters::thin(get("mass_ratio"))
+            .with_offset(get("offset"))
+            .with_inertia(get("inertia"));
         let hoop = Hoop::new(parameters.with_friction(get("mu_s"), get("mu_k"))).expect("a hoop");
-        let orbit = GrazingOrbit::below(&hoop, number(&expected["below"])).expect("a grazing orbit");
-        for (name, ours) in
-            [("energy", orbit.energy), ("theta", orbit.theta), ("theta_rate", orbit.theta_rate)]
-        {
+        let orbit =
+            GrazingOrbit::below(&hoop, number(&expected["below"])).expect("a grazing orbit");
+        for (name, ours) in [
+            ("energy", orbit.energy),
+            ("theta", orbit.theta),
+            ("theta_rate", orbit.theta_rate),
+        ] {
             let theirs = number(&expected[name]);
-            assert!((ours - theirs).abs() < 1e-13 * (1.0 + theirs.abs()), "{name} of {orbit:?}: {theirs}");
+            assert!(
+                (ours - theirs).abs() < 1e-13 * (1.0 + theirs.abs()),
+                "{name} of {orbit:?}: {theirs}"
+            );
         }
     }
 }
 
-/// Slips at one angle nearly cease, and before they do those at another begin: the motion passes between, in thousands of slips.
+/// Slips at one angle nearly cease, and before they do those at another begin: the motion passes
+/// between, in thousands of slips.
 #[test]
 fn a_motion_passes_where_one_family_of_slips_nearly_ends_before_the_next_begins() {
     let mu = 0.129_598_662_207_357_86;
@@ -340,21 +407,32 @@ fn a_motion_passes_where_one_family_of_slips_nearly_ends_before_the_next_begins(
     let excess = |k: i32| largest_excess(&hoop, 1.4 + 0.01 * f64::from(k));
     let least = (0..=100).map(excess).fold(f64::INFINITY, f64::min);
     // Every orbit slips, and those between hardly do.
-    assert!(least > 0.0 && least < 0.1 * excess(0) && least < 0.1 * excess(100), "{least}");
+    assert!(
+        least > 0.0 && least < 0.1 * excess(0) && least < 0.1 * excess(100),
+        "{least}"
+    );
 
     let start = Start::at(PI / 2.0, -1.4);
     let motion = |limits: Limits| hoop.simulate(start, limits).expect("a start");
     let stopped = motion(Limits::default().with_transitions(10_000));
-    let Outcome::StaysInContact { state } = stopped.outcome() else { panic!("{:?}", stopped.outcome()) };
+    let Outcome::StaysInContact { state } = stopped.outcome() else {
+        panic!("{:?}", stopped.outcome())
+    };
     let whole = motion(Limits::default().with_transitions(11_000));
-    let Outcome::SlipsForever { orbit, .. } = whole.outcome() else { panic!("{:?}", whole.outcome()) };
+    let Outcome::SlipsForever { orbit, .. } = whole.outcome() else {
+        panic!("{:?}", whole.outcome())
+    };
     assert!(energy(&hoop, &state) > 1.8 && orbit.energy < -0.8);
-    let between =
-        whole.transitions().iter().filter(|one| (1.8..2.2).contains(&energy(&hoop, &one.after))).count();
+    let between = whole
+        .transitions()
+        .iter()
+        .filter(|one| (1.8..2.2).contains(&energy(&hoop, &one.after)))
+        .count();
     assert!(between > 9_000, "{between}");
 }
 
-/// At rest E = ℓ̂ cos θ: no lift-off is proved as far up as P > 0 in both directions of slip, and not beyond.
+/// At rest E = ℓ̂ cos θ: no lift-off is proved as far up as P > 0 in both directions of slip, and
+/// not beyond.
 #[test]
 fn rest_is_proved_to_last_up_to_the_first_zero_of_p() {
     let (mut with, mut without) = (0, 0);
@@ -363,7 +441,9 @@ fn rest_is_proved_to_last_up_to_the_first_zero_of_p() {
             // About the least with which P > 0 everywhere.
             let bound = 0.25 * mu * mu * (1.0 + h) * (1.0 + h);
             for part in [0.05, 0.3, 0.6, 0.9, 1.0 + 1e-6, 2.0] {
-                let parameters = HoopParameters::thin(0.0).with_offset(h).with_inertia(bound * part);
+                let parameters = HoopParameters::thin(0.0)
+                    .with_offset(h)
+                    .with_inertia(bound * part);
                 let hoop = Hoop::new(parameters.with_friction(mu, mu)).expect("a valid hoop");
                 let laws = [Direction::Negative, Direction::Positive]
                     .map(|direction| SlidingLaw::new(&hoop, direction).expect("heavy"));

@@ -1,12 +1,15 @@
-//! Against numbers computed elsewhere: the 40-digit table of Figure 3, the closed form of Figure 7, and the motions and
-//! rolling times of `evidence/reference/`, integrated with mpmath from the full Newton–Euler equations.
+//! Against numbers computed elsewhere: the 40-digit table of Figure 3, the closed form of Figure 7,
+//! and the motions and rolling times of `evidence/reference/`, integrated with mpmath from the full
+//! Newton–Euler equations.
 #![allow(clippy::disallowed_methods, clippy::panic, clippy::excessive_precision)] // expected values may come from the platform's mathematics
 
 use std::f64::consts::PI;
 
 use littlewood::cases::find_case;
 use littlewood::modes::{Recurrence, RollingOrbit};
-use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Sample, Start, State, Trajectory};
+use littlewood::{
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Sample, Start, State, Trajectory,
+};
 use serde_json::Value;
 
 const MOTIONS: &str = include_str!("../../../evidence/reference/motions.json");
@@ -14,7 +17,9 @@ const SLIDES: &str = include_str!("../../../evidence/reference/slides.json");
 const ROLLING: &str = include_str!("../../../evidence/reference/rolling.json");
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+    value
+        .as_f64()
+        .unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
 }
 
 fn hoop(value: &Value) -> Hoop {
@@ -32,16 +37,23 @@ fn hoop(value: &Value) -> Hoop {
 #[track_caller]
 fn close(name: &str, ours: f64, theirs: f64, tolerance: f64) {
     let error = (ours - theirs).abs();
-    assert!(error <= tolerance * theirs.abs().max(1.0), "{name}: {ours} is not {theirs}, error {error:e}");
+    assert!(
+        error <= tolerance * theirs.abs().max(1.0),
+        "{name}: {ours} is not {theirs}, error {error:e}"
+    );
 }
 
 fn case(name: &str) -> Trajectory {
-    find_case(name).expect("a named case").simulate().expect("a valid case")
+    find_case(name)
+        .expect("a named case")
+        .simulate()
+        .expect("a valid case")
 }
 
 #[test]
 fn figure_3_has_the_times_of_the_40_digit_table() {
-    // τ, θ, θ′, η′, x − x0 of stick, slip, lift-off, landing; the computation is described in evidence/reference/README.md.
+    // τ, θ, θ′, η′, x − x0 of stick, slip, lift-off, landing; the computation is described in
+    // evidence/reference/README.md.
     #[rustfmt::skip]
     let table = [
         (Cause::Stick, [0.564107553101996750, 2.91722565678924913, 2.93644326144529653, 0.0, -1.42267101158774882]),
@@ -52,11 +64,16 @@ fn figure_3_has_the_times_of_the_40_digit_table() {
     for ((cause, expected), found) in table.iter().zip(motion.transitions()) {
         assert_eq!(*cause, found.cause);
         let s = found.before;
-        for (ours, theirs) in [s.time, s.theta, s.theta_rate, s.slip, s.x].into_iter().zip(expected) {
+        for (ours, theirs) in [s.time, s.theta, s.theta_rate, s.slip, s.x]
+            .into_iter()
+            .zip(expected)
+        {
             close(cause.name(), ours, *theirs, 2e-15);
         }
     }
-    let Outcome::Landing { state, .. } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    let Outcome::Landing { state, .. } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
     close("landing", state.time, 3.847_395_556_686_894, 2e-15);
     close("landing", state.theta, 9.891_172_939_575_515, 2e-15);
     close("landing", state.theta_rate, 1.998_705_937_114_139_8, 2e-15);
@@ -70,16 +87,26 @@ fn figure_7_has_its_closed_form() {
     close("tau_s", slip.before.time, 5.0_f64.ln(), 1e-15);
     close("rate", slip.before.theta_rate, 0.75, 1e-15);
     close("cos theta_s", slip.before.theta.cos(), 0.6, 1e-15);
-    let Outcome::ParticleAtPlane { state } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
-    close("tau_g", state.time, 5.0_f64.ln() + (89.0_f64.sqrt() - 3.0) / 5.0, 1e-15);
+    let Outcome::ParticleAtPlane { state } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
+    close(
+        "tau_g",
+        state.time,
+        5.0_f64.ln() + (89.0_f64.sqrt() - 3.0) / 5.0,
+        1e-15,
+    );
 }
 
 #[test]
 fn a_massless_hoop_from_the_top_unloads_when_the_notebook_says() {
-    // A public notebook on m = r = 1 kg, m, g = 9.8 m/s², ω0 = 0.1 rad/s stops at N = 0: arccosh(980)/√9.8 s.
+    // A public notebook on m = r = 1 kg, m, g = 9.8 m/s², ω0 = 0.1 rad/s stops at N = 0:
+    // arccosh(980)/√9.8 s.
     let rate = 0.1 / 9.8_f64.sqrt();
     let hoop = Hoop::littlewood(1e6, 0.0).expect("a valid hoop");
-    let motion = hoop.simulate(Start::at(0.0, rate), Limits::default()).expect("a valid start");
+    let motion = hoop
+        .simulate(Start::at(0.0, rate), Limits::default())
+        .expect("a valid start");
     let first = motion.transitions()[0];
     assert_eq!(first.cause, Cause::NormalForceZero);
     let seconds = first.time() / 9.8_f64.sqrt();
@@ -87,8 +114,8 @@ fn a_massless_hoop_from_the_top_unloads_when_the_notebook_says() {
     close("t", seconds, 980.0_f64.acosh() / 9.8_f64.sqrt(), 1e-14);
 }
 
-/// 1e-12, and for a light hoop what rounding becomes where its particle passes the bottom: θ″ is of the order of
-/// θ′² m/Î there.
+/// 1e-12, and for a light hoop what rounding becomes where its particle passes the bottom: θ″ is of
+/// the order of θ′² m/Î there.
 fn tolerance(hoop: &Hoop) -> f64 {
     (1e-14 * hoop.mass() / hoop.body().inertia_about_mass_centre()).max(1e-12)
 }
@@ -128,13 +155,28 @@ fn motions_agree_with_newton_euler_at_40_digits() {
         let tolerance = tolerance(&hoop);
         let motion = hoop.simulate(start, limits).expect("a valid start");
 
-        let theirs = reference["transitions"].as_array().expect("a list of transitions");
-        assert_eq!(motion.transitions().len(), theirs.len(), "{name}: {:?}", motion.transitions());
+        let theirs = reference["transitions"]
+            .as_array()
+            .expect("a list of transitions");
+        assert_eq!(
+            motion.transitions().len(),
+            theirs.len(),
+            "{name}: {:?}",
+            motion.transitions()
+        );
         for (ours, theirs) in motion.transitions().iter().zip(theirs) {
-            assert_eq!(ours.cause.name(), theirs["cause"].as_str().expect("a cause"), "{name}");
+            assert_eq!(
+                ours.cause.name(),
+                theirs["cause"].as_str().expect("a cause"),
+                "{name}"
+            );
             assert_eq!(ours.to.map(Mode::name), theirs["to"].as_str(), "{name}");
             let direction = ours.direction.map_or(0.0, littlewood::Direction::sign);
-            assert_eq!(direction, theirs["direction"].as_f64().unwrap_or(0.0), "{name}");
+            assert_eq!(
+                direction,
+                theirs["direction"].as_f64().unwrap_or(0.0),
+                "{name}"
+            );
             for (key, value) in [
                 ("time", ours.before.time),
                 ("theta", ours.before.theta),
@@ -142,23 +184,36 @@ fn motions_agree_with_newton_euler_at_40_digits() {
                 ("slip", ours.before.slip),
                 ("x", ours.before.x),
             ] {
-                close(&format!("{name} {} {key}", ours.cause), value, number(&theirs[key]), tolerance);
+                close(
+                    &format!("{name} {} {key}", ours.cause),
+                    value,
+                    number(&theirs[key]),
+                    tolerance,
+                );
             }
         }
-        for (phase, theirs) in
-            motion.phases().iter().zip(reference["phases"].as_array().expect("a list of phases"))
+        for (phase, theirs) in motion
+            .phases()
+            .iter()
+            .zip(reference["phases"].as_array().expect("a list of phases"))
         {
-            assert_eq!(phase.mode().name(), theirs["mode"].as_str().expect("a mode"), "{name}");
+            assert_eq!(
+                phase.mode().name(),
+                theirs["mode"].as_str().expect("a mode"),
+                "{name}"
+            );
             for sample in theirs["samples"].as_array().expect("a list of samples") {
-                let ours = motion.at(number(&sample["time"])).expect("a time within the motion");
+                let ours = motion
+                    .at(number(&sample["time"]))
+                    .expect("a time within the motion");
                 compare_sample(name, &ours, sample, tolerance);
             }
         }
     }
 }
 
-/// Near the separatrix the time depends on the logarithm of the energy over the top, E − ℓ̂, of which rounding leaves
-/// a relative error of a few ε/|E − ℓ̂| over.
+/// Near the separatrix the time depends on the logarithm of the energy over the top, E − ℓ̂, of
+/// which rounding leaves a relative error of a few ε/|E − ℓ̂| over.
 fn near_separatrix(hoop: &Hoop, theta: f64, theta_rate: f64) -> f64 {
     let law = littlewood::theory::RollingLaw::new(hoop);
     4e-15 + 2.0 * f64::EPSILON / (law.energy(theta, theta_rate) - law.separatrix_energy()).abs()
@@ -177,7 +232,10 @@ fn rolling_times_agree_with_quadrature() {
         let tolerance = near_separatrix(&hoop(arc), theta, rate);
         let (reached, rate) = orbit.position(time);
         let moved = 4.0 * f64::EPSILON * target.abs() + rate.abs() * tolerance * (1.0 + time);
-        assert!((reached - target).abs() <= moved, "{name}: {reached} instead of {target}");
+        assert!(
+            (reached - target).abs() <= moved,
+            "{name}: {reached} instead of {target}"
+        );
     }
     for item in data["periods"].as_array().expect("a list of periods") {
         let name = item["name"].as_str().expect("a name");
@@ -189,13 +247,19 @@ fn rolling_times_agree_with_quadrature() {
             other => panic!("{name}: {other:?}"),
         };
         assert_eq!(Some(kind), item["kind"].as_str(), "{name}");
-        close(name, period, number(&item["period"]), near_separatrix(&hoop(item), theta, rate));
+        close(
+            name,
+            period,
+            number(&item["period"]),
+            near_separatrix(&hoop(item), theta, rate),
+        );
     }
 }
 
-/// Slides of up to millions of turns, to the last digits: their ends and states on the way are wrong by no more than a few
-/// units in the last place, and, as in the tests of the engine, by four times what they move by when a number of the start moves by four. An angle has the last place of a
-/// whole turn, which is rounded in each step.
+/// Slides of up to millions of turns, to the last digits: their ends and states on the way are
+/// wrong by no more than a few units in the last place, and, as in the tests of the engine, by four
+/// times what they move by when a number of the start moves by four. An angle has the last place of
+/// a whole turn, which is rounded in each step.
 #[test]
 fn long_slides_agree_with_their_reference() {
     let slides: Value = serde_json::from_str(SLIDES).expect("valid JSON");
@@ -215,13 +279,18 @@ fn long_slides_agree_with_their_reference() {
         let start = ["theta", "theta_rate", "slip"].map(|key| get("start", key));
         let follow = |[theta, rate, slip]: [f64; 3]| {
             let start = Start::at(theta, rate).with_slip(slip);
-            hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start")
+            hoop.simulate(start, Limits::default().with_transitions(1))
+                .expect("a valid start")
         };
         let nudged: Vec<Trajectory> = (0..3)
             .flat_map(|i| [-4.0, 4.0].map(|units| (i, units)))
             .map(|(i, units)| {
                 let mut other = start;
-                let size = if i == 0 { other[i].abs().max(2.0 * PI) } else { other[i].abs() };
+                let size = if i == 0 {
+                    other[i].abs().max(2.0 * PI)
+                } else {
+                    other[i].abs()
+                };
                 other[i] += units * 0.5 * f64::EPSILON * size;
                 follow(other)
             })
@@ -230,7 +299,11 @@ fn long_slides_agree_with_their_reference() {
         assert!(number(&slide["passed"]) > 20.0, "{name}: not a long slide");
         let end = motion.transitions()[0];
         let expected_cause = slide["cause"].as_str();
-        let cause = if end.before.slip == 0.0 { "stick" } else { end.cause.name() };
+        let cause = if end.before.slip == 0.0 {
+            "stick"
+        } else {
+            end.cause.name()
+        };
         assert_eq!(Some(cause), expected_cause, "{name}");
         let check = |what: &str, place: &Value, state_of: &dyn Fn(&Trajectory) -> State| {
             let ours = state_of(&motion);
@@ -238,11 +311,16 @@ fn long_slides_agree_with_their_reference() {
             let parts = |s: State| [s.time, s.theta, s.theta_rate, s.slip];
             for (i, key) in keys.into_iter().enumerate() {
                 let theirs = number(&place[key]);
-                let moves =
-                    nudged.iter().map(|other| 4.0 * (parts(state_of(other))[i] - parts(ours)[i]).abs());
-                // The time of the reference is no double: states on the way are those at the nearest one.
+                let moves = nudged
+                    .iter()
+                    .map(|other| 4.0 * (parts(state_of(other))[i] - parts(ours)[i]).abs());
+                // The time of the reference is no double: states on the way are those at the
+                // nearest one.
                 let late = ours.time * f64::EPSILON * (1.0 + ours.theta_rate * ours.theta_rate);
-                let tolerance = moves.fold(8.0 * f64::EPSILON * (1.0 + theirs.abs()) + 4.0 * late, f64::max);
+                let tolerance = moves.fold(
+                    8.0 * f64::EPSILON * (1.0 + theirs.abs()) + 4.0 * late,
+                    f64::max,
+                );
                 let error = (parts(ours)[i] - theirs).abs();
                 assert!(
                     error <= tolerance,
@@ -251,10 +329,14 @@ fn long_slides_agree_with_their_reference() {
                 );
             }
         };
-        check("end", &slide["end"], &|motion| motion.transitions()[0].before);
+        check("end", &slide["end"], &|motion| {
+            motion.transitions()[0].before
+        });
         for place in slide["places"].as_array().expect("places") {
             let time = number(&place["time"]);
-            check("on the way", place, &|motion| motion.phases()[0].sample(time).state);
+            check("on the way", place, &|motion| {
+                motion.phases()[0].sample(time).state
+            });
         }
     }
 }

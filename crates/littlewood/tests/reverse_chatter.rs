@@ -3,18 +3,23 @@
 use crate::common::heavy_hoop;
 use littlewood::impact::NoSettling;
 use littlewood::theory::{PhasePlane, StartRegion, Window};
-use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Restitution, RestitutionLaw, Start, State};
+use littlewood::{
+    Cause, Hoop, HoopParameters, Limits, Mode, Restitution, RestitutionLaw, Start, State,
+};
 use proptest::prelude::*;
 use serde_json::Value;
 
 const CASES: &str = include_str!("../../../evidence/reference/reverse_chatter.json");
 
 fn law() -> impl Strategy<Value = RestitutionLaw> {
-    prop_oneof![Just(RestitutionLaw::Energetic), Just(RestitutionLaw::Poisson)]
+    prop_oneof![
+        Just(RestitutionLaw::Energetic),
+        Just(RestitutionLaw::Poisson)
+    ]
 }
 
-/// Rough hoops that bounce on a slope, and a place with the particle uphill of the contact, next to an angle with reverse chatter or
-/// not.
+/// Rough hoops that bounce on a slope, and a place with the particle uphill of the contact, next to
+/// an angle with reverse chatter or not.
 fn bouncing() -> impl Strategy<Value = (Hoop, f64)> {
     let body = (0.02..4.0_f64, 0.3..=1.0_f64, 0.05..=1.0_f64);
     let contact = (0.3..3.0_f64, 0.5..=1.0_f64, 0.3..=1.0_f64, law());
@@ -62,10 +67,15 @@ fn coefficients(hoop: &Hoop, theta: f64, rate: f64) -> [f64; 5] {
 fn slopes(hoop: &Hoop, theta: f64, rate: f64) -> [f64; 3] {
     let [drift, weight, a, b, c] = coefficients(hoop, theta, rate);
     let braking = hoop.mu_k() * a - b.abs();
-    [c - hoop.mu_k() * b.abs(), c - b * b / a, 2.0 * drift.abs() / (weight * braking)]
+    [
+        c - hoop.mu_k() * b.abs(),
+        c - b * b / a,
+        2.0 * drift.abs() / (weight * braking),
+    ]
 }
 
-/// Rounding error of the ratio of bounces: of p by the differences a, w and M, and of k1, which divides in restitution.
+/// Rounding error of the ratio of bounces: of p by the differences a, w and M, and of k1, which
+/// divides in restitution.
 fn rounding(hoop: &Hoop, theta: f64, rate: f64) -> f64 {
     let [drift, weight, a, b, c] = coefficients(hoop, theta, rate);
     let [k1, _, p] = slopes(hoop, theta, rate);
@@ -80,15 +90,23 @@ fn rounding(hoop: &Hoop, theta: f64, rate: f64) -> f64 {
 /// The hoop of the survey that found reverse chatter by iterating impacts, with e = 0.3.
 #[test]
 fn a_light_rough_hoop_at_rest_has_the_ratios_of_iterated_impacts() {
-    for (law, expected) in [(RestitutionLaw::Energetic, 2.618), (RestitutionLaw::Poisson, 3.289)] {
+    for (law, expected) in [
+        (RestitutionLaw::Energetic, 2.618),
+        (RestitutionLaw::Poisson, 3.289),
+    ] {
         let parameters = HoopParameters::thin(0.021_320_530_682_849_247)
             .with_inertia(0.012_907_260_955_769_374)
             .with_friction(2.964_963_614_835_537, 2.619_274_255_498_373_4)
             .with_slope(-1.258_663_577_718_904_6)
             .with_restitution(0.3, law);
         let hoop = Hoop::new(parameters).expect("a hoop");
-        let found = hoop.classify(Start::at(2.236_442_455_033_82, 0.0)).expect("a start");
-        assert!((found.reverse_chatter.expect("grows") - expected).abs() < 5e-4, "{found:?}");
+        let found = hoop
+            .classify(Start::at(2.236_442_455_033_82, 0.0))
+            .expect("a start");
+        assert!(
+            (found.reverse_chatter.expect("grows") - expected).abs() < 5e-4,
+            "{found:?}"
+        );
         assert_eq!(found.mode, Some(Mode::Rolling));
         let newton = Restitution::new(0.3, RestitutionLaw::Newton).expect("e");
         let plane = PhasePlane::new(&hoop.with_restitution(newton).expect("heavy"));
@@ -97,7 +115,9 @@ fn a_light_rough_hoop_at_rest_has_the_ratios_of_iterated_impacts() {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+    value
+        .as_f64()
+        .unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
 }
 
 /// Ratios, and motions of many bounces, from bounces followed one by one with 150 digits.
@@ -125,7 +145,9 @@ fn bounces_out_of_rolling_are_those_followed_with_150_digits() {
         let ratio = number(&case["ratio"]);
         let rounding = rounding(&hoop, theta, rate);
         if ratio < 1.0 {
-            let settling = hoop.settling(&State::from(start), 1e-9, restitution(&hoop)).expect("settles");
+            let settling = hoop
+                .settling(&State::from(start), 1e-9, restitution(&hoop))
+                .expect("settles");
             assert!(
                 found.reverse_chatter.is_none() && (settling.ratio - ratio).abs() < rounding,
                 "{case} {settling:?}"
@@ -133,19 +155,36 @@ fn bounces_out_of_rolling_are_those_followed_with_150_digits() {
             continue;
         }
         grown += 1;
-        assert!((found.reverse_chatter.expect("grows") - ratio).abs() < rounding * ratio, "{case} {found:?}");
-        // From the rate 2^-20. An error of a bounce, of the order of the rounding of 1 + θ′, grows with the bounces after it.
-        let rates: Vec<f64> = case["rates"].as_array().expect("rates").iter().map(number).collect();
+        assert!(
+            (found.reverse_chatter.expect("grows") - ratio).abs() < rounding * ratio,
+            "{case} {found:?}"
+        );
+        // From the rate 2^-20. An error of a bounce, of the order of the rounding of 1 + θ′, grows
+        // with the bounces after it.
+        let rates: Vec<f64> = case["rates"]
+            .as_array()
+            .expect("rates")
+            .iter()
+            .map(number)
+            .collect();
         let limits = Limits::default().with_transitions(rates.len());
-        let motion = hoop.simulate(start.with_gap_rate(libm::exp2(-20.0)), limits).expect("a start");
+        let motion = hoop
+            .simulate(start.with_gap_rate(libm::exp2(-20.0)), limits)
+            .expect("a start");
         let error = |rate: f64| rounding * rate / libm::exp2(-20.0) * (1.0 + 1.0 / (ratio - 1.0));
         assert_eq!(motion.transitions().len(), rates.len(), "{case}");
         for (transition, expected) in motion.transitions().iter().zip(&rates) {
             let rate = transition.impact.expect("a bounce").after.gap_rate;
-            assert!((rate - expected).abs() < error(*expected), "{case}: {rate} {expected}");
+            assert!(
+                (rate - expected).abs() < error(*expected),
+                "{case}: {rate} {expected}"
+            );
         }
         let last = rates.last().copied().unwrap_or_default();
-        let (end, seen) = (&case["end"], motion.transitions().last().expect("a bounce").after);
+        let (end, seen) = (
+            &case["end"],
+            motion.transitions().last().expect("a bounce").after,
+        );
         for (key, ours) in [
             ("time", seen.time),
             ("theta", seen.theta),
@@ -153,7 +192,10 @@ fn bounces_out_of_rolling_are_those_followed_with_150_digits() {
             ("x", seen.x),
             ("slip", seen.slip),
         ] {
-            assert!((ours - number(&end[key])).abs() < error(last), "{key} {ours} {case}");
+            assert!(
+                (ours - number(&end[key])).abs() < error(last),
+                "{key} {ours} {case}"
+            );
         }
     }
     assert_eq!(grown, 12);
@@ -162,17 +204,33 @@ fn bounces_out_of_rolling_are_those_followed_with_150_digits() {
 /// The curves of the phase plane are where the ratio is 1.
 #[test]
 fn the_curves_are_where_the_ratio_is_1() {
-    let parameters = HoopParameters::thin(0.3).with_friction(1.5, 1.5).with_slope(0.7);
-    let hoop = Hoop::new(parameters.with_restitution(0.8, RestitutionLaw::Energetic)).expect("a hoop");
+    let parameters = HoopParameters::thin(0.3)
+        .with_friction(1.5, 1.5)
+        .with_slope(0.7);
+    let hoop =
+        Hoop::new(parameters.with_restitution(0.8, RestitutionLaw::Energetic)).expect("a hoop");
     let plane = PhasePlane::new(&hoop);
     let mut seen = 0;
-    for [theta, rate] in plane.reverse_chatter_curve(&Window { x: [-3.2, 3.2], y: [-2.0, 2.0] }).concat() {
-        let [low, high] = plane.reverse_chatter_rates(theta).expect("a point of a curve");
+    for [theta, rate] in plane
+        .reverse_chatter_curve(&Window {
+            x: [-3.2, 3.2],
+            y: [-2.0, 2.0],
+        })
+        .concat()
+    {
+        let [low, high] = plane
+            .reverse_chatter_rates(theta)
+            .expect("a point of a curve");
         let edge = rate.abs();
         assert!(edge == low || edge == high);
         if high - low > 1e-3 && edge > 1e-3 {
-            let [below, above] = [-1e-6, 1e-6].map(|by| plane.reverse_chatter(theta, edge + by).is_some());
-            assert_eq!([below, above], [edge == high, edge == low], "{theta} {edge}");
+            let [below, above] =
+                [-1e-6, 1e-6].map(|by| plane.reverse_chatter(theta, edge + by).is_some());
+            assert_eq!(
+                [below, above],
+                [edge == high, edge == low],
+                "{theta} {edge}"
+            );
             seen += 1;
         }
     }
@@ -229,7 +287,8 @@ proptest! {
         prop_assert_eq!(plane.reverse_chatter(theta, rate).is_some(), inside, "{:?}", range);
     }
 
-    /// A bounce out of rolling grows by the ratio where it exceeds 1, in the simulation of the whole motion.
+    /// A bounce out of rolling grows by the ratio where it exceeds 1, in the simulation of the
+    /// whole motion.
     #[test]
     fn inside_the_region_a_bounce_grows_out_of_it((hoop, theta, rate) in growing(), small in -12.0..-10.0_f64) {
         let ratio = PhasePlane::new(&hoop).reverse_chatter(theta, rate).expect("inside");

@@ -19,26 +19,44 @@ use littlewood::{
 use littlewood_random::Draw;
 use proptest::prelude::*;
 
-/// Whether the forces and accelerations of an instant satisfy Newton's and Euler's equations of the two bodies together.
+/// Whether the forces and accelerations of an instant satisfy Newton's and Euler's equations of the
+/// two bodies together.
 fn check_balances(hoop: &Hoop, now: &Sample) -> Result<(), TestCaseError> {
     let (sin, cos) = libm::sincos(now.state.theta);
-    let (m, h, u) = (hoop.mass(), hoop.h(), now.state.theta_rate * now.state.theta_rate);
+    let (m, h, u) = (
+        hoop.mass(),
+        hoop.h(),
+        now.state.theta_rate * now.state.theta_rate,
+    );
     let (along, down) = libm::sincos(hoop.slope());
     let inertia = hoop.body().inertia_about_mass_centre();
     let spin = now.theta_acceleration;
     // In a glide θ″ is the quotient of a difference by h sin θ, and η″ another.
-    let terms = if now.mode == Mode::Gliding { (1.0 + u) / (h * sin).abs() } else { spin.abs() };
+    let terms = if now.mode == Mode::Gliding {
+        (1.0 + u) / (h * sin).abs()
+    } else {
+        spin.abs()
+    };
     let x = now.slip_acceleration - spin - h * (cos * spin - sin * u);
     let rounding = 1e-13 * size(hoop, now) * (1.0 + terms * (1.0 + inertia) * m + now.normal.abs());
     let momentum = m * x - now.friction + m * along;
-    prop_assert!(momentum.abs() < rounding, "along the plane: {momentum:e} {now:?}");
+    prop_assert!(
+        momentum.abs() < rounding,
+        "along the plane: {momentum:e} {now:?}"
+    );
     if now.mode != Mode::Flight {
         let lift = -h * (sin * spin + cos * u);
         let normal = m * lift - now.normal + m * down;
-        prop_assert!(normal.abs() < rounding, "normal to the plane: {normal:e} {now:?}");
+        prop_assert!(
+            normal.abs() < rounding,
+            "normal to the plane: {normal:e} {now:?}"
+        );
     }
     let moment = inertia * spin - h * sin * now.normal - (1.0 + h * cos) * now.friction;
-    prop_assert!(moment.abs() < rounding, "about the mass centre: {moment:e} {now:?}");
+    prop_assert!(
+        moment.abs() < rounding,
+        "about the mass centre: {moment:e} {now:?}"
+    );
     Ok(())
 }
 
@@ -47,10 +65,11 @@ fn check_energy(hoop: &Hoop, start: Start, elapsed: f64) -> Result<(), TestCaseE
     let orbit = RollingOrbit::new(hoop, start.theta, start.theta_rate);
     let (theta, rate) = orbit.position(elapsed);
     let law = RollingLaw::new(hoop);
-    let [energy, later] =
-        [(start.theta, start.theta_rate), (theta, rate)].map(|(theta, rate)| law.energy(theta, rate));
+    let [energy, later] = [(start.theta, start.theta_rate), (theta, rate)]
+        .map(|(theta, rate)| law.energy(theta, rate));
     let kinetic = law.denominator(theta) * rate * rate;
-    let terms = 1.0 + energy.abs() + kinetic + hoop.mass() * (theta.abs() + start.theta.abs() + 1.0);
+    let terms =
+        1.0 + energy.abs() + kinetic + hoop.mass() * (theta.abs() + start.theta.abs() + 1.0);
     prop_assert!((later - energy).abs() < 1e-12 * terms, "{energy} {later}");
     Ok(())
 }
@@ -69,7 +88,10 @@ fn check_motion(motion: &Trajectory) -> Result<(), TestCaseError> {
             }
             if phase.mode() == Mode::Flight {
                 let bound = 1e-12 * size(hoop, &phase.first()) * (1.0 + elapsed * elapsed);
-                prop_assert!((now.energy - phase.first().energy).abs() < bound, "energy in flight");
+                prop_assert!(
+                    (now.energy - phase.first().energy).abs() < bound,
+                    "energy in flight"
+                );
             }
         }
         if phase.mode() != Mode::Sliding {
@@ -123,29 +145,48 @@ proptest! {
 
 #[test]
 fn a_motion_tends_to_that_on_a_level_plane() {
-    for case in CASES.iter().filter(|case| case.setup.hoop.restitution.is_none()) {
+    for case in CASES
+        .iter()
+        .filter(|case| case.setup.hoop.restitution.is_none())
+    {
         let level = case.simulate().expect("a case");
         let hoop = tilted(level.hoop(), 1e-12);
         let limits = Limits::default().with_transitions(level.transitions().len().max(1));
         let sloped = hoop.simulate(case.setup.start, limits).expect("a start");
         for (ours, theirs) in sloped.transitions().iter().zip(level.transitions()).take(6) {
             assert_eq!(ours.cause, theirs.cause, "{}", case.name);
-            for (ours, theirs) in ours.before.numbers().into_iter().zip(theirs.before.numbers()) {
+            for (ours, theirs) in ours
+                .before
+                .numbers()
+                .into_iter()
+                .zip(theirs.before.numbers())
+            {
                 let apart = (ours - theirs).abs();
-                assert!(apart < 1e-9 * (1.0 + theirs.abs()) || ours == theirs, "{}: {apart:e}", case.name);
+                assert!(
+                    apart < 1e-9 * (1.0 + theirs.abs()) || ours == theirs,
+                    "{}: {apart:e}",
+                    case.name
+                );
             }
         }
-        assert_eq!(sloped.phases().first().map(Phase::mode), level.phases().first().map(Phase::mode));
+        assert_eq!(
+            sloped.phases().first().map(Phase::mode),
+            level.phases().first().map(Phase::mode)
+        );
     }
 }
 
 #[test]
 fn a_balanced_hoop_is_accelerated_evenly() {
-    let balanced = HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4);
+    let balanced = HoopParameters::thin(1.0)
+        .with_offset(0.0)
+        .with_friction(0.5, 0.4);
     // Without slip where tan α ≤ μs (1 + m/Î): m = 2, Î = 1.
     for (slope, rolls) in [(0.9, true), (-0.9, true), (1.1, false), (-1.1, false)] {
         let hoop = Hoop::new(balanced.with_slope(slope)).expect("a hoop");
-        let motion = hoop.simulate(Start::at(0.3, 0.0), Limits::default()).expect("a start");
+        let motion = hoop
+            .simulate(Start::at(0.3, 0.0), Limits::default())
+            .expect("a start");
         let (recurrence, expected) = match motion.outcome() {
             Outcome::RollsForever { recurrence, .. } => (recurrence, -2.0 * slope.sin() / 3.0),
             Outcome::SlidesForever { recurrence, .. } => {
@@ -154,8 +195,13 @@ fn a_balanced_hoop_is_accelerated_evenly() {
             other => panic!("{other:?}"),
         };
         assert_eq!(motion.outcome().kind() == OutcomeKind::RollsForever, rolls);
-        let Recurrence::Downhill { acceleration } = recurrence else { panic!("{recurrence:?}") };
-        assert!((acceleration - expected).abs() < 1e-15, "{acceleration} {expected}");
+        let Recurrence::Downhill { acceleration } = recurrence else {
+            panic!("{recurrence:?}")
+        };
+        assert!(
+            (acceleration - expected).abs() < 1e-15,
+            "{acceleration} {expected}"
+        );
         let x = motion.at(7.0).expect("an instant").state.x;
         assert!((x - 24.5 * expected).abs() < 1e-13, "{x}");
     }
@@ -174,9 +220,17 @@ fn a_hoop_stays_where_it_is_in_equilibrium_if_friction_holds_it() {
     assert!(((stable + 0.4).sin() + 0.4_f64.sin() / 0.5).abs() < 1e-15);
     for (mu, holds) in [(0.43, true), (0.42, false)] {
         let hoop = Hoop::new(parameters.with_friction(mu, mu)).expect("a hoop");
-        let motion =
-            hoop.simulate(Start::at(stable, 0.0), Limits::default().with_transitions(1)).expect("a start");
-        assert_eq!(motion.phases()[0].mode() == Mode::Rolling, holds, "tan 0.4 = 0.4228 and {mu}");
+        let motion = hoop
+            .simulate(
+                Start::at(stable, 0.0),
+                Limits::default().with_transitions(1),
+            )
+            .expect("a start");
+        assert_eq!(
+            motion.phases()[0].mode() == Mode::Rolling,
+            holds,
+            "tan 0.4 = 0.4228 and {mu}"
+        );
         assert_eq!(motion.outcome().kind() == OutcomeKind::RollsForever, holds);
     }
 }
@@ -184,28 +238,48 @@ fn a_hoop_stays_where_it_is_in_equilibrium_if_friction_holds_it() {
 /// The units of the results have g = 1, those of the solvers g cos α = 1: 0.36 at this slope.
 #[test]
 fn facts_of_phases_and_bounces_are_in_the_units_of_the_results() {
-    let parameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4).with_slope(1.2);
+    let parameters = HoopParameters::thin(1.0)
+        .with_friction(0.5, 0.4)
+        .with_slope(1.2);
     let thrown = Start::at(0.4, 1.0).with_gap_rate(0.5);
-    let motion = Hoop::new(parameters).expect("a hoop").simulate(thrown, Limits::default()).expect("a start");
+    let motion = Hoop::new(parameters)
+        .expect("a hoop")
+        .simulate(thrown, Limits::default())
+        .expect("a start");
     let flight = &motion.phases()[0];
     assert_eq!(flight.take_off_rate(), 0.5);
     let (elapsed, height) = flight.apex().expect("a flight");
     let highest = flight.sample(elapsed);
-    assert!(highest.gap_rate.abs() < 1e-14 && (highest.gap - height).abs() < 1e-14, "{highest:?}");
+    assert!(
+        highest.gap_rate.abs() < 1e-14 && (highest.gap - height).abs() < 1e-14,
+        "{highest:?}"
+    );
 
     let rocking = Hoop::new(parameters.with_friction(9.0, 9.0).with_slope(0.2)).expect("a hoop");
-    let motion = rocking.simulate(Start::at(2.0, 0.0), Limits::default()).expect("a start");
-    assert_eq!(motion.phases()[0].recurrence(), motion.outcome().recurrence());
+    let motion = rocking
+        .simulate(Start::at(2.0, 0.0), Limits::default())
+        .expect("a start");
+    assert_eq!(
+        motion.phases()[0].recurrence(),
+        motion.outcome().recurrence()
+    );
 
     // A balanced hoop bounces like a ball: 2 v/(cos α (1 − e)).
     let ball = Hoop::new(parameters.with_offset(0.0)).expect("a hoop");
     let law = Restitution::new(0.5, RestitutionLaw::Energetic).expect("a coefficient");
-    let settling = ball.settling(&Start::at(0.0, 0.0).check().expect("a start"), 1e-9, law).expect("settles");
-    assert!((settling.duration * 1.2_f64.cos() - 4e-9).abs() < 1e-23, "{settling:?}");
+    let settling = ball
+        .settling(&Start::at(0.0, 0.0).check().expect("a start"), 1e-9, law)
+        .expect("settles");
+    assert!(
+        (settling.duration * 1.2_f64.cos() - 4e-9).abs() < 1e-23,
+        "{settling:?}"
+    );
     // What holds on a level plane alone says nothing on a slope.
     assert_eq!(rocking.lift_off_energy(), None);
     assert!(!rocking.never_lifts_off(&Start::at(2.0, 0.0).check().expect("a start")));
-    assert!(BouncingOrbit::new(&rocking, 1.0).is_none() && GrazingOrbit::below(&rocking, 9.0).is_none());
+    assert!(
+        BouncingOrbit::new(&rocking, 1.0).is_none() && GrazingOrbit::below(&rocking, 9.0).is_none()
+    );
 }
 
 #[test]
@@ -213,15 +287,31 @@ fn a_slope_is_less_than_a_right_angle() {
     let with = |slope| Hoop::new(HoopParameters::thin(1.0).with_slope(slope));
     for slope in [FRAC_PI_2, -FRAC_PI_2, 1.7, 30.0, f64::INFINITY, f64::NAN] {
         let error = with(slope).expect_err("too steep");
-        assert!(matches!(error, ParameterError::OutOfBounds { quantity: Quantity::Slope, .. }), "{error}");
-        assert!(error.hint().contains("radians") || !slope.is_finite(), "{}", error.hint());
+        assert!(
+            matches!(
+                error,
+                ParameterError::OutOfBounds {
+                    quantity: Quantity::Slope,
+                    ..
+                }
+            ),
+            "{error}"
+        );
+        assert!(
+            error.hint().contains("radians") || !slope.is_finite(),
+            "{}",
+            error.hint()
+        );
     }
-    let Err(ParameterError::OutOfBounds { bound, .. }) = with(2.0) else { panic!("too steep") };
+    let Err(ParameterError::OutOfBounds { bound, .. }) = with(2.0) else {
+        panic!("too steep")
+    };
     assert_eq!(bound, Bound::MagnitudeBelow(FRAC_PI_2));
     assert!(with(FRAC_PI_2.next_down()).is_ok());
 }
 
-/// Hoops and starts of the whole range, on slopes up to the vertical: each motion comes back, with numbers in order.
+/// Hoops and starts of the whole range, on slopes up to the vertical: each motion comes back, with
+/// numbers in order.
 #[test]
 fn motions_of_the_whole_range_come_back() {
     let mut outcomes = std::collections::BTreeMap::new();
@@ -236,7 +326,10 @@ fn motions_of_the_whole_range_come_back() {
         for transition in motion.transitions() {
             assert!(transition.time() >= time, "{case}: {transition:?}");
             time = transition.time();
-            assert!(transition.before.x.is_finite() && transition.before.theta.is_finite(), "{case}");
+            assert!(
+                transition.before.x.is_finite() && transition.before.theta.is_finite(),
+                "{case}"
+            );
         }
         for phase in motion.phases() {
             for elapsed in instants(phase.duration().min(50.0), 3) {
@@ -249,5 +342,8 @@ fn motions_of_the_whole_range_come_back() {
         }
         *outcomes.entry(motion.outcome().kind().name()).or_insert(0) += 1;
     }
-    assert!(outcomes.len() > 6 && outcomes["landing"] > 100, "{outcomes:?}");
+    assert!(
+        outcomes.len() > 6 && outcomes["landing"] > 100,
+        "{outcomes:?}"
+    );
 }

@@ -3,29 +3,49 @@
 
 use crate::common::{heavy_motion, massless_hoop, moderate_hoop, simulate, start};
 use littlewood::modes::RollingOrbit;
-use littlewood::{Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start, State, Trajectory};
+use littlewood::{
+    Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start, State, Trajectory,
+};
 use proptest::prelude::*;
 
 /// (θ, θ′, η′, x) → −(θ, θ′, η′, x).
 pub(crate) fn mirrored(start: Start) -> Start {
-    Start::at(-start.theta, -start.theta_rate).with_slip(-start.slip).with_x(-start.x).with_time(start.time)
+    Start::at(-start.theta, -start.theta_rate)
+        .with_slip(-start.slip)
+        .with_x(-start.x)
+        .with_time(start.time)
 }
 
 fn bits(state: &State, sign: f64) -> [u64; 5] {
     // Adding zero makes −0 and 0 the same.
-    [state.time, sign * state.theta, sign * state.theta_rate, sign * state.slip, sign * state.x]
-        .map(|value| (value + 0.0).to_bits())
+    [
+        state.time,
+        sign * state.theta,
+        sign * state.theta_rate,
+        sign * state.slip,
+        sign * state.x,
+    ]
+    .map(|value| (value + 0.0).to_bits())
 }
 
 pub(crate) fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCaseError> {
     prop_assert_eq!(a.outcome().kind(), b.outcome().kind());
-    prop_assert_eq!(bits(&a.outcome().state(), 1.0), bits(&b.outcome().state(), -1.0));
+    prop_assert_eq!(
+        bits(&a.outcome().state(), 1.0),
+        bits(&b.outcome().state(), -1.0)
+    );
     prop_assert_eq!(a.transitions().len(), b.transitions().len());
     for (ours, theirs) in a.transitions().iter().zip(b.transitions()) {
         prop_assert_eq!(bits(&ours.before, 1.0), bits(&theirs.before, -1.0));
         prop_assert_eq!(bits(&ours.after, 1.0), bits(&theirs.after, -1.0));
-        prop_assert_eq!((ours.cause, ours.from, ours.to), (theirs.cause, theirs.from, theirs.to));
-        prop_assert_eq!(ours.direction, theirs.direction.map(littlewood::Direction::reversed));
+        prop_assert_eq!(
+            (ours.cause, ours.from, ours.to),
+            (theirs.cause, theirs.from, theirs.to)
+        );
+        prop_assert_eq!(
+            ours.direction,
+            theirs.direction.map(littlewood::Direction::reversed)
+        );
     }
     for (ours, theirs) in a.phases().iter().zip(b.phases()) {
         for part in [0.25, 0.5, 0.75] {
@@ -33,7 +53,10 @@ pub(crate) fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCas
             let (ours, theirs) = (ours.sample(elapsed), theirs.sample(elapsed));
             prop_assert_eq!(bits(&ours.state, 1.0), bits(&theirs.state, -1.0));
             prop_assert_eq!(ours.normal.to_bits(), theirs.normal.to_bits());
-            prop_assert_eq!((ours.friction + 0.0).to_bits(), (0.0 - theirs.friction).to_bits());
+            prop_assert_eq!(
+                (ours.friction + 0.0).to_bits(),
+                (0.0 - theirs.friction).to_bits()
+            );
             prop_assert_eq!(ours.gap.to_bits(), theirs.gap.to_bits());
         }
     }

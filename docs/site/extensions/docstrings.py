@@ -14,7 +14,9 @@ _BAR = re.compile(r"(?<!\\)\|")
 _SEVERAL = re.compile(r":(ivar|vartype) (\w+(?:, \w+)+):(.*)")
 
 
-def _before(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+def _before(
+    app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]
+) -> None:
     """Absolute values are bars, which reStructuredText takes for substitutions, and the first colon of a property ends no type."""
     lines[:] = [line if ">>>" in line else _BAR.sub(r"\\|", line) for line in lines]
     if what in ("attribute", "property", "data") and lines and ": " in lines[0]:
@@ -22,7 +24,9 @@ def _before(app: Sphinx, what: str, name: str, obj: object, options: object, lin
         lines[:1] = [f"{first}:", rest]
 
 
-def _after(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+def _after(
+    app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]
+) -> None:
     """Attributes that share a line of a docstring have one each."""
     several: list[str] = []
     for line in lines:
@@ -43,7 +47,11 @@ def _by_last_name(
         return None
     objects = env.get_domain("py").objects
     ending = "." + node["reftarget"]
-    found = [(name, it) for name, it in objects.items() if ("." + name).endswith(ending) and not it.aliased]
+    found = [
+        (name, it)
+        for name, it in objects.items()
+        if ("." + name).endswith(ending) and not it.aliased
+    ]
     if len(found) != 1:
         return None
     name, it = found[0]

@@ -81,7 +81,9 @@ def _inline(writer: Any, node: nodes.math) -> None:
 def _block(writer: Any, node: nodes.math_block) -> None:
     writer.body.append(writer.starttag(node, "div", CLASS="formula"))
     if node["number"]:
-        numbers = writer.builder.fignumbers.get("displaymath", {}).get(node["ids"][0], (node["number"],))
+        numbers = writer.builder.fignumbers.get("displaymath", {}).get(
+            node["ids"][0], (node["number"],)
+        )
         number = writer.config.math_eqref_format.format(number=".".join(map(str, numbers)))
         writer.body.append(f'<span class="eqno">{number}')
         writer.add_permalink_ref(node, "Link to this equation")
@@ -109,7 +111,9 @@ def _copy(app: Sphinx, error: Exception | None) -> None:
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    app.add_html_math_renderer("katex", inline_renderers=(_inline, None), block_renderers=(_block, None))
+    app.add_html_math_renderer(
+        "katex", inline_renderers=(_inline, None), block_renderers=(_block, None)
+    )
     app.config.html_math_renderer = "katex"
     app.add_css_file("katex/katex.css")
     app.connect("build-finished", _copy)

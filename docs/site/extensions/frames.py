@@ -27,7 +27,10 @@ class Lab(SphinxDirective):
     required_arguments = 1
     final_argument_whitespace = False
     has_content = False
-    option_spec: ClassVar[dict[str, Any]] = {"height": directives.positive_int, "title": directives.unchanged_required}
+    option_spec: ClassVar[dict[str, Any]] = {
+        "height": directives.positive_int,
+        "title": directives.unchanged_required,
+    }
 
     def run(self) -> list[nodes.Node]:
         title = self.options.get("title", "The laboratory of Littlewood’s hoop")
@@ -35,7 +38,9 @@ class Lab(SphinxDirective):
 
 
 def _visit(writer: Any, node: Frame) -> None:
-    page = relative_uri(writer.builder.get_target_uri(writer.builder.current_docname), "lab/index.html")
+    page = relative_uri(
+        writer.builder.get_target_uri(writer.builder.current_docname), "lab/index.html"
+    )
     address = escape(f"{page}#{node['link']}")
     title = escape(node["title"])
     whole = "embed=1" not in node["link"].split("&")
@@ -46,7 +51,9 @@ def _visit(writer: Any, node: Frame) -> None:
     )
     # A frame without controls has such a link of its own.
     if whole:
-        writer.body.append(f'<p class="lab-more"><a href="{address}">Open it in the whole window</a></p>')
+        writer.body.append(
+            f'<p class="lab-more"><a href="{address}">Open it in the whole window</a></p>'
+        )
     raise nodes.SkipNode
 
 

@@ -31,7 +31,9 @@ def _help_of_the_package(command: str) -> list[str]:
     """The help of a command that the package adds, in another form."""
     words = [sys.executable, "-P", "-m", "littlewood", command, "--help"]
     wide = {**os.environ, "COLUMNS": "100"}
-    return subprocess.run(words, capture_output=True, text=True, check=True, env=wide).stdout.splitlines()
+    return subprocess.run(
+        words, capture_output=True, text=True, check=True, env=wide
+    ).stdout.splitlines()
 
 
 def _blocks(lines: list[str]) -> list[tuple[str, list[str]]]:
@@ -64,14 +66,18 @@ def _paragraphs(lines: list[str]) -> list[nodes.Node]:
         if any(words):
             found.append(_paragraph(" ".join(words)))
         if items:
-            found.append(nodes.bullet_list("", *(nodes.list_item("", _paragraph(it)) for it in items)))
+            found.append(
+                nodes.bullet_list("", *(nodes.list_item("", _paragraph(it)) for it in items))
+            )
     return found
 
 
 def _paragraph(text: str) -> nodes.paragraph:
     parts = text.split("`")
     return nodes.paragraph(
-        "", "", *(nodes.literal(it, it) if i % 2 else nodes.Text(it) for i, it in enumerate(parts) if it)
+        "",
+        "",
+        *(nodes.literal(it, it) if i % 2 else nodes.Text(it) for i, it in enumerate(parts) if it),
     )
 
 
@@ -88,7 +94,9 @@ class ProgramHelp(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         lines = _help()
         listed = dict(_blocks(lines)).get("Commands", [])
-        commands = [match[1] for line in listed if (match := _COMMAND.match(line)) and match[1] != "help"]
+        commands = [
+            match[1] for line in listed if (match := _COMMAND.match(line)) and match[1] != "help"
+        ]
         if not commands:
             raise self.error("the help of the program lists no commands")
         sections = [self._section(name) for name in commands]
@@ -97,7 +105,10 @@ class ProgramHelp(SphinxDirective):
     def _section(self, name: str) -> nodes.section:
         title = f"littlewood {name}"
         section = nodes.section(
-            "", nodes.title("", "", nodes.literal(title, title)), ids=[f"littlewood-{name}"], names=[title]
+            "",
+            nodes.title("", "", nodes.literal(title, title)),
+            ids=[f"littlewood-{name}"],
+            names=[title],
         )
         if name in OF_THE_PACKAGE:
             section += _paragraph("In the program of the Python package:")

@@ -40,7 +40,9 @@ def _replace(app: Sphinx, node: nodes.Element, path: str, fragment: str = "") ->
 def _link(app: Sphinx, tree: nodes.document) -> None:
     document = app.env.docname
     for node in list(tree.findall(addnodes.download_reference)):
-        path = _within(app, document, node["reftarget"].lstrip("/")) or _within(app, "", node["reftarget"].lstrip("/"))
+        path = _within(app, document, node["reftarget"].lstrip("/")) or _within(
+            app, "", node["reftarget"].lstrip("/")
+        )
         if path is not None:
             _replace(app, node, path)
     for node in list(tree.findall(addnodes.pending_xref)):

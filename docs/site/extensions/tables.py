@@ -29,15 +29,29 @@ def _code(text: str) -> nodes.Node:
 def _edges() -> Rows:
     head = ("body", "from", "event", "condition", "sets", "to", "source")
     return head, (
-        (it.body, it.from_mode or "–", CAUSE_LABELS[it.cause], it.guard, it.reset, it.to_mode or "ends", it.source)
+        (
+            it.body,
+            it.from_mode or "–",
+            CAUSE_LABELS[it.cause],
+            it.guard,
+            it.reset,
+            it.to_mode or "ends",
+            it.source,
+        )
         for it in lw.motion.EDGES
     )
 
 
 def _quantities(si: bool) -> Rows:
     head = ("name", "symbol", "meaning", "unit", "if left out")
-    chosen = (it for it in QUANTITIES.values() if it.is_si == si or (si and it.twin is None and not it.is_si))
-    return head, ((_code(it.name), it.sign, it.long_name, it.unit_sign or "1", _default(it)) for it in chosen)
+    chosen = (
+        it
+        for it in QUANTITIES.values()
+        if it.is_si == si or (si and it.twin is None and not it.is_si)
+    )
+    return head, (
+        (_code(it.name), it.sign, it.long_name, it.unit_sign or "1", _default(it)) for it in chosen
+    )
 
 
 def _default(quantity: Any) -> str:
@@ -49,14 +63,22 @@ def _default(quantity: Any) -> str:
 def _samples() -> Rows:
     head = ("column", "with `--si`", "symbol", "meaning", "unit")
     return head, (
-        (_code(it.name), _code(it.si_name) if it.si_name else "–", it.sign, it.long_name, it.unit_sign or "–")
+        (
+            _code(it.name),
+            _code(it.si_name) if it.si_name else "–",
+            it.sign,
+            it.long_name,
+            it.unit_sign or "–",
+        )
         for it in SAMPLE_COLUMNS.values()
     )
 
 
 def _summaries() -> Rows:
     head = ("column", "type", "unit", "meaning")
-    return head, ((_code(it.name), it.dtype, it.scale, it.long_name) for it in SUMMARY_COLUMNS.values())
+    return head, (
+        (_code(it.name), it.dtype, it.scale, it.long_name) for it in SUMMARY_COLUMNS.values()
+    )
 
 
 def _names(labels: Iterable[tuple[str, str]]) -> Rows:
@@ -64,7 +86,9 @@ def _names(labels: Iterable[tuple[str, str]]) -> Rows:
 
 
 def _cases() -> Rows:
-    return ("name", "what it does", "source"), ((_code(it.name), it.title, it.source) for it in lw.CASES.values())
+    return ("name", "what it does", "source"), (
+        (_code(it.name), it.title, it.source) for it in lw.CASES.values()
+    )
 
 
 _TABLES = {
@@ -112,7 +136,9 @@ def _paragraph(cell: str | nodes.Node) -> nodes.paragraph:
         return nodes.paragraph("", "", cell)
     # Names in backticks stay names.
     parts = cell.split("`")
-    return nodes.paragraph("", "", *(_code(it) if i % 2 else nodes.Text(it) for i, it in enumerate(parts) if it))
+    return nodes.paragraph(
+        "", "", *(_code(it) if i % 2 else nodes.Text(it) for i, it in enumerate(parts) if it)
+    )
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

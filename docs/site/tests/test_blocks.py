@@ -14,7 +14,10 @@ import pytest
 
 ROOT = Path(__file__).parents[3]
 PROGRAM = os.environ["LITTLEWOOD_BIN"]
-PAGES = sorted({ROOT / "README.md", *(ROOT / "docs").rglob("*.md")} - set((ROOT / "docs" / "site").rglob("*.md")))
+PAGES = sorted(
+    {ROOT / "README.md", *(ROOT / "docs").rglob("*.md")}
+    - set((ROOT / "docs" / "site").rglob("*.md"))
+)
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 # What is not run, and why: a part of the command.
@@ -44,7 +47,9 @@ def blocks(page: Path) -> list[tuple[str, str]]:
 
 def run(command: str, folder: Path) -> str:
     arguments = shlex.split(command, comments=True)[1:]
-    done = subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(
+        [PROGRAM, *arguments], cwd=folder, capture_output=True, text=True, timeout=60, check=False
+    )
     assert done.returncode == 0, f"{command}\n{done.stderr}"
     return done.stdout
 
@@ -54,7 +59,9 @@ def is_run(command: str) -> bool:
 
 
 WITH_COMMANDS = [
-    page for page in PAGES if any(commands(text) for kind, text in blocks(page) if kind in ("sh", "console"))
+    page
+    for page in PAGES
+    if any(commands(text) for kind, text in blocks(page) if kind in ("sh", "console"))
 ]
 
 
@@ -96,10 +103,14 @@ def test_programs_print_what_the_page_says(page, command, lines, tmp_path):
             free = True
             continue
         place = printed.index(line.rstrip(), at) if free and line.rstrip() in printed[at:] else at
-        assert printed[place : place + 1] == [line.rstrip()], f"{command} of {page} printed\n" + "\n".join(printed)
+        assert printed[place : place + 1] == [line.rstrip()], (
+            f"{command} of {page} printed\n" + "\n".join(printed)
+        )
         at, free = place + 1, False
     # A page may leave out what follows the table.
-    assert free or printed[at : at + 1] in ([], [""]), f"{command} of {page} printed more:\n" + "\n".join(printed[at:])
+    assert free or printed[at : at + 1] in ([], [""]), (
+        f"{command} of {page} printed more:\n" + "\n".join(printed[at:])
+    )
 
 
 def test_there_are_sessions_and_commands():
@@ -110,7 +121,11 @@ def test_there_are_sessions_and_commands():
 def test_the_keys_of_a_document_are_those_of_the_page(tmp_path):
     page = (ROOT / "docs" / "reference" / "files.md").read_text(encoding="utf-8")
     table = page.partition("## JSON of a motion")[2].partition("\n## ")[0]
-    listed = {name for row in re.findall(r"^\| (`.*?) \|", table, re.MULTILINE) for name in re.findall(r"`(\w+)`", row)}
+    listed = {
+        name
+        for row in re.findall(r"^\| (`.*?) \|", table, re.MULTILINE)
+        for name in re.findall(r"`(\w+)`", row)
+    }
     documents = (
         "littlewood simulate figure-3-bounces --format json --samples 3",
         "littlewood simulate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --si --format json",

@@ -11,7 +11,9 @@ import pytest
 
 SITE = Path(os.environ["LITTLEWOOD_SITE"])
 PAGES = sorted(
-    page for page in SITE.rglob("*.html") if not {"rust", "lab", "_static"} & set(page.relative_to(SITE).parts)
+    page
+    for page in SITE.rglob("*.html")
+    if not {"rust", "lab", "_static"} & set(page.relative_to(SITE).parts)
 )
 
 # What a page loads, as against what it links to.
@@ -52,7 +54,9 @@ def broken(page: Path) -> Iterator[str]:
         goal = (page.parent / unquote(parts.path)).resolve() if parts.path else page
         if not goal.is_file():
             yield f"{address}: no such file"
-        elif parts.fragment and goal in PAGES and unquote(parts.fragment) not in parsed(goal).places:
+        elif (
+            parts.fragment and goal in PAGES and unquote(parts.fragment) not in parsed(goal).places
+        ):
             yield f"{address}: no such place"
 
 
@@ -71,7 +75,16 @@ def test_a_page_asks_nothing_of_another_host(page):
 
 
 def test_equations_have_numbers_and_are_formulas():
-    for chapter in ("body", "contact", "rolling", "sliding", "jumps", "massless", "impact", "errata"):
+    for chapter in (
+        "body",
+        "contact",
+        "rolling",
+        "sliding",
+        "jumps",
+        "massless",
+        "impact",
+        "errata",
+    ):
         text = (SITE / "docs" / "theory" / f"{chapter}.html").read_text(encoding="utf-8")
         assert text.count('class="eqno">(T') >= 2, chapter
         assert text.count("<math") > 10, chapter

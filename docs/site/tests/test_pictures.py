@@ -7,7 +7,9 @@ from xml.etree import ElementTree
 import pytest
 
 DOCS = Path(__file__).parents[2]
-PICTURES = sorted(path for path in DOCS.rglob("*.svg") if "site" not in path.relative_to(DOCS).parts)
+PICTURES = sorted(
+    path for path in DOCS.rglob("*.svg") if "site" not in path.relative_to(DOCS).parts
+)
 SVG = "{http://www.w3.org/2000/svg}"
 
 

@@ -17,10 +17,16 @@ class Body:
         izz = RANDOM.uniform(0.1, 1) * m1 * (0.05 if steep else 1)
         self.mu_k = RANDOM.uniform(0.05, 4 if steep else 0.8)
         self.mu_s = self.mu_k * RANDOM.uniform(1, 1.5)
-        self.hoop = lw.Hoop(mass_ratio=m1, offset=self.l, inertia=izz, mu_s=self.mu_s, mu_k=self.mu_k)
+        self.hoop = lw.Hoop(
+            mass_ratio=m1, offset=self.l, inertia=izz, mu_s=self.mu_s, mu_k=self.mu_k
+        )
         self.m, self.h = 1 + m1, self.l / (1 + m1)
         self.I = izz + m1 * self.l**2 / self.m  # (T1.1)
-        self.theta, self.rate, self.slip = RANDOM.uniform(-math.pi, math.pi), RANDOM.normal(0, 1.5), RANDOM.normal()
+        self.theta, self.rate, self.slip = (
+            RANDOM.uniform(-math.pi, math.pi),
+            RANDOM.normal(0, 1.5),
+            RANDOM.normal(),
+        )
         self.at(self.theta)
         self.u = self.rate**2
 
@@ -66,7 +72,9 @@ def test_body():
         assert it.hoop.inertia_about_mass_centre == pytest.approx(it.I, rel=1e-14)
         friction, normal = RANDOM.normal(), RANDOM.normal()
         _, slip, gap = it.newton(friction, normal)
-        assert slip == pytest.approx(-it.h * it.s * it.u + it.A * friction + it.B * normal)  # (T1.5)
+        assert slip == pytest.approx(
+            -it.h * it.s * it.u + it.A * friction + it.B * normal
+        )  # (T1.5)
         assert gap == pytest.approx(-it.w + it.B * friction + it.C * normal)
         assert it.A * it.C - it.B**2 == pytest.approx(it.D / (it.m**2 * it.I))
         # (T1.8) and (T1.9): the power, by a small step of a body with a gap.
@@ -99,15 +107,21 @@ def test_contact():
         det = it.A * it.C - it.B**2
         normal = (it.A * it.w - it.B * it.h * it.s * it.u) / det  # (T2.1)
         friction = (it.C * it.h * it.s * it.u - it.B * it.w) / det
-        assert it.newton(friction, normal)[1:] == pytest.approx((0, 0), abs=1e-9 * (abs(normal) + abs(friction) + 1))
+        assert it.newton(friction, normal)[1:] == pytest.approx(
+            (0, 0), abs=1e-9 * (abs(normal) + abs(friction) + 1)
+        )
         found = it.hoop.classify(theta=it.theta, theta_rate=it.rate)
-        assert (found.rolling_normal, found.rolling_friction) == pytest.approx((normal, friction), rel=1e-9, abs=1e-9)
+        assert (found.rolling_normal, found.rolling_friction) == pytest.approx(
+            (normal, friction), rel=1e-9, abs=1e-9
+        )
         for sigma in (-1, 1):
             p, _, held = it.slide(sigma)
             f = it.mu_k * sigma
             _, slip, gap = it.newton(-f * held, held)
             assert gap == pytest.approx(0, abs=1e-9 * (1 + abs(held)))
-            assert slip == pytest.approx(-it.D / (it.m * p) * (friction + f * normal), rel=1e-7, abs=1e-8)  # (T2.3)
+            assert slip == pytest.approx(
+                -it.D / (it.m * p) * (friction + f * normal), rel=1e-7, abs=1e-8
+            )  # (T2.3)
             # (T2.4): P < 0 where σ s > 0 and μk exceeds the threshold.
             least = it.C / abs(it.B)
             assert (p < 0) == (sigma * it.s > 0 and it.mu_k > least)
@@ -117,7 +131,10 @@ def test_least_painleve():
     for h in (0.5, 0.75, 0.9):
         theta = np.linspace(1e-4, math.pi - 1e-4, 200_001)
         m, inertia = 1 / h, (1 - h * h) / h
-        least = ((inertia + m * (h * np.sin(theta)) ** 2) / (m * h * np.sin(theta) * (1 + h * np.cos(theta)))).min()
+        least = (
+            (inertia + m * (h * np.sin(theta)) ** 2)
+            / (m * h * np.sin(theta) * (1 + h * np.cos(theta)))
+        ).min()
         assert least == pytest.approx(math.sqrt(1 - h * h) / h, rel=1e-8)  # (T2.5)
 
 
@@ -127,16 +144,22 @@ def test_rolling():
         assert it.u + 1 == pytest.approx(k / it.D)  # (T3.1)
         found = it.hoop.classify(theta=it.theta, theta_rate=it.rate)
         normal, friction = found.rolling_normal, found.rolling_friction
-        assert it.newton(friction, normal)[0] == pytest.approx(it.l * it.s * k / it.D**2, abs=1e-9)  # (T3.2)
+        assert it.newton(friction, normal)[0] == pytest.approx(
+            it.l * it.s * k / it.D**2, abs=1e-9
+        )  # (T3.2)
         square, rest = it.D**2, it.I + it.m * it.h**2 + it.l * it.c
         assert normal * square == pytest.approx(
             (it.m + it.l * it.c) * square - it.l * k * (it.l * it.s**2 + it.c * it.D)
         )
-        assert friction * square == pytest.approx(it.l * it.s * (k * rest - square), abs=1e-9)  # (T3.3)
+        assert friction * square == pytest.approx(
+            it.l * it.s * (k * rest - square), abs=1e-9
+        )  # (T3.3)
         for side in (-1, 1):
             a = (it.mu_s * (it.m + it.l * it.c) + side * it.l * it.s) * square
             b = it.l * (it.mu_s * (it.l * it.s**2 + it.c * it.D) + side * it.s * rest)
-            assert (it.mu_s * normal - side * friction) * square == pytest.approx(a - k * b)  # (T3.4)
+            assert (it.mu_s * normal - side * friction) * square == pytest.approx(
+                a - k * b
+            )  # (T3.4)
 
 
 def test_time_of_rolling():
@@ -160,7 +183,9 @@ def test_massless_rolling():
     hoop = lw.Hoop(mass_ratio=0, offset=1, inertia=0, mu_s=0.5, mu_k=0.5)
     for theta, rate in RANDOM.uniform(-0.9, 0.9, (50, 2)):
         found = hoop.classify(theta=theta, theta_rate=rate)
-        assert found.rolling_normal == pytest.approx(math.cos(theta / 2) ** 2 * (1 - rate**2))  # (T3.6)
+        assert found.rolling_normal == pytest.approx(
+            math.cos(theta / 2) ** 2 * (1 - rate**2)
+        )  # (T3.6)
         assert found.rolling_friction == pytest.approx(-0.5 * math.sin(theta) * (1 - rate**2))
         motion = hoop.simulate(theta=theta, theta_rate=rate)
         end = motion.phases[0].end
@@ -173,7 +198,10 @@ def test_massless_rolling():
     assert slow.time == pytest.approx(2 * math.asinh(math.sin(math.atan(0.5)) / 0.3), rel=1e-13)
     assert fast.time == pytest.approx(math.acosh(1 / 0.9**2), rel=1e-13)  # (T3.8)
     corner = 1 + 2 * math.cos(2 * math.atan(0.5))  # (T6.6)
-    types = [hoop.classify(theta=0, theta_rate=math.sqrt((corner - 1) / 2 + d)).rolling_type for d in (-1e-6, 1e-6)]
+    types = [
+        hoop.classify(theta=0, theta_rate=math.sqrt((corner - 1) / 2 + d)).rolling_type
+        for d in (-1e-6, 1e-6)
+    ]
     assert types == ["III", "I"]
 
 
@@ -190,7 +218,9 @@ def test_sliding():
 
 def test_slides_are_one_family():
     hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
-    motions = [hoop.simulate(theta=0.3, theta_rate=rate, slip=6.0, until=0.6) for rate in (0.9, 1.1, 1.4)]
+    motions = [
+        hoop.simulate(theta=0.3, theta_rate=rate, slip=6.0, until=0.6) for rate in (0.9, 1.1, 1.4)
+    ]
     thetas = np.linspace(0.4, 0.7, 5)
 
     def square(motion):
@@ -200,7 +230,9 @@ def test_slides_are_one_family():
 
     one, two, three = map(square, motions)
     # u = U_p + k U_h: differences of slides are multiples of one function (T4.3).
-    assert (two - one) / (three - one) == pytest.approx((1.1**2 - 0.9**2) / (1.4**2 - 0.9**2), rel=1e-6)
+    assert (two - one) / (three - one) == pytest.approx(
+        (1.1**2 - 0.9**2) / (1.4**2 - 0.9**2), rel=1e-6
+    )
 
 
 def test_first_integrals_of_a_slide():
@@ -220,7 +252,9 @@ def lifts_off(count: int) -> list[lw.Trajectory]:
     found: list[lw.Trajectory] = []
     while len(found) < count:
         it = Body()
-        motion = it.hoop.simulate(theta=it.theta, theta_rate=2 * it.rate, slip=it.slip, until=50, max_transitions=50)
+        motion = it.hoop.simulate(
+            theta=it.theta, theta_rate=2 * it.rate, slip=it.slip, until=50, max_transitions=50
+        )
         causes = [one.cause for one in motion.transitions]
         if causes[-2:] == ["lift_off", "landing"]:
             found.append(motion)
@@ -237,7 +271,9 @@ def test_jumps():
         phi = abs(land.state.theta - off.state.theta)
         big, small = math.cos(phi) - 1 + phi**2 / 2, phi - math.sin(phi)
         assert big / small == pytest.approx(math.tan(abs(start)), rel=1e-10)  # (T5.5)
-        assert land.time - off.time == pytest.approx(phi * math.sqrt(h * math.cos(start)), rel=1e-12)  # (T5.6)
+        assert land.time - off.time == pytest.approx(
+            phi * math.sqrt(h * math.cos(start)), rel=1e-12
+        )  # (T5.6)
         top = motion(off.time + 0.5 * (land.time - off.time))
         turned = 0.5 * phi
         gap = -h * (
@@ -257,7 +293,9 @@ def test_one_landing():
     angle = math.atan((math.cos(graze) - 1 + graze**2 / 2) / (graze - math.sin(graze)))
     assert angle == pytest.approx(1.3518, abs=5e-5)
     tiny = 0.01
-    assert ((math.cos(tiny) - 1 + tiny**2 / 2) / (tiny - math.sin(tiny))) == pytest.approx(tiny / 4, rel=1e-4)  # (T5.8)
+    assert ((math.cos(tiny) - 1 + tiny**2 / 2) / (tiny - math.sin(tiny))) == pytest.approx(
+        tiny / 4, rel=1e-4
+    )  # (T5.8)
     assert (tiny - math.sin(tiny)) / (1 - math.cos(tiny)) == pytest.approx(tiny / 3, rel=1e-4)
 
 
@@ -284,7 +322,9 @@ def test_gliding():
     assert h * c == pytest.approx(h * math.cos(1.4) - fallen, abs=1e-13)  # (T6.3)
     assert (np.asarray(it["normal"]) == 0).all()
     figure_7 = lw.case("figure-7").simulate()
-    assert figure_7.end_time - figure_7.transitions[0].time == pytest.approx((math.sqrt(89) - 3) / 5, rel=1e-13)
+    assert figure_7.end_time - figure_7.transitions[0].time == pytest.approx(
+        (math.sqrt(89) - 3) / 5, rel=1e-13
+    )
 
 
 def test_impacts():
@@ -297,7 +337,11 @@ def test_impacts():
             k1 = it.C - it.mu_k * sigma * it.B  # (T7.3)
             p, *_ = it.slide(sigma)
             assert k1 == pytest.approx(p / (it.m * it.I))
-            first = abs(slip) / (it.mu_k * it.A - sigma * it.B) if it.mu_k * it.A > sigma * it.B else math.inf
+            first = (
+                abs(slip) / (it.mu_k * it.A - sigma * it.B)
+                if it.mu_k * it.A > sigma * it.B
+                else math.inf
+            )
             sticks = abs(it.B) <= it.mu_s * it.A
             k2 = (it.A * it.C - it.B**2) / it.A if sticks else it.C - it.mu_k * abs(it.B)  # (T7.4)
             assert k2 > 0
@@ -325,7 +369,11 @@ def test_impacts():
                     }[law]
                 tangential = -it.mu_k * sigma * first + late * (total - first)
             turn = it.rate + (it.h * it.s * total + (1 + it.h * it.c) * tangential) / it.I  # (T7.1)
-            after = (turn, slip + it.A * tangential + it.B * total, gap + it.B * tangential + it.C * total)
+            after = (
+                turn,
+                slip + it.A * tangential + it.B * total,
+                gap + it.B * tangential + it.C * total,
+            )
             assert stepped(it, slip, gap, e, law) == pytest.approx(after[1:], rel=2e-3, abs=2e-3)
 
 
@@ -334,7 +382,10 @@ def stepped(it: Body, slip: float, gap: float, e: float, law: str) -> tuple[floa
     step = 2e-5 * (1 - gap) / it.C
     u, v, done, back, p, most = slip, gap, 0.0, 0.0, 0.0, None
     while True:
-        if abs(u) < 2 * step * (it.A + abs(it.B) / min(it.mu_k, 1) + 1) and abs(it.B) <= it.mu_s * it.A:
+        if (
+            abs(u) < 2 * step * (it.A + abs(it.B) / min(it.mu_k, 1) + 1)
+            and abs(it.B) <= it.mu_s * it.A
+        ):
             u, friction = 0.0, -it.B / it.A
         else:
             friction = -it.mu_k * math.copysign(1, u)
@@ -377,8 +428,14 @@ def test_errata():
     for theta, rate in RANDOM.uniform(-1, 1, (20, 2)):
         z, slope = math.sin(theta / 2), math.cos(theta / 2) * rate / 2
         t = RANDOM.uniform(0, 3)
-        exponentials = 0.5 * (z + 2 * slope) * math.exp(t / 2) + 0.5 * (z - 2 * slope) * math.exp(-t / 2)
-        assert exponentials == pytest.approx(z * math.cosh(t / 2) + 2 * slope * math.sinh(t / 2))  # (T9.1)
+        exponentials = 0.5 * (z + 2 * slope) * math.exp(t / 2) + 0.5 * (z - 2 * slope) * math.exp(
+            -t / 2
+        )
+        assert exponentials == pytest.approx(
+            z * math.cosh(t / 2) + 2 * slope * math.sinh(t / 2)
+        )  # (T9.1)
         s, c = math.sin(theta), math.cos(theta)
         turn = (1 - c * rate**2) / s
-        assert 0.5 * c * rate**3 + s * rate * turn - rate == pytest.approx(-0.5 * c * rate**3)  # (T9.2)
+        assert 0.5 * c * rate**3 + s * rate * turn - rate == pytest.approx(
+            -0.5 * c * rate**3
+        )  # (T9.2)

@@ -6,7 +6,22 @@ import time
 import heyoka as hy
 import numpy as np
 
-from physics import ARM, FAILED, FIGURE_3, INERTIA, MASS, MU_K, MU_S, OFFSET, ROLL, ROLLS, SEED, follow, grid, listed
+from physics import (
+    ARM,
+    FAILED,
+    FIGURE_3,
+    INERTIA,
+    MASS,
+    MU_K,
+    MU_S,
+    OFFSET,
+    ROLL,
+    ROLLS,
+    SEED,
+    follow,
+    grid,
+    listed,
+)
 from worker import median_seconds, outcome_map, outcomes_in, serve, trajectory
 
 hy.set_logger_level_critical()  # its warnings go to the standard output, where the answers are
@@ -21,7 +36,12 @@ MOST_STEPS = 1_000_000  # of a phase
 def rolling():
     """Right-hand sides of the rates, and both event functions."""
     c, s = hy.cos(THETA), hy.sin(THETA)
-    acceleration = ARM * s * (RATE * RATE + 1.0) / (INERTIA + MASS * (1.0 + OFFSET * OFFSET + 2.0 * OFFSET * c))
+    acceleration = (
+        ARM
+        * s
+        * (RATE * RATE + 1.0)
+        / (INERTIA + MASS * (1.0 + OFFSET * OFFSET + 2.0 * OFFSET * c))
+    )
     normal = MASS - ARM * (s * acceleration + c * RATE * RATE)
     friction = ARM * s * RATE * RATE - MASS * (1.0 + OFFSET * c) * acceleration
     return (acceleration, 0.0 * SLIP), (MU_S * normal - friction, MU_S * normal + friction)
@@ -33,7 +53,9 @@ def sliding(sign):
     weight = 1.0 - OFFSET * c * RATE * RATE
     normal = INERTIA * MASS * weight / (INERTIA + MASS * OFFSET * s * q)
     acceleration = normal * q / INERTIA
-    slip = -MU_K * sign * normal / MASS + (1.0 + OFFSET * c) * acceleration - OFFSET * s * RATE * RATE
+    slip = (
+        -MU_K * sign * normal / MASS + (1.0 + OFFSET * c) * acceleration - OFFSET * s * RATE * RATE
+    )
     return (acceleration, slip), (weight, SLIP * sign)
 
 
@@ -52,7 +74,11 @@ class Hybrid:
                 t_events=[hy.t_event(event, direction=FALLING) for event in events],
                 **options,
             )
-            for mode, (rates, events) in {ROLL: rolling(), -1: sliding(-1.0), 1: sliding(1.0)}.items()
+            for mode, (rates, events) in {
+                ROLL: rolling(),
+                -1: sliding(-1.0),
+                1: sliding(1.0),
+            }.items()
         }
 
     def advance(self, mode, start, state, until):
@@ -114,7 +140,9 @@ class Batch:
 
         events = [
             hy.t_event_batch(
-                blend(pair), direction=FALLING, callback=lambda ta, _, lane, sign=sign: switch(ta, lane, sign)
+                blend(pair),
+                direction=FALLING,
+                callback=lambda ta, _, lane, sign=sign: switch(ta, lane, sign),
             )
             for pair, sign in zip(zip(roll_events, slide_events), (-1.0, 1.0))
         ]
@@ -135,7 +163,12 @@ class Batch:
         return [time for lane, time in self.times if lane == self.lanes - 1]
 
 
-EXACT, FAST, LOOSE, BATCH = Hybrid(), Hybrid(tol=1e-12, fast_math=True), Hybrid(tol=1e-9, fast_math=True), Batch(4)
+EXACT, FAST, LOOSE, BATCH = (
+    Hybrid(),
+    Hybrid(tol=1e-12, fast_math=True),
+    Hybrid(tol=1e-9, fast_math=True),
+    Batch(4),
+)
 
 
 def trajectories(_):
@@ -175,7 +208,13 @@ def angle(until):
 
 def rolls(until):
     if until < 1000:
-        return [{"name": "heyoka, tol = eps", "seconds": median_seconds(lambda: angle(until)), "theta": angle(until)}]
+        return [
+            {
+                "name": "heyoka, tol = eps",
+                "seconds": median_seconds(lambda: angle(until)),
+                "theta": angle(until),
+            }
+        ]
     start = time.perf_counter()
     theta = angle(until)
     return [{"name": "heyoka, tol = eps", "seconds": time.perf_counter() - start, "theta": theta}]

@@ -1,6 +1,7 @@
 """The hoop of LITTLEWOOD_HOOP (mass ratio, offset, inertia, mu_s, mu_k), or that of figure 2, and what follows at rest.
 
-Everything here works on floats, compiled where numba is there, so that the peers spend their time on integrating.
+Everything here works on floats, compiled where numba is there, so that the peers spend their time
+on integrating.
 """
 
 import math
@@ -9,10 +10,14 @@ import os
 try:
     from numba import njit
 except ImportError:  # the peers that do not need numba still run
+
     def njit(function):
         return function
 
-MASS_RATIO, ARM, MOMENT, MU_S, MU_K = map(float, os.environ.get("LITTLEWOOD_HOOP", "1 1 1 0.5 0.4").split())
+
+MASS_RATIO, ARM, MOMENT, MU_S, MU_K = map(
+    float, os.environ.get("LITTLEWOOD_HOOP", "1 1 1 0.5 0.4").split()
+)
 MASS = 1.0 + MASS_RATIO  # of the whole
 OFFSET = ARM / MASS  # of the mass centre
 INERTIA = MOMENT + MASS_RATIO * ARM * ARM / MASS  # about it
@@ -29,7 +34,12 @@ MOST_PHASES = 400
 def rolling(theta, rate):
     """Angular acceleration, normal force and friction."""
     c, s = math.cos(theta), math.sin(theta)
-    acceleration = ARM * s * (rate * rate + 1.0) / (INERTIA + MASS * (1.0 + OFFSET * OFFSET + 2.0 * OFFSET * c))
+    acceleration = (
+        ARM
+        * s
+        * (rate * rate + 1.0)
+        / (INERTIA + MASS * (1.0 + OFFSET * OFFSET + 2.0 * OFFSET * c))
+    )
     normal = MASS - ARM * (s * acceleration + c * rate * rate)
     friction = ARM * s * rate * rate - MASS * (1.0 + OFFSET * c) * acceleration
     return acceleration, normal, friction
@@ -42,7 +52,9 @@ def sliding(theta, rate, sign):
     q = OFFSET * s - MU_K * sign * (1.0 + OFFSET * c)
     normal = INERTIA * MASS * (1.0 - OFFSET * c * rate * rate) / (INERTIA + MASS * OFFSET * s * q)
     acceleration = normal * q / INERTIA
-    slip = -MU_K * sign * normal / MASS + (1.0 + OFFSET * c) * acceleration - OFFSET * s * rate * rate
+    slip = (
+        -MU_K * sign * normal / MASS + (1.0 + OFFSET * c) * acceleration - OFFSET * s * rate * rate
+    )
     return acceleration, slip, normal
 
 

@@ -5,7 +5,18 @@ from functools import partial
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from physics import FAILED, FIGURE_3, ROLL, follow, grid, listed, rolling, slip_margins, sliding, weight
+from physics import (
+    FAILED,
+    FIGURE_3,
+    ROLL,
+    follow,
+    grid,
+    listed,
+    rolling,
+    slip_margins,
+    sliding,
+    weight,
+)
 from worker import outcome_map, outcomes_in, serve, trajectory
 
 COARSE = 20  # rows and columns of the map that are computed
@@ -33,7 +44,10 @@ MODES = {
     **{
         sign: (
             slide_rates(float(sign)),
-            [falling(lambda _, y: weight(y[0], y[1])), falling(lambda _, y, sign=sign: y[2] * sign)],
+            [
+                falling(lambda _, y: weight(y[0], y[1])),
+                falling(lambda _, y, sign=sign: y[2] * sign),
+            ],
         )
         for sign in (-1, 1)
     },
@@ -42,7 +56,9 @@ MODES = {
 
 def advance(mode, time, state, until, tolerance):
     rates, events = MODES[mode]
-    found = solve_ivp(rates, (time, until), state, "DOP853", events=events, rtol=tolerance, atol=tolerance)
+    found = solve_ivp(
+        rates, (time, until), state, "DOP853", events=events, rtol=tolerance, atol=tolerance
+    )
     if found.status < 0:
         raise RuntimeError(found.message)
     event = None if found.status == 0 else 0 if len(found.t_events[0]) else 1

@@ -48,7 +48,11 @@ def outcomes_in(name, starts, outcome, failed, most):
 
 def trajectory(name, call, each=1):
     """`call` returns the times of the three events of figure 3; it follows `each` motions at a time."""
-    return {"name": name, "seconds": median_seconds(call) / each, "times": [float(t) for t in call()]}
+    return {
+        "name": name,
+        "seconds": median_seconds(call) / each,
+        "times": [float(t) for t in call()],
+    }
 
 
 def outcome_map(name, starts, outcome, pick=None):

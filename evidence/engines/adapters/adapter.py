@@ -1,12 +1,13 @@
 """What every adapter shares: the case it reads, the record it writes, its cost.
 
-An adapter is run as ``python NAME_adapter.py CASE.json STEP SETTING RECORD.csv`` in an environment that has its
-engine. It writes the columns time, x, y, theta (and x_rate, y_rate, theta_rate, if it yields them), and prints one
-line of JSON: ``cpu_s``, the processor time of the loop over the steps (all threads), and ``steps``. Where the case
-names a ``gradient``, the columns are time and the derivatives of x and theta with respect to that quantity. Lengths
-are in R, times in sqrt(R/g), masses in m2. x and y are those of the geometric centre of the hoop along the plane and
-from it, theta is the angle of the particle from the normal of the plane, counterclockwise. On a ramp the plane stays
-where it is, and gravity is inclined.
+An adapter is run as ``python NAME_adapter.py CASE.json STEP SETTING RECORD.csv`` in an environment
+that has its engine. It writes the columns time, x, y, theta (and x_rate, y_rate, theta_rate, if it
+yields them), and prints one line of JSON: ``cpu_s``, the processor time of the loop over the steps
+(all threads), and ``steps``. Where the case names a ``gradient``, the columns are time and the
+derivatives of x and theta with respect to that quantity. Lengths are in R, times in sqrt(R/g),
+masses in m2. x and y are those of the geometric centre of the hoop along the plane and from it,
+theta is the angle of the particle from the normal of the plane, counterclockwise. On a ramp the
+plane stays where it is, and gravity is inclined.
 """
 
 import json
@@ -58,7 +59,10 @@ class Case:
     def mass_centre_rates(self):
         """Its velocity at the start."""
         c, s = math.cos(self.theta), math.sin(self.theta)
-        return self.x_rate - self.h * c * self.theta_rate, self.gap_rate - self.h * s * self.theta_rate
+        return (
+            self.x_rate - self.h * c * self.theta_rate,
+            self.gap_rate - self.h * s * self.theta_rate,
+        )
 
     def row(self, time, x, y, theta):
         """A row of the record from the place of the mass centre."""
@@ -67,7 +71,9 @@ class Case:
     def one_coefficient(self):
         """The coefficient of friction, for an engine that has one."""
         if self.mu_s != self.mu_k:
-            refuse(f"the engine has one coefficient of friction, the case mu_s = {self.mu_s}, mu_k = {self.mu_k}")
+            refuse(
+                f"the engine has one coefficient of friction, the case mu_s = {self.mu_s}, mu_k = {self.mu_k}"
+            )
         return self.mu_k
 
     def without_restitution(self):

@@ -6,13 +6,12 @@ settings: default careful
 requires: numpy==2.4.6 pybullet==3.2.7
 docs: https://pybullet.org/
 
-The motion stays plane by symmetry.
-default: as the package comes, but for damping and rolling friction, which are none.
-careful: 1000 iterations of the solver, to a residual of 0, no slop, restitution at any speed. A hoop that bounces has
-no contact before it touches, as that would brake it and leave nothing to restore, and no overlap is corrected, as
-the correction would be added to the bounce.
-Cannot express: mu_s and mu_k (one coefficient, the product of those of two bodies: the plane has 1; so is that of
-restitution). Restitution acts above a speed, by default 0.2 m/s.
+The motion stays plane by symmetry. default: as the package comes, but for damping and rolling
+friction, which are none. careful: 1000 iterations of the solver, to a residual of 0, no slop,
+restitution at any speed. A hoop that bounces has no contact before it touches, as that would brake
+it and leave nothing to restore, and no overlap is corrected, as the correction would be added to
+the bounce. Cannot express: mu_s and mu_k (one coefficient, the product of those of two bodies: the
+plane has 1; so is that of restitution). Restitution acts above a speed, by default 0.2 m/s.
 """
 
 import math
@@ -28,7 +27,10 @@ def simulate(case, step, setting):
     bullet.setPhysicsEngineParameter(fixedTimeStep=step, numSubSteps=0)
     if setting == "careful":
         bullet.setPhysicsEngineParameter(
-            numSolverIterations=1000, solverResidualThreshold=0.0, contactSlop=0.0, restitutionVelocityThreshold=0.0
+            numSolverIterations=1000,
+            solverResidualThreshold=0.0,
+            contactSlop=0.0,
+            restitutionVelocityThreshold=0.0,
         )
     plane = bullet.createMultiBody(0.0, bullet.createCollisionShape(bullet.GEOM_PLANE))
     bullet.changeDynamics(plane, -1, lateralFriction=1.0, restitution=1.0)
@@ -52,7 +54,8 @@ def simulate(case, step, setting):
     if setting == "careful" and case.restitution > 0.0:
         bullet.setPhysicsEngineParameter(erp=0.0, contactERP=0.0)
         bullet.changeDynamics(hoop, -1, contactProcessingThreshold=0.0)
-    # Counterclockwise, with x to the right and z upwards, is about -y. Bullet takes the place of the mass centre.
+    # Counterclockwise, with x to the right and z upwards, is about -y. Bullet takes the place of
+    # the mass centre.
     (x, y), (vx, vy) = case.mass_centre(), case.mass_centre_rates()
     turn = bullet.getQuaternionFromAxisAngle((0.0, -1.0, 0.0), case.theta)
     bullet.resetBasePositionAndOrientation(hoop, (x, 0.0, y), turn)

@@ -6,12 +6,12 @@ settings: default careful
 requires: dartpy==6.20.0 numpy==2.4.6
 docs: https://dartsim.github.io/
 
-default: as the package comes: Dantzig's method, which bounds friction by the normal force that there would be without
-it, although the friction of a hoop presses it to the plane, or lifts it.
-careful: the solver NSGS, to 1e-10 or 1000 sweeps, and R is 10 m, for the sake of restitution at low speeds.
-Cannot express: mu_s and mu_k (one coefficient, the same for both shapes; restitution is the product of theirs). A hoop
-does not bounce if it were slower than 0.1 m/s after it: 0.1 sqrt(gR) by default, 0.01 sqrt(gR) in the careful
-setting.
+default: as the package comes: Dantzig's method, which bounds friction by the normal force that
+there would be without it, although the friction of a hoop presses it to the plane, or lifts it.
+careful: the solver NSGS, to 1e-10 or 1000 sweeps, and R is 10 m, for the sake of restitution at low
+speeds. Cannot express: mu_s and mu_k (one coefficient, the same for both shapes; restitution is the
+product of theirs). A hoop does not bounce if it were slower than 0.1 m/s after it: 0.1 sqrt(gR) by
+default, 0.01 sqrt(gR) in the careful setting.
 """
 
 import dartpy as dart
@@ -45,11 +45,14 @@ def simulate(case, step, setting):
         world.getConstraintSolver().setBoxedLcpSolver(dart.constraint.NsgsFrictionSolver(options))
     plane = dart.dynamics.Skeleton("plane")
     _, ground = plane.createWeldJointAndBodyNodePair()
-    box = shaped(ground, dart.dynamics.BoxShape([200.0 * size, 200.0 * size, THICK * size]), mu, 1.0)
+    box = shaped(
+        ground, dart.dynamics.BoxShape([200.0 * size, 200.0 * size, THICK * size]), mu, 1.0
+    )
     box.setRelativeTranslation([0.0, 0.0, -0.5 * THICK * size])
     hoop = dart.dynamics.Skeleton("hoop")
     joint, body = hoop.createPlanarJointAndBodyNodePair()
-    # Its coordinates are z, x and the angle about y, which is clockwise where x is to the right and z upwards.
+    # Its coordinates are z, x and the angle about y, which is clockwise where x is to the right and
+    # z upwards.
     joint.setZXPlane()
     shaped(body, dart.dynamics.SphereShape(size), mu, case.restitution)
     centre = np.array([0.0, 0.0, case.h * size])

@@ -6,12 +6,12 @@ settings: default careful
 requires: exudyn==1.13.6 numpy==2.4.6
 docs: https://exudyn.readthedocs.io/en/latest/
 
-default: the generalised-alpha method as it comes, and friction regularised below 0.001 m/s. Exudyn has no stiffness of
-its own: it is 1e5 N/m.
-careful: the trapezoidal rule, a stiffness of 100 over the step, friction regularised below a tenth of the step;
-both as for 1e-4 with a smaller step, as iterations fail with more.
-Cannot express: mu_s and mu_k (one coefficient). Contact is compliant. Restitution, at any speed, is that of Exudyn's
-impact model 2. Without it damping is ten times the critical one of 1 kg: a critical damper that pushes only gives back
+default: the generalised-alpha method as it comes, and friction regularised below 0.001 m/s. Exudyn
+has no stiffness of its own: it is 1e5 N/m. careful: the trapezoidal rule, a stiffness of 100 over
+the step, friction regularised below a tenth of the step; both as for 1e-4 with a smaller step, as
+iterations fail with more. Cannot express: mu_s and mu_k (one coefficient). Contact is compliant.
+Restitution, at any speed, is that of Exudyn's impact model 2. Without it damping is ten times the
+critical one of 1 kg: a critical damper that pushes only gives back
 0.14.
 """
 
@@ -37,7 +37,9 @@ def simulate(case, step, setting):
     about_reference[2, 2] = case.inertia
     # Counterclockwise, with x to the right and z upwards, is about -y.
     hoop = mbs.CreateRigidBody(
-        inertia=utilities.RigidBodyInertia(case.mass, about_reference, com=np.array([0.0, 0.0, case.h])),
+        inertia=utilities.RigidBodyInertia(
+            case.mass, about_reference, com=np.array([0.0, 0.0, case.h])
+        ),
         nodeType=exu.NodeType.RotationEulerParameters,
         referencePosition=[0.0, 0.0, 1.0],
         referenceRotationMatrix=utilities.RotationMatrixY(-case.theta),
@@ -47,7 +49,9 @@ def simulate(case, step, setting):
     )
     ground = mbs.AddObject(utilities.ObjectGround())
     markers = [mbs.AddMarker(utilities.MarkerBodyRigid(bodyNumber=body)) for body in (hoop, ground)]
-    history = mbs.AddNode(utilities.NodeGenericData(initialCoordinates=[0.0] * 4, numberOfDataCoordinates=4))
+    history = mbs.AddNode(
+        utilities.NodeGenericData(initialCoordinates=[0.0] * 4, numberOfDataCoordinates=4)
+    )
     mbs.AddObject(
         utilities.ObjectContactSphereTriangle(
             markerNumbers=markers,
@@ -63,14 +67,19 @@ def simulate(case, step, setting):
         )
     )
     place, turn = (
-        mbs.AddSensor(utilities.SensorBody(bodyNumber=hoop, storeInternal=True, outputVariableType=kind))
+        mbs.AddSensor(
+            utilities.SensorBody(bodyNumber=hoop, storeInternal=True, outputVariableType=kind)
+        )
         for kind in (exu.OutputVariableType.Position, exu.OutputVariableType.RotationMatrix)
     )
     mbs.Assemble()
     settings = exu.SimulationSettings()
     settings.solutionSettings.writeSolutionToFile = False
     settings.solutionSettings.sensorsWritePeriod = max(step, SHORTEST)
-    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = round(case.until / step), case.until
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = (
+        round(case.until / step),
+        case.until,
+    )
     settings.timeIntegration.verboseMode = 0
     solvers = exu.DynamicSolverType
     solver = solvers.GeneralizedAlpha if setting == "default" else solvers.TrapezoidalIndex2

@@ -7,12 +7,12 @@ steps: its own
 requires: certifi==2026.10.18 cloudpickle==3.1.2 heyoka==7.13.2 numpy==2.4.6
 docs: https://bluescarni.github.io/heyoka.py/
 
-The modes, what follows each, and the landing are ours (hybrid.py); heyoka integrates and finds the events. It chooses
-its steps itself: the step of the case is only that of the record, and errors do not fall with it.
-default: tolerance 2.2e-16.
-careful: the same, with compensated sums.
-Can express: mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that is zero at the start
-of a mode to a high order (the height at lift-off, the slip that begins) is left alone for a short while.
+The modes, what follows each, and the landing are ours (hybrid.py); heyoka integrates and finds the
+events. It chooses its steps itself: the step of the case is only that of the record, and errors do
+not fall with it. default: tolerance 2.2e-16. careful: the same, with compensated sums. Can express:
+mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that is zero at the
+start of a mode to a high order (the height at lift-off, the slip that begins) is left alone for a
+short while.
 """
 
 import heyoka as hy
@@ -35,7 +35,9 @@ def simulate(case, step, setting):
     def events_of(mode):
         """Those functions whose zero ends a mode, by number, that are not constants, as some of a balanced hoop."""
         ends = enumerate(hoop.ends(mode, variables, hy))
-        return {i: end for i, end in ends if isinstance(end, hy.expression) and hy.get_variables(end)}
+        return {
+            i: end for i, end in ends if isinstance(end, hy.expression) and hy.get_variables(end)
+        }
 
     def integrator(mode, has_events):
         rates = [zero + rate for rate in hoop.rates(mode, variables, hy)]
@@ -58,7 +60,9 @@ def simulate(case, step, setting):
         return taylor.time, tuple(map(float, taylor.state)), event, lambda at: dense(at)
 
     def advance(mode, start, state, until):
-        begins_with_event = abs(state[3]) < 1e-12 if mode in SIGN else mode == FLIGHT and state[1] <= 1.0 + 1e-9
+        begins_with_event = (
+            abs(state[3]) < 1e-12 if mode in SIGN else mode == FLIGHT and state[1] <= 1.0 + 1e-9
+        )
         if not begins_with_event or start + WHILE >= until:
             end, last, event, dense = run(integrators[mode], start, state, until)
             return end, last, None if event is None else list(events_of(mode))[event], dense

@@ -1,18 +1,17 @@
 """The hopping-hoop simulator of hellpig: this hoop's own equations, integrated by SciPy with events, phase by phase.
 
-engine: hopping-hoop-simulator
-contact: events
-settings: default careful
-steps: its own
-requires: numpy==2.4.6 scipy==1.17.1 git:hellpig/hopping-hoop-simulator@588c77d61595f2dfc3b2e7abd72831be979f8534
-docs: https://github.com/hellpig/hopping-hoop-simulator
+engine: hopping-hoop-simulator contact: events settings: default careful steps: its own requires:
+numpy==2.4.6 scipy==1.17.1
+git:hellpig/hopping-hoop-simulator@588c77d61595f2dfc3b2e7abd72831be979f8534 docs:
+https://github.com/hellpig/hopping-hoop-simulator
 
-Its functions `rollWithoutSliding`, `rollWithSliding`, `hop` and `land` run as they are; the order in which they follow
-one another is that of its main loop, which starts out of rolling alone. It plots 101 points a phase, a number that it
-says may be changed, and adds up v_x for x: here the points are as dense as the rows.
-default: Radau with tolerances of 1e-9, as it comes; where mu_s = mu_k, mu_s is 1e-5 larger, as its page advises.
-careful: DOP853 with 1e-12, mu_s larger by 1e-9.
-Can express: mu_s > mu_k, a particle on the rim, a landing without rebound. It has no slope and no start in the air.
+Its functions `rollWithoutSliding`, `rollWithSliding`, `hop` and `land` run as they are; the order
+in which they follow one another is that of its main loop, which starts out of rolling alone. It
+plots 101 points a phase, a number that it says may be changed, and adds up v_x for x: here the
+points are as dense as the rows. default: Radau with tolerances of 1e-9, as it comes; where mu_s =
+mu_k, mu_s is 1e-5 larger, as its page advises. careful: DOP853 with 1e-12, mu_s larger by 1e-9. Can
+express: mu_s > mu_k, a particle on the rim, a landing without rebound. It has no slope and no start
+in the air.
 """
 
 import contextlib
@@ -36,8 +35,12 @@ def functions(case, step, setting):
     if case.slope != 0.0 or case.gap_rate != 0.0 or abs(case.mass * case.h - 1.0) > 1e-12:
         refuse("the program has a level plane, a start in contact and a particle on the rim")
     case.without_restitution()
-    source = Path(os.environ["LITTLEWOOD_SOURCES"], "hopping-hoop-simulator", "hop.py").read_text(encoding="utf-8")
-    source = source.split("# driver code")[0].replace("num=101", f"num={min(200_000, round(10.0 / step) + 1)}")
+    source = Path(os.environ["LITTLEWOOD_SOURCES"], "hopping-hoop-simulator", "hop.py").read_text(
+        encoding="utf-8"
+    )
+    source = source.split("# driver code")[0].replace(
+        "num=101", f"num={min(200_000, round(10.0 / step) + 1)}"
+    )
     about_centre = case.inertia + case.mass * case.h**2 - 1.0
     values = {"g": 1.0, "r": 1.0, "m": case.mass - 1.0, "I": about_centre * (1.0 - 1e-15), "M": 1.0}
     values |= {"mu_k": case.mu_k, "mu_s": max(case.mu_s, case.mu_k + MORE[setting])}
@@ -49,7 +52,9 @@ def functions(case, step, setting):
         source = re.sub(rf"^{name} = .*$", f"{name} = {value!r}", source, flags=re.MULTILINE)
     plots = mock.MagicMock()
     plots.subplots.return_value = mock.MagicMock(), mock.MagicMock()
-    sys.modules.update({"matplotlib": plots, "matplotlib.pyplot": plots, "matplotlib.animation": plots})
+    sys.modules.update(
+        {"matplotlib": plots, "matplotlib.pyplot": plots, "matplotlib.animation": plots}
+    )
     plots.pyplot = plots
     space = {"big": [[] for _ in range(6)], "hopCount": 0}
     exec(compile(source, "hop.py", "exec"), space)
@@ -87,7 +92,9 @@ def simulate(case, step, setting):
         refuse(f"the program stops at {time[-1]:.4f}: {' '.join(said.getvalue().split()[-8:])}")
     x = cumulative_trapezoid(along, x=time, initial=0)
     instants = np.arange(1, round(case.until / step) + 1) * step
-    columns = (np.interp(instants, time, column) for column in (x, 1.0 + height, theta - math.pi / 2))
+    columns = (
+        np.interp(instants, time, column) for column in (x, 1.0 + height, theta - math.pi / 2)
+    )
     yield from zip(instants, *columns, strict=True)
 
 

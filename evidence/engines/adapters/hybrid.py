@@ -1,7 +1,8 @@
 """The hoop as a hybrid system, for integrators of differential equations with events.
 
-The state is (x, y, theta, slip, gap rate, theta rate). With J and P the forces along the plane and upwards, at the
-point of contact, and gravity (gx, gy), slip' = A J + B P + gx - h s theta'^2 and gap'' = B J + C P + gy + h c theta'^2.
+The state is (x, y, theta, slip, gap rate, theta rate). With J and P the forces along the plane and
+upwards, at the point of contact, and gravity (gx, gy), slip' = A J + B P + gx - h s theta'^2 and
+gap'' = B J + C P + gy + h c theta'^2.
 """
 
 import math
@@ -103,7 +104,9 @@ class Hoop:
         sliding = min(up, to_stick)
         along = -mu * sign * sliding + later * (up - sliding)
         sticks = can_stick and up > to_stick
-        turning = ((1.0 + h * math.cos(theta)) * along + h * math.sin(theta) * up) / self.case.inertia
+        turning = (
+            (1.0 + h * math.cos(theta)) * along + h * math.sin(theta) * up
+        ) / self.case.inertia
         bounces = self.case.restitution > 0.0
         slip_after = 0.0 if sticks else slip + a * along + b * up
         gap_rate_after = gap_rate + b * along + c * up if bounces else 0.0
@@ -114,7 +117,11 @@ class Hoop:
         case = self.case
         state, time = (0.0, 1.0, case.theta, case.slip, case.gap_rate, case.theta_rate), 0.0
         mode = FLIGHT if case.gap_rate > 0.0 else self.follows(state)
-        if mode == FLIGHT and case.gap_rate == 0.0 and self.free(case.theta, case.theta_rate)[1] > 0.0:
+        if (
+            mode == FLIGHT
+            and case.gap_rate == 0.0
+            and self.free(case.theta, case.theta_rate)[1] > 0.0
+        ):
             # The plane holds the rim, and no slide is consistent: an impact without a collision.
             state = self.impact(state)
             mode = FLIGHT if state[4] > 0.0 else self.follows(state)

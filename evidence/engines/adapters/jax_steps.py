@@ -1,7 +1,8 @@
 """What adapters of engines in JAX share: all steps of a run as one program, and its derivatives in forward mode.
 
-A call from Python costs far more than a step, so that a run is a scan over the rows of the record, and in it a scan
-over the steps between two rows. It is translated before the first row, which takes some seconds.
+A call from Python costs far more than a step, so that a run is a scan over the rows of the record,
+and in it a scan over the steps between two rows. It is translated before the first row, which takes
+some seconds.
 """
 
 import jax
@@ -11,15 +12,19 @@ from adapter import rows_of
 jax.config.update("jax_platforms", "cpu")
 jax.config.update("jax_enable_x64", True)
 
-TANGENTS = {"theta_rate": ([-1.0, 0.0, 1.0], 0.0), "slip": ([1.0, 0.0, 0.0], 0.0), "mu_k": ([0.0, 0.0, 0.0], 1.0)}
+TANGENTS = {
+    "theta_rate": ([-1.0, 0.0, 1.0], 0.0),
+    "slip": ([1.0, 0.0, 0.0], 0.0),
+    "mu_k": ([0.0, 0.0, 0.0], 1.0),
+}
 """Derivatives of the rates (x', y', theta') at the start, and of friction."""
 
 
 class Run:
     """A run from coordinates and rates (x, y, theta) at the start.
 
-    `begin(coordinates, rates, friction)` returns a state and what makes the next one of it, `coordinates_of(state)`
-    those of a row.
+    `begin(coordinates, rates, friction)` returns a state and what makes the next one of it,
+    `coordinates_of(state)` those of a row.
     """
 
     def __init__(self, case, step, start, begin, coordinates_of):
@@ -47,7 +52,9 @@ class Run:
         """Yield rows of derivatives."""
         rates, friction = TANGENTS[self.quantity]
         tangents = jnp.zeros(3), jnp.array(rates), jnp.array(friction)
-        ready = jax.jit(lambda *at: jax.jvp(self.record, at, tangents)[1]).lower(*self.start).compile()
+        ready = (
+            jax.jit(lambda *at: jax.jvp(self.record, at, tangents)[1]).lower(*self.start).compile()
+        )
         yield 0.0, 0.0, 0.0
         for time, (x, _, theta) in zip(self.times, ready(*self.start).tolist(), strict=True):
             yield time, x, theta

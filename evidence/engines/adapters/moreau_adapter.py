@@ -5,10 +5,10 @@ contact: rigid
 settings: default
 docs: python/docs/score.md
 
-The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes. There is one setting,
-default.
-Can express: one coefficient of friction, Newton's restitution at any speed. An impact is that of Moreau's rule, one
-impulse with friction by the slip velocity at its end, not that of the theory of impacts with friction.
+The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes.
+There is one setting, default. Can express: one coefficient of friction, Newton's restitution at any
+speed. An impact is that of Moreau's rule, one impulse with friction by the slip velocity at its
+end, not that of the theory of impacts with friction.
 """
 
 import math
@@ -34,7 +34,11 @@ def simulate(case, step, _):
         vx, vy = vx + step * case.gravity[0], vy + step * case.gravity[1]
         if y - h * c <= 1.0:
             arm = 1.0 + h * c
-            a, b, d = 1.0 / m + arm * arm / inertia, arm * h * s / inertia, 1.0 / m + (h * s) ** 2 / inertia
+            a, b, d = (
+                1.0 / m + arm * arm / inertia,
+                arm * h * s / inertia,
+                1.0 / m + (h * s) ** 2 / inertia,
+            )
             slip, closing = vx + arm * rate, vy + h * s * rate
             along = up = 0.0
             for _ in range(MOST_SWEEPS):

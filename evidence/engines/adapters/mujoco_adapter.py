@@ -1,20 +1,19 @@
 """MuJoCo: a sphere on a plane, with two slides and a hinge at the geometric centre, off which the mass centre is.
 
-engine: MuJoCo
-contact: compliant
-settings: default careful
-requires: glfw==2.11.0 mujoco==4.0.0 mujoco-core==4.0.0 mujoco-studio==4.0.0 numpy==2.4.6 PyOpenGL==3.1.10
+engine: MuJoCo contact: compliant settings: default careful requires: glfw==2.11.0 mujoco==4.0.0
+mujoco-core==4.0.0 mujoco-studio==4.0.0 numpy==2.4.6 PyOpenGL==3.1.10
   websockets==17.4
 docs: https://mujoco.readthedocs.io/en/stable/modeling.html#solver-parameters
 
 default: as the package comes (Euler, pyramidal cone, contacts with solref 0.02 1, which are soft).
-careful: elliptic cone, impratio 10, tolerance 1e-14, and contacts whose time constant is the root of the step: both
-the penetration at a landing, which falls with the time constant, and the hops of a hoop that slides, which fall with
-step over time constant, then go to zero with the step. (With a time constant of two steps, the least that MuJoCo
-takes, a hoop that slides hops by 0.08 R, whatever the step.)
-Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. Contact is compliant by design. One
-that is underdamped bounces, and without slip its damping ratio can be made for any e; but friction adds to it: made
-for 0.5, the first bounce of the case `bounces` is 0.71 times as fast as the landing, at steps of 1e-3 and 1e-4 alike.
+careful: elliptic cone, impratio 10, tolerance 1e-14, and contacts whose time constant is the root
+of the step: both the penetration at a landing, which falls with the time constant, and the hops of
+a hoop that slides, which fall with step over time constant, then go to zero with the step. (With a
+time constant of two steps, the least that MuJoCo takes, a hoop that slides hops by 0.08 R, whatever
+the step.) Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. Contact is
+compliant by design. One that is underdamped bounces, and without slip its damping ratio can be made
+for any e; but friction adds to it: made for 0.5, the first bounce of the case `bounces` is 0.71
+times as fast as the landing, at steps of 1e-3 and 1e-4 alike.
 """
 
 import math
@@ -30,8 +29,8 @@ SCENE = """
     <geom type="plane" size="0 0 1"/>
     <body pos="0 0 1">
       <inertial pos="0 0 {h!r}" mass="{mass!r}" diaginertia="{inertia!r} {inertia!r} {inertia!r}"/>
-      <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint type="hinge" axis="0 -1 0"/>
-      <geom type="sphere" size="1"/>
+      <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint type="hinge"
+      axis="0 -1 0"/> <geom type="sphere" size="1"/>
     </body>
   </worldbody>
 </mujoco>
@@ -76,7 +75,9 @@ def simulate(case, step, setting):
     model = model_of(case, step, setting)
     data = mujoco.MjData(model)
     data.qpos[:], data.qvel[:] = start_of(case)
-    yield from stepped(case, step, lambda: mujoco.mj_step(model, data), lambda time: row_of(time, data.qpos))
+    yield from stepped(
+        case, step, lambda: mujoco.mj_step(model, data), lambda time: row_of(time, data.qpos)
+    )
 
 
 if __name__ == "__main__":

@@ -6,12 +6,13 @@ settings: default careful
 requires: newton==1.8.0 numpy==2.4.6 warp-lang==1.19.0
 docs: https://newton-physics.github.io/newton/
 
-default: SolverXPBD as it comes, which corrects positions; its restitution is switched on where the case bounces only,
-since with it on, and e = 0, the hoop of Figure 3 rolls where it should slide.
+default: SolverXPBD as it comes, which corrects positions; its restitution is switched on where the
+case bounces only, since with it on, and e = 0, the hoop of Figure 3 rolls where it should slide.
 careful: SolverKamino as it comes, which iterates until hard contacts with friction are satisfied.
-Both in single precision, the only one that Newton has. The rolling and torsional friction that its shapes have by
-default is 0 here. SolverMuJoCo, another of its solvers, is MuJoCo's method, which has adapters of its own.
-Cannot express: mu_s and mu_k (one coefficient). Restitution acts at any speed.
+Both in single precision, the only one that Newton has. The rolling and torsional friction that its
+shapes have by default is 0 here. SolverMuJoCo, another of its solvers, is MuJoCo's method, which
+has adapters of its own. Cannot express: mu_s and mu_k (one coefficient). Restitution acts at any
+speed.
 """
 
 import math
@@ -31,12 +32,18 @@ def simulate(case, step, setting):
     if setting == "careful":
         newton.solvers.SolverKamino.register_custom_attributes(builder)
     surface = newton.ModelBuilder.ShapeConfig(
-        density=0.0, mu=case.one_coefficient(), restitution=case.restitution, mu_torsional=0.0, mu_rolling=0.0
+        density=0.0,
+        mu=case.one_coefficient(),
+        restitution=case.restitution,
+        mu_torsional=0.0,
+        mu_rolling=0.0,
     )
     builder.add_ground_plane(cfg=surface)
     # Counterclockwise, with x to the right and z upwards, is about -y.
     hoop = builder.add_body(
-        xform=wp.transform(wp.vec3(0.0, 0.0, 1.0), wp.quat_from_axis_angle(wp.vec3(0.0, -1.0, 0.0), case.theta)),
+        xform=wp.transform(
+            wp.vec3(0.0, 0.0, 1.0), wp.quat_from_axis_angle(wp.vec3(0.0, -1.0, 0.0), case.theta)
+        ),
         com=wp.vec3(0.0, 0.0, case.h),
         mass=case.mass,
         inertia=wp.mat33(case.inertia * np.eye(3)),

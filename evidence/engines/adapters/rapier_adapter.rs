@@ -1,4 +1,5 @@
-//! Rapier in the plane with double precision (rapier2d-f64): a ball on a half plane, its mass properties set.
+//! Rapier in the plane with double precision (rapier2d-f64): a ball on a half plane, its mass
+//! properties set.
 //!
 //! engine: Rapier
 //! contact: rigid
@@ -6,11 +7,12 @@
 //! requires: cargo:rapier
 //! docs: https://rapier.rs/docs/
 //!
-//! default: as the crate comes. Its contact is a spring, critically damped tenfold, of 60 Hz against a fixed body.
-//! careful: a contact whose frequency is an eighth of that of the steps, damped fivefold; friction is solved together with
-//! the correction of overlaps; no contact is recycled.
-//! Cannot express: mu_s and mu_k (one coefficient; both shapes have the same). Restitution acts at any speed, but without
-//! friction: the crate applies it at the end of a step, along the normal alone.
+//! default: as the crate comes. Its contact is a spring, critically damped tenfold, of 60 Hz
+//! against a fixed body. careful: a contact whose frequency is an eighth of that of the steps,
+//! damped fivefold; friction is solved together with the correction of overlaps; no contact is
+//! recycled. Cannot express: mu_s and mu_k (one coefficient; both shapes have the same).
+//! Restitution acts at any speed, but without friction: the crate applies it at the end of a step,
+//! along the normal alone.
 
 use std::error::Error;
 use std::fmt::Write;

@@ -7,11 +7,11 @@ steps: its own
 requires: numpy==2.4.6 scipy==1.17.1
 docs: https://docs.scipy.org/doc/scipy/reference/generated/scipy.integrate.solve_ivp.html
 
-The modes, what follows each, and the landing are ours (hybrid.py); SciPy integrates and finds the events. It chooses
-its steps itself: the step of the case is only that of the record, and errors do not fall with it.
-default: RK45 with the tolerances that SciPy has (rtol 1e-3, atol 1e-6).
-careful: DOP853, rtol 1e-12, atol 1e-13.
-Can express: mu_s and mu_k, and, by our equations, Poisson's restitution.
+The modes, what follows each, and the landing are ours (hybrid.py); SciPy integrates and finds the
+events. It chooses its steps itself: the step of the case is only that of the record, and errors do
+not fall with it. default: RK45 with the tolerances that SciPy has (rtol 1e-3, atol 1e-6). careful:
+DOP853, rtol 1e-12, atol 1e-13. Can express: mu_s and mu_k, and, by our equations, Poisson's
+restitution.
 """
 
 import numpy as np
@@ -48,7 +48,12 @@ def simulate(case, step, setting):
         if found.status < 0:
             raise RuntimeError(found.message)
         which = next((i for i, times in enumerate(found.t_events) if len(times)), None)
-        return found.t[-1], tuple(map(float, found.y[:, -1])), which, lambda at: np.asarray(found.sol(at))
+        return (
+            found.t[-1],
+            tuple(map(float, found.y[:, -1])),
+            which,
+            lambda at: np.asarray(found.sol(at)),
+        )
 
     yield from hoop.follow(advance, step)
 

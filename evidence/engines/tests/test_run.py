@@ -21,7 +21,11 @@ def causes(name):
 
 def test_the_cases_have_the_events_that_they_are_for():
     assert causes("one-coefficient")[:4] == ["stick", "slip", "lift_off", "landing"]
-    assert causes("pritchett-wagon")[:5] == causes("comsol")[:5] == ["slip", "stick", "slip", "lift_off", "landing"]
+    assert (
+        causes("pritchett-wagon")[:5]
+        == causes("comsol")[:5]
+        == ["slip", "stick", "slip", "lift_off", "landing"]
+    )
     assert causes("slides-and-sticks") == ["stick"]
     assert not causes("rolls") and not causes("nearly-slips")
     assert causes("just-slips") == ["slip", "stick"]
@@ -40,7 +44,10 @@ def test_published_hoops_are_those_of_their_authors():
 def test_the_ramps_are_those_of_the_closed_forms():
     """ℓ = 0: x″ = −m sin α/D without slip, D = Î + m, and −sin α + μ cos α with it; rest next to the equilibrium."""
     sin, cos = math.sin, math.cos
-    for name, rate in (("ramp-rolls", -sin(0.3) * 2 / 3), ("ramp-slips", 0.1 * cos(0.5) - sin(0.5))):
+    for name, rate in (
+        ("ramp-rolls", -sin(0.3) * 2 / 3),
+        ("ramp-slips", 0.1 * cos(0.5) - sin(0.5)),
+    ):
         motion = BENCHMARK[name].motion
         assert not motion.transitions
         assert motion(5.0).x == pytest.approx(12.5 * rate, rel=1e-14)
@@ -70,7 +77,10 @@ def test_laws_of_restitution_agree_where_slip_does_not_end_in_an_impact():
 
 
 def test_the_law_cases_differ_by_far_more_than_an_error_of_a_solver():
-    impacts = {law: BENCHMARK[f"law-{law}"].motion.transitions[0].impact for law in ("energetic", "poisson", "newton")}
+    impacts = {
+        law: BENCHMARK[f"law-{law}"].motion.transitions[0].impact
+        for law in ("energetic", "poisson", "newton")
+    }
     before = {(one.before.slip, one.before.gap_rate) for one in impacts.values()}
     assert len(before) == 1
     rates = sorted(one.after.gap_rate for one in impacts.values())
@@ -81,9 +91,14 @@ def test_the_law_cases_differ_by_far_more_than_an_error_of_a_solver():
 
 def test_a_tie_is_told_by_little_friction():
     """What holds, and what gives way, differs by 2 % of the coefficient."""
-    holds, gives = BENCHMARK["nearly-slips"].motion.hoop.mu_s, BENCHMARK["just-slips"].motion.hoop.mu_s
+    holds, gives = (
+        BENCHMARK["nearly-slips"].motion.hoop.mu_s,
+        BENCHMARK["just-slips"].motion.hoop.mu_s,
+    )
     assert 0.02 < holds / gives - 1.0 < 0.025
-    barely = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=holds * 0.998, mu_k=holds * 0.998, restitution=0)
+    barely = lw.Hoop(
+        mass_ratio=1, offset=1, inertia=1, mu_s=holds * 0.998, mu_k=holds * 0.998, restitution=0
+    )
     assert barely.simulate(theta=2.0, theta_rate=0.9, until=4.0).transitions
 
 
@@ -91,7 +106,11 @@ def test_new_runs_replace_those_of_their_case_and_setting(run):
     def one(case, setting, step, status="scored"):
         return {"case": case, "setting": setting, "step": step, "status": status}
 
-    old = [one("lands", "default", 1e-2), one("bounces", "default", 1e-2), one("bounces", "careful", 1e-2)]
+    old = [
+        one("lands", "default", 1e-2),
+        one("bounces", "default", 1e-2),
+        one("bounces", "careful", 1e-2),
+    ]
     new = [one("bounces", "default", 1e-3), one("bounces", "default", 1e-1, "failed")]
     assert run.merged(old, new, ("default", "careful")) == [old[0], new[1], new[0], old[2]]
 
@@ -118,7 +137,10 @@ def test_adapters_are_short_and_say_what_they_are(run):
         assert len(text.splitlines()) <= 150
         assert re.search(r"^(?://! )?(Cannot|Can) express:", text, re.MULTILINE), engine.name
         assert all(setting in text.split("docs: ")[1] for setting in engine.settings), engine.name
-        assert engine.said["docs"].startswith("https://") or (FOLDER.parents[1] / engine.said["docs"]).exists()
+        assert (
+            engine.said["docs"].startswith("https://")
+            or (FOLDER.parents[1] / engine.said["docs"]).exists()
+        )
 
 
 @pytest.mark.parametrize(
@@ -153,15 +175,21 @@ def test_the_template_runs_as_it_is_and_falls_through_the_plane(run, tmp_path):
     assert score["missed"] >= 1 and score["penetration"] > 0.1
     # One with an obvious mistake has failed, and says why.
     text = copy.read_text(encoding="utf-8")
-    copy.write_text(text.replace("case.row(time, x, y, theta)", "(time, x, y, theta)"), encoding="utf-8")
-    assert run.run_adapter([sys.executable, str(copy)], case, 1e-2, "default", record, log)["status"] == "scored"
+    copy.write_text(
+        text.replace("case.row(time, x, y, theta)", "(time, x, y, theta)"), encoding="utf-8"
+    )
+    assert (
+        run.run_adapter([sys.executable, str(copy)], case, 1e-2, "default", record, log)["status"]
+        == "scored"
+    )
     failed = run.scored("lands", record, log)
     assert failed["status"] == "failed" and "mass centre" in failed["reason"]
 
 
 def test_what_a_pull_request_touches_is_run(run, monkeypatch):
     changed = (
-        "evidence/engines/adapters/pymunk_adapter.py\nevidence/engines/requirements/rapier/Cargo.lock\ndocs/x.md\n"
+        "evidence/engines/adapters/pymunk_adapter.py\n"
+        "evidence/engines/requirements/rapier/Cargo.lock\ndocs/x.md\n"
     )
     done = subprocess.CompletedProcess([], 0, stdout=changed, stderr="")
     monkeypatch.setattr(run.subprocess, "run", lambda *_, **__: done)
@@ -178,7 +206,10 @@ def test_outcomes_without_a_record(run):
 
 
 def test_scores_are_kept_with_four_digits(run):
-    assert run.rounded({"a": [math.pi, None, "word"], "b": 3}) == {"a": [3.142, None, "word"], "b": 3}
+    assert run.rounded({"a": [math.pi, None, "word"], "b": 3}) == {
+        "a": [3.142, None, "word"],
+        "b": 3,
+    }
     event = {"kind": "slip", "exact": 1.0, "read": 1.25, "found": 1.5}
     assert run.event_of(run.event_text(event)) == event | {"error": 0.25}
     assert run.event_of(run.event_text(event | {"read": None, "found": None}))["error"] is None
@@ -186,7 +217,11 @@ def test_scores_are_kept_with_four_digits(run):
 
 def test_the_results_are_of_the_cases_and_have_no_path(run):
     every, known = run.read(run.RESULTS), run.engines()
-    assert set(every) == {row["engine"] for row in run.read_rows(run.RESULTS / "machines.csv")} <= set(known)
+    assert (
+        set(every)
+        == {row["engine"] for row in run.read_rows(run.RESULTS / "machines.csv")}
+        <= set(known)
+    )
     assert len(every) >= 20
     for name, runs in every.items():
         assert {one["setting"] for one in runs} <= set(known[name].settings)

@@ -30,10 +30,17 @@ ONE_COEFFICIENT = ("moreau", "pymunk")
 @pytest.fixture(scope="module")
 def scores(run, tmp_path_factory):
     folder = tmp_path_factory.mktemp("results")
-    options = [word for case in CASES for word in ("--case", case)] + ["--step", str(COARSE), "--step", str(FINE)]
+    options = [word for case in CASES for word in ("--case", case)] + [
+        "--step",
+        str(COARSE),
+        "--step",
+        str(FINE),
+    ]
     assert run.main(["scipy", *ONE_COEFFICIENT, *options, "--out", str(folder)]) == 0
     return {
-        (name, one["setting"], one["case"], one["step"]): one for name, runs in run.read(folder).items() for one in runs
+        (name, one["setting"], one["case"], one["step"]): one
+        for name, runs in run.read(folder).items()
+        for one in runs
     }
 
 
@@ -46,7 +53,9 @@ def test_each_is_scored_or_refuses_what_it_cannot_express(scores):
 
 @pytest.mark.parametrize(("name", "setting"), LARGEST)
 def test_a_fine_step_misses_no_event_and_is_close(scores, name, setting):
-    found = [scores[name, setting, case, FINE] for case in CASES if (name, setting, case, FINE) in scores]
+    found = [
+        scores[name, setting, case, FINE] for case in CASES if (name, setting, case, FINE) in scores
+    ]
     scored = [one for one in found if one["status"] == "scored"]
     assert len(scored) == len(CASES) - (name in ONE_COEFFICIENT)
     assert not any(one["missed"] for one in scored)
@@ -55,5 +64,7 @@ def test_a_fine_step_misses_no_event_and_is_close(scores, name, setting):
 
 @pytest.mark.parametrize("name", ONE_COEFFICIENT)
 def test_errors_fall_with_the_step(scores, name):
-    coarse, fine = (scores[name, "default", "one-coefficient", step]["error"] for step in (COARSE, FINE))
+    coarse, fine = (
+        scores[name, "default", "one-coefficient", step]["error"] for step in (COARSE, FINE)
+    )
     assert 2.0 < coarse / fine < 8.0

@@ -15,30 +15,55 @@ def written(data):
     """The file: a line for each row."""
 
     def lines(name):
-        return f' "{name}": [\n' + ",\n".join("  " + json.dumps(item) for item in data[name]) + "\n ]"
+        return (
+            f' "{name}": [\n' + ",\n".join("  " + json.dumps(item) for item in data[name]) + "\n ]"
+        )
 
     def rows(name):
-        return f' "{name}": {{\n' + ",\n".join(f'  "{key}": {json.dumps(item)}' for key, item in data[name].items()) + "\n }"
+        return (
+            f' "{name}": {{\n'
+            + ",\n".join(f'  "{key}": {json.dumps(item)}' for key, item in data[name].items())
+            + "\n }"
+        )
 
     def bins(name):
         return (
             f' "{name}": {{\n'
             + ",\n".join(
-                f'  "{key}": [\n' + ",\n".join("   " + json.dumps(item) for item in items) + "\n  ]" for key, items in data[name].items()
+                f'  "{key}": [\n' + ",\n".join("   " + json.dumps(item) for item in items) + "\n  ]"
+                for key, items in data[name].items()
             )
             + "\n }"
         )
 
-    head = [f' "{key}": {json.dumps(item)}' for key, item in data.items() if not isinstance(item, (list, dict))]
-    body = [rows("ended"), rows("parts"), rows("names"), bins("against"), lines("most_lost"), lines("others"), lines("kept")]
+    head = [
+        f' "{key}": {json.dumps(item)}'
+        for key, item in data.items()
+        if not isinstance(item, (list, dict))
+    ]
+    body = [
+        rows("ended"),
+        rows("parts"),
+        rows("names"),
+        bins("against"),
+        lines("most_lost"),
+        lines("others"),
+        lines("kept"),
+    ]
     return "{\n" + ",\n".join(head + body) + "\n}\n"
 
 
 def main():
     options = argparse.ArgumentParser(prog="python3 -m accuracy")
-    options.add_argument("--motions", type=int, help=f"compare so many of either kind, write nothing (default: {MOTIONS}, and write)")
+    options.add_argument(
+        "--motions",
+        type=int,
+        help=f"compare so many of either kind, write nothing (default: {MOTIONS}, and write)",
+    )
     options.add_argument("--workers", type=int, default=os.cpu_count())
-    options.add_argument("--exact", metavar="FILE", help="keep the exact motions in a file, or take them from there")
+    options.add_argument(
+        "--exact", metavar="FILE", help="keep the exact motions in a file, or take them from there"
+    )
     options.add_argument("--page", action="store_true", help="picture and page from accuracy.json")
     options = options.parse_args()
     began = time.time()
@@ -49,7 +74,11 @@ def main():
         from .library import motions as drawn
         from .table import table
 
-        both = [(f"{kind} {k}", *pair) for kind in ("any", "usual") for k, pair in enumerate(drawn(kind, options.motions or MOTIONS))]
+        both = [
+            (f"{kind} {k}", *pair)
+            for kind in ("any", "usual")
+            for k, pair in enumerate(drawn(kind, options.motions or MOTIONS))
+        ]
         results = motions([one[:2] for one in both], options.workers, options.exact)
         Work.use(FINEST)
         data = dict(made_by="accuracy", **table(results, [answer for _, _, answer in both]))
@@ -58,7 +87,11 @@ def main():
         for item in data["most_lost"] + data["others"]:
             print(item)
         print(
-            {k: v for k, v in data.items() if not isinstance(v, list) and k not in ("parts", "names", "against")},
+            {
+                k: v
+                for k, v in data.items()
+                if not isinstance(v, list) and k not in ("parts", "names", "against")
+            },
             f"{time.time() - began:.0f} s",
         )
         if options.motions:

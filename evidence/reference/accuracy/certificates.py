@@ -11,15 +11,29 @@ from gmpy2 import mpfr
 
 CERTIFICATES = Path(__file__).parents[2] / "truth" / "certificates"
 MOST = 60  # events of a motion
-HOOP, START = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"), ("theta", "theta_rate", "slip", "gap_rate")
+HOOP, START = (
+    ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"),
+    ("theta", "theta_rate", "slip", "gap_rate"),
+)
 
 
 def events(case):
     """The events of a case without units."""
     hoop, start = case["hoop"], case["start"]
-    bounce = (hoop["restitution"], hoop.get("restitution_law") or "energetic") if hoop.get("restitution") is not None else None
+    bounce = (
+        (hoop["restitution"], hoop.get("restitution_law") or "energetic")
+        if hoop.get("restitution") is not None
+        else None
+    )
     try:
-        return follow([hoop[k] for k in HOOP], [start[k] for k in START], case["until"] or 2.0**100, None, bounce, MOST)[1]
+        return follow(
+            [hoop[k] for k in HOOP],
+            [start[k] for k in START],
+            case["until"] or 2.0**100,
+            None,
+            bounce,
+            MOST,
+        )[1]
     except Tie as tie:
         return tie.transitions
 

@@ -23,7 +23,9 @@ def motions(tasks, workers, path=None):
     with multiprocessing.Pool(workers, maxtasksperchild=500) as pool:
         for k in range(0, len(todo), TOGETHER):
             part = todo[k : k + TOGETHER]
-            kept.update((name, result) for (name, _), result in zip(part, pool.map(one, part, chunksize=4)))
+            kept.update(
+                (name, result) for (name, _), result in zip(part, pool.map(one, part, chunksize=4))
+            )
             if path:
                 with open(path + ".part", "wb") as file:
                     pickle.dump(kept, file)

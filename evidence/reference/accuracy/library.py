@@ -7,13 +7,33 @@ import sys
 from pathlib import Path
 
 SEED = "2019"
-HOOP, START = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"), ("theta", "theta_rate", "slip", "gap_rate", "x", "time")
+HOOP, START = (
+    ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"),
+    ("theta", "theta_rate", "slip", "gap_rate", "x", "time"),
+)
 
 
 def motions(kind, count):
     """[(task, answer)]: what is drawn, and what the library says of it."""
-    cargo = ["cargo", "run", "--release", "--quiet", "--locked", "-p", "littlewood-random", "--example", "motions", "--"]
-    run = subprocess.run([*cargo, str(count), SEED, kind], capture_output=True, text=True, check=False, cwd=Path(__file__).parent)
+    cargo = [
+        "cargo",
+        "run",
+        "--release",
+        "--quiet",
+        "--locked",
+        "-p",
+        "littlewood-random",
+        "--example",
+        "motions",
+        "--",
+    ]
+    run = subprocess.run(
+        [*cargo, str(count), SEED, kind],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=Path(__file__).parent,
+    )
     if run.returncode:
         sys.exit(run.stderr)
     return [parsed(json.loads(line)) for line in run.stdout.splitlines()]
@@ -22,7 +42,11 @@ def motions(kind, count):
 def parsed(line):
     """A motion: (numbers of the hoop, start, coefficient and law of restitution or None), (transitions, outcome)."""
     hoop, start = line["hoop"], line["start"]
-    bounce = None if hoop["restitution"] is None else (hoop["restitution"], hoop["restitution_law"] or "energetic")
+    bounce = (
+        None
+        if hoop["restitution"] is None
+        else (hoop["restitution"], hoop["restitution_law"] or "energetic")
+    )
     task = tuple(hoop[k] for k in HOOP), tuple(start[k] for k in START), bounce
     # JSON has no infinite numbers: the rate of a massless hoop at its end.
     return task, (

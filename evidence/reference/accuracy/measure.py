@@ -34,7 +34,9 @@ def exact(task, setting, noise=None, last=None):
 def course(transitions, count):
     """What has to agree to the letter, of the first `count` transitions: not yet what follows the last of them."""
     last = transitions[count - 1]["cause"] if count <= len(transitions) else None
-    return tuple((t["cause"], t["to"], t["direction"]) for t in transitions[: count - 1]) + (RESTS.get(last, last),)
+    return tuple((t["cause"], t["to"], t["direction"]) for t in transitions[: count - 1]) + (
+        RESTS.get(last, last),
+    )
 
 
 def one(numbered):
@@ -44,9 +46,15 @@ def one(numbered):
     rough, ended = exact(task, COARSE)
     shaken = [rough] if rough else []
     while shaken and len(shaken) <= SHAKES:
-        shaken.append(exact(task, COARSE, lambda: 1 + dice.choice((-1, 1)) * mpfr(ULP), len(rough))[0])
+        shaken.append(
+            exact(task, COARSE, lambda: 1 + dice.choice((-1, 1)) * mpfr(ULP), len(rough))[0]
+        )
     decided = 0
-    while shaken and decided < min(map(len, shaken)) and len({course(one, decided + 1) for one in shaken}) == 1:
+    while (
+        shaken
+        and decided < min(map(len, shaken))
+        and len({course(one, decided + 1) for one in shaken}) == 1
+    ):
         decided += 1
     transitions = exact(task, FINEST, last=decided)[0] if decided else []
     units = []
@@ -78,13 +86,23 @@ def compared(result, answer):
     """(whether the events are the same, rows of (transition, number, error, conditioning))."""
     _, (transitions, _), units = result
     theirs = answer[0]
-    count = min(len(units), next((k for k, t in enumerate(theirs) if t["cause"] == "settle"), len(units)))
+    count = min(
+        len(units), next((k for k, t in enumerate(theirs) if t["cause"] == "settle"), len(units))
+    )
     if answer[1] in ENDLESS:
         count = min(count, len(theirs))
     if count and course(theirs, count) != course(transitions, count):
         return False, []
     return True, [
-        (k, name, float(abs(mpfr(theirs[k][name]) - transitions[k][name]) / (mpfr(ULP) * size(transitions[k], name))), conditioning)
+        (
+            k,
+            name,
+            float(
+                abs(mpfr(theirs[k][name]) - transitions[k][name])
+                / (mpfr(ULP) * size(transitions[k], name))
+            ),
+            conditioning,
+        )
         for k in range(count)
         for name, conditioning in units[k].items()
     ]

@@ -34,7 +34,9 @@ def short(value):
     if 0.01 <= value < 1000:
         return f"{value:.2g}" if value < 100 else f"{value:.0f}"
     mantissa, power = f"{value:.1e}".split("e")
-    return f"{mantissa} · 10{''.join('⁰¹²³⁴⁵⁶⁷⁸⁹'[int(d)] for d in str(abs(int(power))))}".replace("10", "10⁻" if value < 1 else "10", 1)
+    return f"{mantissa} · 10{''.join('⁰¹²³⁴⁵⁶⁷⁸⁹'[int(d)] for d in str(abs(int(power))))}".replace(
+        "10", "10⁻" if value < 1 else "10", 1
+    )
 
 
 def filled(text, data):

@@ -43,16 +43,35 @@ def draw(data):
             else:
                 runs.append([row])
         for run in runs:
-            one.stairs([row["conditioning"][1] for row in run], edges(run), baseline=0.01, fill=True, color=LINE, alpha=0.6, linewidth=0)
+            one.stairs(
+                [row["conditioning"][1] for row in run],
+                edges(run),
+                baseline=0.01,
+                fill=True,
+                color=LINE,
+                alpha=0.6,
+                linewidth=0,
+            )
             for k, look in enumerate(looks):
-                one.stairs([max(row["error"][k], 0.01) for row in run], edges(run), baseline=None, **look)
-        one.set(yscale="log", ylim=(0.05, 3 * top), xlim=(rows[0]["low"], rows[-1]["high"]), xlabel=label)
+                one.stairs(
+                    [max(row["error"][k], 0.01) for row in run], edges(run), baseline=None, **look
+                )
+        one.set(
+            yscale="log",
+            ylim=(0.05, 3 * top),
+            xlim=(rows[0]["low"], rows[-1]["high"]),
+            xlabel=label,
+        )
         if quantity != "events":
             one.set_xscale("log")
     handles = [mpl.lines.Line2D([], [], **look) for look in looks]
-    handles.append(mpl.patches.Patch(color=LINE, alpha=0.6, linewidth=0, label="conditioning, 99 %"))
+    handles.append(
+        mpl.patches.Patch(color=LINE, alpha=0.6, linewidth=0, label="conditioning, 99 %")
+    )
     heading = "error of a printed number, in units of its last place"
-    figure.legend(handles=handles, title=heading, loc="outside upper left", ncols=4, alignment="left")
+    figure.legend(
+        handles=handles, title=heading, loc="outside upper left", ncols=4, alignment="left"
+    )
     return figure
 
 

@@ -14,7 +14,8 @@ def inertia(hoop):
     return about_centre + mass_ratio * offset**2 / (1 + mass_ratio)
 
 
-# What a number is drawn against: its place among the events, or a number of its motion; and the edges of the bins.
+# What a number is drawn against: its place among the events, or a number of its motion; and the
+# edges of the bins.
 AGAINST = {
     "theta_rate": (lambda task, k: abs(task[1][1]), [10.0**k for k in range(-6, 7, 2)]),
     "theta": (lambda task, k: abs(task[1][0]), [10.0**k for k in range(-9, 10, 2)]),
@@ -74,14 +75,22 @@ def row(numbers):
 
 def table(results, answers):
     """The content of the file."""
-    found = [(result, answer, *compared(result, answer)) for result, answer in zip(results, answers)]
+    found = [
+        (result, answer, *compared(result, answer)) for result, answer in zip(results, answers)
+    ]
     every = [(task, *one) for (task, _, _), _, same, mine in found if same for one in mine]
     rows = [one for one in every if not vanishing(*one[0][:2])]
     parts = {
-        name: [(e, c) for (hoop, start, bounce), _, _, e, c in rows if holds(hoop, start) and (name != "bouncing" or bounce is not None)]
+        name: [
+            (e, c)
+            for (hoop, start, bounce), _, _, e, c in rows
+            if holds(hoop, start) and (name != "bouncing" or bounce is not None)
+        ]
         for name, holds in PARTS.items()
     }
-    parts["vanishing"] = [(e, c) for (hoop, start, _), _, _, e, c in every if vanishing(hoop, start)]
+    parts["vanishing"] = [
+        (e, c) for (hoop, start, _), _, _, e, c in every if vanishing(hoop, start)
+    ]
     against = {}
     for quantity, (of, edges) in AGAINST.items():
         bins = [[] for _ in edges[1:]]
@@ -90,7 +99,9 @@ def table(results, answers):
             if edges[0] <= value <= edges[-1]:
                 bins[max(j for j in range(len(bins)) if edges[j] <= value)].append((e, c))
         against[quantity] = [
-            dict(low=low, high=high, **row(numbers)) for low, high, numbers in zip(edges, edges[1:], bins) if len(numbers) >= 20
+            dict(low=low, high=high, **row(numbers))
+            for low, high, numbers in zip(edges, edges[1:], bins)
+            if len(numbers) >= 20
         ]
     names = {name: row([(e, c) for _, _, n, e, c in rows if n == name]) for name in NUMBERS}
     ended = {}
@@ -112,7 +123,9 @@ def table(results, answers):
         events=sum(len(result[2]) for result, _, same, _ in found if same),
         ended=dict(sorted(ended.items(), key=lambda v: -v[1])),
         other_sequences=sum(not same for _, _, same, _ in found),
-        other_sequences_of_ordinary=sum(not same and ordinary(*result[0][:2]) for result, _, same, _ in found),
+        other_sequences_of_ordinary=sum(
+            not same and ordinary(*result[0][:2]) for result, _, same, _ in found
+        ),
         parts={name: row(numbers) for name, numbers in parts.items() if numbers},
         names=names,
         against=against,
@@ -129,7 +142,11 @@ def table(results, answers):
             for w, result, answer, k, n, c in lost[:WORST]
         ],
         others=[
-            dict(described(result), exact=words(result[1], len(result[2])), printed=words(answer, len(result[2]) + 1))
+            dict(
+                described(result),
+                exact=words(result[1], len(result[2])),
+                printed=words(answer, len(result[2]) + 1),
+            )
             for result, answer, same, _ in found
             if not same
         ][:WORST],
@@ -156,4 +173,6 @@ def described(result):
 
 def words(motion, count):
     """A motion in words."""
-    return [f"{t['cause']} {t['to']} {t['direction']} {float(t['time'])!r}" for t in motion[0][:count]] + [str(motion[1])]
+    return [
+        f"{t['cause']} {t['to']} {t['direction']} {float(t['time'])!r}" for t in motion[0][:count]
+    ] + [str(motion[1])]

@@ -1,7 +1,8 @@
 """Compares the library with motions that start beside a curve on which two events coincide.
 
-    python3 -m coincidences                      all starts: writes coincidences.json beside this package
-    python3 -m coincidences --starts 20 [NAME]   so many of each family, or of one: prints, writes nothing
+python3 -m coincidences                      all starts: writes coincidences.json beside this
+package python3 -m coincidences --starts 20 [NAME]   so many of each family, or of one: prints,
+writes nothing
 """
 
 import argparse
@@ -33,10 +34,16 @@ def main():
     options.add_argument("family", nargs="?", choices=FAMILIES)
     options.add_argument("--starts", type=int)
     options.add_argument("--workers", type=int, default=os.cpu_count())
-    options.add_argument("--motions", metavar="FILE", help="keep the motions in a file, or take them from there")
+    options.add_argument(
+        "--motions", metavar="FILE", help="keep the motions in a file, or take them from there"
+    )
     options = options.parse_args()
     names = [options.family] if options.family else list(FAMILIES)
-    tasks = [(name, index) for name in names for index in range(options.starts or QUICK.get(name, STARTS))]
+    tasks = [
+        (name, index)
+        for name in names
+        for index in range(options.starts or QUICK.get(name, STARTS))
+    ]
     began = time.time()
     gc.disable()
     with multiprocessing.Pool(options.workers, maxtasksperchild=500) as pool:

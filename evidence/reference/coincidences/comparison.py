@@ -20,14 +20,20 @@ def kind_of(motion):
 
 def units(motion, shaken):
     """Of every number of every transition and of the end."""
+
     def rows(of):
         return of[1] + ([of[3]] if of[3] else [])
+
     out = []
     for k, row in enumerate(rows(motion)):
         unit = {}
         for name in NUMBERS:
             exact = row[name]
-            spread = [abs(rows(other)[k][name] - exact) for other in shaken] if gmpy2.is_finite(exact) else []
+            spread = (
+                [abs(rows(other)[k][name] - exact) for other in shaken]
+                if gmpy2.is_finite(exact)
+                else []
+            )
             # A place is that of a body of radius 1.
             size = max(abs(exact), mpfr(1)) if name == "x" else abs(exact)
             unit[name] = float(max([mpfr(ULP) * size] + spread)) if spread else 0.0
@@ -77,16 +83,40 @@ class Compared:
         self.decided = len(alike) == len(shakes)
         self.possible = self.same or any(v and same_kind(answer, v) for v in shakes)
         self.units = units(self.motion, alike) if self.decided else None
-        self.errors = list(errors(answer, self.motion, self.units)) if self.same and self.decided else []
+        self.errors = (
+            list(errors(answer, self.motion, self.units)) if self.same and self.decided else []
+        )
         self.worst = max(self.errors, default=(0.0, "", 0))
 
     def described(self):
-        return dict(family=self.family, index=self.index, hoop=self.numbers, start=self.start, until=self.until)
+        return dict(
+            family=self.family,
+            index=self.index,
+            hoop=self.numbers,
+            start=self.start,
+            until=self.until,
+        )
 
     def kept(self):
         """The start, and what the library has to say of it, with the unit of each number."""
         first, transitions, ended, _ = self.motion
-        return dict(self.described(), first=first, outcome=ended, transitions=[
-            dict(cause=t["cause"], to=t["to"], direction=t["direction"],
-                 **{n: [f"{t[n]:.20e}" if gmpy2.is_finite(t[n]) else str(float(t[n])), rounded(u[n])] for n in NUMBERS})
-            for t, u in zip(transitions, self.units)])
+        return dict(
+            self.described(),
+            first=first,
+            outcome=ended,
+            transitions=[
+                dict(
+                    cause=t["cause"],
+                    to=t["to"],
+                    direction=t["direction"],
+                    **{
+                        n: [
+                            f"{t[n]:.20e}" if gmpy2.is_finite(t[n]) else str(float(t[n])),
+                            rounded(u[n]),
+                        ]
+                        for n in NUMBERS
+                    },
+                )
+                for t, u in zip(transitions, self.units)
+            ],
+        )

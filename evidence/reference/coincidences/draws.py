@@ -11,7 +11,7 @@ def signed(dice, low, high):
 
 def beside(dice):
     """A distance of 1e-12 to 1e-4, to either side."""
-    return 10.0**dice.uniform(-12, -4) * dice.choice((-1, 1))
+    return 10.0 ** dice.uniform(-12, -4) * dice.choice((-1, 1))
 
 
 def heavy(dice):
@@ -22,12 +22,12 @@ def heavy(dice):
         return m, 1.0, m
     if kind < 3:
         return m, dice.uniform(0.2, 1), dice.uniform(0.1, 3)
-    light = 10.0**dice.uniform(-4, -1)
+    light = 10.0 ** dice.uniform(-4, -1)
     return (0.0, 1.0, light) if kind == 3 else (light, dice.uniform(0.4, 1), light)
 
 
 def massless(dice):
-    return 0.0, dice.choice((1.0, dice.uniform(0.1, 1), 1 - 10.0**dice.uniform(-12, -2))), 0.0
+    return 0.0, dice.choice((1.0, dice.uniform(0.1, 1), 1 - 10.0 ** dice.uniform(-12, -2))), 0.0
 
 
 def inside(dice):
@@ -40,8 +40,14 @@ def solvable(body, mu):
         hoop = Hoop(*body, mu, mu)
         i, mh, h = float(hoop.i), float(hoop.m * hoop.h), float(hoop.h)
         angles = [math.pi * k / 200 for k in range(-200, 201)]
-        if min(i + mh * math.sin(t) * (h * math.sin(t) - mu * w * (1 + h * math.cos(t)))
-               for t in angles for w in (-1, 1)) > 0.05 * i:
+        if (
+            min(
+                i + mh * math.sin(t) * (h * math.sin(t) - mu * w * (1 + h * math.cos(t)))
+                for t in angles
+                for w in (-1, 1)
+            )
+            > 0.05 * i
+        ):
             return mu
         mu /= 2
     return 0.0

@@ -22,7 +22,10 @@ FAMILIES = {
     "massless_type_ii_on_the_rim": (lambda dice: (0.0, 1.0, 0.0), massless_starts.type_ii),
     "gliding_rest_on_slip_curve": (massless, massless_starts.gliding_rest_on_slip_curve),
     "gliding_slip_that_touches_rest": (massless, massless_starts.gliding_slip_that_touches_rest),
-    "particle_that_just_reaches_the_top": (massless, massless_starts.particle_that_just_reaches_the_top),
+    "particle_that_just_reaches_the_top": (
+        massless,
+        massless_starts.particle_that_just_reaches_the_top,
+    ),
     "gliding_rest_at_turning_point": (massless, massless_starts.gliding_rest_at_turning_point),
     "gliding_rest_at_the_bottom": (massless, massless_starts.gliding_rest_at_the_bottom),
     "massless_start_beside_a_curve": (massless, massless_starts.massless_start_beside_a_curve),

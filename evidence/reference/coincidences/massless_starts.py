@@ -66,14 +66,22 @@ def gliding_slip_that_touches_rest(dice, body):
 
 def particle_that_just_reaches_the_top(dice, body):
     theta = signed(dice, 0.01, 3.0)
-    rate = -math.copysign((2 / (body[1] * (1 + math.cos(theta))))**0.5, theta) * (1 + beside(dice))
+    rate = -math.copysign((2 / (body[1] * (1 + math.cos(theta)))) ** 0.5, theta) * (
+        1 + beside(dice)
+    )
     mu_s = dice.uniform(0.05, 3)
-    return (*body, mu_s, mu_s * dice.random()), (theta, rate, dice.choice((0.0, dice.uniform(-3, 3))), 0.0), 8.0
+    return (
+        (*body, mu_s, mu_s * dice.random()),
+        (theta, rate, dice.choice((0.0, dice.uniform(-3, 3))), 0.0),
+        8.0,
+    )
 
 
 def gliding_rest_at_turning_point(dice, body):
     theta = signed(dice, 0.2, 3.0)
-    rate = -math.copysign(dice.uniform(0.05, 0.99) * (2 / (body[1] * (1 + math.cos(theta))))**0.5, theta)
+    rate = -math.copysign(
+        dice.uniform(0.05, 0.99) * (2 / (body[1] * (1 + math.cos(theta)))) ** 0.5, theta
+    )
     slip = rate * (1 + body[1] * math.cos(theta)) + beside(dice)
     mu_s = dice.uniform(0.05, 3)
     return (*body, mu_s, mu_s * dice.random()), (theta, rate, slip, 0.0), 8.0
@@ -86,8 +94,8 @@ def gliding_rest_at_the_bottom(dice, body):
         theta = math.copysign(math.pi, signed(dice, 1, 2)) + beside(dice)
         rate, slip = signed(dice, 0, 3), dice.choice((0.0, dice.uniform(-3, 3)))
     else:
-        body = 0.0, 1 - 10.0**dice.uniform(-12, -2), 0.0
-        theta, rate = signed(dice, 0.1, 3.1), signed(dice, 1, 1) * 10.0**dice.uniform(0, 3)
+        body = 0.0, 1 - 10.0 ** dice.uniform(-12, -2), 0.0
+        theta, rate = signed(dice, 0.1, 3.1), signed(dice, 1, 1) * 10.0 ** dice.uniform(0, 3)
         slip = dice.choice((0.0, dice.uniform(-3, 3)))
     return (*body, mu_s, mu_s * dice.random()), (theta, rate, slip, 0.0), 8.0
 
@@ -103,7 +111,11 @@ def massless_start_beside_a_curve(dice, body):
     elif kind == 1:
         if l + math.cos(theta) < 0.02:
             return None
-        rate = ((1 + l * math.cos(theta)) / (l * (l + math.cos(theta))))**0.5 * dice.choice((-1, 1)) * (1 + beside(dice))
+        rate = (
+            ((1 + l * math.cos(theta)) / (l * (l + math.cos(theta)))) ** 0.5
+            * dice.choice((-1, 1))
+            * (1 + beside(dice))
+        )
     else:
         slip = beside(dice)
     return (*body, mu_s, mu_s * dice.random()), (theta, rate, slip, 0.0), 5.0

@@ -10,7 +10,9 @@ from gmpy2 import mpfr
 from .families import FAMILIES
 
 SHAKES = 2
-MORE_SHAKES = 12                 # of starts with an error above SUSPECT units, which few repetitions may have made small
+MORE_SHAKES = (
+    12  # of starts with an error above SUSPECT units, which few repetitions may have made small
+)
 SUSPECT = 32.0
 
 
@@ -29,7 +31,15 @@ def one(task):
             motion = follow(numbers, start, until)
         except Tie:
             continue
-        return family, index, numbers, start, until, motion, shaken(dice, numbers, start, until, SHAKES)
+        return (
+            family,
+            index,
+            numbers,
+            start,
+            until,
+            motion,
+            shaken(dice, numbers, start, until, SHAKES),
+        )
     raise AssertionError(f"no start of {family}")
 
 
@@ -39,7 +49,9 @@ def shaken(dice, numbers, start, until, count):
     motions = []
     for _ in range(count):
         try:
-            motions.append(follow(numbers, start, until, lambda: 1 + dice.choice((-1, 1)) * mpfr(ULP)))
+            motions.append(
+                follow(numbers, start, until, lambda: 1 + dice.choice((-1, 1)) * mpfr(ULP))
+            )
         except Tie:
             motions.append(None)
     return motions

@@ -24,8 +24,13 @@ def grazing_slip(dice, body):
         if u <= 0.01:
             break
         values.append(demand(hoop, mpfr(angle), u))
-    tops = [k for k in range(2, len(values) - 1) if values[k][0] > max(values[k - 1][0], values[k + 1][0])
-            and all(v[1] > 0 for v in values[:k + 2]) and values[k][0] > 1.001 * max(v[0] for v in values[:k - 1])]
+    tops = [
+        k
+        for k in range(2, len(values) - 1)
+        if values[k][0] > max(values[k - 1][0], values[k + 1][0])
+        and all(v[1] > 0 for v in values[: k + 2])
+        and values[k][0] > 1.001 * max(v[0] for v in values[: k - 1])
+    ]
     if not tops:
         return None
     k = dice.choice(tops)
@@ -127,12 +132,23 @@ def landing_that_grazes(dice, body):
     h = float(hoop.h)
 
     def needed(t):
-        return (t * t / 2 + hoop.h * (gmpy2.cos(theta + rate * t) - gmpy2.cos(mpfr(theta)))) / t + hoop.h * rate * gmpy2.sin(mpfr(theta))
+        return (
+            t * t / 2 + hoop.h * (gmpy2.cos(theta + rate * t) - gmpy2.cos(mpfr(theta)))
+        ) / t + hoop.h * rate * gmpy2.sin(mpfr(theta))
 
     times = [0.05 / abs(rate) * k for k in range(1, int(60 + 12 * h * rate * rate))][:900]
-    values = [t / 2 + h * (math.cos(theta + rate * t) - math.cos(theta)) / t + h * rate * math.sin(theta) for t in times]
-    tops = [k for k in range(1, len(values) - 1) if values[k] > values[k - 1] and values[k] > values[k + 1]
-            and values[k] >= max(values[:k + 1]) and values[k] > 0.05]
+    values = [
+        t / 2 + h * (math.cos(theta + rate * t) - math.cos(theta)) / t + h * rate * math.sin(theta)
+        for t in times
+    ]
+    tops = [
+        k
+        for k in range(1, len(values) - 1)
+        if values[k] > values[k - 1]
+        and values[k] > values[k + 1]
+        and values[k] >= max(values[: k + 1])
+        and values[k] > 0.05
+    ]
     if not tops:
         return None
     k = dice.choice(tops[:4])
@@ -147,13 +163,21 @@ def start_beside_slip_curve(dice, body):
     if n <= 0.01:
         return None
     mu_s = float(abs(f) / n) * (1 + beside(dice))
-    return (*body, mu_s, solvable(body, mu_s * dice.uniform(0.2, 0.95))), (theta, rate, 0.0, 0.0), 0.7
+    return (
+        (*body, mu_s, solvable(body, mu_s * dice.uniform(0.2, 0.95))),
+        (theta, rate, 0.0, 0.0),
+        0.7,
+    )
 
 
 def start_beside_lift_off_curve(dice, body):
     numbers = (*body, *frictions(dice, body))
     theta = signed(dice, 0.02, 1.5)
-    rate = float(1 / gmpy2.sqrt(Hoop(*numbers).h * gmpy2.cos(mpfr(theta)))) * (1 + beside(dice)) * dice.choice((-1, 1))
+    rate = (
+        float(1 / gmpy2.sqrt(Hoop(*numbers).h * gmpy2.cos(mpfr(theta))))
+        * (1 + beside(dice))
+        * dice.choice((-1, 1))
+    )
     slip = dice.choice((0.0, dice.uniform(-2, 2)))
     return numbers, (theta, rate, slip, 0.0), 0.7
 

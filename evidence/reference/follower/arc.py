@@ -1,6 +1,7 @@
 """Rolling and sliding of a hoop with inertia, by power series in the angle turned, where it turns fast enough.
 
-With u = theta'^2 the same balances of momentum are linear in u, so that u, the time and the slip are quadratures.
+With u = theta'^2 the same balances of momentum are linear in u, so that u, the time and the slip
+are quadratures.
 """
 
 import math
@@ -30,7 +31,8 @@ class Arc:
         s, c = s0 * cosine + self.way * c0 * sine, c0 * cosine - self.way * s0 * sine
         lever = 1 + h * c
         if sigma is None:
-            # I a = h s N + (1 + h c) F with N and F linear in a and u, so (D u)' = 2 m (h s cos slope + (1 + h c) sin slope).
+            # I a = h s N + (1 + h c) F with N and F linear in a and u, so (D u)' = 2 m (h s cos
+            # slope + (1 + h c) sin slope).
             d = i + m * ((h * s) ** 2 + lever * lever)
             pulled = m * (h * s * down + lever * along)
             self.u = (d[0] * u0 + 2 * self.way * pulled.integral()) / d
@@ -39,7 +41,11 @@ class Arc:
             f = along + h * s * self.u - lever * a
             if hoop.massless:
                 # F/N = -h s/(1 + h c) by the balance of moment alone; N vanishes with F.
-                self.events = [(mu * lever - h * s, "slip", 1), (mu * lever + h * s, "slip", -1), (n, "normal_force_zero", 0)]
+                self.events = [
+                    (mu * lever - h * s, "slip", 1),
+                    (mu * lever + h * s, "slip", -1),
+                    (n, "normal_force_zero", 0),
+                ]
             else:
                 self.events = [(mu * n + f, "slip", 1), (mu * n - f, "slip", -1)]
         else:

@@ -3,9 +3,9 @@
 import gmpy2
 
 ULP = 2.0**-52
-FINEST = (280, 72, 1e-62)        # bits, order of the series, error of a step
+FINEST = (280, 72, 1e-62)  # bits, order of the series, error of a step
 FINE = (220, 42, 1e-42)
-COARSE = (220, 20, 1e-22)        # for repetitions, which need only a difference
+COARSE = (220, 20, 1e-22)  # for repetitions, which need only a difference
 
 
 class Tie(Exception):

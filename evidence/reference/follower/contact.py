@@ -22,7 +22,11 @@ def smooth(hoop, mode, sigma, state, known, until):
         whole = hoop.along == 0 and abs(state[0] - began) > 7
         if mode == "rolling" and (whole or turned > 2):
             return "rolls_forever", t, state, 0
-        a, _, p = slide_acceleration(hoop, state[0], state[1], sigma) if mode == "sliding" else rolling_forces(hoop, state[0], state[1])
+        a, _, p = (
+            slide_acceleration(hoop, state[0], state[1], sigma)
+            if mode == "sliding"
+            else rolling_forces(hoop, state[0], state[1])
+        )
         if mode == "sliding" and p <= 0:
             raise Tie("Painleve")
         if mode == "rolling" and state[1] == 0 == a:
@@ -57,7 +61,10 @@ def in_angle(hoop, mode, sigma, state, known, left):
     length = arc.reach()
     if length < SHORT:
         return None
-    events = [(arc.fall(p, length, known if cause == "stick" else 0), cause, way) for p, cause, way in arc.events]
+    events = [
+        (arc.fall(p, length, known if cause == "stick" else 0), cause, way)
+        for p, cause, way in arc.events
+    ]
     if arc.value(arc.time, length) >= left:
         events.append((arc.fall(arb(left) - arc.time, length, 0), "limit", 0))
     at, cause, way = earliest(events) or (length, None, 0)
@@ -70,17 +77,24 @@ def in_angle(hoop, mode, sigma, state, known, left):
 def in_time(hoop, mode, sigma, state, known, left):
     """A step in the time, as `in_angle`."""
     theta, rate, slip, x = state
-    th, w, eta, n, f = parts = series(hoop, (theta, rate, slip), sigma if mode == "sliding" else None)
+    th, w, eta, n, f = parts = series(
+        hoop, (theta, rate, slip), sigma if mode == "sliding" else None
+    )
     length = reach(parts)
     last = length >= left
     if last:
         length = left
     if mode == "sliding":
-        events = [(fall_of([sigma * v for v in eta], length, known), "stick", 0), (fall_of(n, length), "lift_off", 0)]
+        events = [
+            (fall_of([sigma * v for v in eta], length, known), "stick", 0),
+            (fall_of(n, length), "lift_off", 0),
+        ]
     elif hoop.massless:
         # F/N = -h s/(1 + h c) by the balance of moment alone; N vanishes with F.
         s, c = circle(th)
-        cone = [[hoop.mu_s * hoop.h * ck + way * hoop.h * sk for sk, ck in zip(s, c)] for way in (1, -1)]
+        cone = [
+            [hoop.mu_s * hoop.h * ck + way * hoop.h * sk for sk, ck in zip(s, c)] for way in (1, -1)
+        ]
         for p in cone:
             p[0] += hoop.mu_s
         # F = -N h s/(1 + h c): mu_s N + F falls first where the slip is to the positive side, s > 0
@@ -104,7 +118,9 @@ def drift(hoop, mode, sigma, state, duration):
     t, (theta, rate, slip) = mpfr(0), state
     sign = 1 if duration > 0 else -1
     while t != duration:
-        th, w, eta, n, f = parts = series(hoop, (theta, rate, slip), sigma if mode == "sliding" else None)
+        th, w, eta, n, f = parts = series(
+            hoop, (theta, rate, slip), sigma if mode == "sliding" else None
+        )
         at = sign * min(mpfr(reach(parts)), abs(duration - t))
         if mode == "sliding" and t != 0 and (sigma * slip <= 0 or n[0] <= 0):
             return None

@@ -6,7 +6,7 @@ from gmpy2 import mpfr
 from .arithmetic import Tie
 from .roots import first_fall
 
-LONGEST = 200_000                # intervals in which a landing is looked for
+LONGEST = 200_000  # intervals in which a landing is looked for
 
 
 def flight(hoop, state, gap_rate, until):
@@ -14,7 +14,7 @@ def flight(hoop, state, gap_rate, until):
     theta, rate, slip, x = state
     h, down = hoop.h, hoop.down
     s0, c0 = gmpy2.sin_cos(theta)
-    up = gap_rate - h * s0 * rate                                                 # of the mass centre
+    up = gap_rate - h * s0 * rate  # of the mass centre
     along = slip - rate - h * c0 * rate
 
     def gap(t):
@@ -25,7 +25,11 @@ def flight(hoop, state, gap_rate, until):
 
     # Between these times the mass centre is so high that the gap is open at every angle.
     high = up * up - 2 * down * h * (1 - c0)
-    opens, closes = ((up - gmpy2.sqrt(high)) / down, (up + gmpy2.sqrt(high)) / down) if up > 0 and high > 0 else (None, None)
+    opens, closes = (
+        ((up - gmpy2.sqrt(high)) / down, (up + gmpy2.sqrt(high)) / down)
+        if up > 0 and high > 0
+        else (None, None)
+    )
     quick = 0.1 / (1 + abs(rate))
     t, landing = quick * 2.0**-60, None
     limit = mpfr(until)
@@ -33,7 +37,7 @@ def flight(hoop, state, gap_rate, until):
         raise Tie("lands at once")
     for _ in range(LONGEST):
         if opens is not None and opens < t < closes:
-            t = closes * (1 - mpfr(2)**-100)
+            t = closes * (1 - mpfr(2) ** -100)
         further = min(2 * t, t + quick)
         landing = first_fall(gap, gap_slope, mpfr(t), mpfr(further), 1)
         t = further

@@ -16,16 +16,19 @@ def glide(hoop, state, known, until):
     if s == 0:
         raise Tie("at the top")
     side = 1 if s > 0 else -1
-    vx = slip - rate * (1 + l * c)                                                # of the particle
+    vx = slip - rate * (1 + l * c)  # of the particle
     vy = -l * s * rate
     g, pulled = hoop.down, hoop.along
-    height = [l * c, vy, -g / 2]                                              # l cos theta in the time
+    height = [l * c, vy, -g / 2]  # l cos theta in the time
     times = []
     for level in (-l, l):
         half = vy * vy + 2 * g * (l * c - level)
         if half > 0:
-            times += [v / g for v in (vy - gmpy2.sqrt(half), vy + gmpy2.sqrt(half)) if v > 0 and
-                      (level < 0 or v == vy - gmpy2.sqrt(half))]
+            times += [
+                v / g
+                for v in (vy - gmpy2.sqrt(half), vy + gmpy2.sqrt(half))
+                if v > 0 and (level < 0 or v == vy - gmpy2.sqrt(half))
+            ]
         if level > 0 and abs(half) < 1e-38:
             raise Tie("just reaches the top")
     end = min(times)
@@ -38,8 +41,9 @@ def glide(hoop, state, known, until):
                 out[i + j] += a * b
         return out
 
-    # With y = l cos theta, (l sin theta)^2 = l^2 - y^2 and eta' l sin theta = v l sin theta + (g t - vy)(1 + y), v = vx - t sin slope:
-    # where it vanishes, v^2 (l^2 - y^2) = (g t - vy)^2 (1 + y)^2. On the rim both sides have the factor 1 + y.
+    # With y = l cos theta, (l sin theta)^2 = l^2 - y^2 and eta' l sin theta = v l sin theta + (g
+    # t - vy)(1 + y), v = vx - t sin slope: where it vanishes, v^2 (l^2 - y^2) = (g t - vy)^2 (1 +
+    # y)^2. On the rim both sides have the factor 1 + y.
     above, lever = [-v for v in height], [1 + height[0], height[1], height[2]]
     above[0] = l - l * c
     rim = l == 1
@@ -63,7 +67,7 @@ def glide(hoop, state, known, until):
 
     def position(t):
         y = value(height, t)
-        sine = side * gmpy2.sqrt(l * l - y * y)                                   # l sin theta
+        sine = side * gmpy2.sqrt(l * l - y * y)  # l sin theta
         turn_rate = (g * t - vy) / sine
         turned = gmpy2.atan2(sine, y)
         return turned, turn_rate, vx - pulled * t + turn_rate * (1 + y), sine
@@ -71,7 +75,7 @@ def glide(hoop, state, known, until):
     lap = gmpy2.rint((theta - gmpy2.atan2(s, c)) / (2 * gmpy2.const_pi()))
     turn = 2 * gmpy2.const_pi() * lap
     free = vx == 0 and pulled == 0
-    rests = [vy] if free and 0 < vy < end else []                              # eta' = theta' (1 + l cos theta)
+    rests = [vy] if free and 0 < vy < end else []  # eta' = theta' (1 + l cos theta)
     for z in () if free else all_roots(sextic):
         if not z.imag.contains(0):
             continue
@@ -88,14 +92,38 @@ def glide(hoop, state, known, until):
     mass_centre = x - l * s
     if first is not None and first < until:
         turned, turn_rate, _, sine = position(first)
-        return "stick", first, (turn + turned, turn_rate, mpfr(0), mass_centre + vx * first - pulled * first**2 / 2 + sine), direction
+        return (
+            "stick",
+            first,
+            (
+                turn + turned,
+                turn_rate,
+                mpfr(0),
+                mass_centre + vx * first - pulled * first**2 / 2 + sine,
+            ),
+            direction,
+        )
     if end >= until:
         turned, turn_rate, now, sine = position(mpfr(until))
-        return None, mpfr(until), (turn + turned, turn_rate, now, mass_centre + vx * until - pulled * until**2 / 2 + sine), direction
+        return (
+            None,
+            mpfr(until),
+            (
+                turn + turned,
+                turn_rate,
+                now,
+                mass_centre + vx * until - pulled * until**2 / 2 + sine,
+            ),
+            direction,
+        )
     place = mass_centre + vx * end - pulled * end**2 / 2
     vx -= pulled * end
     infinite = mpfr("inf")
     if at_top:
         return "particle_at_top", end, (turn, -side * infinite, -side * infinite, place), direction
-    return ("particle_at_plane" if rim else "particle_at_bottom", end,
-            (turn + side * gmpy2.const_pi(), side * infinite, vx if rim else side * infinite, place), direction)
+    return (
+        "particle_at_plane" if rim else "particle_at_bottom",
+        end,
+        (turn + side * gmpy2.const_pi(), side * infinite, vx if rim else side * infinite, place),
+        direction,
+    )

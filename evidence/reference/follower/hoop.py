@@ -16,7 +16,7 @@ class Hoop:
         self.along, self.down = gmpy2.sin_cos(slope)
         self.m = m1 + 1
         self.h = self.l / self.m
-        self.i = izz + m1 * self.h**2 + (self.l - self.h)**2
+        self.i = izz + m1 * self.h**2 + (self.l - self.h) ** 2
         self.massless = mass_ratio == 0 and inertia == 0
         if self.massless:
             self.i = mpfr(0)
@@ -27,7 +27,7 @@ def rolling_forces(hoop, theta, rate):
     s, c = gmpy2.sin_cos(theta)
     m, h, u, g = hoop.m, hoop.h, rate * rate, 1 + hoop.h * c
     n0, f0 = m * hoop.down - m * h * c * u, m * h * s * u + m * hoop.along
-    a = (h * s * n0 + g * f0) / (hoop.i + m * (h * s)**2 + m * g * g)
+    a = (h * s * n0 + g * f0) / (hoop.i + m * (h * s) ** 2 + m * g * g)
     return a, n0 - m * h * s * a, f0 - m * g * a
 
 

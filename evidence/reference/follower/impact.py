@@ -34,7 +34,12 @@ def impact(hoop, theta, velocities, restitution, law):
     contact = Contact(hoop, theta)
     rate, slip, opening = velocities
     closing, slips = -opening, int(gmpy2.sign(slip))
-    taken, given, total, compressed = mpfr(0), mpfr(0), mpfr(0), None  # works of compression and after it, impulses
+    taken, given, total, compressed = (
+        mpfr(0),
+        mpfr(0),
+        mpfr(0),
+        None,
+    )  # works of compression and after it, impulses
     while True:
         ratio, slips = contact.friction(slips)
         dspin, dslip, dopening = contact.change(ratio)
@@ -50,7 +55,9 @@ def impact(hoop, theta, velocities, restitution, law):
             ahead.append(((restitution * closing - opening) / dopening, "end"))
         else:
             left = restitution * restitution * taken - given
-            ahead.append(((gmpy2.sqrt(opening * opening + 2 * dopening * left) - opening) / dopening, "end"))
+            ahead.append(
+                ((gmpy2.sqrt(opening * opening + 2 * dopening * left) - opening) / dopening, "end")
+            )
         if not ahead:
             raise Tie("an impact without end")
         step, event = min(ahead)

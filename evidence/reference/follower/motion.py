@@ -18,10 +18,11 @@ SLOWEST = 2.0**-40  # rate of the gap after an impact, below which bounces have 
 def follow(numbers, start, until, noise=None, bounce=None, most=MOST, last=None):
     """The motion: (mode and direction at the start, transitions, how it ended, its end).
 
-    `numbers` are those of the hoop; `start` has theta, its rate, the slip and the rate of the gap, and may have x and the time.
-    `noise` returns a factor near 1 for each number; it is applied to the hoop and to the state at the start of each phase.
-    `bounce` is the coefficient of restitution and its law: without it a motion ends as it lands.
-    What follows the transition `last` is not asked.
+    `numbers` are those of the hoop; `start` has theta, its rate, the slip and the rate of the gap,
+    and may have x and the time. `noise` returns a factor near 1 for each number; it is applied to
+    the hoop and to the state at the start of each phase. `bounce` is the coefficient of restitution
+    and its law: without it a motion ends as it lands. What follows the transition `last` is not
+    asked.
     """
     shaken = (lambda v: v) if noise is None else (lambda v: v * noise())
     mass_ratio, offset, inertia, mu_s, mu_k, slope = (*numbers, 0)[:6]
@@ -68,7 +69,9 @@ def phases(hoop, begin, until, shaken, noisy, bounce, counts, first, transitions
                 # Still on the curve where the normal force vanishes.
                 (sin, cos), l = gmpy2.sin_cos(now[0]), hoop.l
                 pressed = hoop.down * (1 + l * cos) - hoop.along * l * sin
-                square = hoop.down / (hoop.h * cos) if mode == "flight" else pressed / (l * (l + cos))
+                square = (
+                    hoop.down / (hoop.h * cos) if mode == "flight" else pressed / (l * (l + cos))
+                )
                 now = (now[0], gmpy2.copy_sign(gmpy2.sqrt(square), now[1])) + now[2:]
         elif gap_rate > 0:
             mode, way = "flight", 0
@@ -94,7 +97,8 @@ def phases(hoop, begin, until, shaken, noisy, bounce, counts, first, transitions
             cause, t, then, closing = flight(hoop, now, gap_rate, left)
             gap_rate = mpfr(0)
         elif mode == "jam":
-            # The plane holds the rim, yet no slide is consistent: an impact without a collision ends the slip.
+            # The plane holds the rim, yet no slide is consistent: an impact without a collision
+            # ends the slip.
             cause, t, then, closing = "jam", mpfr(0), now, mpfr(0)
         else:
             cause, t, then, towards = smooth(hoop, mode, way, now, known, left)
@@ -102,7 +106,13 @@ def phases(hoop, begin, until, shaken, noisy, bounce, counts, first, transitions
             first[0] = ("none", 0) if mode == "jam" else (mode, way)
         if came is not None and mode != "jam":
             if came["cause"] == "stick" and mode != "rolling":
-                came["cause"] = "lift_off" if mode == "flight" else "graze" if way == came.pop("from") else "reversal"
+                came["cause"] = (
+                    "lift_off"
+                    if mode == "flight"
+                    else "graze"
+                    if way == came.pop("from")
+                    else "reversal"
+                )
             came.update(to=mode, direction=way)
             came.pop("from", None)
         time_now, now = time_now + t, then

@@ -25,7 +25,7 @@ def root(f, slope_of_f, low, high, sign):
             if not a <= t - step <= b:
                 break
             t -= step
-            if abs(step) < mpfr(10)**-40 * abs(t):
+            if abs(step) < mpfr(10) ** -40 * abs(t):
                 for _ in range(2):
                     t -= f(t) / slope_of_f(t)
                 return t
@@ -87,13 +87,17 @@ def stays(p, length):
 def arb(v):
     """An mpfr as an exact number of Arb."""
     mantissa, exponent = v.as_mantissa_exp() if v else (0, 0)
-    return flint.arb(int(mantissa)) * flint.arb(2)**int(exponent)
+    return flint.arb(int(mantissa)) * flint.arb(2) ** int(exponent)
 
 
 def number(v):
     """The middle of a ball."""
     man, exp = v.mid().man_exp()
-    return gmpy2.mul_2exp(mpfr(int(man)), int(exp)) if int(exp) >= 0 else gmpy2.div_2exp(mpfr(int(man)), -int(exp))
+    return (
+        gmpy2.mul_2exp(mpfr(int(man)), int(exp))
+        if int(exp) >= 0
+        else gmpy2.div_2exp(mpfr(int(man)), -int(exp))
+    )
 
 
 def all_roots(p):
@@ -101,7 +105,7 @@ def all_roots(p):
     for bits in (4 * Work.bits, 16 * Work.bits):
         flint.ctx.prec = bits
         try:
-            return flint.acb_poly([arb(v) for v in p]).roots(tol=flint.arb(2)**(-Work.bits))
+            return flint.acb_poly([arb(v) for v in p]).roots(tol=flint.arb(2) ** (-Work.bits))
         except ValueError:
             pass
     raise Tie("a double root")

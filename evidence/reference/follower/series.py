@@ -11,7 +11,7 @@ from .arithmetic import Work
 
 def conv(a, b, k):
     """Coefficient k of the product of two series."""
-    return sum(map(mul, a[:k + 1], b[k::-1]))
+    return sum(map(mul, a[: k + 1], b[k::-1]))
 
 
 def value(p, t):
@@ -38,8 +38,9 @@ def circle(th):
 def series(hoop, state, sigma):
     """Taylor series of theta, theta', eta', N and F from a state: rolling for sigma None, else sliding.
 
-    Mass centre at (x - h sin theta, 1 + h cos theta); contact point from it at (h sin theta, -1 - h cos theta).
-    m xG'' = F - m sin slope, m yG'' = N - m cos slope, I theta'' = h sin theta N + (1 + h cos theta) F.
+    Mass centre at (x - h sin theta, 1 + h cos theta); contact point from it at (h sin theta, -1 - h
+    cos theta). m xG'' = F - m sin slope, m yG'' = N - m cos slope, I theta'' = h sin theta N + (1 +
+    h cos theta) F.
     """
     m, h, i = hoop.m, hoop.h, hoop.i
     th, w, eta = [state[0]], [state[1]], [state[2]]
@@ -51,7 +52,7 @@ def series(hoop, state, sigma):
         q = [h * sn + friction * lever[0]]
         weight = i + m * h * sn * q[0]
     else:
-        weight = i + m * (h * sn)**2 + m * lever[0]**2
+        weight = i + m * (h * sn) ** 2 + m * lever[0] ** 2
     for k in range(Work.order):
         u.append(conv(w, w, k))
         cu, su = conv(c, u, k), conv(s, u, k)
@@ -90,5 +91,5 @@ def reach(parts):
         allowed = math.log2(Work.error * max(1.0, abs(float(part[0]))))
         for k in (len(part) - 1, len(part) - 2):
             if part[k]:
-                length = min(length, 2.0**((allowed - float(gmpy2.log2(abs(part[k])))) / k))
+                length = min(length, 2.0 ** ((allowed - float(gmpy2.log2(abs(part[k])))) / k))
     return 0.9 * length

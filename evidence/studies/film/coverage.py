@@ -1,7 +1,8 @@
 """`python -m evidence.studies.film.coverage FIRST LAST [search]`: fits of synthetic tracks, a line of CSV for each.
 
-Film number k is made with the seed k. With `search` a fit begins where the builder of the hoop would, at many places,
-else at the truth. docs/studies/real-film/coverage.csv has the lines of 0 to 200 without it.
+Film number k is made with the seed k. With `search` a fit begins where the builder of the hoop
+would, at many places, else at the truth. docs/studies/real-film/coverage.csv has the lines of 0 to
+200 without it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,12 @@ from .throws import FREE, SECONDS, Throw, throw
 
 NOISE_M = 0.001
 NOISE_RAD = 0.004
-HEAD = ["film", "rate", "sequence_found", *(f"{name}_{what}" for name in FREE for what in ("true", "value", "error"))]
+HEAD = [
+    "film",
+    "rate",
+    "sequence_found",
+    *(f"{name}_{what}" for name in FREE for what in ("true", "value", "error")),
+]
 
 
 def track_of(thrown: Throw, rate: float, random: np.random.Generator) -> lw.Track:
@@ -57,7 +63,11 @@ def cells_of(film: int, rate: float, thrown: Throw, result: lw.FitResult) -> lis
     cells = [str(film), f"{rate:g}", str(int(result.motion.sequence == thrown.motion.sequence))]
     for name in FREE:
         estimate = result.estimates[name]
-        cells += [f"{getattr(thrown.hoop, name):.7g}", f"{estimate.value:.7g}", f"{estimate.std_error:.4g}"]
+        cells += [
+            f"{getattr(thrown.hoop, name):.7g}",
+            f"{estimate.value:.7g}",
+            f"{estimate.std_error:.4g}",
+        ]
     return cells
 
 

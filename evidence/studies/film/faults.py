@@ -1,7 +1,7 @@
 """`python -m evidence.studies.film.faults FAULT FIRST LAST`: fits of tracks with a fault, a line of CSV for each.
 
-The fit does not know of the fault. Film number k of a fault is made with the seed k; the first of every fault
-stand in docs/studies/doubted-fits/films.csv.
+The fit does not know of the fault. Film number k of a fault is made with the seed k; the first of
+every fault stand in docs/studies/doubted-fits/films.csv.
 """
 
 from __future__ import annotations
@@ -26,7 +26,13 @@ Reals = npt.NDArray[np.float64]
 WRONG = 4.0
 """An answer is wrong if the truth of an identifiable parameter is so many standard errors away, or more."""
 
-HEAD = ("fault", "film", "worst", "doubts", *(f"{name}_{what}" for name in FREE for what in ("true", "value", "error")))
+HEAD = (
+    "fault",
+    "film",
+    "worst",
+    "doubts",
+    *(f"{name}_{what}" for name in FREE for what in ("true", "value", "error")),
+)
 
 
 @dataclass
@@ -101,7 +107,9 @@ def tilt(random: np.random.Generator, rate: float) -> Film:
 
     def image(x: Reals, y: Reals) -> tuple[Reals, Reals]:
         depth = distance + (x - middle) * math.sin(angle)
-        return middle + distance * (x - middle) * math.cos(angle) / depth, 1.0 + distance * (y - 1.0) / depth
+        return middle + distance * (x - middle) * math.cos(angle) / depth, 1.0 + distance * (
+            y - 1.0
+        ) / depth
 
     film.through(image)
     return film
@@ -180,7 +188,12 @@ def soft(random: np.random.Generator, rate: float) -> Film:
         film = thrown(random, rate)
         theta, x = rolling_on_soft_ground(film.hoop, film.start, film.time, 0.01)
         if theta.size >= 40:
-            film.time, film.theta, film.x, film.y = film.time[: theta.size], theta, x, np.ones(theta.size)
+            film.time, film.theta, film.x, film.y = (
+                film.time[: theta.size],
+                theta,
+                x,
+                np.ones(theta.size),
+            )
             film.free = FREE[:3]
             film.hoop = replace(film.hoop, restitution=None, restitution_law=None)
             return film
@@ -205,8 +218,13 @@ def radius(random: np.random.Generator, rate: float) -> Film:
     """The radius was measured 1 % too large; scale, weights and clock are right."""
     film = thrown(random, rate)
     film.x, film.y, film.time = film.x / 1.01, film.y / 1.01, film.time / math.sqrt(1.01)
-    film.hoop = replace(film.hoop, offset=film.hoop.offset / 1.01, inertia=film.hoop.inertia / 1.01**2)
-    film.start |= {"x": film.start["x"] / 1.01, "theta_rate": film.start["theta_rate"] * math.sqrt(1.01)}
+    film.hoop = replace(
+        film.hoop, offset=film.hoop.offset / 1.01, inertia=film.hoop.inertia / 1.01**2
+    )
+    film.start |= {
+        "x": film.start["x"] / 1.01,
+        "theta_rate": film.start["theta_rate"] * math.sqrt(1.01),
+    }
     film.start["slip"] /= math.sqrt(1.01)
     return film
 

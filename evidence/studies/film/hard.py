@@ -121,7 +121,9 @@ def write(film: Film, hard: Hard, path: Path) -> None:
     if hard.codec == "h264":
         flags = f"-y -loglevel error -f rawvideo -pix_fmt bgr24 -s {size[0]}x{size[1]} -r 30 -i -".split()
         encode = "-c:v libx264 -crf 28 -pix_fmt yuv420p".split()
-        with subprocess.Popen(["ffmpeg", *flags, *encode, str(path)], stdin=subprocess.PIPE) as program:
+        with subprocess.Popen(
+            ["ffmpeg", *flags, *encode, str(path)], stdin=subprocess.PIPE
+        ) as program:
             assert program.stdin is not None
             for frame in (first, *frames):
                 program.stdin.write(frame.tobytes())
@@ -158,7 +160,9 @@ def line_of(name: str, number: int) -> list[str]:
             return [*cells, *[""] * 5, type(error).__name__, "", ""]
         errors = film.errors(track)
         seen = {one: values[np.isfinite(values)] for one, values in errors.items()}
-        centre = math.hypot(*(float(np.sqrt(np.mean(np.square(seen[one])))) for one in ("x", "y"))) / math.sqrt(2.0)
+        centre = math.hypot(
+            *(float(np.sqrt(np.mean(np.square(seen[one])))) for one in ("x", "y"))
+        ) / math.sqrt(2.0)
         marker = film.thrown.hoop.offset * float(np.sqrt(np.mean(np.square(seen["theta"]))))
         cells += [str(track.time.size), str(seen["x"].size), str(seen["theta"].size)]
         cells += [f"{pixels * centre:.3g}", f"{pixels * marker:.3g}"]
@@ -172,7 +176,10 @@ def line_of(name: str, number: int) -> list[str]:
         result = lw.fit(track, film.thrown.guess, free=FREE, slips_at_start=True)
     told = [one for one in FREE if result.estimates[one].identifiable]
     true = film.thrown.hoop
-    off = [abs(result.estimates[one].value - getattr(true, one)) / result.estimates[one].std_error for one in told]
+    off = [
+        abs(result.estimates[one].value - getattr(true, one)) / result.estimates[one].std_error
+        for one in told
+    ]
     return [
         *cells,
         "found",

@@ -14,10 +14,13 @@ STEP = 2e-4
 """Step of the fourth-order scheme, √(R/g)."""
 
 
-def rolling_on_soft_ground(hoop: lw.Hoop, start: dict[str, float], time: Reals, arm: float) -> tuple[Reals, Reals]:
+def rolling_on_soft_ground(
+    hoop: lw.Hoop, start: dict[str, float], time: Reals, arm: float
+) -> tuple[Reals, Reals]:
     """Return θ and x at the given times, up to the instant at which the ground no longer presses.
 
-    Balances of momentum of the whole body about its mass centre, with the normal force shifted forward by `arm` (R):
+    Balances of momentum of the whole body about its mass centre, with the normal force shifted
+    forward by `arm` (R):
 
     m x̄″ = F, m ȳ″ = N − m, Î θ″ = N h sin θ + F (1 + h cos θ) − arm N sign(θ′).
 
@@ -56,7 +59,9 @@ def rolling_on_soft_ground(hoop: lw.Hoop, start: dict[str, float], time: Reals, 
         turning, moving, _, _ = forces(state, sliding)
         return np.array([state[1], turning, state[3], moving])
 
-    state = np.array([start["theta"], start["theta_rate"], start["x"], start["slip"] - start["theta_rate"]])
+    state = np.array(
+        [start["theta"], start["theta_rate"], start["x"], start["slip"] - start["theta_rate"]]
+    )
     sliding = math.copysign(1.0, start["slip"]) if start["slip"] else 0.0
     found, now, at = [], float(time[0]), 0
     while at < time.size:
@@ -66,7 +71,9 @@ def rolling_on_soft_ground(hoop: lw.Hoop, start: dict[str, float], time: Reals, 
         if not sliding and abs(friction) > hoop.mu_s * normal:
             sliding = -math.copysign(1.0, friction)
         while at < time.size and time[at] < now + 0.5 * STEP:
-            found.append((state[0] + state[1] * (time[at] - now), state[2] + state[3] * (time[at] - now)))
+            found.append(
+                (state[0] + state[1] * (time[at] - now), state[2] + state[3] * (time[at] - now))
+            )
             at += 1
         one = rates(state, sliding)
         two = rates(state + 0.5 * STEP * one, sliding)

@@ -36,13 +36,20 @@ class Throw:
     def start(self) -> dict[str, float]:
         """The true start."""
         start = self.motion.start
-        return {"theta": start.theta, "theta_rate": start.theta_rate, "slip": start.slip, "x": start.x}
+        return {
+            "theta": start.theta,
+            "theta_rate": start.theta_rate,
+            "slip": start.slip,
+            "x": start.x,
+        }
 
     @property
     def guess(self) -> lw.Hoop:
         """The hoop as its builder knows it: weighed and measured, with the inertia of a thin rim."""
         inertia = 0.95 * self.hoop.mass_ratio
-        return replace(self.hoop, mu_s=0.5, mu_k=0.3, inertia=inertia, restitution=None, restitution_law=None)
+        return replace(
+            self.hoop, mu_s=0.5, mu_k=0.3, inertia=inertia, restitution=None, restitution_law=None
+        )
 
 
 def throw(random: np.random.Generator) -> Throw:
@@ -62,7 +69,9 @@ def throw(random: np.random.Generator) -> Throw:
         slip = random.choice([0.0, random.uniform(-2.0, 2.0)])
         rate = random.uniform(0.5, 3.0) * random.choice([-1.0, 1.0])
         end = (SECONDS + 0.01) / hoop.require_units().time_s
-        motion = hoop.simulate(theta=random.uniform(-math.pi, math.pi), theta_rate=rate, slip=slip, until=end)
+        motion = hoop.simulate(
+            theta=random.uniform(-math.pi, math.pi), theta_rate=rate, slip=slip, until=end
+        )
         slid = any(transition.cause == "slip" for transition in motion.transitions)
         landed = sum(transition.impact is not None for transition in motion.transitions)
         if slid and landed >= 2 and motion.end_time >= end and abs(motion(end).x) < 12.0:

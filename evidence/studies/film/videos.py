@@ -1,6 +1,7 @@
 """`python -m evidence.studies.film.videos FIRST LAST`: fits of synthetic films, from the file of the film on.
 
-Film number k is made with the seed k. The lines of docs/studies/real-film/videos.csv are those of 0 to 200.
+Film number k is made with the seed k. The lines of docs/studies/real-film/videos.csv are those of 0
+to 200.
 """
 
 from __future__ import annotations
@@ -86,7 +87,10 @@ class Film:
         instants = self.exposure_s / time_s * (np.arange(64) + 0.5) / 64
         exact = self.thrown.motion((track.time[:, None] + instants).ravel())
         means = {"theta": exact.theta, "x": exact.x, "y": exact.centre_y}
-        found = {name: track.channels[name] - values.reshape(-1, 64).mean(axis=1) for name, values in means.items()}
+        found = {
+            name: track.channels[name] - values.reshape(-1, 64).mean(axis=1)
+            for name, values in means.items()
+        }
         found["theta"] = np.mod(found["theta"] + np.pi, 2.0 * np.pi) - np.pi
         return found
 
@@ -105,7 +109,9 @@ def film_of(number: int, size: tuple[int, int] = SIZE) -> Film:
     # So that all of the path is in the picture, from aside and above.
     across = max(right - left, (top + 0.5) * size[0] / size[1])
     focal = 0.88 * size[0] * place[2] / across
-    camera = video.Camera(place, (middle, 0.5 * top - 0.1, 0.0), focal, *size, roll_rad=random.uniform(-0.02, 0.02))
+    camera = video.Camera(
+        place, (middle, 0.5 * top - 0.1, 0.0), focal, *size, roll_rad=random.uniform(-0.02, 0.02)
+    )
     return Film(thrown, camera, rate, exposure_s, number)
 
 
@@ -124,7 +130,13 @@ def fitted(film: Film, track: lw.Track, **more: Any) -> lw.FitResult:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.fit_result.FitWarning)
         return lw.fit(
-            track, thrown.hoop, free=FREE, slips_at_start=thrown.slips, start=thrown.start, search=False, **more
+            track,
+            thrown.hoop,
+            free=FREE,
+            slips_at_start=thrown.slips,
+            start=thrown.start,
+            search=False,
+            **more,
         )
 
 
@@ -135,7 +147,10 @@ def line_of(number: int, track: lw.Track) -> list[str]:
     exposure, time_s = result.estimates["camera_exposure"], thrown.hoop.require_units().time_s
     return [
         *cells_of(number, film.rate, thrown, result),
-        *(f"{value:.4g}" for value in (film.exposure_s, exposure.value * time_s, exposure.std_error * time_s)),
+        *(
+            f"{value:.4g}"
+            for value in (film.exposure_s, exposure.value * time_s, exposure.std_error * time_s)
+        ),
         *(f"{noise.white:.4g}" for noise in result.noise.values()),
         *(f"{noise.slow:.4g}" for noise in result.noise.values()),
     ]

@@ -37,7 +37,9 @@ def test_every_start_in_the_band_slides_against_the_sine_for_every_friction():
     for drawn, random, theta, rate in inside(2, 500):
         mu = 10.0 ** random.uniform(-3.0, 2.0)
         hoop = replace(drawn, mu_s=1.5 * mu, mu_k=mu)
-        phase = hoop.simulate(theta=theta, theta_rate=rate, max_transitions=1, proof="none").phases[0]
+        phase = hoop.simulate(theta=theta, theta_rate=rate, max_transitions=1, proof="none").phases[
+            0
+        ]
         assert (phase.mode, phase.direction) == ("sliding", -math.copysign(1.0, math.sin(theta)))
 
 
@@ -45,11 +47,15 @@ def test_the_band_ends_where_a_quadratic_equation_says_and_vanishes_with_the_off
     for hoop, _ in random_hoops(3, 200):
         h, kappa = hoop.h, hoop.inertia_about_mass_centre / hoop.mass
         c = math.cos(last_angle(h, kappa))
-        assert h * c * c + (1.0 + h * h + kappa) * c + h == pytest.approx(0.0, abs=1e-12 * (1.0 + kappa))
+        assert h * c * c + (1.0 + h * h + kappa) * c + h == pytest.approx(
+            0.0, abs=1e-12 * (1.0 + kappa)
+        )
         assert thickness(h, kappa, 0.0) == 0.0
         assert thickness(h, kappa, 1.0) > 0.0
         # Linear in a small offset, where it is h sin²θ/(1 + κ).
-        assert thickness(1e-6, kappa, 1.0) == pytest.approx(1e-6 * math.sin(1.0) ** 2 / (1.0 + kappa), rel=1e-4)
+        assert thickness(1e-6, kappa, 1.0) == pytest.approx(
+            1e-6 * math.sin(1.0) ** 2 / (1.0 + kappa), rel=1e-4
+        )
 
 
 def test_the_area_is_that_of_a_sum_over_a_fine_grid():
@@ -59,7 +65,9 @@ def test_the_area_is_that_of_a_sum_over_a_fine_grid():
             kappa + (1 + h * np.cos(angles)) ** 2
         )
         heights = np.maximum(tops - np.maximum(np.cos(angles), 0.0), 0.0)
-        assert area(h, kappa) == pytest.approx(2.0 * float(heights.sum()) * math.pi / 200_000, rel=1e-6)
+        assert area(h, kappa) == pytest.approx(
+            2.0 * float(heights.sum()) * math.pi / 200_000, rel=1e-6
+        )
 
 
 def test_nothing_leaves_the_plane_at_once_from_the_band():
@@ -83,7 +91,9 @@ def test_a_falling_hoop_does_not_lift_off():
 def test_a_falling_hoop_falls_faster_in_its_first_slide():
     falls = 0
     for hoop, _, theta, rate in inside(9, 400):
-        slide = hoop.simulate(theta=abs(theta), theta_rate=abs(rate), max_transitions=1, proof="none")
+        slide = hoop.simulate(
+            theta=abs(theta), theta_rate=abs(rate), max_transitions=1, proof="none"
+        )
         seen = slide(np.linspace(0.0, slide.phases[0].end_time * (1.0 - 1e-9), 60))
         rates = np.asarray(seen.theta_rate)[np.asarray(seen.theta) < math.pi]
         assert np.all(np.diff(rates) > -1e-12 * rates[0])

@@ -60,13 +60,19 @@ def test_a_hoop_that_is_thrown_without_a_speed_of_its_mass_centre_attains_the_bo
         body = Body(h, random.uniform(0.2, 1.0) * (1.0 - h * h))
         motion = thrown(body, angle, 0.0, 0.3)
         jump = flight(motion)
-        assert motion.phases[0].energy_start / motion.hoop.mass == pytest.approx(body.lift_off_energy(angle), rel=1e-7)
+        assert motion.phases[0].energy_start / motion.hoop.mass == pytest.approx(
+            body.lift_off_energy(angle), rel=1e-7
+        )
         assert before_top(jump.start.theta) == pytest.approx(angle, rel=1e-6)
         energy = jump.energy_start / motion.hoop.mass
         assert body.earliest(energy) == pytest.approx(angle, rel=1e-5)
         times = np.linspace(0.0, jump.duration, 4001)
         theta, rate = jump.start.theta, jump.start.theta_rate
-        gaps = -h * math.sin(theta) * rate * times - times**2 / 2 - h * (np.cos(theta + rate * times) - math.cos(theta))
+        gaps = (
+            -h * math.sin(theta) * rate * times
+            - times**2 / 2
+            - h * (np.cos(theta + rate * times) - math.cos(theta))
+        )
         assert np.max(gaps) == pytest.approx(height(h, angle), rel=1e-4)
 
 
@@ -86,7 +92,10 @@ def test_the_height_and_the_turn_grow_with_the_angle_of_lift_off():
 def test_a_hoop_that_is_let_go_at_the_top_never_leaves_the_plane():
     for hoop, random in random_hoops(77, 250):
         motion = hoop.simulate(
-            theta=random.choice([0.0, 1e-6, 1e-3]), theta_rate=1e-6, proof="contact", max_transitions=300
+            theta=random.choice([0.0, 1e-6, 1e-3]),
+            theta_rate=1e-6,
+            proof="contact",
+            max_transitions=300,
         )
         assert "F" not in motion.sequence
 
@@ -117,16 +126,23 @@ def test_rolled_hoops_stay_below_the_bound():
             heights = rolled(Body.thin(offsets), energy, mu)
             for h, top in zip(offsets, heights, strict=True):
                 if not math.isnan(top):
-                    assert top <= height(float(h), Body.thin(float(h)).earliest(energy)) * (1.0 + 1e-9)
+                    assert top <= height(float(h), Body.thin(float(h)).earliest(energy)) * (
+                        1.0 + 1e-9
+                    )
 
 
 def test_hops_are_flights_above_a_gap():
     hoop = build(0.066, 0.4, 0.0)
     assert hops(hoop, 0.5, 0.01) == 0
     motion = hoop.simulate(theta=math.pi, theta_rate=-3.0, until=40.0, max_transitions=400)
-    assert hops(hoop, 3.0, 0.0, 100) == sum(phase.mode == "flight" and phase.end is not None for phase in motion.phases)
+    assert hops(hoop, 3.0, 0.0, 100) == sum(
+        phase.mode == "flight" and phase.end is not None for phase in motion.phases
+    )
 
 
 def test_the_second_hop_of_the_published_build_needs_no_restitution():
     speed = 3.08 / math.sqrt(9.80665 * 0.14)
-    assert [hops(build(weight, 0.4, 0.0), speed, 0.005 / 0.14) for weight in (0.051, 0.066)] == [1, 2]
+    assert [hops(build(weight, 0.4, 0.0), speed, 0.005 / 0.14) for weight in (0.051, 0.066)] == [
+        1,
+        2,
+    ]

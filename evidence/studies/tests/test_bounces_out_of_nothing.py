@@ -31,7 +31,12 @@ def contacts(seed, count):
         h = random.uniform(0.05, 0.97)
         kappa = (1.0 - h * h) * 10.0 ** random.uniform(-2.0, 0.0)
         contact = Contact(h, kappa, np.array([random.uniform(0.05, 3.1)]), random.uniform(0.1, 3.0))
-        yield contact, random.uniform(0.1, 0.99), str(random.choice(["energetic", "poisson"])), random
+        yield (
+            contact,
+            random.uniform(0.1, 0.99),
+            str(random.choice(["energetic", "poisson"])),
+            random,
+        )
 
 
 def test_the_program_has_the_ratios_of_the_page():
@@ -44,8 +49,22 @@ def test_the_program_has_the_ratios_of_the_page():
 def test_the_identities_of_the_proofs_are_exact():
     # κ, arm h s, lever 1 + h c, μ, |a|, w
     for kappa, arm, lever, mu, a, w in (
-        (Fraction(2, 7), Fraction(3, 5), Fraction(9, 8), Fraction(4, 3), Fraction(5, 9), Fraction(6, 7)),
-        (Fraction(1, 9), Fraction(5, 8), Fraction(2, 3), Fraction(7, 4), Fraction(1, 5), Fraction(9, 10)),
+        (
+            Fraction(2, 7),
+            Fraction(3, 5),
+            Fraction(9, 8),
+            Fraction(4, 3),
+            Fraction(5, 9),
+            Fraction(6, 7),
+        ),
+        (
+            Fraction(1, 9),
+            Fraction(5, 8),
+            Fraction(2, 3),
+            Fraction(7, 4),
+            Fraction(1, 5),
+            Fraction(9, 10),
+        ),
     ):
         big_a, big_b, big_c = 1 + lever**2 / kappa, arm * lever / kappa, 1 + arm**2 / kappa
         b, braking = big_b / big_a, mu * big_a - big_b
@@ -79,7 +98,9 @@ def test_much_friction_attains_the_bound():
     contact = Contact(0.6, 0.3, np.array([1.4]), 1e9)
     for law in ("energetic", "poisson"):
         low, _ = contact.range(0.7, law)
-        assert float(low[0]) == pytest.approx((1.0 / 0.7 - 1.0) / (2.0 * float(contact.stick[0])), rel=1e-6)
+        assert float(low[0]) == pytest.approx(
+            (1.0 / 0.7 - 1.0) / (2.0 * float(contact.stick[0])), rel=1e-6
+        )
 
 
 @pytest.mark.parametrize("name", BODIES)
@@ -96,7 +117,9 @@ def test_the_program_finds_the_least_slopes(name, e):
         mu_k=1.0,
     )
     assert hoop.inertia_about_mass_centre / hoop.mass == pytest.approx(kappa, rel=1e-12)
-    above, below = (hoop_on(factor * slope, hoop, e, "energetic").phase_plane for factor in (1.0001, 0.9999))
+    above, below = (
+        hoop_on(factor * slope, hoop, e, "energetic").phase_plane for factor in (1.0001, 0.9999)
+    )
     assert above.reverse_chatter(-angle, 0.0) > 1.0
     assert np.all(np.isnan(below.reverse_chatter(-ANGLES, 0.0)))
 
@@ -105,7 +128,9 @@ def test_in_an_equilibrium_the_weight_has_no_moment():
     for h, slope in ((0.5, 0.4), (0.8, 0.6)):
         turned = math.asin(math.sin(slope) / h)
         for theta in (-turned - slope, math.pi + turned - slope):
-            assert -h * math.sin(theta) == pytest.approx((1.0 + h * math.cos(theta)) * math.tan(slope), rel=1e-12)
+            assert -h * math.sin(theta) == pytest.approx(
+                (1.0 + h * math.cos(theta)) * math.tan(slope), rel=1e-12
+            )
 
 
 def test_a_loaded_disc_leaves_its_stable_equilibrium():
@@ -117,7 +142,9 @@ def test_a_loaded_disc_leaves_its_stable_equilibrium():
         (rest,) = (one for one in hoop.phase_plane.equilibria if one.stability == "stable")
         found = hoop.classify(theta=rest.theta, theta_rate=0.0)
         assert (found.reverse_chatter is not None) == grows
-        motion = hoop.simulate(theta=rest.theta, theta_rate=0.0, gap_rate=1e-9, max_transitions=1000)
+        motion = hoop.simulate(
+            theta=rest.theta, theta_rate=0.0, gap_rate=1e-9, max_transitions=1000
+        )
         rates = [one.impact.after.gap_rate for one in motion.transitions if one.impact is not None]
         if grows:
             # It never comes back: it bounces down the slope.
@@ -148,11 +175,18 @@ def test_the_rate_grows_as_the_time():
     ratio = hoop.classify(theta=saddle(), theta_rate=0.0).reverse_chatter
     times, rates = out_of(hoop, saddle(), 0.0, 1e-9, 60)
     here = (rates > 1e-7) & (rates < 1e-5)
-    assert np.all(np.abs(rates[here] / times[here] / (0.5 * math.cos(hoop.slope) * (ratio - 1.0)) - 1.0) < 0.02)
+    assert np.all(
+        np.abs(rates[here] / times[here] / (0.5 * math.cos(hoop.slope) * (ratio - 1.0)) - 1.0)
+        < 0.02
+    )
 
 
 def test_without_a_slope_or_by_newtons_law_there_is_none():
     theta, rate = np.meshgrid(np.linspace(-3.1, 3.1, 60), np.linspace(-1.5, 1.5, 31))
     hoop = thin_hoop(EXAMPLE["h"], mu_k=EXAMPLE["mu"])
-    for other in (hoop_on(0.0, hoop, 1.0, "poisson"), hoop_on(0.6, hoop, 0.8, "newton"), replace(hoop, slope=0.6)):
+    for other in (
+        hoop_on(0.0, hoop, 1.0, "poisson"),
+        hoop_on(0.6, hoop, 0.8, "newton"),
+        replace(hoop, slope=0.6),
+    ):
         assert np.all(np.isnan(other.phase_plane.reverse_chatter(theta, rate)))

@@ -30,7 +30,9 @@ def exact_orbits(rough, count=40):
     """Orbits in fractions: every identity between rational functions must hold to the last digit."""
     random = np.random.default_rng(5)
     for _ in range(count):
-        a, c, rate, v = (Fraction(int(random.integers(1, 60)), int(random.integers(1, 60))) for _ in range(4))
+        a, c, rate, v = (
+            Fraction(int(random.integers(1, 60)), int(random.integers(1, 60))) for _ in range(4)
+        )
         sign = int(random.choice([-1, 1]))
         yield Orbit(a, 1 + sign * c, Fraction(int(random.integers(1, 50)), 50), rate, v, rough)
 
@@ -47,7 +49,9 @@ def test_the_products_of_the_multipliers_are_those_of_the_derivative(rough):
     for one in exact_orbits(rough):
         m = one.turn()
         determinant = sum(
-            m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3]) for i in range(3)
+            m[0][i]
+            * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3])
+            for i in range(3)
         )
         trace = m[0][0] + m[1][1] + m[2][2]
         assert determinant == one.determinant
@@ -91,7 +95,9 @@ def test_the_derivative_of_a_turn_is_that_of_simulated_motions():
         if np.max(np.abs(exact)) > 1e3:
             continue
         found += 1
-        assert np.array(differences(hoop, one, angle)) == pytest.approx(exact, abs=2e-6 * np.max(np.abs(exact)))
+        assert np.array(differences(hoop, one, angle)) == pytest.approx(
+            exact, abs=2e-6 * np.max(np.abs(exact))
+        )
     assert found > 30
 
 
@@ -125,7 +131,8 @@ def test_the_derivative_of_a_turn_at_fifty_digits():
         return [theta, w, v]
 
     found = orbit(0.5, 0.6, 1.9)
-    # The start is the orbit to the digits of a float: the derivative of the map is that there to as many.
+    # The start is the orbit to the digits of a float: the derivative of the map is that there to as
+    # many.
     start = [arb(-1.9), arb(found.rate), arb(found.gap_rate)]
     guesses = [3.8 / found.rate, 2.0 * (math.pi - 1.9) / found.second_rate]
     measured = np.empty((3, 3))
@@ -146,7 +153,11 @@ def test_a_slip_that_kinetic_friction_does_not_stop_makes_a_jump_however_small_i
         after = []
         for slip in (1e-7, -1e-7):
             motion = torn.simulate(
-                theta=-angle, theta_rate=one.rate, gap_rate=one.gap_rate, slip=slip, max_transitions=1
+                theta=-angle,
+                theta_rate=one.rate,
+                gap_rate=one.gap_rate,
+                slip=slip,
+                max_transitions=1,
             )
             after.append(motion.transitions[0].impact)
         towards, against = after
@@ -167,8 +178,12 @@ def test_an_unstable_motion_is_left_at_the_pace_of_its_multiplier():
         one = orbit(h, thin(h), angle)
         largest = max(one.multipliers, key=abs)
         hoop = thin_hoop(h, mu_k=one.friction + 0.2, restitution=1.0)
-        motion = hoop.simulate(theta=-angle, theta_rate=one.rate + 1e-8, gap_rate=one.gap_rate, max_transitions=12)
-        undisturbed = hoop.simulate(theta=-angle, theta_rate=one.rate, gap_rate=one.gap_rate, max_transitions=12)
+        motion = hoop.simulate(
+            theta=-angle, theta_rate=one.rate + 1e-8, gap_rate=one.gap_rate, max_transitions=12
+        )
+        undisturbed = hoop.simulate(
+            theta=-angle, theta_rate=one.rate, gap_rate=one.gap_rate, max_transitions=12
+        )
         turns = zip(motion.transitions[1::2], undisturbed.transitions[1::2], strict=False)
         off = [a.after.theta_rate - b.after.theta_rate for a, b in turns]
         # A part of the kick goes along the family, and stays as it is.
@@ -204,7 +219,9 @@ def test_smooth_motions_are_those_of_a_simulation_without_friction():
     for h, angle in ((0.3, 1.84), (0.5, 2.2), (0.6, 0.5)):
         one = orbit(h, thin(h), angle, rough=False)
         hoop = thin_hoop(h, mu_k=0, restitution=1)
-        assert np.array(differences(hoop, one, angle)) == pytest.approx(np.array(one.turn()), rel=1e-5, abs=1e-5)
+        assert np.array(differences(hoop, one, angle)) == pytest.approx(
+            np.array(one.turn()), rel=1e-5, abs=1e-5
+        )
         assert one.determinant == 1
 
 
@@ -223,7 +240,9 @@ def lossless(hoop, theta, rate, gap_rate, impacts):
     motion = hoop.simulate(theta=theta, theta_rate=rate, gap_rate=gap_rate, max_transitions=impacts)
     assert [one.cause for one in motion.transitions] == ["landing"] * impacts
     assert all(abs(one.impact.energy_lost) < 1e-12 for one in motion.transitions)
-    assert all(one.impact.after.gap_rate == pytest.approx(gap_rate, rel=1e-9) for one in motion.transitions)
+    assert all(
+        one.impact.after.gap_rate == pytest.approx(gap_rate, rel=1e-9) for one in motion.transitions
+    )
     return [(one.after.theta, one.impact.after.theta_rate) for one in motion.transitions]
 
 
@@ -234,7 +253,10 @@ def test_there_are_lossless_motions_that_do_not_turn():
     assert one.second_rate == pytest.approx(0.61391, abs=5e-6)
     far = 2.0 * math.pi - 2.0
     found = lossless(hoop, 2.0, one.second_rate, one.gap_rate, 4)
-    assert found == [pytest.approx(after, rel=1e-9) for after in 2 * [(far, -one.second_rate), (2.0, one.second_rate)]]
+    assert found == [
+        pytest.approx(after, rel=1e-9)
+        for after in 2 * [(far, -one.second_rate), (2.0, one.second_rate)]
+    ]
     # With a pause: κ v and v² = χ/κα.
     v = math.sqrt((math.pi - 2.0) / (one.kappa * one.alpha))
     found = lossless(hoop, 2.0, one.kappa * v, v, 4)
@@ -248,24 +270,38 @@ def test_there_are_lossless_motions_that_do_not_turn():
     slow, fast = ((v + side * math.sqrt(v * v - 4.0 * a * chi)) / (2.0 * a) for side in (-1.0, 1.0))
     rough = thin_hoop(h, mu_k=1.5 * (1.0 + h * math.cos(angle)) / a, restitution=1.0)
     found = lossless(rough, angle, fast, v, 2)
-    assert found == [pytest.approx(after, rel=1e-9) for after in ((2.0 * math.pi - angle, -slow), (angle, fast))]
+    assert found == [
+        pytest.approx(after, rel=1e-9) for after in ((2.0 * math.pi - angle, -slow), (angle, fast))
+    ]
 
 
 def test_rocking_is_unstable_with_friction_and_conserves_area_without():
     for h, angle in ((0.3, 1.0), (0.5, 2.0), (0.8, 2.6)):
         one = rocking(h, thin(h), angle)
         half = np.array(rocked(one))
-        assert np.linalg.det(half) == pytest.approx(1.0 + one.kappa * one.lever * (math.pi - angle), rel=1e-12)
-        assert np.linalg.det(np.array(rocked(rocking(h, thin(h), angle, rough=False)))) == pytest.approx(1.0, rel=1e-12)
+        assert np.linalg.det(half) == pytest.approx(
+            1.0 + one.kappa * one.lever * (math.pi - angle), rel=1e-12
+        )
+        assert np.linalg.det(
+            np.array(rocked(rocking(h, thin(h), angle, rough=False)))
+        ) == pytest.approx(1.0, rel=1e-12)
         hoop = thin_hoop(h, mu_k=one.friction + 0.2, restitution=1.0)
         start, columns = [angle, one.second_rate, one.gap_rate], []
         for i in range(3):
             ends = []
             for step in (1e-7, -1e-7):
                 theta, rate, gap_rate = (x + step * (i == j) for j, x in enumerate(start))
-                motion = hoop.simulate(theta=theta, theta_rate=rate, gap_rate=gap_rate, max_transitions=1)
+                motion = hoop.simulate(
+                    theta=theta, theta_rate=rate, gap_rate=gap_rate, max_transitions=1
+                )
                 after = motion.transitions[0]
-                ends.append([-after.after.theta, -after.impact.after.theta_rate, after.impact.after.gap_rate])
+                ends.append(
+                    [
+                        -after.after.theta,
+                        -after.impact.after.theta_rate,
+                        after.impact.after.gap_rate,
+                    ]
+                )
             columns.append([(x - y) / 2e-7 for x, y in zip(*ends, strict=True)])
         assert np.transpose(columns) == pytest.approx(half, abs=2e-6 * np.max(np.abs(half)))
 
@@ -275,7 +311,15 @@ def test_smooth_rocking_is_stable_where_its_multipliers_are_on_the_unit_circle()
         for end in smooth_rocking(h):
             sizes = []
             for angle in (end - 1e-3, end + 1e-3):
-                sizes.append(max(abs(np.linalg.eigvals(np.array(rocked(rocking(h, thin(h), angle, rough=False)))))))
+                sizes.append(
+                    max(
+                        abs(
+                            np.linalg.eigvals(
+                                np.array(rocked(rocking(h, thin(h), angle, rough=False)))
+                            )
+                        )
+                    )
+                )
             assert min(sizes) == pytest.approx(1.0, abs=1e-6) and max(sizes) > 1.01
 
 
@@ -284,6 +328,9 @@ def test_bands_that_are_narrower_than_the_grid_are_found():
         low, high = next(band for band in stable(h) if band[0] < math.radians(inside) < band[1])
         assert math.radians(outside[0]) < low and high < math.radians(outside[1])
         for degrees in (inside, *outside):
-            # By the eigenvalues of the matrix: one is 1, and both others are smaller inside the band only.
-            sizes = np.sort(abs(np.linalg.eigvals(np.array(orbit(h, thin(h), math.radians(degrees)).turn()))))
+            # By the eigenvalues of the matrix: one is 1, and both others are smaller inside the
+            # band only.
+            sizes = np.sort(
+                abs(np.linalg.eigvals(np.array(orbit(h, thin(h), math.radians(degrees)).turn())))
+            )
             assert sizes[1] < 1.0 - 1e-4 if degrees == inside else sizes[2] > 1.0 + 1e-4

@@ -12,7 +12,8 @@ def test_without_resistance_the_soft_ground_is_the_exact_one():
     film = thrown(np.random.default_rng([0, 12]), 240.0)
     theta, x = rolling_on_soft_ground(film.hoop, film.start, film.time, 0.0)
     assert theta.size > 40
-    # A transition is found to a step of 2e-4; the noise of the films is ten times as large as what that makes.
+    # A transition is found to a step of 2e-4; the noise of the films is ten times as large as what
+    # that makes.
     np.testing.assert_allclose(theta, film.theta[: theta.size], atol=4e-4)
     np.testing.assert_allclose(x, film.x[: x.size], atol=4e-4)
 

@@ -29,7 +29,8 @@ def test_the_margin_and_its_derivatives_are_those_of_the_forces():
         normal, friction = contact.rolling(theta, u)
         a, b = margin.terms(theta)
         assert a[0] - d * (1.0 + u) * b[0] == pytest.approx(
-            (mu * normal - friction) * d**2, abs=1e-10 * d**2 * (contact.m + abs(normal) + abs(friction))
+            (mu * normal - friction) * d**2,
+            abs=1e-10 * d**2 * (contact.m + abs(normal) + abs(friction)),
         )
         step = 1e-4
         after, before = margin.terms(theta + step), margin.terms(theta - step)
@@ -68,7 +69,8 @@ def test_a_slip_with_equal_coefficients_costs_c_times_the_square_of_the_distance
                 ratios.append(slide.energy_lost / expected)
         if len(ratios) == 2 and abs(ratios[0] - 1.0) < 0.2:
             found += 1
-            # What is neglected goes with the root of the distance, which is a third; it may change its sign.
+            # What is neglected goes with the root of the distance, which is a third; it may change
+            # its sign.
             assert abs(ratios[1] - 1.0) < max(0.6 * abs(ratios[0] - 1.0), 0.05)
     assert found > 20
 
@@ -111,7 +113,11 @@ def test_no_slide_begins_with_less_than_a_slip_out_of_rolling():
         m, h, inertia = hoop.mass, hoop.h, hoop.inertia_about_mass_centre
         theta, u = random.uniform(-math.pi, math.pi), 10.0 ** random.uniform(-2.0, 1.0)
         s, lever = math.sin(theta), 1.0 + h * math.cos(theta)
-        a, b, c = 1.0 / m + lever**2 / inertia, h * s * lever / inertia, 1.0 / m + (h * s) ** 2 / inertia
+        a, b, c = (
+            1.0 / m + lever**2 / inertia,
+            h * s * lever / inertia,
+            1.0 / m + (h * s) ** 2 / inertia,
+        )
         w, d, gap = 1.0 - h * math.cos(theta) * u, a * c - b * b, hoop.mu_s - hoop.mu_k
         normal = (a * w - b * h * s * u) / d
         force = (h * s * u - b * normal) / a
@@ -178,7 +184,10 @@ def test_an_orbit_may_touch_the_limit_where_it_turns_back(h, mu):
     off = []
     for distance in (1e-3, 1e-4):
         motion = hoop.simulate(
-            theta=math.pi, theta_rate=bottom_rate(hoop, energy + distance), max_transitions=4, proof="none"
+            theta=math.pi,
+            theta_rate=bottom_rate(hoop, energy + distance),
+            max_transitions=4,
+            proof="none",
         )
         slides = [one for one in motion.phases if one.mode == "sliding"]
         assert len(slides) == 2
@@ -201,7 +210,9 @@ def test_next_to_the_top_slips_come_in_one_order_only():
         theta = -near * random.uniform(0.0, 1.0)
         slip = random.choice([0.0, 1.0, -1.0, -1.0]) * near**2 * random.uniform(0.0, 1.0)
         rate = math.sqrt((1.0 - near * random.uniform(0.0, 0.1)) / (h * math.cos(theta)))
-        motion = hoop.simulate(theta=theta, theta_rate=rate, slip=slip, until=2.0 * near / rate, max_transitions=20)
+        motion = hoop.simulate(
+            theta=theta, theta_rate=rate, slip=slip, until=2.0 * near / rate, max_transitions=20
+        )
         slides = {1: "+", -1: "-", 0: "R"}
         word = "".join(slides[one.direction] for one in motion.phases if one.mode != "flight")
         rest = iter("-+R-")

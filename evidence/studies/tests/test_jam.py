@@ -27,7 +27,9 @@ def test_the_exponent_is_that_of_the_equation_of_slides():
     for body in bodies(200):
         mu = body.lower + 0.4 * (body.upper - body.lower)
         theta, step = body.angle(mu), 1e-5
-        slope = (solvability(body, mu, theta + step) - solvability(body, mu, theta - step)) / (2.0 * step)
+        slope = (solvability(body, mu, theta + step) - solvability(body, mu, theta - step)) / (
+            2.0 * step
+        )
         s, c = math.sin(theta), math.cos(theta)
         assert solvability(body, mu, theta) == pytest.approx(0.0, abs=1e-12)
         assert body.exponent(c) == pytest.approx(2.0 * body.k2 * c / (s * slope), rel=1e-5)
@@ -53,9 +55,9 @@ def test_the_cubics_have_one_positive_zero_and_factor_for_rim_hoops():
         g = h**2 * s2 * (c + h) - k2 * (c + h * (2 * c * c - 1))
         assert j == 2 * k2 * c * (1 + h * c) - g
         rim = 1 - h * h
-        assert h**2 * c**3 + h * (4 * rim + h**2) * c**2 + (3 * rim - h**2) * c - h * (rim + h**2) == (1 + h * c) * (
-            h * c * c + 3 * rim * c - h
-        )
+        assert h**2 * c**3 + h * (4 * rim + h**2) * c**2 + (3 * rim - h**2) * c - h * (
+            rim + h**2
+        ) == (1 + h * c) * (h * c * c + 3 * rim * c - h)
 
 
 @pytest.mark.parametrize("gamma", [0.2, 0.5, 0.75, 0.95])
@@ -66,12 +68,16 @@ def test_a_rim_hoop_has_closed_forms(gamma):
     assert body.one == pytest.approx(rim_one(gamma), rel=1e-12)
     c = rim_one(gamma)
     s = math.sqrt(1.0 - c * c)
-    assert body.lower == pytest.approx(4.0 * gamma * s * c / (4.0 * gamma * c * c + 3.0 * c - gamma), rel=1e-9)
+    assert body.lower == pytest.approx(
+        4.0 * gamma * s * c / (4.0 * gamma * c * c + 3.0 * c - gamma), rel=1e-9
+    )
 
 
 def test_the_limits_of_rim_hoops():
     small, light = Body.rim(1e-3), Body.rim(1.0 - 1e-7)
-    assert (small.upper - small.lower) / (small.upper - small.painleve) == pytest.approx(5.0 / 9.0, rel=1e-4)
+    assert (small.upper - small.lower) / (small.upper - small.painleve) == pytest.approx(
+        5.0 / 9.0, rel=1e-4
+    )
     assert light.lower / light.painleve == pytest.approx(2.0 / math.sqrt(3.0), rel=1e-5)
 
 
@@ -92,14 +98,19 @@ def test_no_slide_jams_outside_the_bounds():
         if body.k2 < 1e-4 or body.upper > 50.0:
             continue
         inside = body.lower + (body.upper - body.lower) * random.uniform(0.3, 0.8)
-        outside = random.choice([body.painleve + 0.9 * (body.lower - body.painleve), 1.5 * body.upper])
+        outside = random.choice(
+            [body.painleve + 0.9 * (body.lower - body.painleve), 1.5 * body.upper]
+        )
         for mu in (inside, outside):
             hoop = replace(base, mu_s=mu, mu_k=mu)
             start = body.angle(min(mu, 0.999 * body.upper)) + 10.0 ** random.uniform(-2.5, 0.0)
-            motion = hoop.simulate(theta=start, theta_rate=-0.3 / math.sqrt(body.h), slip=10.0, max_transitions=0)
+            motion = hoop.simulate(
+                theta=start, theta_rate=-0.3 / math.sqrt(body.h), slip=10.0, max_transitions=0
+            )
             ended = motion.outcome.kind == "singular"
             if mu == outside and ended:
-                # Close to λ = 0 and λ = 1 the slip or the contact ends nearer to P = 0 than doubles resolve.
+                # Close to λ = 0 and λ = 1 the slip or the contact ends nearer to P = 0 than doubles
+                # resolve.
                 exponent = body.exponent(math.cos(motion.outcome.state.theta))
                 assert -0.15 < exponent < 0.0 or 1.0 < exponent < 1.15
             jams += ended
@@ -111,9 +122,13 @@ def test_a_jam_conserves_the_angular_momentum_about_the_contact_and_throws_the_h
     for trial, found in sample():
         if found == "jam":
             seen += 1
-            motion = trial.hoop.simulate(theta=trial.theta, theta_rate=trial.rate, slip=trial.slip, max_transitions=3)
+            motion = trial.hoop.simulate(
+                theta=trial.theta, theta_rate=trial.rate, slip=trial.slip, max_transitions=3
+            )
             jam, body = motion.transitions[0], Body.of(trial.hoop)
-            rate, lost = after_jam(body, math.cos(jam.state.theta), jam.state.theta_rate, jam.state.slip)
+            rate, lost = after_jam(
+                body, math.cos(jam.state.theta), jam.state.theta_rate, jam.state.slip
+            )
             assert jam.cause == "jam"
             assert jam.to_mode == "flight"
             assert jam.after.slip == pytest.approx(0.0, abs=1e-9)
@@ -129,9 +144,15 @@ def test_comsols_hoop_jams_in_its_zone_only():
     assert body.angle(1.0) == pytest.approx(theta, rel=1e-12)
     width = zone(body, 1.0)
     for part in (0.1, 0.5, 0.98):
-        assert hoop.simulate(theta=theta + part * width, theta_rate=-1e-4, slip=5.0).outcome.kind == "singular"
+        assert (
+            hoop.simulate(theta=theta + part * width, theta_rate=-1e-4, slip=5.0).outcome.kind
+            == "singular"
+        )
     for rate in (0.0, 0.01, 0.5, 1.0, 1.5):
-        assert hoop.simulate(theta=theta + 1.02 * width, theta_rate=-rate, slip=5.0).outcome.kind != "singular"
+        assert (
+            hoop.simulate(theta=theta + 1.02 * width, theta_rate=-rate, slip=5.0).outcome.kind
+            != "singular"
+        )
 
 
 def test_a_slip_that_still_lasts_next_to_p_0_need_not_jam():
@@ -140,21 +161,25 @@ def test_a_slip_that_still_lasts_next_to_p_0_need_not_jam():
     (end,) = motion.transitions
     assert (end.cause, end.to_mode) == ("stick", "rolling")
     assert slip_left(hoop, (theta, rate, slip), end.state.time) < -0.01
-    # It slips where its distance from P = 0 is already 1e-9: the sign of the slip there would tell a jam.
+    # It slips where its distance from P = 0 is already 1e-9: the sign of the slip there would tell
+    # a jam.
     last = motion(np.nextafter(end.state.time, 0.0) - 1e-9)
     assert float(last["slip"]) > 0.01
     assert 0.0 < float(last["theta"]) - Body.of(hoop).angle(hoop.mu_k) < 1e-8
 
 
 def test_what_is_left_of_the_slip_tells_jams_from_ends_of_slip_next_to_p_0():
-    # Slides from 0.1 beside P = 0, at λ = 0.02, where the slip ends or jams closer than doubles resolve.
+    # Slides from 0.1 beside P = 0, at λ = 0.02, where the slip ends or jams closer than doubles
+    # resolve.
     seen = {"jam": 0, "end of slip": 0}
     for body in bodies(150):
         if body.k2 < 1e-3:
             continue
         mu = body.friction_of(0.02)
         theta = body.angle(mu) + 0.1
-        base = lw.Hoop(mass_ratio=0.0, offset=body.h, inertia=body.k2, mu_s=mu, mu_k=mu, restitution=0.0)
+        base = lw.Hoop(
+            mass_ratio=0.0, offset=body.h, inertia=body.k2, mu_s=mu, mu_k=mu, restitution=0.0
+        )
         for slip in (0.5, 1.0, 2.0, 4.0, 8.0):
             start = (theta, -0.5 / math.sqrt(body.h), slip)
             motion = base.simulate(theta=theta, theta_rate=start[1], slip=slip, max_transitions=1)
@@ -199,7 +224,9 @@ def test_slides_of_rim_hoops_that_begin_behind_the_bottom_jam_only_with_slip_to_
         hoop = thin_hoop(body.h, mu_k=mu)
         theta = random.uniform(math.pi, 2.0 * math.pi)
         cosine = body.h * math.cos(theta)
-        rate = -random.uniform(0.1, 1.0) * math.sqrt(min(1.0 / cosine if cosine > 0.0 else 9.0, 9.0))
+        rate = -random.uniform(0.1, 1.0) * math.sqrt(
+            min(1.0 / cosine if cosine > 0.0 else 9.0, 9.0)
+        )
         ends = [
             hoop.simulate(theta=theta, theta_rate=rate, slip=slip, max_transitions=0).outcome.kind
             for slip in (1e-12, 30.0)

@@ -23,7 +23,9 @@ def test_figure_7_comes_to_the_plane_as_the_paper_says_and_bounces():
     before, after = left.at(left.end - left.begin - 1e-6), rising.at(1e-6)
     assert -math.sin(before.theta) * before.rate == pytest.approx(-SPEED, rel=1e-5)
     assert -math.sin(after.theta) * after.rate == pytest.approx(SPEED, rel=1e-5)
-    assert before.slip - (1.0 + math.cos(before.theta)) * before.rate == pytest.approx(-1.2, rel=1e-9)
+    assert before.slip - (1.0 + math.cos(before.theta)) * before.rate == pytest.approx(
+        -1.2, rel=1e-9
+    )
     assert after.slip == pytest.approx((1.0 + math.cos(after.theta)) * after.rate, rel=1e-9)
 
 
@@ -54,7 +56,10 @@ def test_light_hoops_differ_from_the_limit_by_the_orders_of_the_theorem():
 @pytest.mark.parametrize(("mu_s", "mu_k"), [(0.72, 0.6), (0.3, 0.25), (0.5, 0.5)])
 def test_a_bounce_that_stops_the_slip_leaves_a_velocity_of_the_third_root(family, mu_s, mu_k):
     # By V at the end of rolling, b θ′ at δ³ = 2 μs Î, and the impulse after it.
-    off = [drift_left(light(size, family, mu_k, mu_s)) / stopped_law(mu_s, mu_k) - 1.0 for size in (1e-6, 1e-9)]
+    off = [
+        drift_left(light(size, family, mu_k, mu_s)) / stopped_law(mu_s, mu_k) - 1.0
+        for size in (1e-6, 1e-9)
+    ]
     assert abs(off[1]) < 0.005
     assert abs(off[1]) < 0.5 * abs(off[0])
 

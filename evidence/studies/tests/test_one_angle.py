@@ -3,7 +3,14 @@ import math
 import pytest
 
 from evidence.studies.hoops import thin_hoop
-from evidence.studies.one_angle import before_top, jumps_of, second_sample, turned_at_top, turned_in_air, whole_turns
+from evidence.studies.one_angle import (
+    before_top,
+    jumps_of,
+    second_sample,
+    turned_at_top,
+    turned_in_air,
+    whole_turns,
+)
 from evidence.studies.roots import zero
 
 
@@ -15,8 +22,11 @@ def test_every_hoop_that_slides_off_the_plane_turns_by_the_same_angle():
         if not 1e-3 < angle < 1.3:
             continue
         found += 1
-        # The angle of lift-off is known to some units of its last digit, which the law does not amplify here.
-        assert abs(flight.end.theta - flight.start.theta) == pytest.approx(turned_in_air(angle), rel=1e-11)
+        # The angle of lift-off is known to some units of its last digit, which the law does not
+        # amplify here.
+        assert abs(flight.end.theta - flight.start.theta) == pytest.approx(
+            turned_in_air(angle), rel=1e-11
+        )
     assert found > 100
 
 
@@ -36,14 +46,18 @@ def test_the_angle_with_a_vertical_tangent_lands_without_a_rate():
 
 def test_whole_turns_in_the_air_have_a_closed_form():
     for number in range(1, 8):
-        assert turned_in_air(whole_turns(number)) == pytest.approx(2.0 * math.pi * number, rel=1e-12)
+        assert turned_in_air(whole_turns(number)) == pytest.approx(
+            2.0 * math.pi * number, rel=1e-12
+        )
     # A slide that is about to lift off there, of a hoop that was not used for this.
     h, angle = 0.7, math.atan(math.pi)
     hoop = thin_hoop(h, mu_k=0.2)
     rate = 1.0 / math.sqrt(h * math.cos(angle))
     flight = next(
         phase
-        for phase in hoop.simulate(theta=-angle, theta_rate=rate * (1.0 - 1e-13), slip=1.0, max_transitions=2).phases
+        for phase in hoop.simulate(
+            theta=-angle, theta_rate=rate * (1.0 - 1e-13), slip=1.0, max_transitions=2
+        ).phases
         if phase.mode == "flight"
     )
     assert flight.end.theta - flight.start.theta == pytest.approx(2.0 * math.pi, abs=1e-6)
@@ -66,5 +80,9 @@ def test_three_numbers_tell_the_second_hop_where_the_slip_goes_on():
 
 
 def test_more_than_three_numbers_tell_it_where_the_slip_ends():
-    ends = [abs(turned / told - 1.0) for case, turned, told in second_sample() if case == "sticks_in_compression"]
+    ends = [
+        abs(turned / told - 1.0)
+        for case, turned, told in second_sample()
+        if case == "sticks_in_compression"
+    ]
     assert sorted(ends)[len(ends) // 2] > 1e-3

@@ -35,7 +35,10 @@ def test_pictures_have_the_title_and_the_description_of_their_page(name):
     for picture in study.pictures:
         file = study.folder / f"{picture}.svg"
         drawn = file.read_text(encoding="utf-8")
-        words = [html.unescape(re.search(rf"<{tag}>(.*?)</{tag}>", drawn)[1]) for tag in ("title", "desc")]
+        words = [
+            html.unescape(re.search(rf"<{tag}>(.*?)</{tag}>", drawn)[1])
+            for tag in ("title", "desc")
+        ]
         assert tuple(words) == said(study.page, file)
 
 
@@ -57,4 +60,6 @@ def test_the_words_of_a_picture_are_on_its_sheet(name):
 
 def test_the_index_has_every_study():
     text = (PAGES / "index.md").read_text(encoding="utf-8")
-    assert [name for name in re.findall(r"\]\(([\w-]+)\.md\)", text) if name in NAMES] == list(NAMES)
+    assert [name for name in re.findall(r"\]\(([\w-]+)\.md\)", text) if name in NAMES] == list(
+        NAMES
+    )

@@ -14,7 +14,9 @@ TEXT = (Path(__file__).parents[3] / "docs" / "paper" / "paper.tex").read_text(en
 def test_every_number_table_and_figure_is_used_and_there():
     assert {*re.findall(r"\\num(\w+)", TEXT)} == {*NUMBERS}
     assert {*re.findall(r"\\tab(\w+)", TEXT)} == {*TABLES}
-    assert {*re.findall(r"\\includegraphics\[[^]]*\]\{([\w-]+)\}", TEXT)} == {"-".join(one) for one in FIGURES}
+    assert {*re.findall(r"\\includegraphics\[[^]]*\]\{([\w-]+)\}", TEXT)} == {
+        "-".join(one) for one in FIGURES
+    }
     for study, place in (*NUMBERS.values(), *TABLES.values()):
         assert place in load(study).texts
     for study, name in FIGURES:

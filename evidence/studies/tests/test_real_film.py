@@ -19,8 +19,8 @@ def test_intervals_of_independent_noise_contain_the_truth_as_often_as_they_say()
         values = pulls(rows, name)
         assert len(values) >= 180
         for level in (0.5, 0.6827, 0.9, 0.95, 0.99):
-            # Three standard deviations of a binomial number, and more only where an interval is too wide: the fit finds
-            # slow errors where there are none.
+            # Three standard deviations of a binomial number, and more only where an interval is too
+            # wide: the fit finds slow errors where there are none.
             chance = 3.0 * math.sqrt(level * (1.0 - level) / len(values))
             assert level - chance < part_within(values, level) < level + 1.3 * chance
 
@@ -43,7 +43,9 @@ def test_a_film_of_the_table_comes_out_again():
     cells = dict(zip(row, map(float, of_video(62, track_of(62))), strict=True))
     for name in FREE:
         assert cells[f"{name}_true"] == row[f"{name}_true"]
-        assert cells[f"{name}_value"] == pytest.approx(row[f"{name}_value"], abs=0.1 * row[f"{name}_error"])
+        assert cells[f"{name}_value"] == pytest.approx(
+            row[f"{name}_value"], abs=0.1 * row[f"{name}_error"]
+        )
 
 
 def test_who_clicks_has_another_plane():
@@ -58,7 +60,9 @@ def test_a_fit_of_the_table_comes_out_again():
     cells = dict(zip(row, map(float, line_of(111)), strict=True))
     for name in FREE:
         assert cells[f"{name}_true"] == row[f"{name}_true"]
-        assert cells[f"{name}_value"] == pytest.approx(row[f"{name}_value"], abs=0.01 * row[f"{name}_error"])
+        assert cells[f"{name}_value"] == pytest.approx(
+            row[f"{name}_value"], abs=0.01 * row[f"{name}_error"]
+        )
 
 
 def test_a_search_of_the_table_comes_out_again():
@@ -67,7 +71,9 @@ def test_a_search_of_the_table_comes_out_again():
     cells = dict(zip(rows[32], map(float, line_of(32, search=True)), strict=True))
     assert cells["sequence_found"] == rows[32]["sequence_found"]
     for name in FREE:
-        assert cells[f"{name}_value"] == pytest.approx(rows[32][f"{name}_value"], abs=0.01 * rows[32][f"{name}_error"])
+        assert cells[f"{name}_value"] == pytest.approx(
+            rows[32][f"{name}_value"], abs=0.01 * rows[32][f"{name}_error"]
+        )
 
 
 @pytest.mark.parametrize("number", [31, 44])
@@ -76,7 +82,9 @@ def test_the_path_of_a_random_throw_is_in_the_picture(number):
     radius = film.thrown.hoop.units.length_m
     seen = film.thrown.motion(np.linspace(0.0, 1.0, 200) / film.thrown.hoop.units.time_s)
     for a in np.linspace(0.0, math.tau, 16):
-        u, v = film.plane.to_pixels((seen.x + math.cos(a)) * radius, (seen.centre_y + math.sin(a)) * radius)
+        u, v = film.plane.to_pixels(
+            (seen.x + math.cos(a)) * radius, (seen.centre_y + math.sin(a)) * radius
+        )
         assert u.min() > 0.0 and u.max() < film.camera.width - 1
         assert v.min() > 0.0 and v.max() < film.camera.height - 1
 
@@ -91,7 +99,9 @@ def test_a_throw_slips_out_of_rolling_and_lands_twice():
 
 def test_harder_films_are_those_of_the_page():
     rows = hard_rows()
-    assert [(row["condition"], int(row["film"])) for row in rows] == [(name, film) for name in HARD for film in FILMS]
+    assert [(row["condition"], int(row["film"])) for row in rows] == [
+        (name, film) for name in HARD for film in FILMS
+    ]
     for row in rows:
         # The rim is found to a twentieth of a pixel, and a wrong fit is doubted.
         assert float(row["centre_px"]) < 1.0 / 20.0
@@ -101,6 +111,10 @@ def test_harder_films_are_those_of_the_page():
 def test_a_harder_film_comes_out_again():
     row = next(row for row in hard_rows() if (row["condition"], row["film"]) == ("noise", "2"))
     cells = dict(zip(row, of_hard("noise", 2), strict=True))
-    assert (cells["hoops"], cells["markers"], cells["by_hoop"]) == (row["hoops"], row["markers"], row["by_hoop"])
+    assert (cells["hoops"], cells["markers"], cells["by_hoop"]) == (
+        row["hoops"],
+        row["markers"],
+        row["by_hoop"],
+    )
     for name in ("centre_px", "marker_px", "worst_pull"):
         assert float(cells[name]) == pytest.approx(float(row[name]), rel=0.02)

@@ -37,7 +37,11 @@ def starts(count, seed, least=LEAST):
     """Return random γ, μ and rates of the family."""
     random = np.random.default_rng(seed)
     gamma, part = random.uniform(GAMMAS[0], GAMMAS[-1], count), random.uniform(0.0, 1.0, count)
-    return gamma, np.exp(random.uniform(math.log(least), math.log(MOST), count)), rate_of(gamma, part)
+    return (
+        gamma,
+        np.exp(random.uniform(math.log(least), math.log(MOST), count)),
+        rate_of(gamma, part),
+    )
 
 
 def test_turns_of_a_batch_are_those_of_single_motions_whose_phases_are_sampled():
@@ -128,8 +132,16 @@ def test_the_lines_do_not_have_all_sequences_and_two_searches_do_not_either():
     found = Recapture.of(CORNER, listed_starts()).found
     for start, name, is_found in (
         (UNFOUND, "R-R+R-R+R-R revolution", False),
-        ((0.2864325030024969, 0.010817605465116668, 0.7212563050567887), "R+R-R+R-R+-R revolution", True),
-        ((0.3655039952264185, 0.008390902203133984, 0.7124488114235097), "R+-R-R+-R revolution", True),
+        (
+            (0.2864325030024969, 0.010817605465116668, 0.7212563050567887),
+            "R+R-R+R-R+-R revolution",
+            True,
+        ),
+        (
+            (0.3655039952264185, 0.008390902203133984, 0.7124488114235097),
+            "R+-R-R+-R revolution",
+            True,
+        ),
     ):
         gamma, mu, part = start
         assert first_turn(gamma, mu, part / math.sqrt(gamma)).name == name
@@ -138,7 +150,11 @@ def test_the_lines_do_not_have_all_sequences_and_two_searches_do_not_either():
 
 
 def test_each_start_of_the_list_has_its_sequence():
-    rows = list(csv.DictReader(load("sequences").folder.joinpath("list.csv").read_text(encoding="utf-8").splitlines()))
+    rows = list(
+        csv.DictReader(
+            load("sequences").folder.joinpath("list.csv").read_text(encoding="utf-8").splitlines()
+        )
+    )
     assert len({(row["family"], row["sequence"], row["stop"]) for row in rows}) == len(rows) > 200
     for row in rows:
         gamma, part, mu = (float(row[name]) for name in ("gamma", "rate_times_root_gamma", "mu"))
@@ -147,11 +163,14 @@ def test_each_start_of_the_list_has_its_sequence():
 
 
 def test_the_number_of_a_set_is_estimated_by_capture_and_recapture():
-    # The estimate has no bias where every member is as easy to find: E = N for n1 + n2 ≥ N (Chapman 1951).
+    # The estimate has no bias where every member is as easy to find: E = N for n1 + n2 ≥ N (Chapman
+    # 1951).
     random = np.random.default_rng(3)
     everything = [str(name) for name in range(60)]
     found = [
-        Recapture(set(random.choice(everything, 40, False)), set(random.choice(everything, 35, False))).estimate
+        Recapture(
+            set(random.choice(everything, 40, False)), set(random.choice(everything, 35, False))
+        ).estimate
         for _ in range(4000)
     ]
     assert np.mean(found) == pytest.approx(60.0, abs=4.0 * np.std(found) / math.sqrt(len(found)))
@@ -181,12 +200,21 @@ def test_lines_that_links_do_not_know_have_the_boundaries_of_the_surfaces():
         start, end = grid.found[link.start], grid.found[link.end]
         assert start.sides == end.sides
         # At a third of the way, with the friction of the parabola through start, middle and end.
-        lines.append((start.gamma ** (2 / 3) * end.gamma ** (1 / 3), start.part ** (2 / 3) * end.part ** (1 / 3)))
+        lines.append(
+            (
+                start.gamma ** (2 / 3) * end.gamma ** (1 / 3),
+                start.part ** (2 / 3) * end.part ** (1 / 3),
+            )
+        )
         guesses.append(start.mu ** (2 / 9) * link.mu ** (8 / 9) * end.mu ** (-1 / 9))
     found = boundaries(lines, LEAST, MOST, SCAN)
     for link, line, guess in zip(links, lines, guesses, strict=True):
         sides = grid.found[link.start].sides
-        near = [abs(math.log(one.mu / guess)) for one in found if (one.gamma, one.part) == line and one.sides == sides]
+        near = [
+            abs(math.log(one.mu / guess))
+            for one in found
+            if (one.gamma, one.part) == line and one.sides == sides
+        ]
         assert min(near, default=math.inf) < 0.01
 
 
@@ -198,7 +226,9 @@ def hoops(count, seed):
     random = np.random.default_rng(seed)
     for _ in range(count):
         mu = float(np.exp(random.uniform(math.log(0.02), math.log(2.0))))
-        ratio, offset, inertia = (float(one) for one in random.uniform((0.1, 0.1, 0.0), (5.0, 1.0, 3.0)))
+        ratio, offset, inertia = (
+            float(one) for one in random.uniform((0.1, 0.1, 0.0), (5.0, 1.0, 3.0))
+        )
         hoop = lw.Hoop(mass_ratio=ratio, offset=offset, inertia=inertia, mu_s=mu, mu_k=mu)
         yield hoop, Contact.of(hoop), mu, random
 
@@ -229,7 +259,9 @@ def test_slides_differ_from_rolling_by_the_excess_of_friction():
             excess = -(sigma * friction + mu * normal)
             scale = d / (contact.m * contact.solvability(theta, mu * sigma))
             assert slipping == pytest.approx(sigma * scale * excess, rel=1e-9, abs=1e-9)
-            assert turning == pytest.approx(rolling + contact.m * lever / d * slipping, rel=1e-9, abs=1e-9)
+            assert turning == pytest.approx(
+                rolling + contact.m * lever / d * slipping, rel=1e-9, abs=1e-9
+            )
 
 
 def test_at_most_one_slide_begins_and_the_other_is_kept_off_by_friction():
@@ -237,7 +269,10 @@ def test_at_most_one_slide_begins_and_the_other_is_kept_off_by_friction():
     for _, contact, mu, random in hoops(300, 7):
         for _ in range(20):
             theta, u = random.uniform(0.0, 2.0 * math.pi), random.uniform(0.0, 4.0)
-            if contact.pressure(theta, u) <= 0.0 or min(contact.solvability(theta, one) for one in (mu, -mu)) <= 0.0:
+            if (
+                contact.pressure(theta, u) <= 0.0
+                or min(contact.solvability(theta, one) for one in (mu, -mu)) <= 0.0
+            ):
                 continue
             normal, friction = contact.rolling(theta, u)
             assert min(friction - mu * normal, -friction - mu * normal) < 0.0
@@ -253,7 +288,9 @@ class Trigonometric:
 
     def __add__(self, other):
         both = ((self.even, other.even), (self.odd, other.odd))
-        return Trigonometric(*([sum(pair) for pair in zip_longest(*terms, fillvalue=0)] for terms in both))
+        return Trigonometric(
+            *([sum(pair) for pair in zip_longest(*terms, fillvalue=0)] for terms in both)
+        )
 
     def __mul__(self, other):
         if not isinstance(other, Trigonometric):
@@ -282,8 +319,12 @@ def test_the_margin_of_friction_vanishes_along_no_orbit_of_rolling():
         d = cosine * (2 * offset) + Trigonometric([inertia + m * (1 + h * h)])
         # N and F of rolling times D², from u = K/D − 1 and θ″ = ℓsK/D².
         squared = d * constant + d * d * -1
-        normal = d * d * m + sine * sine * (-offset * offset * constant) + cosine * squared * -offset
-        friction = sine * squared * offset + (cosine * offset + Trigonometric([m])) * sine * (-offset * constant)
+        normal = (
+            d * d * m + sine * sine * (-offset * offset * constant) + cosine * squared * -offset
+        )
+        friction = sine * squared * offset + (cosine * offset + Trigonometric([m])) * sine * (
+            -offset * constant
+        )
         margin = normal * mu + friction * sigma
         even, odd = margin.even, margin.odd
         # The third harmonics of c³ and of s c² have the coefficient 1/4; there is no higher one.
@@ -299,13 +340,20 @@ def test_a_system_of_rolle_s_kind_has_at_most_as_many_zeros_as_equations():
     for order in (1, 2, 3, 4):
         # Coefficients that jump, and a start near a polynomial with all its zeros inside.
         jumps = np.tril(random.uniform(-1.0, 1.0, (20, count, order, order)))
-        polynomials = [np.polynomial.Polynomial.fromroots(one) for one in random.uniform(0.0, length, (count, order))]
-        z = np.array([[one.deriv(k)(0.0) if k else one(0.0) for k in range(order)] for one in polynomials])
+        polynomials = [
+            np.polynomial.Polynomial.fromroots(one)
+            for one in random.uniform(0.0, length, (count, order))
+        ]
+        z = np.array(
+            [[one.deriv(k)(0.0) if k else one(0.0) for k in range(order)] for one in polynomials]
+        )
         signs = []
         for step in range(steps):
             signs.append(z[:, 0] > 0.0)
             top = np.full((count, 1), float(math.factorial(order)))
-            slope = np.concatenate((z[:, 1:], top), axis=1) + np.einsum("nij,nj->ni", jumps[step * 20 // steps], z)
+            slope = np.concatenate((z[:, 1:], top), axis=1) + np.einsum(
+                "nij,nj->ni", jumps[step * 20 // steps], z
+            )
             z = z + length / steps * slope
         changes = np.sum(np.diff(np.array(signs), axis=0), axis=0)
         assert changes.max() == order
@@ -314,7 +362,9 @@ def test_a_system_of_rolle_s_kind_has_at_most_as_many_zeros_as_equations():
 def test_the_moment_about_the_contact_changes_as_if_there_were_no_forces():
     phases = 0
     for hoop, contact, _, random in hoops(40, 10):
-        motion = hoop.simulate(theta=0.0, theta_rate=float(random.uniform(0.1, 0.99) / math.sqrt(contact.h)), until=8.0)
+        motion = hoop.simulate(
+            theta=0.0, theta_rate=float(random.uniform(0.1, 0.99) / math.sqrt(contact.h)), until=8.0
+        )
         offset = contact.m * contact.h
         for phase in motion.phases:
             if phase.mode == "flight":
@@ -324,14 +374,18 @@ def test_the_moment_about_the_contact_changes_as_if_there_were_no_forces():
                 continue
             times_ = phase.start.time + length * np.linspace(1e-9, 1.0 - 1e-9, 401)
             samples = motion(times_)
-            theta, rate, slip = (np.asarray(samples[name]) for name in ("theta", "theta_rate", "slip"))
+            theta, rate, slip = (
+                np.asarray(samples[name]) for name in ("theta", "theta_rate", "slip")
+            )
             denominator = np.array([contact.denominator(one) for one in theta])
             moment = denominator * rate - contact.m * (1.0 + contact.h * np.cos(theta)) * slip
             slope = offset * np.sin(theta) * (1.0 - rate**2 + rate * slip)
             weights = np.ones(401)
             weights[1:-1:2], weights[2:-1:2] = 4.0, 2.0
             change = float(weights @ slope) * (times_[1] - times_[0]) / 3.0
-            assert moment[-1] - moment[0] == pytest.approx(change, abs=1e-6 * max(1.0, np.abs(moment).max()))
+            assert moment[-1] - moment[0] == pytest.approx(
+                change, abs=1e-6 * max(1.0, np.abs(moment).max())
+            )
             phases += phase.mode == "sliding"
     assert phases > 60
 
@@ -355,7 +409,9 @@ def test_where_contact_is_lost_at_the_top_both_slips_fall():
             for sign in (-1.0, 1.0):
                 theta = sign * step * rate
                 turning, _ = slide(contact, mu, sigma, 0.0, rate**2)
-                values.append(slide(contact, mu, sigma, theta, (rate + sign * step * turning) ** 2)[1])
+                values.append(
+                    slide(contact, mu, sigma, theta, (rate + sign * step * turning) ** 2)[1]
+                )
             assert (values[1] - values[0]) / (2.0 * step) == pytest.approx(-rate, rel=1e-4)
 
 
@@ -389,7 +445,9 @@ def turns_with_next_to_no_friction(count):
 
 def slides(turn):
     """Return the durations of the slides of a turn."""
-    return [duration for mode, duration in zip(turn.word, turn.durations, strict=True) if mode != "R"]
+    return [
+        duration for mode, duration in zip(turn.word, turn.durations, strict=True) if mode != "R"
+    ]
 
 
 def test_without_friction_reversals_are_the_roots_of_a_cubic_equation():
@@ -419,7 +477,11 @@ def test_degenerate_rates_are_those_at_which_the_number_of_reversals_changes():
         rates = np.linspace(0.05, 0.99, 1880) / math.sqrt(gamma)
         roots = [np.roots(quadratic(contact, rate)[::-1]) for rate in rates]
         counts = [sum(abs(one.imag) < 1e-12 and abs(one) < 1.0 for one in both) for both in roots]
-        changes = [0.5 * (rates[k] + rates[k + 1]) for k in range(len(rates) - 1) if counts[k] != counts[k + 1]]
+        changes = [
+            0.5 * (rates[k] + rates[k + 1])
+            for k in range(len(rates) - 1)
+            if counts[k] != counts[k + 1]
+        ]
         assert sorted(degenerate_rates(contact)) == pytest.approx(changes, abs=2e-3)
 
 
@@ -435,9 +497,13 @@ def test_a_hoop_that_glides_without_turning_loses_its_slip_with_friction_and_par
             turning, slipping = slide(contact, mu, sigma, theta, 0.0)
             assert turning == pytest.approx(0.0, abs=1e-12)
             assert slipping == pytest.approx(-sigma * mu)
-            squared = contact.m * h * (math.cos(theta) + sigma * mu * math.sin(theta)) / contact.inertia
+            squared = (
+                contact.m * h * (math.cos(theta) + sigma * mu * math.sin(theta)) / contact.inertia
+            )
             step = 1e-6
-            ahead, behind = (slide(contact, mu, sigma, theta + one, 0.0)[0] for one in (step, -step))
+            ahead, behind = (
+                slide(contact, mu, sigma, theta + one, 0.0)[0] for one in (step, -step)
+            )
             assert (ahead - behind) / (2.0 * step) == pytest.approx(squared, rel=1e-6, abs=1e-6)
             assert squared > 0.0
 
@@ -446,7 +512,9 @@ def test_a_hoop_that_glides_without_turning_loses_its_slip_with_friction_and_par
 def test_the_search_moves_towards_many_slides_and_finds_no_more_than_the_table(family_of):
     rows = [row for row in longest_rows() if row["family"] == family_of]
     most = max(count for row in rows for count in range(10) if int(row[f"slides_{count}"]))
-    assert all(sum(int(row[f"slides_{count}"]) for count in range(10)) == int(row["turns"]) for row in rows)
+    assert all(
+        sum(int(row[f"slides_{count}"]) for count in range(10)) == int(row["turns"]) for row in rows
+    )
     counts = search(family_of, 9, 12_000)
     assert counts[most] > sum(counts) / 5
     assert not any(counts[most + 1 :])

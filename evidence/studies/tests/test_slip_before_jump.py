@@ -37,8 +37,12 @@ def test_the_forces_are_those_of_the_program():
         plane = on(hoop, slope, 1.0).phase_plane
         normal, friction = Body.of(hoop).forces(theta, rate * rate, slope)
         size = 1e-12 * hoop.mass * (2.0 + rate * rate)
-        assert float(plane.normal(theta, rate)) == pytest.approx(hoop.mass * float(normal), abs=size)
-        assert float(plane.friction(theta, rate)) == pytest.approx(hoop.mass * float(friction), abs=size)
+        assert float(plane.normal(theta, rate)) == pytest.approx(
+            hoop.mass * float(normal), abs=size
+        )
+        assert float(plane.friction(theta, rate)) == pytest.approx(
+            hoop.mass * float(friction), abs=size
+        )
 
 
 def test_both_forces_vanish_in_one_state_and_have_the_ratio_of_the_page():
@@ -59,7 +63,9 @@ def test_both_forces_vanish_in_one_state_and_have_the_ratio_of_the_page():
         u = 2.0 * level / float(body.denominator(before - slope))
         normal, friction = body.forces(before - slope, u, slope)
         assert float(normal) > 0.0
-        assert abs(float(friction)) / float(normal) == pytest.approx(body.least_friction(slope), rel=1e-3, abs=1e-4)
+        assert abs(float(friction)) / float(normal) == pytest.approx(
+            body.least_friction(slope), rel=1e-3, abs=1e-4
+        )
 
 
 def test_with_less_friction_it_slips_and_with_more_it_does_not():
@@ -76,7 +82,9 @@ def test_with_less_friction_it_slips_and_with_more_it_does_not():
         # From a place next to the end, so that friction holds before.
         psi = -0.2
         rate = math.sqrt(
-            2.0 * (body.level(slope) - float(body.potential(psi, slope))) / float(body.denominator(psi - slope))
+            2.0
+            * (body.level(slope) - float(body.potential(psi, slope)))
+            / float(body.denominator(psi - slope))
         )
         found = jump(on(hoop, slope, 0.9 * critical), psi, rate)
         assert found is not None
@@ -150,7 +158,9 @@ def test_there_is_one_highest_climb():
     # The formula of the derivative that was bounded.
     step = 1e-5
     for y in (0.7, 1.3, 1.9):
-        slope = (math.log(climb(2.0 * (y + step))) - math.log(climb(2.0 * (y - step)))) / (2.0 * step)
+        slope = (math.log(climb(2.0 * (y + step))) - math.log(climb(2.0 * (y - step)))) / (
+            2.0 * step
+        )
         assert slope == pytest.approx(logarithmic_slope(y), rel=1e-7, abs=1e-8)
 
 
@@ -173,6 +183,8 @@ def test_no_motion_from_rest_climbs_beyond_twice_h():
     for hoop, random in random_hoops(7, 150):
         slope = random.uniform(0.05, 1.0)
         tilted = on(hoop, slope, random.uniform(0.2, 2.0))
-        motion = tilted.simulate(theta=random.uniform(-3.1, 3.1), theta_rate=0.0, max_transitions=20, until=20.0)
+        motion = tilted.simulate(
+            theta=random.uniform(-3.1, 3.1), theta_rate=0.0, max_transitions=20, until=20.0
+        )
         x = np.array([0.0] + [one.state.x for one in motion.transitions])
         assert np.all(x * math.sin(slope) <= 2.0 * hoop.h + 1e-9)

@@ -2,12 +2,21 @@ import math
 
 import pytest
 
-from evidence.studies.telephone import HOOP, MM_PER_PX, RADIUS_MM, UNITS, ideal, lift_off, motion, seconds_until
+from evidence.studies.telephone import (
+    HOOP,
+    MM_PER_PX,
+    RADIUS_MM,
+    UNITS,
+    ideal,
+    lift_off,
+    motion,
+    seconds_until,
+)
 
 
 def test_a_gap_opens_with_the_third_power_of_time():
-    # N = 0 at the lift-off and grows evenly without contact: the gap has the third derivative of the acceleration that
-    # the contact would need.
+    # N = 0 at the lift-off and grows evenly without contact: the gap has the third derivative of
+    # the acceleration that the contact would need.
     for gap_mm in (1e-3, 1e-2):
         ratio = seconds_until(8.0 * gap_mm) / seconds_until(gap_mm)
         assert ratio == pytest.approx(2.0, rel=0.02)
@@ -21,7 +30,11 @@ def test_gaps_are_those_of_free_fall():
     state = next(one.after for one in motion().transitions if one.cause == "lift_off")
     for gap_mm in (0.1, MM_PER_PX, 10.0):
         t = seconds_until(gap_mm) / UNITS.time_s
-        height = h * math.cos(state.theta) - h * math.sin(state.theta) * state.theta_rate * t - 0.5 * t * t
+        height = (
+            h * math.cos(state.theta)
+            - h * math.sin(state.theta) * state.theta_rate * t
+            - 0.5 * t * t
+        )
         gap = height - h * math.cos(state.theta + state.theta_rate * t)
         assert gap * RADIUS_MM == pytest.approx(gap_mm, rel=1e-6)
 

@@ -34,19 +34,32 @@ def balls(derivatives, motions):
 def test_every_family_has_small_balls_through_all_events(derivatives, motions):
     assert len({one["motion"] for one in motions}) == len(motions)
     paths = (FOLDER / "certificates").glob("*.json")
-    families = {path.stem: json.loads(path.read_text(encoding="utf-8"))["case"]["family"] for path in paths}
+    families = {
+        path.stem: json.loads(path.read_text(encoding="utf-8"))["case"]["family"] for path in paths
+    }
     # Jams end where they begin; massless hoops and those in SI units are left out.
-    assert {*families.values()} - {families[one["motion"]] for one in motions} == {"jam", "massless", "si"}
+    assert {*families.values()} - {families[one["motion"]] for one in motions} == {
+        "jam",
+        "massless",
+        "si",
+    }
     causes = {event["cause"] for one in motions for event in one["events"]}
     assert causes >= {"stick", "slip", "lift_off", "landing"}
     quantities = {name for *_, found in balls(derivatives, motions) for name in found}
     assert quantities == {*derivatives.HOOP, *derivatives.START}
     for motion, number, name, found in balls(derivatives, motions):
         for quantity, (middle, radius) in found.items():
-            assert float(radius) <= 1e-9 * max(1.0, abs(float(middle))), (motion, number, name, quantity)
+            assert float(radius) <= 1e-9 * max(1.0, abs(float(middle))), (
+                motion,
+                number,
+                name,
+                quantity,
+            )
 
 
-@pytest.mark.parametrize("name", ["bounces", "law-energetic", "ramp-sliding-09", "near-tie-20", "jam-16"])
+@pytest.mark.parametrize(
+    "name", ["bounces", "law-energetic", "ramp-sliding-09", "near-tie-20", "jam-16"]
+)
 def test_committed_balls_are_made_again(derivatives, motions, name):
     certificate = json.loads((FOLDER / "certificates" / f"{name}.json").read_text(encoding="utf-8"))
     found = derivatives.differentiated(certificate)
@@ -66,16 +79,27 @@ def test_the_derivatives_of_the_library_are_in_the_balls_but_for_rounding(deriva
         largest = 1.0
         for number, event in enumerate(motion["events"]):
             found = {name: event[name] for name in derivatives.NUMBERS}
-            largest = max(largest, *(abs(float(middle)) for one in found.values() for middle, _ in one.values()))
-            # The bound is as large as the derivative itself: the library may say that the event is touched.
-            if ROUNDINGS * 2.0**-52 * largest**2 > 1.0 and set(exact.reason[number].values) == {"grazing"}:
+            largest = max(
+                largest,
+                *(abs(float(middle)) for one in found.values() for middle, _ in one.values()),
+            )
+            # The bound is as large as the derivative itself: the library may say that the event is
+            # touched.
+            if ROUNDINGS * 2.0**-52 * largest**2 > 1.0 and set(exact.reason[number].values) == {
+                "grazing"
+            }:
                 refused.append(motion["motion"])
                 break
             for name, one in found.items():
                 for quantity, (middle, radius) in one.items():
                     mine = float(exact[name].sel(quantity=quantity)[number])
                     bound = float(radius) + ROUNDINGS * 2.0**-52 * largest**3
-                    assert abs(mine - float(middle)) <= bound, (motion["motion"], number, name, quantity)
+                    assert abs(mine - float(middle)) <= bound, (
+                        motion["motion"],
+                        number,
+                        name,
+                        quantity,
+                    )
                     compared += 1
     assert compared > 30000
     assert len(refused) < 5

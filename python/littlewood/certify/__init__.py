@@ -1,9 +1,10 @@
 """Certificates of motions: every number a ball, every event proved, and none missed.
 
-:func:`certify` follows a motion with arithmetic that encloses rounding and truncation (Arb, by python-flint: the
-extra `certify`); :func:`check` follows it again by other means, without any package, and refuses a certificate of which
-a digit has been changed. :class:`Proof` keeps what the checker has enclosed, and draws it.
-``python -m littlewood.certify`` does all of it from the command line.
+:func:`certify` follows a motion with arithmetic that encloses rounding and truncation (Arb, by
+python-flint: the extra `certify`); :func:`check` follows it again by other means, without any
+package, and refuses a certificate of which a digit has been changed. :class:`Proof` keeps what the
+checker has enclosed, and draws it. ``python -m littlewood.certify`` does all of it from the command
+line.
 """
 
 from __future__ import annotations

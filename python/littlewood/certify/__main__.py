@@ -27,22 +27,42 @@ def parser() -> argparse.ArgumentParser:
     )
     found.add_argument("--check", metavar="FILE", type=Path, help="check this certificate")
     found.add_argument(
-        "--case", metavar="FILE", type=Path, help="a case in JSON, as a certificate has it, in place of numbers"
+        "--case",
+        metavar="FILE",
+        type=Path,
+        help="a case in JSON, as a certificate has it, in place of numbers",
     )
     found.add_argument("--out", metavar="FILE", type=Path, help="write to this file")
     found.add_argument(
-        "--picture", metavar="FILE", type=Path, help="check the certificate, and draw its proof: .svg, .pdf or .png"
+        "--picture",
+        metavar="FILE",
+        type=Path,
+        help="check the certificate, and draw its proof: .svg, .pdf or .png",
     )
-    found.add_argument("--width-mm", metavar="MM", type=float, default=120.0, help="width of the picture")
-    found.add_argument("--most-bits", metavar="BITS", type=int, default=1000, help="precision at which to give up")
+    found.add_argument(
+        "--width-mm", metavar="MM", type=float, default=120.0, help="width of the picture"
+    )
+    found.add_argument(
+        "--most-bits", metavar="BITS", type=int, default=1000, help="precision at which to give up"
+    )
     found.add_argument("--until", metavar="TIME", type=float, help="stop at this time")
-    found.add_argument("--slope", metavar="RAD", type=float, default=0.0, help=QUANTITIES["slope"].help)
-    found.add_argument("--restitution", metavar="E", type=float, help=QUANTITIES["restitution"].help)
-    found.add_argument("--restitution-law", choices=LAWS, default=LAWS[0], help="law of restitution")
+    found.add_argument(
+        "--slope", metavar="RAD", type=float, default=0.0, help=QUANTITIES["slope"].help
+    )
+    found.add_argument(
+        "--restitution", metavar="E", type=float, help=QUANTITIES["restitution"].help
+    )
+    found.add_argument(
+        "--restitution-law", choices=LAWS, default=LAWS[0], help="law of restitution"
+    )
     for name in dict.fromkeys(HOOP + HOOP_SI):
-        found.add_argument("--" + name.replace("_", "-"), metavar="X", type=float, help="of the hoop")
+        found.add_argument(
+            "--" + name.replace("_", "-"), metavar="X", type=float, help="of the hoop"
+        )
     for name in START:
-        found.add_argument("--" + name.replace("_", "-"), metavar="X", type=float, default=0.0, help="of the start")
+        found.add_argument(
+            "--" + name.replace("_", "-"), metavar="X", type=float, default=0.0, help="of the start"
+        )
     return found
 
 
@@ -63,7 +83,14 @@ def case_of(given: argparse.Namespace) -> Case:
     if given.restitution is not None:
         hoop |= {"restitution": given.restitution, "restitution_law": given.restitution_law}
     start = {name: getattr(given, name) for name in START}
-    return Case.read({"units": "si" if si else "dimensionless", "hoop": hoop, "start": start, "until": given.until})
+    return Case.read(
+        {
+            "units": "si" if si else "dimensionless",
+            "hoop": hoop,
+            "start": start,
+            "until": given.until,
+        }
+    )
 
 
 def _made(given: argparse.Namespace) -> Any:
@@ -82,7 +109,12 @@ def _made(given: argparse.Namespace) -> Any:
 def _draw(certificate: Any, given: argparse.Namespace) -> None:
     """Write the picture of the proof of a certificate."""
     found = Proof.of(certificate)
-    canvas.save(found.plot(given.width_mm), given.picture, proof_chart.title(found), proof_chart.description(found))
+    canvas.save(
+        found.plot(given.width_mm),
+        given.picture,
+        proof_chart.title(found),
+        proof_chart.description(found),
+    )
     print(f"{given.picture}: {proof_chart.title(found)}", file=sys.stderr)
 
 
@@ -94,7 +126,9 @@ def main(arguments: list[str] | None = None) -> int:
             canvas.format_of(given.picture)
         if given.check is not None and given.picture is None:
             return checker.main([str(given.check)])
-        certificate = _made(given) if given.check is None else checker.read(given.check.read_bytes())
+        certificate = (
+            _made(given) if given.check is None else checker.read(given.check.read_bytes())
+        )
         if given.picture is not None and (given.check is not None or certificate["certified"]):
             _draw(certificate, given)
     except Refused as refused:

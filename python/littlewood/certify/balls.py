@@ -1,9 +1,9 @@
 """Balls: real numbers with rigorous bounds on their error, their signs, and their text.
 
-A ball's text is a function of the true number alone, not of how precisely it was computed: 30 significant digits,
-correctly rounded, and as radius the error of these digits in hundredths of a unit of the last of them. So a
-certificate has the same bytes whatever precision made it, and a checker that computes the number in another way has
-to get the same text.
+A ball's text is a function of the true number alone, not of how precisely it was computed: 30
+significant digits, correctly rounded, and as radius the error of these digits in hundredths of a
+unit of the last of them. So a certificate has the same bytes whatever precision made it, and a
+checker that computes the number in another way has to get the same text.
 """
 
 from __future__ import annotations
@@ -92,8 +92,9 @@ def ends(value: Ball) -> tuple[Fraction, Fraction]:
 def text(value: Ball) -> list[str]:
     """Return midpoint and radius as decimal strings.
 
-    The radius is ⌊d + 1/1000⌋ + 1 of the distance d in hundredths: at least d, and not above d + 1.001. The thousandth
-    is there for numbers whose d is whole, such as doubles: without it, what encloses them would never decide it.
+    The radius is ⌊d + 1/1000⌋ + 1 of the distance d in hundredths: at least d, and not above d +
+    1.001. The thousandth is there for numbers whose d is whole, such as doubles: without it, what
+    encloses them would never decide it.
     """
     low, high = ends(value)
     if low == high == 0:

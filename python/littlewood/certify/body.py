@@ -69,7 +69,9 @@ class Body:
         """Return N and F of rolling."""
         sin, cos, u = theta.sin(), theta.cos(), rate * rate
         lever, heavy = self.mass + self.offset * cos, self.mass * self.back
-        acceleration = (self.offset * sin * (self.down + u) + lever * self.back) / self.denominator(cos)
+        acceleration = (self.offset * sin * (self.down + u) + lever * self.back) / self.denominator(
+            cos
+        )
         normal = self.mass * self.down - self.offset * (sin * acceleration + cos * u)
         return normal, self.offset * sin * u - lever * acceleration + heavy
 

@@ -104,8 +104,16 @@ class Case:
         if isinstance(start, dict):
             start = {"gap_rate": 0.0, **start}
         rest = {key: value for key, value in given.items() if key not in ("hoop", "start")}
-        whole: dict[str, Any] = {"name": "motion", "family": "", "units": SYSTEMS[0], "until": None, **rest}
-        whole |= {key: value for key, value in (("hoop", hoop), ("start", start)) if value is not None}
+        whole: dict[str, Any] = {
+            "name": "motion",
+            "family": "",
+            "units": SYSTEMS[0],
+            "until": None,
+            **rest,
+        }
+        whole |= {
+            key: value for key, value in (("hoop", hoop), ("start", start)) if value is not None
+        }
         try:
             valid_case(whole)
         except Refused as refused:

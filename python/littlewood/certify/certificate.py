@@ -31,8 +31,8 @@ def certify(case: Case, most_bits: int = PRECISIONS[-1]) -> dict[str, Any]:
     Returns
     -------
     dict
-        The certificate. Where something is not decided at the last precision, its `certified` is false and `reason`
-        says what.
+        The certificate. Where something is not decided at the last precision, its `certified` is
+        false and `reason` says what.
     """
     reason = "no precision is allowed"
     for bits in PRECISIONS:
@@ -46,7 +46,15 @@ def certify(case: Case, most_bits: int = PRECISIONS[-1]) -> dict[str, Any]:
         except Beyond as beyond:
             reason = str(beyond)
             break
-    return _sealed({"format": FORMAT, "version": VERSION, "certified": False, "reason": reason, "case": case.written()})
+    return _sealed(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "certified": False,
+            "reason": reason,
+            "case": case.written(),
+        }
+    )
 
 
 def dump(certificate: dict[str, Any]) -> str:
@@ -56,7 +64,11 @@ def dump(certificate: dict[str, Any]) -> str:
 
 def _lines(value: Any, depth: int) -> str:
     if depth and isinstance(value, dict) and value:
-        return "{\n" + ",\n".join(f"{json.dumps(k)}: {_lines(v, depth - 1)}" for k, v in value.items()) + "\n}"
+        return (
+            "{\n"
+            + ",\n".join(f"{json.dumps(k)}: {_lines(v, depth - 1)}" for k, v in value.items())
+            + "\n}"
+        )
     if depth and isinstance(value, list) and value and isinstance(value[0], dict):
         return "[\n" + ",\n".join(_lines(one, 0) for one in value) + "\n]"
     return json.dumps(value, separators=(",", ":"))
@@ -84,9 +96,15 @@ class _Writer:
         motion, energy = self.walk.follow(), self.walk.body.energy
         initial = motion.initial
         slides = ((one.start, one.end) for one in motion.phases if one.mode == "sliding")
-        sliding = sum((energy(start) - energy(end) for start, end in slides if end is not None), arb(0))
+        sliding = sum(
+            (energy(start) - energy(end) for start, end in slides if end is not None), arb(0)
+        )
         impacts = sum((one.impact.lost for one in motion.events if one.impact is not None), arb(0))
-        energies = {"start": energy(self.walk.start), "lost_in_slides": sliding, "lost_in_impacts": impacts}
+        energies = {
+            "start": energy(self.walk.start),
+            "lost_in_slides": sliding,
+            "lost_in_impacts": impacts,
+        }
         return {
             "format": FORMAT,
             "version": VERSION,
@@ -100,7 +118,10 @@ class _Writer:
             "phases": [self._phase(phase, f"phase {k}") for k, phase in enumerate(motion.phases)],
             "events": [self._event(event, f"event {k}") for k, event in enumerate(motion.events)],
             "end": self._end(motion),
-            "energy": {name: self._number("energy", value, f"{name} in all") for name, value in energies.items()},
+            "energy": {
+                name: self._number("energy", value, f"{name} in all")
+                for name, value in energies.items()
+            },
         }
 
     def _number(self, name: str, value: Ball, where: str) -> list[str]:
@@ -130,7 +151,8 @@ class _Writer:
 
     def _phase(self, phase: Phase, where: str) -> dict[str, Any]:
         samples = [
-            self._state(state, where) | self._numbers({"normal": normal, "friction": friction}, where)
+            self._state(state, where)
+            | self._numbers({"normal": normal, "friction": friction}, where)
             for state, normal, friction in phase.samples
         ]
         return {"mode": phase.mode, "direction": phase.direction, "samples": samples}
@@ -145,11 +167,17 @@ class _Writer:
         }
         if event.impact is not None:
             hit = event.impact
-            numbers = {"normal_impulse": hit.normal, "friction_impulse": hit.friction, "energy_lost": hit.lost}
+            numbers = {
+                "normal_impulse": hit.normal,
+                "friction_impulse": hit.friction,
+                "energy_lost": hit.lost,
+            }
             written["impact"] = {"case": hit.case, **self._numbers(numbers, where)}
             if event.cause != "settle":
                 before = self._state(event.before, f"before {where}")
-                written["impact"]["before"] = {name: before[name] for name in ("theta_rate", "slip", "gap_rate")}
+                written["impact"]["before"] = {
+                    name: before[name] for name in ("theta_rate", "slip", "gap_rate")
+                }
         return written
 
     def _end(self, motion: Motion) -> dict[str, Any]:

@@ -2,13 +2,15 @@
 
     python3 checker.py CERTIFICATE ...
 
-This file is all of it, and needs Python 3.10 or later alone: it takes nothing of the maker, of the rest of the package,
-or of the certificate but its inputs. It writes the certificate that these inputs have, by the conditions of
-docs/theory/contact.md, and refuses any other text. docs/checker.md lists the rules. To read it, begin at the end, with
-:func:`check` and :class:`Walk`; what they use comes before them:
+This file is all of it, and needs Python 3.10 or later alone: it takes nothing of the maker, of the
+rest of the package, or of the certificate but its inputs. It writes the certificate that these
+inputs have, by the conditions of docs/theory/contact.md, and refuses any other text.
+docs/checker.md lists the rules. To read it, begin at the end, with :func:`check` and :class:`Walk`;
+what they use comes before them:
 
-intervals, series, complex discs; the equations of motion; the text of a number; what a certificate may say; phases and
-their guards, zeros of guards, steps, a phase to its end; which motion follows; impacts, and infinitely many of them.
+intervals, series, complex discs; the equations of motion; the text of a number; what a certificate
+may say; phases and their guards, zeros of guards, steps, a phase to its end; which motion follows;
+impacts, and infinitely many of them.
 """
 
 from __future__ import annotations
@@ -242,10 +244,11 @@ def sine_and_cosine(angle: Range) -> tuple[Range, Range]:
     return turned
 
 
-# Power series in s, 0 ≤ s ≤ 1, whose coefficients are ranges and are computed when they are asked for.
+# Power series in s, 0 ≤ s ≤ 1, whose coefficients are ranges and are computed when they are asked
+# for.
 #
-# A series knows how its next coefficient follows from those of others. So a differential equation is written as it
-# stands: an :class:`Integral` of a series that is made of the integral itself.
+# A series knows how its next coefficient follows from those of others. So a differential equation
+# is written as it stands: an :class:`Integral` of a series that is made of the integral itself.
 
 
 Term: TypeAlias = "Series | Range | int"
@@ -313,7 +316,9 @@ class Series:
             def multiple(k: int) -> tuple[int, int]:
                 self.need(k)
                 m, r = self.m[k], self.r[k]
-                return m * factor.m >> bits, (abs(m) * factor.r + r * (abs(factor.m) + factor.r) >> bits) + 2
+                return m * factor.m >> bits, (
+                    abs(m) * factor.r + r * (abs(factor.m) + factor.r) >> bits
+                ) + 2
 
             return Series(multiple)
         if other is self and self.squared is not None:
@@ -336,7 +341,10 @@ class Series:
         def rule(k: int) -> tuple[int, int]:
             other.need(k)
             middle = sum(map(operator.mul, found.m, other.m[k:0:-1]))
-            radius = found.total * other.worst + (other.total - abs(other.m[0]) - other.r[0]) * found.worst
+            radius = (
+                found.total * other.worst
+                + (other.total - abs(other.m[0]) - other.r[0]) * found.worst
+            )
             one = (self[k] - Range(middle >> Range.bits, (radius >> Range.bits) + 2)) / other[0]
             return one.m, one.r
 
@@ -361,7 +369,9 @@ class Integral(Series):
 
 def line(first: Range, slope: Range) -> Series:
     """Return first + slope s."""
-    return Series(lambda k: (first.m, first.r) if k == 0 else (slope.m, slope.r) if k == 1 else (0, 0))
+    return Series(
+        lambda k: (first.m, first.r) if k == 0 else (slope.m, slope.r) if k == 1 else (0, 0)
+    )
 
 
 def _constant(value: Range | int) -> Series:
@@ -377,7 +387,8 @@ def at(coefficients: Iterable[Range], s: Range) -> Range:
     return total
 
 
-# Functions of θ and θ′ on discs of the complex plane around a real point: in floats, each rounded up with a margin.
+# Functions of θ and θ′ on discs of the complex plane around a real point: in floats, each rounded
+# up with a margin.
 #
 # They tell how far a solution reaches, how large it is there, and how fast two solutions part.
 
@@ -403,7 +414,10 @@ class Disc:
     def __add__(self, other: Disc | int) -> Disc:
         other = _disc(other)
         return _rounded(
-            self.c + other.c, self.r + other.r, self.by_theta + other.by_theta, self.by_rate + other.by_rate
+            self.c + other.c,
+            self.r + other.r,
+            self.by_theta + other.by_theta,
+            self.by_rate + other.by_rate,
         )
 
     __radd__ = __add__
@@ -435,7 +449,9 @@ class Disc:
         if least <= 1e-12:
             raise Wide
         square = least * least
-        return self * _rounded(1 / other.c, other.r / (size * least), other.by_theta / square, other.by_rate / square)
+        return self * _rounded(
+            1 / other.c, other.r / (size * least), other.by_theta / square, other.by_rate / square
+        )
 
 
 def _disc(value: Disc | int) -> Disc:
@@ -457,7 +473,11 @@ def angle_and_rate(theta: Disc, rate: Disc) -> tuple[Disc, Disc, Disc]:
     if theta.r > 3:
         raise Wide
     sin, cos = math.sin(theta.c), math.cos(theta.c)
-    bend, turn, most = math.cosh(theta.r) - 1 + 1e-14, math.sinh(theta.r) + 1e-14, math.cosh(theta.r)
+    bend, turn, most = (
+        math.cosh(theta.r) - 1 + 1e-14,
+        math.sinh(theta.r) + 1e-14,
+        math.cosh(theta.r),
+    )
     s, c = abs(sin) * bend + abs(cos) * turn, abs(cos) * bend + abs(sin) * turn
     return (
         _rounded(sin, s, min(most, abs(cos) + c)),
@@ -468,9 +488,10 @@ def angle_and_rate(theta: Disc, rate: Disc) -> tuple[Disc, Disc, Disc]:
 
 # The hoop and the equations of its contact, written once for ranges, for series and for discs.
 #
-# m, Î and h are mass, inertia about the mass centre and its distance from the centre, ℓ = m h; s, c, ω are sin θ, cos θ
-# and θ′; σ is the direction of slip. The plane rises to the right by α; of gravity cos α is normal to it (`down`), and
-# sin α points back along it (`back`). (2.11) to (2.18) are the equations of the paper, docs/theory derives them.
+# m, Î and h are mass, inertia about the mass centre and its distance from the centre, ℓ = m h; s,
+# c, ω are sin θ, cos θ and θ′; σ is the direction of slip. The plane rises to the right by α; of
+# gravity cos α is normal to it (`down`), and sin α points back along it (`back`). (2.11) to (2.18)
+# are the equations of the paper, docs/theory derives them.
 
 
 Value: TypeAlias = Any
@@ -516,7 +537,9 @@ class Body:
     def rolling(self, s: Value, c: Value, omega: Value) -> Value:
         """Return θ″ of rolling, (ℓ s (cos α + ω²) + (m + ℓ c) sin α)/D with D = Î + m (1 + h²) + 2 ℓ c (2.11)."""
         constant = self.inertia + self.m * (1 + self.h * self.h)
-        turning = self.offset * s * (self.down + omega * omega) + (self.offset * c + self.m) * self.back
+        turning = (
+            self.offset * s * (self.down + omega * omega) + (self.offset * c + self.m) * self.back
+        )
         return turning / (2 * (self.offset * c) + constant)
 
     def sliding(self, s: Value, c: Value, omega: Value, sigma: int) -> Value:
@@ -556,7 +579,8 @@ class State:
     gap_rate: Range
 
 
-# The text of a number that is enclosed, by the rule of the format; the checker's own reading of that rule.
+# The text of a number that is enclosed, by the rule of the format; the checker's own reading of
+# that rule.
 
 
 def text_of(value: Range) -> list[str]:
@@ -598,7 +622,8 @@ def _digits(x: Fraction) -> list[str]:
     return [sign + body, f"{error}e{power - 31}"]
 
 
-# What a certificate may say: truth/certificate.schema.json in Python, and what a schema cannot state of its case.
+# What a certificate may say: truth/certificate.schema.json in Python, and what a schema cannot
+# state of its case.
 
 Shape: TypeAlias = Callable[[Any, str], None]
 """Refuses a value, found at a place, that has another shape."""
@@ -620,22 +645,41 @@ def _must(holds: bool, value: Any, where: str, what: str) -> None:
 def _text(pattern: str = "") -> Shape:
     def shape(value: Any, where: str) -> None:
         _must(isinstance(value, str), value, where, "be a text")
-        _must(not pattern or re.fullmatch(pattern, value) is not None, value, where, f"be of the form {pattern}")
+        _must(
+            not pattern or re.fullmatch(pattern, value) is not None,
+            value,
+            where,
+            f"be of the form {pattern}",
+        )
 
     return shape
 
 
 def _one_of(*values: Any) -> Shape:
     def shape(value: Any, where: str) -> None:
-        known = any(value == one and isinstance(value, bool) == isinstance(one, bool) for one in values)
-        _must(known, value, where, f"be one of {', '.join(map(str, values))}" if len(values) > 1 else f"be {values[0]}")
+        known = any(
+            value == one and isinstance(value, bool) == isinstance(one, bool) for one in values
+        )
+        _must(
+            known,
+            value,
+            where,
+            f"be one of {', '.join(map(str, values))}" if len(values) > 1 else f"be {values[0]}",
+        )
 
     return shape
 
 
-def _number(least: float | None = None, above: float | None = None, most: float | None = None) -> Shape:
+def _number(
+    least: float | None = None, above: float | None = None, most: float | None = None
+) -> Shape:
     def shape(value: Any, where: str) -> None:
-        _must(isinstance(value, (int, float)) and not isinstance(value, bool), value, where, "be a number")
+        _must(
+            isinstance(value, (int, float)) and not isinstance(value, bool),
+            value,
+            where,
+            "be a number",
+        )
         _must(least is None or value >= least, value, where, f"be at least {least}")
         _must(above is None or value > above, value, where, f"be above {above}")
         _must(most is None or value <= most, value, where, f"be at most {most}")
@@ -689,18 +733,31 @@ STEEPEST = 1.5707963267948966
 
 
 def _of_hoop(numbers: Mapping[str, Shape]) -> Shape:
-    friction, slope = {"mu_s": _number(0), "mu_k": _number(0)}, {"slope": _number(-STEEPEST, most=STEEPEST)}
-    impacts = {"restitution": _number(0, most=1), "restitution_law": _one_of("energetic", "poisson", "newton")}
-    plain, bouncing = _object({**numbers, **friction}, slope), _object({**numbers, **friction, **impacts}, slope)
+    friction, slope = (
+        {"mu_s": _number(0), "mu_k": _number(0)},
+        {"slope": _number(-STEEPEST, most=STEEPEST)},
+    )
+    impacts = {
+        "restitution": _number(0, most=1),
+        "restitution_law": _one_of("energetic", "poisson", "newton"),
+    }
+    plain, bouncing = (
+        _object({**numbers, **friction}, slope),
+        _object({**numbers, **friction, **impacts}, slope),
+    )
 
     def shape(value: Any, where: str) -> None:
-        (bouncing if isinstance(value, dict) and impacts.keys() & value.keys() else plain)(value, where)
+        (bouncing if isinstance(value, dict) and impacts.keys() & value.keys() else plain)(
+            value, where
+        )
 
     return shape
 
 
 _HOOPS = {
-    "dimensionless": _of_hoop({"mass_ratio": _number(0), "offset": _number(0, most=1), "inertia": _number(0)}),
+    "dimensionless": _of_hoop(
+        {"mass_ratio": _number(0), "offset": _number(0, most=1), "inertia": _number(0)}
+    ),
     "si": _of_hoop(
         {
             "disc_mass_kg": _number(0),
@@ -717,10 +774,18 @@ _HOOPS = {
 def _case(value: Any, where: str) -> None:
     start = {"theta": _number(), "theta_rate": _number(), "slip": _number(), "gap_rate": _number(0)}
     units = _one_of(*_HOOPS)
-    until = _one_of(None) if isinstance(value, dict) and value.get("until") is None else _number(above=0)
+    until = (
+        _one_of(None)
+        if isinstance(value, dict) and value.get("until") is None
+        else _number(above=0)
+    )
     if isinstance(value, dict) and "units" in value:
         units(value["units"], f"{where}.units" if where else "units")
-    hoop = _HOOPS[value["units"]] if isinstance(value, dict) and "units" in value else _objects(_text())
+    hoop = (
+        _HOOPS[value["units"]]
+        if isinstance(value, dict) and "units" in value
+        else _objects(_text())
+    )
     names = {"name": _text(), "family": _text(), "units": units}
     _object({**names, "hoop": hoop, "start": _object(start), "until": until})(value, where)
 
@@ -742,14 +807,21 @@ _MOTION: dict[str, Shape] = {
         _object(
             {
                 "cause": _text(),
-                "to": _one_of("rolling", "sliding", "gliding", "flight", "inconsistent", "ambiguous", None),
+                "to": _one_of(
+                    "rolling", "sliding", "gliding", "flight", "inconsistent", "ambiguous", None
+                ),
                 "direction": _DIRECTION,
                 "state": _BALLS,
                 "evidence": _BALLS,
             },
             {
                 "impact": _object(
-                    {"case": _text(), "normal_impulse": _ball, "friction_impulse": _ball, "energy_lost": _ball},
+                    {
+                        "case": _text(),
+                        "normal_impulse": _ball,
+                        "friction_impulse": _ball,
+                        "energy_lost": _ball,
+                    },
                     {"before": _BALLS},
                 )
             },
@@ -766,7 +838,9 @@ _MOTION: dict[str, Shape] = {
 def valid(certificate: Any) -> None:
     """Refuse what has not the shape of a certificate, as truth/certificate.schema.json has it."""
     certified = isinstance(certificate, dict) and certificate.get("certified") is True
-    _object(_CERTIFICATE | (_MOTION if certified else {"reason": _text()}))(certificate, "certificate")
+    _object(_CERTIFICATE | (_MOTION if certified else {"reason": _text()}))(
+        certificate, "certificate"
+    )
 
 
 def valid_case(case: Any, where: str = "") -> None:
@@ -774,7 +848,9 @@ def valid_case(case: Any, where: str = "") -> None:
     _case(case, where)
     hoop, start, dot = case["hoop"], case["start"], f"{where}." if where else ""
     numbers = [("hoop." + key, value) for key, value in hoop.items() if key != "restitution_law"]
-    numbers += [("start." + key, value) for key, value in start.items()] + [("until", case["until"])]
+    numbers += [("start." + key, value) for key, value in start.items()] + [
+        ("until", case["until"])
+    ]
     for key, value in numbers:
         finite = value is None or (abs(value) <= sys.float_info.max and float(value) == value)
         _must(finite, value, dot + key, "be finite, and exactly a double")
@@ -783,9 +859,16 @@ def valid_case(case: Any, where: str = "") -> None:
         if case["units"] == "si"
         else (hoop["mass_ratio"], hoop["inertia"], hoop["offset"], 1)
     )
-    names = {"si": ("offset_m", "inertia_kg_m2"), "dimensionless": ("offset", "inertia")}[case["units"]]
+    names = {"si": ("offset_m", "inertia_kg_m2"), "dimensionless": ("offset", "inertia")}[
+        case["units"]
+    ]
     _must(offset <= radius, offset, f"{dot}hoop.{names[0]}", f"be at most the radius, {radius}")
-    _must(hoop["mu_k"] <= hoop["mu_s"], hoop["mu_k"], f"{dot}hoop.mu_k", f"be at most mu_s = {hoop['mu_s']}")
+    _must(
+        hoop["mu_k"] <= hoop["mu_s"],
+        hoop["mu_k"],
+        f"{dot}hoop.mu_k",
+        f"be at most mu_s = {hoop['mu_s']}",
+    )
     _must(
         (mass == 0) == (own == 0),
         own,
@@ -793,8 +876,18 @@ def valid_case(case: Any, where: str = "") -> None:
         f"be 0 if the mass of the hoop, {mass}, is, and else not",
     )
     if mass == 0:
-        _must(offset == radius, offset, f"{dot}hoop.{names[0]}", f"be the radius, {radius}: the hoop has no mass")
-        _must(start["gap_rate"] == 0, start["gap_rate"], f"{dot}start.gap_rate", "be 0: the hoop has no mass")
+        _must(
+            offset == radius,
+            offset,
+            f"{dot}hoop.{names[0]}",
+            f"be the radius, {radius}: the hoop has no mass",
+        )
+        _must(
+            start["gap_rate"] == 0,
+            start["gap_rate"],
+            f"{dot}start.gap_rate",
+            "be 0: the hoop has no mass",
+        )
         slope = hoop.get("slope", 0)
         _must(slope == 0, slope, f"{dot}hoop.slope", "be 0: the hoop has no mass")
 
@@ -835,8 +928,13 @@ class Given:
     def __init__(self, case: Mapping[str, Any]) -> None:
         hoop, start, of = case["hoop"], case["start"], Range.of
         if case["units"] == "si":
-            mass, length, gravity = (Fraction(hoop[k]) for k in ("particle_mass_kg", "radius_m", "gravity_m_per_s2"))
-            ratio, offset = Fraction(hoop["disc_mass_kg"]) / mass, Fraction(hoop["offset_m"]) / length
+            mass, length, gravity = (
+                Fraction(hoop[k]) for k in ("particle_mass_kg", "radius_m", "gravity_m_per_s2")
+            )
+            ratio, offset = (
+                Fraction(hoop["disc_mass_kg"]) / mass,
+                Fraction(hoop["offset_m"]) / length,
+            )
             own = Fraction(hoop["inertia_kg_m2"]) / (mass * length * length)
         else:
             mass = length = gravity = Fraction(1)
@@ -852,7 +950,9 @@ class Given:
         self.massless = ratio == 0 and own == 0
         # What rolls without friction.
         self.balanced, self.equal = offset == 0 and self.level, hoop["mu_s"] == hoop["mu_k"]
-        self.restitution = None if hoop.get("restitution") is None else of(Fraction(hoop["restitution"]))
+        self.restitution = (
+            None if hoop.get("restitution") is None else of(Fraction(hoop["restitution"]))
+        )
         self.law = hoop.get("restitution_law")
         self.clock = of(length / gravity).sqrt()
         speed = of(length * gravity).sqrt()
@@ -868,14 +968,17 @@ class Given:
             of(Fraction(start["gap_rate"])) / speed,
         )
         self.scale = {"time": self.clock, "period": self.clock, "theta_rate": 1 / self.clock}
-        self.scale |= dict.fromkeys(("slip", "gap_rate"), speed) | dict.fromkeys(("x", "gap"), of(length))
+        self.scale |= dict.fromkeys(("slip", "gap_rate"), speed) | dict.fromkeys(
+            ("x", "gap"), of(length)
+        )
         self.scale |= dict.fromkeys(("normal", "friction"), of(mass * gravity))
         self.scale |= dict.fromkeys(("normal_impulse", "friction_impulse"), of(mass) * speed)
         energies = ("energy", "energy_lost", "start", "lost_in_slides", "lost_in_impacts")
         self.scale |= dict.fromkeys(energies, of(mass * gravity * length))
 
 
-# The phases: for each kind of motion the equation of θ, its guards, and the state that belongs to θ, θ′ and a time.
+# The phases: for each kind of motion the equation of θ, its guards, and the state that belongs to
+# θ, θ′ and a time.
 #
 # | phase | θ″ | guards: it lasts while they are positive |
 # |---|---|---|
@@ -885,8 +988,8 @@ class Given:
 # | gliding | w/(h s) | σ η′, until the particle falls to the plane (:func:`fall`) |
 # | flight | 0 | the gap |
 #
-# Slip and place are no further unknowns. A slide has m x̄″ = −σ μk N − m sin α, N = m (ȳ″ + cos α); so with f = σ μk of
-# a slide, else 0, and d = f cos α + sin α,
+# Slip and place are no further unknowns. A slide has m x̄″ = −σ μk N − m sin α, N = m (ȳ″ + cos α);
+# so with f = σ μk of a slide, else 0, and d = f cos α + sin α,
 #
 #     η′ = ω (1 + h c + f h s) − d τ + const,    x = h s − f (1 + h c) − d τ²/2 + const τ + const.
 
@@ -900,7 +1003,9 @@ PLANE, TIME = "particle_at_plane", "time_limit"
 class Phase:
     """A phase from a state on; its slip or its gap begins with a zero of the order given."""
 
-    def __init__(self, given: Given, start: State, mode: str, sigma: int = 0, order: int = 0) -> None:
+    def __init__(
+        self, given: Given, start: State, mode: str, sigma: int = 0, order: int = 0
+    ) -> None:
         self.body, self.massless, self.start, self.mode = given.body, given.massless, start, mode
         self.sigma, self.order = sigma, order
         self.rubs = sigma if mode == SLIDING else 0
@@ -923,7 +1028,12 @@ class Phase:
         return body.gliding(s, c, omega)
 
     def guards(
-        self, body: Body, angle: tuple[Value, Value, Value], alpha: Value, tau: Value, slip_constant: Value
+        self,
+        body: Body,
+        angle: tuple[Value, Value, Value],
+        alpha: Value,
+        tau: Value,
+        slip_constant: Value,
     ) -> dict[str, Value]:
         """Return the guards for numbers of any kind, at sin θ, cos θ, θ′, at θ″ and a time from the start."""
         s, c, omega = angle
@@ -939,7 +1049,9 @@ class Phase:
             found |= {CONTACT: body.weight(c, omega), SOLVABLE: body.solvability(s, c, self.sigma)}
         return found
 
-    def _slip(self, body: Body, angle: tuple[Value, Value, Value], tau: Value, constant: Value) -> Value:
+    def _slip(
+        self, body: Body, angle: tuple[Value, Value, Value], tau: Value, constant: Value
+    ) -> Value:
         s, c, omega = angle
         return omega * body.arm(s, c, self.rubs) - body.drag(self.rubs) * tau + constant
 
@@ -953,7 +1065,13 @@ class Phase:
         else:
             f = body.mu_k * self.rubs
             slip = self._slip(body, (s, c, omega), tau, self.slip_constant)
-            x = self.place + self.along * tau + body.h * s - f * (1 + body.h * c) - self.drag * (tau * tau / 2)
+            x = (
+                self.place
+                + self.along * tau
+                + body.h * s
+                - f * (1 + body.h * c)
+                - self.drag * (tau * tau / 2)
+            )
         if self.mode == FLIGHT:
             # The mass centre is thrown. What sin and cos grow by, without the radius of the angle.
             half, _ = sine_and_cosine(omega * tau / 2)
@@ -994,8 +1112,8 @@ def energy(body: Body, state: State) -> Range:
 def fall(start: State, sigma: int) -> State | None:
     """Return the end of a glide in which the particle falls to the plane, if its slip does not come to rest.
 
-    Y = cos θ falls freely with V = Y′, and η′ = v − side V √((1 + Y)/(1 − Y)), whose last term is at most
-    r √((1 + Y0)/(1 − Y0)) from here on, r the speed at the plane.
+    Y = cos θ falls freely with V = Y′, and η′ = v − side V √((1 + Y)/(1 − Y)), whose last term is
+    at most r √((1 + Y0)/(1 − Y0)) from here on, r the speed at the plane.
     """
     s, c = sine_and_cosine(start.theta)
     falls = s * start.rate
@@ -1008,13 +1126,20 @@ def fall(start: State, sigma: int) -> State | None:
     time = r - falls
     turns = round(float(start.theta) / 6.283185307179586)
     theta = pi() * (2 * turns + s.sign())
-    return replace(start, time=start.time + time, theta=theta, rate=Range(0), slip=drift, x=start.x + drift * time - s)
+    return replace(
+        start,
+        time=start.time + time,
+        theta=theta,
+        rate=Range(0),
+        slip=drift,
+        x=start.x + drift * time - s,
+    )
 
 
 # Guards, and their zeros: what stays positive as long as a phase lasts.
 #
-# A guard is a polynomial in s, 0 ≤ s ≤ 1, and a bound on what it leaves out. A zero of known order at the start of a
-# phase has been divided out of it.
+# A guard is a polynomial in s, 0 ≤ s ≤ 1, and a bound on what it leaves out. A zero of known order
+# at the start of a phase has been divided out of it.
 
 Interval: TypeAlias = tuple[Range, Range]
 """Two places in a step."""
@@ -1037,7 +1162,9 @@ class Guard:
         numbered = list(enumerate(self.coefficients))
         middle, half = (low + high) / 2, ((high - low) / 2).largest()
         first = at((one * k for k, one in reversed(numbered[1:])), middle)
-        second = at((one.largest() * (k * (k - 1)) for k, one in reversed(numbered[2:])), high.largest())
+        second = at(
+            (one.largest() * (k * (k - 1)) for k, one in reversed(numbered[2:])), high.largest()
+        )
         return first.widened((second * half).largest()).widened(self.slope_off)
 
     def between(self, low: Range, high: Range) -> Range:
@@ -1049,8 +1176,9 @@ class Guard:
 def first_zero(guards: Mapping[str, Guard]) -> tuple[list[Interval], tuple[str, Range] | None]:
     """Return where in a step all guards are positive, and the first zero of one, if there is one.
 
-    The intervals are taken in order, and each is left only with a proof: every guard is enclosed and positive there, or
-    monotone and positive at both ends; or all but one are, and that one falls and changes its sign.
+    The intervals are taken in order, and each is left only with a proof: every guard is enclosed
+    and positive there, or monotone and positive at both ends; or all but one are, and that one
+    falls and changes its sign.
     """
     free: list[Interval] = []
     work = [(Range(0), Range(1 << Range.bits))]
@@ -1086,8 +1214,8 @@ def _halves(low: Range, high: Range, unless: str) -> list[Interval]:
 def zero(guard: Guard, low: Range, high: Range, side: int) -> Range:
     """Return the one zero of a guard between two points, at the first of which it has the sign `side`.
 
-    Bisection until the slope has one sign, then Newton's method on enclosures, with bisection where it does not
-    narrow them.
+    Bisection until the slope has one sign, then Newton's method on enclosures, with bisection where
+    it does not narrow them.
     """
     while not exceeds(0 - guard.slope(low, high) * side, 0):
         after, before = _halves(low, high, "a zero is not simple")
@@ -1112,12 +1240,13 @@ def zero(guard: Guard, low: Range, high: Range, side: int) -> Range:
 
 # A step of a phase on the plane: Taylor's series of θ in time, with a proof of how far it is off.
 #
-# *How large.* If |θ″| ≤ M as long as |θ′(z) − θ′| ≤ b and |z| ≤ ρ, and M ρ ≤ b, the solution exists on that disc of the
-# complex plane and stays within these bounds (Picard), which bound its coefficients (Cauchy). The step goes to ρ/8, so
-# that what n terms leave out is bounded by 8⁻ⁿ.
+# *How large.* If |θ″| ≤ M as long as |θ′(z) − θ′| ≤ b and |z| ≤ ρ, and M ρ ≤ b, the solution exists
+# on that disc of the complex plane and stays within these bounds (Picard), which bound its
+# coefficients (Cauchy). The step goes to ρ/8, so that what n terms leave out is bounded by 8⁻ⁿ.
 #
-# *How far apart.* The series is that of the middle of the start. Where the derivatives of θ″ by θ and θ′ are at most a
-# and b, the distances of another solution from it grow at most as those of δθ′ = δω, δω′ = a δθ + b δω.
+# *How far apart.* The series is that of the middle of the start. Where the derivatives of θ″ by θ
+# and θ′ are at most a and b, the distances of another solution from it grow at most as those of
+# δθ′ = δω, δω′ = a δθ + b δω.
 
 
 SHARE = 8
@@ -1138,8 +1267,9 @@ class Apart:
     def after(self, time: float, alpha: Disc) -> Apart:
         """Return the same after a time t: the exponential series of the matrix M of the distances.
 
-        Where s ≥ 1 and s² ≥ a + b s, M takes (1, s) to at most s (1, s). So in the norm max(|δθ|, |δω|/s) the term of
-        the order k is at most s t/k of the one before, and if s t ≤ n/2 all from the n-th on are less than that one.
+        Where s ≥ 1 and s² ≥ a + b s, M takes (1, s) to at most s (1, s). So in the norm max(|δθ|,
+        |δω|/s) the term of the order k is at most s t/k of the one before, and if s t ≤ n/2 all
+        from the n-th on are less than that one.
         """
         a, b = alpha.by_theta, alpha.by_rate
         fastest = max(1.0, 1.000001 * (b + math.sqrt(b * b + 4 * a)) / 2)
@@ -1165,7 +1295,9 @@ class Apart:
 class Step:
     """A step from θ and θ′ at a time of a phase, to ρ/8 or to an end."""
 
-    def __init__(self, phase: Phase, tau: Range, theta: Range, rate: Range, guess: float, end: Range | None) -> None:
+    def __init__(
+        self, phase: Phase, tau: Range, theta: Range, rate: Range, guess: float, end: Range | None
+    ) -> None:
         self.phase, self.tau = phase, tau
         self.theta, self.rate = Range(theta.m), Range(rate.m)
         self.apart = Apart(float(theta.r), float(rate.r))
@@ -1213,13 +1345,20 @@ class Step:
         theta, omega = Integral(self.theta, length), Integral(self.rate, length)
         alpha = self.phase.acceleration(body, s, c, omega)
         theta.of, omega.of, s.of, c.of = omega, alpha, c * omega, -(s * omega)
-        self.theta_series, self.rate_series, self.angle, self.alpha = theta, omega, (s, c, omega), alpha
+        self.theta_series, self.rate_series, self.angle, self.alpha = (
+            theta,
+            omega,
+            (s, c, omega),
+            alpha,
+        )
         # Within the step the disc is smaller, and so is the distance.
         near = self.rho / SHARE * 1.000001
         spread = self._spread(near)
         if spread is None:
             raise Inconclusive("the step is too short")
-        parted = self.apart.after(near, self._acceleration(angle_and_rate(*self._region(near, spread))))
+        parted = self.apart.after(
+            near, self._acceleration(angle_and_rate(*self._region(near, spread)))
+        )
         theta_off, rate_off = self._rest(self.region[0].r), self._rest(self.region[1].r)
         self.off = Range(int(parted.theta) + 1 + theta_off), Range(int(parted.rate) + 1 + rate_off)
 
@@ -1238,11 +1377,15 @@ class Step:
     def guards(self) -> dict[str, Guard]:
         """The guards of the phase."""
         phase, angle = self.phase, self._angle
-        series = phase.guards(phase.body, self.angle, self.alpha, line(self.tau, self.length), phase.slip_constant)
+        series = phase.guards(
+            phase.body, self.angle, self.alpha, line(self.tau, self.length), phase.slip_constant
+        )
         tau, constant = (around(*one) for one in ((self.tau, self.rho), (phase.slip_constant,)))
         sizes = phase.guards(phase.in_discs, angle, self._acceleration(angle), tau, constant)
         orders = {SLIP: phase.order} if self.tau.is_zero() else {}
-        return {name: self._guard(series[name], sizes[name], orders.get(name, 0)) for name in series}
+        return {
+            name: self._guard(series[name], sizes[name], orders.get(name, 0)) for name in series
+        }
 
     def rate_guard(self) -> Guard:
         """Return θ′ in the step."""
@@ -1264,25 +1407,36 @@ class Step:
     def _guard(self, series: Series, on_disc: Disc, order: int) -> Guard:
         """Return a function of θ, θ′ and time along the solution, without its zero at the start.
 
-        A function with a zero of order k where s = 0, over s^k, is at most as large as where |s| = base, over base^k;
-        so is what the middle of the start changes, in which lower coefficients have to be left out.
+        A function with a zero of order k where s = 0, over s^k, is at most as large as where |s| =
+        base, over base^k; so is what the middle of the start changes, in which lower coefficients
+        have to be left out.
         """
         coefficients = [series[k] for k in range(self.terms)]
         off = on_disc.by_theta * self._parted.theta + on_disc.by_rate * self._parted.rate
-        off += sum(float(one.largest().m) * self.base**k for k, one in enumerate(coefficients[:order]))
+        off += sum(
+            float(one.largest().m) * self.base**k for k, one in enumerate(coefficients[:order])
+        )
         apart, rest = int(off / self.base**order * 1.001) + 1, self._rest(on_disc.size)
-        return Guard(coefficients[order:], Range(apart + rest), Range(apart + rest * 2 * self.terms))
+        return Guard(
+            coefficients[order:], Range(apart + rest), Range(apart + rest * 2 * self.terms)
+        )
 
     def _rest(self, size: float) -> int:
         """Return what n terms leave out of a function of this size where |z| ≤ ρ, in last bits."""
-        return int(1.2 * 2.0 ** (Range.bits + math.log2(size + 1e-30) - self.terms * math.log2(self.base))) + 1
+        return (
+            int(
+                1.2
+                * 2.0 ** (Range.bits + math.log2(size + 1e-30) - self.terms * math.log2(self.base))
+            )
+            + 1
+        )
 
 
 # A step of a flight.
 #
-# θ′ is constant, and the gap y = (y′ − h s ω) τ − g τ²/2 − h (cos(θ + ω τ) − cos θ), g = cos α, has a series that is
-# known. A fast hoop turns many times in a flight; while (y′ − h s ω) τ − g τ²/2 > h (1 − cos θ) it does not land, and
-# one step leaps over this.
+# θ′ is constant, and the gap y = (y′ − h s ω) τ − g τ²/2 − h (cos(θ + ω τ) − cos θ), g = cos α, has
+# a series that is known. A fast hoop turns many times in a flight; while (y′ − h s ω) τ − g τ²/2 >
+# h (1 − cos θ) it does not land, and one step leaps over this.
 
 
 class FlightStep:
@@ -1306,7 +1460,11 @@ class FlightStep:
     def _leap(self) -> bool:
         """Whether the mass centre is too high for a landing, and stays so for long: then make the step so long."""
         phase, tau = self.phase, float(self.tau)
-        rise, least, g = float(phase.rise), float(phase.body.h * (2 - phase.cos)), float(phase.body.down)
+        rise, least, g = (
+            float(phase.rise),
+            float(phase.body.h * (2 - phase.cos)),
+            float(phase.body.down),
+        )
         if rise * tau - g * tau * tau / 2 <= least:
             return False
         # Where the bound falls to least again: a little more than the h (1 − cos θ) that is needed.
@@ -1325,8 +1483,8 @@ class FlightStep:
     def guards(self) -> dict[str, Guard]:
         """The gap, without its zero at the start.
 
-        Its derivatives of order k ≥ 3 are at most h |ω|^k, and |ω| length < 1/2: what is left out is less than the
-        bound of the last term.
+        Its derivatives of order k ≥ 3 are at most h |ω|^k, and |ω| length < 1/2: what is left out
+        is less than the bound of the last term.
         """
         phase, rate, order = self.phase, self.phase.start.rate, self.order
         if self.leaps:
@@ -1347,8 +1505,14 @@ class FlightStep:
                 power = power * (turn if k > order else rate) / k
             if k > order:
                 scale = scale * self.length
-            term = (now.gap, now.gap_rate)[k] * scale if k < 2 else -(phase.body.h * derivative[k % 4] * power)
-            found += [term - half * scale * phase.body.down if k == 2 else term] if k >= order else []
+            term = (
+                (now.gap, now.gap_rate)[k] * scale
+                if k < 2
+                else -(phase.body.h * derivative[k % 4] * power)
+            )
+            found += (
+                [term - half * scale * phase.body.down if k == 2 else term] if k >= order else []
+            )
             k += 1
         last = power.largest()
         return {GAP: Guard(found, last + Range(1), last * (2 * k) + Range(1))}
@@ -1423,7 +1587,12 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
     """Follow a phase to the zero of a guard, to the end of time, or until rolling repeats itself."""
     run, start = Followed(phase), phase.start
     limit = None if given.until is None else given.until - start.time
-    if phase.mode == ROLLING and start.rate.is_zero() and given.level and (given.balanced or start.theta.is_zero()):
+    if (
+        phase.mode == ROLLING
+        and start.rate.is_zero()
+        and given.level
+        and (given.balanced or start.theta.is_zero())
+    ):
         # It rests: below or above the centre, where rolling needs no friction.
         if given.until is not None:
             run.guard, run.end = TIME, replace(start, time=given.until)
@@ -1475,7 +1644,9 @@ def _before(tau: Range, limit: Range | None) -> bool:
     return limit is None or (limit - tau).sign() > 0
 
 
-def _turn(given: Given, step: Step, ahead: tuple[Range, Range], first: Range, turning: list[Range]) -> Turn | None:
+def _turn(
+    given: Given, step: Step, ahead: tuple[Range, Range], first: Range, turning: list[Range]
+) -> Turn | None:
     """Return period and angle once rolling has repeated itself: after a turn, or with the second turning point."""
     theta, rate = ahead
     low, high = Range(0), Range(1 << Range.bits)
@@ -1492,12 +1663,14 @@ def _turn(given: Given, step: Step, ahead: tuple[Range, Range], first: Range, tu
     return None
 
 
-# Which motion follows (docs/theory/contact.md): each is held against its conditions, and one has to be left.
+# Which motion follows (docs/theory/contact.md): each is held against its conditions, and one has to
+# be left.
 #
-# With w, P and the forces N and F of rolling: where the contact slips towards σ it slides if w > 0 and P > 0, flies if
-# w < 0 and P > 0, no motion is consistent if w > 0 > P and two are if both are negative. At rest
-# *rolling* needs N > 0 and |F| < μs N; *sliding* towards σ needs w/P > 0 and σ η″ > 0, that is −(σ F + μk N) P > 0,
-# and is left out where rolling is consistent; *flight* needs w < 0.
+# With w, P and the forces N and F of rolling: where the contact slips towards σ it slides if w > 0
+# and P > 0, flies if w < 0 and P > 0, no motion is consistent if w > 0 > P and two are if both are
+# negative. At rest *rolling* needs N > 0 and |F| < μs N; *sliding* towards σ needs w/P > 0 and σ
+# η″ > 0, that is −(σ F + μk N) P > 0, and is left out where rolling is consistent; *flight* needs
+# w < 0.
 
 
 INCONSISTENT, AMBIGUOUS = "inconsistent", "ambiguous"
@@ -1527,12 +1700,16 @@ def decide(given: Given, state: State, gives_way: int = 0) -> Next:
         raise Inconclusive("w vanishes where a motion begins")
     if moving:
         p = evidence["solvability"] = body.solvability(s, c, moving)
-        mode = {(1, 1): SLIDING, (-1, 1): FLIGHT, (1, -1): INCONSISTENT}.get((presses, p.sign()), AMBIGUOUS)
+        mode = {(1, 1): SLIDING, (-1, 1): FLIGHT, (1, -1): INCONSISTENT}.get(
+            (presses, p.sign()), AMBIGUOUS
+        )
         return Next(mode, moving if presses > 0 else 0, evidence, 2 if mode == FLIGHT else 0)
     evidence |= forces
     grip = body.mu_s * normal
     holds = not gives_way and normal.sign() > 0
-    holds = holds and (given.balanced or ((grip - friction).sign() > 0 and (grip + friction).sign() > 0))
+    holds = holds and (
+        given.balanced or ((grip - friction).sign() > 0 and (grip + friction).sign() > 0)
+    )
     if holds and presses > 0:
         return Next(ROLLING, 0, evidence)
     solvable = {sigma: body.solvability(s, c, sigma) for sigma in (-1, 1)}
@@ -1541,7 +1718,8 @@ def decide(given: Given, state: State, gives_way: int = 0) -> Next:
     for sigma, p in solvable.items():
         if holds or p.sign() != presses:
             continue
-        # Where static friction gives way and kinetic friction is equal, η″ = 0 and η‴ drives the slip.
+        # Where static friction gives way and kinetic friction is equal, η″ = 0 and η‴ drives the
+        # slip.
         tie = gives_way == sigma and given.equal and presses > 0
         if tie or (-(friction * sigma + body.mu_k * normal) * p).sign() > 0:
             consistent.append(Next(SLIDING, sigma, evidence, 2 if tie else 1))
@@ -1552,7 +1730,9 @@ def decide(given: Given, state: State, gives_way: int = 0) -> Next:
     return Next(AMBIGUOUS if consistent else INCONSISTENT, 0, evidence)
 
 
-def _massless(given: Given, state: State, moving: int, forces: dict[str, Range], gives_way: int) -> Next:
+def _massless(
+    given: Given, state: State, moving: int, forces: dict[str, Range], gives_way: int
+) -> Next:
     """Decide for a massless hoop: it rolls, or glides without any force."""
     if moving:
         return Next(GLIDING, moving, {})
@@ -1569,10 +1749,11 @@ def _massless(given: Given, state: State, moving: int, forces: dict[str, Range],
 
 # One impact, followed in its normal impulse p (docs/theory/impact.md).
 #
-# The gap rate v is a line in p, of slope k1 = C − σ μk B while the contact slips, up to the *bend* where the slip ends,
-# bend = |η′|/(μk A − σ B); from there on of slope k2 = C + B r, r = −B/A if it sticks (μs A ≥ |B|), else it slips back,
-# r = −μk sign B. Compression ends where v = 0. Restitution ends where v = −e v0 (Newton's law), p is 1 + e times that
-# of compression (Poisson's), or the work of the normal impulse is e² times that of compression (energetic).
+# The gap rate v is a line in p, of slope k1 = C − σ μk B while the contact slips, up to the *bend*
+# where the slip ends, bend = |η′|/(μk A − σ B); from there on of slope k2 = C + B r, r = −B/A if it
+# sticks (μs A ≥ |B|), else it slips back, r = −μk sign B. Compression ends where v = 0. Restitution
+# ends where v = −e v0 (Newton's law), p is 1 + e times that of compression (Poisson's), or the work
+# of the normal impulse is e² times that of compression (energetic).
 
 
 @dataclass(frozen=True)
@@ -1638,16 +1819,19 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
 
 # Bounces that accumulate: an enclosure of what infinitely many of them still do.
 #
-# While θ and θ′ stay within a margin of what they are, the rim is pulled back with between W1 and W2 > 0. A flight that
-# begins with the gap rate v takes from 2 v/W2 to 2 v/W1 and comes back with from v √(W1/W2) to v √(W2/W1), and an
-# impact makes at most e V of a rate V. So rates fall at least like qⁿ, q = e √(W2/W1) < 1, and sums over all bounces
-# are at most geometric ones. If by these sums the state stays within the margin, all of it holds for ever.
+# While θ and θ′ stay within a margin of what they are, the rim is pulled back with between W1 and
+# W2 > 0. A flight that begins with the gap rate v takes from 2 v/W2 to 2 v/W1 and comes back with
+# from v √(W1/W2) to v √(W2/W1), and an impact makes at most e V of a rate V. So rates fall at least
+# like qⁿ, q = e √(W2/W1) < 1, and sums over all bounces are at most geometric ones. If by these
+# sums the state stays within the margin, all of it holds for ever.
 #
-# That an impact makes at most e V of V is the law where the contact slips throughout. Where it sticks, the slip of the
-# flight before has the sign of −h s ω², so that σ B < 0 and k1 = C + μk |B| > k2, from which it follows for each law.
+# That an impact makes at most e V of V is the law where the contact slips throughout. Where it
+# sticks, the slip of the flight before has the sign of −h s ω², so that σ B < 0 and k1 = C + μk
+# |B| > k2, from which it follows for each law.
 #
-# With e = 1 bounces still settle where friction takes enough: where the contact sticks in each impact, an impact is
-# homogeneous in its rates, and that of the rate V/v and the slip −h s ω² T/v, in their bounds, says what q is.
+# With e = 1 bounces still settle where friction takes enough: where the contact sticks in each
+# impact, an impact is homogeneous in its rates, and that of the rate V/v and the slip −h s ω² T/v,
+# in their bounds, says what q is.
 
 
 def slowest() -> Range:
@@ -1680,7 +1864,9 @@ def rest_of_bounces(given: Given, start: State) -> Rest:
     if not exceeds(1 - shrink, 0) and start.slip.is_zero():
         flight = between(2 / strongest, 2 / weakest)
         slips = -(body.h * s * rate * rate * flight)
-        landing = replace(start, theta=theta, rate=rate, slip=slips, gap_rate=-between(1 / uneven, uneven))
+        landing = replace(
+            start, theta=theta, rate=rate, slip=slips, gap_rate=-between(1 / uneven, uneven)
+        )
         shrink = impact(body, landing, e, given.law).after.gap_rate.largest()
     _demand(exceeds(1 - shrink, 0), "shrink")
     a, b, across = body.compliances(s, c)
@@ -1705,7 +1891,10 @@ def rest_of_bounces(given: Given, start: State) -> Rest:
     slip = start.slip
     if not slip.is_zero():
         # No slip ends within an impact: |η′|/(μk A − σ B) exceeds all impulses together.
-        _demand(exceeds(abs(slip) - change, (body.mu_k * a - b * slip.sign()) * normal), "keep their slip")
+        _demand(
+            exceeds(abs(slip) - change, (body.mu_k * a - b * slip.sign()) * normal),
+            "keep their slip",
+        )
         slip = slip.widened(change)
     turn = (rate.largest() * time).largest()
     spin = ((body.h * normal + (1 + body.h) * friction) / body.inertia).largest()
@@ -1733,9 +1922,10 @@ def _demand(holds: bool, what: str) -> None:
 def bounce(given: Given, start: State, landing: State) -> Impact:
     """Follow the impact after a flight; all rates of one that begins without slip are those over its gap rate v.
 
-    So the radius of v does not grow from bounce to bounce. With φ = ω τ and the series C = (cos φ − 1 + φ²/2)/φ⁴,
-    S = (φ − sin φ)/φ³, Q = (1 − cos φ)/φ², y = 0 gives τ/v = 2/(w + 2 h ω³ τ (c φ C + s S)), and with it
-    y′/v = 1 − (w + h ω³ τ (c φ S + s Q)) τ/v and η′/v = −h ω² (s (1 − φ² S) + c φ (1/2 − φ² C)) τ/v.
+    So the radius of v does not grow from bounce to bounce. With φ = ω τ and the series C = (cos φ −
+    1 + φ²/2)/φ⁴, S = (φ − sin φ)/φ³, Q = (1 − cos φ)/φ², y = 0 gives τ/v = 2/(w + 2 h ω³ τ (c φ C +
+    s S)), and with it y′/v = 1 − (w + h ω³ τ (c φ S + s Q)) τ/v and η′/v = −h ω² (s (1 − φ² S) + c
+    φ (1/2 − φ² C)) τ/v.
     """
     body, omega, tau = given.body, start.rate, landing.time - start.time
     assert given.restitution is not None
@@ -1747,10 +1937,23 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
     w, bend = body.weight(c, omega), body.h * omega * omega * phi
     flight = 2 / (w + 2 * bend * (c * phi * fourth + s * third))
     closing = 1 - (w + bend * (c * phi * third + s * second)) * flight
-    slip = -(body.h * omega * omega * (s * (1 - square * third) + c * phi * (1 - 2 * (square * fourth)) / 2) * flight)
-    hit = impact(body, replace(landing, rate=Range(0), slip=slip, gap_rate=closing), given.restitution, given.law)
+    slip = -(
+        body.h
+        * omega
+        * omega
+        * (s * (1 - square * third) + c * phi * (1 - 2 * (square * fourth)) / 2)
+        * flight
+    )
+    hit = impact(
+        body,
+        replace(landing, rate=Range(0), slip=slip, gap_rate=closing),
+        given.restitution,
+        given.law,
+    )
     v, after = start.gap_rate, hit.after
-    after = replace(after, rate=omega + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v)
+    after = replace(
+        after, rate=omega + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v
+    )
     return replace(hit, after=after, normal=hit.normal * v, friction=hit.friction * v)
 
 
@@ -1794,13 +1997,20 @@ class Walk:
 
     def texts(self, values: Mapping[str, Range], where: str) -> dict[str, list[str]]:
         """Return the texts of quantities."""
-        return {name: self.text(value, f"{name} of {where}", name) for name, value in values.items()}
+        return {
+            name: self.text(value, f"{name} of {where}", name) for name, value in values.items()
+        }
 
     def evidence(self, values: Mapping[str, Range], where: str) -> dict[str, list[str]]:
         """Return the texts of numbers that decide something; they have no units."""
-        return {name: self.text(value, f"{name} of the evidence of {where}") for name, value in values.items()}
+        return {
+            name: self.text(value, f"{name} of the evidence of {where}")
+            for name, value in values.items()
+        }
 
-    def state(self, state: State, where: str, more: Mapping[str, Range] | None = None) -> dict[str, list[str]]:
+    def state(
+        self, state: State, where: str, more: Mapping[str, Range] | None = None
+    ) -> dict[str, list[str]]:
         """Return a state as a certificate has it."""
         values = {
             "time": state.time, "theta": state.theta, "theta_rate": state.rate, "slip": state.slip, "x": state.x,
@@ -1867,7 +2077,9 @@ class Walk:
             | more
         )
 
-    def pass_phase(self, state: State, now: Next) -> tuple[State, Next, bool, dict[str, Any] | None]:
+    def pass_phase(
+        self, state: State, now: Next
+    ) -> tuple[State, Next, bool, dict[str, Any] | None]:
         """Follow and write a phase, and the event at its end."""
         given = self.given
         run = self.run(Phase(given, state, now.mode, now.direction, now.order))
@@ -1877,7 +2089,12 @@ class Walk:
             turn = run.turn
             kind = "rest" if turn is None else "libration" if turn.angle.is_zero() else "rotation"
             found: dict[str, Any] = {"kind": "rolls_forever", "recurrence": kind}
-            return state, now, False, found if turn is None else found | self.texts({"period": turn.period}, "the end")
+            return (
+                state,
+                now,
+                False,
+                found if turn is None else found | self.texts({"period": turn.period}, "the end"),
+            )
         if now.mode == SLIDING:
             self.slides += energy(given.body, state) - energy(given.body, end)
         if run.guard == TIME:
@@ -1899,7 +2116,9 @@ class Walk:
         phase, where = run.phase, f"a sample of phase {len(self.phases)}"
         end = phase.start.time + 4 if run.end is None else run.end.time
         samples = []
-        for time in self.times(phase.start.time, end, 3 if (phase.mode, phase.order) == (FLIGHT, 1) else 5):
+        for time in self.times(
+            phase.start.time, end, 3 if (phase.mode, phase.order) == (FLIGHT, 1) else 5
+        ):
             state = run.at(time)
             normal, friction = phase.forces(state)
             samples.append(self.state(state, where, {"normal": normal, "friction": friction}))
@@ -1908,8 +2127,8 @@ class Walk:
     def times(self, start: Range, end: Range, parts: int) -> list[Range]:
         """Return the times of samples within a phase.
 
-        They are all multiples of the largest power of two that is not above the length of the phase over `parts`, in
-        the unit of the certificate; a phase shorter than 2⁻¹⁰ has none.
+        They are all multiples of the largest power of two that is not above the length of the phase
+        over `parts`, in the unit of the certificate; a phase shorter than 2⁻¹⁰ has none.
         """
         unit = self.given.clock
         first, last = (start * unit).ends()[1], (end * unit).ends()[0]
@@ -1948,11 +2167,21 @@ class Walk:
         lost = energy(given.body, before) - energy(given.body, after)
         self.impacts += lost
         where = f"the impact of event {len(self.events)}"
-        numbers = {"normal_impulse": hit.normal, "friction_impulse": hit.friction, "energy_lost": lost}
+        numbers = {
+            "normal_impulse": hit.normal,
+            "friction_impulse": hit.friction,
+            "energy_lost": lost,
+        }
         rates = {"theta_rate": before.rate, "slip": before.slip, "gap_rate": before.gap_rate}
-        written = {"case": hit.case, **self.texts(numbers, where), "before": self.texts(rates, f"before {where}")}
+        written = {
+            "case": hit.case,
+            **self.texts(numbers, where),
+            "before": self.texts(rates, f"before {where}"),
+        }
         self.event(cause, after, now, impact=written, evidence=hit.evidence)
-        slow = now.order == 1 and now.mode == FLIGHT and (Range.of(LISTED) - after.gap_rate).sign() > 0
+        slow = (
+            now.order == 1 and now.mode == FLIGHT and (Range.of(LISTED) - after.gap_rate).sign() > 0
+        )
         return after, now, slow
 
     def settle(self, first: State) -> tuple[State, Next]:
@@ -1998,7 +2227,9 @@ BITS = (192, 320, 512, 1024, 2048)
 
 
 @lru_cache(maxsize=1)
-def _motion(case: str, bits: tuple[int, ...], begin: Callable[[Mapping[str, Any]], Walk]) -> tuple[str, Walk]:
+def _motion(
+    case: str, bits: tuple[int, ...], begin: Callable[[Mapping[str, Any]], Walk]
+) -> tuple[str, Walk]:
     """Follow the motion of a case; return what a certificate has of it, as JSON, and the walk.
 
     The last one is kept, so that many certificates of one case are compared with it quickly.
@@ -2069,7 +2300,9 @@ def intact(certificate: Any) -> None:
 def digest(certificate: Mapping[str, Any]) -> str:
     """Return the SHA-256 of a certificate without its digest."""
     rest = {key: value for key, value in certificate.items() if key != "digest"}
-    return hashlib.sha256(json.dumps(rest, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+    return hashlib.sha256(
+        json.dumps(rest, sort_keys=True, separators=(",", ":")).encode()
+    ).hexdigest()
 
 
 def _same(found: Any, claimed: Any, where: str) -> None:
@@ -2077,9 +2310,15 @@ def _same(found: Any, claimed: Any, where: str) -> None:
     if isinstance(found, dict) and isinstance(claimed, dict):
         for key in [*found, *(key for key in claimed if key not in found)]:
             if (key in found) != (key in claimed):
-                raise Refused(f"{where or 'the certificate'} {'has no' if key in found else 'has'} {_shown(key)}")
+                raise Refused(
+                    f"{where or 'the certificate'} {'has no' if key in found else 'has'} {_shown(key)}"
+                )
             _same(found[key], claimed[key], f"{where}.{key}" if where else key)
-    elif isinstance(found, list) and isinstance(claimed, list) and not isinstance((*found, "")[0], str):
+    elif (
+        isinstance(found, list)
+        and isinstance(claimed, list)
+        and not isinstance((*found, "")[0], str)
+    ):
         for number, (one, other) in enumerate(zip(found, claimed, strict=False)):
             _same(one, other, f"{where}[{number}]")
         if len(found) != len(claimed):
@@ -2096,8 +2335,12 @@ def _value(value: Any) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     """Check files: 0; 1 if a certificate is refused; 2 if a file cannot be read."""
-    parser = argparse.ArgumentParser(description="Checks certificates of motions of Littlewood's hoop.")
-    parser.add_argument("file", metavar="CERTIFICATE", nargs="+", type=Path, help="a certificate, as JSON")
+    parser = argparse.ArgumentParser(
+        description="Checks certificates of motions of Littlewood's hoop."
+    )
+    parser.add_argument(
+        "file", metavar="CERTIFICATE", nargs="+", type=Path, help="a certificate, as JSON"
+    )
     code, right, files = 0, 0, parser.parse_args(arguments).file
     for path in files:
         began = clock.perf_counter()
@@ -2113,7 +2356,10 @@ def main(arguments: list[str] | None = None) -> int:
             right += 1
             numbers, events = found["numbers"], found["events"]
             seconds = clock.perf_counter() - began
-            print(f"{path}: {numbers} numbers of {events} events are right ({seconds:.1f} s)", flush=True)
+            print(
+                f"{path}: {numbers} numbers of {events} events are right ({seconds:.1f} s)",
+                flush=True,
+            )
     if len(files) > 1:
         print(f"{right} of {len(files)} are right")
     return code

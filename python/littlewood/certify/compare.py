@@ -45,7 +45,9 @@ def simulated(case: Mapping[str, Any]) -> Trajectory:
 def _scales(hoop: Hoop) -> tuple[float, float, float]:
     """Units of time, velocity and length of the case of a hoop."""
     units = hoop.units
-    return (1.0, 1.0, 1.0) if units is None else (units.time_s, units.velocity_m_per_s, units.length_m)
+    return (
+        (1.0, 1.0, 1.0) if units is None else (units.time_s, units.velocity_m_per_s, units.length_m)
+    )
 
 
 def differences(certificate: Mapping[str, Any]) -> list[Difference]:
@@ -77,7 +79,9 @@ def _pairs(
             while rest and rest[0].cause == "landing" and rest[0].to_mode == "flight":
                 rest.pop(0)
         if not rest or rest[0].cause != event["cause"] or rest[0].to_mode != event["to"]:
-            raise OtherSequence(f"{event['cause']} is {rest[0].cause if rest else 'no event'} for the library")
+            raise OtherSequence(
+                f"{event['cause']} is {rest[0].cause if rest else 'no event'} for the library"
+            )
         yield event, rest.pop(0)
     if rest:
         raise OtherSequence(f"the library has {len(rest)} more events")

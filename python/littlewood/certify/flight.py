@@ -31,7 +31,11 @@ class Flight:
         elapsed, order = arb(0), self.order
         if self.order == 1:
             # A short bounce needs a short piece, so that its two zeros are told apart by the slope.
-            step = step.min(arb(4) * self.start.gap_rate.mid()).mid() if self.start.gap_rate < 1 else step
+            step = (
+                step.min(arb(4) * self.start.gap_rate.mid()).mid()
+                if self.start.gap_rate < 1
+                else step
+            )
         while True:
             gap = self._gap(elapsed, radius).without_zero(order)
             time = polynomial([elapsed, arb(1)], radius)
@@ -39,9 +43,15 @@ class Flight:
             elapsed, order = elapsed + step, 0
             high = self._high(elapsed)
             if high is not None and high > 8 * step:
-                bound = [self._below(elapsed), self.rise - self.body.down * elapsed, -self.body.down / 2]
+                bound = [
+                    self._below(elapsed),
+                    self.rise - self.body.down * elapsed,
+                    -self.body.down / 2,
+                ]
                 time = polynomial([elapsed, arb(1)], 2 * high)
-                yield Piece(arb(0), high, time, {GAP: polynomial(bound, 2 * high)}, self._at(elapsed))
+                yield Piece(
+                    arb(0), high, time, {GAP: polynomial(bound, 2 * high)}, self._at(elapsed)
+                )
                 elapsed = elapsed + high
             step = (step * 2).mid().min((radius / 4).mid()).mid()
 
@@ -59,7 +69,9 @@ class Flight:
         if not self._below(elapsed) > self.body.h:
             return None
         down = self.body.down
-        return ((self.rise + (self.rise * self.rise - 2 * down * least).sqrt()) / down - elapsed).mid()
+        return (
+            (self.rise + (self.rise * self.rise - 2 * down * least).sqrt()) / down - elapsed
+        ).mid()
 
     def _at(self, elapsed: Ball):  # type: ignore[no-untyped-def]
         return lambda at: self.state(elapsed + at)
@@ -99,8 +111,9 @@ class Flight:
     def short(self) -> State:
         """Return the landing of a short flight out of an impact.
 
-        f(τ) = y/τ = v − w τ/2 − h (c C(φ) + s S(φ))/τ falls on the whole interval, as the derivative of its last term
-        is at most h (|θ′|⁴ τ²/8 + |θ′|³ τ/3) cosh φ. So it has one zero, which Newton's method encloses.
+        f(τ) = y/τ = v − w τ/2 − h (c C(φ) + s S(φ))/τ falls on the whole interval, as the
+        derivative of its last term is at most h (|θ′|⁴ τ²/8 + |θ′|³ τ/3) cosh φ. So it has one
+        zero, which Newton's method encloses.
         """
         start, h = self.start, self.body.h
         w, v, speed = self.body.contact(start.theta, start.rate), start.gap_rate, abs(start.rate)
@@ -112,7 +125,9 @@ class Flight:
 
         def f(time: Ball) -> Ball:
             turned = start.rate * time
-            return v - w * time / 2 - h * (self.cos * _even(turned) + self.sin * _odd(turned)) / time
+            return (
+                v - w * time / 2 - h * (self.cos * _even(turned) + self.sin * _odd(turned)) / time
+            )
 
         if not (slope < 0 and f(longest) < 0):
             raise Undecided("a short bounce is not short")
@@ -137,14 +152,18 @@ class Flight:
         w, turned = self.body.contact(start.theta, start.rate), h * start.rate**2
         time = 2 / (w + 2 * turned * phi * (self.cos * phi * fourth + self.sin * third))
         closing = time * (w + turned * phi * (self.cos * phi * third + self.sin * second)) - 1
-        slip = -turned * time * (self.sin * (1 - phi**2 * third) + self.cos * phi * (arb(0.5) - phi**2 * fourth))
+        slip = (
+            -turned
+            * time
+            * (self.sin * (1 - phi**2 * third) + self.cos * phi * (arb(0.5) - phi**2 * fourth))
+        )
         return replace(at, rate=arb(0), slip=slip, gap_rate=-closing)
 
     def landing(self, at: State) -> State:
         """Return the state at the time at which the gap vanishes.
 
-        y = 0 says what w τ is, and with it the gap rate is −v and a small term: so its radius does not grow from
-        bounce to bounce.
+        y = 0 says what w τ is, and with it the gap rate is −v and a small term: so its radius does
+        not grow from bounce to bounce.
         """
         start, h = self.start, self.body.h
         elapsed = at.time - start.time

@@ -1,9 +1,9 @@
 """Gliding of Littlewood's hoop: no force acts, the particle falls freely, and the hoop turns as it has to.
 
-With the height Y = cos θ of the particle, V = Y′ and r² = V0² + 2 (1 + Y0) the particle is at the plane, Y = −1, at
-τ = V0 + r. In p with τ = V0 + r − p², p from below to 0, everything is analytic up to that end: 1 + Y = p² A with
-A = r − p²/2, V = p² − r, and η′ = v − side (r − p²) p √(A/(1 − Y)), side the sign of sin θ, v = η′ − (1 + cos θ) θ′ a
-constant.
+With the height Y = cos θ of the particle, V = Y′ and r² = V0² + 2 (1 + Y0) the particle is at the
+plane, Y = −1, at τ = V0 + r. In p with τ = V0 + r − p², p from below to 0, everything is analytic
+up to that end: 1 + Y = p² A with A = r − p²/2, V = p² − r, and η′ = v − side (r − p²) p √(A/(1 −
+Y)), side the sign of sin θ, v = η′ − (1 + cos θ) θ′ a constant.
 """
 
 from __future__ import annotations
@@ -105,5 +105,7 @@ def decide_massless(body: Body, state: State, arrival: str = "") -> Next:
             return Next("rolling", 0, evidence)
     side = sign(state.theta.sin(), "sin θ")
     if side == 0 or presses == 0:
-        raise Beyond("a glide begins with the particle above or below the centre, or without any acceleration of slip")
+        raise Beyond(
+            "a glide begins with the particle above or below the centre, or without any acceleration of slip"
+        )
     return Next("gliding", side * presses, evidence, 1)

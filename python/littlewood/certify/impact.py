@@ -22,8 +22,16 @@ class Impact:
     def times(self, v: Ball, rate: Ball) -> Impact:
         """Return the impact with all rates v times as large, and with θ′ beside that before it."""
         after = self.after
-        after = replace(after, rate=rate + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v)
-        return replace(self, after=after, normal=self.normal * v, friction=self.friction * v, lost=self.lost * v * v)
+        after = replace(
+            after, rate=rate + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v
+        )
+        return replace(
+            self,
+            after=after,
+            normal=self.normal * v,
+            friction=self.friction * v,
+            lost=self.lost * v * v,
+        )
 
 
 def impact(body: Body, before: State, restitution: Ball, law: str) -> Impact:
@@ -46,7 +54,11 @@ def impact(body: Body, before: State, restitution: Ball, law: str) -> Impact:
         evidence["slowing"] = slowing
     jams = sigma != 0 and sign(k1, "k1") < 0
     whole = (1 + e) * closing
-    if not jams and sigma and (first is None or sign(k1 * first - whole, "whether slip ends in an impact") >= 0):
+    if (
+        not jams
+        and sigma
+        and (first is None or sign(k1 * first - whole, "whether slip ends in an impact") >= 0)
+    ):
         case, normal, opening = "slides", whole / k1, e * closing
         slipping = normal
     else:

@@ -1,7 +1,8 @@
 """Functions of one variable on a disc: Taylor series with balls as coefficients, and a bound for the rest.
 
-If a function is analytic where |s| ≤ r and not larger than M there, its coefficient of order k is at most M/r^k
-(Cauchy). The series and M therefore enclose the function and its derivative where |s| < r.
+If a function is analytic where |s| ≤ r and not larger than M there, its coefficient of order k is
+at most M/r^k (Cauchy). The series and M therefore enclose the function and its derivative where
+|s| < r.
 """
 
 from __future__ import annotations
@@ -50,7 +51,9 @@ class Model:
 
     def integral(self, start: Ball) -> Model:
         """Return the integral with this value at s = 0."""
-        return Model(start + self.series.integral(), self.size * self.radius + abs(start), self.radius)
+        return Model(
+            start + self.series.integral(), self.size * self.radius + abs(start), self.radius
+        )
 
     def without_zero(self, order: int) -> Model:
         """Divide by s^order, where the function is known to have a zero of that order at s = 0."""
@@ -127,12 +130,14 @@ MOST_INTERVALS = 20_000
 """Intervals after which the sign of a guard between two points counts as not decided."""
 
 
-def first_crossing(guards: Mapping[str, Model], low: Ball, high: Ball, halvings: int | None = None) -> Crossing | None:
+def first_crossing(
+    guards: Mapping[str, Model], low: Ball, high: Ball, halvings: int | None = None
+) -> Crossing | None:
     """Find the first zero between two points, or prove that there is none.
 
-    All guards are positive at the first point, or their zero there has been divided out. Each interval is left with a
-    proof: each guard is enclosed and positive on it, or monotone and positive at its ends, or falls through its one
-    zero before which all others are positive.
+    All guards are positive at the first point, or their zero there has been divided out. Each
+    interval is left with a proof: each guard is enclosed and positive on it, or monotone and
+    positive at its ends, or falls through its one zero before which all others are positive.
     """
     most = 3 * flint.ctx.prec // 4 if halvings is None else halvings
     work = [(low, high, most)]
@@ -158,7 +163,9 @@ def first_crossing(guards: Mapping[str, Model], low: Ball, high: Ball, halvings:
             work += [(middle, high, left - 1), (low, middle, left - 1)]
         if not work:
             return None
-    raise Undecided(f"whether {' or '.join(sorted(guards))} vanishes is not decided on {MOST_INTERVALS} intervals")
+    raise Undecided(
+        f"whether {' or '.join(sorted(guards))} vanishes is not decided on {MOST_INTERVALS} intervals"
+    )
 
 
 def crossing_of(guard: Model, low: Ball, high: Ball) -> Ball:

@@ -79,14 +79,27 @@ class Walk:
         self.body, self.law = Body(case), case.law
         theta, rate, slip, gap_rate = (ball(Fraction(value)) for value in case.start)
         mass, length, gravity = (ball(scale) for scale in case.scales())
-        self.clock, speed, force = (length / gravity).sqrt(), (length * gravity).sqrt(), mass * gravity
-        self.scale = {"time": self.clock, "period": self.clock, "theta": arb(1), "theta_rate": 1 / self.clock}
+        self.clock, speed, force = (
+            (length / gravity).sqrt(),
+            (length * gravity).sqrt(),
+            mass * gravity,
+        )
+        self.scale = {
+            "time": self.clock,
+            "period": self.clock,
+            "theta": arb(1),
+            "theta_rate": 1 / self.clock,
+        }
         """The units in which a certificate is written."""
-        self.scale |= dict.fromkeys(("slip", "gap_rate"), speed) | dict.fromkeys(("x", "gap"), length)
+        self.scale |= dict.fromkeys(("slip", "gap_rate"), speed) | dict.fromkeys(
+            ("x", "gap"), length
+        )
         self.scale |= dict.fromkeys(("normal_impulse", "friction_impulse"), mass * speed)
         self.scale |= dict.fromkeys(("normal", "friction"), force)
         self.scale |= dict.fromkeys(("energy", "energy_lost"), force * length)
-        self.start = State(arb(0), theta, rate * self.clock, slip / speed, arb(0), arb(0), gap_rate / speed)
+        self.start = State(
+            arb(0), theta, rate * self.clock, slip / speed, arb(0), arb(0), gap_rate / speed
+        )
         self.until = None if case.until is None else ball(Fraction(case.until)) / self.clock
         self.restitution = None if case.restitution is None else ball(Fraction(case.restitution))
         self.pieces = 0
@@ -100,7 +113,12 @@ class Walk:
         else:
             now = Next("flight", 0, {"gap_rate": state.gap_rate}, 1)
         motion = self.motion = Motion(now)
-        phases = {"rolling": self._roll, "sliding": self._slide, "gliding": self._glide, "flight": self._fly}
+        phases = {
+            "rolling": self._roll,
+            "sliding": self._slide,
+            "gliding": self._glide,
+            "flight": self._fly,
+        }
         while not motion.ending:
             try:
                 self._count(1)
@@ -111,7 +129,9 @@ class Walk:
                 else:
                     self._end(now.mode, state)
             except (Undecided, Beyond) as error:
-                time, theta = (f"{float(one.mid()):.9g}" for one in (state.time * self.clock, state.theta))
+                time, theta = (
+                    f"{float(one.mid()):.9g}" for one in (state.time * self.clock, state.theta)
+                )
                 place = f"{now.mode} from time {time} on, theta {theta}, after {len(motion.events)} events"
                 raise type(error)(f"{error}; {place}") from error
         return motion
@@ -129,7 +149,9 @@ class Walk:
         return found
 
     def _decide(self, state: State) -> Next:
-        return decide_massless(self.body, state) if self.body.is_massless else decide(self.body, state)
+        return (
+            decide_massless(self.body, state) if self.body.is_massless else decide(self.body, state)
+        )
 
     def _end(self, kind: str, state: State) -> None:
         self.motion.ending, self.motion.end = kind, state
@@ -149,11 +171,18 @@ class Walk:
         self.motion.phases.append(Phase(now.mode, now.direction, start, end, samples))
 
     def _event(
-        self, cause: str, at: State, following: Next, before: State | None = None, hit: Impact | None = None
+        self,
+        cause: str,
+        at: State,
+        following: Next,
+        before: State | None = None,
+        hit: Impact | None = None,
     ) -> tuple[State, Next]:
         """Add an event, and return what follows it."""
         evidence = (hit.evidence if hit is not None else {}) | following.evidence
-        event = Event(cause, before or at, at, following.mode or None, following.direction, evidence, hit)
+        event = Event(
+            cause, before or at, at, following.mode or None, following.direction, evidence, hit
+        )
         self.motion.events.append(event)
         return at, following
 
@@ -166,7 +195,13 @@ class Walk:
             end, guard = roll.at(found, self.until), TIME
         elif end is not None and guard != TIME:
             end = end.at_rest()
-        self._phase(now, state, end, partial(roll.at, found), lambda one: body.rolling_forces(one.theta, one.rate))
+        self._phase(
+            now,
+            state,
+            end,
+            partial(roll.at, found),
+            lambda one: body.rolling_forces(one.theta, one.rate),
+        )
         if end is None:
             self.motion.ending = "rolls_forever"
             self.motion.recurrence, self.motion.period = roll.recurrence, roll.period
@@ -204,7 +239,9 @@ class Walk:
         found = self._follow(state.time, Slide(body, state, sigma, now.order).pieces())
         end = found.end.at_rest() if found.guard == SLIP else found.end
         at = partial(found.at, state.time)
-        self._phase(now, state, end, at, lambda one: body.sliding_forces(one.theta, one.rate, sigma))
+        self._phase(
+            now, state, end, at, lambda one: body.sliding_forces(one.theta, one.rate, sigma)
+        )
         if found.guard == TIME:
             self._end(TIME, end)
             return end, now
@@ -214,7 +251,9 @@ class Walk:
             opens = -body.h * end.theta.sin() * end.rate**3
             if not opens > 0:
                 raise Undecided("whether the gap opens is not decided")
-            return self._event("lift_off", end, Next("flight", 0, {"gap_third_derivative": opens}, 3))
+            return self._event(
+                "lift_off", end, Next("flight", 0, {"gap_third_derivative": opens}, 3)
+            )
         following = decide(body, end)
         if following.mode == "flight":
             raise Undecided("a slide comes to rest where the plane does not hold the rim")
@@ -244,8 +283,16 @@ class Walk:
             return self._event(cause, after, decide(self.body, after), before, hit)
         if not after.gap_rate > 0:
             raise Undecided("whether the gap opens after an impact is not decided")
-        found = self._event(cause, after, Next("flight", 0, {"gap_rate": after.gap_rate}, 1), before, hit)
-        if sign(after.gap_rate - LISTED, "the gap rate after an impact, less the least that is listed") < 0:
+        found = self._event(
+            cause, after, Next("flight", 0, {"gap_rate": after.gap_rate}, 1), before, hit
+        )
+        if (
+            sign(
+                after.gap_rate - LISTED,
+                "the gap rate after an impact, less the least that is listed",
+            )
+            < 0
+        ):
             self.bouncing = _Bouncing(after)
         return found
 

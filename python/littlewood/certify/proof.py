@@ -39,9 +39,9 @@ class Instant(NamedTuple):
 class Stretch:
     """A phase that is proved to be free of events, in the units of its certificate.
 
-    Guards are enclosed from the start up to the time `enclosed`. Where that is not the end, rolling `repeats` itself
-    from there on; or the particle of a massless hoop falls to the plane, by a closed form; or the hoop is at rest, and
-    there are no guards. An endless phase has no end.
+    Guards are enclosed from the start up to the time `enclosed`. Where that is not the end, rolling
+    `repeats` itself from there on; or the particle of a massless hoop falls to the plane, by a
+    closed form; or the hoop is at rest, and there are no guards. An endless phase has no end.
     """
 
     mode: str
@@ -141,7 +141,10 @@ def _stretch(given: Given, run: Followed) -> Stretch:
     tube: list[Instant] = []
     if not run.steps:
         # It rests; the certificate has the first four units of what is endless.
-        tube = [_instant(given, time, run.phase.start.theta) for time in (first, first + 4 if last is None else last)]
+        tube = [
+            _instant(given, time, run.phase.start.theta)
+            for time in (first, first + 4 if last is None else last)
+        ]
     enclosed, intervals = first, 0
     for step, free in zip(run.steps, run.free, strict=True):
         for low, high in _intervals(step, free, length):
@@ -172,7 +175,9 @@ def _stretch(given: Given, run: Followed) -> Stretch:
     )
 
 
-def _intervals(step: checker.AnyStep, free: list[checker.Interval], end: Range | None) -> list[checker.Interval]:
+def _intervals(
+    step: checker.AnyStep, free: list[checker.Interval], end: Range | None
+) -> list[checker.Interval]:
     """Return the intervals of a step up to the end of its phase: in the last one a guard may fall to its zero there."""
     if end is None or not checker.exceeds(step.length, end - step.tau):
         return free
@@ -181,7 +186,9 @@ def _intervals(step: checker.AnyStep, free: list[checker.Interval], end: Range |
     return [*before, (before[-1][1] if before else Range(0), stop)]
 
 
-def _enclosed(step: checker.AnyStep, name: str, guard: Guard, low: Range, high: Range) -> tuple[float, float]:
+def _enclosed(
+    step: checker.AnyStep, name: str, guard: Guard, low: Range, high: Range
+) -> tuple[float, float]:
     """Return bounds of a guard between two places in a step, with the zero at its start that was divided out."""
     between = guard.between(low, high)
     # What is not enclosed above 0 is monotone.
@@ -192,7 +199,9 @@ def _enclosed(step: checker.AnyStep, name: str, guard: Guard, low: Range, high: 
         order, unit = step.order, float(step.length)
         # A leap encloses a lower bound of the gap, which leaves h (1 − cos θ) out.
         more = 2 * float(step.phase.body.h) if step.leaps else 0.0
-    return min(values) * (float(low) * unit) ** order, max(values) * (float(high) * unit) ** order + more
+    return min(values) * (float(low) * unit) ** order, max(values) * (
+        float(high) * unit
+    ) ** order + more
 
 
 def _instant(given: Given, time: Range, theta: Range) -> Instant:

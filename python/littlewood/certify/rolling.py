@@ -1,8 +1,8 @@
 """Rolling: D θ′² is an explicit function of the angle, and time is the quadrature of √(D/G).
 
-G = D θ′² = 2 (E − ℓ cos α cos θ + sin α (m θ + ℓ sin θ)). Pieces and turning points are those of a slide, but u = G/D
-is known without a differential equation. What has turned twice, or once around on a level plane, repeats itself:
-static friction holds on all of it, there as back.
+G = D θ′² = 2 (E − ℓ cos α cos θ + sin α (m θ + ℓ sin θ)). Pieces and turning points are those of a
+slide, but u = G/D is known without a differential equation. What has turned twice, or once around
+on a level plane, repeats itself: static friction holds on all of it, there as back.
 """
 
 from __future__ import annotations
@@ -36,9 +36,17 @@ class Roll(Slide):
         """The time after which it repeats itself, turned by `angle`."""
         self.angle = arb(0)
         sin, cos = start.theta.sin(), start.theta.cos()
-        self.twice = start.rate * start.rate * body.denominator(cos) - 2 * self._lost(sin, cos, start.theta)
-        self.rests = body.is_level and start.rate.is_zero() and (body.is_balanced or start.theta.is_zero())
-        if body.is_level and not self.rests and sign(self.twice - 2 * body.offset, "the energy over the top") == 0:
+        self.twice = start.rate * start.rate * body.denominator(cos) - 2 * self._lost(
+            sin, cos, start.theta
+        )
+        self.rests = (
+            body.is_level and start.rate.is_zero() and (body.is_balanced or start.theta.is_zero())
+        )
+        if (
+            body.is_level
+            and not self.rests
+            and sign(self.twice - 2 * body.offset, "the energy over the top") == 0
+        ):
             raise Undecided("the orbit is the separatrix")
 
     @property
@@ -57,7 +65,10 @@ class Roll(Slide):
             elif self.body.is_level and not self.turns and high > whole:
                 self.period = piece.elapsed.value(whole - low, whole - low)
                 self.angle = whole * sign(self.start.rate, "θ′")
-            if self.period is not None and piece.elapsed.value(piece.high, piece.high) > self.period:
+            if (
+                self.period is not None
+                and piece.elapsed.value(piece.high, piece.high) > self.period
+            ):
                 return
 
     def at(self, found: Followed, time: Ball) -> State:
@@ -89,7 +100,10 @@ class Roll(Slide):
         for radius, around in discs(theta, arb(1)):
             least = abs(body.denominator(around.cos())).lower()
             if least > 0:
-                size = abs(self._lost(around.sin(), around.cos(), around) * 2 + self.twice).abs_upper() / least
+                size = (
+                    abs(self._lost(around.sin(), around.cos(), around) * 2 + self.twice).abs_upper()
+                    / least
+                )
                 return Model(series, arb((size + u.abs_upper()).abs_upper()), radius)
         raise Undecided("the discs of rolling are too small")
 
@@ -100,7 +114,9 @@ class Roll(Slide):
         self.turns.append(made[0].elapsed.value(arb(0), arb(0)))
         return made
 
-    def _guards(self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int) -> dict[str, Model]:
+    def _guards(
+        self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int
+    ) -> dict[str, Model]:
         """Return μs N − F and μs N + F, times D; without mass, where F/N = −tan(θ/2), that and the sign of N."""
         body = self.body
         if body.is_massless:
@@ -110,8 +126,13 @@ class Roll(Slide):
         turning = sin * body.offset * (u + body.down) + lever * body.back
         normal = d * (body.mass * body.down) - (sin * turning + cos * u * d) * body.offset
         friction = sin * u * d * body.offset - lever * turning + d * (body.mass * body.back)
-        return {FRICTION_UP: normal * body.mu_s - friction, FRICTION_DOWN: normal * body.mu_s + friction}
+        return {
+            FRICTION_UP: normal * body.mu_s - friction,
+            FRICTION_DOWN: normal * body.mu_s + friction,
+        }
 
     def _state(self, theta: Ball, rate: Ball, elapsed: Ball) -> State:
         start, zero = self.start, arb(0)
-        return State(start.time + elapsed, theta, rate, zero, start.x - (theta - start.theta), zero, zero)
+        return State(
+            start.time + elapsed, theta, rate, zero, start.x - (theta - start.theta), zero, zero
+        )

@@ -1,18 +1,19 @@
 """The end of bouncing: an enclosure of what infinitely many bounces still do.
 
-While the angle stays within δθ and θ′ within δω of what they are after a bounce, the rim is pulled back with an
-acceleration between W1 and W2 > 0. A flight that begins with the rate v then takes from 2v/W2 to 2v/W1 and comes
-back with from v √(W1/W2) to v √(W2/W1), and an impact makes of a rate V at most e V. So rates fall at least like
-qⁿ, q = e √(W2/W1); if q < 1 all sums are bounded by geometric ones. If the sums stay within δθ and δω, the
-assumption holds for ever (induction over the bounces).
+While the angle stays within δθ and θ′ within δω of what they are after a bounce, the rim is pulled
+back with an acceleration between W1 and W2 > 0. A flight that begins with the rate v then takes
+from 2v/W2 to 2v/W1 and comes back with from v √(W1/W2) to v √(W2/W1), and an impact makes of a rate
+V at most e V. So rates fall at least like qⁿ, q = e √(W2/W1); if q < 1 all sums are bounded by
+geometric ones. If the sums stay within δθ and δω, the assumption holds for ever (induction over the
+bounces).
 
-That an impact makes at most e V of V: for a contact that slips throughout it is the law. For one that sticks, the
-slip of the flight before has the sign of −h sin θ θ′², hence σB < 0 and k1 = C + μk|B| > C ≥ k2, from which it
-follows for each of the three laws.
+That an impact makes at most e V of V: for a contact that slips throughout it is the law. For one
+that sticks, the slip of the flight before has the sign of −h sin θ θ′², hence σB < 0 and k1 = C +
+μk|B| > C ≥ k2, from which it follows for each of the three laws.
 
-With e = 1 it is friction that takes: an impact that ends the slip of its flight, as the contact sticks, makes of the
-rate V and the slip −h sin θ θ′² T, both proportional to v, a rate that is proportional to v, too. The impact for v = 1,
-with balls for V and T, has that factor for q.
+With e = 1 it is friction that takes: an impact that ends the slip of its flight, as the contact
+sticks, makes of the rate V and the slip −h sin θ θ′² T, both proportional to v, a rate that is
+proportional to v, too. The impact for v = 1, with balls for V and T, has that factor for q.
 """
 
 from __future__ import annotations
@@ -62,7 +63,9 @@ def _within(body: Body, start: State, e: Ball, law: str, v: Ball, spread: Ball) 
     ratio = (e * uneven).upper()
     if not ratio < 1 and start.slip.is_zero():
         slips = -body.h * theta.sin() * rate * rate * (2 / largest).union(2 / least)
-        landing = replace(start, theta=theta, rate=rate, slip=slips, gap_rate=-(1 / uneven).union(uneven))
+        landing = replace(
+            start, theta=theta, rate=rate, slip=slips, gap_rate=-(1 / uneven).union(uneven)
+        )
         ratio = impact(body, landing, e, law).after.gap_rate.upper()
     if not ratio < 1:
         return None
@@ -102,7 +105,9 @@ def _within(body: Body, start: State, e: Ball, law: str, v: Ball, spread: Ball) 
     if not (turn < spread and spin < spread):
         return None
     one = arb(0, 1)
-    speed = (rate.abs_upper() + abs(start.slip).upper() + drift * time + (a * friction + abs(b) * normal)).upper()
+    speed = (
+        rate.abs_upper() + abs(start.slip).upper() + drift * time + (a * friction + abs(b) * normal)
+    ).upper()
     end = replace(
         start,
         time=start.time + time / 2 + one * time / 2,

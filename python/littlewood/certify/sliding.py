@@ -1,10 +1,11 @@
 """Sliding: the linear equation of u = θ′² in the angle, by Taylor series.
 
-du/dθ = 2 m q (cos α − h c u)/P has coefficients that are analytic where P ≠ 0. On a disc |z − θ| ≤ r of the complex
-plane on which |2 m q/P| ≤ a and |2 m h q c/P| ≤ b, Gronwall's lemma gives |u| ≤ (|u0| + a r) exp(b r), which bounds
-every coefficient of the series. Time is the integral of dθ/√u where u ≠ 0. Near a turning point θt, where u has a
-simple zero, the parameter is ξ with θ = θt − d ξ²: there u = ξ² V with V ≠ 0, and dτ = 2 dξ/√V is regular. Slip and
-place follow from two first integrals.
+du/dθ = 2 m q (cos α − h c u)/P has coefficients that are analytic where P ≠ 0. On a disc |z − θ| ≤
+r of the complex plane on which |2 m q/P| ≤ a and |2 m h q c/P| ≤ b, Gronwall's lemma gives |u| ≤
+(|u0| + a r) exp(b r), which bounds every coefficient of the series. Time is the integral of dθ/√u
+where u ≠ 0. Near a turning point θt, where u has a simple zero, the parameter is ξ with θ = θt − d
+ξ²: there u = ξ² V with V ≠ 0, and dτ = 2 dξ/√V is regular. Slip and place follow from two first
+integrals.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ class Slide:
         self.slip_constant = start.slip - start.rate * self._arm(sin, cos)
         # x̄ + f ȳ + (f cos α + sin α) τ²/2 = a + b τ
         self.place = start.x - body.h * sin + self.friction * (1 + body.h * cos)
-        self.place_rate = start.slip - (1 + body.h * cos) * start.rate - self.friction * body.h * sin * start.rate
+        self.place_rate = (
+            start.slip - (1 + body.h * cos) * start.rate - self.friction * body.h * sin * start.rate
+        )
 
     def pieces(self) -> Iterator[Piece]:
         """Yield the slide piece by piece."""
@@ -90,11 +93,15 @@ class Slide:
             near = body.solvability(around.sin(), around.cos(), self.sigma)
             least = abs(near).lower()
             if least > 0:
-                size = (2 * body.mass * abs(body.q(around.sin(), around.cos(), self.sigma))).abs_upper() / least
+                size = (
+                    2 * body.mass * abs(body.q(around.sin(), around.cos(), self.sigma))
+                ).abs_upper() / least
                 growth = size * (body.h * abs(around.cos())).abs_upper() * radius
                 if growth < 12:
                     bound = (u.abs_upper() + size * radius) * growth.exp()
-                    return Model(arb_series([series[k] for k in range(n)], n), arb(bound.abs_upper()), radius)
+                    return Model(
+                        arb_series([series[k] for k in range(n)], n), arb(bound.abs_upper()), radius
+                    )
         raise Undecided("the slide runs into P = 0, where its force is unbounded")
 
     @staticmethod
@@ -117,7 +124,13 @@ class Slide:
         return None if found is None else found.at
 
     def _regular(
-        self, family: Model, theta: Ball, direction: int, free: tuple[Ball, Ball, Ball], elapsed: Ball, order: int
+        self,
+        family: Model,
+        theta: Ball,
+        direction: int,
+        free: tuple[Ball, Ball, Ball],
+        elapsed: Ball,
+        order: int,
     ) -> tuple[Piece, Ball, Ball, Ball]:
         radius, smallest, largest = free
         u = Model(family.series, largest, radius)
@@ -164,7 +177,9 @@ class Slide:
         piece = Piece(low, high, time, self._guards(sin, cos, u, rate, time, order), state)
         return piece, theta - direction * high * high, u.value(high, high), time.value(high, high)
 
-    def _guards(self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int) -> dict[str, Model]:
+    def _guards(
+        self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int
+    ) -> dict[str, Model]:
         body = self.body
         arm = cos * body.h + sin * (self.friction * body.h) + 1
         slip = (rate * arm - time * self.drag + self.slip_constant) * self.sigma

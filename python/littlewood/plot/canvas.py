@@ -27,7 +27,13 @@ if TYPE_CHECKING:
     from ..hoop import Hoop
     from .sheet import Sheet
 
-START: dict[str, Any] = {"marker": "x", "color": INK, "markersize": 6.0, "markeredgewidth": CURVE, "linestyle": "none"}
+START: dict[str, Any] = {
+    "marker": "x",
+    "color": INK,
+    "markersize": 6.0,
+    "markeredgewidth": CURVE,
+    "linestyle": "none",
+}
 """The mark of a start, in all pictures."""
 
 _F = TypeVar("_F", bound="Callable[..., Any]")
@@ -52,7 +58,8 @@ def look(width_mm: float | None = None) -> AbstractContextManager[Any]:
     Parameters
     ----------
     width_mm : float, optional
-        Width in print, where the letters of ticks have 7 points; by default figures are for a screen.
+        Width in print, where the letters of ticks have 7 points; by default figures are for a
+        screen.
 
     Returns
     -------
@@ -80,8 +87,15 @@ def key(axes: Axes, heading: str | None = None, *, columns: int = 2, **options: 
     unique: dict[str, Any] = {}
     for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
         unique.setdefault(label, handle)
-    place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "alignment": "left", "frameon": False}
-    legend = axes.legend(unique.values(), unique.keys(), title=heading, ncols=columns, **place | options)
+    place: dict[str, Any] = {
+        "loc": "lower left",
+        "bbox_to_anchor": (0.0, 1.0),
+        "alignment": "left",
+        "frameon": False,
+    }
+    legend = axes.legend(
+        unique.values(), unique.keys(), title=heading, ncols=columns, **place | options
+    )
     legend.get_title().set_fontsize(legend.get_texts()[0].get_fontsize())
 
 
@@ -104,7 +118,11 @@ def sign(name: str) -> str:
 def axis_label(name: str) -> str:
     """Return the symbol with its unit, if it has one."""
     known = QUANTITIES.get(name) or SAMPLE_COLUMNS.get(name)
-    return f"{sign(name)}  ({known.unit_sign})" if known is not None and known.unit_sign else sign(name)
+    return (
+        f"{sign(name)}  ({known.unit_sign})"
+        if known is not None and known.unit_sign
+        else sign(name)
+    )
 
 
 _ABOUT = {
@@ -179,7 +197,11 @@ def phase_slices(samples: Samples) -> list[tuple[str, slice]]:
     # A transition stands twice, and nothing else does.
     cuts = np.flatnonzero((np.diff(time) == 0.0) | (np.diff(mode) != 0)) + 1
     edges = [0, *cuts.tolist(), len(mode)]
-    return [(MODES[mode[a]], slice(a, b)) for a, b in itertools.pairwise(edges) if mode[a] != _core.OUTSIDE]
+    return [
+        (MODES[mode[a]], slice(a, b))
+        for a, b in itertools.pairwise(edges)
+        if mode[a] != _core.OUTSIDE
+    ]
 
 
 def level(slope: float, x: Any, y: Any) -> tuple[Any, Any]:
@@ -190,7 +212,11 @@ def level(slope: float, x: Any, y: Any) -> tuple[Any, Any]:
 
 def of_curve(name: str) -> dict[str, Any]:
     """Return the look of a curve of the (θ, θ′) plane."""
-    return {"color": CURVE_COLOURS[name], "linewidth": CURVE_WIDTHS[name], "linestyle": CURVE_DASHES[name]}
+    return {
+        "color": CURVE_COLOURS[name],
+        "linewidth": CURVE_WIDTHS[name],
+        "linestyle": CURVE_DASHES[name],
+    }
 
 
 def draw_plane(axes: Axes, slope: float, width: float = CURVE) -> None:
@@ -209,7 +235,9 @@ def seen_heights(samples: Samples, slope: float) -> tuple[float, float]:
     return low, float(np.max(heights))
 
 
-def draw_hoop(axes: Axes, hoop: Hoop, x: float, y: float, theta: float, *, alpha: float = 1.0) -> list[Any]:
+def draw_hoop(
+    axes: Axes, hoop: Hoop, x: float, y: float, theta: float, *, alpha: float = 1.0
+) -> list[Any]:
     """Draw a hoop with its particle and its mass centre on its plane as a level camera sees it; returns the artists."""
     patches, lines = require("matplotlib.patches"), require("matplotlib.lines")
     x, y = level(hoop.slope, x, y)

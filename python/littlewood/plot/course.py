@@ -64,7 +64,11 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> 
     draw_plane(axes, slope)
     shown: set[str] = set()
     for mode, part in phase_slices(samples):
-        style: dict[str, Any] = {"color": MODE_COLOURS[mode], "linestyle": MODE_DASHES[mode], "zorder": 4}
+        style: dict[str, Any] = {
+            "color": MODE_COLOURS[mode],
+            "linestyle": MODE_DASHES[mode],
+            "zorder": 4,
+        }
         label = None if mode in shown else mode
         axes.plot(mass_centre[0][part], mass_centre[1][part], linewidth=BOLD, label=label, **style)
         axes.plot(centre[0][part], centre[1][part], linewidth=FINE, **style)
@@ -89,14 +93,17 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> 
 
 def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -> None:
     # Bounces give way to what happens else.
-    events = sorted(motion.transitions, key=lambda one: (one.cause, one.to_mode) == ("landing", "flight"))
+    events = sorted(
+        motion.transitions, key=lambda one: (one.cause, one.to_mode) == ("landing", "flight")
+    )
     marks = [(motion.start.time, "start")]
     marks += [(one.time, CAUSE_LABELS[one.cause]) for one in events]
     last = motion.transitions[-1].time if motion.transitions else motion.start.time
     if not motion.transitions or motion.transitions[-1].to_mode is not None:
         last = float(samples.time[-1])
         marks.append((last, ""))
-    # Labels stand in two rows; a mark that finds no room in either is left out, unless it is the last.
+    # Labels stand in two rows; a mark that finds no room in either is left out, unless it is the
+    # last.
     ends: list[list[tuple[float, float]]] = [[], []]
     slope = motion.hoop.slope
     # On a slope labels stand at the side where the plane rises.
@@ -156,7 +163,11 @@ def history(
         for mode, part in phase_slices(samples):
             values = np.where(np.isfinite(samples[name][part]), samples[name][part], np.nan)
             axes.plot(
-                samples.time[part], values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=CURVE
+                samples.time[part],
+                values,
+                color=MODE_COLOURS[mode],
+                linestyle=MODE_DASHES[mode],
+                linewidth=CURVE,
             )
     axes.margins(y=0.15)
     _limit(axes, [samples[name] for name in quantities])
@@ -180,7 +191,10 @@ def _limit(axes: Axes, lines: list[Any]) -> None:
     values = np.concatenate([line[np.isfinite(line)] for line in lines])
     usual = float(np.quantile(np.abs(values), 0.95))
     if usual > 0.0 and float(np.max(np.abs(values))) > 4.0 * usual:
-        low, high = max(float(np.min(values)), -1.5 * usual), min(float(np.max(values)), 1.5 * usual)
+        low, high = (
+            max(float(np.min(values)), -1.5 * usual),
+            min(float(np.max(values)), 1.5 * usual),
+        )
         axes.set_ylim(low - 0.05 * (high - low), high)
 
 
@@ -204,7 +218,12 @@ def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> No
             textcoords="offset points",
             va="bottom" if above else "top",
             color=INK,
-            bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
+            bbox={
+                "boxstyle": "round,pad=0.1",
+                "facecolor": PAPER,
+                "edgecolor": "none",
+                "alpha": 0.8,
+            },
         )
 
 

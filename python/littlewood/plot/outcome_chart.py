@@ -29,8 +29,8 @@ def classes(dataset: xarray.Dataset) -> xarray.DataArray:
     Returns
     -------
     xarray.DataArray of uint8
-        Codes, the places of the names in :data:`littlewood.tables.CLASSES`: motions that leave the plane at once, that
-        lift off later, and those that do not, by their outcome.
+        Codes, the places of the names in :data:`littlewood.tables.CLASSES`: motions that leave the
+        plane at once, that lift off later, and those that do not, by their outcome.
 
     Raises
     ------
@@ -39,8 +39,12 @@ def classes(dataset: xarray.Dataset) -> xarray.DataArray:
     """
     columns = [dataset[name] for name in ("outcome", "sequence", "lift_off_time")]
     if not all(np.issubdtype(column.dtype, np.integer) for column in columns[:2]):
-        raise ValueError("outcome and sequence must hold integers: open the store with mask_and_scale=False")
-    result = require("xarray").apply_ufunc(_codes, *columns, dask="parallelized", output_dtypes=[np.uint8])
+        raise ValueError(
+            "outcome and sequence must hold integers: open the store with mask_and_scale=False"
+        )
+    result = require("xarray").apply_ufunc(
+        _codes, *columns, dask="parallelized", output_dtypes=[np.uint8]
+    )
     result.attrs = {
         "long_name": "class of the outcome",
         "flag_values": list(range(len(CLASSES))),
@@ -55,7 +59,9 @@ def _is_geometric(values: Any) -> bool:
     if values.size < 3 or np.min(values) <= 0.0:
         return False
     ratios, steps = np.diff(np.log(values)), np.diff(values)
-    return bool(np.allclose(ratios, ratios[0], rtol=1e-6) and not np.allclose(steps, steps[0], rtol=1e-6))
+    return bool(
+        np.allclose(ratios, ratios[0], rtol=1e-6) and not np.allclose(steps, steps[0], rtol=1e-6)
+    )
 
 
 def _codes(outcome: Any, sequence: Any, lift_off_time: Any) -> Any:
@@ -66,7 +72,9 @@ def _codes(outcome: Any, sequence: Any, lift_off_time: Any) -> Any:
 
 
 @on_sheet
-def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None = None, y: str | None = None) -> Axes:
+def outcomes(
+    dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None = None, y: str | None = None
+) -> Axes:
     """Draw a map of the classes of outcomes, with a legend and the share of each class.
 
     Parameters
@@ -85,7 +93,9 @@ def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None
     colors, patches = require("matplotlib.colors"), require("matplotlib.patches")
     shown = classes(dataset)
     if shown.ndim != 2:
-        raise ValueError(f"a map has two dimensions, not {shown.ndim}: {', '.join(map(str, shown.dims))}")
+        raise ValueError(
+            f"a map has two dimensions, not {shown.ndim}: {', '.join(map(str, shown.dims))}"
+        )
     first, second = (str(dimension) for dimension in shown.dims)
     x = x if x is not None else (second if y == first else first)
     y = y if y is not None else (second if x == first else first)
@@ -115,7 +125,13 @@ def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None
         for i, name in enumerate(CLASSES)
         if counts[i]
     ]
-    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1.0), labelspacing=0.9, handlelength=1.6)
+    axes.legend(
+        handles=handles,
+        loc="upper left",
+        bbox_to_anchor=(1.02, 1.0),
+        labelspacing=0.9,
+        handlelength=1.6,
+    )
     axes.set_xlabel(words(axes, sign(x) if x == "theta" else axis_label(x)))
     axes.set_ylabel(words(axes, sign(y) if y == "theta" else axis_label(y)))
     if _is_geometric(shown[x].to_numpy()):

@@ -18,7 +18,18 @@ from ..style import (
     PAPER,
     REGION,
 )
-from .canvas import START, axis_label, key, of_curve, on_sheet, phase_slices, pi_ticks, sheet, sign, words
+from .canvas import (
+    START,
+    axis_label,
+    key,
+    of_curve,
+    on_sheet,
+    phase_slices,
+    pi_ticks,
+    sheet,
+    sign,
+    words,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,12 +76,28 @@ def phase_plane(
     # Region R is traced in a window that reaches as far down as up.
     window = (theta, (-most, most))
     core = plane._core
-    axes.add_collection(PolyCollection(core.rolling_region(*window), facecolors=REGION, edgecolors="none", zorder=0))
+    axes.add_collection(
+        PolyCollection(core.rolling_region(*window), facecolors=REGION, edgecolors="none", zorder=0)
+    )
     for piece in core.curve("normal_force_zero", *window)[0]:
         angles, rates = zip(*piece, strict=True)
         edge = math.copysign(most, rates[0])
-        axes.fill_between(angles, rates, edge, facecolor="none", edgecolor=HATCH, hatch="////", linewidth=0.0, zorder=0)
-    for name, order in (("lift_off", 2), ("normal_force_zero", 2), ("slip_limit", 2), ("separatrix", 1)):
+        axes.fill_between(
+            angles,
+            rates,
+            edge,
+            facecolor="none",
+            edgecolor=HATCH,
+            hatch="////",
+            linewidth=0.0,
+            zorder=0,
+        )
+    for name, order in (
+        ("lift_off", 2),
+        ("normal_force_zero", 2),
+        ("slip_limit", 2),
+        ("separatrix", 1),
+    ):
         pieces, letter = core.curve(name, *window)
         axes.add_collection(LineCollection(pieces, **of_curve(name), zorder=order))
         if letter is not None:
@@ -82,7 +109,12 @@ def phase_plane(
                 size="large",
                 horizontalalignment="center",
                 verticalalignment="center",
-                bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
+                bbox={
+                    "boxstyle": "round,pad=0.1",
+                    "facecolor": PAPER,
+                    "edgecolor": "none",
+                    "alpha": 0.8,
+                },
                 clip_on=True,
                 zorder=6,
             )
@@ -116,7 +148,13 @@ def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> N
         reduced = angle - 2 * math.pi * turns
         rate = np.where(np.diff(turns, append=turns[-1]) != 0, np.nan, samples.theta_rate[part])
         axes.plot(
-            reduced, rate, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=BOLD, label=mode, zorder=4
+            reduced,
+            rate,
+            color=MODE_COLOURS[mode],
+            linestyle=MODE_DASHES[mode],
+            linewidth=BOLD,
+            label=mode,
+            zorder=4,
         )
     start = motion.start
     reduced_start = (start.theta - theta[0]) % (2 * math.pi) + theta[0]

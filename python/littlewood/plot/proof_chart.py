@@ -54,8 +54,8 @@ _NARROWEST, _WIDEST = 60.0, 1000.0
 def proof(found: Proof, *, width_mm: float = 120.0) -> Figure:
     """Draw the proof that a motion has the events of its certificate, and no others.
 
-    The picture has θ with the events; a row for each guard, which the checker encloses above 0 interval by interval as
-    long as a phase lasts; the radius of θ; and each event with its digits.
+    The picture has θ with the events; a row for each guard, which the checker encloses above 0
+    interval by interval as long as a phase lasts; the radius of θ; and each event with its digits.
 
     Parameters
     ----------
@@ -81,7 +81,9 @@ def proof(found: Proof, *, width_mm: float = 120.0) -> Figure:
 
 def _drawn(found: Proof, width_mm: float) -> Figure:
     labels = _labels(found)
-    left = _EDGE + _DIGIT * (5 + max(len(line) for text in ("radius", *labels.values()) for line in text.split("\n")))
+    left = _EDGE + _DIGIT * (
+        5 + max(len(line) for text in ("radius", *labels.values()) for line in text.split("\n"))
+    )
     handles, listed = _handles(found), _listed(found, width_mm)
     words = textwrap.wrap(caption(found), int((width_mm - 2 * _EDGE) / _LETTER))
     columns = int((width_mm - 2 * _EDGE) / _KEY)
@@ -95,7 +97,9 @@ def _drawn(found: Proof, width_mm: float) -> Figure:
     figure.set_layout_engine("none")
 
     def write(x: float, y: float, text: str, **style: Any) -> None:
-        figure.text(x / width_mm, y / height, text, va="top", color=INK, **({"size": _LETTERS} | style))
+        figure.text(
+            x / width_mm, y / height, text, va="top", color=INK, **({"size": _LETTERS} | style)
+        )
 
     for number, line in enumerate(heading):
         write(_EDGE, height - 1.5 - _TITLE * number, line, size=8.0)
@@ -110,7 +114,9 @@ def _drawn(found: Proof, width_mm: float) -> Figure:
         box = (left / width_mm, (y - size) / height, across / width_mm, size / height)
         rows.append(figure.add_axes(box, sharex=rows[0] if rows else None))
         y -= size + _SKIP
-    until = max(one.tube[-1].time if one.end is None or one.repeats else one.end for one in found.stretches)
+    until = max(
+        one.tube[-1].time if one.end is None or one.repeats else one.end for one in found.stretches
+    )
     for axes in rows:
         axes.set_xlim(0.0, until)
         axes.tick_params(labelsize=_LETTERS, length=2.0, pad=1.5, labelbottom=axes is rows[-1])
@@ -126,7 +132,13 @@ def _drawn(found: Proof, width_mm: float) -> Figure:
     y = foot - _AXIS
     for cells in listed:
         for x, text in zip(_columns(listed), cells, strict=True):
-            write(x, y, _core.marked(text) if cells is listed[0] and text.startswith(sign("time")) else text)
+            write(
+                x,
+                y,
+                _core.marked(text)
+                if cells is listed[0] and text.startswith(sign("time"))
+                else text,
+            )
         y -= _LINE
     for line in words:
         for symbol in (sign("theta"), sign("time")):
@@ -155,11 +167,15 @@ def caption(found: Proof) -> str:
     ]
     if last.repeats:
         until = "for ever" if last.end is None else f"up to {sign('time')} = {last.end:.6g} {unit}"
-        said.append(f"Rolling repeats itself after {last.enclosed - last.start:.6g} {unit}, {until}.")
+        said.append(
+            f"Rolling repeats itself after {last.enclosed - last.start:.6g} {unit}, {until}."
+        )
     elif not last.guards:
         said.append("At the end the hoop rests.")
     elif _falls(found):
-        said.append("Hatched: by a closed form the slip does not end before the particle is at the plane.")
+        said.append(
+            "Hatched: by a closed form the slip does not end before the particle is at the plane."
+        )
     return " ".join(said)
 
 
@@ -171,22 +187,34 @@ def description(found: Proof) -> str:
 
 def _falls(found: Proof) -> bool:
     last = found.stretches[-1]
-    return bool(last.guards) and not last.repeats and last.end is not None and last.enclosed < last.end
+    return (
+        bool(last.guards) and not last.repeats and last.end is not None and last.enclosed < last.end
+    )
 
 
 def _labels(found: Proof) -> dict[str, str]:
     """Return the signs of the guards that the motion has, with their units."""
     used = {name for one in found.stretches for name in one.guards}
     quantities = {name: quantity_of(name, found.massless) for name in used}
-    units = {name: f"\n({_unit(found, quantity)})" for name, quantity in quantities.items() if quantity is not None}
-    return {name: text + units.get(name, "") for name, text in _GUARDS[found.massless].items() if name in used}
+    units = {
+        name: f"\n({_unit(found, quantity)})"
+        for name, quantity in quantities.items()
+        if quantity is not None
+    }
+    return {
+        name: text + units.get(name, "")
+        for name, text in _GUARDS[found.massless].items()
+        if name in used
+    }
 
 
 def _listed(found: Proof, width_mm: float) -> list[tuple[str, str, str]]:
     """Return number, cause and time of each event, below a head; impacts in a row have one line."""
     numbered = list(enumerate(found.certificate["events"], 1))
     lines: list[tuple[int, int, str]] = []
-    for bounces, run in itertools.groupby(numbered, lambda one: one[1]["to"] == "flight" and "impact" in one[1]):
+    for bounces, run in itertools.groupby(
+        numbered, lambda one: one[1]["to"] == "flight" and "impact" in one[1]
+    ):
         group = list(run)
         if bounces and len(group) > 2:
             lines.append((group[0][0], group[-1][0], f"{len(group)} impacts"))
@@ -198,7 +226,11 @@ def _listed(found: Proof, width_mm: float) -> list[tuple[str, str, str]]:
         return []
     numbers = [str(a) if a == b else f"{a}–{b}" for a, b, _ in lines]
     head = ("", "event", f"{sign('time')}  ({_unit(found, 'time')})")
-    room = width_mm - _EDGE - _columns([head, *zip(numbers, (label for *_, label in lines), numbers, strict=True)])[2]
+    room = (
+        width_mm
+        - _EDGE
+        - _columns([head, *zip(numbers, (label for *_, label in lines), numbers, strict=True)])[2]
+    )
     balls = [[event["state"]["time"] for _, event in numbered[a - 1 : b]] for a, b, _ in lines]
     times = [_times(some, int(room / _DIGIT)) for some in balls]
     return [head, *zip(numbers, (label for *_, label in lines), times, strict=True)]
@@ -207,7 +239,11 @@ def _listed(found: Proof, width_mm: float) -> list[tuple[str, str, str]]:
 def _columns(lines: list[tuple[str, str, str]]) -> tuple[float, float, float]:
     """Return where the columns of a list begin."""
     first, second = (max(len(cells[k]) for cells in lines) for k in (0, 1))
-    return _EDGE, _EDGE + _DIGIT * (first + 1), _EDGE + _DIGIT * (first + 1) + _LETTER * (second + 2)
+    return (
+        _EDGE,
+        _EDGE + _DIGIT * (first + 1),
+        _EDGE + _DIGIT * (first + 1) + _LETTER * (second + 2),
+    )
 
 
 def _times(balls: list[list[str]], room: int) -> str:
@@ -228,7 +264,9 @@ def _handles(found: Proof) -> list[Any]:
     lines, patches = require("matplotlib.lines"), require("matplotlib.patches")
     modes = {one.mode for one in found.stretches}
     handles = [
-        lines.Line2D([], [], color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.2, label=mode)
+        lines.Line2D(
+            [], [], color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.2, label=mode
+        )
         for mode in MODES
         if mode in modes
     ]
@@ -236,28 +274,48 @@ def _handles(found: Proof) -> list[Any]:
     if _falls(found):
         handles.append(patches.Patch(**_HATCHED, label="closed form"))
     balls = _balls(found)
-    handles += [lines.Line2D([], [], linewidth=0.0, label=name, **_BALLS[name]) for name in balls if balls[name]]
+    handles += [
+        lines.Line2D([], [], linewidth=0.0, label=name, **_BALLS[name])
+        for name in balls
+        if balls[name]
+    ]
     return handles
 
 
 _PALE = 0.25
-_HATCHED: dict[str, Any] = {"facecolor": "none", "edgecolor": HATCH, "hatch": "/////", "linewidth": 0.0}
+_HATCHED: dict[str, Any] = {
+    "facecolor": "none",
+    "edgecolor": HATCH,
+    "hatch": "/////",
+    "linewidth": 0.0,
+}
 _BALLS: dict[str, dict[str, Any]] = {
-    "event": {"marker": "s", "markersize": 3.2, "color": INK, "markerfacecolor": PAPER, "markeredgewidth": 0.7},
+    "event": {
+        "marker": "s",
+        "markersize": 3.2,
+        "color": INK,
+        "markerfacecolor": PAPER,
+        "markeredgewidth": 0.7,
+    },
     "sample": {"marker": ".", "markersize": 2.0, "color": INK},
 }
 
 
 def _joined(found: Proof) -> list[tuple[str, list[Stretch]]]:
     """Return the stretches in a row that have one mode, such as bounces."""
-    return [(mode, list(some)) for mode, some in itertools.groupby(found.stretches, lambda one: one.mode)]
+    return [
+        (mode, list(some))
+        for mode, some in itertools.groupby(found.stretches, lambda one: one.mode)
+    ]
 
 
 def _draw_tube(found: Proof, axes: Axes, which: str) -> None:
     for mode, some in _joined(found):
         tube = [at for one in some for at in one.tube]
         times, values = [at.time for at in tube], [getattr(at, which) for at in tube]
-        axes.plot(times, values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.2)
+        axes.plot(
+            times, values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.2
+        )
 
 
 def _balls(found: Proof) -> dict[str, list[dict[str, list[str]]]]:
@@ -269,7 +327,10 @@ def _balls(found: Proof) -> dict[str, list[dict[str, list[str]]]]:
 def _draw_balls(found: Proof, axes: Axes, height: Callable[[list[str]], float]) -> None:
     """Mark the states of the certificate, at a height that their angle has."""
     for name, states in _balls(found).items():
-        times, values = [float(one["time"][0]) for one in states], [height(one["theta"]) for one in states]
+        times, values = (
+            [float(one["time"][0]) for one in states],
+            [height(one["theta"]) for one in states],
+        )
         order = 5.0 if name == "event" else 1.5
         axes.plot(times, values, linewidth=0.0, zorder=order, clip_on=False, **_BALLS[name])
 
@@ -302,7 +363,9 @@ def _draw_guard(found: Proof, name: str, axes: Axes, until: float) -> None:
             [max(one.low, 0.0) for one in boxes],
             [one.high for one in boxes],
         )
-        axes.axvspan(boxes[0].start, boxes[-1].end, color=MODE_COLOURS[mode], alpha=_PALE, linewidth=0.0)
+        axes.axvspan(
+            boxes[0].start, boxes[-1].end, color=MODE_COLOURS[mode], alpha=_PALE, linewidth=0.0
+        )
         axes.fill_between(
             [*times, boxes[-1].end], [*lows, lows[-1]], [*highs, highs[-1]], step="post", color=MODE_COLOURS[mode],
             linewidth=0.6,
@@ -311,13 +374,21 @@ def _draw_guard(found: Proof, name: str, axes: Axes, until: float) -> None:
             axes.axvspan(some[-1].enclosed, until, **_HATCHED)
         # Where the guard is least without being 0.
         around = [math.inf, *(one.low for one in boxes), math.inf]
-        dips += [one for k, one in enumerate(boxes) if 0.0 < one.low <= min(around[k], around[k + 2])]
+        dips += [
+            one for k, one in enumerate(boxes) if 0.0 < one.low <= min(around[k], around[k + 2])
+        ]
     height = 1.15 * max(box.high for one in found.stretches for box in one.guards.get(name, []))
     axes.set_ylim(0.0, height)
     axes.yaxis.set_major_locator(require("matplotlib.ticker").MaxNLocator(2, steps=[1, 2, 5, 10]))
     least = min(dips, key=lambda one: one.low, default=None)
     if least is not None and least.low < _NEAR * height:
-        side = "left" if least.start < until / 3 else "right" if least.start > until * 2 / 3 else "center"
+        side = (
+            "left"
+            if least.start < until / 3
+            else "right"
+            if least.start > until * 2 / 3
+            else "center"
+        )
         axes.annotate(
             f"> {_bound(least.low)}", ((least.start + least.end) / 2, 1.0), xycoords=("data", "axes fraction"),
             xytext=({"left": 2, "center": 0, "right": -2}[side], -2), textcoords="offset points", ha=side, va="top",
@@ -328,10 +399,14 @@ def _draw_guard(found: Proof, name: str, axes: Axes, until: float) -> None:
 def _draw_radius(found: Proof, axes: Axes) -> None:
     ticker = require("matplotlib.ticker")
     _draw_tube(found, axes, "radius")
-    _draw_balls(found, axes, lambda ball: math.log10(float(ball[1])) if float(ball[1]) else math.nan)
+    _draw_balls(
+        found, axes, lambda ball: math.log10(float(ball[1])) if float(ball[1]) else math.nan
+    )
     axes.margins(y=0.12)
     axes.yaxis.set_major_locator(ticker.MaxNLocator(4, integer=True))
-    axes.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"10{_raised(round(value))}"))
+    axes.yaxis.set_major_formatter(
+        ticker.FuncFormatter(lambda value, _: f"10{_raised(round(value))}")
+    )
     _name(axes, f"radius\nof {_core.marked(sign('theta'))}")
 
 
@@ -346,7 +421,9 @@ def _middle(one: Mapping[str, Any], name: str) -> float:
 def _unit(found: Proof, name: str) -> str:
     """Return the unit of a quantity in the system of the certificate."""
     column = SAMPLE_COLUMNS[name]
-    return (column.si_unit if found.certificate["case"]["units"] == "si" else column.unit_sign) or ""
+    return (
+        column.si_unit if found.certificate["case"]["units"] == "si" else column.unit_sign
+    ) or ""
 
 
 def _raised(power: int) -> str:
@@ -357,7 +434,9 @@ def _radius(text: str) -> str:
     """Return a radius such as 41e-31 as 4.1·10⁻³⁰."""
     digits, _, exponent = text.partition("e")
     rest = digits[1:].rstrip("0")
-    return f"{digits[0]}{'.' + rest if rest else ''}·10{_raised(int(exponent or 0) + len(digits) - 1)}"
+    return (
+        f"{digits[0]}{'.' + rest if rest else ''}·10{_raised(int(exponent or 0) + len(digits) - 1)}"
+    )
 
 
 def _bound(value: float) -> str:

@@ -32,7 +32,8 @@ T = TypeVar("T")
 _MM = 25.4
 # Points to a pixel on a screen, and in print, where the letters of ticks have 7 points.
 _SCREEN, _PRINT = 0.75, 7.0 / LENGTHS["small"]
-# Pixels of a sheet, and of the narrowest panels that stand beside each other, and of small multiples.
+# Pixels of a sheet, and of the narrowest panels that stand beside each other, and of small
+# multiples.
 _WIDE, _NARROW, _NARROWEST = 860.0, 280.0, 170.0
 
 
@@ -53,9 +54,17 @@ def settings(width_mm: float | None = None) -> dict[str, Any]:
     """Return settings of Matplotlib for a screen, or for a width in print, where the letters of ticks have 7 points."""
     unit = _SCREEN if width_mm is None else _PRINT
     wide = _WIDE * unit / 72.0 if width_mm is None else width_mm / _MM
-    fine, curve, tick, letter, small = (unit * LENGTHS[name] for name in ("fine", "curve", "tick", "letter", "small"))
+    fine, curve, tick, letter, small = (
+        unit * LENGTHS[name] for name in ("fine", "curve", "tick", "letter", "small")
+    )
     axis = {"direction": "out", "labelsize": small, "major.size": tick, "minor.size": 0.5 * tick}
-    axis |= {"major.width": fine, "minor.width": fine, "major.pad": tick, "minor.pad": tick, "color": INK}
+    axis |= {
+        "major.width": fine,
+        "minor.width": fine,
+        "major.pad": tick,
+        "minor.pad": tick,
+        "color": INK,
+    }
     return {
         **{f"{which}tick.{name}": value for which in "xy" for name, value in axis.items()},
         "axes.axisbelow": False,
@@ -102,7 +111,9 @@ class Sheet(Figure):
         for axes in self.axes:
             for axis in (axes.xaxis, axes.yaxis):
                 if isinstance(axis.get_major_formatter(), ticker.LogFormatter):
-                    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: _core.unicode(power(value))))
+                    axis.set_major_formatter(
+                        ticker.FuncFormatter(lambda value, _: _core.unicode(power(value)))
+                    )
                     axis.set_minor_formatter(ticker.NullFormatter())
         for text in self.findobj(Text):
             text.set_text(_core.unicode(text.get_text()))
@@ -130,13 +141,17 @@ def listed(values: Sequence[T]) -> Iterator[tuple[T, dict[str, Any]]]:
 
 
 def panels(
-    count: int, *, columns: int | None = None, height: float = 362.0, letters: bool = True, **options: Any
+    count: int,
+    *,
+    columns: int | None = None,
+    height: float = 362.0,
+    letters: bool = True,
+    **options: Any,
 ) -> tuple[Sheet, list[Axes]]:
     """Return a sheet as wide as the settings say, with panels of a height in pixels, in rows.
 
-    Where there are several they have letters. Small multiples stand in so many columns where there is room; they
-    share axes by the `options` of
-    :meth:`matplotlib.figure.Figure.subplots`.
+    Where there are several they have letters. Small multiples stand in so many columns where there
+    is room; they share axes by the `options` of :meth:`matplotlib.figure.Figure.subplots`.
     """
     wide = mpl.rcParams["figure.figsize"][0]
     unit = mpl.rcParams["font.size"] / LENGTHS["small"]
@@ -151,8 +166,14 @@ def panels(
         axes[place - across].tick_params(labelbottom=True)
     if count > 1 and letters:
         for one, letter in zip(axes[:count], "abcdefghijklmnopqrstuvwxyz", strict=False):
-            where: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points", "ha": "right"}
-            one.annotate(f"({letter})", (0.0, 1.0), (-6.0 * unit, mpl.rcParams["axes.titlepad"]), **where)
+            where: dict[str, Any] = {
+                "xycoords": "axes fraction",
+                "textcoords": "offset points",
+                "ha": "right",
+            }
+            one.annotate(
+                f"({letter})", (0.0, 1.0), (-6.0 * unit, mpl.rcParams["axes.titlepad"]), **where
+            )
     return figure, axes[:count]
 
 
@@ -160,9 +181,13 @@ def svg(figure: Figure, title: str, description: str) -> str:
     """Return an SVG with a title, a description, and each text as a label of its outlines, as figures have them."""
     file = io.StringIO()
     with mpl.rc_context({"svg.fonttype": "path", "svg.hashsalt": "littlewood"}):
-        figure.savefig(file, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
+        figure.savefig(
+            file, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type"))
+        )
     text = re.sub(r"\n(?=[LQCz])", "", file.getvalue())
-    text = re.sub(r"<!-- (.*?) -->\s*<g ", lambda found: f'<g aria-label="{_upright(found[1])}" ', text)
+    text = re.sub(
+        r"<!-- (.*?) -->\s*<g ", lambda found: f'<g aria-label="{_upright(found[1])}" ', text
+    )
     said = f' role="img">\n <title>{escape(title)}</title>\n <desc>{escape(description)}</desc>'
     return re.sub(r"(<svg [^>]*)>", lambda found: found[1] + said, text, count=1)
 
@@ -170,4 +195,6 @@ def svg(figure: Figure, title: str, description: str) -> str:
 def _upright(text: str) -> str:
     """Return a text without mathematical symbols for italics and signs of our font, by which nobody searches."""
     text = re.sub("[\ue000-\ue1ff]", lambda found: chr(ord(found[0]) & 0xFF), text)
-    return re.sub("[ℎ\U0001d434-\U0001d7ff]", lambda found: unicodedata.normalize("NFKC", found[0]), text)
+    return re.sub(
+        "[ℎ\U0001d434-\U0001d7ff]", lambda found: unicodedata.normalize("NFKC", found[0]), text
+    )

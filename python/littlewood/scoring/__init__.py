@@ -1,7 +1,7 @@
 """Scores of contact solvers: the motion that a solver has computed, held against the exact one.
 
-:func:`score` compares, :class:`Record` is what the solver has computed, and ``littlewood score CASE FILE`` is the same
-from the command line.
+:func:`score` compares, :class:`Record` is what the solver has computed, and ``littlewood score CASE
+FILE`` is the same from the command line.
 """
 
 from ..text_table import TableFileError

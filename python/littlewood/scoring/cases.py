@@ -43,7 +43,9 @@ class BenchmarkCase:
         return simulated(self.given)
 
 
-_FILE: Mapping[str, Any] = json.loads((files(__package__) / "cases.json").read_text(encoding="utf-8"))
+_FILE: Mapping[str, Any] = json.loads(
+    (files(__package__) / "cases.json").read_text(encoding="utf-8")
+)
 
 VERSION: str = _FILE["version"]
 """Version of the cases: a name stands for the same motion as long as its first number does not change."""
@@ -52,9 +54,14 @@ CATEGORIES: Mapping[str, str] = MappingProxyType(_FILE["categories"])
 """What the benchmark tests: names, and what they mean."""
 
 CASES: Mapping[str, BenchmarkCase] = MappingProxyType(
-    {one["name"]: BenchmarkCase(one["name"], one, **_FILE["benchmark"].get(one["name"], {})) for one in _FILE["cases"]}
+    {
+        one["name"]: BenchmarkCase(one["name"], one, **_FILE["benchmark"].get(one["name"], {}))
+        for one in _FILE["cases"]
+    }
 )
 """All cases by name."""
 
-BENCHMARK: Mapping[str, BenchmarkCase] = MappingProxyType({name: CASES[name] for name in _FILE["benchmark"]})
+BENCHMARK: Mapping[str, BenchmarkCase] = MappingProxyType(
+    {name: CASES[name] for name in _FILE["benchmark"]}
+)
 """Those that engines run, in their order."""

@@ -29,7 +29,8 @@ _REFUSED = 2
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="littlewood score", description="Hold motions that a solver has computed against the exact one."
+        prog="littlewood score",
+        description="Hold motions that a solver has computed against the exact one.",
     )
     parser.add_argument(
         "case",
@@ -59,7 +60,9 @@ def _parser() -> argparse.ArgumentParser:
         help="FILE has the derivatives of x and theta at fixed times with respect to this quantity, such as mu_k",
     )
     parser.add_argument("--json", action="store_true", help="write JSON")
-    parser.add_argument("--plot", metavar="PICTURE", type=Path, help="draw a picture: .png, .svg or .pdf")
+    parser.add_argument(
+        "--plot", metavar="PICTURE", type=Path, help="draw a picture: .png, .svg or .pdf"
+    )
     usual = Tolerances()
     for name, meaning in (
         ("gap", "height of the rim up to which it counts as in contact, R"),
@@ -67,7 +70,9 @@ def _parser() -> argparse.ArgumentParser:
         ("time", "an event farther from the exact one is not the same, sqrt(R/g)"),
     ):
         value = getattr(usual, name)
-        parser.add_argument(f"--{name}", type=float, default=value, help=f"{meaning} (default {value:g})")
+        parser.add_argument(
+            f"--{name}", type=float, default=value, help=f"{meaning} (default {value:g})"
+        )
     return parser
 
 
@@ -128,9 +133,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _gradients(options: argparse.Namespace) -> int:
     motion, _ = _motion(options.case)
-    scores = [score_gradient(motion, *read_gradient(path), options.gradient) for path in options.files]
+    scores = [
+        score_gradient(motion, *read_gradient(path), options.gradient) for path in options.files
+    ]
     if options.json:
-        print(json.dumps({"case": options.case, "gradients": [one.as_dict() for one in scores]}, indent=2))
+        print(
+            json.dumps(
+                {"case": options.case, "gradients": [one.as_dict() for one in scores]}, indent=2
+            )
+        )
         return 0
     for path, one in zip(options.files, scores, strict=True):
         print(f"{path}:\n{one}" if len(scores) > 1 else one)

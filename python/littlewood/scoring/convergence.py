@@ -27,7 +27,8 @@ class Convergence:
     steps : tuple of float
         Their steps, √(R/g).
     order : float
-        Exponent p of the law largest error = c step^p through them, by least squares of the logarithms.
+        Exponent p of the law largest error = c step^p through them, by least squares of the
+        logarithms.
     """
 
     scores: tuple[Score, ...]
@@ -62,8 +63,8 @@ def convergence(scores: Sequence[Score], steps: Sequence[float] | None = None) -
     scores : sequence of Score
         At least two, with different steps.
     steps : sequence of float, optional
-        Steps of the solver, √(R/g), one for each score; by default those between the rows of the records, of which a
-        solver may have made several.
+        Steps of the solver, √(R/g), one for each score; by default those between the rows of the
+        records, of which a solver may have made several.
 
     Returns
     -------
@@ -76,15 +77,23 @@ def convergence(scores: Sequence[Score], steps: Sequence[float] | None = None) -
     """
     given = [one.record.step for one in scores] if steps is None else list(steps)
     if len(given) != len(scores):
-        raise ValueError(f"{len(given)} steps, and {len(scores)} scores: there must be one for each")
+        raise ValueError(
+            f"{len(given)} steps, and {len(scores)} scores: there must be one for each"
+        )
     if not all(0.0 < step < np.inf for step in given):
-        raise ValueError(f"steps {', '.join(map(str, given))} sqrt(R/g) must be positive and finite")
+        raise ValueError(
+            f"steps {', '.join(map(str, given))} sqrt(R/g) must be positive and finite"
+        )
     ordered = sorted(zip(given, scores, strict=True), key=lambda pair: -pair[0])
     sizes = np.array([step for step, _ in ordered])
     errors = np.array([one.largest_error for _, one in ordered])
     if np.unique(sizes).size < 2:
-        raise ValueError(f"{np.unique(sizes).size} different steps: an order of convergence needs at least two")
+        raise ValueError(
+            f"{np.unique(sizes).size} different steps: an order of convergence needs at least two"
+        )
     if not np.all(errors > 0.0):
-        raise ValueError(f"the largest error at step {sizes[errors == 0.0][0]} sqrt(R/g) is 0: it has no logarithm")
+        raise ValueError(
+            f"the largest error at step {sizes[errors == 0.0][0]} sqrt(R/g) is 0: it has no logarithm"
+        )
     order = float(np.polyfit(np.log(sizes), np.log(errors), 1)[0])
     return Convergence(tuple(one for _, one in ordered), tuple(sizes.tolist()), order)

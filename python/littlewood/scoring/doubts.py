@@ -39,18 +39,26 @@ class _Path(NamedTuple):
 Change = Callable[["Trajectory", _Path], _Path]
 
 _CHANGES: dict[str, Change] = {
-    "theta has the other sign: counterclockwise is positive": lambda _, p: p._replace(theta=-p.theta),
+    "theta has the other sign: counterclockwise is positive": lambda _, p: p._replace(
+        theta=-p.theta
+    ),
     "x has the other sign: it grows to the right": lambda _, p: p._replace(x=-p.x),
-    "theta is in degrees: it must be in radians": lambda _, p: p._replace(theta=np.radians(p.theta)),
-    "theta is whole turns off": lambda m, p: p._replace(theta=p.theta + math.tau * round(_off(m, p) / math.tau)),
+    "theta is in degrees: it must be in radians": lambda _, p: p._replace(
+        theta=np.radians(p.theta)
+    ),
+    "theta is whole turns off": lambda m, p: p._replace(
+        theta=p.theta + math.tau * round(_off(m, p) / math.tau)
+    ),
     "theta is measured from another direction than the upward normal": lambda m, p: p._replace(
         theta=p.theta + _off(m, p)
     ),
     "x does not begin at 0": lambda m, p: p._replace(x=p.x - p.x[0] + float(m(p.time[0]).x)),
-    "x and y are those of the mass centre: they must be those of the geometric centre": lambda m, p: p._replace(
-        x=p.x + m.hoop.h * np.sin(p.theta), y=p.y - m.hoop.h * np.cos(p.theta)
+    "x and y are those of the mass centre: they must be those of the geometric centre": lambda m, p: (
+        p._replace(x=p.x + m.hoop.h * np.sin(p.theta), y=p.y - m.hoop.h * np.cos(p.theta))
     ),
-    "y is the gap under the rim: it must be the height of the centre, 1 in contact": lambda _, p: p._replace(y=p.y + 1),
+    "y is the gap under the rim: it must be the height of the centre, 1 in contact": lambda _, p: (
+        p._replace(y=p.y + 1)
+    ),
     "time is in thousandths": lambda _, p: p._replace(time=p.time / 1e3),
     "x and y are in thousandths": lambda _, p: p._replace(x=p.x / 1e3, y=p.y / 1e3),
 }
@@ -74,8 +82,16 @@ def doubts(motion: Trajectory, record: Record) -> Iterator[str]:
     if off is None and not better:
         # So few rows that they say nothing.
         return
-    first = ", ".join(f"{name} by {size:.2g}" for name, size in _first_row(motion, path).items() if size > _AT_ONCE)
-    said = f"the first row is not the start: it is off in {first}" if first else "the first rows leave the exact motion"
+    first = ", ".join(
+        f"{name} by {size:.2g}"
+        for name, size in _first_row(motion, path).items()
+        if size > _AT_ONCE
+    )
+    said = (
+        f"the first row is not the start: it is off in {first}"
+        if first
+        else "the first rows leave the exact motion"
+    )
     yield said + (f"; {' and '.join(better)}?" if better else "")
 
 
@@ -123,7 +139,9 @@ def _other_case(path: _Path) -> list[str]:
 def _first_row(motion: Trajectory, path: _Path) -> dict[str, float]:
     at = motion(path.time[0])
     exact = {"x": at.x, "y": at.centre_y, "theta": at.theta}
-    return {name: abs(float(getattr(path, name)[0]) - float(value)) for name, value in exact.items()}
+    return {
+        name: abs(float(getattr(path, name)[0]) - float(value)) for name, value in exact.items()
+    }
 
 
 def _distance(motion: Trajectory, path: _Path) -> tuple[float, float] | None:

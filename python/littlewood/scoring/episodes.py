@@ -1,6 +1,7 @@
 """Episodes of a motion by positions: rolling, sliding either way, flight.
 
-The same rule reads the record of a solver and the exact motion at the same instants: what it leaves out is in both.
+The same rule reads the record of a solver and the exact motion at the same instants: what it leaves
+out is in both.
 """
 
 from __future__ import annotations
@@ -78,12 +79,17 @@ def _episodes(record: Record, within: Tolerances) -> list[Episode]:
     middle = 0.5 * (time[1:] + time[:-1])
     slip = record.slip_between
     gap = record.y - 1.0 if record.contact is None else np.where(record.contact, 0.0, np.inf)
-    # An interval is in flight if the rim is above at both of its ends; a touch between them is found below.
+    # An interval is in flight if the rim is above at both of its ends; a touch between them is
+    # found below.
     is_high = np.minimum(gap[1:], gap[:-1]) > within.gap
-    codes = np.where(is_high, 2.0, np.where(np.abs(slip) > within.slip, np.sign(slip), 0.0)).astype(np.int8)
+    codes = np.where(is_high, 2.0, np.where(np.abs(slip) > within.slip, np.sign(slip), 0.0)).astype(
+        np.int8
+    )
     for a, b in _contacts_between_flights(is_high):
         start, end = (_crossing(time, gap, i, within.gap) for i in (a, b))
-        if end - start < _SHORT * record.step + _SLACK * (_passage(record, a, within) + _passage(record, b, within)):
+        if end - start < _SHORT * record.step + _SLACK * (
+            _passage(record, a, within) + _passage(record, b, within)
+        ):
             codes[a:b] = 3
     cuts = []
     changes = np.flatnonzero(np.diff(codes)).tolist()
@@ -141,7 +147,9 @@ def _parted(episode: Episode, record: Record, within: Tolerances) -> list[Episod
         before = (gap[i] - gap[i - 1]) / (time[i] - time[i - 1])
         behind = (gap[i + 2] - gap[i + 1]) / (time[i + 2] - time[i + 1])
         if before < 0.0 < behind:
-            touch = (gap[i + 1] - gap[i] + before * time[i] - behind * time[i + 1]) / (before - behind)
+            touch = (gap[i + 1] - gap[i] + before * time[i] - behind * time[i + 1]) / (
+                before - behind
+            )
             is_between = time[i] <= touch <= time[i + 1]
             if is_between and gap[i] + before * (touch - time[i]) <= within.gap:
                 touches.append(float(touch))
@@ -156,7 +164,8 @@ def _parted(episode: Episode, record: Record, within: Tolerances) -> list[Episod
 def _events(episodes: list[Episode], step: float, within: Tolerances) -> list[Event]:
     """The events between episodes; an episode shorter than a few steps of the record is an instant.
 
-    A contact between two flights is an impact, and a passage of the slip velocity through zero a reversal, or nothing.
+    A contact between two flights is an impact, and a passage of the slip velocity through zero a
+    reversal, or nothing.
     """
     shortest = _SHORT * step
     # A rim that counts as in contact may still fall, with a velocity of about 1 √(gR).
@@ -165,7 +174,11 @@ def _events(episodes: list[Episode], step: float, within: Tolerances) -> list[Ev
     # A landing is one episode, whatever the hoop does in its first steps.
     merged: list[Episode] = []
     for episode in episodes:
-        if merged and not {FLIGHT, IMPACT} & {episode.what, merged[-1].what} and _is_short(merged, episode, shortest):
+        if (
+            merged
+            and not {FLIGHT, IMPACT} & {episode.what, merged[-1].what}
+            and _is_short(merged, episode, shortest)
+        ):
             merged[-1] = Episode(merged[-1].what, merged[-1].start, episode.end)
         elif episode.what == ROLLING and len(merged) > 1 and _is_short(merged, merged[-1], falling):
             # At a landing that sticks the slip velocity of the flight is no sliding.
@@ -179,7 +192,12 @@ def _events(episodes: list[Episode], step: float, within: Tolerances) -> list[Ev
             found.append(Event(IMPACT, 0.5 * (episode.start + episode.end)))
             continue
         is_short = episode.end - episode.start < shortest
-        if is_short and behind is not None and episode.what == ROLLING and FLIGHT not in (before.what, behind.what):
+        if (
+            is_short
+            and behind is not None
+            and episode.what == ROLLING
+            and FLIGHT not in (before.what, behind.what)
+        ):
             if before.what != behind.what:
                 found.append(Event("reversal", 0.5 * (episode.start + episode.end)))
             before = behind

@@ -76,17 +76,24 @@ class GradientScore:
     def as_dict(self) -> dict[str, Any]:
         """Return all of it, as JSON can have it."""
         relative = [None if np.isinf(phase.relative) else phase.relative for phase in self.phases]
-        phases = [asdict(phase) | {"relative": one} for phase, one in zip(self.phases, relative, strict=True)]
+        phases = [
+            asdict(phase) | {"relative": one}
+            for phase, one in zip(self.phases, relative, strict=True)
+        ]
         return {"quantity": self.quantity, "phases": phases}
 
     def __str__(self) -> str:
-        lines = [f"{'phase':10}{'from':>10}{'to':>10}{'exact':>11}{'error':>11}{'relative':>10}{'wrong signs':>13}"]
+        lines = [
+            f"{'phase':10}{'from':>10}{'to':>10}{'exact':>11}{'error':>11}{'relative':>10}{'wrong signs':>13}"
+        ]
         lines += [
             f"{phase.mode:10}{phase.begin:>10.4f}{phase.end:>10.4f}{phase.size:>11.2e}{phase.error:>11.2e}"
             f"{phase.relative:>10.1e}{phase.wrong_signs:>13.0%}"
             for phase in self.phases
         ]
-        return "\n".join([*lines, f"derivatives of x and theta with respect to {self.quantity} at fixed times"])
+        return "\n".join(
+            [*lines, f"derivatives of x and theta with respect to {self.quantity} at fixed times"]
+        )
 
 
 def score_gradient(
@@ -119,7 +126,9 @@ def score_gradient(
     columns = [np.atleast_1d(np.asarray(column, dtype=np.float64)) for column in (time, x, theta)]
     for name, column in zip(_COLUMNS, columns, strict=True):
         if column.shape != columns[0].shape or column.ndim != 1:
-            raise ValueError(f"{name} has shape {column.shape}, time has {columns[0].shape}: they must be (n,)")
+            raise ValueError(
+                f"{name} has shape {column.shape}, time has {columns[0].shape}: they must be (n,)"
+            )
         if not np.all(np.isfinite(column)):
             raise ValueError(f"{name}[{np.flatnonzero(~np.isfinite(column))[0]}] must be finite")
     times, *found = columns

@@ -39,9 +39,9 @@ def match(
 ) -> list[tuple[Event | None, Event | None]]:
     """Pair the events of the exact motion and of the solver in their order.
 
-    Events that may be the same are a pair if they are not `farthest` apart, √(R/g). A missed event is paired with None,
-    and None with a spurious one. Of all pairings this has the least sum of distances, one without a partner counting
-    as `farthest`.
+    Events that may be the same are a pair if they are not `farthest` apart, √(R/g). A missed event
+    is paired with None, and None with a spurious one. Of all pairings this has the least sum of
+    distances, one without a partner counting as `farthest`.
     """
     rows, columns = len(exact), len(found)
     cost = np.empty((rows + 1, columns + 1))

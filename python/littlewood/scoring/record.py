@@ -45,12 +45,14 @@ class Record:
     y : array_like
         Distance of the geometric centre from the plane, R, shape (n,): 1 in contact.
     theta : array_like
-        Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). A turn is 2π more.
+        Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). A
+        turn is 2π more.
     contact : array_like of bool, optional
-        Whether the solver says that the rim touches the plane, shape (n,). Without it the height decides.
+        Whether the solver says that the rim touches the plane, shape (n,). Without it the height
+        decides.
     x_rate, y_rate, theta_rate : array_like, optional
-        The solver's velocities x′, y′, √(gR), and θ′, √(g/R), all three, shape (n,). Without them velocities are
-        differences of positions.
+        The solver's velocities x′, y′, √(gR), and θ′, √(g/R), all three, shape (n,). Without them
+        velocities are differences of positions.
 
     Raises
     ------
@@ -70,17 +72,23 @@ class Record:
     def __post_init__(self) -> None:
         given = [name for name in _RATES if getattr(self, name) is not None]
         if 0 < len(given) < len(_RATES):
-            raise ValueError(f"{', '.join(given)} without the others: the rates are {', '.join(_RATES)}, or none")
+            raise ValueError(
+                f"{', '.join(given)} without the others: the rates are {', '.join(_RATES)}, or none"
+            )
         for name in (*_COLUMNS, *given):
             object.__setattr__(self, name, np.array(reals(getattr(self, name), name)))
         if self.contact is not None:
             object.__setattr__(self, _CONTACT, np.array(self.contact, dtype=np.bool_))
         if self.time.ndim != 1 or self.time.size < _FEWEST:
-            raise ValueError(f"time has shape {self.time.shape}: a record needs at least {_FEWEST} instants")
+            raise ValueError(
+                f"time has shape {self.time.shape}: a record needs at least {_FEWEST} instants"
+            )
         for name in (*_COLUMNS, *given, *([_CONTACT] if self.contact is not None else [])):
             values = getattr(self, name)
             if values.shape != self.time.shape:
-                raise ValueError(f"{name} has shape {values.shape}, time has {self.time.shape}: they must be the same")
+                raise ValueError(
+                    f"{name} has shape {values.shape}, time has {self.time.shape}: they must be the same"
+                )
             bad = np.flatnonzero(~np.isfinite(values))
             if bad.size:
                 raise ValueError(f"{name}[{bad[0]}] = {values[bad[0]]} must be finite")
@@ -114,8 +122,12 @@ class Record:
 
     def kept(self, which: npt.NDArray[np.bool_]) -> Record:
         """Return some of the instants."""
-        columns: dict[str, Any] = {name: getattr(self, name) for name in (*_COLUMNS, _CONTACT, *_RATES)}
-        parts: dict[str, Any] = {name: None if all_ is None else all_[which] for name, all_ in columns.items()}
+        columns: dict[str, Any] = {
+            name: getattr(self, name) for name in (*_COLUMNS, _CONTACT, *_RATES)
+        }
+        parts: dict[str, Any] = {
+            name: None if all_ is None else all_[which] for name, all_ in columns.items()
+        }
         return Record(**parts)
 
     @classmethod
@@ -171,9 +183,10 @@ class Record:
         Parameters
         ----------
         path : str or Path
-            The file. Its columns are `time`, `x`, `y`, `theta`, or in SI units `time_s`, `x_m`, `y_m`, `theta_rad`;
-            `contact`, 0 or 1, and the rates of :class:`Record` may be there; others are passed over. `y` may be
-            called `centre_y`, as by ``littlewood simulate --format csv``.
+            The file. Its columns are `time`, `x`, `y`, `theta`, or in SI units `time_s`, `x_m`,
+            `y_m`, `theta_rad`; `contact`, 0 or 1, and the rates of :class:`Record` may be there;
+            others are passed over. `y` may be called `centre_y`, as by ``littlewood simulate
+            --format csv``.
         units : Units, optional
             Those of the hoop; SI columns need them.
 
@@ -186,13 +199,19 @@ class Record:
         TableFileError
             With the line and the column that cannot be read.
         """
-        columns: dict[str, Any] = read_table(path, lambda table, names: _wanted(table, names, units))
+        columns: dict[str, Any] = read_table(
+            path, lambda table, names: _wanted(table, names, units)
+        )
         if _CONTACT in columns:
             columns[_CONTACT] = columns[_CONTACT] == 1.0
-        return cls(**columns) if "time" in columns or units is None else cls.from_si(units, **columns)
+        return (
+            cls(**columns) if "time" in columns or units is None else cls.from_si(units, **columns)
+        )
 
 
-def read_table(path: str | Path, wanted_of: Callable[[TextTable, list[str]], Sequence[str]]) -> dict[str, Reals]:
+def read_table(
+    path: str | Path, wanted_of: Callable[[TextTable, list[str]], Sequence[str]]
+) -> dict[str, Reals]:
     """Return columns of a table by name; `wanted_of` chooses from its names."""
     table = read_text_table(path)
     names = [_ALSO.get(name, name) for name in table.names]
@@ -209,15 +228,21 @@ def read_table(path: str | Path, wanted_of: Callable[[TextTable, list[str]], Seq
     if "event" in names:
         # `littlewood simulate` gives both sides of an event.
         rows = enumerate(table.rows)
-        table = table.with_rows([k for k, row in rows if k == 0 or row[time] != table.rows[k - 1][time]])
+        table = table.with_rows(
+            [k for k, row in rows if k == 0 or row[time] != table.rows[k - 1][time]]
+        )
     columns = {name: np.array(table.numbers(place, True)) for name, place in places.items()}
     table.check_growing(time, columns[wanted[0]].tolist())
     odd = np.flatnonzero(~np.isin(columns.get(_CONTACT, 0.0), (0.0, 1.0)))
     if odd.size:
         cell = table.rows[odd[0]][places[_CONTACT]]
-        raise TableFileError(table.path, "must be 0 or 1", line=table.lines[odd[0]], column=_CONTACT, value=cell)
+        raise TableFileError(
+            table.path, "must be 0 or 1", line=table.lines[odd[0]], column=_CONTACT, value=cell
+        )
     if len(table.rows) < _FEWEST:
-        raise TableFileError(table.path, f"has {len(table.rows)} instants: a record needs at least {_FEWEST}")
+        raise TableFileError(
+            table.path, f"has {len(table.rows)} instants: a record needs at least {_FEWEST}"
+        )
     return columns
 
 
@@ -236,7 +261,10 @@ def _wanted(table: TextTable, names: list[str], units: Units | None) -> list[str
         hint = "make the hoop by Hoop.from_si"
         raise table.refusal("is in SI units, and the hoop has none", column=has_si[0], hint=hint)
     rates = _SI_RATES if has_si else _RATES
-    wanted = [*(_SI_COLUMNS if has_si else _COLUMNS), *(rates if any(name in names for name in rates[:2]) else ())]
+    wanted = [
+        *(_SI_COLUMNS if has_si else _COLUMNS),
+        *(rates if any(name in names for name in rates[:2]) else ()),
+    ]
     return [*wanted, *([_CONTACT] if _CONTACT in names else [])]
 
 

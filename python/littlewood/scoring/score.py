@@ -40,13 +40,13 @@ class EventScore:
     Attributes
     ----------
     kind : str
-        The cause of the exact transition (an `impact` is a landing that goes on in flight); of what only the record has
-        stick, slip, reversal, lift_off, landing or impact.
+        The cause of the exact transition (an `impact` is a landing that goes on in flight); of what
+        only the record has stick, slip, reversal, lift_off, landing or impact.
     exact : float or None
         Time of the exact event, √(R/g); None for what is none.
     read : float or None
-        Where the rule that reads the record finds it in the exact motion at the same instants: the floor of the
-        reading. None where it does not.
+        Where the rule that reads the record finds it in the exact motion at the same instants: the
+        floor of the reading. None where it does not.
     found : float or None
         Its time in the record, √(R/g).
     is_cut : bool
@@ -92,16 +92,18 @@ class Score:
     events : tuple of EventScore
         All events in order.
     errors : dict of ndarray
-        x, y (R) and theta (rad) of the record less those of the exact motion, at the times of the record.
+        x, y (R) and theta (rad) of the record less those of the exact motion, at the times of the
+        record.
     energy_error : ndarray
-        Energy of the record less that of the exact motion, m2 g R: at its instants if it has rates, otherwise between
-        two of them, by differences of both motions.
+        Energy of the record less that of the exact motion, m2 g R: at its instants if it has rates,
+        otherwise between two of them, by differences of both motions.
     slip_while_rolling : float
         Largest way that the point of contact slides in a phase in which the exact motion rolls, R.
     penetration : float
         Largest depth of the rim under the plane, R.
     doubts : tuple of str
-        What looks like a mistake of the record rather than of the solver: a sign, a unit, another case.
+        What looks like a mistake of the record rather than of the solver: a sign, a unit, another
+        case.
     """
 
     motion: Trajectory
@@ -163,7 +165,10 @@ class Score:
             "until": float(self.record.time[-1]),
             "units": None if self.motion.hoop.units is None else asdict(self.motion.hoop.units),
             "doubts": list(self.doubts),
-            "events": [{**asdict(event), "error": event.error, "verdict": event.verdict} for event in self.events],
+            "events": [
+                {**asdict(event), "error": event.error, "verdict": event.verdict}
+                for event in self.events
+            ],
             "missed": len(self.missed),
             "spurious": len(self.spurious),
             "largest_error": {
@@ -172,7 +177,8 @@ class Score:
             },
             "error_at_end": {name: float(self.errors[name][-1]) for name in _CHANNELS},
             "between_events": [
-                {"begin": begin, "end": end, "largest_error": error} for begin, end, error in self.between
+                {"begin": begin, "end": end, "largest_error": error}
+                for begin, end, error in self.between
             ],
             "energy": {"gained": self.energy_gained, "error_at_end": float(self.energy_error[-1])},
             "slip_while_rolling": self.slip_while_rolling,
@@ -196,7 +202,9 @@ class Score:
 
 def _lines(score: Score) -> list[str]:
     units = score.motion.hoop.units
-    second, metre, joule = (1.0, 1.0, 1.0) if units is None else (units.time_s, units.length_m, units.energy_j)
+    second, metre, joule = (
+        (1.0, 1.0, 1.0) if units is None else (units.time_s, units.length_m, units.energy_j)
+    )
 
     def time(value: float | None) -> str:
         return f"{'–' if value is None else format(value * second, '.6f'):>12}"
@@ -206,11 +214,20 @@ def _lines(score: Score) -> list[str]:
     for event in score.events:
         if are_many and event.verdict == "spurious":
             continue
-        word = event.verdict if event.error is None or event.exact is None else f"{event.error * second:.2e}"
-        lines.append(f"{event.kind:10}{time(event.exact)}{time(event.read)}{time(event.found)}{word:>13}")
+        word = (
+            event.verdict
+            if event.error is None or event.exact is None
+            else f"{event.error * second:.2e}"
+        )
+        lines.append(
+            f"{event.kind:10}{time(event.exact)}{time(event.read)}{time(event.found)}{word:>13}"
+        )
     if are_many:
         lines += _summarised(score, second)
-    sizes = {name: np.max(np.abs(score.errors[name])) * (1.0 if name == "theta" else metre) for name in _CHANNELS}
+    sizes = {
+        name: np.max(np.abs(score.errors[name])) * (1.0 if name == "theta" else metre)
+        for name in _CHANNELS
+    }
     lines += [
         "",
         f"largest error       {', '.join(f'{name} {size:.2e}' for name, size in sizes.items())}",
@@ -228,7 +245,11 @@ def _summarised(score: Score, second: float) -> list[str]:
     """Spurious events by kind, and whether noise of the positions explains them."""
     lines = []
     for kind in dict.fromkeys(event.kind for event in score.spurious):
-        times = [event.found for event in score.spurious if event.kind == kind and event.found is not None]
+        times = [
+            event.found
+            for event in score.spurious
+            if event.kind == kind and event.found is not None
+        ]
         span = f"from {min(times) * second:.6g} to {max(times) * second:.6g}"
         lines.append(f"{kind:10}{len(times):>12} times {span}, spurious")
     noise = slip_noise(score.record)
@@ -245,7 +266,8 @@ def slip_noise(record: Record) -> float:
     slip = record.slip_between
     if slip.size < _LASTING:
         return 0.0
-    # Third differences of white noise have the variance 20, first ones 2; a median over 0.6745 is a deviation.
+    # Third differences of white noise have the variance 20, first ones 2; a median over 0.6745 is a
+    # deviation.
     return float(np.median(np.abs(np.diff(slip, 2))) / 0.6745 * math.sqrt(2.0 / 20.0))
 
 
@@ -261,13 +283,15 @@ def score(
     Parameters
     ----------
     motion : Trajectory
-        The exact motion, of :meth:`littlewood.Hoop.simulate` or :meth:`littlewood.cases.Case.simulate`.
+        The exact motion, of :meth:`littlewood.Hoop.simulate` or
+        :meth:`littlewood.cases.Case.simulate`.
     record : Record
         The record of the solver.
     tolerances : Tolerances, optional
         Within which a hoop counts as in contact, or as rolling.
     events : sequence of (str, float), optional
-        Cause and time, √(R/g), of the exact events, such as those of a certificate; by default those of `motion`.
+        Cause and time, √(R/g), of the exact events, such as those of a certificate; by default
+        those of `motion`.
 
     Returns
     -------
@@ -295,7 +319,15 @@ def score(
         motion=motion,
         record=part,
         tolerances=within,
-        events=tuple(_held(true, read_events(_exactly(motion, longer), within), longer, within, _landing(motion))),
+        events=tuple(
+            _held(
+                true,
+                read_events(_exactly(motion, longer), within),
+                longer,
+                within,
+                _landing(motion),
+            )
+        ),
         errors={name: np.asarray(getattr(part, name) - exact[name]) for name in _CHANNELS},
         energy_error=_energy_error(motion, part),
         slip_while_rolling=_slip_while_rolling(motion, part),
@@ -307,7 +339,9 @@ def score(
 def true_events(motion: Trajectory) -> list[Event]:
     """Return the transitions of a motion; a landing that goes on in flight is an impact."""
     return [
-        Event("impact" if one.cause == "landing" and one.to_mode == "flight" else one.cause, one.time)
+        Event(
+            "impact" if one.cause == "landing" and one.to_mode == "flight" else one.cause, one.time
+        )
         for one in motion.transitions
     ]
 
@@ -321,7 +355,9 @@ def _held(
         # The motion ends there, and what the solver goes on with is not judged.
         read, found = (_up_to_landing(some, landing - within.time) for some in (read, found))
     last = float(record.time[-1])
-    known = match([one for one in true if one.time <= last + within.time], read, within.time, may_show)
+    known = match(
+        [one for one in true if one.time <= last + within.time], read, within.time, may_show
+    )
     # Of an event that is not read its true time is all that there is.
     places = [seen or one for one, seen in known]
     at = {id(place): pair for place, pair in zip(places, known, strict=True)}
@@ -352,13 +388,22 @@ def _landing(motion: Trajectory) -> float | None:
     return last.time if last is not None and last.cause == "landing" and not last.to_mode else None
 
 
-def _parts(motion: Trajectory, record: Record, within: Tolerances, doubtful: tuple[str, ...]) -> tuple[Record, Record]:
+def _parts(
+    motion: Trajectory, record: Record, within: Tolerances, doubtful: tuple[str, ...]
+) -> tuple[Record, Record]:
     """The part of a record that the exact motion has, and that which may have its events."""
     first, last = motion.start.time, motion.end_time
-    if motion.outcome.is_final and math.isfinite(last) and motion.transitions and motion.transitions[-1].to_mode:
+    if (
+        motion.outcome.is_final
+        and math.isfinite(last)
+        and motion.transitions
+        and motion.transitions[-1].to_mode
+    ):
         # It goes on for ever in its last phase.
         last = math.inf
-    is_inside = (record.time >= first) & (record.time <= last) & np.isfinite(motion(record.time).theta)
+    is_inside = (
+        (record.time >= first) & (record.time <= last) & np.isfinite(motion(record.time).theta)
+    )
     if np.count_nonzero(is_inside) < 3:
         raise ValueError(
             f"the record, from time = {record.time[0]} to {record.time[-1]} sqrt(R/g), has fewer than three instants "
@@ -407,7 +452,9 @@ def _energy(motion: Trajectory, record: Record) -> Reals:
     raised = centre_y * math.cos(hoop.slope) + centre_x * math.sin(hoop.slope)
     if record.rates is None:
         step = np.diff(record.time)
-        along, up, turning = (np.diff(values) / step for values in (centre_x, centre_y, record.theta))
+        along, up, turning = (
+            np.diff(values) / step for values in (centre_x, centre_y, record.theta)
+        )
         raised = 0.5 * (raised[1:] + raised[:-1])
     else:
         x_rate, y_rate, turning = record.rates

@@ -1,8 +1,9 @@
 """Videos: a hoop and its marker found in the frames of a video, videos of simulated motions, both in one video.
 
-:func:`littlewood.track_video` makes a track of a video, :func:`littlewood.fit` finds friction, inertia and restitution
-by it, and :func:`overlay_video` draws the fitted motion over the video. :func:`synthetic_video` makes a video of a
-motion whose coefficients are known. All of it needs OpenCV, the extra ``video``.
+:func:`littlewood.track_video` makes a track of a video, :func:`littlewood.fit` finds friction,
+inertia and restitution by it, and :func:`overlay_video` draws the fitted motion over the video.
+:func:`synthetic_video` makes a video of a motion whose coefficients are known. All of it needs
+OpenCV, the extra ``video``.
 """
 
 from .camera import Camera

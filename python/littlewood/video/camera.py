@@ -22,7 +22,8 @@ class Camera:
     target_m : tuple of float
         The point in the middle of its frame, m.
     focal_px : float
-        Focal length, pixels: half of the width of the frame over the tangent of half of the angle of view.
+        Focal length, pixels: half of the width of the frame over the tangent of half of the angle
+        of view.
     width, height : int, optional
         Size of the frame, pixels.
     roll_rad : float, optional
@@ -45,9 +46,13 @@ class Camera:
         if not (self.focal_px > 0.0 and math.isfinite(self.focal_px)):
             raise ValueError(f"focal_px = {self.focal_px} must be positive, pixels")
         if self.width < 16 or self.height < 16:
-            raise ValueError(f"a frame of {self.width} × {self.height} pixels is smaller than 16 × 16")
+            raise ValueError(
+                f"a frame of {self.width} × {self.height} pixels is smaller than 16 × 16"
+            )
         if not (self.position_m[2] > 0.0 and self.target_m[2] < self.position_m[2]):
-            raise ValueError(f"position_m = {self.position_m} must be in front of the plane, z > 0, and of its target")
+            raise ValueError(
+                f"position_m = {self.position_m} must be in front of the plane, z > 0, and of its target"
+            )
 
     @property
     def matrix(self) -> npt.NDArray[np.float64]:
@@ -60,5 +65,7 @@ class Camera:
         cosine, sine = math.cos(self.roll_rad), math.sin(self.roll_rad)
         axes = np.array([cosine * right + sine * down, cosine * down - sine * right, forward])
         middle = ((self.width - 1) / 2.0, (self.height - 1) / 2.0)
-        inner = np.array([[self.focal_px, 0.0, middle[0]], [0.0, self.focal_px, middle[1]], [0.0, 0.0, 1.0]])
+        inner = np.array(
+            [[self.focal_px, 0.0, middle[0]], [0.0, self.focal_px, middle[1]], [0.0, 0.0, 1.0]]
+        )
         return np.asarray(inner @ np.column_stack([axes, -axes @ np.array(self.position_m)]))

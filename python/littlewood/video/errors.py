@@ -68,7 +68,9 @@ class NoHoopError(VideoError):
     """
 
     def __init__(self, frames: int, found: int, least: int, reason: str) -> None:
-        super().__init__(f"the hoop was found in {found} of {frames} frames, {least} are needed: {reason}")
+        super().__init__(
+            f"the hoop was found in {found} of {frames} frames, {least} are needed: {reason}"
+        )
         self.frames = frames
         self.found = found
 

@@ -40,7 +40,8 @@ def _open(path: str | Path) -> Any:
 def rate_of(path: str | Path) -> float:
     """Return the frames per second at which a file is played.
 
-    Slow motion is played slower than it was taken: the rate at which it was taken is not in the file.
+    Slow motion is played slower than it was taken: the rate at which it was taken is not in the
+    file.
     """
     capture = _open(path)
     rate = float(capture.get(require("cv2").CAP_PROP_FPS))
@@ -94,7 +95,9 @@ class FrameWriter:
         cv2 = require("cv2")
         ending = Path(path).suffix.lower()
         if ending not in _CODECS:
-            raise UnwritableVideoError(str(path), f"the extension must be one of {', '.join(_CODECS)}")
+            raise UnwritableVideoError(
+                str(path), f"the extension must be one of {', '.join(_CODECS)}"
+            )
         if not Path(path).parent.is_dir():
             raise UnwritableVideoError(str(path), "there is no such folder")
         code = cv2.VideoWriter.fourcc(*_CODECS[ending])
@@ -117,5 +120,10 @@ class FrameWriter:
     def __enter__(self) -> FrameWriter:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        at: TracebackType | None,
+    ) -> None:
         self.close()

@@ -30,17 +30,20 @@ MARKERS = {
 """Colours of markers by name: red, green, blue."""
 
 _RAYS = 360
-# Part of the radius on both sides of the rim in which its edge is sought, at first and around a circle that was fitted.
+# Part of the radius on both sides of the rim in which its edge is sought, at first and around a
+# circle that was fitted.
 _WINDOW, _NARROW = 0.25, 0.12
-# Part of the radius on both sides of its middle in which a rim is that is blurred as far as it may be; how far beside a
-# blurred edge the size of pixels still shows, pixels.
+# Part of the radius on both sides of its middle in which a rim is that is blurred as far as it may
+# be; how far beside a blurred edge the size of pixels still shows, pixels.
 _REACH, _FOOT_PX = 0.2, 0.8
-# Angle from straight down, rad, within which the shadow on the floor moves what is seen of the rim; rays that are left
-# out beside those on which the marker is; least part of the rays that has to be left.
+# Angle from straight down, rad, within which the shadow on the floor moves what is seen of the rim;
+# rays that are left out beside those on which the marker is; least part of the rays that has to be
+# left.
 _SHADOW = math.radians(55.0)
 _BESIDE_MARKER = 4
 _LEAST_RAYS = 0.3
-# How far from a circle a rim may seem to be, radii; how much more a radius away; how well a frame tells it.
+# How far from a circle a rim may seem to be, radii; how much more a radius away; how well a frame
+# tells it.
 _OVAL, _OVAL_SLOPE, _OVAL_ERROR = 0.02, 0.005, 0.001
 # A share of the rim that is none.
 _NOTHING = 1e-6
@@ -48,7 +51,8 @@ _NOTHING = 1e-6
 _OUTSIDE = -1e3
 # A radius that differs by more from the measured one is that of something else.
 _RADIUS_TOLERANCE = 0.08
-# Least part of the rim that has to be seen, and a distance over the radius: an edge farther off is another's.
+# Least part of the rim that has to be seen, and a distance over the radius: an edge farther off is
+# another's.
 _LEAST_RIM = 0.5
 _OUTLIER = 0.02
 # How many standard deviations of the noise are something.
@@ -74,7 +78,8 @@ class Circle:
     radius_m : float
         Its radius, m.
     error_m : float
-        Standard error of a coordinate of the centre, from the scatter of the edge about the circle, m.
+        Standard error of a coordinate of the centre, from the scatter of the edge about the circle,
+        m.
     seen : float
         Part of the rim that was seen, 0 to 1.
     """
@@ -109,8 +114,8 @@ class Marker:
 class Finder:
     """Finds a rim of known radius before a background that stands still, and a marker by its colour.
 
-    The edge of the rim is sought along rays of the plane of the motion, so that a circle is fitted to a circle and not
-    to the ellipse of the frame.
+    The edge of the rim is sought along rays of the plane of the motion, so that a circle is fitted
+    to a circle and not to the ellipse of the frame.
 
     Parameters
     ----------
@@ -159,21 +164,25 @@ class Finder:
     def circle(self, frame: Frame) -> Circle | None:
         """Find the rim; None if less than half of it is seen.
 
-        The rim is the outline of the difference from the background. Its centre is then that of the mean line
-        of the rim, in light: the mean over the exposure, however the hoop moves meanwhile, and however bright the
-        background is. Of a disc, which has no inner edge, it is that of the outer edge.
+        The rim is the outline of the difference from the background. Its centre is then that of the
+        mean line of the rim, in light: the mean over the exposure, however the hoop moves
+        meanwhile, and however bright the background is. Of a disc, which has no inner edge, it is
+        that of the outer edge.
         """
         found = self._line_of(frame)
         if found is None:
             return None
         outline, seen, line = found
         circle, scatter, kept = _fit_circle(*line, outline, self._radius)
-        # Neighbouring rays share pixels: there are no more independent edges than pixels along the rim.
+        # Neighbouring rays share pixels: there are no more independent edges than pixels along the
+        # rim.
         pixels = math.tau * self._radius * self._plane.pixels_per_metre(*circle[:2])
         error = scatter * math.sqrt(2.0 / min(float(kept.sum()), pixels))
         return Circle(circle[0], circle[1], outline[2], error, seen)
 
-    def _outline(self, frame: Frame) -> tuple[npt.NDArray[np.uint8], tuple[float, float, float], float] | None:
+    def _outline(
+        self, frame: Frame
+    ) -> tuple[npt.NDArray[np.uint8], tuple[float, float, float], float] | None:
         """Return what differs from the background, the circle about it, and which part of the rim is seen."""
         difference = self.difference(frame)
         guess = self._guess(difference)
@@ -185,11 +194,16 @@ class Finder:
             if outer[0].size < _LEAST_RIM * _RAYS:
                 return None
             outline, _, kept = _fit_circle(*outer, outline, self._radius)
-        if abs(outline[2] / self._radius - 1.0) > _RADIUS_TOLERANCE or kept.sum() < _LEAST_RIM * _RAYS:
+        if (
+            abs(outline[2] / self._radius - 1.0) > _RADIUS_TOLERANCE
+            or kept.sum() < _LEAST_RIM * _RAYS
+        ):
             return None
         return difference, outline, float(kept.sum()) / _RAYS
 
-    def _line_of(self, frame: Frame) -> tuple[tuple[float, float, float], float, tuple[Reals, Reals]] | None:
+    def _line_of(
+        self, frame: Frame
+    ) -> tuple[tuple[float, float, float], float, tuple[Reals, Reals]] | None:
         """Return the outline, which part of the rim is seen, and points of its mean line."""
         found = self._outline(frame)
         line = None if found is None else self._line(frame, found[0], found[1])
@@ -207,8 +221,8 @@ class Finder:
     def rounded(self, frames: Iterable[Frame]) -> Finder:
         """Return a finder that also fits the deviation of the rim from a circle, by errors of the plane.
 
-        A plane with a wrong perspective makes an oval of a circle, and a part of the rim that is hidden then moves its
-        centre. Which oval it is depends on the place: evenly, to first order.
+        A plane with a wrong perspective makes an oval of a circle, and a part of the rim that is
+        hidden then moves its centre. Which oval it is depends on the place: evenly, to first order.
 
         Parameters
         ----------
@@ -227,7 +241,10 @@ class Finder:
             places = np.column_stack([np.ones(len(rows)), np.array(rows) / self._radius])
             # As if somebody had measured it before: none, to within these.
             before = np.diag(_OVAL_ERROR / np.array([_OVAL, _OVAL_SLOPE, _OVAL_SLOPE]))
-            matrix, values = np.vstack([places, before]), np.vstack([np.array(ovals), np.zeros((3, 2))])
+            matrix, values = (
+                np.vstack([places, before]),
+                np.vstack([np.array(ovals), np.zeros((3, 2))]),
+            )
             for _ in range(3):
                 found._oval, *_ = np.linalg.lstsq(matrix, values, rcond=None)
                 off = np.abs(places @ found._oval - values[: len(rows)]).max(axis=1)
@@ -238,8 +255,14 @@ class Finder:
     def _outer_edge(self, profiles: _Profiles) -> tuple[Reals, Reals]:
         """Return where rays from the centre leave the rim: the outermost half of the largest value near it."""
         seen = profiles.values
-        last = seen.shape[1] - 1 - np.argmax((seen > 0.5 * profiles.largest[:, None])[:, ::-1], axis=1)
-        usable = (profiles.largest > _SIGNAL * self._noise) & (last < seen.shape[1] - 1) & profiles.inside
+        last = (
+            seen.shape[1] - 1 - np.argmax((seen > 0.5 * profiles.largest[:, None])[:, ::-1], axis=1)
+        )
+        usable = (
+            (profiles.largest > _SIGNAL * self._noise)
+            & (last < seen.shape[1] - 1)
+            & profiles.inside
+        )
         rays = np.flatnonzero(usable)
         return profiles.points(rays, profiles.crossing(rays, last[usable], last[usable] + 1))
 
@@ -253,7 +276,8 @@ class Finder:
             return None
         light = _light(frame[cut])
         colour = self._colour_of_rim(light, difference, circle, cut)
-        # Which part of the light of a pixel is that of the rim: 0 for the background, 1 for the rim.
+        # Which part of the light of a pixel is that of the rim: 0 for the background, 1 for the
+        # rim.
         contrast = colour - self._background[cut]
         square = np.sum(contrast * contrast, axis=2)
         share = np.sum((light - self._background[cut]) * contrast, axis=2)
@@ -284,16 +308,21 @@ class Finder:
             distances = self._means(profiles, rays, middle)
         cosine, sine = np.array([1.0, x / self._radius, y / self._radius]) @ self._oval
         angles = 2.0 * _ANGLES[rays]
-        return profiles.points(rays, distances / (1.0 + cosine * np.cos(angles) + sine * np.sin(angles)))
+        return profiles.points(
+            rays, distances / (1.0 + cosine * np.cos(angles) + sine * np.sin(angles))
+        )
 
-    def _means(self, profiles: _Profiles, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> Reals:
+    def _means(
+        self, profiles: _Profiles, rays: npt.NDArray[Any], circle: tuple[float, float, float]
+    ) -> Reals:
         """Return the mean distances of the rim along rays, as if it had not been displaced across them.
 
-        The share of the rim along a ray is the mean over the exposure of a rim that moves along it. As long as there is
-        a point that the rim never leaves, the mean is where half of the share is on either side; else, with more noise,
-        it is the first moment. A displacement q across the ray takes q²/2ρ off the distance of a circle of the radius
-        ρ. Displacements along rays add their variance to the second moment, and those across one are those along
-        another: what the second moment has of twice the angle tells the blur.
+        The share of the rim along a ray is the mean over the exposure of a rim that moves along it.
+        As long as there is a point that the rim never leaves, the mean is where half of the share
+        is on either side; else, with more noise, it is the first moment. A displacement q across
+        the ray takes q²/2ρ off the distance of a circle of the radius ρ. Displacements along rays
+        add their variance to the second moment, and those across one are those along another: what
+        the second moment has of twice the angle tells the blur.
         """
         middle = profiles.distances_of(rays, circle)
         angles = 2.0 * _ANGLES[rays]
@@ -306,7 +335,8 @@ class Finder:
             kept = off <= 6.0 * np.median(off)
             sizes, *_ = np.linalg.lstsq(waves[kept], variance[kept], rcond=None)
             along = waves[:, 1:] @ sizes[1:]
-            # A motion that speeds up evenly from rest is at most √5 standard deviations from its mean, an even one √3.
+            # A motion that speeds up evenly from rest is at most √5 standard deviations from its
+            # mean, an even one √3.
             rim = 0.5 * float(np.median(width))
             blur = np.sqrt(5.0 * np.maximum(along + math.hypot(*sizes[1:]), 0.0))
             if not last:
@@ -317,12 +347,17 @@ class Finder:
     def _cut(self, x: float, y: float, reach: float) -> tuple[slice, slice] | None:
         """Return the part of a frame in which a square of the plane is."""
         u, v = self._plane.to_pixels(
-            x + reach * np.array([-1.0, 1.0, -1.0, 1.0]), y + reach * np.array([-1.0, -1.0, 1.0, 1.0])
+            x + reach * np.array([-1.0, 1.0, -1.0, 1.0]),
+            y + reach * np.array([-1.0, -1.0, 1.0, 1.0]),
         )
         height, width = self._levels.shape[:2]
         left, right = max(0, math.floor(u.min())), min(width, math.ceil(u.max()) + 1)
         top, bottom = max(0, math.floor(v.min())), min(height, math.ceil(v.max()) + 1)
-        return None if right - left < 4 or bottom - top < 4 else (slice(top, bottom), slice(left, right))
+        return (
+            None
+            if right - left < 4 or bottom - top < 4
+            else (slice(top, bottom), slice(left, right))
+        )
 
     def _colour_of_rim(
         self,
@@ -334,14 +369,19 @@ class Finder:
         """Return the light of the rim, where it differs most from the background."""
         most = _Profiles(self._plane, difference, circle, _NARROW)
         rays = np.arange(_RAYS)
-        u, v = self._plane.to_pixels(*most.points(rays, most.distances[np.argmax(most.values, axis=1)]))
+        u, v = self._plane.to_pixels(
+            *most.points(rays, most.distances[np.argmax(most.values, axis=1)])
+        )
         # To the nearest pixel: the median of all rays needs no more.
         rows = np.clip(np.rint(v).astype(int) - cut[0].start, 0, light.shape[0] - 1)
         columns = np.clip(np.rint(u).astype(int) - cut[1].start, 0, light.shape[1] - 1)
         return np.asarray(np.median(light[rows, columns], axis=0), dtype=np.float32)
 
     def _hidden(
-        self, light: npt.NDArray[np.float32], circle: tuple[float, float, float], cut: tuple[slice, slice]
+        self,
+        light: npt.NDArray[np.float32],
+        circle: tuple[float, float, float],
+        cut: tuple[slice, slice],
     ) -> npt.NDArray[np.bool_]:
         """Return the rays on which the marker or the shadow is beside the rim."""
         hue = _Profiles(self._plane, light @ self._hue, circle, _NARROW, cut)
@@ -383,8 +423,12 @@ class Finder:
             return None
         i, half_x, half_y, half = i[usable], half_x[usable], half_y[usable], half[usable]
         height = np.sqrt(self._radius**2 - half**2) / half
-        centre_x = np.concatenate([x[i] + half_x - height * half_y, x[i] + half_x + height * half_y])
-        centre_y = np.concatenate([y[i] + half_y + height * half_x, y[i] + half_y - height * half_x])
+        centre_x = np.concatenate(
+            [x[i] + half_x - height * half_y, x[i] + half_x + height * half_y]
+        )
+        centre_y = np.concatenate(
+            [y[i] + half_y + height * half_x, y[i] + half_y - height * half_x]
+        )
         distance = np.hypot(x[some] - centre_x[:, None], y[some] - centre_y[:, None])
         votes = np.sum(np.abs(distance / self._radius - 1.0) < 0.04, axis=1)
         best = int(np.argmax(votes))
@@ -399,9 +443,13 @@ class Finder:
             return None
         rows, columns = np.mgrid[cut]
         x, y = self._plane.to_metres(columns, rows)
-        on_ring = np.abs(np.hypot(x - circle.x_m, y - circle.y_m) - self._marker) < 0.22 * self._radius
+        on_ring = (
+            np.abs(np.hypot(x - circle.x_m, y - circle.y_m) - self._marker) < 0.22 * self._radius
+        )
         # As light and not as levels, in which the parts of a blurred marker do not add up.
-        hue, behind = (255.0 * light @ self._hue for light in (_light(frame[cut]), self._background[cut]))
+        hue, behind = (
+            255.0 * light @ self._hue for light in (_light(frame[cut]), self._background[cut])
+        )
         usual = float(np.median(hue[on_ring])) if np.any(on_ring) else 0.0
         for ground in (usual, np.maximum(usual, behind)):
             score = hue - ground
@@ -410,10 +458,14 @@ class Finder:
             if spot is None:
                 return None
             weights = np.where(spot, smooth, 0.0)
-            # What has the colour in the background, too, is no marker: only what is more of it than the background.
+            # What has the colour in the background, too, is no marker: only what is more of it than
+            # the background.
             if float((weights * (hue - behind)).sum()) > _APART * float((weights * score).sum()):
                 total = float(weights.sum())
-                mean_x, mean_y = float((weights * x).sum()) / total, float((weights * y).sum()) / total
+                mean_x, mean_y = (
+                    float((weights * x).sum()) / total,
+                    float((weights * y).sum()) / total,
+                )
                 spread = float((((x - mean_x) ** 2 + (y - mean_y) ** 2) * spot).sum()) / 2.0
                 return Marker(mean_x, mean_y, self._noise * math.sqrt(spread) / total, total)
         return None
@@ -438,8 +490,14 @@ def _light(frame: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
 
 def _oval(centre: tuple[float, float], x: Reals, y: Reals) -> Reals:
     """Return the cosine and sine of twice the angle of an oval over its radius."""
-    angles, distances = np.arctan2(y - centre[1], x - centre[0]), np.hypot(x - centre[0], y - centre[1])
-    waves = [np.ones_like(angles), *(wave(k * angles) for k in (1.0, 2.0) for wave in (np.cos, np.sin))]
+    angles, distances = (
+        np.arctan2(y - centre[1], x - centre[0]),
+        np.hypot(x - centre[0], y - centre[1]),
+    )
+    waves = [
+        np.ones_like(angles),
+        *(wave(k * angles) for k in (1.0, 2.0) for wave in (np.cos, np.sin)),
+    ]
     matrix = np.column_stack(waves)
     kept = np.ones(angles.size, dtype=np.bool_)
     for _ in range(3):
@@ -483,11 +541,15 @@ class _Profiles:
         # A value beside the border is a mean with what is outside of it.
         self.inside = self.values.min(axis=1) > 1e-3 * _OUTSIDE
 
-    def crossing(self, rays: npt.NDArray[Any], above: npt.NDArray[Any], below: npt.NDArray[Any]) -> Reals:
+    def crossing(
+        self, rays: npt.NDArray[Any], above: npt.NDArray[Any], below: npt.NDArray[Any]
+    ) -> Reals:
         """Return the distances at which rays fall to half of their largest value, between two neighbouring places."""
         high, low = self.values[rays, above], self.values[rays, below]
         part = (high - 0.5 * self.largest[rays]) / (high - low)
-        found: Reals = self.distances[above] + part * (self.distances[below] - self.distances[above])
+        found: Reals = self.distances[above] + part * (
+            self.distances[below] - self.distances[above]
+        )
         return found
 
     def distances_of(self, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> Reals:
@@ -498,7 +560,9 @@ class _Profiles:
         found: Reals = x * cosine + y * sine + np.sqrt(np.square(circle[2]) - np.square(across))
         return found
 
-    def moments(self, rays: npt.NDArray[Any], middle: Reals, half: Reals) -> tuple[Reals, Reals, Reals, Reals]:
+    def moments(
+        self, rays: npt.NDArray[Any], middle: Reals, half: Reals
+    ) -> tuple[Reals, Reals, Reals, Reals]:
         """Return sum, mean, median and variance of distances weighted by the values, up to so far from the middle.
 
         On a ray without values they are far away, and no circle takes them.
@@ -512,14 +576,18 @@ class _Profiles:
         # The weight of a place is in the step about it.
         beyond = np.cumsum(weights, axis=1) - 0.5 * total[:, None]
         place = np.argmax(beyond > 0.0, axis=1)[:, None]
-        there, too_much = (np.take_along_axis(one, place, axis=1)[:, 0] for one in (weights, beyond))
+        there, too_much = (
+            np.take_along_axis(one, place, axis=1)[:, 0] for one in (weights, beyond)
+        )
         median = self.distances[place[:, 0]] + (0.5 - too_much / np.maximum(there, _NOTHING)) * step
         return total * step, middle + mean, median, variance
 
     def points(self, rays: npt.NDArray[Any], distances: Reals) -> tuple[Reals, Reals]:
         """Return points on rays, m."""
         angles = _ANGLES[rays]
-        return self.centre[0] + distances * np.cos(angles), self.centre[1] + distances * np.sin(angles)
+        return self.centre[0] + distances * np.cos(angles), self.centre[1] + distances * np.sin(
+            angles
+        )
 
 
 def _fit_circle(

@@ -20,29 +20,34 @@ from .tracking import LEAST_PICTURES, frames_all_over, median_and_noise
 __all__ = ["find_plane"]
 
 
-# Circles through three points of an outline that are tried in each frame, and how far a point may be off, radii.
+# Circles through three points of an outline that are tried in each frame, and how far a point may
+# be off, radii.
 _DRAWS = 400
 _NEAR = 0.04
 # Least part of the rim of a circle that is believed, and the least radius, pixels.
 _LEAST_SEEN = 0.5
 _LEAST_PX = 8.0
-# How far a plane is from that of a camera that looks at it squarely, as if somebody had measured it before.
+# How far a plane is from that of a camera that looks at it squarely, as if somebody had measured it
+# before.
 _PRIOR = 0.3
 # Points of a rim that are as good as any more; how far they scatter, radii.
 _POINTS = 90
 _SCATTER = 2e-3
 # The same again from a better plane: the rims of frames at the border are found by it.
 _TURNS = 2
-# A centre is as high as in contact to so many radii; the shortest way that tells the direction of the floor, radii.
+# A centre is as high as in contact to so many radii; the shortest way that tells the direction of
+# the floor, radii.
 _CONTACT = 0.01
 _LEAST_WAY = 0.5
 
 
-def find_plane(path: str | Path, radius_m: float, *, first: int = 0, last: int | None = None) -> Plane:
+def find_plane(
+    path: str | Path, radius_m: float, *, first: int = 0, last: int | None = None
+) -> Plane:
     """Find the plane of the motion in a video by the hoop alone, without measured points.
 
-    The rim is a circle of one radius in every frame: the homography is that which makes circles of the ovals that the
-    frames show. The floor is the line below its lowest places.
+    The rim is a circle of one radius in every frame: the homography is that which makes circles of
+    the ovals that the frames show. The floor is the line below its lowest places.
 
     Parameters
     ----------
@@ -85,7 +90,10 @@ def find_plane(path: str | Path, radius_m: float, *, first: int = 0, last: int |
     seen = [circle for circle in circles if circle is not None]
     if len(seen) < LEAST_PICTURES:
         raise NoHoopError(
-            len(some), len(seen), LEAST_PICTURES, "does it move before a background that stands still, whole in sight?"
+            len(some),
+            len(seen),
+            LEAST_PICTURES,
+            "does it move before a background that stands still, whole in sight?",
         )
     size = float(np.median([radius for _, _, radius in seen]))
     plane = Plane.from_ground_line((0.0, 0.0), (size / radius_m, 0.0), 1.0)
@@ -93,7 +101,12 @@ def find_plane(path: str | Path, radius_m: float, *, first: int = 0, last: int |
         finder = Finder(plane, background, noise, radius_m, radius_m, (255, 0, 0))
         rims = [rim for rim in map(finder.rim, some) if rim is not None]
         if len(rims) < LEAST_PICTURES:
-            raise NoHoopError(len(some), len(rims), LEAST_PICTURES, "its rim is not that of a circle of one radius")
+            raise NoHoopError(
+                len(some),
+                len(rims),
+                LEAST_PICTURES,
+                "its rim is not that of a circle of one radius",
+            )
         plane = _rectified(plane, rims, radius_m, some[0].shape)
     return plane
 
@@ -110,7 +123,14 @@ def _largest_circle(search: Finder, frame: Frame, number: int) -> tuple[float, f
     ax, ay, bx, by = x[j] - x[i], y[j] - y[i], x[k] - x[i], y[k] - y[i]
     cross = 2.0 * (ax * by - ay * bx)
     usable = np.abs(cross) > 1e-9
-    ax, ay, bx, by, cross, i = ax[usable], ay[usable], bx[usable], by[usable], cross[usable], i[usable]
+    ax, ay, bx, by, cross, i = (
+        ax[usable],
+        ay[usable],
+        bx[usable],
+        by[usable],
+        cross[usable],
+        i[usable],
+    )
     a, b = ax * ax + ay * ay, bx * bx + by * by
     dx, dy = (by * a - ay * b) / cross, (ax * b - bx * a) / cross
     radius = np.hypot(dx, dy)
@@ -119,17 +139,26 @@ def _largest_circle(search: Finder, frame: Frame, number: int) -> tuple[float, f
         return None
     centre_x, centre_y, radius = (x[i] + dx)[usable], (y[i] + dy)[usable], radius[usable]
     off = np.abs(np.hypot(x - centre_x[:, None], y - centre_y[:, None]) - radius[:, None])
-    # How much of the rim is there: an arc of a larger circle has as many points, and less of the circle.
+    # How much of the rim is there: an arc of a larger circle has as many points, and less of the
+    # circle.
     part = np.sum(off < _NEAR * radius[:, None], axis=1) / (math.tau * radius)
     best = int(np.argmax(part))
-    return (float(centre_x[best]), float(centre_y[best]), float(radius[best])) if part[best] > _LEAST_SEEN else None
+    return (
+        (float(centre_x[best]), float(centre_y[best]), float(radius[best]))
+        if part[best] > _LEAST_SEEN
+        else None
+    )
 
 
-def _rectified(plane: Plane, rims: list[tuple[Reals, Reals, float]], radius_m: float, shape: Any) -> Plane:
+def _rectified(
+    plane: Plane, rims: list[tuple[Reals, Reals, float]], radius_m: float, shape: Any
+) -> Plane:
     """Return the plane in which rims are circles, with the floor below them."""
     height, width = shape[:2]
     unit = 0.5 * max(height, width)
-    middle = np.array([[1.0, 0.0, -0.5 * width], [0.0, -1.0, 0.5 * height], [0.0, 0.0, unit]]) / unit
+    middle = (
+        np.array([[1.0, 0.0, -0.5 * width], [0.0, -1.0, 0.5 * height], [0.0, 0.0, unit]]) / unit
+    )
     points = []
     for u, v, _ in rims:
         some = np.linspace(0, u.size - 1, min(u.size, _POINTS)).round().astype(int)
@@ -139,12 +168,16 @@ def _rectified(plane: Plane, rims: list[tuple[Reals, Reals, float]], radius_m: f
 
     def matrix(unknowns: Reals) -> Reals:
         stretch, shear, across, up = unknowns
-        return np.array([[1.0 + stretch, shear, 0.0], [shear, 1.0 - stretch, 0.0], [across, up, 1.0]])
+        return np.array(
+            [[1.0 + stretch, shear, 0.0], [shear, 1.0 - stretch, 0.0], [across, up, 1.0]]
+        )
 
     def residuals(unknowns: Reals) -> Reals:
         x, y, weight = matrix(unknowns) @ stacked
         _, distances = _circles(x / weight, y / weight, owners)
-        return np.concatenate([(distances / np.median(distances) - 1.0) / _SCATTER, unknowns / _PRIOR])
+        return np.concatenate(
+            [(distances / np.median(distances) - 1.0) / _SCATTER, unknowns / _PRIOR]
+        )
 
     found = require("scipy.optimize").least_squares(residuals, np.zeros(4), loss="soft_l1")
     round_ = matrix(found.x) @ middle

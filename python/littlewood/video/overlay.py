@@ -57,7 +57,14 @@ def draw_motion(frame: Frame, motion: Trajectory, plane: Plane, time: float) -> 
     for ink, width in (((255, 255, 255), 4), ((20, 20, 20), 1)):
         words = f"{seconds:.3f} s  {mode}"
         cv2.putText(
-            drawn, words, at, cv2.FONT_HERSHEY_SIMPLEX, 0.7 * size, ink, max(1, round(width * size)), cv2.LINE_AA
+            drawn,
+            words,
+            at,
+            cv2.FONT_HERSHEY_SIMPLEX,
+            0.7 * size,
+            ink,
+            max(1, round(width * size)),
+            cv2.LINE_AA,
         )
     return drawn
 
@@ -87,7 +94,9 @@ def _draw_hoop(drawn: Frame, motion: Trajectory, plane: Plane, time: float) -> s
         (particle[0] + small[0], particle[1] + small[1]),
     ):
         line = _points(plane, at_x * r, at_y * r)
-        cv2.polylines(drawn, [line], False, _colour(MODE_COLOURS[mode]), 2, lineType=cv2.LINE_AA, shift=4)
+        cv2.polylines(
+            drawn, [line], False, _colour(MODE_COLOURS[mode]), 2, lineType=cv2.LINE_AA, shift=4
+        )
     return mode
 
 
@@ -133,7 +142,9 @@ def overlay_picture(
     first, end = motion.start.time * time_s * fps, motion.shown_until * time_s * fps
     if track is not None:
         end = min(end, float(track.time[-1]) * time_s * fps)
-    numbers = sorted({math.ceil(first - 1e-6), *np.linspace(first, end - 1e-6, count).astype(int).tolist()[1:]})
+    numbers = sorted(
+        {math.ceil(first - 1e-6), *np.linspace(first, end - 1e-6, count).astype(int).tolist()[1:]}
+    )
     some = list(frames(video, numbers))
     if not some:
         raise UnreadableVideoError(str(video), "it has no frame of the motion")
@@ -149,7 +160,9 @@ def overlay_picture(
         _draw_hoop(drawn, motion, plane, number / fps / time_s)
     style = {"lineType": cv2.LINE_AA, "shift": 4}
     x, _ = plane.to_metres([0.0, drawn.shape[1] - 1.0], plane.to_pixels([0.0, 0.0], [0.0, 0.0])[1])
-    cv2.polylines(drawn, [_points(plane, x, np.zeros(2))], False, _colour(ACCENTS["violet"]), 1, **style)
+    cv2.polylines(
+        drawn, [_points(plane, x, np.zeros(2))], False, _colour(ACCENTS["violet"]), 1, **style
+    )
     if track is not None and track.x is not None:
         y = np.ones_like(track.x) if track.y is None else track.y
         dots = [(track.x, y)]
@@ -159,7 +172,14 @@ def overlay_picture(
         for at_x, at_y in dots:
             seen = np.isfinite(at_x) & np.isfinite(at_y)
             for point in _points(plane, at_x[seen] * r, at_y[seen] * r)[:, 0]:
-                cv2.circle(drawn, tuple(int(value) for value in point), 20, _colour(ACCENTS["violet"]), -1, **style)
+                cv2.circle(
+                    drawn,
+                    tuple(int(value) for value in point),
+                    20,
+                    _colour(ACCENTS["violet"]),
+                    -1,
+                    **style,
+                )
     return drawn
 
 

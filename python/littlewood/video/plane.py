@@ -19,7 +19,12 @@ __all__ = ["Plane"]
 
 def _points(name: str, points: npt.ArrayLike, least: int) -> Reals:
     found = np.array(points, dtype=np.float64)
-    if found.ndim != 2 or found.shape[1] != 2 or found.shape[0] < least or not np.all(np.isfinite(found)):
+    if (
+        found.ndim != 2
+        or found.shape[1] != 2
+        or found.shape[0] < least
+        or not np.all(np.isfinite(found))
+    ):
         raise ValueError(
             f"{name} must be at least {least} pairs of finite numbers, not an array of shape {found.shape}"
         )
@@ -30,7 +35,9 @@ def _centred(points: Reals) -> tuple[Reals, Reals]:
     """Return points about their mean at a mean distance of √2, and the matrix that makes them so."""
     mean = points.mean(axis=0)
     scale = math.sqrt(2.0) / float(np.mean(np.hypot(*(points - mean).T)))
-    matrix = np.array([[scale, 0.0, -scale * mean[0]], [0.0, scale, -scale * mean[1]], [0.0, 0.0, 1.0]])
+    matrix = np.array(
+        [[scale, 0.0, -scale * mean[0]], [0.0, scale, -scale * mean[1]], [0.0, 0.0, 1.0]]
+    )
     return (points - mean) * scale, matrix
 
 
@@ -44,9 +51,9 @@ def _mapped(matrix: Reals, a: npt.ArrayLike, b: npt.ArrayLike) -> tuple[Reals, R
 class Plane:
     """The plane of the motion in a frame: metres to pixels, with the perspective.
 
-    x is to the right and y the height over the floor, m; u is to the right and v downward, pixels from the centre of
-    the first pixel, as OpenCV has them. One of :meth:`from_points`, :meth:`from_ground_line` and :meth:`from_camera`
-    makes it.
+    x is to the right and y the height over the floor, m; u is to the right and v downward, pixels
+    from the centre of the first pixel, as OpenCV has them. One of :meth:`from_points`,
+    :meth:`from_ground_line` and :meth:`from_camera` makes it.
 
     Parameters
     ----------
@@ -63,7 +70,11 @@ class Plane:
 
     def __post_init__(self) -> None:
         matrix = np.array(self.matrix, dtype=np.float64)
-        if matrix.shape != (3, 3) or not np.all(np.isfinite(matrix)) or np.linalg.matrix_rank(matrix) < 3:
+        if (
+            matrix.shape != (3, 3)
+            or not np.all(np.isfinite(matrix))
+            or np.linalg.matrix_rank(matrix) < 3
+        ):
             raise ValueError("the matrix of a plane must have 3 × 3 finite numbers and an inverse")
         object.__setattr__(self, "matrix", matrix / np.linalg.norm(matrix))
 
@@ -76,7 +87,8 @@ class Plane:
         pixels : array_like
             Where the frame shows them, of shape (n, 2) with n ≥ 4.
         metres : array_like
-            Where they are, x and y, of the same shape; no three on a line. More than four are taken by least squares.
+            Where they are, x and y, of the same shape; no three on a line. More than four are taken
+            by least squares.
 
         Returns
         -------
@@ -100,18 +112,23 @@ class Plane:
             rows.append([0.0, 0.0, 0.0, x, y, 1.0, -v * x, -v * y, -v])
         _, singular, right = np.linalg.svd(np.array(rows))
         if singular[7] < 1e-9 * singular[0]:
-            raise ValueError("three of the points are on a line: they do not determine the perspective")
+            raise ValueError(
+                "three of the points are on a line: they do not determine the perspective"
+            )
         return cls(np.linalg.inv(of_seen) @ right[8].reshape(3, 3) @ of_true)
 
     @classmethod
-    def from_ground_line(cls, left: tuple[float, float], right: tuple[float, float], length_m: float) -> Plane:
+    def from_ground_line(
+        cls, left: tuple[float, float], right: tuple[float, float], length_m: float
+    ) -> Plane:
         """Take the plane from a line on the floor, for a camera that looks at it squarely.
 
         Parameters
         ----------
         left, right : tuple of float
-            Two points of the floor in the plane of the motion, in pixels; the left one is x = 0. The camera may be
-            tilted about its axis, not turned: with perspective take :meth:`from_points`.
+            Two points of the floor in the plane of the motion, in pixels; the left one is x = 0.
+            The camera may be tilted about its axis, not turned: with perspective take
+            :meth:`from_points`.
         length_m : float
             Distance of the points, m.
 
@@ -121,7 +138,9 @@ class Plane:
         """
         (u0, v0), (u1, v1) = left, right
         if not (length_m > 0.0 and math.isfinite(length_m) and u1 > u0):
-            raise ValueError(f"a line of {length_m} m from {left} to {right} must have a length and go to the right")
+            raise ValueError(
+                f"a line of {length_m} m from {left} to {right} must have a length and go to the right"
+            )
         a, b = (u1 - u0) / length_m, (v1 - v0) / length_m
         return cls(np.array([[a, b, u0], [b, -a, v0], [0.0, 0.0, 1.0]]))
 

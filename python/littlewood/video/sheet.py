@@ -44,11 +44,17 @@ def marker_sheet(path: str | Path | None = None) -> str:
             f"Print at 100 %, A4. Then the ruler is {_RULER} mm long; check it with another.",
         ),
         *_ruler(_MARGIN, 36),
-        *_text(_MARGIN, 60, "For the weight: one spot, a tenth to a fifth of the radius across, towards the camera."),
+        *_text(
+            _MARGIN,
+            60,
+            "For the weight: one spot, a tenth to a fifth of the radius across, towards the camera.",
+        ),
         *_text(_MARGIN, 65, "Its colour must be nowhere else in the picture."),
         *_spots(72),
         *_text(
-            _MARGIN, 205, "For the plane, if the hoop is not to be the ruler: four targets, whose places you measure."
+            _MARGIN,
+            205,
+            "For the plane, if the hoop is not to be the ruler: four targets, whose places you measure.",
         ),
         *_targets(226),
         *_text(_MARGIN, 252, "littlewood fit film.mp4 --marker red"),
@@ -60,7 +66,9 @@ def marker_sheet(path: str | Path | None = None) -> str:
     return text
 
 
-def _text(x: float, y: float, words: str, *, size: float = 3.8, middle: bool = False) -> Iterator[str]:
+def _text(
+    x: float, y: float, words: str, *, size: float = 3.8, middle: bool = False
+) -> Iterator[str]:
     anchor = ' text-anchor="middle"' if middle else ""
     yield f'<text x="{x:g}" y="{y:g}" font-size="{size:g}"{anchor}>{words}</text>'
 
@@ -72,7 +80,9 @@ def _ruler(left: float, top: float) -> Iterator[str]:
         yield f'<path d="M{left + mm} {top}v{length}"/>'
     yield "</g>"
     for cm in range(0, _RULER // 10 + 1):
-        yield from _text(left + 10 * cm, top + 11, str(10 * cm) + " mm" * (cm == 0), size=3.2, middle=True)
+        yield from _text(
+            left + 10 * cm, top + 11, str(10 * cm) + " mm" * (cm == 0), size=3.2, middle=True
+        )
 
 
 def _spots(top: float) -> Iterator[str]:

@@ -31,8 +31,9 @@ _Pixels = npt.NDArray[np.float32]
 _GAMMA = 2.2
 # Depth of the floor behind the plane of the motion, up to a wall, m.
 _WALL_M = 0.6
-# Displacement between two instants of an exposure that are averaged, pixels, and the most of them between transitions;
-# the most transitions of an exposure, of which those that follow upon each other without end are ever smaller.
+# Displacement between two instants of an exposure that are averaged, pixels, and the most of them
+# between transitions; the most transitions of an exposure, of which those that follow upon each
+# other without end are ever smaller.
 _STEP_PX = 0.7
 _MOST_INSTANTS = 48
 _MOST_TRANSITIONS = 16
@@ -83,19 +84,26 @@ class _Scene:
         x, y = self.plane.to_metres(u, v)
         self.x, self.y = x.astype(np.float32), y.astype(np.float32)
         height, depth = camera.position_m[1], camera.position_m[2]
-        # The line of sight of a pixel meets the floor after `reach` times its way to the plane of the motion.
+        # The line of sight of a pixel meets the floor after `reach` times its way to the plane of
+        # the motion.
         with np.errstate(divide="ignore"):
             reach = np.where(height > y, height / (height - y), np.inf)
             self.floor_z = (depth * (1.0 - reach)).astype(np.float32)
-            self.floor_x = (camera.position_m[0] + reach * (x - camera.position_m[0])).astype(np.float32)
+            self.floor_x = (camera.position_m[0] + reach * (x - camera.position_m[0])).astype(
+                np.float32
+            )
         self.is_floor = self.floor_z > -_WALL_M
         self.background = self._background(camera, look, random)
         self.levels = _levels(self.background)
         # A pool that is larger than a frame: noise is a part of it, at a place by chance.
-        self.noise = random.normal(0.0, look.noise, (camera.height + 64, camera.width + 64, 3)).astype(np.float32)
+        self.noise = random.normal(
+            0.0, look.noise, (camera.height + 64, camera.width + 64, 3)
+        ).astype(np.float32)
 
     def _background(self, camera: Camera, look: Look, random: np.random.Generator) -> _Pixels:
-        colours = np.where(self.is_floor[:, :, None], np.array(look.floor[::-1]), np.array(look.wall[::-1]))
+        colours = np.where(
+            self.is_floor[:, :, None], np.array(look.floor[::-1]), np.array(look.wall[::-1])
+        )
         grain = np.zeros((camera.height, camera.width))
         for cells in (6, 24, 96):
             rows = np.linspace(0.0, cells - 1.001, camera.height)
@@ -122,8 +130,9 @@ def synthetic_frames(
 ) -> Iterator[Frame]:
     """Yield the frames that a camera takes of a motion, with perspective, motion blur and noise.
 
-    The light of the hoop is averaged over the exposure, at instants less than a pixel apart, and turned into levels by
-    a gamma of 2.2. Frame number k is exposed from k/`fps` on, for `exposure_s`.
+    The light of the hoop is averaged over the exposure, at instants less than a pixel apart, and
+    turned into levels by a gamma of 2.2. Frame number k is exposed from k/`fps` on, for
+    `exposure_s`.
 
     Parameters
     ----------
@@ -156,27 +165,42 @@ def synthetic_frames(
     if not (fps > 0.0 and math.isfinite(fps)):
         raise ValueError(f"fps = {fps} must be positive")
     if not 0.0 < exposure_s * fps <= 1.0 + 1e-9:
-        raise ValueError(f"exposure_s = {exposure_s} must be positive and at most {1.0 / fps:.6g} s")
+        raise ValueError(
+            f"exposure_s = {exposure_s} must be positive and at most {1.0 / fps:.6g} s"
+        )
     look = Look() if look is None else look
     random = np.random.default_rng(seed)
     scene = _Scene(camera, look, random)
     last = motion.end_time * units.time_s - exposure_s
-    end = min(last, 2.0 if not math.isfinite(last) else last) if seconds is None else min(seconds, last)
+    end = (
+        min(last, 2.0 if not math.isfinite(last) else last)
+        if seconds is None
+        else min(seconds, last)
+    )
     for k in range(max(0, math.floor(end * fps + 1e-9)) + 1):
         yield _frame(scene, motion, look, k / fps, exposure_s, random)
 
 
 def _frame(
-    scene: _Scene, motion: Trajectory, look: Look, begin: float, exposure: float, random: np.random.Generator
+    scene: _Scene,
+    motion: Trajectory,
+    look: Look,
+    begin: float,
+    exposure: float,
+    random: np.random.Generator,
 ) -> Frame:
     units = motion.hoop.require_units()
     radius = units.length_m
     ends = motion(np.array([begin, begin + exposure]) / units.time_s)
     middle_x, middle_y = float(ends.x.mean()) * radius, float(ends.centre_y.mean()) * radius
     scale = scene.plane.pixels_per_metre(middle_x, middle_y)
-    instants, weights, way = _instants(motion, float(ends.time[0]), float(ends.time[1]), radius * scale)
+    instants, weights, way = _instants(
+        motion, float(ends.time[0]), float(ends.time[1]), radius * scale
+    )
     samples = motion(instants)
-    rim, marker, here = _coverage(scene, samples, weights, motion.hoop.offset, radius, look, scale, way / scale)
+    rim, marker, here = _coverage(
+        scene, samples, weights, motion.hoop.offset, radius, look, scale, way / scale
+    )
     light = scene.background.copy()
     near = _shade(scene, light, middle_x, middle_y - radius, radius, look.shadow)
     # The marker hides the rim: `rim` is what is seen of it.
@@ -192,20 +216,26 @@ def _frame(
     return np.clip(np.rint(levels), 0, 255).astype(np.uint8)
 
 
-def _instants(motion: Trajectory, begin: float, end: float, scale: float) -> tuple[Reals, Reals, float]:
+def _instants(
+    motion: Trajectory, begin: float, end: float, scale: float
+) -> tuple[Reals, Reals, float]:
     """Return instants of an exposure, √(R/g), their weights, and the way of a point of the rim, pixels.
 
-    The instants are those of Gauss between one transition and the next: the mean over them is that of the motion, which
-    steps of equal length miss by a hundredth of a pixel at an impact.
+    The instants are those of Gauss between one transition and the next: the mean over them is that
+    of the motion, which steps of equal length miss by a hundredth of a pixel at an impact.
     """
     jumps = [one.time for one in motion.transitions if begin < one.time < end]
     cuts = np.array([begin, *jumps[:_MOST_TRANSITIONS], end])
     at_cuts = motion(cuts)
-    ways = scale * sum(np.abs(np.diff(values)) for values in (at_cuts.x, at_cuts.centre_y, at_cuts.theta))
+    ways = scale * sum(
+        np.abs(np.diff(values)) for values in (at_cuts.x, at_cuts.centre_y, at_cuts.theta)
+    )
     instants, weights = [], []
     for first, last, way in zip(cuts, cuts[1:], ways, strict=False):
         # Two at least: one would miss how the motion bends.
-        nodes, shares = np.polynomial.legendre.leggauss(min(2 + int(way / _STEP_PX), _MOST_INSTANTS))
+        nodes, shares = np.polynomial.legendre.leggauss(
+            min(2 + int(way / _STEP_PX), _MOST_INSTANTS)
+        )
         instants.append(first + 0.5 * (last - first) * (1.0 + nodes))
         weights.append(0.5 * (last - first) / (end - begin) * shares)
     return np.concatenate(instants), np.concatenate(weights), float(np.sum(ways))
@@ -213,11 +243,20 @@ def _instants(motion: Trajectory, begin: float, end: float, scale: float) -> tup
 
 def _levels(light: _Pixels) -> _Pixels:
     """Return light as grey levels."""
-    return np.asarray(255.0 * np.power(np.clip(light, 0.0, 1.0), np.float32(1.0 / _GAMMA)), dtype=np.float32)
+    return np.asarray(
+        255.0 * np.power(np.clip(light, 0.0, 1.0), np.float32(1.0 / _GAMMA)), dtype=np.float32
+    )
 
 
 def _coverage(
-    scene: _Scene, samples: Any, weights: Reals, offset: float, radius: float, look: Look, scale: float, way: float
+    scene: _Scene,
+    samples: Any,
+    weights: Reals,
+    offset: float,
+    radius: float,
+    look: Look,
+    scale: float,
+    way: float,
 ) -> tuple[_Pixels, _Pixels, tuple[Any, ...]]:
     """Return how much of a pixel rim and marker cover on the average, and the pixels that they touch."""
     x = np.asarray(samples.x * radius, dtype=np.float32)
@@ -237,7 +276,11 @@ def _coverage(
         inside = _clip((radius - to_rim) * scale)
         covered = _clip((spot - np.hypot(at_x - spot_x, at_y - spot_y)) * scale) * inside
         share = np.float32(weights[k])
-        rim += share * (inside - (_clip((inner - to_rim) * scale) if inner > 0.0 else 0.0)) * (1.0 - covered)
+        rim += (
+            share
+            * (inside - (_clip((inner - to_rim) * scale) if inner > 0.0 else 0.0))
+            * (1.0 - covered)
+        )
         marker += share * covered
     return rim, marker, here
 
@@ -252,9 +295,13 @@ def _shade(
 ) -> tuple[npt.NDArray[Any], ...]:
     """Darken the floor below the hoop; return the pixels in which it is."""
     near = np.nonzero(
-        scene.is_floor & (np.abs(scene.floor_x - x) < 2.0 * radius) & (np.abs(scene.floor_z) < 0.9 * radius)
+        scene.is_floor
+        & (np.abs(scene.floor_x - x) < 2.0 * radius)
+        & (np.abs(scene.floor_z) < 0.9 * radius)
     )
-    square = ((scene.floor_x[near] - x) / (0.6 * radius)) ** 2 + (scene.floor_z[near] / (0.25 * radius)) ** 2
+    square = ((scene.floor_x[near] - x) / (0.6 * radius)) ** 2 + (
+        scene.floor_z[near] / (0.25 * radius)
+    ) ** 2
     light[near] *= (1.0 - shadow * math.exp(-gap / radius) * np.exp(-square))[:, None]
     return near
 

@@ -53,31 +53,37 @@ def track_video(
 ) -> Track:
     """Find the hoop and its marker in every frame of a video.
 
-    The camera must stand still. The rim is the outermost edge of what differs from the background; a circle is fitted
-    to it in the plane of the motion, so that the perspective is corrected. The marker is what has its colour near the
-    rim. Each frame is searched for itself, and nothing is smoothed.
+    The camera must stand still. The rim is the outermost edge of what differs from the background;
+    a circle is fitted to it in the plane of the motion, so that the perspective is corrected. The
+    marker is what has its colour near the rim. Each frame is searched for itself, and nothing is
+    smoothed.
 
     Parameters
     ----------
     path : str or Path
         The video, in any format that OpenCV decodes.
     hoop : Hoop
-        The hoop, made by :meth:`Hoop.from_si`: its radius is taken, and its offset for the place of the marker.
+        The hoop, made by :meth:`Hoop.from_si`: its radius is taken, and its offset for the place of
+        the marker.
     plane : Plane
         Where the frame shows the plane of the motion.
     fps : float
-        Rate at which the frames were taken. In slow motion it is not the rate at which the file is played.
+        Rate at which the frames were taken. In slow motion it is not the rate at which the file is
+        played.
     marker : str or tuple of int, optional
-        Colour of the marker: red, orange, yellow, green, blue, magenta, or red, green, blue from 0 to 255.
+        Colour of the marker: red, orange, yellow, green, blue, magenta, or red, green, blue from 0
+        to 255.
     marker_offset : float, optional
         Distance of the marker from the centre, R; the offset of the particle by default.
     marker_angle : float, optional
-        Angle from the particle to the marker, counterclockwise, rad; π for a marker opposite to the particle.
+        Angle from the particle to the marker, counterclockwise, rad; π for a marker opposite to the
+        particle.
     first, last : int, optional
-        First frame that is used, and the one after the last. The time counts from the first frame of the video.
+        First frame that is used, and the one after the last. The time counts from the first frame
+        of the video.
     background : array_like, optional
-        A frame without the hoop. By default the median of up to 41 frames, for which the hoop has to move by more
-        than its width.
+        A frame without the hoop. By default the median of up to 41 frames, for which the hoop has
+        to move by more than its width.
     exposure_s : float, optional
         How long a frame was exposed, s. By default it is not known, and the fit estimates it.
     progress : bool, optional
@@ -86,8 +92,8 @@ def track_video(
     Returns
     -------
     Track
-        Dimensionless, with the standard errors of every frame, NaN where hoop or marker were not found, and with
-        constant errors of the camera for a fit to estimate.
+        Dimensionless, with the standard errors of every frame, NaN where hoop or marker were not
+        found, and with constant errors of the camera for a fit to estimate.
 
     Raises
     ------
@@ -211,7 +217,9 @@ def colour_of(marker: str | tuple[int, int, int]) -> tuple[int, int, int]:
     if not isinstance(marker, str):
         return marker
     if marker not in MARKERS:
-        raise ValueError(f"marker = {marker!r} must be one of {', '.join(MARKERS)}, or three numbers")
+        raise ValueError(
+            f"marker = {marker!r} must be one of {', '.join(MARKERS)}, or three numbers"
+        )
     return MARKERS[marker]
 
 
@@ -223,7 +231,9 @@ def frames_all_over(path: str | Path, first: int, last: int | None) -> list[Fram
     end = count if last is None else min(count, last)
     if end - first < LEAST_PICTURES:
         raise TooFewFramesError(max(0, end - first), LEAST_PICTURES)
-    return list(frames(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist())))
+    return list(
+        frames(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist()))
+    )
 
 
 def median_and_noise(some: list[Frame]) -> tuple[npt.NDArray[Any], float]:
@@ -231,6 +241,7 @@ def median_and_noise(some: list[Frame]) -> tuple[npt.NDArray[Any], float]:
     kept = np.stack(some)
     still = np.median(kept, axis=0)
     distance = np.abs(kept[:: max(1, len(kept) // 5)] - still)
-    # Of normal errors half are within 0.6745 standard deviations; rounding to whole levels leaves 0.3 at least.
+    # Of normal errors half are within 0.6745 standard deviations; rounding to whole levels leaves
+    # 0.3 at least.
     noise = max(0.3, float(np.mean(distance)) * 1.2533)
     return still, noise

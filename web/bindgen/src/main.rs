@@ -1,6 +1,7 @@
 //! Writes the JavaScript module and the TypeScript declarations of a WebAssembly file.
 //!
-//! `bindgen FILE.wasm FOLDER`. Like the program `wasm-bindgen`, but with a version that `Cargo.lock` pins.
+//! `bindgen FILE.wasm FOLDER`. Like the program `wasm-bindgen`, but with a version that
+//! `Cargo.lock` pins.
 
 use std::process::ExitCode;
 
@@ -15,7 +16,12 @@ fn main() -> ExitCode {
     let result = Bindgen::new()
         .input_path(input)
         .web(true)
-        .and_then(|bindgen| bindgen.typescript(true).remove_name_section(true).generate(folder));
+        .and_then(|bindgen| {
+            bindgen
+                .typescript(true)
+                .remove_name_section(true)
+                .generate(folder)
+        });
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -22,7 +22,10 @@ export interface Numbers {
 
 export type Values<S extends System> = Readonly<Record<Numbers[S], number>>;
 
-const NUMBERS: { readonly [S in System]: readonly Numbers[S][] } = { dimensionless: DIMENSIONLESS, si: SI };
+const NUMBERS: { readonly [S in System]: readonly Numbers[S][] } = {
+  dimensionless: DIMENSIONLESS,
+  si: SI,
+};
 
 /** The numbers of a system, in the order in which the core takes them. */
 export function numbersOf<S extends System>(system: S): readonly Numbers[S][] {
@@ -32,7 +35,8 @@ export function numbersOf<S extends System>(system: S): readonly Numbers[S][] {
 /** Values by name, of numbers in the order of the core. */
 export function valuesOf<S extends System>(system: S, numbers: Float64Array): Values<S> {
   const names = numbersOf(system);
-  if (numbers.length !== names.length) throw new Error(`${numbers.length} numbers for ${names.length} quantities`);
+  if (numbers.length !== names.length)
+    throw new Error(`${numbers.length} numbers for ${names.length} quantities`);
   return Object.fromEntries(names.map((name, i) => [name, numbers[i]])) as Values<S>;
 }
 
@@ -42,7 +46,11 @@ export function inOrder<S extends System>(system: S, values: Values<S>): Float64
 }
 
 /** Units of a problem that had none: a hula hoop with a battery on it. */
-export const HULA_HOOP = { particle_mass_kg: 0.14, radius_m: 0.45, gravity_m_per_s2: QUANTITY_ROWS.gravity_m_per_s2.otherwise };
+export const HULA_HOOP = {
+  particle_mass_kg: 0.14,
+  radius_m: 0.45,
+  gravity_m_per_s2: QUANTITY_ROWS.gravity_m_per_s2.otherwise,
+};
 
 /** √(R/g) of that hoop, in seconds. */
 export const HULA_SECOND = Math.sqrt(HULA_HOOP.radius_m / HULA_HOOP.gravity_m_per_s2);
@@ -74,7 +82,8 @@ const REMARKS: Partial<Record<Quantity, string>> = {
   inertia: 'A thin hoop has Izz = m₁R², a uniform disc half of that.',
   mu_s: 'The hoop rolls while |F| ≤ μₛN (2.13).',
   mu_k: 'While the contact point slips |F| = μₖN (2.15). Never above μₛ.',
-  restitution: '0: no rebound; 1: nothing is lost in restitution. Empty: the motion ends where the rim lands.',
+  restitution:
+    '0: no rebound; 1: nothing is lost in restitution. Empty: the motion ends where the rim lands.',
   theta: 'Positive counterclockwise.',
   theta_rate: 'Negative for a hoop that rolls to the right.',
   slip: '0 lets friction decide what follows.',
@@ -100,7 +109,9 @@ export function readField(quantity: Quantity, text: string): number | null {
     const value = readNumber(degrees[1]!);
     return value === undefined ? null : (value * Math.PI) / 180;
   }
-  const turns = isAngle ? /^([-+−]?)([\d.]*)\s*\*?\s*(?:π|pi)(?:\s*\/\s*([\d.]+))?$/i.exec(plain) : null;
+  const turns = isAngle
+    ? /^([-+−]?)([\d.]*)\s*\*?\s*(?:π|pi)(?:\s*\/\s*([\d.]+))?$/i.exec(plain)
+    : null;
   if (!turns) return readNumber(plain) ?? null;
   const [, sign, factor, part] = turns;
   const value = (Number(factor || 1) * Math.PI) / Number(part ?? 1);
@@ -112,7 +123,11 @@ export function sayStart(theta: number, rate: number, unit: string): string {
   const degrees = Math.round((theta * 180) / Math.PI);
   const side = degrees > 0 ? 'left' : 'right';
   const place =
-    degrees === 0 ? 'at the top' : Math.abs(degrees) === 180 ? 'at the bottom' : `${Math.abs(degrees)}° to the ${side} of the top`;
+    degrees === 0
+      ? 'at the top'
+      : Math.abs(degrees) === 180
+        ? 'at the bottom'
+        : `${Math.abs(degrees)}° to the ${side} of the top`;
   if (rate === 0) return `${place}, at rest`;
   return `${place}, turning ${rate > 0 ? 'counterclockwise' : 'clockwise'} at ${brief(Math.abs(rate), 3)} ${unit}`;
 }
@@ -121,7 +136,11 @@ export function sayStart(theta: number, rate: number, unit: string): string {
 export function inSigns(message: string): string {
   return QUANTITIES.reduce(
     // Names of one word are also words: they are names where a value follows.
-    (text, name) => text.replaceAll(new RegExp(`\\b${name}${name.includes('_') ? '\\b' : '(?= = )'}`, 'g'), QUANTITY_ROWS[name].sign),
+    (text, name) =>
+      text.replaceAll(
+        new RegExp(`\\b${name}${name.includes('_') ? '\\b' : '(?= = )'}`, 'g'),
+        QUANTITY_ROWS[name].sign,
+      ),
     message,
   ).replaceAll('m2 R^2', 'm₂R²');
 }
@@ -133,7 +152,13 @@ export function labelOf(quantity: Quantity): string {
 }
 
 /** Whether there is a slider. */
-const SLIDES: Readonly<Record<Group, boolean>> = { hoop: true, start: true, units: true, place: false, run: false };
+const SLIDES: Readonly<Record<Group, boolean>> = {
+  hoop: true,
+  start: true,
+  units: true,
+  place: false,
+  run: false,
+};
 
 /** The slider of a quantity; a number that is typed may lie beyond its range. */
 export function sliderOf(quantity: Quantity): { min: number; max: number } | null {

@@ -1,4 +1,5 @@
-// Materials of the rim and the plane: coefficients of friction and of restitution, with where they are from.
+// Materials of the rim and the plane: coefficients of friction and of restitution, with where they
+// are from.
 
 /** Where a number is from. */
 interface Source {
@@ -24,9 +25,14 @@ const OPENSTAX: Source = {
   cite: 'S. J. Ling, J. Sanny and W. Moebs, University Physics, volume 1, OpenStax 2016, table 6.1',
 };
 
-const SERWAY: Source = { cite: 'R. A. Serway and J. W. Jewett, Physics for Scientists and Engineers, table 5.1' };
+const SERWAY: Source = {
+  cite: 'R. A. Serway and J. W. Jewett, Physics for Scientists and Engineers, table 5.1',
+};
 
-const NEWTON: Source = { cite: 'I. Newton, Principia, 1687, scholium to the laws of motion', of: 'balls of glass, 15 to 16' };
+const NEWTON: Source = {
+  cite: 'I. Newton, Principia, 1687, scholium to the laws of motion',
+  of: 'balls of glass, 15 to 16',
+};
 
 const factbook = (of: string): Source => ({
   cite: 'Coefficients of Restitution, The Physics Factbook (ed. G. Elert), 2006',
@@ -105,6 +111,11 @@ export const MATERIALS: readonly Material[] = [
 /** Where the numbers of a material are from, and what they are worth. */
 export function sourceOf({ friction, impact, isIndicative }: Material): string {
   const text = ({ cite, of }: Source): string => (of === undefined ? cite : `${of}: ${cite}`);
-  const sources = friction.cite === impact.cite ? `μ and e: ${text(impact)}.` : `μ: ${text(friction)}. e: ${text(impact)}.`;
-  return isIndicative ? `Indicative only: other surfaces and speeds give other values. ${sources}` : sources;
+  const sources =
+    friction.cite === impact.cite
+      ? `μ and e: ${text(impact)}.`
+      : `μ: ${text(friction)}. e: ${text(impact)}.`;
+  return isIndicative
+    ? `Indicative only: other surfaces and speeds give other values. ${sources}`
+    : sources;
 }

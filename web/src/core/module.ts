@@ -17,7 +17,8 @@ async function compile(): Promise<WebAssembly.Module> {
   } catch {
     // A host that does not know the media type of WebAssembly.
     const response = await fetch(url);
-    if (!response.ok) throw new Error(`the core could not be loaded: ${response.status} ${response.statusText}`);
+    if (!response.ok)
+      throw new Error(`the core could not be loaded: ${response.status} ${response.statusText}`);
     return WebAssembly.compile(await response.arrayBuffer());
   }
 }

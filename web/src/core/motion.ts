@@ -35,7 +35,11 @@ export interface Phase {
 }
 
 /** The velocities that an impact changes. */
-export const VELOCITIES = ['theta_rate', 'slip', 'gap_rate'] as const satisfies readonly SampleColumn[];
+export const VELOCITIES = [
+  'theta_rate',
+  'slip',
+  'gap_rate',
+] as const satisfies readonly SampleColumn[];
 export type Velocities = Readonly<Record<(typeof VELOCITIES)[number], number>>;
 
 /** An impact, or all those of bounces that settle, together. */
@@ -140,7 +144,13 @@ interface Document {
     cause: string;
     impact?: ImpactDocument;
   }[];
-  outcome: { kind: string; time: number; theta: number; theta_rate: number | null; slip: number | null };
+  outcome: {
+    kind: string;
+    time: number;
+    theta: number;
+    theta_rate: number | null;
+    slip: number | null;
+  };
   phases: { mode: string; start_time: number; duration: number | null }[];
 }
 
@@ -196,8 +206,15 @@ export class Motion {
         start: phase.start_time,
         end: phase.duration === null ? Infinity : phase.start_time + phase.duration,
       }));
-    this.events = eventsOf(document, core.startSentence(), core.transitionSentences(), this.outcomeSentence);
-    this.impacts = this.events.filter((event) => isImpact(event)).filter((event) => event.time <= this.end);
+    this.events = eventsOf(
+      document,
+      core.startSentence(),
+      core.transitionSentences(),
+      this.outcomeSentence,
+    );
+    this.impacts = this.events
+      .filter((event) => isImpact(event))
+      .filter((event) => event.time <= this.end);
     this.samples = this.sample(Math.min(Math.max(count, PER_PHASE * this.phases.length), MOST));
   }
 
@@ -210,8 +227,12 @@ export class Motion {
   sample(count: number): Samples {
     const flat = this.core.samples(count, this.end);
     const length = flat.length / SAMPLE_COLUMNS.length;
-    const columns = SAMPLE_COLUMNS.map((name, i) => [name, flat.subarray(i * length, (i + 1) * length)] as const);
-    return Object.assign(Object.fromEntries(columns) as Record<SampleColumn, Float64Array>, { length });
+    const columns = SAMPLE_COLUMNS.map(
+      (name, i) => [name, flat.subarray(i * length, (i + 1) * length)] as const,
+    );
+    return Object.assign(Object.fromEntries(columns) as Record<SampleColumn, Float64Array>, {
+      length,
+    });
   }
 
   /** The state at a time within the motion; none where nothing moves. */
@@ -233,9 +254,13 @@ export class Motion {
     const { start, end } = flight;
     const { time, gap, length } = this.samples;
     let highest = 0;
-    for (let i = 0; i < length; i++) if (time[i]! >= start && time[i]! <= end && gap[i]! > gap[highest]!) highest = i;
+    for (let i = 0; i < length; i++)
+      if (time[i]! >= start && time[i]! <= end && gap[i]! > gap[highest]!) highest = i;
     // Between the samples beside the highest one.
-    let [low, high] = [Math.max(start, time[highest - 1] ?? start), Math.min(end, time[highest + 1] ?? end)];
+    let [low, high] = [
+      Math.max(start, time[highest - 1] ?? start),
+      Math.min(end, time[highest + 1] ?? end),
+    ];
     const at = (instant: number): number => this.at(instant)?.gap ?? 0;
     for (let step = 0; step < SEARCH; step++) {
       const third = (high - low) / 3;
@@ -247,7 +272,9 @@ export class Motion {
 
   /** Instants at which the rim leaves the plane. */
   get liftOffs(): number[] {
-    return this.phases.filter(({ mode, start }) => mode === 'flight' && start > this.begin).map(({ start }) => start);
+    return this.phases
+      .filter(({ mode, start }) => mode === 'flight' && start > this.begin)
+      .map(({ start }) => start);
   }
 
   /** The event that came last at a time. */
@@ -261,7 +288,9 @@ export class Motion {
   sentencesAt(time: number): string[] {
     const last = this.eventAt(time);
     // What goes on as it has begun is told once.
-    const together = this.events.filter((event) => event.time === last.time && (event === last || event.transition !== null));
+    const together = this.events.filter(
+      (event) => event.time === last.time && (event === last || event.transition !== null),
+    );
     return [...new Set(together.slice(-MOST_TOGETHER).map(({ sentence }) => sentence))];
   }
 
@@ -269,7 +298,10 @@ export class Motion {
   energies(time: number): Energies | null {
     const parts = this.core.energies(Math.min(Math.max(time, this.begin), this.end));
     if (!parts.every(Number.isFinite) || parts.length === 0) return null;
-    return Object.fromEntries(ENERGY_PARTS.map((name, i) => [name, parts[i]])) as Record<EnergyPart, number>;
+    return Object.fromEntries(ENERGY_PARTS.map((name, i) => [name, parts[i]])) as Record<
+      EnergyPart,
+      number
+    >;
   }
 
   /** The energy of the start, of which all parts are; none where nothing moves. */
@@ -310,7 +342,9 @@ export class Motion {
 
   /** The landings, in order, as far as the motion is shown. */
   get landings(): Event[] {
-    return this.events.filter(({ name, transition, time }) => name === 'landing' && transition !== null && time <= this.end);
+    return this.events.filter(
+      ({ name, transition, time }) => name === 'landing' && transition !== null && time <= this.end,
+    );
   }
 
   /** What the derivatives predict of a landing of other motions. */
@@ -363,7 +397,10 @@ export function namesAgree(): boolean {
 }
 
 function byColumn(row: Float64Array): Record<SampleColumn, number> {
-  return Object.fromEntries(SAMPLE_COLUMNS.map((name, i) => [name, row[i]])) as Record<SampleColumn, number>;
+  return Object.fromEntries(SAMPLE_COLUMNS.map((name, i) => [name, row[i]])) as Record<
+    SampleColumn,
+    number
+  >;
 }
 
 const NO_TRANSITION = { impact: null, transition: null } as const;
@@ -392,7 +429,8 @@ function impactOf(it: ImpactDocument, { theta_rate, slip }: Event): Impact {
 
 function eventsOf(document: Document, first: string, others: string[], last: string): Event[] {
   const { start, transitions, outcome } = document;
-  const modeNamed = (name: string | null): Mode | null => (name === null ? null : named(MODES, name));
+  const modeNamed = (name: string | null): Mode | null =>
+    name === null ? null : named(MODES, name);
   // JSON has no infinite numbers: a rate that is missing is infinite.
   const state = (it: Document['transitions'][number] | Document['outcome']) => ({
     time: it.time,
@@ -402,7 +440,17 @@ function eventsOf(document: Document, first: string, others: string[], last: str
   });
   const { time, theta, theta_rate, slip } = start;
   const events: Event[] = [
-    { time, theta, theta_rate, slip, name: 'start', label: 'start', to: modeNamed(start.mode), sentence: first, ...NO_TRANSITION },
+    {
+      time,
+      theta,
+      theta_rate,
+      slip,
+      name: 'start',
+      label: 'start',
+      to: modeNamed(start.mode),
+      sentence: first,
+      ...NO_TRANSITION,
+    },
   ];
   transitions.forEach((it, i) => {
     const cause = named(CAUSES, it.cause);

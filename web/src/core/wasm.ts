@@ -8,7 +8,10 @@ declare global {
 }
 
 /** Starts the core. `panicked` is told of a defect, after which the core is not used again. */
-export async function startCore(module: WebAssembly.Module, panicked: (message: string) => void): Promise<void> {
+export async function startCore(
+  module: WebAssembly.Module,
+  panicked: (message: string) => void,
+): Promise<void> {
   globalThis.littlewoodPanicked = panicked;
   await init({ module_or_path: module });
   begin();

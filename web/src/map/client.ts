@@ -75,7 +75,8 @@ export class OutcomePicture {
     }
     coreModule().then(
       (module) => {
-        for (const worker of workers) worker.postMessage({ kind: 'core', module } satisfies MapQuestion);
+        for (const worker of workers)
+          worker.postMessage({ kind: 'core', module } satisfies MapQuestion);
       },
       (error: unknown) => this.failed(String(error)),
     );
@@ -97,10 +98,15 @@ export class OutcomePicture {
     }
     this.classes = classes;
     this.shows = shows;
-    this.hops = shows === 'hops' ? hopClassesOf(OutcomeMap.hopClasses(classes), this.palette.hops.length) : [];
+    this.hops =
+      shows === 'hops'
+        ? hopClassesOf(OutcomeMap.hopClasses(classes), this.palette.hops.length)
+        : [];
     this.paint();
     // For the benchmark, which reads them from outside.
-    performance.mark(`map-${stride}`, { detail: Math.max(...parts.map(({ milliseconds }) => milliseconds)) });
+    performance.mark(`map-${stride}`, {
+      detail: Math.max(...parts.map(({ milliseconds }) => milliseconds)),
+    });
     if (this.wanted === null) document.documentElement.dataset.map = last ? 'done' : String(stride);
     if (stride > FINE) return;
     this.begun = null;
@@ -143,7 +149,10 @@ export class OutcomePicture {
     if (!this.classes || !context) return;
     const image = context.createImageData(SIDE, SIDE);
     const pixels = new Uint32Array(image.data.buffer);
-    const colours = this.shows === 'outcome' ? coloursOf(CLASSES.map((it) => this.palette.class[it])) : this.hopColours();
+    const colours =
+      this.shows === 'outcome'
+        ? coloursOf(CLASSES.map((it) => this.palette.class[it]))
+        : this.hopColours();
     const counts = new Uint32Array(256);
     for (let i = 0; i < pixels.length; i++) {
       const it = this.classes[i]!;

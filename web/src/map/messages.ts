@@ -1,4 +1,5 @@
-// The messages between the page and the worker of the map. The first is the compiled core, which the page has already.
+// The messages between the page and the worker of the map. The first is the compiled core, which
+// the page has already.
 
 import type { Shows } from '../state/state';
 
@@ -26,7 +27,9 @@ export function partOf(row: number, side: number, isFolded: boolean, of: number)
   return Math.floor(computed / BLOCK) % of;
 }
 
-export type MapQuestion = { kind: 'core'; module: WebAssembly.Module } | { kind: 'map'; request: MapRequest };
+export type MapQuestion =
+  | { kind: 'core'; module: WebAssembly.Module }
+  | { kind: 'map'; request: MapRequest };
 
 export type MapAnswer =
   | { kind: 'ready' }

@@ -4,7 +4,10 @@ import { MapSubject, OutcomeMap, Problem, startCore } from '../core/wasm';
 import type { Shows } from '../state/state';
 import { BLOCK, type MapAnswer, type MapQuestion, type MapRequest, partOf } from './messages';
 
-const SUBJECT: Readonly<Record<Shows, MapSubject>> = { outcome: MapSubject.Outcome, hops: MapSubject.Hops };
+const SUBJECT: Readonly<Record<Shows, MapSubject>> = {
+  outcome: MapSubject.Outcome,
+  hops: MapSubject.Hops,
+};
 
 const STRIDES = [BLOCK, 8, 4, 2, 1];
 
@@ -14,7 +17,8 @@ const SLICE = 12;
 let latest: MapRequest | null = null;
 let working = false;
 
-const answer = (it: MapAnswer, transfer: Transferable[] = []): void => self.postMessage(it, { transfer });
+const answer = (it: MapAnswer, transfer: Transferable[] = []): void =>
+  self.postMessage(it, { transfer });
 
 /** Lets messages be handled before work goes on. A timer would wait for at least four milliseconds. */
 const yieldToMessages = (): Promise<void> =>
@@ -51,7 +55,10 @@ async function work(request: MapRequest): Promise<void> {
       }
       const classes = map.classes(stride);
       const last = stride === STRIDES[STRIDES.length - 1];
-      answer({ kind: 'level', id, shows, classes, part, isFolded, stride, milliseconds: spent, last }, [classes.buffer]);
+      answer(
+        { kind: 'level', id, shows, classes, part, isFolded, stride, milliseconds: spent, last },
+        [classes.buffer],
+      );
     }
   } finally {
     map.free();

@@ -1,7 +1,24 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
-import { HULA_HOOP, inOrder, inSigns, inSystem, LIMIT, quantityNamed, type Values, valuesOf } from '../core/fields';
-import { type ColumnUnits, type Event, type Ghost, ghostOf, type ImpactEvent, Motion, unitsOf } from '../core/motion';
+import {
+  HULA_HOOP,
+  inOrder,
+  inSigns,
+  inSystem,
+  LIMIT,
+  quantityNamed,
+  type Values,
+  valuesOf,
+} from '../core/fields';
+import {
+  type ColumnUnits,
+  type Event,
+  type Ghost,
+  ghostOf,
+  type ImpactEvent,
+  Motion,
+  unitsOf,
+} from '../core/motion';
 import { type Prediction, Problem, Refusal } from '../core/wasm';
 import {
   DIMENSIONLESS,
@@ -13,14 +30,25 @@ import {
   type System,
 } from '../generated/tables';
 
-import { lawOf, type NamedCase, numberOf, numbersOfProblem, type ProblemState, problemWith, type State, type ViewState } from './state';
+import {
+  lawOf,
+  type NamedCase,
+  numberOf,
+  numbersOfProblem,
+  type ProblemState,
+  problemWith,
+  type State,
+  type ViewState,
+} from './state';
 import { caseOf, type FieldError } from './url';
 
 /** What has changed: the hoop, the slip or the rate of the gap (new curves, new map), the motion, the time of the cursor, the view, a drag that has ended. */
 export type Change = 'hoop' | 'motion' | 'time' | 'view' | 'errors' | 'drag';
 
 /** Values of quantities; that of a coefficient of restitution may be none. */
-export type Given = Partial<Record<Exclude<Quantity, 'restitution'>, number>> & { restitution?: number | null };
+export type Given = Partial<Record<Exclude<Quantity, 'restitution'>, number>> & {
+  restitution?: number | null;
+};
 
 /** The next landing of a motion that is dragged, predicted from before the drag, or why it cannot be; and the exact one, if there is one. */
 export interface Landing {
@@ -128,7 +156,8 @@ export class Lab {
     const { landings } = this.motion;
     const next = landings.findIndex((it) => it.time > this.time);
     const landing = Math.max(next, 0);
-    const prediction = landings[landing] === undefined ? null : this.motion.prediction(landings[landing]);
+    const prediction =
+      landings[landing] === undefined ? null : this.motion.prediction(landings[landing]);
     if (prediction !== null) this.before = { landing, prediction };
   }
 
@@ -136,12 +165,17 @@ export class Lab {
   get landing(): Landing | null {
     if (this.before === null) return null;
     const { landing, prediction } = this.before;
-    return { predicted: ghostOf(prediction, this.problem), exact: this.motion.landings[landing] ?? null };
+    return {
+      predicted: ghostOf(prediction, this.problem),
+      exact: this.motion.landings[landing] ?? null,
+    };
   }
 
   /** The transition that is shown: the last one up to the cursor, or the first. */
   get transition(): Event | null {
-    const transitions = this.motion.events.filter(({ transition, time }) => transition !== null && time <= this.motion.end);
+    const transitions = this.motion.events.filter(
+      ({ transition, time }) => transition !== null && time <= this.motion.end,
+    );
     return transitions.findLast((event) => event.time <= this.time) ?? transitions[0] ?? null;
   }
 
@@ -167,7 +201,8 @@ export class Lab {
     } catch (refusal) {
       if (!(refusal instanceof Refusal)) throw refusal;
       this.fieldErrors = [...fieldErrors, fieldErrorOf(refusal, next)];
-      if (Object.keys(view).length > 0) this.state = { ...this.state, view: { ...this.state.view, ...view, time: null } };
+      if (Object.keys(view).length > 0)
+        this.state = { ...this.state, view: { ...this.state.view, ...view, time: null } };
       this.notify('errors', 'view');
       return false;
     }
@@ -184,7 +219,8 @@ export class Lab {
   /** Sets some quantities of the system that is shown. Without a coefficient of restitution there is no law. */
   set(values: Given, view: Partial<ViewState> = {}): boolean {
     const { problem } = this.state;
-    const value = (quantity: Quantity): number => values[quantity] ?? numberOf(problem, quantity) ?? NaN;
+    const value = (quantity: Quantity): number =>
+      values[quantity] ?? numberOf(problem, quantity) ?? NaN;
     const restitution = values.restitution === undefined ? problem.restitution : values.restitution;
     const law = lawOf({ ...problem, restitution });
     return this.take(problemWith(problem.system, value, { ...problem, restitution, law }), view);
@@ -195,7 +231,10 @@ export class Lab {
   }
 
   /** Sets some quantities without dimension, in whichever units the problem is shown. */
-  setPlain(values: Partial<Record<DimensionlessNumber, number>>, view: Partial<ViewState> = {}): boolean {
+  setPlain(
+    values: Partial<Record<DimensionlessNumber, number>>,
+    view: Partial<ViewState> = {},
+  ): boolean {
     const { problem } = this.state;
     if (problem.system === 'dimensionless') return this.set(values, view);
     const { particle_mass_kg, radius_m, gravity_m_per_s2 } = problem.values;
@@ -227,8 +266,12 @@ export class Lab {
       this.take({ system, values: this.plain, restitution, law, until }, view);
     } else {
       const { particle_mass_kg, radius_m, gravity_m_per_s2 } = HULA_HOOP;
-      const values = valuesOf('si', this.problem.toSi(particle_mass_kg, radius_m, gravity_m_per_s2));
-      const until = problem.until === null ? null : problem.until * Math.sqrt(radius_m / gravity_m_per_s2);
+      const values = valuesOf(
+        'si',
+        this.problem.toSi(particle_mass_kg, radius_m, gravity_m_per_s2),
+      );
+      const until =
+        problem.until === null ? null : problem.until * Math.sqrt(radius_m / gravity_m_per_s2);
       this.take({ system, values, restitution, law, until }, view);
     }
   }
@@ -254,7 +297,10 @@ export class Lab {
     const { time } = this.state.view;
     if (time === null) return;
     const clamped = Math.min(Math.max(time, this.motion.begin), this.motion.end);
-    this.state = { ...this.state, view: { ...this.state.view, time: clamped <= this.motion.begin ? null : clamped } };
+    this.state = {
+      ...this.state,
+      view: { ...this.state.view, time: clamped <= this.motion.begin ? null : clamped },
+    };
   }
 }
 
@@ -262,7 +308,9 @@ export class Lab {
 function checked(problem: ProblemState): Problem {
   const numbers = numbersOfProblem(problem);
   const { system, restitution, law, until } = problem;
-  return system === 'si' ? Problem.si(numbers, restitution, law, until) : Problem.dimensionless(numbers, restitution, law, until);
+  return system === 'si'
+    ? Problem.si(numbers, restitution, law, until)
+    : Problem.dimensionless(numbers, restitution, law, until);
 }
 
 /** What the core says of a problem, beside the field of the system that is shown. */
@@ -270,13 +318,18 @@ function fieldErrorOf(refusal: Refusal, problem: ProblemState): FieldError {
   const field = inSystem(problem.system, quantityNamed(refusal.quantity));
   const { message, hint } = refusal;
   refusal.free();
-  return { field, given: String(numberOf(problem, field) ?? ''), message: inSigns(`${message}: ${hint}`) };
+  return {
+    field,
+    given: String(numberOf(problem, field) ?? ''),
+    message: inSigns(`${message}: ${hint}`),
+  };
 }
 
 /** Whether two problems have the same curves and the same map: all is the same but angle, rate, place and time. */
 function sameHoop(a: Problem, b: Problem): boolean {
   const [p, q] = [a.toDimensionless(), b.toDimensionless()];
-  const varies = (name: DimensionlessNumber): boolean => name === 'theta' || name === 'theta_rate' || QUANTITY_ROWS[name].group === 'place';
+  const varies = (name: DimensionlessNumber): boolean =>
+    name === 'theta' || name === 'theta_rate' || QUANTITY_ROWS[name].group === 'place';
   return (
     a.restitution === b.restitution &&
     a.restitutionLaw === b.restitutionLaw &&

@@ -1,7 +1,15 @@
 // The state of the page: everything that a link carries.
 
 import { inOrder, LIMIT, numbersOf, type Values } from '../core/fields';
-import { LAWS, type Law, type Quantity, type System, VIEW_CHOICES, VIEW_FIRST, type ViewKey } from '../generated/tables';
+import {
+  LAWS,
+  type Law,
+  type Quantity,
+  type System,
+  VIEW_CHOICES,
+  VIEW_FIRST,
+  type ViewKey,
+} from '../generated/tables';
 
 export type Theme = (typeof VIEW_CHOICES.theme)[number];
 
@@ -77,7 +85,19 @@ export function viewOf(texts: Readonly<Record<ViewKey, string>>): ViewState {
 }
 
 /** The texts of a view in a link. */
-export function textsOf({ rate, speed, slow, loop, map, shows, follow, symbols, level, embed, theme }: ViewState): Record<ViewKey, string> {
+export function textsOf({
+  rate,
+  speed,
+  slow,
+  loop,
+  map,
+  shows,
+  follow,
+  symbols,
+  level,
+  embed,
+  theme,
+}: ViewState): Record<ViewKey, string> {
   const flag = (it: boolean): string => (it ? '1' : '0');
   return {
     rate: String(rate),
@@ -97,14 +117,21 @@ export function textsOf({ rate, speed, slow, loop, map, shows, follow, symbols, 
 export const VIEW: Readonly<ViewState> = viewOf(VIEW_FIRST);
 
 /** A problem with a value for each number of its system. */
-export function problemWith(system: System, value: (quantity: Quantity) => number, options: Options): ProblemState {
+export function problemWith(
+  system: System,
+  value: (quantity: Quantity) => number,
+  options: Options,
+): ProblemState {
   const values = Object.fromEntries(numbersOf(system).map((name) => [name, value(name)]));
   const { restitution, law, until } = options;
   return { system, values, restitution, law, until } as unknown as ProblemState;
 }
 
 /** The value of a quantity of a problem; none for one that is left out, and for a quantity of the other system. */
-export function numberOf({ system, values, restitution, until }: ProblemState, quantity: Quantity): number | null {
+export function numberOf(
+  { system, values, restitution, until }: ProblemState,
+  quantity: Quantity,
+): number | null {
   if (quantity === LIMIT[system]) return until;
   if (quantity === 'restitution') return restitution;
   const numbers: Readonly<Partial<Record<Quantity, number>>> = values;
@@ -113,7 +140,9 @@ export function numberOf({ system, values, restitution, until }: ProblemState, q
 
 /** The numbers of a problem in the order of the core. */
 export function numbersOfProblem(problem: ProblemState): Float64Array {
-  return problem.system === 'si' ? inOrder('si', problem.values) : inOrder('dimensionless', problem.values);
+  return problem.system === 'si'
+    ? inOrder('si', problem.values)
+    : inOrder('dimensionless', problem.values);
 }
 
 /** The law by which a problem bounces; none where its motion ends at the landing. */

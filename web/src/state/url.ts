@@ -1,8 +1,18 @@
-// The state as the fragment of an address, and back. The core reads and writes it, for the page as for Python.
+// The state as the fragment of an address, and back. The core reads and writes it, for the page as
+// for Python.
 
 import { readLink, writeLink } from '../core/wasm';
 import { type Law, type Quantity, type System, VIEW_KEYS, type ViewKey } from '../generated/tables';
-import { lawOf, numbersOfProblem, type ProblemState, problemWith, type State, textsOf, VIEW, viewOf } from './state';
+import {
+  lawOf,
+  numbersOfProblem,
+  type ProblemState,
+  problemWith,
+  type State,
+  textsOf,
+  VIEW,
+  viewOf,
+} from './state';
 
 export interface FieldError {
   /** The field, or the key of the address. */
@@ -49,7 +59,9 @@ export function format({ problem, view }: State): string {
  */
 export function parse(fragment: string, base: State | null = null): Parsed {
   const shown = base === null ? '' : format(base);
-  const { system, values, errors, at, view, ...options } = JSON.parse(readLink(fragment, shown)) as Said;
+  const { system, values, errors, at, view, ...options } = JSON.parse(
+    readLink(fragment, shown),
+  ) as Said;
   const problem = problemWith(system, (quantity) => values[quantity] ?? NaN, options);
   return { state: { problem, view: { ...viewOf(view), time: at } }, fieldErrors: errors };
 }

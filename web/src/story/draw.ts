@@ -15,7 +15,10 @@ export interface Box {
 }
 
 /** Side by side where there is room, else one above the other. */
-export function split({ width, height }: { width: number; height: number }, part: number): readonly [Box, Box] {
+export function split(
+  { width, height }: { width: number; height: number },
+  part: number,
+): readonly [Box, Box] {
   if (width > 1.3 * height) {
     const at = Math.round(width * part);
     return [
@@ -85,7 +88,14 @@ export function line(c: CanvasRenderingContext2D, ...points: Point[]): void {
 }
 
 /** The ground with marks a radius apart, which pass as the hoop rolls. */
-export function ground(c: CanvasRenderingContext2D, box: Box, y: number, unit: number, shift: number, palette: Palette): void {
+export function ground(
+  c: CanvasRenderingContext2D,
+  box: Box,
+  y: number,
+  unit: number,
+  shift: number,
+  palette: Palette,
+): void {
   c.strokeStyle = palette.ink.ink;
   c.setLineDash([]);
   c.lineWidth = 2;
@@ -113,7 +123,14 @@ export function force(
   c.font = `italic bold 15px ${FONT}`;
   c.textAlign = 'center';
   c.textBaseline = 'middle';
-  label(c, letter, x + dx + (dx / length) * 12, y + dy + (dy / length) * 12, colour, palette.ink.paper);
+  label(
+    c,
+    letter,
+    x + dx + (dx / length) * 12,
+    y + dy + (dy / length) * 12,
+    colour,
+    palette.ink.paper,
+  );
 }
 
 export interface Curve {
@@ -139,10 +156,17 @@ export interface Plot {
 }
 
 /** A plot without numbers: what they are is said. Gives the place of a point. */
-export function plot(c: CanvasRenderingContext2D, it: Plot, palette: Palette): (point: Point) => Point {
+export function plot(
+  c: CanvasRenderingContext2D,
+  it: Plot,
+  palette: Palette,
+): (point: Point) => Point {
   const pad = { left: 16, right: 16, top: 26, bottom: 26 };
   const [left, top] = [it.box.left + pad.left, it.box.top + pad.top];
-  const [width, height] = [it.box.width - pad.left - pad.right, it.box.height - pad.top - pad.bottom];
+  const [width, height] = [
+    it.box.width - pad.left - pad.right,
+    it.box.height - pad.top - pad.bottom,
+  ];
   const place = ([x, y]: Point): Point => [
     left + ((x - it.x[0]) / (it.x[1] - it.x[0])) * width,
     top + (1 - (y - it.y[0]) / (it.y[1] - it.y[0])) * height,
@@ -164,7 +188,14 @@ export function plot(c: CanvasRenderingContext2D, it: Plot, palette: Palette): (
     c.setLineDash([]);
     c.textAlign = place([x, 0])[0] > left + 0.7 * width ? 'right' : 'left';
     const [tx] = place([x, 0]);
-    label(c, name, tx + (c.textAlign === 'right' ? -5 : 5), top + 16, palette.ink.soft, palette.ink.paper);
+    label(
+      c,
+      name,
+      tx + (c.textAlign === 'right' ? -5 : 5),
+      top + 16,
+      palette.ink.soft,
+      palette.ink.paper,
+    );
   }
   c.save();
   c.beginPath();

@@ -37,12 +37,18 @@ export function hoopWith(values: Partial<Record<DimensionlessNumber, number>> = 
 }
 
 /** A thin hoop whose mass is a part of that of the weight on its rim. */
-export function thinHoop(ratio: number, values: Partial<Record<DimensionlessNumber, number>> = {}): Hoop {
+export function thinHoop(
+  ratio: number,
+  values: Partial<Record<DimensionlessNumber, number>> = {},
+): Hoop {
   return hoopWith({ mass_ratio: ratio, inertia: ratio, ...values });
 }
 
 /** The hoop that hops in the story: a quarter of the mass of its weight. */
-export function storyHoop(push: number, values: Partial<Record<DimensionlessNumber, number>> = {}): Hoop {
+export function storyHoop(
+  push: number,
+  values: Partial<Record<DimensionlessNumber, number>> = {},
+): Hoop {
   return thinHoop(0.25, { theta_rate: -push, ...values });
 }
 
@@ -75,15 +81,28 @@ export function problemOf(hoop: Hoop, { restitution, until }: Run = {}): Problem
 export function motionOf(hoop: Hoop, run: Run = {}): { motion: Motion; h: number } {
   const problem = problemOf(hoop, run);
   // Rolling on a slope is followed from its beginning for each sample.
-  const found = { motion: Motion.of(problem, null, hoop.slope === 0 ? undefined : SLOPE_SAMPLES), h: problem.h };
+  const found = {
+    motion: Motion.of(problem, null, hoop.slope === 0 ? undefined : SLOPE_SAMPLES),
+    h: problem.h,
+  };
   problem.free();
   return found;
 }
 
 /** Address of a motion in the laboratory. */
-export function linkTo(hoop: Hoop, { restitution, until }: Run = {}, view: Partial<ViewState> = {}): string {
+export function linkTo(
+  hoop: Hoop,
+  { restitution, until }: Run = {},
+  view: Partial<ViewState> = {},
+): string {
   const law: Law | null = null;
-  const problem = { system: 'dimensionless', values: hoop, restitution: restitution ?? null, law, until: until ?? null } as const;
+  const problem = {
+    system: 'dimensionless',
+    values: hoop,
+    restitution: restitution ?? null,
+    law,
+    until: until ?? null,
+  } as const;
   return `./index.html#${format({ problem, view: { ...VIEW, ...view } })}`;
 }
 
@@ -125,7 +144,8 @@ export function slipped(motion: Motion, from: number, to: number): number {
   const slip = (i: number): number => samples.x[i]! + samples.theta[i]!;
   let sum = 0;
   for (let i = 1; i < samples.length; i++) {
-    if (samples.time[i - 1]! >= from && samples.time[i]! <= to) sum += Math.abs(slip(i) - slip(i - 1));
+    if (samples.time[i - 1]! >= from && samples.time[i]! <= to)
+      sum += Math.abs(slip(i) - slip(i - 1));
   }
   return sum;
 }

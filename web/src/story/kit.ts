@@ -1,6 +1,7 @@
 // A live picture: a canvas, controls, and a sentence that says what the canvas shows.
 //
-// Each thing that can be dragged on a canvas is also a slider, which keyboard and screen reader reach; the drag sets the slider.
+// Each thing that can be dragged on a canvas is also a slider, which keyboard and screen reader
+// reach; the drag sets the slider.
 
 import { make } from '../dom';
 import type { Palette } from '../generated/palette';
@@ -62,9 +63,22 @@ export class Slider {
     changed: () => void,
   ) {
     const { min, max, step, first } = options;
-    this.input = make('input', { id, type: 'range', min: String(min), max: String(max), step: String(step), value: String(first) });
+    this.input = make('input', {
+      id,
+      type: 'range',
+      min: String(min),
+      max: String(max),
+      step: String(step),
+      value: String(first),
+    });
     this.output = make('output', { for: id });
-    this.row = make('div', { class: 'slider' }, make('label', { for: id }, name), this.output, this.input);
+    this.row = make(
+      'div',
+      { class: 'slider' },
+      make('label', { for: id }, name),
+      this.output,
+      this.input,
+    );
     this.input.addEventListener('input', () => {
       this.tell();
       changed();
@@ -81,7 +95,8 @@ export class Slider {
     const { min, max } = this.options;
     const before = this.input.value;
     this.input.value = String(Math.min(Math.max(value, min), max));
-    if (this.input.value !== before) this.input.dispatchEvent(new Event('input', { bubbles: true }));
+    if (this.input.value !== before)
+      this.input.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
   /** Shows a value that has come in another way. */
@@ -129,14 +144,20 @@ export class Player {
     const { from } = course();
     this.now = first ?? from;
     this.button = make('button', { type: 'button', class: 'play' }, common.play);
-    // The slider has the part of the course that has passed, so that its steps are the same for short and long ones.
-    this.slider = new Slider(id, common.time, { min: 0, max: 1, step: 0.001, first: this.part, text: () => text(this.time) }, () => {
-      this.pause();
-      const { from, to } = this.course();
-      this.now = from + this.slider.value * (to - from);
-      this.slider.tell();
-      changed();
-    });
+    // The slider has the part of the course that has passed, so that its steps are the same for
+    // short and long ones.
+    this.slider = new Slider(
+      id,
+      common.time,
+      { min: 0, max: 1, step: 0.001, first: this.part, text: () => text(this.time) },
+      () => {
+        this.pause();
+        const { from, to } = this.course();
+        this.now = from + this.slider.value * (to - from);
+        this.slider.tell();
+        changed();
+      },
+    );
     this.button.addEventListener('click', () => (this.playing ? this.pause() : this.play()));
   }
 
@@ -233,13 +254,24 @@ export class Picture {
     private readonly common: Common,
     private palette: Palette,
   ) {
-    this.canvas = make('canvas', { role: 'img', 'aria-label': words.shows, 'aria-describedby': `${id}-says` });
+    this.canvas = make('canvas', {
+      role: 'img',
+      'aria-label': words.shows,
+      'aria-describedby': `${id}-says`,
+    });
     this.sentence.id = `${id}-says`;
     this.laboratory = make('a', { class: 'laboratory' }, common.laboratory);
     this.laboratory.hidden = true;
     this.stage.append(this.canvas);
     const caption = make('figcaption', {}, words.title);
-    this.figure = make('figure', { id, class: 'picture' }, this.stage, this.sentence, this.controls, caption);
+    this.figure = make(
+      'figure',
+      { id, class: 'picture' },
+      this.stage,
+      this.sentence,
+      this.controls,
+      caption,
+    );
     caption.append(' ', this.laboratory);
     new IntersectionObserver(
       ([entry]) => {
@@ -275,7 +307,11 @@ export class Picture {
     this.changed();
   }
 
-  slider(name: string, options: SliderOptions, changed: (value: number) => void = () => undefined): Slider {
+  slider(
+    name: string,
+    options: SliderOptions,
+    changed: (value: number) => void = () => undefined,
+  ): Slider {
     const slider: Slider = new Slider(`${this.id}-${name}`, this.word(name), options, () => {
       changed(slider.value);
       this.changed();
@@ -284,7 +320,11 @@ export class Picture {
     return slider;
   }
 
-  player(course: () => Course, text: (time: number) => string, first: number | null = null): Player {
+  player(
+    course: () => Course,
+    text: (time: number) => string,
+    first: number | null = null,
+  ): Player {
     const player = new Player(
       `${this.id}-time`,
       this.common,
@@ -303,7 +343,11 @@ export class Picture {
    * A point of the canvas that is dragged, and on a map also put where one clicks; the sliders that it sets are its controls for the
    * keyboard.
    */
-  handle(place: () => readonly [number, number], drag: (x: number, y: number) => void, isMap = false): void {
+  handle(
+    place: () => readonly [number, number],
+    drag: (x: number, y: number) => void,
+    isMap = false,
+  ): void {
     const element = make('div', { class: 'grip', 'aria-hidden': 'true' });
     element.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;

@@ -39,12 +39,16 @@ try {
 
 /** What happened where the pictures cannot be computed. */
 function show(message: string): void {
-  main.prepend(make('p', { class: 'defect', role: 'alert' }, COMMON.defect.replace('{reason}', message)));
+  main.prepend(
+    make('p', { class: 'defect', role: 'alert' }, COMMON.defect.replace('{reason}', message)),
+  );
 }
 
 function tell(numbers: Filling): void {
-  const paragraph = (text: string): HTMLParagraphElement => make('p', {}, ...rich(text, numbers, addressOf));
-  for (const [name, words] of Object.entries(COMMON.links)) themeButton.before(make('a', { href: addressOf(name) }, words), ' ');
+  const paragraph = (text: string): HTMLParagraphElement =>
+    make('p', {}, ...rich(text, numbers, addressOf));
+  for (const [name, words] of Object.entries(COMMON.links))
+    themeButton.before(make('a', { href: addressOf(name) }, words), ' ');
   const pictures: Picture[] = [];
   const section = ({ id, heading, body }: Part): HTMLElement => {
     const parts = body.map((it) => {
@@ -57,7 +61,12 @@ function tell(numbers: Filling): void {
       pictures.push(picture);
       return picture.figure;
     });
-    return make('section', { id, 'aria-labelledby': `${id}-heading` }, make('h2', { id: `${id}-heading` }, heading), ...parts);
+    return make(
+      'section',
+      { id, 'aria-labelledby': `${id}-heading` },
+      make('h2', { id: `${id}-heading` }, heading),
+      ...parts,
+    );
   };
   const lede = make('div', { class: 'lede' }, ...STORY.lede.map(paragraph));
   main.append(make('h1', {}, STORY.title), lede, ...STORY.parts.map(section));

@@ -80,7 +80,11 @@ export function jumpOf(motion: Motion): { turned: number; from: number; to: numb
   const landing = events.findIndex(({ name }) => name === 'landing');
   if (landing < 0) return null;
   const before = events[landing - 1]!;
-  return { turned: Math.abs(events[landing]!.theta - before.theta), from: before.time, to: events[landing]!.time };
+  return {
+    turned: Math.abs(events[landing]!.theta - before.theta),
+    from: before.time,
+    to: events[landing]!.time,
+  };
 }
 
 /** The three hoops that jump by one angle: of three masses, offsets and inertias. */
@@ -115,7 +119,11 @@ export function distanceOf(a: Motion, b: Motion): number {
   for (let i = 0; i <= 100; i++) {
     const time = (i / 100) * end;
     const [p, q] = [a.at(time), b.at(time)];
-    if (p && q) largest = Math.max(largest, Math.hypot(p.particle_x - q.particle_x, p.particle_y - q.particle_y));
+    if (p && q)
+      largest = Math.max(
+        largest,
+        Math.hypot(p.particle_x - q.particle_x, p.particle_y - q.particle_y),
+      );
   }
   return largest;
 }
@@ -137,7 +145,9 @@ export const CLIMB = { slope: (8.5 * Math.PI) / 180, theta: (-57 * Math.PI) / 18
 
 /** The slips of a motion, in the order of its slides, over R. */
 export function slipsOf(motion: Motion): number[] {
-  return motion.phases.filter(({ mode }) => mode === 'sliding').map(({ start, end }) => slipped(motion, start, end));
+  return motion.phases
+    .filter(({ mode }) => mode === 'sliding')
+    .map(({ start, end }) => slipped(motion, start, end));
 }
 
 /** By how much the centre of a disc rises on its slope, over R. */
@@ -168,11 +178,13 @@ export function numbersOfText(): Filling {
 
   const story = storyHoop(PUSH);
   const { motion } = motionOf(story);
-  const [slip, stick, again, lift] = (['slip', 'stick', 'slip', 'lift_off'] as const).map((name, i) => {
-    const event = motion.events[i + 1];
-    if (event?.name !== name) throw new Error(`the hoop of the story has no ${name} there`);
-    return event;
-  }) as [Event, Event, Event, Event];
+  const [slip, stick, again, lift] = (['slip', 'stick', 'slip', 'lift_off'] as const).map(
+    (name, i) => {
+      const event = motion.events[i + 1];
+      if (event?.name !== name) throw new Error(`the hoop of the story has no ${name} there`);
+      return event;
+    },
+  ) as [Event, Event, Event, Event];
   found['story.ratio'] = plain(1 / story.mass_ratio);
   found['hop.push'] = plain(PUSH);
   found['hop.slip'] = degrees(Math.abs(slip.theta));
@@ -194,7 +206,9 @@ export function numbersOfText(): Filling {
   found['angle.example'] = degrees(eighth);
   found['angle.turned'] = degrees(turnOf(THREE[0]!, eighth));
   found['angle.small'] = plain(turnOf(THREE[0]!, 0.01) / 0.01, 2);
-  found['angle.whole'] = degrees(boundary(1, 1.35, (before) => turnOf(THREE[0]!, before) < 2 * Math.PI));
+  found['angle.whole'] = degrees(
+    boundary(1, 1.35, (before) => turnOf(THREE[0]!, before) < 2 * Math.PI),
+  );
 
   found['bounce.e'] = plain(BOUNCE);
 

@@ -20,8 +20,12 @@ export function rich(text: string, filling: Filling, addressOf: (name: string) =
     nodes.push(document.createTextNode(text.slice(last, match.index)));
     const [whole, emphasis, words, address, number] = match;
     if (emphasis !== undefined) nodes.push(make('em', {}, ...rich(emphasis, filling, addressOf)));
-    else if (words !== undefined) nodes.push(make('a', { href: addressOf(address!) }, ...rich(words, filling, addressOf)));
-    else nodes.push(make('span', { class: 'number', 'data-number': number! }, valueIn(filling, number!)));
+    else if (words !== undefined)
+      nodes.push(make('a', { href: addressOf(address!) }, ...rich(words, filling, addressOf)));
+    else
+      nodes.push(
+        make('span', { class: 'number', 'data-number': number! }, valueIn(filling, number!)),
+      );
     last = match.index + whole.length;
   }
   nodes.push(document.createTextNode(text.slice(last)));

@@ -26,11 +26,21 @@ try {
     make('h1', {}, SHEET.title),
     make('p', { class: 'tools' }, print, ' ', make('a', { href: addressOf('story') }, SHEET.story)),
     make('p', {}, ...said(SHEET.lede)),
-    ...lessons.flatMap(({ heading, text }) => [make('h2', {}, heading), make('p', {}, ...said(text))]),
+    ...lessons.flatMap(({ heading, text }) => [
+      make('h2', {}, heading),
+      make('p', {}, ...said(text)),
+    ]),
     make('h2', {}, measure.heading),
     make('ul', {}, ...measure.items.map((it) => make('li', {}, ...said(it)))),
     make('h2', {}, questions.heading),
-    make('dl', {}, ...questions.list.flatMap(([question, answer]) => [make('dt', {}, ...said(question)), make('dd', {}, ...said(answer))])),
+    make(
+      'dl',
+      {},
+      ...questions.list.flatMap(([question, answer]) => [
+        make('dt', {}, ...said(question)),
+        make('dd', {}, ...said(answer)),
+      ]),
+    ),
     make('p', { class: 'foot' }, SHEET.foot),
   );
   document.documentElement.dataset.ready = 'true';

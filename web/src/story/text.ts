@@ -1,10 +1,12 @@
-// All words of the story and of the sheet for teachers, for whoever translates them: copy this file and say the same in another language.
-// Only titles and descriptions stand in the heads of story.html and sheet.html, too, for those who look for the pages.
+// All words of the story and of the sheet for teachers, for whoever translates them: copy this file
+// and say the same in another language. Only titles and descriptions stand in the heads of
+// story.html and sheet.html, too, for those who look for the pages.
 //
 // Controls that are not named here have the library's names.
 //
-// *emphasis*; [words](address), an address being a name of `addresses.ts` or a place of the page; {name} is a number, which the library
-// computes (`numbers.ts`, and each picture its own). No number is typed here but years and equations of the paper.
+// *emphasis*; [words](address), an address being a name of `addresses.ts` or a place of the page;
+// {name} is a number, which the library computes (`numbers.ts`, and each picture its own). No
+// number is typed here but years and equations of the paper.
 
 export const LANGUAGE = 'en';
 
@@ -149,8 +151,12 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
 export const PICTURES = {
   question: {
     title: 'A hoop with a weight, pushed with the weight at the top.',
-    shows: 'A hoop with a weight on its rim rolls to the right along the ground; arrows show the force of the ground and the slip.',
-    controls: { push: 'push, √(g/R)', where: '{angle} to the right of the top, turning at {rate} √(g/R)' },
+    shows:
+      'A hoop with a weight on its rim rolls to the right along the ground; arrows show the force of the ground and the slip.',
+    controls: {
+      push: 'push, √(g/R)',
+      where: '{angle} to the right of the top, turning at {rate} √(g/R)',
+    },
     says: {
       hops: 'It hops. It turns by {turned} along the ground, lifts off, rises by {height} of its radius, and turns by {air} in the air.',
       atOnce: 'It leaves the ground at once: its weight is too fast to be held down.',
@@ -159,28 +165,49 @@ export const PICTURES = {
     },
   },
   forces: {
-    title: 'Littlewood’s hoop, rolling from rest at the top, with the forces that this needs, and the cycloid of its weight.',
-    shows: 'A weightless hoop on the ground with arrows for the normal force and friction, and a curve of the normal force over the angle.',
-    controls: { angle: 'angle of the weight from the top', pull: 'pull', needed: 'N that rolling needs', of: 'angle' },
+    title:
+      'Littlewood’s hoop, rolling from rest at the top, with the forces that this needs, and the cycloid of its weight.',
+    shows:
+      'A weightless hoop on the ground with arrows for the normal force and friction, and a curve of the normal force over the angle.',
+    controls: {
+      angle: 'angle of the weight from the top',
+      pull: 'pull',
+      needed: 'N that rolling needs',
+      of: 'angle',
+    },
     says: {
-      pushes: 'At {angle} the ground pushes with {normal} of the weight, and holds the rim with a friction of {friction}.',
+      pushes:
+        'At {angle} the ground pushes with {normal} of the weight, and holds the rim with a friction of {friction}.',
       nothing: 'At {angle} the ground does not push at all.',
-      pulls: 'At {angle} the ground would have to pull with {normal} of the weight. It cannot: here the hoop no longer rolls.',
+      pulls:
+        'At {angle} the ground would have to pull with {normal} of the weight. It cannot: here the hoop no longer rolls.',
     },
   },
   cone: {
-    title: 'The force of the ground on a weightless hoop points at the weight. The ground can give it inside the wedge.',
-    shows: 'A weightless hoop on the ground, a wedge of possible forces at the point of contact, and the force that rolling needs.',
-    controls: { angle: 'angle of the weight from the top', mu: 'coefficient of friction μ', grips: 'grips', slips: 'slips' },
+    title:
+      'The force of the ground on a weightless hoop points at the weight. The ground can give it inside the wedge.',
+    shows:
+      'A weightless hoop on the ground, a wedge of possible forces at the point of contact, and the force that rolling needs.',
+    controls: {
+      angle: 'angle of the weight from the top',
+      mu: 'coefficient of friction μ',
+      grips: 'grips',
+      slips: 'slips',
+    },
     says: {
-      grips: 'At {angle} rolling needs a friction of {ratio} times N. The ground has {mu}: it grips. It slips at {limit}.',
-      slips: 'At {angle} rolling needs a friction of {ratio} times N. The ground has only {mu}: it has slipped at {limit}.',
-      pulls: 'At {angle} rolling needs a ground that pulls. With this friction it comes as far as {limit}, where N is zero.',
+      grips:
+        'At {angle} rolling needs a friction of {ratio} times N. The ground has {mu}: it grips. It slips at {limit}.',
+      slips:
+        'At {angle} rolling needs a friction of {ratio} times N. The ground has only {mu}: it has slipped at {limit}.',
+      pulls:
+        'At {angle} rolling needs a ground that pulls. With this friction it comes as far as {limit}, where N is zero.',
     },
   },
   inertia: {
-    title: 'The path of the weight, for a rim with inertia and for a rim with none (dashed). The start is that of Figure 7 of the paper.',
-    shows: 'A hoop rolls and slips; beside its weight’s path the dashed path of the weight of a hoop without inertia.',
+    title:
+      'The path of the weight, for a rim with inertia and for a rim with none (dashed). The start is that of Figure 7 of the paper.',
+    shows:
+      'A hoop rolls and slips; beside its weight’s path the dashed path of the weight of a hoop without inertia.',
     controls: { inertia: 'inertia of the rim, over that of the weight', none: 'none' },
     says: {
       light:
@@ -189,16 +216,27 @@ export const PICTURES = {
     },
   },
   liftoff: {
-    title: 'The moment of lift-off: the normal force N, and the gap under the rim, drawn larger than life.',
-    shows: 'A hoop at the moment of lift-off, and curves of the normal force and of the gap over time.',
-    controls: { push: 'push, √(g/R)', normal: 'N', gap: 'gap', instant: 'lift-off', of: 'time', force: 'N, and the gap × {times}' },
+    title:
+      'The moment of lift-off: the normal force N, and the gap under the rim, drawn larger than life.',
+    shows:
+      'A hoop at the moment of lift-off, and curves of the normal force and of the gap over time.',
+    controls: {
+      push: 'push, √(g/R)',
+      normal: 'N',
+      gap: 'gap',
+      instant: 'lift-off',
+      of: 'time',
+      force: 'N, and the gap × {times}',
+    },
     says: {
-      before: 'Before the lift-off: the rim slips, and the ground pushes with {normal} of the weight.',
+      before:
+        'Before the lift-off: the rim slips, and the ground pushes with {normal} of the weight.',
       after: 'After the lift-off: nothing touches the rim. The gap is {gap} of the radius.',
     },
   },
   map: {
-    title: 'What becomes of every start of this hoop: weight’s angle across, rate of turning upwards.',
+    title:
+      'What becomes of every start of this hoop: weight’s angle across, rate of turning upwards.',
     shows: 'A map of starts, coloured by what becomes of them, and the path of one motion over it.',
     controls: {
       angle: 'angle of the weight',
@@ -214,17 +252,26 @@ export const PICTURES = {
     },
   },
   angle: {
-    title: 'Three hoops that lift off at one angle: a hula hoop with a battery, a disc with a bead, and a light hoop with a heavy weight.',
+    title:
+      'Three hoops that lift off at one angle: a hula hoop with a battery, a disc with a bead, and a light hoop with a heavy weight.',
     shows: 'Three hoops side by side in the air, each with the angle turned since its lift-off.',
-    controls: { angle: 'lift-off before the top', first: 'hula hoop', second: 'disc', third: 'light hoop', progress: 'flight' },
+    controls: {
+      angle: 'lift-off before the top',
+      first: 'hula hoop',
+      second: 'disc',
+      third: 'light hoop',
+      progress: 'flight',
+    },
     says: {
-      turned: 'They lift off {angle} before the top. In the air the first turns by {first}, the second by {second}, the third by {third}.',
+      turned:
+        'They lift off {angle} before the top. In the air the first turns by {first}, the second by {second}, the third by {third}.',
     },
   },
   film: {
     title:
       'What a telephone sees of the hop, if our hoop is as large as a hula hoop: one picture after the other. A film of your own stays on your device.',
-    shows: 'The hoop and its weight as a camera catches them at equal times, from the last slide to the landing.',
+    shows:
+      'The hoop and its weight as a camera catches them at equal times, from the last slide to the landing.',
     controls: {
       rate: 'pictures a second',
       own: 'Compare with a film of your own',
@@ -237,10 +284,12 @@ export const PICTURES = {
   },
   bounce: {
     title: 'The motion of Figure 3 of the paper, which lands and goes on.',
-    shows: 'A hoop that has landed bounces along the ground; a curve of the gap under the rim over time.',
+    shows:
+      'A hoop that has landed bounces along the ground; a curve of the gap under the rim over time.',
     controls: { gap: 'gap', of: 'time' },
     says: {
-      bounces: 'The rim strikes the ground {count} times, and the last bounces are too many to count. Then it {mode}.',
+      bounces:
+        'The rim strikes the ground {count} times, and the last bounces are too many to count. Then it {mode}.',
       counted: 'The rim strikes the ground {count} times in the time that is shown.',
       never: 'The rim comes down once and stays. Then it {mode}.',
     },
@@ -259,7 +308,8 @@ export const PICTURES = {
     shows: 'A disc with a weight inside rolls down a slope, and jumps.',
     controls: { slope: 'slope', release: 'weight from the top, at the release' },
     says: {
-      jumps: 'It rolls, slips, and jumps. With a radius of {radius} its last slip before the jump is {slip}.',
+      jumps:
+        'It rolls, slips, and jumps. With a radius of {radius} its last slip before the jump is {slip}.',
       stays: 'It never leaves this slope.',
     },
   },
@@ -274,7 +324,8 @@ export const PICTURES = {
   },
   answer: {
     title: 'All pushes across, and all weights upwards. The ring is your hoop.',
-    shows: 'A map of hoops, from light to heavy weights, and of pushes: which hop, which stay, and which leave the ground at once.',
+    shows:
+      'A map of hoops, from light to heavy weights, and of pushes: which hop, which stay, and which leave the ground at once.',
     controls: {
       share: 'part of the mass in the weight',
       push: 'push at the top, √(g/R)',
@@ -291,7 +342,12 @@ export const PICTURES = {
 } as const;
 
 /** The modes of motion in a sentence. */
-export const MODES = { rolling: 'rolls', sliding: 'slides', gliding: 'glides', flight: 'flies' } as const;
+export const MODES = {
+  rolling: 'rolls',
+  sliding: 'slides',
+  gliding: 'glides',
+  flight: 'flies',
+} as const;
 
 /** What the story cites. Only here stand volumes and pages. */
 export const SOURCES = {
@@ -299,8 +355,10 @@ export const SOURCES = {
   list: {
     miscellany: 'J. E. Littlewood, *A Mathematician’s Miscellany*, Methuen, 1953.',
     hopping: 'T. F. Tokieda, *The hopping hoop*, Amer. Math. Monthly 104 (1997), 152–154.',
-    revisited: 'T. J. Pritchett, *The hopping hoop revisited*, Amer. Math. Monthly 106, no. 7 (1999).',
-    massless: 'W. F. D. Theron and N. M. du Plessis, *The dynamics of a massless hoop*, Am. J. Phys. 69 (2001), 354–359.',
+    revisited:
+      'T. J. Pritchett, *The hopping hoop revisited*, Amer. Math. Monthly 106, no. 7 (1999).',
+    massless:
+      'W. F. D. Theron and N. M. du Plessis, *The dynamics of a massless hoop*, Am. J. Phys. 69 (2001), 354–359.',
     variety:
       'W. F. D. Theron and M. F. Maritz, *The amazing variety of motions of a loaded hoop*, Math. Comput. Modelling 47 (2008), 1077–1088.',
     gliding:
@@ -345,14 +403,26 @@ export const SHEET = {
   questions: {
     heading: 'Questions, and answers',
     list: [
-      ['Does *N* = 0 mean that a hoop jumps?', 'No. Where the weight is falling, the hoop slips instead.'],
-      ['Why can Littlewood’s hoop not hop?', 'Its rim has no inertia, so that the ground can give it no push: it glides.'],
+      [
+        'Does *N* = 0 mean that a hoop jumps?',
+        'No. Where the weight is falling, the hoop slips instead.',
+      ],
+      [
+        'Why can Littlewood’s hoop not hop?',
+        'Its rim has no inertia, so that the ground can give it no push: it glides.',
+      ],
       [
         'A weight of {angle.example} before the top at lift-off: how far does the hoop turn on the Moon?',
         'Through {angle.turned}, too: gravity cancels.',
       ],
-      ['At which angle of lift-off does it turn exactly once?', 'At {angle.whole}, where the tangent of the angle is π.'],
-      ['Can a hoop hop without slipping first?', 'Out of rolling on level ground never; on a ramp in one motion out of all.'],
+      [
+        'At which angle of lift-off does it turn exactly once?',
+        'At {angle.whole}, where the tangent of the angle is π.',
+      ],
+      [
+        'Can a hoop hop without slipping first?',
+        'Out of rolling on level ground never; on a ramp in one motion out of all.',
+      ],
       [
         'Why does a loaded disc climb a slope?',
         'Its weight falls further than the disc rises. In the story’s picture the disc climbs by {climb.height} of its radius.',

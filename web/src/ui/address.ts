@@ -1,4 +1,5 @@
-// The address of the state, and the history: one entry for each change of the problem that is done, so that going back undoes it.
+// The address of the state, and the history: one entry for each change of the problem that is done,
+// so that going back undoes it.
 
 import { byId } from '../dom';
 import type { Lab } from '../state/lab';
@@ -54,15 +55,20 @@ export class Address {
   /** The text after #. A motion that is pinned is a link in it. */
   get fragment(): string {
     const [lesson, { pinned, state }] = [this.lesson(), this.lab];
-    const pin = pinned === null ? null : encodeURIComponent(format({ problem: pinned.problem, view: VIEW }));
-    const head = Object.entries({ lesson, pin }).flatMap(([key, text]) => (text === null ? [] : [`${key}=${text}`]));
+    const pin =
+      pinned === null ? null : encodeURIComponent(format({ problem: pinned.problem, view: VIEW }));
+    const head = Object.entries({ lesson, pin }).flatMap(([key, text]) =>
+      text === null ? [] : [`${key}=${text}`],
+    );
     return [...head, format(state)].join('&');
   }
 
   /** Without an address this is the fragment alone. */
   get text(): string {
     const fragment = `#${this.fragment}`;
-    return HAS_ADDRESS ? `${location.origin}${location.pathname}${location.search}${fragment}` : fragment;
+    return HAS_ADDRESS
+      ? `${location.origin}${location.pathname}${location.search}${fragment}`
+      : fragment;
   }
 
   /** The entry of the history is that of the state: it has been read from there. */

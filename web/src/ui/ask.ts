@@ -1,4 +1,5 @@
-// The question over the hoop: of the simple view and of the lessons. A guess plays the motion; what it does is the answer.
+// The question over the hoop: of the simple view and of the lessons. A guess plays the motion; what
+// it does is the answer.
 
 import { brief, byId, make } from '../dom';
 import { COLUMN_ROWS } from '../generated/tables';
@@ -28,7 +29,9 @@ export class Ask {
       make('option', { value: '' }, TEXTS.none),
       ...LESSON_NAMES.map((name) => make('option', { value: name }, LESSONS[name].title)),
     );
-    this.choice.addEventListener('change', () => open(LESSON_NAMES.find((it) => it === this.choice.value) ?? null));
+    this.choice.addEventListener('change', () =>
+      open(LESSON_NAMES.find((it) => it === this.choice.value) ?? null),
+    );
   }
 
   /** Shows a lesson, or the question of the simple view. */
@@ -74,7 +77,12 @@ export class Ask {
     if (until === 'start') return motion.begin;
     if (until === 'landing') return motion.hop?.end ?? motion.end;
     const instant = Number(until);
-    return Math.min(Number.isNaN(instant) ? (motion.events.find(({ name }) => name === until)?.time ?? motion.end) : instant, motion.end);
+    return Math.min(
+      Number.isNaN(instant)
+        ? (motion.events.find(({ name }) => name === until)?.time ?? motion.end)
+        : instant,
+      motion.end,
+    );
   }
 
   showTime(): void {
@@ -89,10 +97,12 @@ export class Ask {
     this.showSecret();
     this.answer.textContent = isTold ? this.verdict : clock.playing ? TEXTS.opening.watch : '';
     this.answer.dataset.told = String(isTold);
-    for (const [i, button] of [...this.guesses.children].entries()) button.setAttribute('aria-pressed', String(i === guess));
+    for (const [i, button] of [...this.guesses.children].entries())
+      button.setAttribute('aria-pressed', String(i === guess));
     const { hop } = motion;
     // What leaves the plane is seen to do so.
-    const isUp = hop !== null && time >= hop.start && time < hop.end && (clock.playing || lesson !== null);
+    const isUp =
+      hop !== null && time >= hop.start && time < hop.end && (clock.playing || lesson !== null);
     this.hop.hidden = !isUp;
   }
 
@@ -115,10 +125,17 @@ export class Ask {
       lesson,
       guess,
     } = this;
-    const said = (right: number): string => (guess === null ? '' : guess === right ? TEXTS.right : TEXTS.wrong);
-    if (lesson !== null) return [said(LESSONS[lesson].right), LESSONS[lesson].answer].join(' ').trim();
+    const said = (right: number): string =>
+      guess === null ? '' : guess === right ? TEXTS.right : TEXTS.wrong;
+    if (lesson !== null)
+      return [said(LESSONS[lesson].right), LESSONS[lesson].answer].join(' ').trim();
     const { hops, stays, again } = TEXTS.opening;
-    const found = hop === null ? stays : filled(hops, { height: `${brief(hop.height * units.gap, 2)} ${COLUMN_ROWS.gap.units[system]}` });
+    const found =
+      hop === null
+        ? stays
+        : filled(hops, {
+            height: `${brief(hop.height * units.gap, 2)} ${COLUMN_ROWS.gap.units[system]}`,
+          });
     return [found, said(hop === null ? 1 : 0), again].filter((it) => it !== '').join(' ');
   }
 }

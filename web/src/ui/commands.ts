@@ -10,7 +10,9 @@ import { caseOf } from '../state/url';
 export function shellLine(problem: ProblemState): string {
   const named = caseOf(problem);
   if (named) return `littlewood simulate ${named}`;
-  const flags = given(problem).map(([quantity, value]) => `--${quantity.replaceAll('_', '-')} ${value}`);
+  const flags = given(problem).map(
+    ([quantity, value]) => `--${quantity.replaceAll('_', '-')} ${value}`,
+  );
   const law = otherLaw(problem);
   if (law !== null) flags.push(`--restitution-law ${law}`);
   return `littlewood simulate ${flags.join(' ')}`;
@@ -22,7 +24,8 @@ export function pythonLine(problem: ProblemState): string {
   if (named) return `import littlewood as lw; motion = lw.case("${named}").simulate()`;
   const si = problem.system === 'si';
   // In Python every number of a start in SI units has its unit in its name, the angle too.
-  const nameOf = (quantity: Quantity): string => (si && quantity === 'theta' ? 'theta_rad' : quantity);
+  const nameOf = (quantity: Quantity): string =>
+    si && quantity === 'theta' ? 'theta_rad' : quantity;
   const list = (argument: 'hoop' | 'start'): string =>
     given(problem)
       .filter(([quantity]) => ARGUMENT[QUANTITY_ROWS[quantity].group] === argument)
@@ -51,8 +54,12 @@ function otherLaw(problem: ProblemState): Law | null {
 /** The quantities of a problem that are not what they are if nothing is given. */
 function given(problem: ProblemState): [Quantity, number][] {
   const { system } = problem;
-  return [...numbersOf(system), 'restitution' as const, LIMIT[system]].flatMap((quantity): [Quantity, number][] => {
-    const value = numberOf(problem, quantity);
-    return value === null || Object.is(value, QUANTITY_ROWS[quantity].otherwise) ? [] : [[quantity, value]];
-  });
+  return [...numbersOf(system), 'restitution' as const, LIMIT[system]].flatMap(
+    (quantity): [Quantity, number][] => {
+      const value = numberOf(problem, quantity);
+      return value === null || Object.is(value, QUANTITY_ROWS[quantity].otherwise)
+        ? []
+        : [[quantity, value]];
+    },
+  );
 }

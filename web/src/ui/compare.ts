@@ -13,7 +13,9 @@ export class Compare {
 
   constructor(private readonly lab: Lab) {
     this.button.title = 'Keep this motion, to compare others with it';
-    this.button.addEventListener('click', () => lab.pin(lab.pinned === null ? lab.state.problem : null));
+    this.button.addEventListener('click', () =>
+      lab.pin(lab.pinned === null ? lab.state.problem : null),
+    );
   }
 
   showMotion(): void {
@@ -21,7 +23,13 @@ export class Compare {
     this.button.setAttribute('aria-pressed', String(pinned !== null));
     this.text.hidden = pinned === null;
     if (pinned === null) return;
-    this.text.textContent = [`Pinned: ${this.fate(pinned.motion)}.`, `Now: ${this.fate(motion)}.`, this.differences()].join(' ').trim();
+    this.text.textContent = [
+      `Pinned: ${this.fate(pinned.motion)}.`,
+      `Now: ${this.fate(motion)}.`,
+      this.differences(),
+    ]
+      .join(' ')
+      .trim();
   }
 
   /** What becomes of a motion, in a few words. */
@@ -32,9 +40,12 @@ export class Compare {
         problem: { system },
       },
     } = this.lab;
-    if (hop !== null) return `hops ${brief(hop.height * units.gap, 3)} ${COLUMN_ROWS.gap.units[system]} high`;
+    if (hop !== null)
+      return `hops ${brief(hop.height * units.gap, 3)} ${COLUMN_ROWS.gap.units[system]} high`;
     const last = events.at(-1)!;
-    return last.name in OUTCOME_ROWS ? OUTCOME_ROWS[last.name as keyof typeof OUTCOME_ROWS].label : `ends by ${last.label}`;
+    return last.name in OUTCOME_ROWS
+      ? OUTCOME_ROWS[last.name as keyof typeof OUTCOME_ROWS].label
+      : `ends by ${last.label}`;
   }
 
   /** The numbers in which the two differ, in the units that are shown. */

@@ -17,9 +17,18 @@ export function showDefect(message: string): void {
   });
   const box = make(
     'div',
-    { class: 'defect', role: 'alertdialog', 'aria-labelledby': 'defect-title', 'aria-modal': 'true' },
+    {
+      class: 'defect',
+      role: 'alertdialog',
+      'aria-labelledby': 'defect-title',
+      'aria-modal': 'true',
+    },
     make('h2', { id: 'defect-title' }, 'Internal error'),
-    make('p', {}, 'This is an error of the laboratory, not of your input. The address still has the motion.'),
+    make(
+      'p',
+      {},
+      'This is an error of the laboratory, not of your input. The address still has the motion.',
+    ),
     make('pre', {}, message),
     make('p', {}, again, ' ', anew),
   );
@@ -31,7 +40,8 @@ export function showDefect(message: string): void {
 export function watch(): void {
   window.addEventListener('error', (event) => {
     // A browser says this when sizes settle in the next frame. It is no error.
-    if (!event.message.startsWith('ResizeObserver loop')) showDefect(String(event.error ?? event.message));
+    if (!event.message.startsWith('ResizeObserver loop'))
+      showDefect(String(event.error ?? event.message));
   });
   window.addEventListener('unhandledrejection', (event) => showDefect(String(event.reason)));
 }

@@ -1,4 +1,5 @@
-// What counts as a drag: a pointer that is held down, and the keys on what can be dragged until it is left.
+// What counts as a drag: a pointer that is held down, and the keys on what can be dragged until it
+// is left.
 
 import type { Lab } from '../state/lab';
 
@@ -10,17 +11,22 @@ export function watchDrags(lab: Lab): void {
   document.addEventListener(
     'pointerdown',
     ({ target, pointerType }) => {
-      found = pointerType === 'touch' && target instanceof Element && target.matches('input[type=range]') ? lab.state : null;
+      found =
+        pointerType === 'touch' && target instanceof Element && target.matches('input[type=range]')
+          ? lab.state
+          : null;
       lab.hold();
     },
     true,
   );
   document.addEventListener('pointercancel', () => {
     if (found !== null && found.problem !== lab.state.problem) lab.take(found.problem, found.view);
-    else if (found !== null && found.view.time !== lab.state.view.time) lab.setTime(found.view.time ?? lab.motion.begin);
+    else if (found !== null && found.view.time !== lab.state.view.time)
+      lab.setTime(found.view.time ?? lab.motion.begin);
     found = null;
   });
-  for (const kind of ['pointerup', 'pointercancel', 'focusout'] as const) document.addEventListener(kind, () => lab.release());
+  for (const kind of ['pointerup', 'pointercancel', 'focusout'] as const)
+    document.addEventListener(kind, () => lab.release());
   document.addEventListener(
     'keydown',
     ({ target, key }) => {

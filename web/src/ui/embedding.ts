@@ -1,4 +1,5 @@
-// The page as a frame in another one: the hoop, what happens, and the time line, with a link to the whole laboratory.
+// The page as a frame in another one: the hoop, what happens, and the time line, with a link to the
+// whole laboratory.
 
 import { byId } from '../dom';
 import type { Lab } from '../state/lab';
@@ -9,7 +10,8 @@ export class Embedding {
 
   constructor(private readonly lab: Lab) {
     // The link is of the instant at which it is followed.
-    for (const kind of ['pointerdown', 'focus', 'click'] as const) this.whole.addEventListener(kind, () => this.showLink());
+    for (const kind of ['pointerdown', 'focus', 'click'] as const)
+      this.whole.addEventListener(kind, () => this.showLink());
   }
 
   showView(): void {

@@ -30,7 +30,14 @@ export class EnergyBar {
     byId('energy-bar', HTMLElement).append(...this.parts.map(({ bar }) => bar), this.start);
     byId('energy-legend', HTMLElement).append(
       ...this.parts.map(({ name, text, value }) =>
-        make('li', { 'data-energy': name }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), text, ' ', value),
+        make(
+          'li',
+          { 'data-energy': name },
+          make('span', { class: 'swatch', 'aria-hidden': 'true' }),
+          text,
+          ' ',
+          value,
+        ),
       ),
       make('li', {}, 'at the start ', this.sum),
     );
@@ -42,7 +49,10 @@ export class EnergyBar {
     if (this.holder.hidden) return;
     const total = motion.energy ?? 0;
     // A law that gains energy needs more room than the start.
-    const gained = Math.max(0, ...motion.impacts.map(({ time }) => -(motion.energies(time)?.lost_in_impacts ?? 0)));
+    const gained = Math.max(
+      0,
+      ...motion.impacts.map(({ time }) => -(motion.energies(time)?.lost_in_impacts ?? 0)),
+    );
     this.most = total + gained || 1;
     this.start.hidden = gained < ROUNDING * total;
     this.start.style.left = `${(100 * total) / this.most}%`;
@@ -64,10 +74,14 @@ export class EnergyBar {
       const part = (energies?.[name] ?? 0) / this.most;
       const energy = Math.abs(part) < ROUNDING ? 0 : part * this.most;
       bar.style.width = `${Math.max(0, 100 * part)}%`;
-      text.textContent = energy < 0 ? ENERGY_LABELS[name].replace('lost', 'gained') : ENERGY_LABELS[name];
+      text.textContent =
+        energy < 0 ? ENERGY_LABELS[name].replace('lost', 'gained') : ENERGY_LABELS[name];
       value.textContent = energies === null ? '–' : brief(Math.abs(energy) * units.energy, 4);
     }
-    const sum = energies === null ? '–' : brief(ENERGY_PARTS.reduce((sum, part) => sum + energies[part], 0) * units.energy, 4);
+    const sum =
+      energies === null
+        ? '–'
+        : brief(ENERGY_PARTS.reduce((sum, part) => sum + energies[part], 0) * units.energy, 4);
     this.sum.textContent = `${sum} ${COLUMN_ROWS.energy.units[system]}`;
   }
 }

@@ -11,7 +11,12 @@ export type View = 'hoop' | 'plane' | 'plots' | 'impact';
 /** How to draw a view on a context of a size. */
 export type Painter = (c: CanvasRenderingContext2D, width: number, height: number) => void;
 
-const SIZES: Record<View, [number, number]> = { hoop: [900, 600], plane: [900, 600], plots: [900, 1000], impact: [900, 600] };
+const SIZES: Record<View, [number, number]> = {
+  hoop: [900, 600],
+  plane: [900, 600],
+  plots: [900, 1000],
+  impact: [900, 600],
+};
 
 /** Points of the plots in a picture. */
 const POINTS = 2000;
@@ -37,7 +42,11 @@ export function painterOfPlots(lab: Lab, palette: Palette): Painter {
     },
   } = lab;
   return (c, width, height) =>
-    drawPlots(c, { width, height }, { motion, samples, palette, time, units, system, pinned: pinned?.motion ?? null });
+    drawPlots(
+      c,
+      { width, height },
+      { motion, samples, palette, time, units, system, pinned: pinned?.motion ?? null },
+    );
 }
 
 /** A view as SVG: drawn by the code that draws it on the screen. */
@@ -64,6 +73,9 @@ export function pngOf(view: View, paint: Painter, palette: Palette): Promise<Blo
   context.fillRect(0, 0, width, height);
   paint(context, width, height);
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be made'))), 'image/png');
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be made'))),
+      'image/png',
+    );
   });
 }

@@ -1,6 +1,15 @@
 // The fields of the hoop and the start, with tips and messages beside them.
 
-import { isOptional, LIMIT, labelOf, meaningOf, numbersOf, readField, sliderOf, stepOf } from '../core/fields';
+import {
+  isOptional,
+  LIMIT,
+  labelOf,
+  meaningOf,
+  numbersOf,
+  readField,
+  sliderOf,
+  stepOf,
+} from '../core/fields';
 import { brief, make } from '../dom';
 import { type Group, QUANTITY_ROWS, type Quantity, type System } from '../generated/tables';
 import type { Lab } from '../state/lab';
@@ -63,13 +72,21 @@ export class Fields {
       row.message.textContent = fieldError ? fieldError.message : '';
       row.input.setAttribute('aria-invalid', String(fieldError !== undefined));
       if (fieldError) {
-        if (document.activeElement !== row.input && fieldError.given !== '') row.input.value = fieldError.given;
-      } else if (document.activeElement !== row.input || readField(row.quantity, row.input.value) !== value) {
-        row.input.value = value === null ? '' : document.activeElement === row.input ? String(value) : short(value);
+        if (document.activeElement !== row.input && fieldError.given !== '')
+          row.input.value = fieldError.given;
+      } else if (
+        document.activeElement !== row.input ||
+        readField(row.quantity, row.input.value) !== value
+      ) {
+        row.input.value =
+          value === null ? '' : document.activeElement === row.input ? String(value) : short(value);
       }
       if (row.slider && value !== null) {
         row.slider.value = String(value);
-        row.slider.setAttribute('aria-valuetext', `${brief(value)} ${QUANTITY_ROWS[row.quantity].unit}`.trim());
+        row.slider.setAttribute(
+          'aria-valuetext',
+          `${brief(value)} ${QUANTITY_ROWS[row.quantity].unit}`.trim(),
+        );
       }
       if (row.quantity === 'restitution') this.showRestitution(row, value);
     }
@@ -105,7 +122,11 @@ export class Fields {
 
   private row(quantity: Quantity): HTMLElement {
     const label = labelOf(quantity);
-    const tip = make('span', { class: 'tip', role: 'tooltip', id: `tip-${quantity}` }, meaningOf(quantity));
+    const tip = make(
+      'span',
+      { class: 'tip', role: 'tooltip', id: `tip-${quantity}` },
+      meaningOf(quantity),
+    );
     const message = make('span', { class: 'message', id: `message-${quantity}`, role: 'alert' });
     const input = make('input', {
       type: 'text',
@@ -119,7 +140,13 @@ export class Fields {
     const words = make('span', { class: 'in-words' }, QUANTITY_ROWS[quantity].longName);
     const text = make('label', { for: `field-${quantity}` }, make('i', {}, label), words);
     if (quantity === 'restitution') input.placeholder = 'off';
-    const row = make('div', { class: 'row' }, text, input, make('span', { class: 'unit' }, QUANTITY_ROWS[quantity].unit));
+    const row = make(
+      'div',
+      { class: 'row' },
+      text,
+      input,
+      make('span', { class: 'unit' }, QUANTITY_ROWS[quantity].unit),
+    );
     const range = sliderOf(quantity);
     let slider: HTMLInputElement | null = null;
     if (range) {
@@ -140,7 +167,12 @@ export class Fields {
     // The last digits are there for who wants to change them.
     input.addEventListener('focus', () => {
       const value = numberOf(this.lab.state.problem, quantity);
-      if (value === null || input.value === String(value) || input.getAttribute('aria-invalid') === 'true') return;
+      if (
+        value === null ||
+        input.value === String(value) ||
+        input.getAttribute('aria-invalid') === 'true'
+      )
+        return;
       input.value = String(value);
       // As a field is entered with the tabulator: what is typed replaces it.
       input.select();

@@ -61,7 +61,11 @@ export class HoopPane {
         },
         say: ({ theta, theta_rate }) => {
           const { system } = lab.state.problem;
-          return sayStart(theta, theta_rate * lab.units.theta_rate, COLUMN_ROWS.theta_rate.units[system]);
+          return sayStart(
+            theta,
+            theta_rate * lab.units.theta_rate,
+            COLUMN_ROWS.theta_rate.units[system],
+          );
         },
       },
       draw,
@@ -90,7 +94,10 @@ export class HoopPane {
     const force = 1 + plain.mass_ratio;
     return {
       axis: { radius: units.x, unit: COLUMN_ROWS.x.units[system] },
-      weight: { force, text: `weight: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}` },
+      weight: {
+        force,
+        text: `weight: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}`,
+      },
       contact: state.view.embed ? null : plain,
       symbols: state.view.symbols,
       isSecret: this.lab.isSecret,
@@ -133,8 +140,12 @@ export class HoopPane {
       `${x.signs[system]} = ${brief(it.x * units.x, 4)} ${x.units[system]}, ${tau.signs[system]} = ${brief(it.time * units.time, 4)} ${tau.units[system]}`;
     const now = exact && motion.at(exact.time);
     this.ghost.textContent = [
-      typeof predicted === 'string' ? `No prediction: ${predicted}.` : `Landing to first order: ${say(predicted)}.`,
-      now && exact ? `Exact: ${say({ x: now.x, time: exact.time })}.` : 'The motion no longer lands.',
+      typeof predicted === 'string'
+        ? `No prediction: ${predicted}.`
+        : `Landing to first order: ${say(predicted)}.`,
+      now && exact
+        ? `Exact: ${say({ x: now.x, time: exact.time })}.`
+        : 'The motion no longer lands.',
     ].join(' ');
   }
 
@@ -152,7 +163,10 @@ export class HoopPane {
       ['valuemin', String(-STEEPEST)],
       ['valuemax', String(STEEPEST)],
       ['valuenow', String(slope)],
-      ['valuetext', `${QUANTITY_ROWS.slope.sign} = ${brief(slope)} rad, ${brief((slope * 180) / Math.PI, 3)}°`],
+      [
+        'valuetext',
+        `${QUANTITY_ROWS.slope.sign} = ${brief(slope)} rad, ${brief((slope * 180) / Math.PI, 3)}°`,
+      ],
     ] as const) {
       this.handle.setAttribute(`aria-${name}`, value);
     }
@@ -170,7 +184,10 @@ export class HoopPane {
       const pivot = [box.left + x, box.top + y] as const;
       const side = event.clientX < pivot[0] ? -1 : 1;
       const move = (next: PointerEvent): void => {
-        const slope = Math.atan2(side * (pivot[1] - next.clientY), Math.max(side * (next.clientX - pivot[0]), 0));
+        const slope = Math.atan2(
+          side * (pivot[1] - next.clientY),
+          Math.max(side * (next.clientX - pivot[0]), 0),
+        );
         this.tilt(Math.abs(slope) < SNAP ? 0 : Number(slope.toFixed(3)));
       };
       const end = (): void => {
@@ -187,7 +204,8 @@ export class HoopPane {
       if (event.button === 0) begin(event, handle);
     });
     canvas.addEventListener('pointerdown', (event) => {
-      if (event.button === 0 && !event.defaultPrevented && this.isOnPlane(event)) begin(event, canvas);
+      if (event.button === 0 && !event.defaultPrevented && this.isOnPlane(event))
+        begin(event, canvas);
     });
     canvas.addEventListener('pointermove', (event) => {
       if (canvas.style.cursor === '' && this.isOnPlane(event)) canvas.style.cursor = 'ns-resize';
@@ -195,8 +213,18 @@ export class HoopPane {
     handle.addEventListener('keydown', (event) => {
       const before = this.lab.plain.slope;
       const step = event.shiftKey ? KEY_STEP / 10 : KEY_STEP;
-      const by = { ArrowLeft: -step, ArrowDown: -step, ArrowRight: step, ArrowUp: step, PageDown: -4 * step, PageUp: 4 * step }[event.key];
-      const to = by === undefined ? { Home: -STEEPEST, End: STEEPEST }[event.key] : Number((before + by).toFixed(6));
+      const by = {
+        ArrowLeft: -step,
+        ArrowDown: -step,
+        ArrowRight: step,
+        ArrowUp: step,
+        PageDown: -4 * step,
+        PageUp: 4 * step,
+      }[event.key];
+      const to =
+        by === undefined
+          ? { Home: -STEEPEST, End: STEEPEST }[event.key]
+          : Number((before + by).toFixed(6));
       if (to === undefined) return;
       event.preventDefault();
       this.tilt(before * to < 0 && by !== undefined ? 0 : to);

@@ -1,7 +1,8 @@
-// The page around this one, where this one is a frame: it is told of every new link, and may ask for one.
+// The page around this one, where this one is a frame: it is told of every new link, and may ask
+// for one.
 //
-// A message is `{ littlewood: { link: 'case=figure-3&at=1.2' } }` both ways, the link without `#`. The first one says that the
-// page is ready.
+// A message is `{ littlewood: { link: 'case=figure-3&at=1.2' } }` both ways, the link without `#`.
+// The first one says that the page is ready.
 
 /** Reads a message; none if it is not for us. */
 function linkOf(data: unknown): string | null {

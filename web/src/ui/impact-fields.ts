@@ -1,4 +1,5 @@
-// What belongs to an impact besides its coefficient: whether there is one, its law, and materials that have both that and friction.
+// What belongs to an impact besides its coefficient: whether there is one, its law, and materials
+// that have both that and friction.
 
 import { MATERIALS, type Material, sourceOf } from '../core/materials';
 import { make } from '../dom';
@@ -10,13 +11,28 @@ import { lawOf } from '../state/state';
 const FIRST = 0.5;
 
 /** Why a massless hoop has no impact. */
-const MASSLESS = 'A massless hoop has no impact: an impulse would accelerate its rim without bound.';
+const MASSLESS =
+  'A massless hoop has no impact: an impulse would accelerate its rim without bound.';
 
 export class ImpactFields {
-  private readonly bounces = make('input', { type: 'checkbox', id: 'bounces', 'aria-describedby': 'no-impact' });
-  private readonly law = make('select', { id: 'law', 'aria-describedby': 'message-restitution_law' });
-  private readonly message = make('span', { class: 'message', id: 'message-restitution_law', role: 'alert' });
-  private readonly material = make('select', { id: 'material', 'aria-describedby': 'material-source' });
+  private readonly bounces = make('input', {
+    type: 'checkbox',
+    id: 'bounces',
+    'aria-describedby': 'no-impact',
+  });
+  private readonly law = make('select', {
+    id: 'law',
+    'aria-describedby': 'message-restitution_law',
+  });
+  private readonly message = make('span', {
+    class: 'message',
+    id: 'message-restitution_law',
+    role: 'alert',
+  });
+  private readonly material = make('select', {
+    id: 'material',
+    'aria-describedby': 'material-source',
+  });
   private readonly source = make('p', { id: 'material-source', class: 'soft' });
   private readonly reason = make('p', { id: 'no-impact', class: 'soft' });
   /** What stands before the field of the coefficient, and after it. */
@@ -32,12 +48,30 @@ export class ImpactFields {
       ...MATERIALS.map(({ name, label }) => make('option', { value: name }, label)),
     );
     this.before = [
-      make('label', { class: 'switch' }, this.bounces, ' Let it bounce (otherwise it stops at the landing)'),
+      make(
+        'label',
+        { class: 'switch' },
+        this.bounces,
+        ' Let it bounce (otherwise it stops at the landing)',
+      ),
       this.reason,
-      make('div', { class: 'row choice' }, make('label', { for: 'material' }, 'Material'), this.material),
+      make(
+        'div',
+        { class: 'row choice' },
+        make('label', { for: 'material' }, 'Material'),
+        this.material,
+      ),
       this.source,
     ];
-    this.after = [make('div', { class: 'row choice' }, make('label', { for: 'law' }, 'Law'), this.law, this.message)];
+    this.after = [
+      make(
+        'div',
+        { class: 'row choice' },
+        make('label', { for: 'law' }, 'Law'),
+        this.law,
+        this.message,
+      ),
+    ];
     this.bounces.addEventListener('change', () => {
       lab.set({ restitution: this.bounces.checked ? this.last : null });
       this.show();
@@ -48,7 +82,8 @@ export class ImpactFields {
     });
     this.material.addEventListener('change', () => {
       const chosen = MATERIALS.find((it) => it.name === this.material.value);
-      if (chosen) lab.set({ mu_s: chosen.mu_s, mu_k: chosen.mu_k, restitution: chosen.restitution });
+      if (chosen)
+        lab.set({ mu_s: chosen.mu_s, mu_k: chosen.mu_k, restitution: chosen.restitution });
     });
   }
 
@@ -74,7 +109,8 @@ export class ImpactFields {
   /** The material that has the numbers of the problem. */
   private get shown(): Material | null {
     const { restitution, values } = this.lab.state.problem;
-    const same = (it: Material): boolean => it.restitution === restitution && it.mu_s === values.mu_s && it.mu_k === values.mu_k;
+    const same = (it: Material): boolean =>
+      it.restitution === restitution && it.mu_s === values.mu_s && it.mu_k === values.mu_k;
     return MATERIALS.find(same) ?? null;
   }
 }

@@ -58,7 +58,8 @@ export class ImpactPane {
       time,
       motion: { impacts },
     } = this.lab;
-    const found = way > 0 ? impacts.find((it) => it.time > time) : impacts.findLast((it) => it.time < time);
+    const found =
+      way > 0 ? impacts.find((it) => it.time > time) : impacts.findLast((it) => it.time < time);
     if (found) this.go(found.time);
   }
 
@@ -109,7 +110,8 @@ export class ImpactPane {
             6,
           )}${system === 'si' ? ` ${si}` : ''}`;
     byId('impact-place', HTMLElement).textContent = place;
-    byId('impact-sentence', HTMLElement).textContent = shown === null ? 'The rim does not land in this motion.' : shown.sentence;
+    byId('impact-sentence', HTMLElement).textContent =
+      shown === null ? 'The rim does not land in this motion.' : shown.sentence;
   }
 
   private showNumbers(): void {
@@ -130,15 +132,28 @@ export class ImpactPane {
     }
     const { before, after, normal, friction, label } = shown.impact;
     const lost = motion.lostIn(shown.impact);
-    const fastest = Math.max(...VELOCITIES.flatMap((name) => [Math.abs(before[name]), Math.abs(after[name])]).filter(Number.isFinite));
+    const fastest = Math.max(
+      ...VELOCITIES.flatMap((name) => [Math.abs(before[name]), Math.abs(after[name])]).filter(
+        Number.isFinite,
+      ),
+    );
     const least = ROUNDING * fastest;
     const row = (name: string, sign: string, unit: string, ...values: number[]): HTMLElement =>
       make(
         'tr',
         { 'data-quantity': name },
-        make('th', { scope: 'row' }, make('i', {}, sign), unit === '' ? '' : make('span', { class: 'unit' }, ` ${unit}`)),
+        make(
+          'th',
+          { scope: 'row' },
+          make('i', {}, sign),
+          unit === '' ? '' : make('span', { class: 'unit' }, ` ${unit}`),
+        ),
         ...values.map((value) =>
-          make('td', { ...(values.length === 1 ? { colspan: '2' } : {}), 'data-value': String(value) }, brief(value, 6)),
+          make(
+            'td',
+            { ...(values.length === 1 ? { colspan: '2' } : {}), 'data-value': String(value) },
+            brief(value, 6),
+          ),
         ),
       );
     const unit = IMPULSE_UNITS[system];
@@ -152,15 +167,31 @@ export class ImpactPane {
           ...[before[name], after[name]].map((it) => (Math.abs(it) < least ? 0 : it * units[name])),
         ),
       ),
-      row('normal_impulse', 'P', unit, seen(normal, Math.hypot(normal, friction)) * problem.impulseUnit),
-      row('friction_impulse', 'J', unit, seen(friction, Math.hypot(normal, friction)) * problem.impulseUnit),
-      row('energy_lost', lost < 0 ? 'energy gained' : 'energy lost', COLUMN_ROWS.energy.units[system], Math.abs(lost) * units.energy),
+      row(
+        'normal_impulse',
+        'P',
+        unit,
+        seen(normal, Math.hypot(normal, friction)) * problem.impulseUnit,
+      ),
+      row(
+        'friction_impulse',
+        'J',
+        unit,
+        seen(friction, Math.hypot(normal, friction)) * problem.impulseUnit,
+      ),
+      row(
+        'energy_lost',
+        lost < 0 ? 'energy gained' : 'energy lost',
+        COLUMN_ROWS.energy.units[system],
+        Math.abs(lost) * units.energy,
+      ),
     );
   }
 
   /** Draws the diagram if it is stale. */
   paint(): void {
-    if (!this.stale || this.pane.hidden || this.routh === null || this.sheet.size.width === 0) return;
+    if (!this.stale || this.pane.hidden || this.routh === null || this.sheet.size.width === 0)
+      return;
     this.stale = false;
     this.drawOn(this.sheet.clear(), this.sheet.size.width, this.sheet.size.height);
     const {
@@ -189,6 +220,11 @@ export class ImpactPane {
         },
       },
     } = this;
-    if (routh) drawRouth(c, { width, height }, { routh, scale: problem.impulseUnit, unit: IMPULSE_UNITS[system], palette });
+    if (routh)
+      drawRouth(
+        c,
+        { width, height },
+        { routh, scale: problem.impulseUnit, unit: IMPULSE_UNITS[system], palette },
+      );
   }
 }

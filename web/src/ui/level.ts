@@ -49,7 +49,9 @@ export class Level {
     const { symbols } = this.lab.state.view;
     document.documentElement.toggleAttribute('data-words', !symbols);
     this.symbols.checked = symbols;
-    byId('skip', HTMLAnchorElement).textContent = this.isSimple ? 'To the weight of the hoop' : 'To the start on the phase plane';
+    byId('skip', HTMLAnchorElement).textContent = this.isSimple
+      ? 'To the weight of the hoop'
+      : 'To the start on the phase plane';
     this.button.textContent = this.isSimple ? 'Full view' : 'Simple view';
   }
 }

@@ -1,4 +1,5 @@
-// Stopwatch and ruler: what has gone by, and how far the hoop has come, since an instant that is marked.
+// Stopwatch and ruler: what has gone by, and how far the hoop has come, since an instant that is
+// marked.
 
 import { brief, byId } from '../dom';
 import { COLUMN_ROWS } from '../generated/tables';
@@ -21,7 +22,8 @@ export class Mark {
 
   showTime(): void {
     const { motion, time, units, state } = this.lab;
-    const [from, to] = this.marked === null ? [null, null] : [motion.at(this.marked), motion.at(time)];
+    const [from, to] =
+      this.marked === null ? [null, null] : [motion.at(this.marked), motion.at(time)];
     this.button.setAttribute('aria-pressed', String(this.marked !== null));
     this.text.hidden = from === null || to === null;
     if (from === null || to === null) return;

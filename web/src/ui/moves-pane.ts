@@ -49,7 +49,13 @@ export class MovesPane {
     } = this.lab;
     const column = STATE_COLUMNS.find((it) => it === this.column.value) ?? 'time';
     this.column.replaceChildren(
-      ...STATE_COLUMNS.map((it) => make('option', { value: it }, `${COLUMN_ROWS[it].signs[system]}, ${COLUMN_ROWS[it].longName}`)),
+      ...STATE_COLUMNS.map((it) =>
+        make(
+          'option',
+          { value: it },
+          `${COLUMN_ROWS[it].signs[system]}, ${COLUMN_ROWS[it].longName}`,
+        ),
+      ),
     );
     this.column.value = column;
     const { signs, units: unit } = COLUMN_ROWS.time;
@@ -62,9 +68,12 @@ export class MovesPane {
     this.rows.replaceChildren(...known.map((it) => this.row(it, most, column)));
     const reasons = new Map<string, string[]>();
     for (const { quantity, reason } of rows) {
-      if (reason !== null) reasons.set(reason, [...(reasons.get(reason) ?? []), QUANTITY_ROWS[quantity].sign]);
+      if (reason !== null)
+        reasons.set(reason, [...(reasons.get(reason) ?? []), QUANTITY_ROWS[quantity].sign]);
     }
-    this.reasons.textContent = [...reasons].map(([reason, names]) => `${names.join(', ')}: ${reason}.`).join(' ');
+    this.reasons.textContent = [...reasons]
+      .map(([reason, names]) => `${names.join(', ')}: ${reason}.`)
+      .join(' ');
   }
 
   private row({ quantity, change, moved }: Move, most: number, column: StateColumn): HTMLElement {
@@ -80,11 +89,17 @@ export class MovesPane {
     const width = most > 0 ? (50 * Math.abs(size)) / most : 0;
     filled.style.width = `${width}%`;
     filled.style.left = `${size < 0 ? 50 - width : 50}%`;
-    const by = `${signed(size)} ${COLUMN_ROWS[column].units[system] || (column === 'theta' ? 'rad' : '')}`.trim();
+    const by =
+      `${signed(size)} ${COLUMN_ROWS[column].units[system] || (column === 'theta' ? 'rad' : '')}`.trim();
     return make(
       'li',
       { 'data-quantity': quantity, 'data-moved': String(size), title: longName },
-      make('span', { class: 'name' }, make('i', {}, sign), make('span', { class: 'unseen' }, `, ${longName}`)),
+      make(
+        'span',
+        { class: 'name' },
+        make('i', {}, sign),
+        make('span', { class: 'unseen' }, `, ${longName}`),
+      ),
       make('span', { class: 'soft' }, `${signed(change)} ${unit}`.trim()),
       make('span', { class: 'unseen' }, ' moves it by '),
       make('span', { class: 'by' }, by),

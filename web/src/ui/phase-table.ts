@@ -40,11 +40,14 @@ export class PhaseTable {
     this.now = null;
     this.rows = [];
     byId('phase-heads', HTMLTableRowElement).replaceChildren(
-      ...head.map((text, i) => make('th', { scope: 'col', ...(numbers.includes(i) ? { class: 'number' } : {}) }, text)),
+      ...head.map((text, i) =>
+        make('th', { scope: 'col', ...(numbers.includes(i) ? { class: 'number' } : {}) }, text),
+      ),
     );
     this.body.replaceChildren(...rows.slice(0, MOST_ROWS).map((row) => this.row(row, numbers)));
     const hidden = rows.length - MOST_ROWS;
-    byId('more-phases', HTMLParagraphElement).textContent = hidden > 0 ? `and ${hidden} more: the exports have them all` : '';
+    byId('more-phases', HTMLParagraphElement).textContent =
+      hidden > 0 ? `and ${hidden} more: the exports have them all` : '';
     this.showTime();
   }
 
@@ -53,7 +56,10 @@ export class PhaseTable {
       const cell = make('td', numbers.includes(i) ? { class: 'number' } : {});
       if (i === TIME && time !== null) {
         cell.append(
-          this.button(text, () => this.go(time), { 'data-time': String(time), 'aria-label': `${cells[MOTION] ?? ''} from ${text}` }),
+          this.button(text, () => this.go(time), {
+            'data-time': String(time),
+            'aria-label': `${cells[MOTION] ?? ''} from ${text}`,
+          }),
         );
       } else if (i === MOTION && folds !== null) {
         cell.append(this.button(text, () => this.unfold(), { title: 'Show all rows' }));
@@ -68,7 +74,11 @@ export class PhaseTable {
     return row;
   }
 
-  private button(text: string, click: () => void, attributes: Record<string, string>): HTMLButtonElement {
+  private button(
+    text: string,
+    click: () => void,
+    attributes: Record<string, string>,
+  ): HTMLButtonElement {
     const button = make('button', { type: 'button', class: 'jump', ...attributes }, text);
     button.addEventListener('click', click);
     return button;

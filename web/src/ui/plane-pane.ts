@@ -7,9 +7,22 @@ import { type HopClass, OutcomePicture } from '../map/client';
 import type { Lab } from '../state/lab';
 import { RATES, SHOWS, type Shows } from '../state/state';
 import { Sheet, type Size } from '../views/canvas';
-import { type Curves, curvesOf, drawMotion, drawPlane, drawStart, FROM, Frame, TO, wrapped } from '../views/plane';
+import {
+  type Curves,
+  curvesOf,
+  drawMotion,
+  drawPlane,
+  drawStart,
+  FROM,
+  Frame,
+  TO,
+  wrapped,
+} from '../views/plane';
 
-const SIGNS = { theta: COLUMN_ROWS.theta.signs.dimensionless, rate: COLUMN_ROWS.theta_rate.signs.dimensionless };
+const SIGNS = {
+  theta: COLUMN_ROWS.theta.signs.dimensionless,
+  rate: COLUMN_ROWS.theta_rate.signs.dimensionless,
+};
 
 /** Names of the maps. */
 const SHOWN: Readonly<Record<Shows, string>> = { outcome: 'outcomes', hops: 'hops' };
@@ -71,11 +84,15 @@ export class PlanePane {
     const pane = byId('plane', HTMLDivElement);
     const move = (event: PointerEvent): void => {
       const box = this.top.canvas.getBoundingClientRect();
-      this.moveTo(this.frame.theta(event.clientX - box.left), this.frame.rateAt(event.clientY - box.top));
+      this.moveTo(
+        this.frame.theta(event.clientX - box.left),
+        this.frame.rateAt(event.clientY - box.top),
+      );
     };
     pane.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
-      // A finger that begins beside the start may be about to scroll the page: it sets the start where it taps.
+      // A finger that begins beside the start may be about to scroll the page: it sets the start
+      // where it taps.
       if (event.pointerType === 'touch' && event.target !== this.handle) return;
       event.preventDefault();
       pane.setPointerCapture(event.pointerId);
@@ -89,7 +106,10 @@ export class PlanePane {
       if (event.pointerType !== 'touch' || event.target === this.handle) return;
       this.handle.focus({ preventScroll: true });
       const box = this.top.canvas.getBoundingClientRect();
-      this.moveTo(this.frame.theta(event.clientX - box.left), this.frame.rateAt(event.clientY - box.top));
+      this.moveTo(
+        this.frame.theta(event.clientX - box.left),
+        this.frame.rateAt(event.clientY - box.top),
+      );
     });
     this.handle.addEventListener('keydown', (event) => {
       const [right, up] = {
@@ -103,7 +123,10 @@ export class PlanePane {
       const step = event.shiftKey ? KEY_STEP / 10 : KEY_STEP;
       const [theta, rate] = this.start;
       const rounded = (value: number): number => Number(value.toFixed(6));
-      this.moveTo(right ? rounded(theta + right * step) : theta, up ? rounded(rate + up * step) : rate);
+      this.moveTo(
+        right ? rounded(theta + right * step) : theta,
+        up ? rounded(rate + up * step) : rate,
+      );
     });
     byId('zoom-in', HTMLButtonElement).addEventListener('click', () => this.zoom(-1));
     byId('zoom-out', HTMLButtonElement).addEventListener('click', () => this.zoom(1));
@@ -123,10 +146,14 @@ export class PlanePane {
 
   private moveTo(theta: number, rate: number): void {
     const most = this.lab.state.view.rate;
-    const within = (value: number, least: number, last: number): number => Math.min(Math.max(value, least), last);
+    const within = (value: number, least: number, last: number): number =>
+      Math.min(Math.max(value, least), last);
     // A pixel is coarser than the third decimal.
     const rounded = (value: number): number => Number(value.toFixed(3));
-    this.lab.setPlain({ theta: within(rounded(theta), FROM, TO), theta_rate: within(rounded(rate), -most, most) });
+    this.lab.setPlain({
+      theta: within(rounded(theta), FROM, TO),
+      theta_rate: within(rounded(rate), -most, most),
+    });
   }
 
   private zoom(way: number): void {
@@ -144,9 +171,14 @@ export class PlanePane {
     } = this.lab;
     this.curves = curvesOf(problem, rate);
     this.showCurves();
-    for (const entry of byId('curves', HTMLUListElement).querySelectorAll<HTMLElement>('[data-curve]')) {
+    for (const entry of byId('curves', HTMLUListElement).querySelectorAll<HTMLElement>(
+      '[data-curve]',
+    )) {
       const curve = CURVES.find((it) => it === entry.dataset.curve);
-      entry.hidden = curve === undefined ? this.curves.region.length === 0 : this.curves.lines[curve].every((it) => it.length === 0);
+      entry.hidden =
+        curve === undefined
+          ? this.curves.region.length === 0
+          : this.curves.lines[curve].every((it) => it.length === 0);
     }
     this.asked = null;
     this.askMap();
@@ -205,7 +237,12 @@ export class PlanePane {
     const curves = CURVES.map((name) => {
       const { label, labelOnSlope, meaning, dash, width } = CURVE_ROWS[name];
       const shown = this.lab.plain.slope === 0 ? label : labelOnSlope;
-      return make('li', { 'data-curve': name, ...(meaning === null ? {} : { title: meaning }) }, line(width, dash), shown);
+      return make(
+        'li',
+        { 'data-curve': name, ...(meaning === null ? {} : { title: meaning }) },
+        line(width, dash),
+        shown,
+      );
     });
     const region = make(
       'li',
@@ -219,12 +256,25 @@ export class PlanePane {
   private showLegend(): void {
     const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
     const computed = this.map.present.filter((name) => name !== 'not_computed');
-    const hops = this.map.hops.map((it) => make('li', { 'data-hops': String(it.colour) }, swatch(), labelOfHops(it)));
+    const hops = this.map.hops.map((it) =>
+      make('li', { 'data-hops': String(it.colour) }, swatch(), labelOfHops(it)),
+    );
     this.legend.replaceChildren(
-      ...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name], name === 'in_contact' ? FOLLOWED : '')),
+      ...computed.map((name) =>
+        make(
+          'li',
+          { 'data-class': name },
+          swatch(),
+          CLASS_LABELS[name],
+          name === 'in_contact' ? FOLLOWED : '',
+        ),
+      ),
       ...hops,
     );
-    this.legend.setAttribute('aria-label', hops.length > 0 ? 'Colours of the map: number of landings' : 'Colours of the outcome map');
+    this.legend.setAttribute(
+      'aria-label',
+      hops.length > 0 ? 'Colours of the map: number of landings' : 'Colours of the outcome map',
+    );
   }
 
   /** Draws what is stale. */
@@ -234,10 +284,22 @@ export class PlanePane {
     if (this.stale.base) {
       const { map: isMapped, symbols } = this.lab.state.view;
       const map = isMapped ? this.map.picture : null;
-      drawPlane(this.base.clear(), frame, { curves: this.curves, map, mapSize: this.map.side, palette, symbols });
+      drawPlane(this.base.clear(), frame, {
+        curves: this.curves,
+        map,
+        mapSize: this.map.side,
+        palette,
+        symbols,
+      });
     }
     if (this.stale.top) {
-      drawMotion(this.top.clear(), frame, this.lab.motion, this.lab.motion.at(this.lab.time), palette);
+      drawMotion(
+        this.top.clear(),
+        frame,
+        this.lab.motion,
+        this.lab.motion.at(this.lab.time),
+        palette,
+      );
       this.placeHandle(frame);
     }
     this.stale = { base: false, top: false };
@@ -258,7 +320,13 @@ export class PlanePane {
     if (!this.curves) return;
     const frame = this.frameOf({ width, height });
     const map = this.lab.state.view.map ? this.map.picture : null;
-    drawPlane(c, frame, { curves: this.curves, map, mapSize: this.map.side, palette: this.palette, symbols: this.lab.state.view.symbols });
+    drawPlane(c, frame, {
+      curves: this.curves,
+      map,
+      mapSize: this.map.side,
+      palette: this.palette,
+      symbols: this.lab.state.view.symbols,
+    });
     drawMotion(c, frame, this.lab.motion, this.lab.motion.at(this.lab.time), this.palette);
     // On the screen the start is a button.
     const [theta, rate] = this.start;

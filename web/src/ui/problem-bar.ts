@@ -3,7 +3,12 @@
 import { inSystem } from '../core/fields';
 import { ROUNDING } from '../core/motion';
 import { byId, make } from '../dom';
-import { DIMENSIONLESS, type DimensionlessNumber, QUANTITY_ROWS, type Quantity } from '../generated/tables';
+import {
+  DIMENSIONLESS,
+  type DimensionlessNumber,
+  QUANTITY_ROWS,
+  type Quantity,
+} from '../generated/tables';
 import type { Given, Lab } from '../state/lab';
 
 import { numberOf, type ProblemState, rateFor, rateOf } from '../state/state';
@@ -37,24 +42,37 @@ export class ProblemBar {
       chosen(problem);
       lab.take(problem, { rate: rateOf(problem) });
     });
-    this.si.addEventListener('change', () => lab.setSystem(this.si.checked ? 'si' : 'dimensionless'));
+    this.si.addEventListener('change', () =>
+      lab.setSystem(this.si.checked ? 'si' : 'dimensionless'),
+    );
     this.massless.addEventListener('change', () => this.switchMass());
   }
 
   private switchMass(): void {
     const { problem } = this.lab.state;
     // No mass, no inertia, and therefore neither a throw nor an impact.
-    const names = (['mass_ratio', 'inertia', 'gap_rate'] as const).map((it) => inSystem(problem.system, it));
+    const names = (['mass_ratio', 'inertia', 'gap_rate'] as const).map((it) =>
+      inSystem(problem.system, it),
+    );
     const withValues = (value: (name: Quantity) => number): Partial<Record<Quantity, number>> =>
       Object.fromEntries(names.map((name) => [name, value(name)]));
     if (this.massless.checked) {
-      this.heavy = { ...withValues((name) => numberOf(problem, name) ?? NaN), restitution: problem.restitution };
-      this.lab.set({ ...withValues(() => 0), restitution: null }, { rate: rateFor(true, this.lab.plain.theta_rate) });
+      this.heavy = {
+        ...withValues((name) => numberOf(problem, name) ?? NaN),
+        restitution: problem.restitution,
+      };
+      this.lab.set(
+        { ...withValues(() => 0), restitution: null },
+        { rate: rateFor(true, this.lab.plain.theta_rate) },
+      );
     } else if (names.every((name) => name in this.heavy)) {
       this.lab.set(this.heavy, { rate: rateFor(false, this.lab.plain.theta_rate) });
     } else {
       // A thin hoop as heavy as its particle.
-      this.lab.setPlain({ mass_ratio: 1, inertia: 1 }, { rate: rateFor(false, this.lab.plain.theta_rate) });
+      this.lab.setPlain(
+        { mass_ratio: 1, inertia: 1 },
+        { rate: rateFor(false, this.lab.plain.theta_rate) },
+      );
     }
     // A refusal leaves things as they were.
     this.show();
@@ -68,17 +86,26 @@ export class ProblemBar {
       last !== null &&
       of.every((name) => {
         const place = DIMENSIONLESS.indexOf(name);
-        return Math.abs(last.problem[place]! - numbers[place]!) <= ROUNDING * Math.max(1, Math.abs(numbers[place]!));
+        return (
+          Math.abs(last.problem[place]! - numbers[place]!) <=
+          ROUNDING * Math.max(1, Math.abs(numbers[place]!))
+        );
       });
-    if (isSame(DIMENSIONLESS) && lab.state.problem.system === 'si') return `${last?.name}, in SI units`;
-    return isSame(DIMENSIONLESS.filter((name) => QUANTITY_ROWS[name].group === 'hoop')) ? `${last?.name}, another start` : 'custom hoop';
+    if (isSame(DIMENSIONLESS) && lab.state.problem.system === 'si')
+      return `${last?.name}, in SI units`;
+    return isSame(DIMENSIONLESS.filter((name) => QUANTITY_ROWS[name].group === 'hoop'))
+      ? `${last?.name}, another start`
+      : 'custom hoop';
   }
 
   show(): void {
     const { lab } = this;
     this.cases.value = lab.named ?? '';
     // A link alone names a case that there is not: the message stands over the page.
-    this.cases.setAttribute('aria-invalid', String(lab.fieldErrors.some((it) => it.field === 'case')));
+    this.cases.setAttribute(
+      'aria-invalid',
+      String(lab.fieldErrors.some((it) => it.field === 'case')),
+    );
     if (lab.named !== null) this.last = { name: lab.named, problem: lab.problem.toDimensionless() };
     this.own.textContent = this.title;
     this.si.checked = lab.state.problem.system === 'si';

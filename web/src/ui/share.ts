@@ -31,13 +31,22 @@ export class Share {
     byId('close-share', HTMLButtonElement).addEventListener('click', () => this.dialog.close());
     for (const id of ['link', 'frame', 'shell', 'python']) {
       const field = byId(`${id}-text`, HTMLTextAreaElement);
-      byId(`copy-${id}-text`, HTMLButtonElement).addEventListener('click', () => void this.copy(field.value, field));
+      byId(`copy-${id}-text`, HTMLButtonElement).addEventListener(
+        'click',
+        () => void this.copy(field.value, field),
+      );
     }
     byId('save-csv', HTMLButtonElement).addEventListener('click', () => this.data('csv'));
     byId('save-json', HTMLButtonElement).addEventListener('click', () => this.data('json'));
     for (const view of VIEWS) {
-      byId(`svg-${view}`, HTMLButtonElement).addEventListener('click', () => void this.picture(view, 'svg'));
-      byId(`png-${view}`, HTMLButtonElement).addEventListener('click', () => void this.picture(view, 'png'));
+      byId(`svg-${view}`, HTMLButtonElement).addEventListener(
+        'click',
+        () => void this.picture(view, 'svg'),
+      );
+      byId(`png-${view}`, HTMLButtonElement).addEventListener(
+        'click',
+        () => void this.picture(view, 'png'),
+      );
     }
     this.samples.addEventListener('input', () => this.count());
   }
@@ -48,7 +57,8 @@ export class Share {
     byId('shell-text', HTMLTextAreaElement).value = shellLine(this.lab.state.problem);
     byId('python-text', HTMLTextAreaElement).value = pythonLine(this.lab.state.problem);
     const { impact, motion } = this.lab;
-    byId('picture-impact', HTMLSpanElement).hidden = impact === null || motion.routh(impact) === null;
+    byId('picture-impact', HTMLSpanElement).hidden =
+      impact === null || motion.routh(impact) === null;
     this.dialog.showModal();
   }
 
@@ -114,8 +124,12 @@ export class Share {
       return;
     }
     const { motion } = this.lab;
-    const text = format === 'csv' ? motion.csv(count ?? undefined) : motion.json(count ?? undefined);
-    save(`${this.name}.${format}`, new Blob([text], { type: format === 'csv' ? 'text/csv' : 'application/json' }));
+    const text =
+      format === 'csv' ? motion.csv(count ?? undefined) : motion.json(count ?? undefined);
+    save(
+      `${this.name}.${format}`,
+      new Blob([text], { type: format === 'csv' ? 'text/csv' : 'application/json' }),
+    );
   }
 
   private async picture(view: View, format: 'svg' | 'png'): Promise<void> {
@@ -123,7 +137,9 @@ export class Share {
     const painter = view === 'plots' ? painterOfPlots(this.lab, palette) : this.painters[view];
     try {
       const content =
-        format === 'svg' ? new Blob([svgOf(view, painter, palette)], { type: 'image/svg+xml' }) : await pngOf(view, painter, palette);
+        format === 'svg'
+          ? new Blob([svgOf(view, painter, palette)], { type: 'image/svg+xml' })
+          : await pngOf(view, painter, palette);
       save(`${this.name}-${view}.${format}`, content);
     } catch (error) {
       this.notify(`The picture could not be made: ${String(error)}`);

@@ -34,9 +34,13 @@ export class Story {
     this.shown = event;
     const sample = motion.at(time);
     const mode = event.to ?? (sample === null ? null : modeOf(sample.mode));
-    this.mode.textContent = mode === null ? 'no motion' : event.to === null ? `${mode}, ends` : mode;
+    this.mode.textContent =
+      mode === null ? 'no motion' : event.to === null ? `${mode}, ends` : mode;
     if (mode === null) delete this.mode.dataset.mode;
     else this.mode.dataset.mode = mode;
-    this.say(motion.sentencesAt(time).join(' '), event.name === 'inconsistent' || event.name === 'ambiguous');
+    this.say(
+      motion.sentencesAt(time).join(' '),
+      event.name === 'inconsistent' || event.name === 'ambiguous',
+    );
   }
 }

@@ -26,7 +26,11 @@ export const LESSONS: Readonly<Record<LessonName, Lesson>> = texts.lessons;
 export const LESSON_NAMES = Object.keys(texts.lessons) as LessonName[];
 
 /** The lesson that a link names, the link of the motion that it pins, and the rest of the link. */
-export function partsOf(fragment: string): { lesson: LessonName | null; pin: string | null; rest: string } {
+export function partsOf(fragment: string): {
+  lesson: LessonName | null;
+  pin: string | null;
+  rest: string;
+} {
   const parts = new Map(
     fragment
       .replace(/^#/, '')

@@ -30,7 +30,8 @@ export class Transport {
     private readonly lab: Lab,
     private readonly clock: Clock,
   ) {
-    for (const speed of SPEEDS) this.speed.append(make('option', { value: String(speed) }, `${speed}×`));
+    for (const speed of SPEEDS)
+      this.speed.append(make('option', { value: String(speed) }, `${speed}×`));
     this.play.addEventListener('click', () => clock.toggle());
     byId('first', HTMLButtonElement).addEventListener('click', () => this.go(lab.motion.begin));
     byId('previous', HTMLButtonElement).addEventListener('click', () => this.step(-1));
@@ -38,7 +39,8 @@ export class Transport {
     byId('last', HTMLButtonElement).addEventListener('click', () => this.go(lab.motion.end));
     this.range.addEventListener('input', () => this.go(this.timeOf(Number(this.range.value))));
     this.range.addEventListener('keydown', (event) => {
-      const step = (event.shiftKey ? KEY_STEP / 10 : KEY_STEP) * (lab.motion.end - lab.motion.begin);
+      const step =
+        (event.shiftKey ? KEY_STEP / 10 : KEY_STEP) * (lab.motion.end - lab.motion.begin);
       const { key } = event;
       if (key === 'ArrowLeft' || key === 'ArrowDown') this.go(lab.time - step);
       else if (key === 'ArrowRight' || key === 'ArrowUp') this.go(lab.time + step);
@@ -50,7 +52,11 @@ export class Transport {
     document.addEventListener('keydown', (event) => {
       const { target, key } = event;
       // A button or a field that has the focus takes the key for itself.
-      if (key !== ' ' || (target instanceof Element && target.matches(TAKES_SPACE) && target !== this.range)) return;
+      if (
+        key !== ' ' ||
+        (target instanceof Element && target.matches(TAKES_SPACE) && target !== this.range)
+      )
+        return;
       event.preventDefault();
       clock.toggle();
     });
@@ -72,7 +78,9 @@ export class Transport {
   /** To the next or the previous event. */
   private step(way: 1 | -1): void {
     const now = this.lab.time;
-    const times = this.lab.motion.events.map((event) => event.time).filter((it) => it <= this.lab.motion.end);
+    const times = this.lab.motion.events
+      .map((event) => event.time)
+      .filter((it) => it <= this.lab.motion.end);
     const next = way > 0 ? times.find((it) => it > now) : times.findLast((it) => it < now);
     this.go(next ?? (way > 0 ? this.lab.motion.end : this.lab.motion.begin));
   }
@@ -80,7 +88,8 @@ export class Transport {
   showMotion(): void {
     const { motion } = this.lab;
     const span = motion.end - motion.begin || 1;
-    const part = (time: number): number => (100 * (Math.min(time, motion.end) - motion.begin)) / span;
+    const part = (time: number): number =>
+      (100 * (Math.min(time, motion.end) - motion.begin)) / span;
     const children: HTMLElement[] = motion.phases.map((phase) => {
       const band = make('span', { class: 'band', 'data-mode': phase.mode });
       band.style.left = `${part(phase.start)}%`;
@@ -102,10 +111,18 @@ export class Transport {
   private showMarks(part: (time: number) => number): void {
     const { impacts } = this.lab.motion;
     // Where nothing is lost there is only rounding, which has no height.
-    const most = impacts.reduce((most, { impact }) => Math.max(most, Math.abs(impact.lost)), LEAST_LOSS);
+    const most = impacts.reduce(
+      (most, { impact }) => Math.max(most, Math.abs(impact.lost)),
+      LEAST_LOSS,
+    );
     this.marks.replaceChildren(
       ...impacts.map(({ time, impact, sentence, name }) => {
-        const mark = make('span', { class: 'mark', title: sentence, 'data-arrow': 'impulse', 'data-cause': name });
+        const mark = make('span', {
+          class: 'mark',
+          title: sentence,
+          'data-arrow': 'impulse',
+          'data-cause': name,
+        });
         mark.style.left = `${part(time)}%`;
         mark.style.height = `${35 + 65 * Math.sqrt(Math.abs(impact.lost) / most)}%`;
         return mark;
@@ -130,7 +147,10 @@ export class Transport {
     this.clockText.textContent = shown;
     const sample = motion.at(time);
     const name = sample === null ? 'no motion' : modeOf(sample.mode);
-    this.range.setAttribute('aria-valuetext', `${shown} of ${brief(motion.end * units.time, 4)}, ${name}`);
+    this.range.setAttribute(
+      'aria-valuetext',
+      `${shown} of ${brief(motion.end * units.time, 4)}, ${name}`,
+    );
   }
 
   showView(): void {

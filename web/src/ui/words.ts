@@ -40,7 +40,9 @@ const SLIDERS: readonly Slider[] = [
     write: (lab, theta_rate) => lab.setPlain({ theta_rate }),
     say: (value) => {
       const { left, right, none } = TEXTS.sliders.spin;
-      return filled(value === 0 ? none : value > 0 ? left : right, { value: brief(Math.abs(value), 3) });
+      return filled(value === 0 ? none : value > 0 ? left : right, {
+        value: brief(Math.abs(value), 3),
+      });
     },
   },
   {
@@ -53,7 +55,10 @@ const SLIDERS: readonly Slider[] = [
       const { mu_s: before, mu_k } = lab.plain;
       lab.setPlain({ mu_s, mu_k: rounded(mu_s * (before > 0 ? mu_k / before : KINETIC)) });
     },
-    say: (value) => filled(value === 0 ? TEXTS.sliders.grip.none : TEXTS.sliders.grip.some, { value: brief(value, 3) }),
+    say: (value) =>
+      filled(value === 0 ? TEXTS.sliders.grip.none : TEXTS.sliders.grip.some, {
+        value: brief(value, 3),
+      }),
   },
   {
     name: 'weight',
@@ -71,7 +76,9 @@ const SLIDERS: readonly Slider[] = [
     say: (power) => {
       const { same, more, less } = TEXTS.sliders.weight;
       const value = 10 ** power;
-      return filled(Math.abs(power) < 0.01 ? same : value > 1 ? more : less, { value: brief(value, 2) });
+      return filled(Math.abs(power) < 0.01 ? same : value > 1 ? more : less, {
+        value: brief(value, 2),
+      });
     },
   },
   {
@@ -100,14 +107,22 @@ export class Words {
       step: String(slider.step),
     });
     const said = make('output', { for: id });
-    range.addEventListener('input', () => slider.write(this.lab, Number(Number(range.value).toFixed(2))));
+    range.addEventListener('input', () =>
+      slider.write(this.lab, Number(Number(range.value).toFixed(2))),
+    );
     return { slider, range, said };
   });
 
   constructor(private readonly lab: Lab) {
     byId('words', HTMLDivElement).append(
       ...this.rows.map(({ slider, range, said }) =>
-        make('div', { class: 'word' }, make('label', { for: range.id }, TEXTS.sliders[slider.name].label), said, range),
+        make(
+          'div',
+          { class: 'word' },
+          make('label', { for: range.id }, TEXTS.sliders[slider.name].label),
+          said,
+          range,
+        ),
       ),
     );
   }
@@ -125,7 +140,12 @@ export class Words {
     const modes = MODES.filter((it) => it !== 'gliding' || lab.problem.isMassless);
     byId('words-legend', HTMLUListElement).replaceChildren(
       ...modes.map((mode) =>
-        make('li', { 'data-mode': mode }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), TEXTS.modes[mode]),
+        make(
+          'li',
+          { 'data-mode': mode },
+          make('span', { class: 'swatch', 'aria-hidden': 'true' }),
+          TEXTS.modes[mode],
+        ),
       ),
     );
   }

@@ -39,7 +39,14 @@ export class Sheet {
 }
 
 /** An arrow from (x, y) by (dx, dy). Nothing for an arrow too short to see. */
-export function arrow(c: CanvasRenderingContext2D, x: number, y: number, dx: number, dy: number, colour: string): void {
+export function arrow(
+  c: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  dx: number,
+  dy: number,
+  colour: string,
+): void {
   const length = Math.hypot(dx, dy);
   if (length < 2) return;
   const head = Math.min(10, 0.6 * length);
@@ -67,7 +74,14 @@ export function setDash(c: CanvasRenderingContext2D, dash: readonly number[]): v
 }
 
 /** Text with a rim of the paper's colour, readable on anything. */
-export function label(c: CanvasRenderingContext2D, text: string, x: number, y: number, ink: string, paper: string): void {
+export function label(
+  c: CanvasRenderingContext2D,
+  text: string,
+  x: number,
+  y: number,
+  ink: string,
+  paper: string,
+): void {
   c.lineWidth = 4;
   c.lineJoin = 'round';
   c.setLineDash([]);

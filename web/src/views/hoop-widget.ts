@@ -1,5 +1,5 @@
-// A hoop to take hold of: its weight is dragged round the rim and flung, with a mouse, a finger or the keys. It knows a scene and
-// a start, and nothing of the page around it.
+// A hoop to take hold of: its weight is dragged round the rim and flung, with a mouse, a finger or
+// the keys. It knows a scene and a start, and nothing of the page around it.
 
 import { make } from '../dom';
 import { Sheet } from './canvas';
@@ -92,7 +92,10 @@ export class HoopWidget {
     const start = this.host.start();
     const text = this.host.say(start);
     if (this.handle.getAttribute('aria-valuetext') === text) return;
-    this.handle.setAttribute('aria-valuenow', String(Math.round((wrappedTurn(start.theta) * 180) / Math.PI)));
+    this.handle.setAttribute(
+      'aria-valuenow',
+      String(Math.round((wrappedTurn(start.theta) * 180) / Math.PI)),
+    );
     this.handle.setAttribute('aria-valuetext', text);
   }
 
@@ -126,7 +129,11 @@ export class HoopWidget {
       const step = event.shiftKey ? KEY_STEP / 10 : KEY_STEP;
       const { theta, theta_rate } = this.host.start();
       const rounded = (value: number): number => Number(value.toFixed(6));
-      this.host.set(turn ? { theta: rounded(wrappedTurn(theta + turn * step)) } : { theta_rate: rounded(theta_rate + spin * step) });
+      this.host.set(
+        turn
+          ? { theta: rounded(wrappedTurn(theta + turn * step)) }
+          : { theta_rate: rounded(theta_rate + spin * step) },
+      );
     });
   }
 
@@ -135,7 +142,10 @@ export class HoopWidget {
     if (event.pointerType === 'touch' || this.host.isFree?.() === false) return false;
     const [x, y] = this.centre(this.host.scene());
     const box = this.canvas.getBoundingClientRect();
-    return Math.hypot(event.clientX - box.left - x, event.clientY - box.top - y) < this.camera.scale + REACH;
+    return (
+      Math.hypot(event.clientX - box.left - x, event.clientY - box.top - y) <
+      this.camera.scale + REACH
+    );
   }
 
   private grab(event: PointerEvent, target: HTMLElement): void {
@@ -183,7 +193,8 @@ export class HoopWidget {
       if (!moved) return;
       track = track.filter(([time]) => time > last.timeStamp - LAST);
       const [from, to] = [track[0], track.at(-1)];
-      const rate = from && to && to[0] > from[0] ? (1000 * (to[1] - from[1])) / (to[0] - from[0]) : 0;
+      const rate =
+        from && to && to[0] > from[0] ? (1000 * (to[1] - from[1])) / (to[0] - from[0]) : 0;
       const flung = last.type === 'pointerup' && Math.abs(rate) > FLING;
       if (flung) {
         const most = Math.min(Math.abs(rate * host.second), FASTEST);

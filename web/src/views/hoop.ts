@@ -1,5 +1,5 @@
-// The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and trails. The view is level, and a
-// plane with a slope is tilted.
+// The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and
+// trails. The view is level, and a plane with a slope is tilted.
 
 import { type Ghost, type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
@@ -79,7 +79,12 @@ export interface Camera {
   moved(from: Place, along: number, into: number): Place;
 }
 
-export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopScene, camera = cameraOf(size, scene)): void {
+export function drawHoop(
+  c: CanvasRenderingContext2D,
+  size: Size,
+  scene: HoopScene,
+  camera = cameraOf(size, scene),
+): void {
   const { motion, sample, palette } = scene;
   c.font = `14px ${FONT}`;
   c.textBaseline = 'middle';
@@ -99,7 +104,10 @@ export function drawHoop(c: CanvasRenderingContext2D, size: Size, scene: HoopSce
   if (scene.follow) drawInset(c, size, camera, scene);
 }
 
-export function cameraOf({ width, height }: Size, { motion, sample, slope, follow }: HoopScene): Camera {
+export function cameraOf(
+  { width, height }: Size,
+  { motion, sample, slope, follow }: HoopScene,
+): Camera {
   const { samples } = motion;
   const [sin, cos] = [Math.sin(slope), Math.cos(slope)];
   const level = (x: number, y: number): Place => [x * cos - y * sin, x * sin + y * cos];
@@ -138,7 +146,12 @@ export function seen({ at, scale, sin, cos }: Camera, { width, height }: Size, e
   return [Math.max(across[0], Math.min(a, b)), Math.min(across[1], Math.max(a, b))];
 }
 
-function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, { palette, axis }: HoopScene): void {
+function drawGround(
+  c: CanvasRenderingContext2D,
+  size: Size,
+  camera: Camera,
+  { palette, axis }: HoopScene,
+): void {
   const [from, to] = seen(camera, size);
   const { radius, unit } = axis ?? { radius: 1, unit: COLUMN_ROWS.x.units.dimensionless };
   c.setLineDash([]);
@@ -154,7 +167,11 @@ function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, { p
   c.textAlign = 'center';
   c.lineWidth = 1;
   const last = seen(camera, size, END)[1];
-  for (const { value, label } of roundTicks(radius * from, radius * last, Math.min(9, Math.max(3, size.width / 55)))) {
+  for (const { value, label } of roundTicks(
+    radius * from,
+    radius * last,
+    Math.min(9, Math.max(3, size.width / 55)),
+  )) {
     const at = camera.at(value / radius, 0);
     c.beginPath();
     c.moveTo(...at);
@@ -166,7 +183,13 @@ function drawGround(c: CanvasRenderingContext2D, size: Size, camera: Camera, { p
   c.font = `14px ${FONT}`;
 }
 
-function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera: Camera, { palette, isSecret }: HoopScene): void {
+function drawTrails(
+  c: CanvasRenderingContext2D,
+  s: Samples,
+  now: number,
+  camera: Camera,
+  { palette, isSecret }: HoopScene,
+): void {
   const trail = (xs: Float64Array, ys: Float64Array, width: number): void => {
     c.lineWidth = width;
     for (let from = 0; from < s.length; ) {
@@ -178,7 +201,8 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
         setDash(c, past ? MODE_DASHES[mode] : []);
         c.globalAlpha = past ? 1 : 0.3;
         c.beginPath();
-        for (let i = from; i <= to && (!past || s.time[i]! <= now); i++) c.lineTo(...camera.at(xs[i]!, ys[i]!));
+        for (let i = from; i <= to && (!past || s.time[i]! <= now); i++)
+          c.lineTo(...camera.at(xs[i]!, ys[i]!));
         c.stroke();
       }
       from = to + 1;
@@ -191,7 +215,11 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
 }
 
 /** The landing of a motion that is dragged: as predicted, dashed, and as it is. */
-function drawLanding(c: CanvasRenderingContext2D, camera: Camera, { landing, offset, palette }: HoopScene): void {
+function drawLanding(
+  c: CanvasRenderingContext2D,
+  camera: Camera,
+  { landing, offset, palette }: HoopScene,
+): void {
   if (landing === null) return;
   const { predicted, exact } = landing;
   const draw = (x: number, theta: number, colour: string): void => {
@@ -202,7 +230,12 @@ function drawLanding(c: CanvasRenderingContext2D, camera: Camera, { landing, off
     c.stroke();
     c.setLineDash([]);
     c.beginPath();
-    c.arc(...camera.at(x - offset * Math.sin(theta), 1 + offset * Math.cos(theta)), 5, 0, 2 * Math.PI);
+    c.arc(
+      ...camera.at(x - offset * Math.sin(theta), 1 + offset * Math.cos(theta)),
+      5,
+      0,
+      2 * Math.PI,
+    );
     c.fill();
   };
   c.lineWidth = 2;
@@ -211,7 +244,8 @@ function drawLanding(c: CanvasRenderingContext2D, camera: Camera, { landing, off
     c.setLineDash([6, 5]);
     c.strokeStyle = palette.ink.ink;
     c.beginPath();
-    for (let i = 0; i < predicted.path.length; i += 2) c.lineTo(...camera.at(predicted.path[i]!, predicted.path[i + 1]!));
+    for (let i = 0; i < predicted.path.length; i += 2)
+      c.lineTo(...camera.at(predicted.path[i]!, predicted.path[i + 1]!));
     c.stroke();
     draw(predicted.x, predicted.theta, palette.ink.ink);
   }
@@ -219,7 +253,12 @@ function drawLanding(c: CanvasRenderingContext2D, camera: Camera, { landing, off
 }
 
 /** The landing by itself where the view follows the hoop, which is elsewhere. */
-function drawInset(c: CanvasRenderingContext2D, size: Size, camera: Camera, scene: HoopScene): void {
+function drawInset(
+  c: CanvasRenderingContext2D,
+  size: Size,
+  camera: Camera,
+  scene: HoopScene,
+): void {
   const { landing, palette } = scene;
   const x = landing?.exact?.x ?? landing?.predicted?.x;
   if (x === undefined) return;
@@ -250,7 +289,12 @@ function drawInset(c: CanvasRenderingContext2D, size: Size, camera: Camera, scen
   c.restore();
 }
 
-function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene, sample: Sample): void {
+function drawBody(
+  c: CanvasRenderingContext2D,
+  camera: Camera,
+  scene: HoopScene,
+  sample: Sample,
+): void {
   const { palette, offset } = scene;
   const [x, y] = camera.at(sample.x, sample.centre_y);
   const [px, py] = camera.at(sample.particle_x, sample.particle_y);
@@ -302,7 +346,8 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
   const [lx, ly] = outward(Math.hypot(px - x, py - y) - Math.max(7, 0.085 * camera.scale) - 15);
   if (scene.symbols === false) return;
   const isClear = scene.h >= offset || Math.hypot(lx - mx, ly - my) > 24;
-  if (offset > 0.35 && isClear) label(c, QUANTITY_ROWS.particle_mass_kg.sign, lx, ly, palette.ink.ink, palette.ink.paper);
+  if (offset > 0.35 && isClear)
+    label(c, QUANTITY_ROWS.particle_mass_kg.sign, lx, ly, palette.ink.ink, palette.ink.paper);
   const [cx, cy] = offset > 0 ? outward(-16) : [x - 13, y - 10];
   label(c, 'C', cx, cy, palette.ink.ink, palette.ink.paper);
 }
@@ -329,7 +374,12 @@ function massCentre(c: CanvasRenderingContext2D, x: number, y: number, palette: 
   c.stroke();
 }
 
-function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene, sample: Sample): void {
+function drawArrows(
+  c: CanvasRenderingContext2D,
+  camera: Camera,
+  scene: HoopScene,
+  sample: Sample,
+): void {
   const { palette } = scene;
   const foot = camera.at(sample.x, 0);
   /** An arrow along the plane and out of it. */
@@ -351,7 +401,14 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
     const length = Math.hypot(along, out);
     const part = Math.min(1, (LONGEST * camera.scale) / length);
     draw(from, along * part, out * part, colour);
-    if (part < 1) cut(c, camera.moved(from, 0.8 * along * part, -0.8 * out * part), camera, along, palette.ink.paper);
+    if (part < 1)
+      cut(
+        c,
+        camera.moved(from, 0.8 * along * part, -0.8 * out * part),
+        camera,
+        along,
+        palette.ink.paper,
+      );
     return [along * part, out * part];
   };
   const [mx, my] = camera.at(sample.mass_centre_x, sample.mass_centre_y);
@@ -362,7 +419,15 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
     // On the side where the particle is not.
     const side = camera.at(sample.particle_x, 0)[0] > mx ? -1 : 1;
     c.textAlign = side > 0 ? 'left' : 'right';
-    if (camera.scale > 45) label(c, 'weight', mx + 7 * side, my + 0.8 * WEIGHT * camera.scale, palette.ink.soft, palette.ink.paper);
+    if (camera.scale > 45)
+      label(
+        c,
+        'weight',
+        mx + 7 * side,
+        my + 0.8 * WEIGHT * camera.scale,
+        palette.ink.soft,
+        palette.ink.paper,
+      );
     c.font = `italic bold 15px ${FONT}`;
   }
   const normal = Number.isFinite(sample.normal) ? sample.normal * unit : 0;
@@ -386,7 +451,13 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
     const [length] = force(below, sample.slip * SPEED * camera.scale, 0, palette.arrow.slip);
     c.textAlign = 'center';
     if (isNamed && Math.abs(length) >= 8) {
-      label(c, SIGN.slip, ...camera.moved(below, length + Math.sign(length) * 14, 0), palette.arrow.slip, palette.ink.paper);
+      label(
+        c,
+        SIGN.slip,
+        ...camera.moved(below, length + Math.sign(length) * 14, 0),
+        palette.arrow.slip,
+        palette.ink.paper,
+      );
     }
   }
 }
@@ -396,7 +467,12 @@ const SPIN = 0.35;
 const LONGEST_SPIN = 2.4;
 
 /** Which way the hoop is turned at the start, and how fast: an arc within the rim, from the top. */
-function drawSpin(c: CanvasRenderingContext2D, camera: Camera, { palette }: HoopScene, sample: Sample): void {
+function drawSpin(
+  c: CanvasRenderingContext2D,
+  camera: Camera,
+  { palette }: HoopScene,
+  sample: Sample,
+): void {
   const turn = Math.max(-LONGEST_SPIN, Math.min(LONGEST_SPIN, SPIN * sample.theta_rate));
   const radius = camera.scale - 22;
   if (Math.abs(turn) * radius < 12) return;
@@ -422,7 +498,13 @@ function drawSpin(c: CanvasRenderingContext2D, camera: Camera, { palette }: Hoop
 }
 
 /** Two strokes across an arrow that is longer than it is drawn. */
-function cut(c: CanvasRenderingContext2D, [x, y]: Place, { moved }: Camera, along: number, paper: string): void {
+function cut(
+  c: CanvasRenderingContext2D,
+  [x, y]: Place,
+  { moved }: Camera,
+  along: number,
+  paper: string,
+): void {
   c.strokeStyle = paper;
   c.lineWidth = 2;
   for (const by of [-3, 3]) {
@@ -435,7 +517,13 @@ function cut(c: CanvasRenderingContext2D, [x, y]: Place, { moved }: Camera, alon
 }
 
 /** What the arrows of forces are worth. */
-function drawBar(c: CanvasRenderingContext2D, { height }: Size, { scale }: Camera, text: string, palette: Palette): void {
+function drawBar(
+  c: CanvasRenderingContext2D,
+  { height }: Size,
+  { scale }: Camera,
+  text: string,
+  palette: Palette,
+): void {
   const [x, y, length] = [6, height - 12, WEIGHT * scale];
   c.strokeStyle = palette.ink.soft;
   c.lineWidth = 2;
@@ -507,18 +595,27 @@ function drawContact(
   c.moveTo(0, ground);
   c.lineTo(width + 2, ground);
   c.stroke();
-  const isTouching = sample.gap === 0 && Number.isFinite(sample.normal) && Number.isFinite(sample.friction);
+  const isTouching =
+    sample.gap === 0 && Number.isFinite(sample.normal) && Number.isFinite(sample.friction);
   if (isTouching) {
     const unit = (part * CONTACT.weight) / (scene.weight?.force ?? 1);
     const [along, up] = [sample.friction * unit, sample.normal * unit];
     const shown = Math.min(1, (part * CONTACT.longest) / Math.hypot(along, up));
     arrow(c, x, ground, shown * along, -shown * up, palette.ink.ink);
-    if (shown < 1) cut(c, [x + 0.8 * shown * along, ground - 0.8 * shown * up], UPRIGHT, 0, palette.ink.paper);
+    if (shown < 1)
+      cut(c, [x + 0.8 * shown * along, ground - 0.8 * shown * up], UPRIGHT, 0, palette.ink.paper);
   }
   c.font = `12px ${FONT}`;
   c.textAlign = 'center';
   const force = Math.hypot(sample.normal, sample.friction);
-  label(c, sample.gap > 0 ? 'no contact' : force > 0 ? HOLD[mode] : 'no force', x, top + 11, palette.ink.ink, palette.ink.paper);
+  label(
+    c,
+    sample.gap > 0 ? 'no contact' : force > 0 ? HOLD[mode] : 'no force',
+    x,
+    top + 11,
+    palette.ink.ink,
+    palette.ink.paper,
+  );
   c.restore();
 }
 
@@ -531,10 +628,20 @@ const HOLD: Readonly<Record<Mode, string>> = {
 };
 
 /** The inset's own view: level, whatever the plane is. */
-const UPRIGHT: Camera = { scale: 1, sin: 0, cos: 1, at: (x, y) => [x, -y], moved: ([x, y], along, into) => [x + along, y + into] };
+const UPRIGHT: Camera = {
+  scale: 1,
+  sin: 0,
+  cos: 1,
+  at: (x, y) => [x, -y],
+  moved: ([x, y], along, into) => [x + along, y + into],
+};
 
 /** The motion that is pinned, at the same instant. */
-function drawPinned(c: CanvasRenderingContext2D, camera: Camera, { pinned, palette }: HoopScene): void {
+function drawPinned(
+  c: CanvasRenderingContext2D,
+  camera: Camera,
+  { pinned, palette }: HoopScene,
+): void {
   if (!pinned) return;
   const { sample } = pinned;
   c.strokeStyle = palette.accent.teal;
@@ -546,12 +653,21 @@ function drawPinned(c: CanvasRenderingContext2D, camera: Camera, { pinned, palet
   c.stroke();
   c.setLineDash([]);
   c.beginPath();
-  c.arc(...camera.at(sample.particle_x, sample.particle_y), Math.max(6, 0.07 * camera.scale), 0, 2 * Math.PI);
+  c.arc(
+    ...camera.at(sample.particle_x, sample.particle_y),
+    Math.max(6, 0.07 * camera.scale),
+    0,
+    2 * Math.PI,
+  );
   c.fill();
 }
 
 /** Nothing moves: the start as it stands. */
-function drawStill(c: CanvasRenderingContext2D, camera: Camera, { motion, palette, offset }: HoopScene): void {
+function drawStill(
+  c: CanvasRenderingContext2D,
+  camera: Camera,
+  { motion, palette, offset }: HoopScene,
+): void {
   const { theta } = motion.events[0]!;
   c.strokeStyle = palette.ink.faint;
   c.lineWidth = 5;

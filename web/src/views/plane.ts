@@ -85,7 +85,8 @@ export function curvesOf(problem: Problem, rate: number): Curves {
   const top = plane.energy(Math.PI, rate);
   const levels: number[] = [];
   for (let k = 1; k <= 3; k++) levels.push(bottom + ((saddle - bottom) * k) / 4);
-  for (let k = 1; k <= LEVELS - 3; k++) levels.push(saddle + (Math.max(top, plane.energy(0, rate)) - saddle) * (k / (LEVELS - 2)) ** 2);
+  for (let k = 1; k <= LEVELS - 3; k++)
+    levels.push(saddle + (Math.max(top, plane.energy(0, rate)) - saddle) * (k / (LEVELS - 2)) ** 2);
   const named = (curve: Curve): Float64Array[] => [plane.curve(curve)];
   const letters: [string, number, number][] = [];
   for (const curve of UPWARDS) {
@@ -144,7 +145,13 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
   c.setLineDash([]);
   for (let i = 0; i < curves.equilibria.length; i += 2) {
     for (const turn of [-2 * Math.PI, 0, 2 * Math.PI]) {
-      equilibrium(c, frame.x(curves.equilibria[i]! + turn), frame.y(0), curves.equilibria[i + 1]!, palette);
+      equilibrium(
+        c,
+        frame.x(curves.equilibria[i]! + turn),
+        frame.y(0),
+        curves.equilibria[i + 1]!,
+        palette,
+      );
     }
   }
   if (scene.symbols) curveLabels(c, frame, curves, palette);
@@ -153,7 +160,14 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
 }
 
 /** The curves from the lowest to the topmost. */
-const UPWARDS: readonly Curve[] = ['level', 'separatrix', 'chatter', 'lift_off', 'normal_force_zero', 'slip_limit'];
+const UPWARDS: readonly Curve[] = [
+  'level',
+  'separatrix',
+  'chatter',
+  'lift_off',
+  'normal_force_zero',
+  'slip_limit',
+];
 
 function setPen(c: CanvasRenderingContext2D, curve: Curve, palette: Palette): void {
   c.strokeStyle = palette.curve[curve];
@@ -177,7 +191,13 @@ function trace(c: CanvasRenderingContext2D, frame: Frame, points: Float64Array):
   }
 }
 
-function segment(c: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
+function segment(
+  c: CanvasRenderingContext2D,
+  x0: number,
+  y0: number,
+  x1: number,
+  y1: number,
+): void {
   c.beginPath();
   c.moveTo(x0, y0);
   c.lineTo(x1, y1);
@@ -188,7 +208,12 @@ function segment(c: CanvasRenderingContext2D, x0: number, y0: number, x1: number
 const HATCH = 9;
 
 /** 𝓡 is hatched: a shade would change the colours of the map. */
-function hatchRegion(c: CanvasRenderingContext2D, frame: Frame, region: Float64Array, palette: Palette): void {
+function hatchRegion(
+  c: CanvasRenderingContext2D,
+  frame: Frame,
+  region: Float64Array,
+  palette: Palette,
+): void {
   if (region.length === 0) return;
   c.save();
   trace(c, frame, region);
@@ -207,7 +232,13 @@ function hatchRegion(c: CanvasRenderingContext2D, frame: Frame, region: Float64A
   c.restore();
 }
 
-function equilibrium(c: CanvasRenderingContext2D, x: number, y: number, stability: number, palette: Palette): void {
+function equilibrium(
+  c: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  stability: number,
+  palette: Palette,
+): void {
   c.beginPath();
   c.arc(x, y, 4.5, 0, 2 * Math.PI);
   c.fillStyle = stability > 0 ? palette.ink.ink : palette.ink.paper;
@@ -218,7 +249,12 @@ function equilibrium(c: CanvasRenderingContext2D, x: number, y: number, stabilit
   c.stroke();
 }
 
-function curveLabels(c: CanvasRenderingContext2D, frame: Frame, curves: Curves, palette: Palette): void {
+function curveLabels(
+  c: CanvasRenderingContext2D,
+  frame: Frame,
+  curves: Curves,
+  palette: Palette,
+): void {
   c.font = `italic 15px ${FONT}`;
   c.textAlign = 'center';
   c.textBaseline = 'middle';
@@ -227,12 +263,24 @@ function curveLabels(c: CanvasRenderingContext2D, frame: Frame, curves: Curves, 
   }
   if (curves.isRegionNamed) {
     c.font = `italic 17px ${FONT}`;
-    label(c, '𝓡', frame.x(REGION_NAME[0]), frame.y(REGION_NAME[1] * frame.rate), palette.ink.ink, palette.ink.paper);
+    label(
+      c,
+      '𝓡',
+      frame.x(REGION_NAME[0]),
+      frame.y(REGION_NAME[1] * frame.rate),
+      palette.ink.ink,
+      palette.ink.paper,
+    );
   }
 }
 
 function axes(c: CanvasRenderingContext2D, frame: Frame, palette: Palette): void {
-  const [left, right, top, bottom] = [frame.x(FROM), frame.x(TO), frame.y(frame.rate), frame.y(-frame.rate)];
+  const [left, right, top, bottom] = [
+    frame.x(FROM),
+    frame.x(TO),
+    frame.y(frame.rate),
+    frame.y(-frame.rate),
+  ];
   c.strokeStyle = palette.ink.soft;
   c.fillStyle = palette.ink.ink;
   c.lineWidth = 1;
@@ -249,7 +297,11 @@ function axes(c: CanvasRenderingContext2D, frame: Frame, palette: Palette): void
   c.textAlign = 'right';
   c.textBaseline = 'middle';
   const most = frame.rate * frame.unit;
-  for (const { value, label } of roundTicks(-most, most, Math.max(4, Math.floor(frame.height / 45)))) {
+  for (const { value, label } of roundTicks(
+    -most,
+    most,
+    Math.max(4, Math.floor(frame.height / 45)),
+  )) {
     const y = frame.y(value / frame.unit);
     segment(c, left - 5, y, left, y);
     c.fillText(label, left - 8, y);
@@ -260,7 +312,14 @@ function axes(c: CanvasRenderingContext2D, frame: Frame, palette: Palette): void
   c.fillText(theta.signs[frame.system], 0.5 * (left + right) + 0.1 * frame.width, bottom + 30);
   // Over the axis, where it has room for its unit.
   c.textAlign = 'left';
-  label(c, `${rate.signs[frame.system]} [${rate.units[frame.system]}]`, left + 6, top + 12, palette.ink.ink, palette.ink.paper);
+  label(
+    c,
+    `${rate.signs[frame.system]} [${rate.units[frame.system]}]`,
+    left + 6,
+    top + 12,
+    palette.ink.ink,
+    palette.ink.paper,
+  );
 }
 
 /** Where an angle is drawn: as it is, or by whole turns into the plane. */
@@ -271,7 +330,13 @@ export function wrapped(theta: number): number {
 }
 
 /** The motion, and where it is at the cursor. */
-export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Motion, now: Sample | null, palette: Palette): void {
+export function drawMotion(
+  c: CanvasRenderingContext2D,
+  frame: Frame,
+  motion: Motion,
+  now: Sample | null,
+  palette: Palette,
+): void {
   c.save();
   frame.clip(c);
   const s = motion.samples;
@@ -305,12 +370,26 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
   drawImpacts(c, frame, motion, palette);
   for (const event of motion.events.slice(1)) {
     if (event.impact === null) {
-      dot(c, frame.x(wrapped(event.theta)), frame.y(event.theta_rate), 4, palette.ink.paper, palette.ink.ink);
+      dot(
+        c,
+        frame.x(wrapped(event.theta)),
+        frame.y(event.theta_rate),
+        4,
+        palette.ink.paper,
+        palette.ink.ink,
+      );
     }
   }
   if (now) {
     const mode = modeOf(now.mode);
-    dot(c, frame.x(wrapped(now.theta)), frame.y(now.theta_rate), 7, palette.mode[mode], palette.ink.paper);
+    dot(
+      c,
+      frame.x(wrapped(now.theta)),
+      frame.y(now.theta_rate),
+      7,
+      palette.mode[mode],
+      palette.ink.paper,
+    );
   }
   c.restore();
 }
@@ -321,7 +400,12 @@ function isJump(s: Samples, at: number): boolean {
 }
 
 /** The jump of the rate in each impact, from an open dot to a full one. */
-function drawImpacts(c: CanvasRenderingContext2D, frame: Frame, motion: Motion, palette: Palette): void {
+function drawImpacts(
+  c: CanvasRenderingContext2D,
+  frame: Frame,
+  motion: Motion,
+  palette: Palette,
+): void {
   const last = motion.impacts.length;
   // Where bounces settle they would hide each other.
   motion.impacts.forEach(({ theta, impact: { before, after } }, i) => {
@@ -339,7 +423,13 @@ function drawImpacts(c: CanvasRenderingContext2D, frame: Frame, motion: Motion, 
 const MANY = 12;
 
 /** The start as a ring. */
-export function drawStart(c: CanvasRenderingContext2D, frame: Frame, theta: number, rate: number, palette: Palette): void {
+export function drawStart(
+  c: CanvasRenderingContext2D,
+  frame: Frame,
+  theta: number,
+  rate: number,
+  palette: Palette,
+): void {
   if (Math.abs(rate) > frame.rate) return;
   for (const [colour, width] of [
     [palette.ink.paper, 6],
@@ -353,7 +443,14 @@ export function drawStart(c: CanvasRenderingContext2D, frame: Frame, theta: numb
   }
 }
 
-function dot(c: CanvasRenderingContext2D, x: number, y: number, radius: number, fill: string, rim: string): void {
+function dot(
+  c: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  radius: number,
+  fill: string,
+  rim: string,
+): void {
   c.beginPath();
   c.arc(x, y, radius, 0, 2 * Math.PI);
   c.fillStyle = fill;

@@ -1,5 +1,5 @@
-// The plots one under the other on one sheet, for pictures. On the screen a library draws them; it draws on a canvas
-// only, and a picture in vectors needs lines.
+// The plots one under the other on one sheet, for pictures. On the screen a library draws them; it
+// draws on a canvas only, and a picture in vectors needs lines.
 
 import type { Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
@@ -22,15 +22,21 @@ export interface PlotsScene extends Shown {
   palette: Palette;
 }
 
-export function drawPlots(c: CanvasRenderingContext2D, { width, height }: Size, scene: PlotsScene): void {
+export function drawPlots(
+  c: CanvasRenderingContext2D,
+  { width, height }: Size,
+  scene: PlotsScene,
+): void {
   const { motion, samples, palette, time: now, units, system } = scene;
   const each = (height - TOP - BOTTOM - GAP * (SUBJECTS.length - 1)) / SUBJECTS.length;
-  const x = (time: number): number => LEFT + ((time - motion.begin) / (motion.end - motion.begin || 1)) * (width - LEFT - RIGHT);
+  const x = (time: number): number =>
+    LEFT + ((time - motion.begin) / (motion.end - motion.begin || 1)) * (width - LEFT - RIGHT);
   c.font = `13px ${FONT}`;
   SUBJECTS.forEach((subject, i) => {
     const top = TOP + i * (each + GAP);
     const values = subject.values(samples, units, motion);
-    const others = scene.pinned === null ? [] : valuesOfPinned(scene.pinned, subject, samples.time, units);
+    const others =
+      scene.pinned === null ? [] : valuesOfPinned(scene.pinned, subject, samples.time, units);
     const known = [...values, ...others].filter((it) => it !== null);
     const [least, most] = rangeOf(
       known.reduce((a, b) => Math.min(a, b), Infinity),

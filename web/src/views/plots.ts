@@ -55,16 +55,31 @@ const energy: Subject = {
   ...column('energy'),
   values: (samples, units, motion) => {
     const zero = (motion.energy ?? 0) - (motion.energy === null ? 0 : motion.samples.energy[0]!);
-    return Array.from(samples.energy, (value) => (Number.isFinite(value) ? (value + zero) * units.energy : null));
+    return Array.from(samples.energy, (value) =>
+      Number.isFinite(value) ? (value + zero) * units.energy : null,
+    );
   },
 };
 
-export const SUBJECTS: readonly Subject[] = [column('theta_rate'), column('slip'), column('normal'), demand, energy];
+export const SUBJECTS: readonly Subject[] = [
+  column('theta_rate'),
+  column('slip'),
+  column('normal'),
+  demand,
+  energy,
+];
 
 /** What a subject of the pinned motion is at the times of another one; none after its end. */
-export function valuesOfPinned(pinned: Motion, subject: Subject, times: Float64Array, units: ColumnUnits): (number | null)[] {
+export function valuesOfPinned(
+  pinned: Motion,
+  subject: Subject,
+  times: Float64Array,
+  units: ColumnUnits,
+): (number | null)[] {
   const values = subject.values(pinned.samples, units, pinned);
-  return Array.from(times, (time) => (time > pinned.end ? null : interpolate(pinned.samples.time, values, time)));
+  return Array.from(times, (time) =>
+    time > pinned.end ? null : interpolate(pinned.samples.time, values, time),
+  );
 }
 
 interface Plot {
@@ -99,7 +114,15 @@ export class Plots {
     const sign = element('i');
     const value = element('output', { 'data-plot': subject.id });
     const unit = element('span', { class: 'unit' });
-    const caption = element('figcaption', {}, sign, ' ', element('span', { class: 'meaning' }, subject.meaning), value, unit);
+    const caption = element(
+      'figcaption',
+      {},
+      sign,
+      ' ',
+      element('span', { class: 'meaning' }, subject.meaning),
+      value,
+      unit,
+    );
     const box = element('div', { class: 'chart' });
     const cursor = element('div', { class: 'cursor' });
     holder.append(element('figure', { class: 'plot' }, caption, box));
@@ -131,7 +154,8 @@ export class Plots {
             size: (_, texts) => AXIS + DIGIT * Math.max(0, ...(texts ?? []).map((it) => it.length)),
             gap: 3,
             space: 28,
-            values: (_, ticks) => ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')),
+            values: (_, ticks) =>
+              ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')),
           },
         ],
         series: [
@@ -246,7 +270,10 @@ export class Plots {
       // Not valToPos: the library takes new scales only after this.
       const width = chart.bbox.width / uPlot.pxRatio;
       cursor.style.transform = `translateX(${((time - begin) / (end - begin || 1)) * width}px)`;
-      const [times, values] = (this.columns[i] as [number[], (number | null)[]] | undefined) ?? [[], []];
+      const [times, values] = (this.columns[i] as [number[], (number | null)[]] | undefined) ?? [
+        [],
+        [],
+      ];
       const at = interpolate(times, values, shown);
       value.textContent = at === null ? '–' : at.toFixed(3).replace('-', '−');
     });
@@ -257,11 +284,16 @@ export class Plots {
 export function rangeOf(least: number | null, most: number | null): [number, number] {
   if (least === null || most === null) return [0, 1];
   const span = most - least;
-  const air = span > 1e-9 * Math.max(1, Math.abs(most)) ? 0.08 * span : Math.max(0.5, 0.1 * Math.abs(most));
+  const air =
+    span > 1e-9 * Math.max(1, Math.abs(most)) ? 0.08 * span : Math.max(0.5, 0.1 * Math.abs(most));
   return [least - air, most + air];
 }
 
-function interpolate(times: ArrayLike<number>, values: (number | null)[], time: number): number | null {
+function interpolate(
+  times: ArrayLike<number>,
+  values: (number | null)[],
+  time: number,
+): number | null {
   let [low, high] = [0, times.length - 1];
   if (high < 0) return null;
   while (high - low > 1) {

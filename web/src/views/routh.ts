@@ -40,7 +40,12 @@ export function drawRouth(c: CanvasRenderingContext2D, size: Size, scene: RouthS
   drawWay(c, frame, routh, palette);
 }
 
-function axes(c: CanvasRenderingContext2D, { width, height }: Size, frame: Frame, scene: RouthScene): void {
+function axes(
+  c: CanvasRenderingContext2D,
+  { width, height }: Size,
+  frame: Frame,
+  scene: RouthScene,
+): void {
   const {
     routh: {
       frame: [left = 0, right = 1, low = 0, high = 1],
@@ -56,13 +61,21 @@ function axes(c: CanvasRenderingContext2D, { width, height }: Size, frame: Frame
   c.setLineDash([]);
   c.textAlign = 'center';
   c.textBaseline = 'top';
-  for (const { value, label: text } of roundTicks(left * scale, right * scale, Math.max(3, Math.floor(width / 80)))) {
+  for (const { value, label: text } of roundTicks(
+    left * scale,
+    right * scale,
+    Math.max(3, Math.floor(width / 80)),
+  )) {
     stroke(c, palette.ink.line, frame.x(value / scale), MARGIN.top, frame.x(value / scale), bottom);
     c.fillText(text, frame.x(value / scale), bottom + 6);
   }
   c.textAlign = 'right';
   c.textBaseline = 'middle';
-  for (const { value, label: text } of roundTicks(low * scale, high * scale, Math.max(3, Math.floor(height / 40)))) {
+  for (const { value, label: text } of roundTicks(
+    low * scale,
+    high * scale,
+    Math.max(3, Math.floor(height / 40)),
+  )) {
     stroke(c, palette.ink.line, MARGIN.left, frame.y(value / scale), rim, frame.y(value / scale));
     c.fillText(text, MARGIN.left - 7, frame.y(value / scale));
   }
@@ -83,7 +96,14 @@ function axes(c: CanvasRenderingContext2D, { width, height }: Size, frame: Frame
   c.fillText(unit, rim, height - 10);
 }
 
-function stroke(c: CanvasRenderingContext2D, colour: string, x0: number, y0: number, x1: number, y1: number): void {
+function stroke(
+  c: CanvasRenderingContext2D,
+  colour: string,
+  x0: number,
+  y0: number,
+  x1: number,
+  y1: number,
+): void {
   c.strokeStyle = colour;
   c.beginPath();
   c.moveTo(x0, y0);
@@ -91,7 +111,13 @@ function stroke(c: CanvasRenderingContext2D, colour: string, x0: number, y0: num
   c.stroke();
 }
 
-function lineOf(c: CanvasRenderingContext2D, frame: Frame, ends: Float64Array, name: ImpulseLine, palette: Palette): void {
+function lineOf(
+  c: CanvasRenderingContext2D,
+  frame: Frame,
+  ends: Float64Array,
+  name: ImpulseLine,
+  palette: Palette,
+): void {
   const [p0, j0, p1, j1] = ends;
   if (p0 === undefined || j0 === undefined || p1 === undefined || j1 === undefined) return;
   c.lineWidth = IMPULSE_LINE_ROWS[name].width;
@@ -124,7 +150,14 @@ function drawWay(c: CanvasRenderingContext2D, frame: Frame, routh: Routh, palett
   c.font = `bold 13px ${FONT}`;
   c.textBaseline = 'middle';
   c.textAlign = 'right';
-  label(c, 'end', frame.x(p) - 10, frame.y(j) + (j < 0 ? 14 : -14), palette.arrow.impulse, palette.ink.paper);
+  label(
+    c,
+    'end',
+    frame.x(p) - 10,
+    frame.y(j) + (j < 0 ? 14 : -14),
+    palette.arrow.impulse,
+    palette.ink.paper,
+  );
 }
 
 function dot(c: CanvasRenderingContext2D, x: number, y: number, fill: string, rim: string): void {

@@ -1,6 +1,7 @@
 // A canvas context that writes SVG: the part of the interface that the views use.
 //
-// The libraries for this set `style` attributes while they measure fonts, which the policy of the page forbids.
+// The libraries for this set `style` attributes while they measure fonts, which the policy of the
+// page forbids.
 
 type Attributes = Record<string, string | number>;
 
@@ -18,7 +19,13 @@ interface Pen {
   clips: number;
 }
 
-const ANCHORS: Record<string, string> = { left: 'start', start: 'start', center: 'middle', right: 'end', end: 'end' };
+const ANCHORS: Record<string, string> = {
+  left: 'start',
+  start: 'start',
+  center: 'middle',
+  right: 'end',
+  end: 'end',
+};
 
 /** Where a line of text stands, in parts of its size. */
 const DROPS: Record<string, number> = { top: 0.85, middle: 0.35, alphabetic: 0, bottom: -0.2 };
@@ -54,8 +61,30 @@ ${this.parts.join('\n')}
   }
 
   save(): void {
-    const { fillStyle, strokeStyle, lineWidth, lineJoin, globalAlpha, font, textAlign, textBaseline, dash, clips } = this;
-    this.stack.push({ fillStyle, strokeStyle, lineWidth, lineJoin, globalAlpha, font, textAlign, textBaseline, dash, clips });
+    const {
+      fillStyle,
+      strokeStyle,
+      lineWidth,
+      lineJoin,
+      globalAlpha,
+      font,
+      textAlign,
+      textBaseline,
+      dash,
+      clips,
+    } = this;
+    this.stack.push({
+      fillStyle,
+      strokeStyle,
+      lineWidth,
+      lineJoin,
+      globalAlpha,
+      font,
+      textAlign,
+      textBaseline,
+      dash,
+      clips,
+    });
   }
 
   restore(): void {
@@ -67,7 +96,9 @@ ${this.parts.join('\n')}
 
   clip(): void {
     this.paths += 1;
-    this.parts.push(`<clipPath id="clip-${this.paths}"><path d="${this.path.join('')}"/></clipPath>`);
+    this.parts.push(
+      `<clipPath id="clip-${this.paths}"><path d="${this.path.join('')}"/></clipPath>`,
+    );
     this.parts.push(`<g clip-path="url(#clip-${this.paths})">`);
     this.clips += 1;
   }
@@ -98,10 +129,12 @@ ${this.parts.join('\n')}
 
   /** An arc clockwise on the screen; a whole turn is two halves. */
   arc(x: number, y: number, radius: number, from: number, to: number): void {
-    const point = (angle: number): string => `${at(x + radius * Math.cos(angle))} ${at(y + radius * Math.sin(angle))}`;
+    const point = (angle: number): string =>
+      `${at(x + radius * Math.cos(angle))} ${at(y + radius * Math.sin(angle))}`;
     const middle = 0.5 * (from + to);
     this.path.push(`${this.path.length === 0 ? 'M' : 'L'}${point(from)}`);
-    for (const angle of [middle, to]) this.path.push(`A${at(radius)} ${at(radius)} 0 0 1 ${point(angle)}`);
+    for (const angle of [middle, to])
+      this.path.push(`A${at(radius)} ${at(radius)} 0 0 1 ${point(angle)}`);
   }
 
   stroke(): void {
@@ -169,7 +202,8 @@ ${this.parts.join('\n')}
   }
 
   private write(text: string, x: number, y: number, paint: Attributes): void {
-    const [, style = '', weight = '', size = '10', family = ''] = /^(italic )?(bold )?([\d.]+)px (.*)$/.exec(this.font) ?? [];
+    const [, style = '', weight = '', size = '10', family = ''] =
+      /^(italic )?(bold )?([\d.]+)px (.*)$/.exec(this.font) ?? [];
     const drop = (DROPS[this.textBaseline] ?? 0) * Number(size);
     this.put(
       'text',
@@ -192,7 +226,9 @@ ${this.parts.join('\n')}
     const list = Object.entries(all)
       .map(([key, value]) => ` ${key}="${value}"`)
       .join('');
-    this.parts.push(text === undefined ? `<${name}${list}/>` : `<${name}${list}>${escaped(text)}</${name}>`);
+    this.parts.push(
+      text === undefined ? `<${name}${list}/>` : `<${name}${list}>${escaped(text)}</${name}>`,
+    );
   }
 }
 
@@ -204,7 +240,11 @@ function at(value: number): string {
 /** A colour with its opacity apart, as every program that reads SVG knows it. */
 function colour(kind: 'fill' | 'stroke', value: string): Attributes {
   const [, hex, alpha] = /^(#[\da-f]{6})([\da-f]{2})$/i.exec(value) ?? [];
-  if (hex && alpha) return { [kind]: hex, [`${kind}-opacity`]: Math.round((100 * parseInt(alpha, 16)) / 255) / 100 };
+  if (hex && alpha)
+    return {
+      [kind]: hex,
+      [`${kind}-opacity`]: Math.round((100 * parseInt(alpha, 16)) / 255) / 100,
+    };
   const [, red, green, blue, part] = /^rgb\((\d+) (\d+) (\d+) \/ ([\d.]+)\)$/.exec(value) ?? [];
   if (part) return { [kind]: `rgb(${red},${green},${blue})`, [`${kind}-opacity`]: part };
   return { [kind]: value };

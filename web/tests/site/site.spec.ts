@@ -1,4 +1,5 @@
-// The site in a browser: its pages are whole, readable and accessible, the laboratory lives in them, and search finds.
+// The site in a browser: its pages are whole, readable and accessible, the laboratory lives in
+// them, and search finds.
 
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -29,7 +30,8 @@ async function open(page: Page, name: string): Promise<void> {
   });
   page.on('request', (request) => {
     const { hostname, protocol } = new URL(request.url());
-    if (protocol.startsWith('http') && hostname !== '127.0.0.1') throw new Error(`a request to ${request.url()}`);
+    if (protocol.startsWith('http') && hostname !== '127.0.0.1')
+      throw new Error(`a request to ${request.url()}`);
   });
   await page.goto(`./${name}.html`);
 }
@@ -39,7 +41,10 @@ test('nothing is wider than a phone', async ({ page }, info) => {
   for (const name of PAGES) {
     await page.goto(`./${name}.html`);
     await expect(page.locator('h1')).toHaveCount(1);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth), name).toBeLessThanOrEqual(390);
+    expect(
+      await page.evaluate(() => document.documentElement.scrollWidth),
+      name,
+    ).toBeLessThanOrEqual(390);
     await page.screenshot({ path: info.outputPath(`${name.replaceAll('/', '-')}.png`) });
   }
 });
@@ -84,7 +89,9 @@ test('a frame plays, and follows the theme of the page', async ({ page }) => {
   await open(page, 'docs/index');
   const frame = page.frameLocator('iframe');
   await frame.locator('#play').click();
-  await expect.poll(async () => Number((await frame.locator('#now').textContent())!.slice(4))).toBeGreaterThan(0.1);
+  await expect
+    .poll(async () => Number((await frame.locator('#now').textContent())!.slice(4)))
+    .toBeGreaterThan(0.1);
   await page.evaluate(() => (document.body.dataset.theme = 'dark'));
   await expect(frame.locator('html')).toHaveAttribute('data-theme', 'dark');
   await page.evaluate(() => (document.body.dataset.theme = 'light'));
@@ -111,7 +118,9 @@ for (const [word, found] of [
   test(`search finds ${word} without a server`, async ({ page }) => {
     const site = resolve(process.env.LITTLEWOOD_SITE ?? '../target/site');
     await page.goto(`${pathToFileURL(site).href}/search.html?q=${word}`);
-    await expect(page.locator('#search-results li a').filter({ hasText: found }).first()).toBeVisible();
+    await expect(
+      page.locator('#search-results li a').filter({ hasText: found }).first(),
+    ).toBeVisible();
   });
 }
 

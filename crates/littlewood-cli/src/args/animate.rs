@@ -35,8 +35,8 @@ pub(crate) struct AnimateArgs {
     /// Film, .gif, .mp4 or .webm; an existing file is replaced once the film is complete
     #[arg(long, value_name = "FILE", help_heading = "Film")]
     pub(crate) out: PathBuf,
-    /// Seconds of film for a unit of time sqrt(R/g) [default: 3]; in SI units, how many times slower than real the
-    /// film is [default: 10]
+    /// Seconds of film for a unit of time sqrt(R/g) [default: 3]; in SI units, how many times
+    /// slower than real the film is [default: 10]
     #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
     pub(crate) slow: Option<f64>,
     /// Frames per second; a GIF can have 50
@@ -48,8 +48,8 @@ pub(crate) struct AnimateArgs {
     /// What the picture shows of the path
     #[arg(long, value_enum, default_value_t, help_heading = "Film")]
     pub(crate) camera: Framing,
-    /// Slow motion around impacts, by this factor; each impact is a still while the impulse grows. Small bounces are not
-    /// slowed down
+    /// Slow motion around impacts, by this factor; each impact is a still while the impulse grows.
+    /// Small bounces are not slowed down
     #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
     pub(crate) slow_impacts: Option<f64>,
     /// Show the energy as a bar: kinetic, potential, lost to friction, lost in impacts

@@ -38,7 +38,8 @@ pub(crate) struct FiguresArgs {
     /// List the figures: name, the case each is made of, what it shows
     #[arg(long, exclusive = true)]
     pub(crate) list: bool,
-    /// Named case to take instead of each figure's own, see `littlewood cases`; `libration` is short for figure-2-libration
+    /// Named case to take instead of each figure's own, see `littlewood cases`; `libration` is
+    /// short for figure-2-libration
     #[arg(long, value_name = "CASE", conflicts_with = "scenario")]
     case: Option<String>,
     /// Scenario file (TOML): case, [hoop], [start], [run], or [si.hoop] and [si.start]
@@ -51,12 +52,18 @@ pub(crate) struct FiguresArgs {
     /// Which impact of the motion the figure `impact` shows, from 1
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = impact)]
     pub(crate) impact: usize,
-    /// Line along which the figure `bifurcation` shows how a motion changes, such as mu_s=0.4:1, mu=0.1:1 or theta=-pi:pi
+    /// Line along which the figure `bifurcation` shows how a motion changes, such as mu_s=0.4:1,
+    /// mu=0.1:1 or theta=-pi:pi
     /// [default: theta_rate from 0]
     #[arg(long, value_name = "NAME=FROM:TO", value_parser = parse_line)]
     pub(crate) along: Option<TypedAxis>,
     /// Folder for the files; it is made if it is not there, in one that is
-    #[arg(long, value_name = "DIR", required_unless_present = "list", help_heading = "Output")]
+    #[arg(
+        long,
+        value_name = "DIR",
+        required_unless_present = "list",
+        help_heading = "Output"
+    )]
     pub(crate) out: Option<PathBuf>,
     /// Formats, with commas between them
     #[arg(
@@ -67,8 +74,8 @@ pub(crate) struct FiguresArgs {
         help_heading = "Output"
     )]
     pub(crate) format: Vec<FigureFormat>,
-    /// Width in print in millimetres, 84 for a column and 178 for a page: letters of 7 to 8 points at any width [default:
-    /// as wide as a screen wants]
+    /// Width in print in millimetres, 84 for a column and 178 for a page: letters of 7 to 8 points
+    /// at any width [default: as wide as a screen wants]
     #[arg(long, value_name = "MM", value_parser = number, help_heading = "Output")]
     pub(crate) width_mm: Option<f64>,
     /// Pixels of a PNG to 1/96 inch of the drawing: 3.125 makes 300 dpi, 6.25 makes 600
@@ -78,8 +85,14 @@ pub(crate) struct FiguresArgs {
 
 /// The number of an impact.
 fn impact(text: &str) -> Result<usize, String> {
-    let number: usize = text.parse().map_err(|_| "this is not a whole number from 1".to_owned())?;
-    if number == 0 { Err("the first impact is 1".to_owned()) } else { Ok(number) }
+    let number: usize = text
+        .parse()
+        .map_err(|_| "this is not a whole number from 1".to_owned())?;
+    if number == 0 {
+        Err("the first impact is 1".to_owned())
+    } else {
+        Ok(number)
+    }
 }
 
 impl FiguresArgs {
@@ -90,9 +103,15 @@ impl FiguresArgs {
 
     /// The same as `simulate` has it, with a case if none is asked for.
     pub(crate) fn problem(&self, case: &str) -> ProblemArgs<false> {
-        let Self { scenario, setup, .. } = self;
+        let Self {
+            scenario, setup, ..
+        } = self;
         let own = || scenario.is_none().then(|| case.to_owned());
-        ProblemArgs { case: self.case.clone().or_else(own), scenario: scenario.clone(), setup: setup.clone() }
+        ProblemArgs {
+            case: self.case.clone().or_else(own),
+            scenario: scenario.clone(),
+            setup: setup.clone(),
+        }
     }
 }
 

@@ -50,9 +50,10 @@ use littlewood_report::Sampling;
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
 ///
-/// A hoop (or disc) of mass m1 and radius R carries a particle of mass m2 at the distance l from its centre and moves
-/// on a rough horizontal plane. Each slip, stick, lift-off and landing is located to machine precision. Equation
-/// numbers refer to Bronars and O'Reilly, Proc. R. Soc. A 475, 2019.
+/// A hoop (or disc) of mass m1 and radius R carries a particle of mass m2 at the distance l from
+/// its centre and moves on a rough horizontal plane. Each slip, stick, lift-off and landing is
+/// located to machine precision. Equation numbers refer to Bronars and O'Reilly, Proc. R. Soc. A
+/// 475, 2019.
 #[derive(Debug, Parser)]
 #[command(name = "littlewood", version, arg_required_else_help = true, after_help = EXAMPLES)]
 pub(crate) struct Cli {
@@ -116,7 +117,8 @@ pub(crate) enum Command {
     Fit(ElsewhereArgs),
     /// Score a solver against the exact motion (in the Python package)
     Score(ElsewhereArgs),
-    /// Certify a motion by ball arithmetic, with a proof that no event is missed (in the Python package)
+    /// Certify a motion by ball arithmetic, with a proof that no event is missed (in the Python
+    /// package)
     Certify(ElsewhereArgs),
 }
 
@@ -169,22 +171,27 @@ pub(crate) struct SimulateArgs {
     /// Output format [default: by the extension of --out, .txt, .csv or .json, else table]
     #[arg(long, value_enum, help_heading = "Output")]
     pub(crate) format: Option<Format>,
-    /// Sample N instants, evenly spaced in time, and every transition. An endless motion is sampled for two periods of its
-    /// last phase (10 units of time if it has no period), or to --until; one that ends at its start has one sample
+    /// Sample N instants, evenly spaced in time, and every transition. An endless motion is sampled
+    /// for two periods of its last phase (10 units of time if it has no period), or to --until; one
+    /// that ends at its start has one sample
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(SAMPLES), help_heading = "Output")]
     pub(crate) samples: Option<u64>,
-    /// Print a row for every bounce and phase; by default bounces share a row and long motions are shortened
+    /// Print a row for every bounce and phase; by default bounces share a row and long motions are
+    /// shortened
     #[arg(long, help_heading = "Output")]
     pub(crate) all_bounces: bool,
-    /// Estimate the trusted digits of each transition, from neighbouring starts and perturbed rounding
+    /// Estimate the trusted digits of each transition, from neighbouring starts and perturbed
+    /// rounding
     #[arg(long, help_heading = "Output")]
     pub(crate) digits: bool,
-    /// Derivatives of each transition and of the outcome with respect to these quantities of hoop and start, with commas between
-    /// their names, such as mu_k,theta_rate; or to all. They are dimensionless
+    /// Derivatives of each transition and of the outcome with respect to these quantities of hoop
+    /// and start, with commas between their names, such as mu_k,theta_rate; or to all. They are
+    /// dimensionless
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = errors::parse_names, help_heading = "Output")]
     pub(crate) derivatives: Vec<Names>,
-    /// Standard errors of hoop and start, such as mu_k=0.02,theta=0.5deg: those of each transition and of the outcome, to first
-    /// order and in a sample of 10,000 motions, with a warning where they differ (in the table and in JSON, dimensionless)
+    /// Standard errors of hoop and start, such as mu_k=0.02,theta=0.5deg: those of each transition
+    /// and of the outcome, to first order and in a sample of 10,000 motions, with a warning where
+    /// they differ (in the table and in JSON, dimensionless)
     #[arg(long, value_name = "NAME=ERROR", value_delimiter = ',', value_parser = errors::parse_error, help_heading = "Output")]
     pub(crate) uncertainty: Vec<(Quantity, f64)>,
     /// Output file; an existing file is replaced once the output is complete

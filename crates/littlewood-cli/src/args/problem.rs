@@ -9,8 +9,8 @@ use littlewood::{Limits, Proof};
 
 use super::quantity::{LimitArgs, SetupArgs};
 
-/// A hoop and a start, in whatever way they are given. Without `PLACE` it starts at x = 0, τ = 0 unless a scenario says
-/// otherwise.
+/// A hoop and a start, in whatever way they are given. Without `PLACE` it starts at x = 0, τ = 0
+/// unless a scenario says otherwise.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct ProblemArgs<const PLACE: bool> {
     /// Named case, see `littlewood cases`; `libration` is short for figure-2-libration
@@ -66,7 +66,10 @@ fn proofs() -> impl TypedValueParser<Value = Proof> {
 }
 
 fn proof() -> String {
-    format!("Proof required before a motion is declared endless [default: {}]", Limits::default().proof)
+    format!(
+        "Proof required before a motion is declared endless [default: {}]",
+        Limits::default().proof
+    )
 }
 
 /// A number after a flag.

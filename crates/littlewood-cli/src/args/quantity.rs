@@ -60,8 +60,13 @@ fn argument(quantity: Quantity) -> Arg {
         Some(default) => format!("{} [default: {default}]", row.help),
         None => row.help.to_owned(),
     };
-    let argument = Arg::new(quantity.name()).long(hyphened(quantity.name())).action(ArgAction::Set);
-    let argument = argument.value_parser(number).value_name(value_name(quantity)).help(help);
+    let argument = Arg::new(quantity.name())
+        .long(hyphened(quantity.name()))
+        .action(ArgAction::Set);
+    let argument = argument
+        .value_parser(number)
+        .value_name(value_name(quantity))
+        .help(help);
     let argument = argument.help_heading(heading(quantity));
     // A quantity without a twin is the same number in both systems, and has both names.
     if row.twin.is_none() && in_si != quantity.name() {
@@ -79,9 +84,17 @@ fn degrees_flag(quantity: Quantity) -> Option<String> {
 fn in_degrees(quantity: Quantity) -> Option<Arg> {
     let flag = degrees_flag(quantity)?;
     let help = format!("{quantity} in degrees, instead of radians");
-    let argument =
-        Arg::new(flag.clone()).long(flag).action(ArgAction::Set).value_parser(number).value_name("DEGREES");
-    Some(argument.help_heading(heading(quantity)).help(help).conflicts_with(quantity.name()))
+    let argument = Arg::new(flag.clone())
+        .long(flag)
+        .action(ArgAction::Set)
+        .value_parser(number)
+        .value_name("DEGREES");
+    Some(
+        argument
+            .help_heading(heading(quantity))
+            .help(help)
+            .conflicts_with(quantity.name()),
+    )
 }
 
 /// The flag of the law of restitution.
@@ -95,7 +108,9 @@ fn law_argument() -> Arg {
         .long(hyphened(RESTITUTION_LAW))
         .value_name("LAW")
         .action(ArgAction::Set)
-        .value_parser(PossibleValuesParser::new(names).try_map(|name| name.parse::<RestitutionLaw>()))
+        .value_parser(
+            PossibleValuesParser::new(names).try_map(|name| name.parse::<RestitutionLaw>()),
+        )
         .help_heading(heading(Quantity::Restitution))
         .help(help)
 }
@@ -103,15 +118,21 @@ fn law_argument() -> Arg {
 fn typed(matches: &ArgMatches, quantities: impl Iterator<Item = Quantity>) -> Vec<Given> {
     quantities
         .filter_map(|quantity| {
-            let degrees = || Some(matches.get_one::<f64>(&degrees_flag(quantity)?)?.to_radians());
+            let degrees = || {
+                Some(
+                    matches
+                        .get_one::<f64>(&degrees_flag(quantity)?)?
+                        .to_radians(),
+                )
+            };
             let value = matches.get_one(quantity.name()).copied().or_else(degrees)?;
             Some(Given::by_flag(quantity, value))
         })
         .collect()
 }
 
-/// The numbers of a hoop and a start that were typed. Without `PLACE` there are no flags for where and when the motion
-/// starts: `--x` is free for an axis.
+/// The numbers of a hoop and a start that were typed. Without `PLACE` there are no flags for where
+/// and when the motion starts: `--x` is free for an axis.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SetupArgs<const PLACE: bool> {
     pub(crate) given: Vec<Given>,
@@ -123,11 +144,13 @@ pub(crate) struct SetupArgs<const PLACE: bool> {
 
 impl<const PLACE: bool> SetupArgs<PLACE> {
     fn quantities() -> impl Iterator<Item = Quantity> {
-        Quantity::ALL.into_iter().filter(|quantity| match quantity.group() {
-            Group::Hoop | Group::Start | Group::Units => true,
-            Group::Place => PLACE || quantity.is_si(),
-            Group::Run => false,
-        })
+        Quantity::ALL
+            .into_iter()
+            .filter(|quantity| match quantity.group() {
+                Group::Hoop | Group::Start | Group::Units => true,
+                Group::Place => PLACE || quantity.is_si(),
+                Group::Run => false,
+            })
     }
 }
 
@@ -139,7 +162,8 @@ impl<const PLACE: bool> Args for SetupArgs<PLACE> {
             flag(Quantity::ParticleMassKg),
             flag(Quantity::RadiusM),
         ));
-        let (si, plain): (Vec<_>, Vec<_>) = Self::quantities().partition(|quantity| quantity.is_si());
+        let (si, plain): (Vec<_>, Vec<_>) =
+            Self::quantities().partition(|quantity| quantity.is_si());
         for quantity in plain {
             command = command.arg(argument(quantity)).args(in_degrees(quantity));
             if quantity == Quantity::Restitution {
@@ -177,7 +201,9 @@ pub(crate) struct LimitArgs {
 
 impl LimitArgs {
     fn quantities() -> impl Iterator<Item = Quantity> {
-        Quantity::ALL.into_iter().filter(|quantity| quantity.group() == Group::Run)
+        Quantity::ALL
+            .into_iter()
+            .filter(|quantity| quantity.group() == Group::Run)
     }
 }
 
@@ -193,7 +219,9 @@ impl Args for LimitArgs {
 
 impl FromArgMatches for LimitArgs {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        Ok(Self { given: typed(matches, Self::quantities()) })
+        Ok(Self {
+            given: typed(matches, Self::quantities()),
+        })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

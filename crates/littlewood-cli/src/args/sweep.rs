@@ -100,18 +100,25 @@ pub(crate) struct MapArgs {
     pub(crate) work: WorkArgs,
     #[command(flatten)]
     pub(crate) store: StoreArgs,
-    /// Column shown by colour: outcome, sequence, energy_lost, a column such as transitions, landings (hops),
-    /// lift_off_time or jump_length, or the size of a derivative such as end_x_by_mu_k
-    #[arg(long, value_name = "COLUMN", default_value = "outcome", help_heading = "Output")]
+    /// Column shown by colour: outcome, sequence, energy_lost, a column such as transitions,
+    /// landings (hops), lift_off_time or jump_length, or the size of a derivative such as
+    /// end_x_by_mu_k
+    #[arg(
+        long,
+        value_name = "COLUMN",
+        default_value = "outcome",
+        help_heading = "Output"
+    )]
     pub(crate) shade: String,
-    /// Draw the curves f (|F| = mu_s N in rolling), n (N = 0 in rolling) and that of lift-off over a map of theta and theta_rate
+    /// Draw the curves f (|F| = mu_s N in rolling), n (N = 0 in rolling) and that of lift-off over
+    /// a map of theta and theta_rate
     #[arg(long, help_heading = "Output")]
     pub(crate) curves: bool,
     /// Draw lines of constant value at the ticks of the scale
     #[arg(long, help_heading = "Output")]
     pub(crate) contours: bool,
-    /// Width in print in millimetres, 84 for a column and 178 for a page, a PNG with 300 pixels to the inch [default: as wide as a
-    /// screen wants]
+    /// Width in print in millimetres, 84 for a column and 178 for a page, a PNG with 300 pixels to
+    /// the inch [default: as wide as a screen wants]
     #[arg(long, value_name = "MM", value_parser = number, help_heading = "Output")]
     pub(crate) width_mm: Option<f64>,
     /// Size of a PNG in pixels
@@ -151,7 +158,8 @@ pub(crate) struct AtlasArgs {
     /// A list of hoops, .csv; the grid is that of each
     #[arg(long, value_name = "FILE")]
     pub(crate) hoops: Option<PathBuf>,
-    /// Simulate the first turn of each motion, with mu_k = mu_s, from the top unless --theta or an axis says otherwise
+    /// Simulate the first turn of each motion, with mu_k = mu_s, from the top unless --theta or an
+    /// axis says otherwise
     #[arg(long, conflicts_with_all = [Quantity::Until.name(), Quantity::UntilS.name(), "max_transitions", "max_slides"])]
     pub(crate) first_turn: bool,
     #[command(flatten)]
@@ -185,8 +193,9 @@ pub(crate) struct StoreArgs {
     /// Output file (repeatable); the extension chooses the format
     #[arg(long, value_name = "PATH", required = true)]
     pub(crate) out: Vec<PathBuf>,
-    /// Derivatives to compute, of a column of numbers by a quantity of hoop or start, separated by commas: jump_length_by_mu_k,end_x_by_theta.
-    /// One that does not exist is left empty in a text, and is NaN in a store
+    /// Derivatives to compute, of a column of numbers by a quantity of hoop or start, separated by
+    /// commas: jump_length_by_mu_k,end_x_by_theta. One that does not exist is left empty in a text,
+    /// and is NaN in a store
     #[arg(long, value_name = "COLUMN_by_QUANTITY", value_delimiter = ',')]
     pub(crate) derivatives: Vec<DerivativeColumn>,
     /// Resume an interrupted run; parameters must match

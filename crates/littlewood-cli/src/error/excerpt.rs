@@ -16,7 +16,8 @@ pub(crate) struct Excerpt {
 }
 
 impl Excerpt {
-    /// The place of some bytes of a text. Where they are more than a line, the rest of their first line is meant.
+    /// The place of some bytes of a text. Where they are more than a line, the rest of their first
+    /// line is meant.
     pub(crate) fn new(file: &Path, text: &str, bytes: &Range<usize>) -> Self {
         let start = text.floor_char_boundary(bytes.start.min(text.len()));
         let line_start = text[..start].rfind('\n').map_or(0, |end| end + 1);
@@ -34,14 +35,23 @@ impl Excerpt {
 
     /// The name of the file, the line, and marks under what is meant.
     pub(super) fn render(&self) -> String {
-        let Self { file, line, column, text, letters } = self;
+        let Self {
+            file,
+            line,
+            column,
+            text,
+            letters,
+        } = self;
         let blue = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));
         let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
         let number = line.to_string();
         let margin = " ".repeat(number.len());
         // A tab is as wide here as it is in the line above.
-        let before: String =
-            text.chars().take(column - 1).map(|letter| if letter == '\t' { '\t' } else { ' ' }).collect();
+        let before: String = text
+            .chars()
+            .take(column - 1)
+            .map(|letter| if letter == '\t' { '\t' } else { ' ' })
+            .collect();
         let marks = "^".repeat(*letters);
         format!(
             "\n{margin} {blue}-->{blue:#} {file}:{line}:{column}\n{blue}{number} |{blue:#} {text}\n\
@@ -55,12 +65,16 @@ mod tests {
     use super::Excerpt;
 
     fn shown(text: &str, bytes: std::ops::Range<usize>) -> String {
-        anstream::adapter::strip_str(&Excerpt::new("a.toml".as_ref(), text, &bytes).render()).to_string()
+        anstream::adapter::strip_str(&Excerpt::new("a.toml".as_ref(), text, &bytes).render())
+            .to_string()
     }
 
     #[test]
     fn the_line_is_shown_with_marks_under_what_is_meant() {
-        assert_eq!(shown("a = 1\nθ = two\n", 11..14), "\n  --> a.toml:2:5\n2 | θ = two\n  |     ^^^\n");
+        assert_eq!(
+            shown("a = 1\nθ = two\n", 11..14),
+            "\n  --> a.toml:2:5\n2 | θ = two\n  |     ^^^\n"
+        );
     }
 
     #[test]

@@ -7,7 +7,9 @@ use littlewood::tables::Quantity;
 use littlewood_draw::DrawError;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
-use littlewood_sweep::{AxisError, ListError, MOST_CHUNK_POINTS, PictureError, StoreError, SweepError};
+use littlewood_sweep::{
+    AxisError, ListError, MOST_CHUNK_POINTS, PictureError, StoreError, SweepError,
+};
 
 use super::Error;
 
@@ -66,8 +68,12 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
 #[cfg(feature = "figures")]
 fn of_figure(error: &FigureError) -> Cow<'_, str> {
     match error {
-        FigureError::NeedsInertia { .. } => "give --mass-ratio or --inertia above 0, or leave the figure out",
-        FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
+        FigureError::NeedsInertia { .. } => {
+            "give --mass-ratio or --inertia above 0, or leave the figure out"
+        }
+        FigureError::NeedsMassless { .. } => {
+            "give --mass-ratio 0 and --inertia 0, or leave the figure out"
+        }
         FigureError::NeedsStartOnPlane { .. } => "leave --gap-rate out, or leave the figure out",
         FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
         FigureError::NeedsOffset { .. } => "give --offset above 0",
@@ -80,15 +86,21 @@ fn of_figure(error: &FigureError) -> Cow<'_, str> {
             "give another start; `littlewood classify` says what there is at this one"
         }
         FigureError::NoDuration { .. } => "give a later --until, or another start",
-        FigureError::NeedsRestitution { .. } => "give --restitution from 0 to 1, or leave the figure out",
+        FigureError::NeedsRestitution { .. } => {
+            "give --restitution from 0 to 1, or leave the figure out"
+        }
         FigureError::NoImpact { .. } => {
             "give a start from which the hoop jumps, or a later --until; or leave the figure out"
         }
-        FigureError::NoTransition { .. } => "give another line: --along NAME=FROM:TO, such as theta_rate=0:4",
+        FigureError::NoTransition { .. } => {
+            "give another line: --along NAME=FROM:TO, such as theta_rate=0:4"
+        }
         FigureError::TooManyBands { .. } => {
             "give a shorter line: --along NAME=FROM:TO, such as theta_rate=0:4"
         }
-        FigureError::ImpactNumber { .. } => "give another --impact; `littlewood simulate` lists the landings",
+        FigureError::ImpactNumber { .. } => {
+            "give another --impact; `littlewood simulate` lists the landings"
+        }
         FigureError::Draw(error) => of_drawing(error),
         FigureError::Parameter(error) => error.hint(),
         FigureError::UnknownCase { .. } => "`littlewood cases` lists the names",
@@ -117,7 +129,8 @@ fn of_sweep(error: &SweepError) -> Cow<'_, str> {
         SweepError::NotBuilt { .. } => "give a name that ends in another format".into(),
         SweepError::Threads(_) => "give fewer --threads, or leave the flag out".into(),
         SweepError::TooManyChunks { .. } => {
-            format!("take fewer points, or larger chunks: --chunk N, {MOST_CHUNK_POINTS} at most").into()
+            format!("take fewer points, or larger chunks: --chunk N, {MOST_CHUNK_POINTS} at most")
+                .into()
         }
         SweepError::LongAxis { .. } => {
             "take fewer points, or give --out NAME.parquet, which has no coordinates".into()
@@ -170,10 +183,14 @@ const fn of_store(error: &StoreError) -> &'static str {
         StoreError::Exists { complete: true, .. } => {
             "it is finished; give another --out, or remove it to compute it again"
         }
-        StoreError::Exists { complete: false, .. } => "--resume goes on with it; or give another --out",
+        StoreError::Exists {
+            complete: false, ..
+        } => "--resume goes on with it; or give another --out",
         StoreError::OtherParameters { .. } => "give another --out, or the parameters of the store",
         StoreError::NotAStore { .. } | StoreError::OtherFormat { .. } => "give another --out",
-        StoreError::Unwritable { finished: 0, .. } => "make room, or choose a folder that can be written to",
+        StoreError::Unwritable { finished: 0, .. } => {
+            "make room, or choose a folder that can be written to"
+        }
         StoreError::Unwritable { .. } => {
             "make room, then give the same command with --resume; it goes on from there"
         }

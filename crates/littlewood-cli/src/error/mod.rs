@@ -34,9 +34,16 @@ pub(crate) enum Error {
     #[error("{error}")]
     Value { error: ParameterError },
     #[error("{error}")]
-    ScenarioValue { error: ParameterError, excerpt: Excerpt },
+    ScenarioValue {
+        error: ParameterError,
+        excerpt: Excerpt,
+    },
     #[error("{message}")]
-    Scenario { message: String, help: String, excerpt: Excerpt },
+    Scenario {
+        message: String,
+        help: String,
+        excerpt: Excerpt,
+    },
     #[error("--uncertainty has two errors of {quantity}")]
     TwoErrors { quantity: Quantity },
     #[error(transparent)]
@@ -44,9 +51,16 @@ pub(crate) enum Error {
     #[error("there is no case named '{name}'")]
     UnknownCase { name: String, hint: String },
     #[error("missing: {}", names.join(", "))]
-    Missing { names: Vec<String>, flags: Vec<String> },
+    Missing {
+        names: Vec<String>,
+        flags: Vec<String>,
+    },
     #[error("{}", mixed(plain, si))]
-    Mixed { plain: String, si: String, hint: String },
+    Mixed {
+        plain: String,
+        si: String,
+        hint: String,
+    },
     #[error("cannot read the scenario {}: {source}", path.display())]
     Unreadable { path: PathBuf, source: io::Error },
     #[error("cannot write to {}: {source}", path.display())]
@@ -61,12 +75,24 @@ pub(crate) enum Error {
     Sweep(Box<SweepError>),
     #[cfg(feature = "sweep")]
     #[error("{}, line {line}: {source}", path.display())]
-    Hoop { path: PathBuf, line: u64, source: Box<AxisError> },
+    Hoop {
+        path: PathBuf,
+        line: u64,
+        source: Box<AxisError>,
+    },
     #[cfg(feature = "sweep")]
     #[error("{}: column {column} {reason}", path.display())]
-    HoopColumn { path: PathBuf, column: Quantity, reason: String },
+    HoopColumn {
+        path: PathBuf,
+        column: Quantity,
+        reason: String,
+    },
     #[error("--out {}: {reason}", path.display())]
-    Out { path: PathBuf, reason: String, hint: String },
+    Out {
+        path: PathBuf,
+        reason: String,
+        hint: String,
+    },
     #[error("{count} samples: a table has at most {most}")]
     LongTable { count: u64, most: u64 },
     #[error("--shade {name}: no such column")]
@@ -107,13 +133,14 @@ pub(crate) fn mixed(plain: impl Display, si: impl Display) -> String {
 
 impl Error {
     #[allow(clippy::match_same_arms, reason = "an attribute holds for a whole arm")]
-    /// 2 for bad input, which a place is where nothing can be written; 1 for another failure; 0 where a reader has left.
+    /// 2 for bad input, which a place is where nothing can be written; 1 for another failure; 0
+    /// where a reader has left.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
             Self::ClosedPipe => 0,
-            Self::Write { source, .. } | Self::WriteFile { source, .. } | Self::Unwritable { source, .. } => {
-                of_writing(source)
-            }
+            Self::Write { source, .. }
+            | Self::WriteFile { source, .. }
+            | Self::Unwritable { source, .. } => of_writing(source),
             #[cfg(feature = "lab")]
             Self::NoPage { .. } | Self::Port { .. } => FAILURE,
             Self::Drawing(DrawError::NoRoom { .. }) => FAILURE,
@@ -139,7 +166,8 @@ impl Error {
         }
     }
 
-    /// Writes the message and the hint to the standard error, with the place in the file if there is one.
+    /// Writes the message and the hint to the standard error, with the place in the file if there
+    /// is one.
     pub(crate) fn print(&self) {
         if matches!(self, Self::ClosedPipe) {
             return;

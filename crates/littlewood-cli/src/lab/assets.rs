@@ -24,11 +24,14 @@ pub(super) struct Page(BTreeMap<String, Cow<'static, [u8]>>);
 impl Page {
     /// The page that is part of this program, if it was built before the program was.
     pub(super) fn embedded() -> Option<Self> {
-        let files = embedded::FILES.iter().map(|&(name, content)| (name.to_owned(), Cow::Borrowed(content)));
+        let files = embedded::FILES
+            .iter()
+            .map(|&(name, content)| (name.to_owned(), Cow::Borrowed(content)));
         Self(files.collect()).if_whole()
     }
 
-    /// The page in a folder, read at once, so that nothing else is ever served; none if there is no page in it.
+    /// The page in a folder, read at once, so that nothing else is ever served; none if there is no
+    /// page in it.
     pub(super) fn read(folder: &Path) -> io::Result<Option<Self>> {
         let mut files = BTreeMap::new();
         if folder.join(FIRST).is_file() {
@@ -43,7 +46,10 @@ impl Page {
 
     pub(super) fn find(&self, name: &str) -> Option<Asset> {
         let content = self.0.get(name)?.clone();
-        Some(Asset { content, kind: media_type(name) })
+        Some(Asset {
+            content,
+            kind: media_type(name),
+        })
     }
 }
 
@@ -54,7 +60,9 @@ fn read_folder(
 ) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
-        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { continue };
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
+            continue;
+        };
         let name = format!("{prefix}{name}");
         if path.is_dir() {
             read_folder(&path, &format!("{name}/"), files)?;

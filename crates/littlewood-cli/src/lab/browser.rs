@@ -4,8 +4,8 @@ use std::env;
 use std::io;
 use std::process::{Command, Stdio};
 
-/// Opens an address of this machine. Where nobody sits at a screen nothing is opened: some systems would start a browser
-/// for text.
+/// Opens an address of this machine. Where nobody sits at a screen nothing is opened: some systems
+/// would start a browser for text.
 pub(super) fn open(address: &str) -> io::Result<()> {
     if !has_screen() {
         return Ok(());
@@ -21,7 +21,13 @@ pub(super) fn open(address: &str) -> io::Result<()> {
         Command::new("xdg-open")
     };
     let null = Stdio::null;
-    command.arg(address).stdin(null()).stdout(null()).stderr(null()).spawn().map(drop)
+    command
+        .arg(address)
+        .stdin(null())
+        .stdout(null())
+        .stderr(null())
+        .spawn()
+        .map(drop)
 }
 
 fn has_screen() -> bool {

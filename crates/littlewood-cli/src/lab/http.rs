@@ -1,5 +1,6 @@
-//! HTTP/1.1, as far as a page needs it: one request a connection, its head alone, within bounds of size and time. Nothing is
-//! allocated by what a request says of itself, and a body is never waited for.
+//! HTTP/1.1, as far as a page needs it: one request a connection, its head alone, within bounds of
+//! size and time. Nothing is allocated by what a request says of itself, and a body is never waited
+//! for.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
@@ -9,7 +10,8 @@ use std::time::{Duration, Instant};
 
 use super::answer::{Answer, MALFORMED, Question, TOO_LONG};
 
-/// The longest head of a request: a link with the whole state, and the cookies of every server of this machine.
+/// The longest head of a request: a link with the whole state, and the cookies of every server of
+/// this machine.
 const HEAD: usize = 32 * 1024;
 
 /// Connections at a time. A browser opens six, and some that it then leaves idle.
@@ -38,7 +40,8 @@ pub(super) fn serve(
             thread::sleep(PAUSE);
             continue;
         };
-        // Beyond that number a connection is closed at once, and so is one for which the system has no thread.
+        // Beyond that number a connection is closed at once, and so is one for which the system has
+        // no thread.
         if Arc::strong_count(&answer) <= CONNECTIONS {
             let answer = Arc::clone(&answer);
             let _ = thread::Builder::new().spawn(move || {
@@ -79,7 +82,10 @@ fn read_head(mut stream: &TcpStream, end: Instant) -> io::Result<Option<Vec<u8>>
         // The empty line may have begun in what was read before.
         let from = length.saturating_sub(EMPTY_LINE.len());
         length += count;
-        if let Some(at) = head[from..length].windows(EMPTY_LINE.len()).position(|four| four == EMPTY_LINE) {
+        if let Some(at) = head[from..length]
+            .windows(EMPTY_LINE.len())
+            .position(|four| four == EMPTY_LINE)
+        {
             head.truncate(from + at);
             return Ok(Some(head));
         }
@@ -95,8 +101,13 @@ fn parse(head: &[u8]) -> Option<(&str, Question<'_>)> {
     let mut lines = text.split("\r\n");
     let mut words = lines.next()?.split(' ');
     let (method, path, version) = (words.next()?, words.next()?, words.next()?);
-    let is_token = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_graphic());
-    if !is_token(method) || !is_token(path) || words.next().is_some() || !version.starts_with("HTTP/1.") {
+    let is_token =
+        |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_graphic());
+    if !is_token(method)
+        || !is_token(path)
+        || words.next().is_some()
+        || !version.starts_with("HTTP/1.")
+    {
         return None;
     }
     let (mut host, mut has_body) = (None, false);
@@ -116,12 +127,27 @@ fn parse(head: &[u8]) -> Option<(&str, Question<'_>)> {
             has_body = true;
         }
     }
-    Some((method, Question { reads: matches!(method, "GET" | "HEAD"), has_body, host, path }))
+    Some((
+        method,
+        Question {
+            reads: matches!(method, "GET" | "HEAD"),
+            has_body,
+            host,
+            path,
+        },
+    ))
 }
 
 fn head_of(answer: &Answer) -> String {
-    let Answer { status, headers, body } = answer;
-    let mut head = format!("HTTP/1.1 {status} \r\nContent-Length: {}\r\nConnection: close\r\n", body.len());
+    let Answer {
+        status,
+        headers,
+        body,
+    } = answer;
+    let mut head = format!(
+        "HTTP/1.1 {status} \r\nContent-Length: {}\r\nConnection: close\r\n",
+        body.len()
+    );
     for (name, value) in headers {
         head.push_str(&format!("{name}: {value}\r\n"));
     }
@@ -140,7 +166,8 @@ fn write(mut stream: &TcpStream, mut bytes: &[u8], end: Instant) -> io::Result<(
     Ok(())
 }
 
-/// Reads what the client has sent beyond its request: a connection that is closed before takes the answer with it.
+/// Reads what the client has sent beyond its request: a connection that is closed before takes the
+/// answer with it.
 fn drain(mut stream: &TcpStream, end: Instant) -> io::Result<()> {
     let mut bytes = [0; 4096];
     let mut total = 0;
@@ -156,5 +183,9 @@ fn drain(mut stream: &TcpStream, end: Instant) -> io::Result<()> {
 
 fn until(end: Instant) -> io::Result<Duration> {
     let left = end.saturating_duration_since(Instant::now());
-    if left.is_zero() { Err(ErrorKind::TimedOut.into()) } else { Ok(left) }
+    if left.is_zero() {
+        Err(ErrorKind::TimedOut.into())
+    } else {
+        Ok(left)
+    }
 }

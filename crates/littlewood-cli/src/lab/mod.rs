@@ -1,4 +1,5 @@
-//! `littlewood lab`: serves the laboratory, the page in which a motion is dragged and watched, to this machine alone.
+//! `littlewood lab`: serves the laboratory, the page in which a motion is dragged and watched, to
+//! this machine alone.
 
 mod answer;
 mod assets;
@@ -23,13 +24,20 @@ const LOOK: Duration = Duration::from_millis(100);
 
 pub(crate) fn run(args: &LabArgs) -> Result<(), Error> {
     let page = source::page(args.page.as_deref())?;
-    let refused = |source| Error::Port { port: args.port, source };
+    let refused = |source| Error::Port {
+        port: args.port,
+        source,
+    };
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(refused)?;
     let port = listener.local_addr().map_err(refused)?.port();
     let asked_to_stop = interrupt::asked();
     // It waits for connections as long as the program runs.
     thread::Builder::new()
-        .spawn(move || http::serve(&listener, move |question| answer(question, port, |name| page.find(name))))
+        .spawn(move || {
+            http::serve(&listener, move |question| {
+                answer(question, port, |name| page.find(name))
+            })
+        })
         .map_err(refused)?;
     let address = format!("http://127.0.0.1:{port}/");
     announce(&address)?;
@@ -47,5 +55,8 @@ fn announce(address: &str) -> Result<(), Error> {
     let mut out = io::stdout().lock();
     writeln!(out, "The laboratory is at {address}\nCtrl-C ends it.")
         .and_then(|()| out.flush())
-        .map_err(|source| Error::Write { target: "the standard output".to_owned(), source })
+        .map_err(|source| Error::Write {
+            target: "the standard output".to_owned(),
+            source,
+        })
 }

@@ -1,5 +1,5 @@
-//! Where the page comes from: the folder that was asked for, the program, or the sources, in which it is built if it is not
-//! there.
+//! Where the page comes from: the folder that was asked for, the program, or the sources, in which
+//! it is built if it is not there.
 
 use std::env;
 use std::io;
@@ -16,13 +16,16 @@ const WAYS: &str = "a released program has the page in it; `--page FOLDER` serve
 
 pub(super) fn page(folder: Option<&Path>) -> Result<Page, Error> {
     if let Some(folder) = folder {
-        return read(folder)?.ok_or_else(|| no_page(format!("there is no page in {}", folder.display())));
+        return read(folder)?
+            .ok_or_else(|| no_page(format!("there is no page in {}", folder.display())));
     }
     if let Some(page) = Page::embedded() {
         return Ok(page);
     }
     let Some(web) = sources() else {
-        return Err(no_page("this program was built without the page of the laboratory".to_owned()));
+        return Err(no_page(
+            "this program was built without the page of the laboratory".to_owned(),
+        ));
     };
     let built = web.join("dist");
     if let Some(page) = read(&built)? {
@@ -33,18 +36,28 @@ pub(super) fn page(folder: Option<&Path>) -> Result<Page, Error> {
 }
 
 fn read(folder: &Path) -> Result<Option<Page>, Error> {
-    Page::read(folder)
-        .map_err(|error| no_page(format!("cannot read the page in {}: {error}", folder.display())))
+    Page::read(folder).map_err(|error| {
+        no_page(format!(
+            "cannot read the page in {}: {error}",
+            folder.display()
+        ))
+    })
 }
 
 fn no_page(reason: String) -> Error {
-    Error::NoPage { reason, hint: WAYS.to_owned() }
+    Error::NoPage {
+        reason,
+        hint: WAYS.to_owned(),
+    }
 }
 
-/// The folder of the page's sources, if the program is called from somewhere in a copy of the project.
+/// The folder of the page's sources, if the program is called from somewhere in a copy of the
+/// project.
 fn sources() -> Option<PathBuf> {
     let here = env::current_dir().ok()?;
-    here.ancestors().map(|folder| folder.join("web")).find(|web| web.join("build.sh").is_file())
+    here.ancestors()
+        .map(|folder| folder.join("web"))
+        .find(|web| web.join("build.sh").is_file())
 }
 
 /// Builds the page; its output goes to the standard error.
@@ -58,7 +71,8 @@ fn build(web: &Path) -> Result<(), Error> {
         .is_ok_and(|status| status.success());
     if !has_npm {
         return Err(no_page(
-            "the page of the laboratory is not built yet, and there is no npm to build it".to_owned(),
+            "the page of the laboratory is not built yet, and there is no npm to build it"
+                .to_owned(),
         ));
     }
     let script = web.join("build.sh");
@@ -66,10 +80,16 @@ fn build(web: &Path) -> Result<(), Error> {
         "The page of the laboratory is not built yet: {} builds it, once. It takes a minute or two.",
         script.display()
     );
-    let status = Command::new("bash").arg(&script).stdout(io::stderr()).status();
+    let status = Command::new("bash")
+        .arg(&script)
+        .stdout(io::stderr())
+        .status();
     match status {
         Ok(status) if status.success() => Ok(()),
         Ok(_) => Err(no_page(format!("{} has failed", script.display()))),
-        Err(error) => Err(no_page(format!("{} cannot be run: {error}", script.display()))),
+        Err(error) => Err(no_page(format!(
+            "{} cannot be run: {error}",
+            script.display()
+        ))),
     }
 }

@@ -38,14 +38,19 @@ pub(crate) struct OfHoop {
 impl Page {
     /// Number of hoops that have the sequence of an entry.
     fn hoops_with(&self, entry: &AtlasEntry) -> usize {
-        let same = |other: &AtlasEntry| (other.sequence, other.stop) == (entry.sequence, entry.stop);
-        self.hoops.iter().filter(|hoop| hoop.atlas.entries.iter().any(same)).count()
+        let same =
+            |other: &AtlasEntry| (other.sequence, other.stop) == (entry.sequence, entry.stop);
+        self.hoops
+            .iter()
+            .filter(|hoop| hoop.atlas.entries.iter().any(same))
+            .count()
     }
 }
 
 /// Numbers of sequences, with and without the direction of sliding.
 fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
-    let sequences: BTreeSet<PhaseSequence> = atlas.entries.iter().map(|entry| entry.sequence).collect();
+    let sequences: BTreeSet<PhaseSequence> =
+        atlas.entries.iter().map(|entry| entry.sequence).collect();
     // Directions of gliding are told apart all the same.
     let phase = |code: PhaseCode| match code.mode() {
         (Mode::Sliding, _) => (Mode::Sliding, None),
@@ -55,7 +60,10 @@ fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
         .iter()
         .map(|sequence| sequence.codes().map(|code| code.map(phase).ok()).collect())
         .collect();
-    [("sequences", sequences.len()), ("without_directions", without.len())]
+    [
+        ("sequences", sequences.len()),
+        ("without_directions", without.len()),
+    ]
 }
 
 pub(crate) fn table(page: &Page) -> Sheet {
@@ -86,19 +94,29 @@ pub(crate) fn table(page: &Page) -> Sheet {
     sheet.table(heads.into_iter().map(str::to_owned).collect(), rows, &right);
     sheet.gap();
     let [(_, sequences), (_, without)] = counts(atlas);
-    let plural = if sequences == 1 { "sequence" } else { "sequences" };
+    let plural = if sequences == 1 {
+        "sequence"
+    } else {
+        "sequences"
+    };
     let mut total = format!("{sequences} {plural} on {} starts", grouped(atlas.points));
     if with_hoops {
         total.push_str(&format!(" of {} hoops", page.hoops.len()));
     }
-    let mut lines = vec![total, format!("{without} if the direction of sliding does not count")];
+    let mut lines = vec![
+        total,
+        format!("{without} if the direction of sliding does not count"),
+    ];
     if with_stop {
         lines.push(format!("{} if the stop counts too", atlas.entries.len()));
     }
     sheet.fact("Total", lines);
     if atlas.invalid > 0 {
         let label = Class::Invalid.label();
-        sheet.fact("Invalid", vec![format!("{} starts with {label}", grouped(atlas.invalid))]);
+        sheet.fact(
+            "Invalid",
+            vec![format!("{} starts with {label}", grouped(atlas.invalid))],
+        );
     }
     sheet.note(&legend());
     sheet
@@ -107,14 +125,24 @@ pub(crate) fn table(page: &Page) -> Sheet {
 /// The letters of sequences, by mode: `R rolling, - and + sliding`.
 fn legend() -> String {
     let of_mode = |mode: Mode| {
-        let mut letters: Vec<&str> =
-            PhaseCode::ALL.into_iter().filter(|code| code.mode().0 == mode).map(PhaseCode::name).collect();
+        let mut letters: Vec<&str> = PhaseCode::ALL
+            .into_iter()
+            .filter(|code| code.mode().0 == mode)
+            .map(PhaseCode::name)
+            .collect();
         let last = letters.pop()?;
-        let letters =
-            if letters.is_empty() { last.to_owned() } else { format!("{} and {last}", letters.join(", ")) };
+        let letters = if letters.is_empty() {
+            last.to_owned()
+        } else {
+            format!("{} and {last}", letters.join(", "))
+        };
         Some(format!("{letters} {mode}"))
     };
-    Mode::ALL.into_iter().filter_map(of_mode).collect::<Vec<_>>().join(", ")
+    Mode::ALL
+        .into_iter()
+        .filter_map(of_mode)
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn example(shown: &[Quantity], entry: &AtlasEntry) -> String {
@@ -122,12 +150,22 @@ fn example(shown: &[Quantity], entry: &AtlasEntry) -> String {
         let value = entry.example.get(*quantity)?;
         Some(format!("{} = {}", quantity.sign(), brief(value)))
     };
-    shown.iter().filter_map(value).collect::<Vec<_>>().join("  ")
+    shown
+        .iter()
+        .filter_map(value)
+        .collect::<Vec<_>>()
+        .join("  ")
 }
 
 /// For programs; an example has the whole point.
 pub(crate) fn json(writer: &mut dyn Write, page: &Page) -> io::Result<()> {
-    let Page { atlas, total, listed, hoops, .. } = page;
+    let Page {
+        atlas,
+        total,
+        listed,
+        hoops,
+        ..
+    } = page;
     let mut document = json!({
         "points": atlas.points,
         "total": total,
@@ -160,6 +198,7 @@ fn entry(entry: &AtlasEntry) -> Value {
 }
 
 fn values(quantities: &[Quantity], setup: &Setup) -> Map<String, Value> {
-    let value = |quantity: &Quantity| Some((quantity.name().to_owned(), json!(setup.get(*quantity)?)));
+    let value =
+        |quantity: &Quantity| Some((quantity.name().to_owned(), json!(setup.get(*quantity)?)));
     quantities.iter().filter_map(value).collect()
 }

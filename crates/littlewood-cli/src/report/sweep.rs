@@ -42,32 +42,68 @@ impl Run {
             .iter()
             .map(|(class, count)| {
                 let share = 100.0 * count as f64 / self.report.points as f64;
-                vec![class.label().to_owned(), grouped(count), format!("{share:.2} %")]
+                vec![
+                    class.label().to_owned(),
+                    grouped(count),
+                    format!("{share:.2} %"),
+                ]
             })
             .collect();
-        sheet.table(["Class", "Starts", "Share"].map(str::to_owned).to_vec(), rows, &[1, 2]);
+        sheet.table(
+            ["Class", "Starts", "Share"].map(str::to_owned).to_vec(),
+            rows,
+            &[1, 2],
+        );
         sheet.gap();
-        let mut starts = format!("{} of {}", grouped(self.done()), grouped(self.report.points));
+        let mut starts = format!(
+            "{} of {}",
+            grouped(self.done()),
+            grouped(self.report.points)
+        );
         if self.report.reused > 0 {
-            starts.push_str(&format!(", {} of them from before", grouped(self.report.reused)));
+            starts.push_str(&format!(
+                ", {} of them from before",
+                grouped(self.report.reused)
+            ));
         }
         sheet.fact("Starts", vec![starts]);
         if let Some(rate) = self.rate() {
-            let threads = if self.threads == 1 { "thread" } else { "threads" };
-            let rate = format!("{} starts per second on {} {threads}", grouped(rate as u64), self.threads);
+            let threads = if self.threads == 1 {
+                "thread"
+            } else {
+                "threads"
+            };
+            let rate = format!(
+                "{} starts per second on {} {threads}",
+                grouped(rate as u64),
+                self.threads
+            );
             sheet.fact("Rate", vec![rate]);
         }
         if self.report.damaged_chunks > 0 {
-            let repaired = format!("{} damaged or missing chunks computed again", self.report.damaged_chunks);
+            let repaired = format!(
+                "{} damaged or missing chunks computed again",
+                self.report.damaged_chunks
+            );
             sheet.fact("Repair", vec![repaired]);
         }
-        sheet.fact("Written", self.kept.iter().map(|path| path.display().to_string()).collect());
+        sheet.fact(
+            "Written",
+            self.kept
+                .iter()
+                .map(|path| path.display().to_string())
+                .collect(),
+        );
         sheet
     }
 
     fn json(&self, writer: &mut dyn Write) -> io::Result<()> {
-        let counts: Map<String, Value> =
-            self.report.tally.iter().map(|(class, count)| (class.name().to_owned(), json!(count))).collect();
+        let counts: Map<String, Value> = self
+            .report
+            .tally
+            .iter()
+            .map(|(class, count)| (class.name().to_owned(), json!(count)))
+            .collect();
         let document = json!({
             "points": self.report.points,
             "done": self.done(),

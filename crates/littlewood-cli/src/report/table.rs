@@ -23,7 +23,15 @@ pub(crate) fn motion(
 ) -> Sheet {
     let mut sheet = Sheet::default();
     title(&mut sheet, problem);
-    page::motion(&mut sheet, subject, trajectory, Look { advice: advice(trajectory), ..look });
+    page::motion(
+        &mut sheet,
+        subject,
+        trajectory,
+        Look {
+            advice: advice(trajectory),
+            ..look
+        },
+    );
     sheet
 }
 
@@ -31,7 +39,10 @@ pub(crate) fn motion(
 fn advice(trajectory: &Trajectory) -> Option<&'static str> {
     match trajectory.outcome() {
         Outcome::TransitionLimit { .. } => Some("--max-transitions allows more"),
-        Outcome::StepLimit { limit: SlideLimit::All { .. }, .. } => Some("--max-slides allows more"),
+        Outcome::StepLimit {
+            limit: SlideLimit::All { .. },
+            ..
+        } => Some("--max-slides allows more"),
         _ => None,
     }
 }
@@ -59,7 +70,9 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
     page::setup(&mut sheet, &problem.hoop, &problem.subject());
     sheet.gap();
     let region = match scale.show_with_unit(Dimension::Velocity, problem.start.gap_rate) {
-        rate if problem.start.gap_rate > 0.0 => format!("thrown: the rim leaves the plane at {rate}"),
+        rate if problem.start.gap_rate > 0.0 => {
+            format!("thrown: the rim leaves the plane at {rate}")
+        }
         _ => region(found.region).to_owned(),
     };
     sheet.fact("Region", vec![region]);
@@ -73,15 +86,23 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
             };
             let mut lines = vec![first];
             lines.extend(examined(candidates));
-            lines.extend(jam_of(&problem.hoop, problem.start, found).map(|impact| jam(&impact, scale)));
+            lines.extend(
+                jam_of(&problem.hoop, problem.start, found).map(|impact| jam(&impact, scale)),
+            );
             lines
         }
         (None, None) => vec!["nothing that is known".to_owned()],
     };
     sheet.fact("Begins", begins);
     sheet.fact("Rolling", rolling(&problem.hoop, found, scale));
-    sheet.fact("Contact", vec![format!("1 − h cos θ θ′² = {}", brief(found.contact))]);
-    sheet.fact("Energy", vec![scale.show_with_unit(Dimension::Energy, found.energy)]);
+    sheet.fact(
+        "Contact",
+        vec![format!("1 − h cos θ θ′² = {}", brief(found.contact))],
+    );
+    sheet.fact(
+        "Energy",
+        vec![scale.show_with_unit(Dimension::Energy, found.energy)],
+    );
     sheet.gap();
     sheet.note("N > 0 upwards, F > 0 along E1; equations of Bronars and O'Reilly, 2019");
     sheet
@@ -104,11 +125,19 @@ fn jam(impact: &Impact, scale: Scale<'_>) -> String {
 const fn region(region: StartRegion) -> &'static str {
     match region {
         StartRegion::Rolling => "inside the rolling region R (2.14): static friction suffices",
-        StartRegion::BeyondFriction => "inside N but outside R (2.14): static friction does not suffice",
-        StartRegion::SlidingBand => "rolling would need N <= 0, yet the hoop stays in contact and slides",
-        StartRegion::LossOfContact => "1 − h cos θ θ′² < 0, or about to be: the hoop leaves the plane",
+        StartRegion::BeyondFriction => {
+            "inside N but outside R (2.14): static friction does not suffice"
+        }
+        StartRegion::SlidingBand => {
+            "rolling would need N <= 0, yet the hoop stays in contact and slides"
+        }
+        StartRegion::LossOfContact => {
+            "1 − h cos θ θ′² < 0, or about to be: the hoop leaves the plane"
+        }
         StartRegion::Slipping => "in contact with slip, η′ ≠ 0",
-        StartRegion::Gliding => "massless, outside R (3.10) or with slip: in contact without a force",
+        StartRegion::Gliding => {
+            "massless, outside R (3.10) or with slip: in contact without a force"
+        }
         StartRegion::Inconsistent => "no motion is consistent (Painlevé)",
         StartRegion::Ambiguous => "several motions are consistent (Painlevé)",
     }
@@ -118,10 +147,18 @@ const fn region(region: StartRegion) -> &'static str {
 fn rolling(hoop: &Hoop, found: &Classification, scale: Scale<'_>) -> Vec<String> {
     let forces = found.rolling_forces;
     let force = |value| scale.show_with_unit(Dimension::Force, value);
-    let mut needs = format!("needs N = {}, F = {}", force(forces.normal), force(forces.friction));
+    let mut needs = format!(
+        "needs N = {}, F = {}",
+        force(forces.normal),
+        force(forces.friction)
+    );
     if forces.normal > 0.0 {
         let limit = Quantity::MuS.sign();
-        needs.push_str(&format!(": |F|/N = {}, {limit} = {}", brief(forces.demand()), brief(hoop.mu_s())));
+        needs.push_str(&format!(
+            ": |F|/N = {}, {limit} = {}",
+            brief(forces.demand()),
+            brief(hoop.mu_s())
+        ));
     }
     let mut lines = vec![needs];
     if let Some(end) = &found.rolling_end {
@@ -161,9 +198,21 @@ pub(crate) fn cases() -> Sheet {
     let mut sheet = Sheet::default();
     let rows = CASES
         .iter()
-        .map(|case| vec![case.name.to_owned(), case.title.to_owned(), case.source.to_owned()])
+        .map(|case| {
+            vec![
+                case.name.to_owned(),
+                case.title.to_owned(),
+                case.source.to_owned(),
+            ]
+        })
         .collect();
-    sheet.table(["name", "motion", "in the paper"].map(str::to_owned).to_vec(), rows, &[]);
+    sheet.table(
+        ["name", "motion", "in the paper"]
+            .map(str::to_owned)
+            .to_vec(),
+        rows,
+        &[],
+    );
     sheet.gap();
     sheet.note("littlewood simulate NAME follows one of them; --format json lists their numbers");
     sheet

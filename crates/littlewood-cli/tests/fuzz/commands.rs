@@ -1,4 +1,5 @@
-//! Random commands: every subcommand, flags with numbers that are allowed, hardly allowed, not allowed, and no numbers.
+//! Random commands: every subcommand, flags with numbers that are allowed, hardly allowed, not
+//! allowed, and no numbers.
 
 use littlewood::cases::CASES;
 use littlewood::tables::{Quantity, Setup, SummaryColumn};
@@ -11,11 +12,31 @@ use crate::fuzz::{Case, Verdict};
 use littlewood_random::Draw;
 
 /// What is no number, or one that only some programs read.
-const NO_NUMBERS: [&str; 11] =
-    ["", "nan", "-inf", "infinity", "1e400", "0x10", "1_000", "1,5", "--", "½", "9e9999999999"];
+const NO_NUMBERS: [&str; 11] = [
+    "",
+    "nan",
+    "-inf",
+    "infinity",
+    "1e400",
+    "0x10",
+    "1_000",
+    "1,5",
+    "--",
+    "½",
+    "9e9999999999",
+];
 
 /// Words that may stand anywhere.
-const STRAY: [&str; 8] = ["--", "-", "", "--si", "--no-such-flag", "figure-3", "--format", "--help"];
+const STRAY: [&str; 8] = [
+    "--",
+    "-",
+    "",
+    "--si",
+    "--no-such-flag",
+    "figure-3",
+    "--format",
+    "--help",
+];
 
 pub(crate) fn run(case: &mut Case) -> Verdict {
     let words = words(&mut case.draw);
@@ -23,7 +44,8 @@ pub(crate) fn run(case: &mut Case) -> Verdict {
     let ran = run_program(&words, &case.folder);
     let verdict = judge(&ran)?;
     let is_json = words.windows(2).any(|pair| pair == ["--format", "json"]);
-    if verdict == "done" && is_json && !words.iter().any(|word| word == "--help" || word == "--out") {
+    if verdict == "done" && is_json && !words.iter().any(|word| word == "--help" || word == "--out")
+    {
         serde_json::from_slice::<Value>(&ran.stdout).map_err(|error| format!("JSON: {error}"))?;
     }
     Ok(verdict)
@@ -34,8 +56,12 @@ fn words(draw: &mut Draw) -> Vec<String> {
     let limits = draw.limits(setup.start);
     let mut words = match draw.below(10) {
         0..=3 => simulate(draw, &setup, limits),
-        4 => [vec!["classify".to_owned()], problem(draw, &setup, true), format(draw, &["table", "json"])]
-            .concat(),
+        4 => [
+            vec!["classify".to_owned()],
+            problem(draw, &setup, true),
+            format(draw, &["table", "json"]),
+        ]
+        .concat(),
         5 | 6 => plane(draw, &setup, limits),
         7 => atlas(draw, &setup, limits),
         8 => figures(draw, &setup, limits),
@@ -66,25 +92,39 @@ fn number(draw: &mut Draw, quantity: Quantity) -> String {
         1..20 => draw.allowed(quantity),
         _ => draw.between(quantity.row().usual),
     };
-    if draw.comes(0.02) { draw.one_of(&NO_NUMBERS).to_owned() } else { shown(draw, value) }
+    if draw.comes(0.02) {
+        draw.one_of(&NO_NUMBERS).to_owned()
+    } else {
+        shown(draw, value)
+    }
 }
 
 fn shown(draw: &mut Draw, value: f64) -> String {
-    if draw.comes(0.5) { format!("{value:e}") } else { format!("{value}") }
+    if draw.comes(0.5) {
+        format!("{value:e}")
+    } else {
+        format!("{value}")
+    }
 }
 
 fn flag(quantity: Quantity) -> String {
     format!("--{}", quantity.name().replace('_', "-"))
 }
 
-/// A hoop and a start: a case with some numbers of its own, or all numbers, in either system of units.
+/// A hoop and a start: a case with some numbers of its own, or all numbers, in either system of
+/// units.
 fn problem(draw: &mut Draw, setup: &Setup, has_place: bool) -> Vec<String> {
     let mut words = Vec::new();
-    let place = |quantity: &Quantity| has_place || !matches!(quantity, Quantity::X | Quantity::Time);
+    let place =
+        |quantity: &Quantity| has_place || !matches!(quantity, Quantity::X | Quantity::Time);
     if draw.comes(0.2) {
         words.push(draw.one_of(CASES).name.to_owned());
     } else if draw.comes(0.2) {
-        for quantity in Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START).filter(place) {
+        for quantity in Quantity::SI_HOOP
+            .into_iter()
+            .chain(Quantity::SI_START)
+            .filter(place)
+        {
             let is_place = matches!(quantity, Quantity::XM | Quantity::TimeS) && !has_place;
             if !is_place && draw.comes(0.95) {
                 words.extend([flag(quantity), number(draw, quantity)]);
@@ -93,16 +133,31 @@ fn problem(draw: &mut Draw, setup: &Setup, has_place: bool) -> Vec<String> {
         return words;
     }
     let every = words.is_empty();
-    for quantity in Quantity::HOOP.into_iter().chain(Quantity::START).filter(place) {
+    for quantity in Quantity::HOOP
+        .into_iter()
+        .chain(Quantity::START)
+        .filter(place)
+    {
         if let Some(value) = setup.get(quantity)
-            && (if every { draw.comes(0.99) } else { draw.comes(0.3) })
+            && (if every {
+                draw.comes(0.99)
+            } else {
+                draw.comes(0.3)
+            })
         {
-            let text = if draw.comes(0.03) { number(draw, quantity) } else { shown(draw, value) };
+            let text = if draw.comes(0.03) {
+                number(draw, quantity)
+            } else {
+                shown(draw, value)
+            };
             words.extend([flag(quantity), text]);
         }
     }
     if setup.hoop.restitution.is_some() && draw.comes(0.5) {
-        words.extend(["--restitution-law".to_owned(), draw.one_of(&RestitutionLaw::ALL).name().to_owned()]);
+        words.extend([
+            "--restitution-law".to_owned(),
+            draw.one_of(&RestitutionLaw::ALL).name().to_owned(),
+        ]);
     }
     words
 }
@@ -113,7 +168,10 @@ fn limit_words(limits: Limits) -> Vec<String> {
         words.extend([flag(Quantity::Until), format!("{until:e}")]);
     }
     if limits != Limits::default().with_until(limits.until) {
-        words.extend(["--max-transitions".to_owned(), limits.transitions.to_string()]);
+        words.extend([
+            "--max-transitions".to_owned(),
+            limits.transitions.to_string(),
+        ]);
     }
     words
 }
@@ -141,8 +199,10 @@ fn axis(draw: &mut Draw) -> String {
     let quantity = draw.one_of(&Quantity::AXES);
     let mut end = || {
         if draw.comes(0.2) {
-            draw.one_of(&["-pi", "pi", "pi/2", "2pi", "-pi/4", "0", "0.5", "1", "pi/0", "pipi", "1e-320"])
-                .to_owned()
+            draw.one_of(&[
+                "-pi", "pi", "pi/2", "2pi", "-pi/4", "0", "0.5", "1", "pi/0", "pipi", "1e-320",
+            ])
+            .to_owned()
         } else {
             number(draw, quantity)
         }
@@ -152,7 +212,11 @@ fn axis(draw: &mut Draw) -> String {
         0 => draw.one_of(&["0", "-2", "2.5", "99999999999999999999"]),
         _ => draw.one_of(&["1", "2", "3", "4"]),
     };
-    let name = if draw.comes(0.95) { quantity.name() } else { "no_such_axis" };
+    let name = if draw.comes(0.95) {
+        quantity.name()
+    } else {
+        "no_such_axis"
+    };
     format!("{name}={from}:{to}:{count}")
 }
 
@@ -162,7 +226,11 @@ fn plane(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     let mut words = vec![(if is_map { "map" } else { "sweep" }).to_owned()];
     words.extend(problem(draw, setup, false));
     words.extend(limit_words(limits));
-    for name in if is_map { ["--x", "--y"] } else { ["--axis", "--axis"] } {
+    for name in if is_map {
+        ["--x", "--y"]
+    } else {
+        ["--axis", "--axis"]
+    } {
         words.extend([name.to_owned(), axis(draw)]);
     }
     let outs = if is_map {
@@ -176,7 +244,8 @@ fn plane(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     if draw.comes(0.3) {
         words.extend([
             "--chunk".to_owned(),
-            draw.one_of(&["1", "2", "5", "7", "11", "100", "0", "99999999999"]).to_owned(),
+            draw.one_of(&["1", "2", "5", "7", "11", "100", "0", "99999999999"])
+                .to_owned(),
         ]);
     }
     if is_map && draw.comes(0.3) {
@@ -224,15 +293,28 @@ fn figures(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     );
     words.extend(limit_words(limits));
     words.extend(["--out".to_owned(), "figures".to_owned()]);
-    let formats =
-        draw.one_of(&["svg", "csv", "txt", "svg,csv,txt", "svg,csv", "png", "png,txt", "pdf,md,tex", "dvi"]);
+    let formats = draw.one_of(&[
+        "svg",
+        "csv",
+        "txt",
+        "svg,csv,txt",
+        "svg,csv",
+        "png",
+        "png,txt",
+        "pdf,md,tex",
+        "dvi",
+    ]);
     words.extend(["--format".to_owned(), formats.to_owned()]);
     words.extend([
         "--scale".to_owned(),
-        draw.one_of(&["0.5", "1", "0.7", "1.5", "2", "1", "0", "nan", "1e9"]).to_owned(),
+        draw.one_of(&["0.5", "1", "0.7", "1.5", "2", "1", "0", "nan", "1e9"])
+            .to_owned(),
     ]);
     if draw.comes(0.2) {
-        words.extend(["--impact".to_owned(), draw.one_of(&["1", "2", "0", "99999"]).to_owned()]);
+        words.extend([
+            "--impact".to_owned(),
+            draw.one_of(&["1", "2", "0", "99999"]).to_owned(),
+        ]);
     }
     words
 }
@@ -243,24 +325,38 @@ fn animate(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     words.extend(limit_words(limits));
     words.extend([
         "--out".to_owned(),
-        draw.one_of(&["a.gif", "b.gif", "a.png", "a.apng", "a.txt", "none/a.gif"]).to_owned(),
+        draw.one_of(&["a.gif", "b.gif", "a.png", "a.apng", "a.txt", "none/a.gif"])
+            .to_owned(),
     ]);
     // Few frames, small ones.
-    words.extend(["--fps".to_owned(), draw.one_of(&["1", "2", "3", "4", "5", "0", "101"]).to_owned()]);
     words.extend([
-        "--size".to_owned(),
-        draw.one_of(&["160x160", "160x161", "170x160", "160x200", "180x180", "159x160", "9999x160"])
+        "--fps".to_owned(),
+        draw.one_of(&["1", "2", "3", "4", "5", "0", "101"])
             .to_owned(),
     ]);
     words.extend([
+        "--size".to_owned(),
+        draw.one_of(&[
+            "160x160", "160x161", "170x160", "160x200", "180x180", "159x160", "9999x160",
+        ])
+        .to_owned(),
+    ]);
+    words.extend([
         "--slow".to_owned(),
-        draw.one_of(&["0.1", "0.3", "0.2", "0.5", "1", "1e-9", "0", "nan"]).to_owned(),
+        draw.one_of(&["0.1", "0.3", "0.2", "0.5", "1", "1e-9", "0", "nan"])
+            .to_owned(),
     ]);
     if draw.comes(0.3) {
-        words.extend(["--camera".to_owned(), draw.one_of(&["auto", "whole", "follow"]).to_owned()]);
+        words.extend([
+            "--camera".to_owned(),
+            draw.one_of(&["auto", "whole", "follow"]).to_owned(),
+        ]);
     }
     if draw.comes(0.3) {
-        words.extend(["--slow-impacts".to_owned(), draw.one_of(&["1", "2", "0.5", "inf"]).to_owned()]);
+        words.extend([
+            "--slow-impacts".to_owned(),
+            draw.one_of(&["1", "2", "0.5", "inf"]).to_owned(),
+        ]);
     }
     words
 }

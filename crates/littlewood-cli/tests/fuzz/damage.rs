@@ -62,13 +62,17 @@ pub(crate) fn damage_text(draw: &mut Draw, text: &str) -> String {
             lines.swap(at, other);
         }
         3 if !lines.is_empty() => {
-            let words =
-                ["nan", "-inf", "1e400", "", "\"", "true", "[]", "-0.0", "1e-320", "[hoop]", "é", ","];
+            let words = [
+                "nan", "-inf", "1e400", "", "\"", "true", "[]", "-0.0", "1e-320", "[hoop]", "é",
+                ",",
+            ];
             let pieces: Vec<&str> = lines[at].split_inclusive(['=', ',']).collect();
             let which = draw.below(pieces.len());
             let word = draw.one_of(&words);
             let changed = pieces.iter().enumerate();
-            let line: String = changed.map(|(i, piece)| if i == which { word } else { piece }).collect();
+            let line: String = changed
+                .map(|(i, piece)| if i == which { word } else { piece })
+                .collect();
             lines[at] = line;
         }
         _ => {

@@ -13,7 +13,10 @@ use crate::fuzz::{Case, Verdict};
 use littlewood_random::Draw;
 
 /// Where nothing else is said.
-const BASE: Setup = Setup::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4), Start::at(1.0, 1.0));
+const BASE: Setup = Setup::new(
+    HoopParameters::thin(1.0).with_friction(0.5, 0.4),
+    Start::at(1.0, 1.0),
+);
 
 /// Which part of the lists goes through the program, which takes a thousand times as long.
 const THROUGH_THE_PROGRAM: f64 = 0.1;
@@ -27,9 +30,20 @@ pub(crate) fn run(case: &mut Case) -> Verdict {
         text = damage_text(draw, &text);
     }
     fs::write(&path, text).expect("written");
-    case.told.tell(format!("littlewood sweep figure-3 --starts {} --out list.parquet", path.display()));
+    case.told.tell(format!(
+        "littlewood sweep figure-3 --starts {} --out list.parquet",
+        path.display()
+    ));
     if draw.comes(THROUGH_THE_PROGRAM) {
-        let words = ["sweep", "figure-3", "--until=9", "--starts", "starts.csv", "--out", "list.parquet"];
+        let words = [
+            "sweep",
+            "figure-3",
+            "--until=9",
+            "--starts",
+            "starts.csv",
+            "--out",
+            "list.parquet",
+        ];
         return judge(&run_program(&words.map(str::to_owned), &case.folder));
     }
     match read(&path) {
@@ -48,7 +62,11 @@ fn read(path: &Path) -> Result<u64, String> {
         row.map_err(|error| error.to_string())?;
         rows += 1;
     }
-    if rows == list.rows() { Ok(rows) } else { Err(format!("{rows} rows of {}", list.rows())) }
+    if rows == list.rows() {
+        Ok(rows)
+    } else {
+        Err(format!("{rows} rows of {}", list.rows()))
+    }
 }
 
 /// A list before it is written.
@@ -60,12 +78,20 @@ struct Table {
 impl Table {
     fn random(draw: &mut Draw) -> Self {
         let rows = draw.one_of(&[0, 1, 2, 3, 30]);
-        let quantities: Vec<Quantity> =
-            Quantity::HOOP.into_iter().chain(Quantity::START).filter(|_| draw.comes(0.4)).collect();
+        let quantities: Vec<Quantity> = Quantity::HOOP
+            .into_iter()
+            .chain(Quantity::START)
+            .filter(|_| draw.comes(0.4))
+            .collect();
         let mut columns = Vec::new();
         for quantity in quantities {
-            let mut value =
-                || if draw.comes(0.02) { draw.any(quantity) } else { draw.between(quantity.row().usual) };
+            let mut value = || {
+                if draw.comes(0.02) {
+                    draw.any(quantity)
+                } else {
+                    draw.between(quantity.row().usual)
+                }
+            };
             columns.push((quantity, (0..rows).map(|_| value()).collect()));
         }
         Self { rows, columns }
@@ -73,10 +99,18 @@ impl Table {
 
     fn csv(&self, draw: &mut Draw) -> String {
         let end = draw.one_of(&["\n", "\r\n"]);
-        let header: Vec<&str> = self.columns.iter().map(|(quantity, _)| quantity.name()).collect();
+        let header: Vec<&str> = self
+            .columns
+            .iter()
+            .map(|(quantity, _)| quantity.name())
+            .collect();
         let mut text = header.join(",") + end;
         for row in 0..self.rows {
-            let cells: Vec<String> = self.columns.iter().map(|(_, values)| values[row].to_string()).collect();
+            let cells: Vec<String> = self
+                .columns
+                .iter()
+                .map(|(_, values)| values[row].to_string())
+                .collect();
             text += &cells.join(",");
             text += end;
         }

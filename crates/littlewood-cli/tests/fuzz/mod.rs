@@ -1,14 +1,15 @@
-//! The fuzzer: random motions, commands, scenario files, lists and damaged stores. Nothing may panic, hang, end with a
-//! wrong exit code or write what cannot be read.
+//! The fuzzer: random motions, commands, scenario files, lists and damaged stores. Nothing may
+//! panic, hang, end with a wrong exit code or write what cannot be read.
 //!
-//! Among the tests it runs the same few cases every time. By hand it runs for as long as it is told to:
+//! Among the tests it runs the same few cases every time. By hand it runs for as long as it is told
+//! to:
 //!
 //! ```sh
 //! LITTLEWOOD_FUZZ_SECONDS=3600 LITTLEWOOD_FUZZ_SEED=$RANDOM cargo test -p littlewood-cli --all-features fuzz:: -- --nocapture
 //! ```
 //!
-//! A case that fails is told with what reproduces it; `LITTLEWOOD_FUZZ_CASE=stores:17` (with the same seed) runs it
-//! alone.
+//! A case that fails is told with what reproduces it; `LITTLEWOOD_FUZZ_CASE=stores:17` (with the
+//! same seed) runs it alone.
 
 mod commands;
 mod damage;
@@ -77,11 +78,31 @@ struct Kind {
 }
 
 const KINDS: [Kind; 5] = [
-    Kind { name: "motions", run: motions::run, cases: 300 },
-    Kind { name: "commands", run: commands::run, cases: 200 },
-    Kind { name: "scenarios", run: scenarios::run, cases: 100 },
-    Kind { name: "lists", run: lists::run, cases: 500 },
-    Kind { name: "stores", run: stores::run, cases: 50 },
+    Kind {
+        name: "motions",
+        run: motions::run,
+        cases: 300,
+    },
+    Kind {
+        name: "commands",
+        run: commands::run,
+        cases: 200,
+    },
+    Kind {
+        name: "scenarios",
+        run: scenarios::run,
+        cases: 100,
+    },
+    Kind {
+        name: "lists",
+        run: lists::run,
+        cases: 500,
+    },
+    Kind {
+        name: "stores",
+        run: stores::run,
+        cases: 50,
+    },
 ];
 
 #[derive(Default)]
@@ -98,13 +119,24 @@ fn variable<T: FromStr>(name: &str) -> Option<T> {
 }
 
 /// Runs a case with an eye on the clock.
-fn run(kind: Kind, seed: u64, number: u64, folder: &Path) -> (Result<&'static str, Failure>, Duration, Told) {
-    let stream = kind.name.bytes().fold(0, |sum, byte| sum * 31 + u64::from(byte));
+fn run(
+    kind: Kind,
+    seed: u64,
+    number: u64,
+    folder: &Path,
+) -> (Result<&'static str, Failure>, Duration, Told) {
+    let stream = kind
+        .name
+        .bytes()
+        .fold(0, |sum, byte| sum * 31 + u64::from(byte));
     let folder = folder.join(format!("{}-{number}", kind.name));
     fs::create_dir_all(&folder).expect("a folder");
     let told = Told::default();
-    let mut case =
-        Case { draw: Draw::of_case(seed, stream, number), folder: folder.clone(), told: told.clone() };
+    let mut case = Case {
+        draw: Draw::of_case(seed, stream, number),
+        folder: folder.clone(),
+        told: told.clone(),
+    };
     let (sender, receiver) = channel();
     let begun = Instant::now();
     thread::spawn(move || {
@@ -114,11 +146,18 @@ fn run(kind: Kind, seed: u64, number: u64, folder: &Path) -> (Result<&'static st
     });
     let verdict = match receiver.recv_timeout(HANGS) {
         Ok(Ok(Ok(word))) => Ok(word),
-        Ok(Ok(Err(message))) => Err(Failure { message, hangs: false }),
-        Ok(Err(_)) => Err(Failure { message: "it panicked; see above".to_owned(), hangs: false }),
-        Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => {
-            Err(Failure { message: format!("it hangs: {HANGS:?} are over"), hangs: true })
-        }
+        Ok(Ok(Err(message))) => Err(Failure {
+            message,
+            hangs: false,
+        }),
+        Ok(Err(_)) => Err(Failure {
+            message: "it panicked; see above".to_owned(),
+            hangs: false,
+        }),
+        Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => Err(Failure {
+            message: format!("it hangs: {HANGS:?} are over"),
+            hangs: true,
+        }),
     };
     if verdict.is_ok() {
         fs::remove_dir_all(&folder).expect("its folder");
@@ -143,10 +182,20 @@ fn nothing_panics_hangs_or_lies() {
     }
     if let Some(case) = variable::<String>("LITTLEWOOD_FUZZ_CASE") {
         let (name, number) = case.split_once(':').expect("KIND:NUMBER");
-        let kind = KINDS.into_iter().find(|kind| kind.name == name).expect("a kind");
+        let kind = KINDS
+            .into_iter()
+            .find(|kind| kind.name == name)
+            .expect("a kind");
         let (verdict, took, told) = run(kind, seed, number.parse().expect("a number"), &folder);
         println!("{}\n{took:?}", told.text());
-        assert!(verdict.is_ok(), "{}", verdict.err().map(|failure| failure.message).unwrap_or_default());
+        assert!(
+            verdict.is_ok(),
+            "{}",
+            verdict
+                .err()
+                .map(|failure| failure.message)
+                .unwrap_or_default()
+        );
         return;
     }
     let begun = Instant::now();
@@ -183,8 +232,11 @@ fn nothing_panics_hangs_or_lies() {
     }
     println!("seed {seed}, {:.0?}", begun.elapsed());
     for (kind, of_kind) in KINDS.iter().zip(&statistics) {
-        let verdicts: Vec<String> =
-            of_kind.verdicts.iter().map(|(word, count)| format!("{count} {word}")).collect();
+        let verdicts: Vec<String> = of_kind
+            .verdicts
+            .iter()
+            .map(|(word, count)| format!("{count} {word}"))
+            .collect();
         println!(
             "{:9}  {:7} cases  slowest {:>8.1?}  {}",
             kind.name,

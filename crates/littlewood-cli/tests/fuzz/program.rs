@@ -56,21 +56,30 @@ pub(crate) fn run(words: &[String], folder: &Path) -> Ran {
     };
     let stdout = fs::read(&out).expect("its output");
     let stderr = String::from_utf8_lossy(&fs::read(&err).expect("its messages")).into_owned();
-    Ran { code, stdout, stderr, hangs }
+    Ran {
+        code,
+        stdout,
+        stderr,
+        hangs,
+    }
 }
 
-/// Whether a run ended as every run may: with a result and no message, or with a message and a hint and no result.
+/// Whether a run ended as every run may: with a result and no message, or with a message and a hint
+/// and no result.
 pub(crate) fn judge(ran: &Ran) -> Verdict {
     let message = || ran.stderr.chars().take(2000).collect::<String>();
     if ran.hangs {
         return Err(format!("it hangs\n{}", message()));
     }
     match ran.code {
-        Some(0) if !ran.stderr.is_empty() => Err(format!("exit code 0 with a message: {}", message())),
-        Some(0) => Ok("done"),
-        Some(2) if !ran.stdout.is_empty() => {
-            Err(format!("exit code 2 with a result: {}", String::from_utf8_lossy(&ran.stdout)))
+        Some(0) if !ran.stderr.is_empty() => {
+            Err(format!("exit code 0 with a message: {}", message()))
         }
+        Some(0) => Ok("done"),
+        Some(2) if !ran.stdout.is_empty() => Err(format!(
+            "exit code 2 with a result: {}",
+            String::from_utf8_lossy(&ran.stdout)
+        )),
         Some(2) => {
             // The last is what clap says.
             let helps = ["hint:", "help:", "For more information"];

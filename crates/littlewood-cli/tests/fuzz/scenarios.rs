@@ -21,14 +21,28 @@ const EXAMPLES: [&str; 4] = [
 
 pub(crate) fn run(case: &mut Case) -> Verdict {
     let draw = &mut case.draw;
-    let mut text = if draw.comes(0.5) { draw.one_of(&EXAMPLES).to_owned() } else { written(draw) };
+    let mut text = if draw.comes(0.5) {
+        draw.one_of(&EXAMPLES).to_owned()
+    } else {
+        written(draw)
+    };
     while draw.comes(0.5) {
         text = damage_text(draw, &text);
     }
     let path = case.folder.join("scenario.toml");
     fs::write(&path, &text).expect("written");
-    let words = ["simulate", "--scenario", "scenario.toml", "--format", "json"].map(str::to_owned);
-    case.told.tell(format!("littlewood simulate --format json --scenario {}", path.display()));
+    let words = [
+        "simulate",
+        "--scenario",
+        "scenario.toml",
+        "--format",
+        "json",
+    ]
+    .map(str::to_owned);
+    case.told.tell(format!(
+        "littlewood simulate --format json --scenario {}",
+        path.display()
+    ));
     let ran = run_program(&words, &case.folder);
     let verdict = judge(&ran)?;
     // A scenario may name a file for the result.
@@ -46,7 +60,11 @@ fn written(draw: &mut Draw) -> String {
         let _ = writeln!(text, "[{table}]");
         for &quantity in quantities {
             if let Some(value) = setup.get(quantity) {
-                let value = if draw.comes(0.02) { draw.any(quantity) } else { value };
+                let value = if draw.comes(0.02) {
+                    draw.any(quantity)
+                } else {
+                    value
+                };
                 let _ = writeln!(text, "{} = {value:e}", quantity.name());
             }
         }

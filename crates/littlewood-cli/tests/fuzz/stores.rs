@@ -1,4 +1,5 @@
-//! Stores, complete and partial, with damage: what is read from them, and what becomes of them when they are resumed.
+//! Stores, complete and partial, with damage: what is read from them, and what becomes of them when
+//! they are resumed.
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -22,7 +23,8 @@ const THROUGH_THE_PROGRAM: f64 = 0.05;
 
 const CHUNK: usize = 100;
 
-/// Name of the results in their folder; a table that is not complete is in a folder of another name.
+/// Name of the results in their folder; a table that is not complete is in a folder of another
+/// name.
 const NAMES: [&str; 3] = ["a.zarr", "a.parquet", "parts"];
 
 /// What is damaged.
@@ -34,9 +36,15 @@ struct Whole {
 }
 
 fn grid() -> Grid {
-    let base = Setup::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4), Start::at(0.0, 0.0));
+    let base = Setup::new(
+        HoopParameters::thin(1.0).with_friction(0.5, 0.4),
+        Start::at(0.0, 0.0),
+    );
     let axis = |quantity, from, to, count| Axis::new(quantity, from, to, count).expect("an axis");
-    let axes = vec![axis(Quantity::Theta, -3.0, 3.0, 13), axis(Quantity::ThetaRate, -3.5, 3.5, 17)];
+    let axes = vec![
+        axis(Quantity::Theta, -3.0, 3.0, 13),
+        axis(Quantity::ThetaRate, -3.5, 3.5, 17),
+    ];
     Grid::new(base, axes).expect("a grid")
 }
 
@@ -90,7 +98,14 @@ fn sweep(
     let path = folder.join(NAMES[kind]);
     let mut nothing = |_: &Chunk, _: &Columns| {};
     let view: Option<&mut ChunkView<'_>> = if view { Some(&mut nothing) } else { None };
-    sweep_grid(&grid(), limits(), &[target(kind, &path)], view, workers(), &options)
+    sweep_grid(
+        &grid(),
+        limits(),
+        &[target(kind, &path)],
+        view,
+        workers(),
+        &options,
+    )
 }
 
 /// A complete and a partial run of each kind.
@@ -103,7 +118,11 @@ fn wholes() -> &'static [Whole] {
                 let folder = tempfile::tempdir().expect("a folder");
                 let report = sweep(kind, folder.path(), false, cancel_at, false).expect("a run");
                 let files = tree(folder.path());
-                wholes.push(Whole { kind, is_complete: report.complete, files });
+                wholes.push(Whole {
+                    kind,
+                    is_complete: report.complete,
+                    files,
+                });
             }
         }
         wholes
@@ -116,7 +135,11 @@ pub(crate) fn run(case: &mut Case) -> Verdict {
     let mut files = whole.files.clone();
     let harm = harm(draw, &mut files);
     let damaged = case.folder.join("damaged");
-    let state = if whole.is_complete { "complete" } else { "partial" };
+    let state = if whole.is_complete {
+        "complete"
+    } else {
+        "partial"
+    };
     case.told.tell(format!(
         "cd {} && littlewood {}  {state}{harm}",
         damaged.display(),
@@ -148,7 +171,8 @@ fn resume(draw: &mut Draw, kind: usize, folder: &Path) -> Verdict {
     }
 }
 
-/// A damaged store can also end in a failure to write, where a file stands in the place of a folder.
+/// A damaged store can also end in a failure to write, where a file stands in the place of a
+/// folder.
 fn judge_system(ran: &crate::fuzz::program::Ran) -> Verdict {
     if ran.code == Some(1) && ran.stdout.is_empty() && ran.stderr.contains("hint:") {
         return Ok("failed");
@@ -195,7 +219,9 @@ fn harm(draw: &mut Draw, files: &mut Tree) -> String {
 
 /// Reads all that can be read of a store. Each of these may be refused; none may panic.
 fn read_all(path: &Path) {
-    let Ok(store) = ZarrStore::open(path) else { return };
+    let Ok(store) = ZarrStore::open(path) else {
+        return;
+    };
     let _ = store.broken_chunks();
     if store.chunks().count() > 100 {
         return;
@@ -203,7 +229,14 @@ fn read_all(path: &Path) {
     for number in 0..store.chunks().count() {
         let _ = store.columns(number);
     }
-    let _ = Picture::of_store(&store, Shade::Class, PictureSize { width: 300, height: 200 });
+    let _ = Picture::of_store(
+        &store,
+        Shade::Class,
+        PictureSize {
+            width: 300,
+            height: 200,
+        },
+    );
 }
 
 /// A run that says it is complete has the bytes of one that nothing happened to.
@@ -211,9 +244,13 @@ fn same(kind: usize, verdict: &'static str, folder: &Path) -> Verdict {
     if verdict != "done" && verdict != "completed" {
         return Ok(verdict);
     }
-    let whole = wholes().iter().find(|whole| whole.kind == kind && whole.is_complete).expect("a whole one");
+    let whole = wholes()
+        .iter()
+        .find(|whole| whole.kind == kind && whole.is_complete)
+        .expect("a whole one");
     let found = tree(folder);
-    // The lock is a file without content; a table that is complete has no checksums, so that it is not known to be damaged.
+    // The lock is a file without content; a table that is complete has no checksums, so that it is
+    // not known to be damaged.
     let is_checked = |path: &Path| !path.ends_with("_lock") && path != Path::new(NAMES[1]);
     for (path, bytes) in whole.files.iter().filter(|(path, _)| is_checked(path)) {
         match found.get(path) {

@@ -1,6 +1,9 @@
 //! Runs the program and reads what it says.
 
-#![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
+#![allow(
+    clippy::excessive_precision,
+    reason = "the reference has more digits than a double"
+)]
 
 pub(crate) mod table;
 
@@ -29,10 +32,23 @@ pub(crate) const FIGURE_3: [&str; 14] = [
     "2",
 ];
 
-/// Figure 3 from a computation of its own with 40 digits: time, θ, θ′, η′, x of stick, slip and lift-off.
+/// Figure 3 from a computation of its own with 40 digits: time, θ, θ′, η′, x of stick, slip and
+/// lift-off.
 pub(crate) const FIGURE_3_EVENTS: [[f64; 5]; 3] = [
-    [0.564_107_553_101_996_75, 2.917_225_656_789_249, 2.936_443_261_445_296_5, 0.0, -1.422_671_011_587_748_8],
-    [0.973_223_074_772_405_4, 4.066_332_874_239_296, 2.460_879_504_634_977_2, 0.0, -2.571_778_229_037_795_3],
+    [
+        0.564_107_553_101_996_75,
+        2.917_225_656_789_249,
+        2.936_443_261_445_296_5,
+        0.0,
+        -1.422_671_011_587_748_8,
+    ],
+    [
+        0.973_223_074_772_405_4,
+        4.066_332_874_239_296,
+        2.460_879_504_634_977_2,
+        0.0,
+        -2.571_778_229_037_795_3,
+    ],
     [
         1.518_670_213_819_437,
         5.236_735_770_878_168,
@@ -54,7 +70,14 @@ pub(crate) fn littlewood() -> Command {
 
 /// What a successful run prints.
 pub(crate) fn text(arguments: &[&str]) -> String {
-    let output = littlewood().args(arguments).assert().success().stderr("").get_output().stdout.clone();
+    let output = littlewood()
+        .args(arguments)
+        .assert()
+        .success()
+        .stderr("")
+        .get_output()
+        .stdout
+        .clone();
     String::from_utf8(output).expect("the output is UTF-8")
 }
 
@@ -66,7 +89,14 @@ pub(crate) fn json(arguments: &[&str]) -> Value {
 
 /// Standard error of a run that ends with this exit code and prints nothing else.
 pub(crate) fn complaint(arguments: &[&str], code: i32) -> String {
-    let output = littlewood().args(arguments).assert().code(code).stdout("").get_output().stderr.clone();
+    let output = littlewood()
+        .args(arguments)
+        .assert()
+        .code(code)
+        .stdout("")
+        .get_output()
+        .stderr
+        .clone();
     String::from_utf8(output).expect("the message is UTF-8")
 }
 
@@ -79,7 +109,10 @@ pub(crate) fn number(value: &Value) -> f64 {
 #[track_caller]
 pub(crate) fn assert_close(found: f64, expected: f64, tolerance: f64) {
     let difference = (found - expected).abs();
-    assert!(difference <= tolerance * expected.abs().max(1.0), "{found} is not {expected}");
+    assert!(
+        difference <= tolerance * expected.abs().max(1.0),
+        "{found} is not {expected}"
+    );
 }
 
 /// Path of an example scenario.
@@ -97,7 +130,11 @@ pub(crate) fn tree(root: &Path) -> BTreeMap<String, Vec<u8>> {
             if path.is_dir() {
                 open.push(path);
             } else {
-                let name = path.strip_prefix(root).expect("inside").to_string_lossy().into_owned();
+                let name = path
+                    .strip_prefix(root)
+                    .expect("inside")
+                    .to_string_lossy()
+                    .into_owned();
                 files.insert(name, fs::read(&path).expect("a file"));
             }
         }

@@ -12,7 +12,13 @@ pub(crate) struct Table(Vec<Row>);
 impl Table {
     pub(crate) fn read(path: &str) -> Self {
         let reader = SerializedFileReader::new(File::open(path).expect("a file")).expect("a table");
-        Self(reader.get_row_iter(None).expect("rows").map(|row| row.expect("a row")).collect())
+        Self(
+            reader
+                .get_row_iter(None)
+                .expect("rows")
+                .map(|row| row.expect("a row"))
+                .collect(),
+        )
     }
 
     fn column<T>(&self, name: &str, value: impl Fn(&Field) -> Option<T>) -> Vec<T> {
@@ -24,10 +30,22 @@ impl Table {
     }
 
     pub(crate) fn reals(&self, name: &str) -> Vec<f64> {
-        self.column(name, |field| if let Field::Double(value) = field { Some(*value) } else { None })
+        self.column(name, |field| {
+            if let Field::Double(value) = field {
+                Some(*value)
+            } else {
+                None
+            }
+        })
     }
 
     pub(crate) fn counts(&self, name: &str) -> Vec<u32> {
-        self.column(name, |field| if let Field::UInt(value) = field { Some(*value) } else { None })
+        self.column(name, |field| {
+            if let Field::UInt(value) = field {
+                Some(*value)
+            } else {
+                None
+            }
+        })
     }
 }

@@ -29,7 +29,12 @@ fn demand_on(plane: &PhasePlane, energy: f64, window: Window) -> Vec<Piece> {
             (forces.normal > 0.0).then(|| [theta, forces.friction.abs() / forces.normal])
         })
         .into_iter()
-        .map(|piece| piece.into_iter().map(|[theta, demand]| vec![theta, demand, energy]).collect())
+        .map(|piece| {
+            piece
+                .into_iter()
+                .map(|[theta, demand]| vec![theta, demand, energy])
+                .collect()
+        })
         .collect()
 }
 
@@ -41,7 +46,13 @@ fn highest_on(plane: &PhasePlane, energy: f64, [from, to]: [f64; 2]) -> f64 {
     (0..=720)
         .map(|i| from + (to - from) * f64::from(i) / 720.0)
         .filter_map(|theta| Some(plane.forces(theta, plane.level_rate(theta, energy)?)))
-        .map(|forces| if forces.normal > 0.0 { forces.friction.abs() / forces.normal } else { f64::INFINITY })
+        .map(|forces| {
+            if forces.normal > 0.0 {
+                forces.friction.abs() / forces.normal
+            } else {
+                f64::INFINITY
+            }
+        })
         .fold(0.0, f64::max)
 }
 
@@ -49,10 +60,18 @@ fn highest_on(plane: &PhasePlane, energy: f64, [from, to]: [f64; 2]) -> f64 {
 fn turns_of(input: &FigureInput) -> Result<[f64; 2], FigureError> {
     let motion = input.hoop.simulate(input.start, input.limits)?;
     let until = horizon(&motion);
-    let touching = motion.phases().iter().take_while(|phase| phase.mode().touches_plane());
-    let angles = touching.flat_map(|phase| instants(&motion, phase, until)).map(|it| it.state.theta);
+    let touching = motion
+        .phases()
+        .iter()
+        .take_while(|phase| phase.mode().touches_plane());
+    let angles = touching
+        .flat_map(|phase| instants(&motion, phase, until))
+        .map(|it| it.state.theta);
     let [from, to] = bounds(angles.chain([input.start.theta]), 0.0).map(|theta| theta / TAU);
-    Ok([libm::floor(from), f64::max(libm::ceil(to), libm::floor(from) + 1.0)])
+    Ok([
+        libm::floor(from),
+        f64::max(libm::ceil(to), libm::floor(from) + 1.0),
+    ])
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
@@ -62,56 +81,117 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let (plane, law) = (PhasePlane::new(hoop), RollingLaw::new(hoop));
     let mu_s = hoop.mu_s();
     // On a slope no turn is as the one before it: those of the motion are shown.
-    let turns = if hoop.slope() == 0.0 { [0.0, 1.0] } else { turns_of(input)? };
-    let turn = if input.is_massless() { [-PI + 1e-3, PI - 1e-3] } else { turns.map(|turns| TAU * turns) };
-    let fallen = if hoop.slope() == 0.0 { 0.0 } else { law.energy(turn[0], 0.0) - law.energy(0.0, 0.0) };
+    let turns = if hoop.slope() == 0.0 {
+        [0.0, 1.0]
+    } else {
+        turns_of(input)?
+    };
+    let turn = if input.is_massless() {
+        [-PI + 1e-3, PI - 1e-3]
+    } else {
+        turns.map(|turns| TAU * turns)
+    };
+    let fallen = if hoop.slope() == 0.0 {
+        0.0
+    } else {
+        law.energy(turn[0], 0.0) - law.energy(0.0, 0.0)
+    };
     let separatrix = law.separatrix_energy() + fallen;
     let start = law.energy(input.start.theta, input.start.theta_rate);
     let (first, second) = if input.is_massless() {
         (0.5 * separatrix, separatrix + 1.0)
     } else {
-        (law.energy(PI, 0.7 * plane.separatrix_rate(PI)) + fallen, separatrix + hoop.offset())
+        (
+            law.energy(PI, 0.7 * plane.separatrix_rate(PI)) + fallen,
+            separatrix + hoop.offset(),
+        )
     };
     let orbits = [
         ("start", start, Stroke::of_mode(Mode::Rolling).wide(BOLD)),
-        (Curve::Separatrix.name(), separatrix, Stroke::of_curve(Curve::Separatrix)),
-        ("libration", first, Stroke::solid(SOFT, CURVE).dashed(Dash::DashDot)),
-        ("rotation", second, Stroke::solid(SOFT, CURVE).dashed(Dash::Short)),
+        (
+            Curve::Separatrix.name(),
+            separatrix,
+            Stroke::of_curve(Curve::Separatrix),
+        ),
+        (
+            "libration",
+            first,
+            Stroke::solid(SOFT, CURVE).dashed(Dash::DashDot),
+        ),
+        (
+            "rotation",
+            second,
+            Stroke::solid(SOFT, CURVE).dashed(Dash::Short),
+        ),
     ];
     // A heavy hoop demands so little that beside μs nothing of it would be seen.
-    let highest = orbits.iter().map(|(_, energy, _)| highest_on(&plane, *energy, turn)).fold(0.0, f64::max);
+    let highest = orbits
+        .iter()
+        .map(|(_, energy, _)| highest_on(&plane, *energy, turn))
+        .fold(0.0, f64::max);
     let usual = f64::max(f64::min(2.4 * mu_s, 1.25 * f64::max(highest, mu_s)), 0.1);
     let is_far = !input.is_massless() && highest < SMALL_SHARE * usual && highest > 0.0;
     let most = if is_far { 1.3 * highest } else { usual };
-    let window = Window { x: turn, y: [0.0, most] };
+    let window = Window {
+        x: turn,
+        y: [0.0, most],
+    };
     let mut layers = Vec::new();
     let mut keys = Vec::new();
     // N and F of a massless hoop vanish together, and their ratio is the same on all orbits.
-    let orbits = if input.is_massless() { &orbits[..0] } else { &orbits[..] };
+    let orbits = if input.is_massless() {
+        &orbits[..0]
+    } else {
+        &orbits[..]
+    };
     if input.is_massless() {
-        let demand = window.pieces(window.x, 1440, &|theta| Some([theta, plane.forces(theta, 0.0).demand()]));
+        let demand = window.pieces(window.x, 1440, &|theta| {
+            Some([theta, plane.forces(theta, 0.0).demand()])
+        });
         let series = Series::new("every orbit", &[THETA, DEMAND], rows(demand));
         layers.push(series.drawn(Stroke::of_mode(Mode::Rolling).wide(BOLD)));
     }
     for (name, energy, stroke) in orbits.iter().copied() {
-        let series = Series::new(name, &[THETA, DEMAND, ENERGY], demand_on(&plane, energy, window));
+        let series = Series::new(
+            name,
+            &[THETA, DEMAND, ENERGY],
+            demand_on(&plane, energy, window),
+        );
         layers.push(series.drawn(stroke));
-        let what = if name == "start" { "orbit of the start" } else { name };
+        let what = if name == "start" {
+            "orbit of the start"
+        } else {
+            name
+        };
         let text = format!("{what}, *E* = {}", say.value(energy, Dimension::Energy));
         keys.push((Mark::Line(stroke), text));
     }
     layers.reverse();
     let label = if is_far {
         let text = format!("*μ*_{{s}} = {} is above", short(mu_s));
-        Label::new(text, &[turn[1], most]).shifted(-10.0, 14.0).right()
+        Label::new(text, &[turn[1], most])
+            .shifted(-10.0, 14.0)
+            .right()
     } else {
-        let limit = Series::of_rows(MU_S, &[THETA, DEMAND], turn.map(|theta| vec![theta, mu_s]).to_vec());
+        let limit = Series::of_rows(
+            MU_S,
+            &[THETA, DEMAND],
+            turn.map(|theta| vec![theta, mu_s]).to_vec(),
+        );
         layers.push(limit.drawn(Stroke::of_curve(Curve::SlipLimit).wide(CURVE)));
         Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0)
     };
     let theta = input.start.theta;
-    let at = if hoop.slope() == 0.0 { theta - TAU * libm::floor((theta - turn[0]) / TAU) } else { theta };
-    let here_rate = if input.is_massless() { 0.0 } else { input.start.theta_rate };
+    let at = if hoop.slope() == 0.0 {
+        theta - TAU * libm::floor((theta - turn[0]) / TAU)
+    } else {
+        theta
+    };
+    let here_rate = if input.is_massless() {
+        0.0
+    } else {
+        input.start.theta_rate
+    };
     let here = plane.forces(input.start.theta, here_rate).demand();
     if here <= most {
         let row = vec![at, here, start];

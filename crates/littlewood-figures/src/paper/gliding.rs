@@ -5,7 +5,8 @@ use core::f64::consts::PI;
 use littlewood::theory::{GlidingIntegrals, Massless};
 use littlewood::{Limits, Mode, Start};
 use littlewood_draw::{
-    Entries, FAINT, Figure, INK, Label, Layer, Mark, Piece, REGION, SOFT, Series, Stroke, TRANSITION, short,
+    Entries, FAINT, Figure, INK, Label, Layer, Mark, Piece, REGION, SOFT, Series, Stroke,
+    TRANSITION, short,
 };
 
 use crate::columns::{PLANE, THETA, THETA_RATE, W};
@@ -16,15 +17,18 @@ use littlewood::theory::Window;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
-pub(super) const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
+pub(super) const WINDOW: Window = Window {
+    x: [-PI, PI],
+    y: [-2.6, 2.6],
+};
 /// Many lines side by side, told from rolling by where they are: dashes would only disturb.
 pub(super) const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
 /// Lines that run side by side.
 const THIN: f64 = 1.2;
 const COLUMNS: [&str; 3] = [THETA, THETA_RATE, W];
 
-/// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical velocity V as the
-/// parameter, ℓ̂ cos θ = w − ½ V² and θ′ = −V/(ℓ̂ sin θ).
+/// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical
+/// velocity V as the parameter, ℓ̂ cos θ = w − ½ V² and θ′ = −V/(ℓ̂ sin θ).
 pub(super) fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) -> Vec<Piece> {
     let l = body.offset;
     WINDOW
@@ -35,10 +39,18 @@ pub(super) fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) 
                 return None;
             }
             let theta = 2.0 * libm::atan2(below_top.sqrt(), above_bottom.sqrt());
-            Some([side * theta, -side * v / (l * (below_top * above_bottom).sqrt())])
+            Some([
+                side * theta,
+                -side * v / (l * (below_top * above_bottom).sqrt()),
+            ])
         })
         .into_iter()
-        .map(|piece| piece.into_iter().map(|[theta, rate]| vec![theta, rate, w]).collect())
+        .map(|piece| {
+            piece
+                .into_iter()
+                .map(|[theta, rate]| vec![theta, rate, w])
+                .collect()
+        })
         .collect()
 }
 
@@ -50,10 +62,15 @@ pub(super) fn fastest(body: &Massless, w: f64) -> f64 {
 /// Where each piece has one of these rates first, pointing along the flow.
 fn heads(pieces: &[Piece], rates: &[f64]) -> Vec<Piece> {
     let head = |piece: &Piece, wanted: f64| {
-        let at = piece.windows(2).find(|pair| (pair[0][1] - wanted) * (pair[1][1] - wanted) <= 0.0)?;
+        let at = piece
+            .windows(2)
+            .find(|pair| (pair[0][1] - wanted) * (pair[1][1] - wanted) <= 0.0)?;
         Some(in_time(&at[0], &at[1]))
     };
-    pieces.iter().flat_map(|piece| rates.iter().filter_map(move |rate| head(piece, *rate))).collect()
+    pieces
+        .iter()
+        .flat_map(|piece| rates.iter().filter_map(move |rate| head(piece, *rate)))
+        .collect()
 }
 
 /// Figure 6(a).
@@ -64,7 +81,9 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     let mut layers: Vec<Layer> = Vec::new();
     let mut flow = Vec::new();
     // Just below 1 they come closest to the top.
-    for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 0.9, 0.98, 1.25, 1.75, 2.5, 3.5, 5.0] {
+    for w in [
+        -0.75, -0.4, 0.0, 0.4, 0.75, 0.9, 0.98, 1.25, 1.75, 2.5, 3.5, 5.0,
+    ] {
         let v = fastest(&body, w);
         for side in [1.0, -1.0] {
             let pieces = line_of(&body, w, side, [-v, v]);
@@ -80,12 +99,20 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     for side in [1.0, -1.0] {
         // With w = 1 the particle comes to the top, θ = 0, with V = 0, and passes over it.
         let v = fastest(&body, 1.0);
-        let pieces = [line_of(&body, 1.0, side, [-v, -1e-6]), line_of(&body, 1.0, side, [1e-6, v])].concat();
+        let pieces = [
+            line_of(&body, 1.0, side, [-v, -1e-6]),
+            line_of(&body, 1.0, side, [1e-6, v]),
+        ]
+        .concat();
         flow.extend(heads_at_angle(&pieces, side * 0.5 * PI));
         layers.push(Series::new("w=1", &COLUMNS, pieces).drawn(Stroke::solid(INK, CURVE)));
     }
     layers.push(Series::new("flow", &COLUMNS, flow).drawn(Mark::Head(INK)));
-    let singular = Series::of_rows("singular", &PLANE, vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]]);
+    let singular = Series::of_rows(
+        "singular",
+        &PLANE,
+        vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]],
+    );
     layers.push(singular.drawn(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed)));
     let labels = vec![
         Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0),
@@ -100,14 +127,23 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
                    is not conserved by (3.17), and its lines are not the orbits.) On the black lines *w* = 1: they alone \
                    pass through *θ* = 0, with *θ*′ = ±1. *θ*′ is unbounded as *θ* → ±π, which is reached in a finite time."
         .to_owned();
-    figure(input, [NAME, "Figure 6(a): phase portrait of gliding"], caption, (layers, labels))
+    figure(
+        input,
+        [NAME, "Figure 6(a): phase portrait of gliding"],
+        caption,
+        (layers, labels),
+    )
 }
 
 /// The place on each piece over an angle, pointing along the flow.
 fn heads_at_angle(pieces: &[Piece], theta: f64) -> Vec<Piece> {
     pieces
         .iter()
-        .flat_map(|piece| piece.windows(2).filter(|pair| (pair[0][0] - theta) * (pair[1][0] - theta) < 0.0))
+        .flat_map(|piece| {
+            piece
+                .windows(2)
+                .filter(|pair| (pair[0][0] - theta) * (pair[1][0] - theta) < 0.0)
+        })
         .filter(|pair| pair[0][1].abs() < 2.4)
         .map(|pair| in_time(&pair[0], &pair[1]))
         .collect()
@@ -120,7 +156,13 @@ fn figure(
     drawn: (Vec<Layer>, Vec<Label>),
 ) -> Result<Figure, FigureError> {
     let say = input.wording();
-    input.plane(name, caption, [say.angle(WINDOW.x), say.rate(WINDOW.y)], drawn, Entries::new())
+    input.plane(
+        name,
+        caption,
+        [say.angle(WINDOW.x), say.rate(WINDOW.y)],
+        drawn,
+        Entries::new(),
+    )
 }
 
 /// Figure 6(b).
@@ -133,13 +175,23 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     let (mut rolling, mut gliding, mut changes) = (Vec::new(), Vec::new(), Vec::new());
     // Starts in 𝓡: over the top by their rate there, and at rest at an angle.
     // Few, since gliding lines converge towards θ = ±π.
-    let starts = [Start::at(0.0, 0.5), Start::at(0.0, 0.92), Start::at(0.75 * theta_s, 0.0)];
+    let starts = [
+        Start::at(0.0, 0.5),
+        Start::at(0.0, 0.92),
+        Start::at(0.75 * theta_s, 0.0),
+    ];
     for start in starts {
         let motion = input.hoop.simulate(start, Limits::default())?;
-        let Some(phase) = motion.phases().first().filter(|phase| phase.mode() == Mode::Rolling) else {
+        let Some(phase) = motion
+            .phases()
+            .first()
+            .filter(|phase| phase.mode() == Mode::Rolling)
+        else {
             continue;
         };
-        let (Some(end), duration) = (phase.end(), phase.duration()) else { continue };
+        let (Some(end), duration) = (phase.end(), phase.duration()) else {
+            continue;
+        };
         let half: Vec<[f64; 2]> = (0..=80)
             .map(|i| phase.sample(duration * f64::from(i) / 80.0).state)
             .map(|state| [state.theta, state.theta_rate])
@@ -147,16 +199,21 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
         let w = GlidingIntegrals::at(&body, &end).w;
         let falling = -libm::sin(end.theta) * end.theta_rate;
         let onward = line_of(&body, w, 1.0, [falling, -fastest(&body, w)]);
-        // The other half of each orbit, and the other three, by symmetry: through the top (θ, θ′) → (−θ, θ′) with time
-        // reversed, otherwise (θ, −θ′); and (−θ, −θ′).
+        // The other half of each orbit, and the other three, by symmetry: through the top (θ, θ′) →
+        // (−θ, θ′) with time reversed, otherwise (θ, −θ′); and (−θ, −θ′).
         let images: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
         for [a, b] in images {
-            rolling.push(half.iter().map(|[x, y]| vec![a * x, b * y]).collect::<Vec<_>>());
-            gliding.extend(
-                onward
-                    .iter()
-                    .map(|piece| piece.iter().map(|row| vec![a * row[0], b * row[1], w]).collect::<Vec<_>>()),
+            rolling.push(
+                half.iter()
+                    .map(|[x, y]| vec![a * x, b * y])
+                    .collect::<Vec<_>>(),
             );
+            gliding.extend(onward.iter().map(|piece| {
+                piece
+                    .iter()
+                    .map(|row| vec![a * row[0], b * row[1], w])
+                    .collect::<Vec<_>>()
+            }));
             changes.push(vec![a * end.theta, b * end.theta_rate]);
         }
     }
@@ -167,7 +224,9 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     let flow_r = flow_r.collect();
     let flow_g = gliding.iter().filter_map(|piece: &Piece| {
         let beyond = |row: &[f64]| row[0].abs() - 0.62 * PI;
-        let at = piece.windows(2).find(|pair| beyond(&pair[1]) * beyond(&pair[0]) <= 0.0)?;
+        let at = piece
+            .windows(2)
+            .find(|pair| beyond(&pair[1]) * beyond(&pair[0]) <= 0.0)?;
         Some(in_time(&at[0], &at[1]))
     });
     let flow_g = flow_g.collect();
@@ -179,16 +238,29 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
         for side in [1.0, -1.0] {
             for piece in line_of(&body, w, side, [-v, v]) {
                 elsewhere.extend(
-                    piece.split(|row| !outside(row)).filter(|part| part.len() > 1).map(<[_]>::to_vec),
+                    piece
+                        .split(|row| !outside(row))
+                        .filter(|part| part.len() > 1)
+                        .map(<[_]>::to_vec),
                 );
             }
         }
     }
-    layers.push(Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Stroke::solid(FAINT, FINE)));
+    layers.push(
+        Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Stroke::solid(FAINT, FINE)),
+    );
     layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(GLIDING.wide(THIN)));
-    layers.push(Series::new("rolling", &PLANE, rolling).drawn(Stroke::of_mode(Mode::Rolling).wide(THIN)));
-    let manifolds =
-        Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
+    layers.push(
+        Series::new("rolling", &PLANE, rolling).drawn(Stroke::of_mode(Mode::Rolling).wide(THIN)),
+    );
+    let manifolds = Portrait {
+        window: Window {
+            x: [-theta_s, theta_s],
+            y: [-1.0, 1.0],
+        },
+        ..portrait
+    }
+    .separatrix();
     layers.push(manifolds.drawn(Curve::Separatrix));
     if let Some((_, limit)) = portrait.massless_limit() {
         layers.push(limit.drawn(Curve::SlipLimit));
@@ -212,5 +284,10 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
          the equilibrium. *μ*_{{s}} = {}. Gliding by the corrected integral, see Figure 6(a); grey: other gliding motions, outside 𝓡.",
         short(input.hoop.mu_s())
     );
-    figure(input, [NAME, "Figure 6(b): combined phase portrait"], caption, (layers, labels))
+    figure(
+        input,
+        [NAME, "Figure 6(b): combined phase portrait"],
+        caption,
+        (layers, labels),
+    )
 }

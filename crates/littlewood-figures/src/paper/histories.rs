@@ -3,8 +3,8 @@
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Hoop, Sample, Trajectory, Transition};
 use littlewood_draw::{
-    Content, Entries, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, Piece,
-    ROOM, SMALL, SOFT, Series, Sheet, Stroke, THEME, marked, short,
+    Content, Entries, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE,
+    Panel, Piece, ROOM, SMALL, SOFT, Series, Sheet, Stroke, THEME, marked, short,
 };
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
@@ -33,12 +33,22 @@ fn normal_panel(
     (say, wide): (Wording, f64),
 ) -> (Content, f64, &'static str) {
     let weight = normal_weight(motion.hoop());
-    let axis = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), range_of(&[&normal], &[0.0, weight]));
+    let axis = say.axis(
+        NORMAL,
+        &marked(SampleColumn::Normal.sign()),
+        range_of(&[&normal], &[0.0, weight]),
+    );
     let name_of_weight = weight_name(motion.hoop(), &[&normal], range, axis.range);
     let layers = vec![
         transitions(motion, &axis, NORMAL),
         zero(range, NORMAL),
-        level(range, NORMAL_WEIGHT, NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
+        level(
+            range,
+            NORMAL_WEIGHT,
+            NORMAL,
+            weight,
+            Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted),
+        ),
         normal.drawn(Stroke::solid(NORMAL_FORCE, 2.0)),
     ];
     let names = names(motion, axis.range[1], wide);
@@ -46,59 +56,117 @@ fn normal_panel(
     let mut labels = names.labels;
     labels.push(name_of_weight);
     let name = SampleColumn::Normal.long_name();
-    (Content { name, x: bare(say, range), y: axis, layers, labels }, height, words)
+    (
+        Content {
+            name,
+            x: bare(say, range),
+            y: axis,
+            layers,
+            labels,
+        },
+        height,
+        words,
+    )
 }
 
 /// Friction force.
 fn friction_panel(motion: &Trajectory, range: [f64; 2], say: Wording) -> Content {
-    let friction =
-        history(motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
-    let axis = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), range_of(&[&friction], &[0.0]));
+    let friction = history(
+        motion,
+        SampleColumn::Friction.long_name(),
+        FRICTION,
+        &|_, sample| Some(sample.friction),
+    );
+    let axis = say.axis(
+        FRICTION,
+        &marked(SampleColumn::Friction.sign()),
+        range_of(&[&friction], &[0.0]),
+    );
     let layers = vec![
         transitions(motion, &axis, FRICTION),
         zero(range, FRICTION),
         friction.drawn(Stroke::solid(FRICTION_FORCE, 2.0)),
     ];
     let name = SampleColumn::Friction.long_name();
-    Content { name, x: bare(say, range), y: axis, layers, labels: Vec::new() }
+    Content {
+        name,
+        x: bare(say, range),
+        y: axis,
+        layers,
+        labels: Vec::new(),
+    }
 }
 
 /// |F|/N, and |J|/P of impacts.
 fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes, say: Wording) -> Content {
     let hoop = motion.hoop();
-    let demand = history(motion, "friction over normal force", DEMAND, &|phase, sample| {
-        let in_contact = phase.mode().has_normal_force();
-        (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
-    });
+    let demand = history(
+        motion,
+        "friction over normal force",
+        DEMAND,
+        &|phase, sample| {
+            let in_contact = phase.mode().has_normal_force();
+            (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
+        },
+    );
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
-    let demanded = demand.rows().map(|row| row[1]).chain(spikes.shares()).fold(0.0, f64::max);
+    let demanded = demand
+        .rows()
+        .map(|row| row[1])
+        .chain(spikes.shares())
+        .fold(0.0, f64::max);
     // Of a heavy hoop nothing would be seen beside μs.
     let is_far = demanded > 0.0 && demanded < SMALL_SHARE * mu_k;
     let is_empty = demand.pieces.is_empty() && spikes.impulses.is_empty();
-    let highest = if is_far { demanded } else { f64::max(demanded, mu_s) };
+    let highest = if is_far {
+        demanded
+    } else {
+        f64::max(demanded, mu_s)
+    };
     // Without friction the axis has a length all the same.
     let highest = if highest > 0.0 { highest } else { 0.1 };
     let axis = say.axis(DEMAND, "|*F*|/*N*", [0.0, 1.25 * highest]);
-    let mut layers = vec![transitions(motion, &axis, DEMAND), demand.drawn(Stroke::solid(INK, 2.0))];
+    let mut layers = vec![
+        transitions(motion, &axis, DEMAND),
+        demand.drawn(Stroke::solid(INK, 2.0)),
+    ];
     let limit = Stroke::of_curve(Curve::SlipLimit).wide(1.2);
     let mut labels = Vec::new();
     if is_empty {
         let middle = [0.5 * (range[0] + range[1]), 0.5 * mu_k];
-        labels.push(Label::new("nothing to show: *N* = 0", &middle).sized(SMALL).coloured(SOFT));
+        labels.push(
+            Label::new("nothing to show: *N* = 0", &middle)
+                .sized(SMALL)
+                .coloured(SOFT),
+        );
     }
     if is_far {
         let text = format!("*μ*_{{k}} = {} is above", short(mu_k));
-        labels.push(Label::new(text, &[range[1], 1.25 * highest]).shifted(-8.0, 11.0).right().sized(SMALL));
+        labels.push(
+            Label::new(text, &[range[1], 1.25 * highest])
+                .shifted(-8.0, 11.0)
+                .right()
+                .sized(SMALL),
+        );
     } else {
         layers.insert(1, level(range, MU_S, DEMAND, mu_s, limit));
-        layers.insert(2, level(range, MU_K, DEMAND, mu_k, limit.dashed(Dash::Dotted)));
+        layers.insert(
+            2,
+            level(range, MU_K, DEMAND, mu_k, limit.dashed(Dash::Dotted)),
+        );
         labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
     }
     layers.extend(spikes.demands());
     if mu_k < mu_s && !is_far {
         labels.push(Label::new("*μ*_{k}", &[range[1], mu_k]).shifted(-14.0, 11.0));
     }
-    Content { name: "friction over normal force", x: say.clock(range), y: axis, layers, labels }
+    Content {
+        name: "friction over normal force",
+        x: say.clock(range),
+        y: axis,
+        layers,
+        labels,
+    }
 }
 
 /// Forces and the share of friction against time.
@@ -106,7 +174,12 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "forces";
     let motion = input.motion_in_contact(NAME)?;
     let range = [motion.start().time, horizon(&motion)];
-    let normal = history(&motion, SampleColumn::Normal.long_name(), NORMAL, &|_, sample| Some(sample.normal));
+    let normal = history(
+        &motion,
+        SampleColumn::Normal.long_name(),
+        NORMAL,
+        &|_, sample| Some(sample.normal),
+    );
     let spikes = Spikes::new(&motion);
     let say = input.wording();
     let sheet = input.sheet(WIDTH)?;
@@ -120,8 +193,11 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     let tops = |i: usize| 38.0 + down + (height - ROOM[1] + CLOSE) * i as f64;
     let frame = |i: usize| [left, tops(i), inner, height];
     let last = contents.len() - 1;
-    let panels =
-        contents.into_iter().enumerate().map(|(i, content)| Sheet::panel(frame(i), content)).collect();
+    let panels = contents
+        .into_iter()
+        .enumerate()
+        .map(|(i, content)| Sheet::panel(frame(i), content))
+        .collect();
     Ok(sheet.figure(
         NAME,
         "Forces of a motion",
@@ -139,8 +215,11 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
 /// Where the energy falls in impacts: from before to after.
 fn drops(motion: &Trajectory) -> Option<Layer> {
     let until = horizon(motion);
-    let step =
-        |time: f64, before: f64, lost: f64| [before, before - lost].map(|energy| vec![time, energy]).to_vec();
+    let step = |time: f64, before: f64, lost: f64| {
+        [before, before - lost]
+            .map(|energy| vec![time, energy])
+            .to_vec()
+    };
     let mut pieces: Vec<Piece> = Vec::new();
     // A jam at the start, which ends no phase.
     if let (Some(transition), Some(phase)) = (motion.transitions().first(), motion.phases().first())
@@ -150,10 +229,17 @@ fn drops(motion: &Trajectory) -> Option<Layer> {
         pieces.push(step(transition.time(), phase.first().energy + lost, lost));
     }
     pieces.extend(motion.phases().iter().filter_map(|phase| {
-        let transition = motion.end_of(phase).filter(|transition| transition.time() <= until)?;
-        Some(step(transition.time(), phase.last()?.energy, transition.impact?.energy_lost()))
+        let transition = motion
+            .end_of(phase)
+            .filter(|transition| transition.time() <= until)?;
+        Some(step(
+            transition.time(),
+            phase.last()?.energy,
+            transition.impact?.energy_lost(),
+        ))
     }));
-    (!pieces.is_empty()).then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(DROP))
+    (!pieces.is_empty())
+        .then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(DROP))
 }
 
 /// Name of the level that the normal force has at rest.
@@ -164,23 +250,41 @@ pub(super) fn normal_weight(hoop: &Hoop) -> f64 {
     hoop.mass() * libm::cos(hoop.slope())
 }
 
-/// What its name takes of the axes, and the part of an axis from which on it stands below its level.
+/// What its name takes of the axes, and the part of an axis from which on it stands below its
+/// level.
 const NAME_SHARES: [f64; 2] = [0.25, 0.2];
 const HIGH: f64 = 0.8;
 
 /// Its name, as far to the right as there is no curve of the normal force in its place.
-pub(super) fn weight_name(hoop: &Hoop, normal: &[&Series], times: [f64; 2], range: [f64; 2]) -> Label {
+pub(super) fn weight_name(
+    hoop: &Hoop,
+    normal: &[&Series],
+    times: [f64; 2],
+    range: [f64; 2],
+) -> Label {
     let weight = normal_weight(hoop);
-    let text = if hoop.slope() == 0.0 { "weight" } else { "weight × cos α" };
+    let text = if hoop.slope() == 0.0 {
+        "weight"
+    } else {
+        "weight × cos α"
+    };
     let span = times[1] - times[0];
     let rows = || normal.iter().flat_map(|series| series.rows());
     let is_high = weight > range[0] + HIGH * (range[1] - range[0]);
-    let up = NAME_SHARES[1] * if is_high { range[0] - range[1] } else { range[1] - range[0] };
+    let up = NAME_SHARES[1]
+        * if is_high {
+            range[0] - range[1]
+        } else {
+            range[1] - range[0]
+        };
     let below = |end: &f64| {
         let near = rows().filter(|row| row[0] <= *end && row[0] >= end - NAME_SHARES[0] * span);
-        near.filter(|row| (0.0..=1.0).contains(&((row[1] - weight) / up))).count()
+        near.filter(|row| (0.0..=1.0).contains(&((row[1] - weight) / up)))
+            .count()
     };
-    let ends = (4..=16).rev().map(|i| times[0] + span * f64::from(i) / 16.0);
+    let ends = (4..=16)
+        .rev()
+        .map(|i| times[0] + span * f64::from(i) / 16.0);
     let end = ends.min_by_key(below).unwrap_or(times[1]);
     let label = Label::new(text, &[end, weight]).shifted(-6.0, if is_high { 9.0 } else { -9.0 });
     label.right().sized(SMALL).coloured(SOFT)
@@ -197,23 +301,40 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         let above_centre = hoop.offset() * libm::cos(sample.state.theta) + hoop.mass() * sample.gap;
         across * above_centre + along * (hoop.mass() * sample.mass_centre.x)
     };
-    let total = history(&motion, "total energy", ENERGY, &|_, sample| Some(sample.energy));
-    let kinetic =
-        history(&motion, "kinetic energy", ENERGY, &|_, sample| Some(sample.energy - potential_of(sample)));
-    let potential = history(&motion, "potential energy", ENERGY, &|_, sample| Some(potential_of(sample)));
+    let total = history(&motion, "total energy", ENERGY, &|_, sample| {
+        Some(sample.energy)
+    });
+    let kinetic = history(&motion, "kinetic energy", ENERGY, &|_, sample| {
+        Some(sample.energy - potential_of(sample))
+    });
+    let potential = history(&motion, "potential energy", ENERGY, &|_, sample| {
+        Some(potential_of(sample))
+    });
     let say = input.wording();
-    let axis = say.axis(ENERGY, "energy", range_of(&[&total, &kinetic, &potential], &[0.0]));
+    let axis = say.axis(
+        ENERGY,
+        "energy",
+        range_of(&[&total, &kinetic, &potential], &[0.0]),
+    );
     let drops = drops(&motion);
-    let part = |part: EnergyPart, dash| Mark::Line(Stroke::solid(part.colour(THEME), CURVE).dashed(dash));
+    let part =
+        |part: EnergyPart, dash| Mark::Line(Stroke::solid(part.colour(THEME), CURVE).dashed(dash));
     let marks = [
         Mark::Line(Stroke::solid(INK, 2.2)),
         part(EnergyPart::Kinetic, Dash::Dashed),
         part(EnergyPart::Potential, Dash::DashDot),
     ];
     let words = ["total *E*", "kinetic *T*", "potential *U*"];
-    let mut entries: Entries =
-        words.into_iter().zip(marks).map(|(text, mark)| (mark, text.to_owned())).collect();
-    entries.extend(drops.as_ref().map(|drops| (drops.mark, EnergyPart::Impacts.label().to_owned())));
+    let mut entries: Entries = words
+        .into_iter()
+        .zip(marks)
+        .map(|(text, mark)| (mark, text.to_owned()))
+        .collect();
+    entries.extend(
+        drops
+            .as_ref()
+            .map(|drops| (drops.mark, EnergyPart::Impacts.label().to_owned())),
+    );
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
     let names = names(&motion, axis.range[1], inner - ROOM[0]);
@@ -228,8 +349,17 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(drops);
     let (keys, room) = sheet.keys(entries, 6.0);
     let (top, height) = (room + 42.0 + names.height, sheet.height(340.0));
-    let content = Content { name: "energy", x: bare(say, range), y: axis, layers, labels: names.labels };
-    let panel = Panel { keys, ..Sheet::panel([left, top, inner, height], content) };
+    let content = Content {
+        name: "energy",
+        x: bare(say, range),
+        y: axis,
+        layers,
+        labels: names.labels,
+    };
+    let panel = Panel {
+        keys,
+        ..Sheet::panel([left, top, inner, height], content)
+    };
     let (below, low) = (top + height - ROOM[1] + CLOSE, sheet.height(150.0));
     let lost = Sheet::panel([left, below, inner, low], lost_panel(&motion, range, say));
     Ok(sheet.figure(
@@ -249,9 +379,14 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
 /// What has been lost since the start, on an axis of its own.
 fn lost_panel(motion: &Trajectory, range: [f64; 2], say: Wording) -> Content {
     let drop = |transition: Option<&Transition>| {
-        transition.and_then(|it| it.impact).map_or(0.0, |it| it.energy_lost())
+        transition
+            .and_then(|it| it.impact)
+            .map_or(0.0, |it| it.energy_lost())
     };
-    let first = motion.transitions().first().filter(|transition| transition.from.is_none());
+    let first = motion
+        .transitions()
+        .first()
+        .filter(|transition| transition.from.is_none());
     let mut rows = vec![vec![range[0], 0.0]];
     let mut before = drop(first);
     for phase in motion.phases() {
@@ -266,16 +401,29 @@ fn lost_panel(motion: &Trajectory, range: [f64; 2], say: Wording) -> Content {
     }
     rows.retain(|row| row[0] <= range[1] && row[1].is_finite());
     let most = rows.iter().map(|row| row[1]).fold(0.0, f64::max);
-    let size = motion.phases().first().map_or(1.0, |phase| phase.first().energy.abs().max(1.0));
+    let size = motion
+        .phases()
+        .first()
+        .map_or(1.0, |phase| phase.first().energy.abs().max(1.0));
     // A motion that loses nothing has a flat line.
-    let most = if most > NOISE * size { 1.12 * most } else { 0.1 * size };
+    let most = if most > NOISE * size {
+        1.12 * most
+    } else {
+        0.1 * size
+    };
     let axis = say.axis(LOST, "*E*_{0} − *E*", [-0.08 * most, most]);
     let layers = vec![
         transitions(motion, &axis, LOST),
         zero(range, LOST),
         Series::of_rows("lost", &[TIME, LOST], rows).drawn(Stroke::solid(INK, CURVE)),
     ];
-    Content { name: "energy lost", x: say.clock(range), y: axis, layers, labels: Vec::new() }
+    Content {
+        name: "energy lost",
+        x: say.clock(range),
+        y: axis,
+        layers,
+        labels: Vec::new(),
+    }
 }
 
 /// What has cost energy.
@@ -296,5 +444,9 @@ fn losses(motion: &Trajectory, say: Wording) -> String {
         .filter(|phase| phase.start().time < until)
         .map(littlewood::Phase::energy_lost)
         .sum();
-    format!("Sliding costs {}, the impacts {}", energy(sliding), energy(in_impacts))
+    format!(
+        "Sliding costs {}, the impacts {}",
+        energy(sliding),
+        energy(in_impacts)
+    )
 }

@@ -3,8 +3,8 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Hoop, Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Entries, Figure, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, SOFT, START, Series, Stroke,
-    TRANSITION, marked,
+    Content, Entries, Figure, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, SOFT, START,
+    Series, Stroke, TRANSITION, marked,
 };
 
 use crate::columns::{FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
@@ -40,8 +40,15 @@ const IMPULSES: Columns = [NORMAL_IMPULSE, FRICTION_IMPULSE];
 
 /// Both cones from their point to the greatest normal force.
 fn whole(most: f64, mu_s: f64) -> Window {
-    let limit = if mu_s > 0.0 { 1.12 * mu_s * most } else { 0.5 * most };
-    Window { x: [-0.13 * most, 1.08 * most], y: [-limit, limit] }
+    let limit = if mu_s > 0.0 {
+        1.12 * mu_s * most
+    } else {
+        0.5 * most
+    };
+    Window {
+        x: [-0.13 * most, 1.08 * most],
+        y: [-limit, limit],
+    }
 }
 
 /// The part of the plane of forces in which a motion is seen.
@@ -56,7 +63,11 @@ fn window_of(rows: &[Vec<f64>], mu_s: f64) -> Window {
         return all;
     }
     let is_level = most - least < SMALL_SHARE * most;
-    let x = if is_level { bounds(normals(), 0.15) } else { all.x };
+    let x = if is_level {
+        bounds(normals(), 0.15)
+    } else {
+        all.x
+    };
     let largest = frictions().map(f64::abs).fold(0.0, f64::max);
     let y = if largest <= NOISE * most {
         all.y
@@ -75,24 +86,39 @@ fn window_of(rows: &[Vec<f64>], mu_s: f64) -> Window {
 fn cone(window: Window, columns: Columns, name: &'static str, mu: f64) -> Series {
     let pieces = [1.0, -1.0].into_iter().flat_map(|sign| {
         let from = f64::max(window.x[0], 0.0);
-        window.pieces([from, window.x[1]], 64, &|normal| Some([normal, sign * mu * normal]))
+        window.pieces([from, window.x[1]], 64, &|normal| {
+            Some([normal, sign * mu * normal])
+        })
     });
-    let rows = pieces.map(|piece| piece.into_iter().map(Vec::from).collect()).collect();
+    let rows = pieces
+        .map(|piece| piece.into_iter().map(Vec::from).collect())
+        .collect();
     Series::new(name, &columns, rows)
 }
 
 /// The inside of the cone |F| ≤ μs N, as far as it is seen.
 fn inside(window: Window, columns: Columns, mu: f64) -> Series {
-    let Window { x: [left, right], y: [low, high] } = window;
+    let Window {
+        x: [left, right],
+        y: [low, high],
+    } = window;
     let left = f64::max(left, 0.0);
     // Where the lines enter and leave the window.
     let mut stops = vec![left, right];
-    stops.extend([low, high].into_iter().filter(|_| mu > 0.0).map(|edge| edge.abs() / mu));
+    stops.extend(
+        [low, high]
+            .into_iter()
+            .filter(|_| mu > 0.0)
+            .map(|edge| edge.abs() / mu),
+    );
     stops.retain(|normal| (left..=right).contains(normal));
     stops.sort_by(f64::total_cmp);
     let edge = |sign: f64| {
         let cut = move |normal: f64| vec![normal, (sign * mu * normal).clamp(low, high)];
-        stops.iter().map(move |normal| cut(*normal)).collect::<Vec<_>>()
+        stops
+            .iter()
+            .map(move |normal| cut(*normal))
+            .collect::<Vec<_>>()
     };
     let mut polygon = edge(1.0);
     polygon.extend(edge(-1.0).into_iter().rev());
@@ -105,7 +131,10 @@ fn jumps(motion: &Trajectory, window: Window) -> Vec<Piece> {
     let pairs = motion.phases().windows(2).filter(|pair| {
         let is_seen = pair[1].start().time < until;
         // Before an impact and after it the forces are those of flights.
-        is_seen && motion.end_of(&pair[0]).is_some_and(|transition| transition.impact.is_none())
+        is_seen
+            && motion
+                .end_of(&pair[0])
+                .is_some_and(|transition| transition.impact.is_none())
     });
     pairs
         .filter_map(|pair| Some(vec![row(&pair[0].last()?), row(&pair[1].first())]))
@@ -130,7 +159,11 @@ fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
         .filter(|(transition, _)| transition.time() <= until)
         .map(|(transition, sample)| (transition.cause.label(), row(&sample)))
         .collect();
-    let labels = if ends.len() > NAMED { &[][..] } else { &ends[..] };
+    let labels = if ends.len() > NAMED {
+        &[][..]
+    } else {
+        &ends[..]
+    };
     let labels = labels.iter().map(|(name, row)| {
         let up = if row[2] < 0.0 { 13.0 } else { -12.0 };
         let label = Label::new(*name, &row[1..]).sized(SMALL);
@@ -143,7 +176,10 @@ fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
     });
     let labels = labels.collect();
     let rows = ends.into_iter().map(|(_, row)| row).collect();
-    (Series::of_rows("transition", &COLUMNS, rows).drawn(TRANSITION), labels)
+    (
+        Series::of_rows("transition", &COLUMNS, rows).drawn(TRANSITION),
+        labels,
+    )
 }
 
 /// The cones in a window, with the axes where their point is seen, and what they mean.
@@ -157,7 +193,10 @@ fn cones(
     let limit = Stroke::of_curve(Curve::SlipLimit).wide(CURVE);
     let cones = [
         (cone(window, columns, MU_S, mu_s).drawn(limit), "*μ*_{s}"),
-        (cone(window, columns, MU_K, mu_k).drawn(limit.dashed(Dash::Dotted)), "*μ*_{k}"),
+        (
+            cone(window, columns, MU_K, mu_k).drawn(limit.dashed(Dash::Dotted)),
+            "*μ*_{k}",
+        ),
     ];
     let mut layers = vec![inside(window, columns, mu_s).drawn(Mark::Fill(REGION))];
     if window.x[0] < 0.0 {
@@ -179,8 +218,11 @@ fn cones(
 
 /// The impulses as dots, which lie in the same cones.
 fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Entries)> {
-    let rows: Piece =
-        spikes.impulses.iter().map(|(_, impulse)| vec![impulse.normal, impulse.friction]).collect();
+    let rows: Piece = spikes
+        .impulses
+        .iter()
+        .map(|(_, impulse)| vec![impulse.normal, impulse.friction])
+        .collect();
     let most = rows.iter().map(|row| row[0]).fold(0.0, f64::max);
     (most > 0.0).then(|| {
         let window = whole(most, hoop.mu_s());
@@ -188,16 +230,34 @@ fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, E
         let mark = Mark::Dot(IMPULSE, 2.8);
         keys.push((mark, "impulse".to_owned()));
         layers.push(Series::of_rows("impulse", &IMPULSES, rows).drawn(mark));
-        let [x, y] = [say.axis(NORMAL_IMPULSE, "*P*", window.x), say.axis(FRICTION_IMPULSE, "*J*", window.y)];
-        (Content { name: "plane of impulses", x, y, layers, labels: Vec::new() }, keys)
+        let [x, y] = [
+            say.axis(NORMAL_IMPULSE, "*P*", window.x),
+            say.axis(FRICTION_IMPULSE, "*J*", window.y),
+        ];
+        (
+            Content {
+                name: "plane of impulses",
+                x,
+                y,
+                layers,
+                labels: Vec::new(),
+            },
+            keys,
+        )
     })
 }
 
 /// The forces of a motion in contact, and whether a cone is seen.
 fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Entries, bool)> {
-    let in_contact: Vec<(Mode, Series)> =
-        by_mode(motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| mode.has_normal_force()).collect();
-    let all: Piece = in_contact.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
+    let in_contact: Vec<(Mode, Series)> = by_mode(motion, "", &COLUMNS, &row)
+        .into_iter()
+        .filter(|(mode, _)| mode.has_normal_force())
+        .collect();
+    let all: Piece = in_contact
+        .iter()
+        .flat_map(|(_, series)| series.rows())
+        .map(<[f64]>::to_vec)
+        .collect();
     if all.iter().all(|row| row[1] <= 0.0) {
         return None;
     }
@@ -213,18 +273,33 @@ fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Entries, boo
         layers.push(Series::new("jump", &COLUMNS, jumps).drawn(Mark::Arrow(stroke)));
     }
     layers.extend(lines(in_contact, BOLD));
-    let is_seen_move =
-        |mode: Mode, rows: &[Vec<f64>]| mode.has_normal_force() && length(rows, window) > LEAST_STEP;
+    let is_seen_move = |mode: Mode, rows: &[Vec<f64>]| {
+        mode.has_normal_force() && length(rows, window) > LEAST_STEP
+    };
     layers.extend(arrows(motion, 0.45, &COLUMNS, &row, is_seen_move));
     let (dots, labels) = changes(motion, window.x[1]);
     layers.push(dots);
-    if let Some(first) = motion.phases().first().filter(|phase| phase.mode().has_normal_force()) {
+    if let Some(first) = motion
+        .phases()
+        .first()
+        .filter(|phase| phase.mode().has_normal_force())
+    {
         let start = Series::of_rows("start", &COLUMNS, vec![row(&first.first())]);
         layers.push(start.drawn(START));
     }
     let x = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), window.x);
     let y = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), window.y);
-    Some((Content { name: "plane of forces", x, y, layers, labels }, keys, is_seen))
+    Some((
+        Content {
+            name: "plane of forces",
+            x,
+            y,
+            layers,
+            labels,
+        },
+        keys,
+        is_seen,
+    ))
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
@@ -232,12 +307,18 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let (hoop, say) = (motion.hoop(), input.wording());
     let forces = of_forces(&motion, say);
     let impulses = of_impulses(hoop, &Spikes::new(&motion), say);
-    let is_far = forces.as_ref().is_some_and(|(_, _, is_seen)| !is_seen && hoop.mu_s() > 0.0);
+    let is_far = forces
+        .as_ref()
+        .is_some_and(|(_, _, is_seen)| !is_seen && hoop.mu_s() > 0.0);
     let caption = format!(
         "Friction force *F* against normal force *N* along the motion, with the friction cone |*F*| ≤ *μ*_{{s}}*N* (shaded) \
          in which rolling stays; a slide runs along |*F*| = *μ*_{{k}}*N*, and in flight both are zero. Cross: start; \
          diamonds: transitions; arrows: time.{}{} {}.",
-        if is_far { " The cone is far beyond the window." } else { "" },
+        if is_far {
+            " The cone is far beyond the window."
+        } else {
+            ""
+        },
         if impulses.is_some() {
             " Dots: the impulses (*P*, *J*) of the impacts, in the same cones."
         } else {
@@ -247,17 +328,28 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     ) + &remark(&motion, say);
     let mut keys: Entries = Vec::new();
     let mut contents = Vec::new();
-    for (content, own) in forces.map(|(content, keys, _)| (content, keys)).into_iter().chain(impulses) {
+    for (content, own) in forces
+        .map(|(content, keys, _)| (content, keys))
+        .into_iter()
+        .chain(impulses)
+    {
         let is_new = |(mark, _): &(Mark, String)| keys.iter().all(|(known, _)| known != mark);
         keys.extend(own.into_iter().filter(is_new).collect::<Vec<_>>());
         contents.push(content);
     }
     let title = "The friction cone along a motion";
     match <[Content; 2]>::try_from(contents) {
-        Ok(contents) => Ok(input.sheet(860.0)?.pair(NAME, title, caption, 362.0, contents, keys)),
+        Ok(contents) => Ok(input
+            .sheet(860.0)?
+            .pair(NAME, title, caption, 362.0, contents, keys)),
         Err(mut contents) => match contents.pop() {
-            Some(content) => Ok(input.sheet(580.0)?.plot(NAME, title, caption, 402.0, content, keys)),
-            None => Err(FigureError::NoForce { figure: NAME, outcome: motion.outcome().kind() }),
+            Some(content) => Ok(input
+                .sheet(580.0)?
+                .plot(NAME, title, caption, 402.0, content, keys)),
+            None => Err(FigureError::NoForce {
+                figure: NAME,
+                outcome: motion.outcome().kind(),
+            }),
         },
     }
 }

@@ -46,15 +46,23 @@ impl Diagram {
             .map(|impulse| [impulse.friction, impulse.normal])
             .collect();
         let top = MARGIN * impact.impulse.normal;
-        let side = course.iter().map(|[friction, _]| MARGIN * friction.abs()).fold(0.0, f64::max);
-        let side = side.max(top * hoop.mu_s().max(hoop.mu_k())).max(NARROWEST * top);
+        let side = course
+            .iter()
+            .map(|[friction, _]| MARGIN * friction.abs())
+            .fold(0.0, f64::max);
+        let side = side
+            .max(top * hoop.mu_s().max(hoop.mu_k()))
+            .max(NARROWEST * top);
         Some(Self {
             hoop,
             restitution,
             impact,
             compliance: [compliance.a, compliance.b, compliance.c],
             course,
-            window: Window { x: [-side, side], y: [0.0, top] },
+            window: Window {
+                x: [-side, side],
+                y: [0.0, top],
+            },
         })
     }
 
@@ -90,9 +98,9 @@ impl Diagram {
     /// The parts of the course, each with what the contact point does.
     fn parts(&self) -> Vec<(Mode, Piece)> {
         let last = match self.impact.case {
-            ImpactCase::Slides | ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
-                Mode::Sliding
-            }
+            ImpactCase::Slides
+            | ImpactCase::ReversesInCompression
+            | ImpactCase::ReversesInRestitution => Mode::Sliding,
             _ => Mode::Rolling,
         };
         let count = self.course.len().saturating_sub(1);
@@ -109,11 +117,13 @@ impl Diagram {
     /// Where w = 0 on the course, after the start.
     fn greatest_compression(&self) -> Option<[f64; 2]> {
         let [_, b, c] = self.compliance;
-        let gap_rate = |[friction, normal]: [f64; 2]| self.impact.before.gap_rate + b * friction + c * normal;
+        let gap_rate =
+            |[friction, normal]: [f64; 2]| self.impact.before.gap_rate + b * friction + c * normal;
         self.course.windows(2).find_map(|ends| {
             let (from, to) = (gap_rate(ends[0]), gap_rate(ends[1]));
             let share = from / (from - to);
-            (from < 0.0 && to >= 0.0).then(|| [0, 1].map(|i| ends[0][i] + share * (ends[1][i] - ends[0][i])))
+            (from < 0.0 && to >= 0.0)
+                .then(|| [0, 1].map(|i| ends[0][i] + share * (ends[1][i] - ends[0][i])))
         })
     }
 
@@ -122,7 +132,11 @@ impl Diagram {
             let rows = points.iter().map(|point| point.to_vec()).collect();
             Series::of_rows(line.name(), &COLUMNS, rows).drawn(Stroke::of_impulse_line(line))
         };
-        let mut layers: Vec<Layer> = self.cones().iter().map(|(line, points)| drawn(*line, points)).collect();
+        let mut layers: Vec<Layer> = self
+            .cones()
+            .iter()
+            .map(|(line, points)| drawn(*line, points))
+            .collect();
         for (line, coefficients) in self.lines() {
             layers.extend(across(coefficients, self.window).map(|ends| drawn(line, &ends)));
         }
@@ -132,7 +146,11 @@ impl Diagram {
             // Set off against the cone, on which it slips.
             let under = Mark::Line(Stroke::solid(PAPER, COURSE + 2.0));
             layers.push(Series::of_rows("course", &COLUMNS, rows.clone()).drawn(under));
-            let mark = if i + 1 == parts.len() { Mark::Arrow(stroke) } else { Mark::Line(stroke) };
+            let mark = if i + 1 == parts.len() {
+                Mark::Arrow(stroke)
+            } else {
+                Mark::Line(stroke)
+            };
             layers.push(Series::of_rows("course", &COLUMNS, rows.clone()).drawn(mark));
         }
         let dot = |name: &str, at: [f64; 2], mark: Mark| {
@@ -141,20 +159,29 @@ impl Diagram {
         if let [_, bend, _] = self.course[..] {
             layers.push(dot("slip ends", bend, Mark::Dot(INK, 3.4)));
         }
-        layers.extend(self.greatest_compression().map(|at| dot("compressed most", at, Mark::Dot(INK, 3.4))));
+        layers.extend(
+            self.greatest_compression()
+                .map(|at| dot("compressed most", at, Mark::Dot(INK, 3.4))),
+        );
         layers.push(dot("start", [0.0, 0.0], START));
         layers
     }
 
-    /// "u = 0" and so on: at the top of the line without slip, which is steep, and at the side of the others that is away from
-    /// the course.
+    /// "u = 0" and so on: at the top of the line without slip, which is steep, and at the side of
+    /// the others that is away from the course.
     fn labels(&self) -> Vec<Label> {
-        let side = if self.impact.impulse.friction > 0.0 { 0 } else { 1 };
+        let side = if self.impact.impulse.friction > 0.0 {
+            0
+        } else {
+            1
+        };
         let mut taken: Vec<f64> = Vec::new();
         let least = 0.055 * self.window.y[1];
         let mut labels = Vec::new();
         for (line, coefficients) in self.lines() {
-            let Some([mut left, mut right]) = across(coefficients, self.window) else { continue };
+            let Some([mut left, mut right]) = across(coefficients, self.window) else {
+                continue;
+            };
             if left[0] > right[0] {
                 (left, right) = (right, left);
             }
@@ -167,7 +194,11 @@ impl Diagram {
             let colour = Stroke::of_impulse_line(line).colour;
             let beside = |at: [f64; 2], to_the_right: bool, down: f64| {
                 let label = Label::new(text, &at).coloured(colour);
-                if to_the_right { label.shifted(8.0, down).left() } else { label.shifted(-8.0, down).right() }
+                if to_the_right {
+                    label.shifted(8.0, down).left()
+                } else {
+                    label.shifted(-8.0, down).right()
+                }
             };
             if line == ImpulseLine::Sticking {
                 let top = if left[1] > right[1] { left } else { right };
@@ -176,8 +207,16 @@ impl Diagram {
             }
             // A jam is compressed most on a line through the origin, where there is no room.
             let is_low = |end: [f64; 2]| end[1] < least;
-            let is_left = if side == 0 { !is_low(left) } else { is_low(right) };
-            let [at, other] = if is_left { [left, right] } else { [right, left] };
+            let is_left = if side == 0 {
+                !is_low(left)
+            } else {
+                is_low(right)
+            };
+            let [at, other] = if is_left {
+                [left, right]
+            } else {
+                [right, left]
+            };
             if taken.iter().any(|place| (place - at[1]).abs() < least) {
                 continue;
             }
@@ -200,16 +239,35 @@ impl Diagram {
         let mut legend: Entries = Vec::new();
         for (mode, words) in [(Mode::Sliding, "it slips"), (Mode::Rolling, "it sticks")] {
             if self.parts().iter().any(|(other, _)| *other == mode) {
-                legend.push((Mark::Line(Stroke::of_mode(mode).wide(BOLD)), words.to_owned()));
+                legend.push((
+                    Mark::Line(Stroke::of_mode(mode).wide(BOLD)),
+                    words.to_owned(),
+                ));
             }
         }
         let line = |line: ImpulseLine| Mark::Line(Stroke::of_impulse_line(line));
-        legend.push((line(ImpulseLine::Sticking), "*u* = 0: without slip".to_owned()));
-        legend.push((line(ImpulseLine::Compression), "*w* = 0: greatest compression".to_owned()));
-        legend.push((line(ImpulseLine::Termination), self.termination().to_owned()));
+        legend.push((
+            line(ImpulseLine::Sticking),
+            "*u* = 0: without slip".to_owned(),
+        ));
+        legend.push((
+            line(ImpulseLine::Compression),
+            "*w* = 0: greatest compression".to_owned(),
+        ));
+        legend.push((
+            line(ImpulseLine::Termination),
+            self.termination().to_owned(),
+        ));
         for (cone, _) in self.cones() {
-            let index = if cone == ImpulseLine::StaticCone { "s" } else { "k" };
-            legend.push((line(cone), format!("|*J*| = *μ*_{{{index}}} *P*: friction cone")));
+            let index = if cone == ImpulseLine::StaticCone {
+                "s"
+            } else {
+                "k"
+            };
+            legend.push((
+                line(cone),
+                format!("|*J*| = *μ*_{{{index}}} *P*: friction cone"),
+            ));
         }
         legend
     }
@@ -261,8 +319,14 @@ fn chosen(input: &FigureInput) -> Result<(Restitution, Transition, Impact), Figu
     match index.and_then(|index| found.nth(index)) {
         Some((transition, impact)) => Ok((restitution, *transition, impact)),
         None => match impacts::single(&motion).count() {
-            0 => Err(FigureError::NoImpact { figure: NAME, outcome: motion.outcome().kind() }),
-            impacts => Err(FigureError::ImpactNumber { number: input.impact, impacts }),
+            0 => Err(FigureError::NoImpact {
+                figure: NAME,
+                outcome: motion.outcome().kind(),
+            }),
+            impacts => Err(FigureError::ImpactNumber {
+                number: input.impact,
+                impacts,
+            }),
         },
     }
 }
@@ -280,7 +344,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let lost = impact.energy_lost();
     // A compliance is the inverse of a mass.
     let compliance = |value: f64| match input.units {
-        Some(units) => format!("{}/{}", short(value / units.mass_kg), Dimension::Mass.si_sign()),
+        Some(units) => format!(
+            "{}/{}",
+            short(value / units.mass_kg),
+            Dimension::Mass.si_sign()
+        ),
         None => short(value),
     };
     let caption = format!(
@@ -301,8 +369,15 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         velocity(impact.after.gap_rate),
         impulse(impact.impulse.friction),
         impulse(impact.impulse.normal),
-        if impact.gains_energy() { "gained by this law" } else { "lost" },
-        say.quantity(if impact.gains_energy() { -lost } else { lost }, Dimension::Energy),
+        if impact.gains_energy() {
+            "gained by this law"
+        } else {
+            "lost"
+        },
+        say.quantity(
+            if impact.gains_energy() { -lost } else { lost },
+            Dimension::Energy
+        ),
         input.in_words()
     );
     let keys = diagram.keys();

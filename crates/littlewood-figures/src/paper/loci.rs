@@ -15,20 +15,29 @@ use littlewood_style::{Curve, Dash};
 const NAME: &str = "figure-2a";
 
 /// The coefficients of the paper, and how their curves are drawn.
-const COEFFICIENTS: [(f64, Dash); 4] =
-    [(0.1, Dash::Dotted), (0.25, Dash::Short), (0.5, Dash::Dashed), (1.0, Dash::DashDot)];
+const COEFFICIENTS: [(f64, Dash); 4] = [
+    (0.1, Dash::Dotted),
+    (0.25, Dash::Short),
+    (0.5, Dash::Dashed),
+    (1.0, Dash::DashDot),
+];
 
-/// Heights of the arrow across the curves, in parts of the greatest rate: the first at which it crosses all.
+/// Heights of the arrow across the curves, in parts of the greatest rate: the first at which it
+/// crosses all.
 const HEIGHTS: [f64; 4] = [0.78, 0.9, 0.62, 0.46];
 
 /// The greatest angle of the half turn from the top on at which a locus has this rate.
 fn reach(locus: &Series, rate: f64) -> Option<f64> {
     let pairs = locus.pieces.iter().flat_map(|piece| piece.windows(2));
-    let crossed = pairs.filter(|pair| (pair[0][1] < rate) != (pair[1][1] < rate)).map(|pair| {
-        let share = (rate - pair[0][1]) / (pair[1][1] - pair[0][1]);
-        pair[0][0] + share * (pair[1][0] - pair[0][0])
-    });
-    crossed.filter(|theta| (0.0..PI).contains(theta)).reduce(f64::max)
+    let crossed = pairs
+        .filter(|pair| (pair[0][1] < rate) != (pair[1][1] < rate))
+        .map(|pair| {
+            let share = (rate - pair[0][1]) / (pair[1][1] - pair[0][1]);
+            pair[0][0] + share * (pair[1][0] - pair[0][0])
+        });
+    crossed
+        .filter(|theta| (0.0..PI).contains(theta))
+        .reduce(f64::max)
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
@@ -39,7 +48,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     for energy in portrait.energies(3, 6) {
         layers.push(portrait.orbit(energy).drawn(Curve::Level));
     }
-    layers.push(portrait.separatrix().drawn(Stroke::of_curve(Curve::Separatrix).wide(1.2)));
+    layers.push(
+        portrait
+            .separatrix()
+            .drawn(Stroke::of_curve(Curve::Separatrix).wide(1.2)),
+    );
     let (mut keys, mut loci) = (Vec::new(), Vec::new());
     for (mu_s, dash) in COEFFICIENTS {
         let mark = Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE).dashed(dash));
@@ -59,12 +72,15 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
 
     // The arrow crosses the curves at one height, from the least coefficient to the greatest.
     let crossing = |height: f64| {
-        let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(|locus| reach(locus, height)) else {
+        let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(|locus| reach(locus, height))
+        else {
             return None;
         };
         (least > greatest + 0.3).then_some([[least + 0.14, height], [greatest - 0.1, height]])
     };
-    let arrow = HEIGHTS.into_iter().find_map(|share| crossing(share * window.y[1]));
+    let arrow = HEIGHTS
+        .into_iter()
+        .find_map(|share| crossing(share * window.y[1]));
     let mut labels = portrait.mark_of_unloading();
     if let Some(ends) = arrow {
         let rows = ends.map(Vec::from).to_vec();

@@ -6,8 +6,8 @@ use core::f64::consts::PI;
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Entries, Figure, Mark, PAPER, Piece, SOFT, Series, Stroke, THEME, key_of_curve,
-    lift_off_condition, short,
+    BOUNDARY, Content, Entries, Figure, Mark, PAPER, Piece, SOFT, Series, Stroke, THEME,
+    key_of_curve, lift_off_condition, short,
 };
 use littlewood_style::{Curve, of_class};
 use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
@@ -23,18 +23,20 @@ use crate::plane::Portrait;
 use littlewood::theory::Window;
 
 const NAME: &str = "outcomes";
-/// How closely boundaries are located where motions take long, in parts of the plane, and how often a cell is halved in which they
-/// meet: to a tenth of a pixel, and to a third.
+/// How closely boundaries are located where motions take long, in parts of the plane, and how often
+/// a cell is halved in which they meet: to a tenth of a pixel, and to a third.
 const WIDTH: f64 = 2e-4;
 const HALVINGS: u32 = 3;
 /// Motions that are followed for a start of the lattice, about.
 const FOR_A_START: u64 = 8;
 /// Part of the plane that can be seen.
 const LEAST: f64 = 1e-7;
-/// Of a region of motions that go on after a landing: whether they have lifted off. Its class is in the bits below.
+/// Of a region of motions that go on after a landing: whether they have lifted off. Its class is in
+/// the bits below.
 const LIFTS: u64 = 1 << 8;
-/// Starts by which a figure is checked, the part of them that may end otherwise than is drawn without a word, and the multiples
-/// modulo 1 that spread them evenly: of the inverse of ρ and its square, ρ³ = ρ + 1.
+/// Starts by which a figure is checked, the part of them that may end otherwise than is drawn
+/// without a word, and the multiples modulo 1 that spread them evenly: of the inverse of ρ and its
+/// square, ρ³ = ρ + 1.
 const CHECKED: usize = 500;
 const UNSAID: usize = CHECKED / 100;
 const SPREAD: Place = [0.754_877_666_246_693, 0.569_840_290_998_053];
@@ -54,10 +56,15 @@ impl Plan {
         let engine = Engine::new(&input.hoop);
         let effort = Effort::of(&input.hoop, input.limits, &engine);
         let limits = effort.cut(input.limits, &engine);
-        // Boundaries run through so many cells at most, and are located less closely where motions take long: still far closer than
-        // is seen.
+        // Boundaries run through so many cells at most, and are located less closely where motions
+        // take long: still far closer than is seen.
         let finest = Detail::default();
-        let coarser = |most| Detail { most, width: WIDTH, halvings: HALVINGS, ..finest };
+        let coarser = |most| Detail {
+            most,
+            width: WIDTH,
+            halvings: HALVINGS,
+            ..finest
+        };
         let (starts, detail) = match effort {
             Effort::Tables => ([137, 101], finest),
             Effort::Direct => ([91, 67], coarser(6_000)),
@@ -65,12 +72,16 @@ impl Plan {
             Effort::Simulated | Effort::Long => ([45, 33], coarser(1_500)),
             Effort::Slow => ([31, 23], coarser(200)),
         };
-        Self { limits, starts, detail }
+        Self {
+            limits,
+            starts,
+            detail,
+        }
     }
 }
 
-/// The regions of the classes in a window; of motions that go on after a landing each in two parts. And whether any has come to the
-/// limit of transitions.
+/// The regions of the classes in a window; of motions that go on after a landing each in two parts.
+/// And whether any has come to the limit of transitions.
 fn regions_of(
     input: &FigureInput,
     plan: &Plan,
@@ -82,7 +93,10 @@ fn regions_of(
         Axis::new(Quantity::Theta, window.x[0], window.x[1], columns)?,
         Axis::new(Quantity::ThetaRate, window.y[0], window.y[1], rows)?,
     ];
-    let grid = Grid::new(Setup::new(input.hoop.parameters(), Start::at(0.0, 0.0)), axes)?;
+    let grid = Grid::new(
+        Setup::new(input.hoop.parameters(), Start::at(0.0, 0.0)),
+        axes,
+    )?;
     let total = FOR_A_START * grid.len();
     let mut told = |followed: u64| watch(followed.min(total), total);
     let fates = Fates::of(&input.hoop);
@@ -91,86 +105,155 @@ fn regions_of(
         is_cut.set(is_cut.get() || summary.outcome == OutcomeKind::TransitionLimit);
         key_of(fates, summary)
     };
-    let found = Regions::of_grid(&grid, &key, plan.limits, &plan.detail, &Workers::new(None)?, &mut told)?;
+    let found = Regions::of_grid(
+        &grid,
+        &key,
+        plan.limits,
+        &plan.detail,
+        &Workers::new(None)?,
+        &mut told,
+    )?;
     Ok((found, is_cut.get()))
 }
 
 fn key_of(fates: Fates, summary: &Summary) -> u64 {
-    let lifts = matches!(Class::of(summary), Class::LeavesAtOnce | Class::LiftsOffLater);
+    let lifts = matches!(
+        Class::of(summary),
+        Class::LeavesAtOnce | Class::LiftsOffLater
+    );
     u64::from(fates.class(summary).code()) | if fates.go_on && lifts { LIFTS } else { 0 }
 }
 
-/// How many of some starts, spread evenly, end otherwise than is drawn: after many landings ends may change more finely than any
-/// curve can show.
-fn amiss(input: &FigureInput, plan: &Plan, window: Window, regions: &[Region]) -> Result<usize, FigureError> {
-    let places: Vec<Place> =
-        (0..CHECKED).map(|i| SPREAD.map(|share| (share * (i + 1) as f64).fract())).collect();
+/// How many of some starts, spread evenly, end otherwise than is drawn: after many landings ends
+/// may change more finely than any curve can show.
+fn amiss(
+    input: &FigureInput,
+    plan: &Plan,
+    window: Window,
+    regions: &[Region],
+) -> Result<usize, FigureError> {
+    let places: Vec<Place> = (0..CHECKED)
+        .map(|i| SPREAD.map(|share| (share * (i + 1) as f64).fract()))
+        .collect();
     let along = |[from, to]: [f64; 2], fraction: f64| from + (to - from) * fraction;
     let start = |&[x, y]: &Place| Start::at(along(window.x, x), along(window.y, y));
-    let points = places.iter().map(|place| Setup::new(input.hoop.parameters(), start(place)));
+    let points = places
+        .iter()
+        .map(|place| Setup::new(input.hoop.parameters(), start(place)));
     let found = Workers::new(None)?.compute(points, plan.limits)?;
     let fates = Fates::of(&input.hoop);
     let is_amiss = |(place, summary): &(&Place, Summary)| {
         let key = key_of(fates, summary);
-        !regions.iter().any(|region| region.key == key && is_inside(&region.outlines, **place))
+        !regions
+            .iter()
+            .any(|region| region.key == key && is_inside(&region.outlines, **place))
     };
-    Ok(places.iter().zip(found.summaries()).filter(is_amiss).count())
+    Ok(places
+        .iter()
+        .zip(found.summaries())
+        .filter(is_amiss)
+        .count())
 }
 
 /// Whether a place is within closed curves: those around holes go the other way.
 fn is_inside(outlines: &[Vec<Place>], [x, y]: Place) -> bool {
-    let edges = outlines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
-    let crossed = edges
-        .filter(|(a, b)| (a[1] <= y) != (b[1] <= y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+    let edges = outlines
+        .iter()
+        .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+    let crossed = edges.filter(|(a, b)| {
+        (a[1] <= y) != (b[1] <= y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    });
     crossed.count() % 2 == 1
 }
 
-/// A window with no lattice on its edges and its axes, where motions may be what they are nowhere else. That it is narrower is
-/// not seen.
+/// A window with no lattice on its edges and its axes, where motions may be what they are nowhere
+/// else. That it is narrower is not seen.
 fn within(window: Window) -> Window {
     let side = |[from, to]: [f64; 2]| [from + 0.37e-5 * (to - from), to - 0.53e-5 * (to - from)];
-    Window { x: side(window.x), y: side(window.y) }
+    Window {
+        x: side(window.x),
+        y: side(window.y),
+    }
 }
 
 /// Rows of places of a window.
 fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Piece> {
     let along = |[from, to]: [f64; 2], fraction: f64| {
-        if fraction == 1.0 { to } else { from + (to - from) * fraction }
+        if fraction == 1.0 {
+            to
+        } else {
+            from + (to - from) * fraction
+        }
     };
     let row = |[x, y]: Place| vec![along(window.x, x), along(window.y, y)];
-    lines.into_iter().map(|line| line.into_iter().map(row).collect()).collect()
+    lines
+        .into_iter()
+        .map(|line| line.into_iter().map(row).collect())
+        .collect()
 }
 
 /// How long the motions are followed, some of which are `cut` before they end.
 fn followed(input: &FigureInput, limits: Limits, cut: bool) -> String {
     let say = input.wording();
     let until = |until| format!("to {} = {}", say.time(), say.value(until, Dimension::Time));
-    let end = input.limits.until.map_or_else(|| "to its end".to_owned(), until);
-    if cut { format!("{end}, or to {} transitions", limits.transitions) } else { end }
+    let end = input
+        .limits
+        .until
+        .map_or_else(|| "to its end".to_owned(), until);
+    if cut {
+        format!("{end}, or to {} transitions", limits.transitions)
+    } else {
+        end
+    }
 }
 
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let hoop = &input.hoop;
-    let window =
-        if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { plane_window(hoop) };
+    let window = if input.is_massless() {
+        Window {
+            x: [-PI, PI],
+            y: [-2.0, 2.0],
+        }
+    } else {
+        plane_window(hoop)
+    };
     let plan = Plan::new(input);
-    let (Regions { regions, boundaries }, is_cut) = regions_of(input, &plan, within(window), watch)?;
+    let (
+        Regions {
+            regions,
+            boundaries,
+        },
+        is_cut,
+    ) = regions_of(input, &plan, within(window), watch)?;
     let fates = Fates::of(hoop);
-    let amiss = if fates.go_on { amiss(input, &plan, within(window), &regions)? } else { 0 };
+    let amiss = if fates.go_on {
+        amiss(input, &plan, within(window), &regions)?
+    } else {
+        0
+    };
     let mut layers = Vec::new();
     let mut legend: Entries = Vec::new();
     let cuts = is_cut && plan.limits.transitions < input.limits.transitions;
     let mut cut = false;
     let mut draw = |name: &'static str, label: &str, mark: Mark, is_part: &dyn Fn(u64) -> bool| {
-        let parts: Vec<&Region> =
-            regions.iter().filter(|region| region.area > LEAST && is_part(region.key)).collect();
+        let parts: Vec<&Region> = regions
+            .iter()
+            .filter(|region| region.area > LEAST && is_part(region.key))
+            .collect();
         let area: f64 = parts.iter().map(|region| region.area).sum();
         if area > 0.0 {
-            let outlines = parts.into_iter().flat_map(|region| region.outlines.clone()).collect();
+            let outlines = parts
+                .into_iter()
+                .flat_map(|region| region.outlines.clone())
+                .collect();
             layers.push(Series::new(name, &PLANE, rows_of(within(window), outlines)).drawn(mark));
             let share = libm::round(1000.0 * area) / 10.0;
-            let share = if share > 0.0 { short(share) } else { "< 0.1".to_owned() };
+            let share = if share > 0.0 {
+                short(share)
+            } else {
+                "< 0.1".to_owned()
+            };
             legend.push((mark, format!("{label}, {share}%")));
         }
         area > 0.0
@@ -182,9 +265,17 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         cut |= is_there && cuts && class == Class::InContact;
     }
     if fates.go_on {
-        draw("lifts_off", "lifts off before", Mark::HatchedRegion(SOFT), &|key| key & LIFTS != 0);
+        draw(
+            "lifts_off",
+            "lifts off before",
+            Mark::HatchedRegion(SOFT),
+            &|key| key & LIFTS != 0,
+        );
     }
-    let lines = boundaries.into_iter().map(|boundary| boundary.points).collect();
+    let lines = boundaries
+        .into_iter()
+        .map(|boundary| boundary.points)
+        .collect();
     layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(BOUNDARY));
     // A massless hoop does not leave the plane.
     let portrait = Portrait::new(hoop, window);
@@ -192,7 +283,10 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         Some((_, limit)) => Some((Curve::SlipLimit, limit)),
         None => (!input.is_massless()).then(|| (Curve::LiftOff, portrait.lift_off_locus())),
     };
-    for (curve, series) in first.into_iter().chain([(Curve::NormalForceZero, portrait.unloading_locus())]) {
+    for (curve, series) in first
+        .into_iter()
+        .chain([(Curve::NormalForceZero, portrait.unloading_locus())])
+    {
         if !series.pieces.is_empty() {
             let stroke = Stroke::of_curve(curve);
             let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);

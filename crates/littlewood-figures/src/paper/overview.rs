@@ -3,8 +3,8 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Entries, Figure, Layer, Mark, Panel, Piece, PlotAxis, ROOM, SOFT, Scale, Series, Sheet, Stroke,
-    marked,
+    Content, Entries, Figure, Layer, Mark, Panel, Piece, PlotAxis, ROOM, SOFT, Scale, Series,
+    Sheet, Stroke, marked,
 };
 
 use super::histories::{NORMAL_WEIGHT, normal_weight, weight_name};
@@ -20,7 +20,8 @@ use littlewood_style::width::FINE;
 
 const NAME: &str = "sheet";
 const WIDTH: f64 = 640.0;
-/// Height of all panels to the width of the sheet: with what stands above them the proportion of A4.
+/// Height of all panels to the width of the sheet: with what stands above them the proportion of
+/// A4.
 const TALL: f64 = 1.27;
 /// Least height of a panel, with which the titles of the axes do not meet.
 const LEAST: f64 = 96.0;
@@ -40,7 +41,8 @@ const ROWS: [SampleColumn; 8] = [
 /// The mass centre, beside the geometric centre.
 const OF_MASS_CENTRE: Stroke = Stroke::solid(SOFT, FINE);
 
-/// What a rate that grows without bound at the end of a phase has been in the first part of it, its axis shows.
+/// What a rate that grows without bound at the end of a phase has been in the first part of it, its
+/// axis shows.
 const BOUNDED: f64 = 0.85;
 
 /// Part of a value, or of one, that is rounding.
@@ -54,7 +56,10 @@ struct History {
 
 /// Whether its axis has a zero in any case.
 const fn has_zero(column: SampleColumn) -> bool {
-    matches!(column, SampleColumn::Slip | SampleColumn::Gap | SampleColumn::Normal | SampleColumn::Friction)
+    matches!(
+        column,
+        SampleColumn::Slip | SampleColumn::Gap | SampleColumn::Normal | SampleColumn::Friction
+    )
 }
 
 /// The instants of each phase that is shown.
@@ -68,7 +73,11 @@ impl History {
         values.extend(Some(0.0).filter(|_| has_zero(column)));
         for (mode, samples) in samples {
             let is_bounded = samples.iter().all(|sample| value(sample).is_finite());
-            let shown = if is_bounded { samples.len() } else { (BOUNDED * samples.len() as f64) as usize };
+            let shown = if is_bounded {
+                samples.len()
+            } else {
+                (BOUNDED * samples.len() as f64) as usize
+            };
             values.extend(samples.iter().take(shown).map(value));
             let rows: Piece = samples
                 .iter()
@@ -98,12 +107,19 @@ impl History {
 /// The axis of some values; one that changes by rounding alone has one all the same.
 fn span(values: &[f64]) -> [f64; 2] {
     let finite = || values.iter().copied().filter(|value| value.is_finite());
-    let (low, high) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+    let (low, high) = (
+        finite().fold(f64::INFINITY, f64::min),
+        finite().fold(f64::NEG_INFINITY, f64::max),
+    );
     let size = f64::max(low.abs(), high.abs());
     if low > high {
         return [-1.0, 1.0];
     }
-    let pad = if high - low > NOISE * size.max(1.0) { 0.1 * (high - low) } else { 0.5 * size.max(1.0) };
+    let pad = if high - low > NOISE * size.max(1.0) {
+        0.1 * (high - low)
+    } else {
+        0.5 * size.max(1.0)
+    };
     [low - pad, high + pad]
 }
 
@@ -137,7 +153,10 @@ fn axis_of(column: SampleColumn, name: &'static str, range: [f64; 2], say: Wordi
     match column {
         SampleColumn::Theta => say.angle(range),
         // The name of the gap is a word.
-        SampleColumn::Gap => PlotAxis { scale: Scale::NotNegative, ..say.axis(name, column.sign(), range) },
+        SampleColumn::Gap => PlotAxis {
+            scale: Scale::NotNegative,
+            ..say.axis(name, column.sign(), range)
+        },
         _ => say.axis(name, &marked(column.sign()), range),
     }
 }
@@ -152,7 +171,10 @@ fn panel(
     let name = column_name(column);
     // It is the geometric centre of a hoop that is balanced.
     let beside = of_mass_centre(samples, column, name).filter(|_| motion.hoop().h() > 0.0);
-    let mut others: Vec<f64> = beside.iter().flat_map(|series| series.rows().map(|row| row[1])).collect();
+    let mut others: Vec<f64> = beside
+        .iter()
+        .flat_map(|series| series.rows().map(|row| row[1]))
+        .collect();
     let weight = Some(normal_weight(motion.hoop())).filter(|_| column == SampleColumn::Normal);
     others.extend(weight);
     let History { by_mode, range } = History::new(samples, column, name, &others);
@@ -173,7 +195,16 @@ fn panel(
     for (mode, series) in by_mode {
         layers.push(series.drawn(Stroke::of_mode(mode)));
     }
-    (Content { name, x: bare(say, times), y: axis, layers, labels }, modes)
+    (
+        Content {
+            name,
+            x: bare(say, times),
+            y: axis,
+            layers,
+            labels,
+        },
+        modes,
+    )
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
@@ -182,8 +213,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let times = [motion.start().time, horizon(&motion)];
     let say = input.wording();
     let phases = motion.phases().iter();
-    let samples: Vec<(Mode, Vec<Sample>)> =
-        phases.map(|phase| (phase.mode(), all_instants(&motion, phase, times[1]))).collect();
+    let samples: Vec<(Mode, Vec<Sample>)> = phases
+        .map(|phase| (phase.mode(), all_instants(&motion, phase, times[1])))
+        .collect();
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
 
@@ -215,7 +247,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         last.x = say.clock(times);
     }
     let top = room + 42.0 + over.height;
-    let step = f64::max(LEAST, libm::round(TALL * sheet.width / contents.len() as f64));
+    let step = f64::max(
+        LEAST,
+        libm::round(TALL * sheet.width / contents.len() as f64),
+    );
     let height = step + ROOM[1] - CLOSE;
     let count = contents.len() as f64;
     let mut panels: Vec<Panel> = contents

@@ -1,4 +1,5 @@
-//! Painlevé's paradox: where sliding has no solution or several, in the plane of angle and friction, for a family of hoops.
+//! Painlevé's paradox: where sliding has no solution or several, in the plane of angle and
+//! friction, for a family of hoops.
 
 use core::f64::consts::PI;
 
@@ -6,7 +7,8 @@ use littlewood::tables::Quantity;
 use littlewood::theory::{Body, PhasePlane, SlidingLaw};
 use littlewood::{Direction, Hoop, HoopParameters, ParameterError};
 use littlewood_draw::{
-    FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series, Stroke, marked, short,
+    FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series, Stroke, marked,
+    short,
 };
 
 use crate::columns::{MU_K, THETA};
@@ -21,18 +23,21 @@ use littlewood_style::{Curve, Dash};
 const NAME: &str = "painleve";
 const COLUMNS: [&str; 2] = [THETA, MU_K];
 
-/// The family: thin hoops with the particle on the rim, by γ, the share of the particle in the mass. One is massless.
+/// The family: thin hoops with the particle on the rim, by γ, the share of the particle in the
+/// mass. One is massless.
 const SHARES: [f64; 8] = [1.0, 0.9, 0.75, 0.6, 0.5, 1.0 / 3.0, 0.2, 0.1];
 /// Greatest coefficient that is shown in any case.
 const USUAL: f64 = 2.0;
-/// A hoop that needs more than this is named, but not shown: a heavy one needs its mass over that of the particle.
+/// A hoop that needs more than this is named, but not shown: a heavy one needs its mass over that
+/// of the particle.
 const FAR: f64 = 6.0;
 /// Least distance of members of the family, in parts of the window.
 const APART: f64 = 0.1;
 /// Angles among which the least coefficient is looked for.
 const CELLS: u32 = 720;
 
-/// The coefficient of friction at which sliding to the right ceases to have a solution, by the angle.
+/// The coefficient of friction at which sliding to the right ceases to have a solution, by the
+/// angle.
 enum Threshold {
     /// P = Î + m h sin θ q is linear in μk.
     Heavy {
@@ -52,7 +57,9 @@ impl Threshold {
             Ok::<_, ParameterError>(SlidingLaw::new(&hoop, Direction::Positive))
         };
         Ok(match hoop.body() {
-            Body::Heavy(_) => law(0.0)?.zip(law(1.0)?).map(|(smooth, rough)| Self::Heavy { smooth, rough }),
+            Body::Heavy(_) => law(0.0)?
+                .zip(law(1.0)?)
+                .map(|(smooth, rough)| Self::Heavy { smooth, rough }),
             Body::Massless(_) => Some(Self::Massless(PhasePlane::new(hoop))),
         })
     }
@@ -78,7 +85,9 @@ impl Threshold {
         }
         let angle = |i: f64| PI * i / f64::from(CELLS);
         let at = |theta: f64| self.at(theta).unwrap_or(f64::INFINITY);
-        let best = (1..CELLS).map(f64::from).reduce(|a, b| if at(angle(b)) < at(angle(a)) { b } else { a });
+        let best = (1..CELLS)
+            .map(f64::from)
+            .reduce(|a, b| if at(angle(b)) < at(angle(a)) { b } else { a });
         let best = best.unwrap_or(1.0);
         // The golden section of the interval about it.
         let (mut from, mut to) = (angle(best - 1.0), angle(best + 1.0));
@@ -92,10 +101,13 @@ impl Threshold {
     }
 
     fn curve(&self, window: Window) -> Vec<Vec<[f64; 2]>> {
-        window.pieces([1e-6, PI - 1e-6], CELLS, &|theta| Some([theta, self.at(theta)?]))
+        window.pieces([1e-6, PI - 1e-6], CELLS, &|theta| {
+            Some([theta, self.at(theta)?])
+        })
     }
 
-    /// The angles between which sliding of a hoop with inertia has no solution with this coefficient.
+    /// The angles between which sliding of a hoop with inertia has no solution with this
+    /// coefficient.
     fn between(&self, mu: f64) -> Vec<[f64; 2]> {
         if matches!(self, Self::Massless(_)) {
             return Vec::new();
@@ -106,10 +118,16 @@ impl Threshold {
             if half == inside || half == outside {
                 return inside;
             }
-            if is_within(half) { inside = half } else { outside = half }
+            if is_within(half) {
+                inside = half
+            } else {
+                outside = half
+            }
         };
         // The least coefficient lies between two angles at which there may be solutions.
-        let mut angles: Vec<f64> = (0..=CELLS).map(|i| PI * f64::from(i) / f64::from(CELLS)).collect();
+        let mut angles: Vec<f64> = (0..=CELLS)
+            .map(|i| PI * f64::from(i) / f64::from(CELLS))
+            .collect();
         angles.push(self.least()[0]);
         angles.sort_by(f64::total_cmp);
         let mut found: Vec<[f64; 2]> = Vec::new();
@@ -133,16 +151,21 @@ fn is_of_the_family(hoop: &Hoop) -> bool {
     hoop.offset() == 1.0 && hoop.inertia() == hoop.mass_ratio()
 }
 
-/// The members of the family that are seen, each apart from the others and from the hoop itself, by γ with the threshold.
+/// The members of the family that are seen, each apart from the others and from the hoop itself, by
+/// γ with the threshold.
 fn family(own: [f64; 2], hoop: &Hoop, most: f64) -> Result<Vec<(f64, Threshold)>, ParameterError> {
     let mut taken = vec![own[1]];
     let mut found = Vec::new();
     for share in SHARES {
         let member = Hoop::new(HoopParameters::thin(1.0 / share - 1.0))?;
-        let Some(threshold) = Threshold::new(&member)? else { continue };
+        let Some(threshold) = Threshold::new(&member)? else {
+            continue;
+        };
         let least = threshold.least()[1];
         let is_own = is_of_the_family(hoop) && (1.0 / hoop.mass() - share).abs() < 1e-12;
-        let is_apart = taken.iter().all(|other| (least - other).abs() > APART * most);
+        let is_apart = taken
+            .iter()
+            .all(|other| (least - other).abs() > APART * most);
         if !is_own && is_apart && least < 0.9 * most {
             taken.push(least);
             found.push((share, threshold));
@@ -166,17 +189,32 @@ fn region(pieces: &[Vec<[f64; 2]>], most: f64) -> Series {
 /// The coefficient of the hoop, with the angles between which sliding has no solution.
 fn of_friction(hoop: &Hoop, own: &Threshold) -> (Vec<Layer>, Vec<Label>) {
     let mu = hoop.mu_k();
-    let stroke = Stroke::of_curve(Curve::SlipLimit).wide(CURVE).dashed(Dash::Dotted);
+    let stroke = Stroke::of_curve(Curve::SlipLimit)
+        .wide(CURVE)
+        .dashed(Dash::Dotted);
     let line = Series::of_rows(MU_K, &COLUMNS, vec![vec![0.0, mu], vec![PI, mu]]).drawn(stroke);
     let mut layers = vec![line];
-    let ends = own.between(mu).into_iter().flatten().map(|theta| vec![theta, mu]);
-    layers.push(Series::of_rows("ends", &COLUMNS, ends.collect()).drawn(Mark::Ring(FRICTION_FORCE, 3.4)));
-    let label = Label::new(marked(Quantity::MuK.sign()), &[PI, mu]).shifted(-8.0, -11.0).right();
+    let ends = own
+        .between(mu)
+        .into_iter()
+        .flatten()
+        .map(|theta| vec![theta, mu]);
+    layers.push(
+        Series::of_rows("ends", &COLUMNS, ends.collect()).drawn(Mark::Ring(FRICTION_FORCE, 3.4)),
+    );
+    let label = Label::new(marked(Quantity::MuK.sign()), &[PI, mu])
+        .shifted(-8.0, -11.0)
+        .right();
     (layers, vec![label.coloured(FRICTION_FORCE)])
 }
 
 fn in_words(hoop: &Hoop, own: &Threshold, say: Wording) -> String {
-    let angle = |theta: f64| format!("{}°", short(libm::round(100.0 * theta.to_degrees()) / 100.0));
+    let angle = |theta: f64| {
+        format!(
+            "{}°",
+            short(libm::round(100.0 * theta.to_degrees()) / 100.0)
+        )
+    };
     let of_hoop = match own {
         Threshold::Massless(_) => {
             "This hoop has no inertia: hatched is the limit of small inertia, where |*F*| ≤ *μ*_{k}*N* suffices to roll; the \
@@ -205,17 +243,28 @@ fn in_words(hoop: &Hoop, own: &Threshold, say: Wording) -> String {
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let hoop = &input.hoop;
-    let Some(own) = Threshold::new(hoop)? else { return Err(FigureError::NeedsOffset { figure: NAME }) };
+    let Some(own) = Threshold::new(hoop)? else {
+        return Err(FigureError::NeedsOffset { figure: NAME });
+    };
     let least = own.least();
     let is_far = least[1] > FAR;
-    let most = USUAL.max(if is_far { 0.0 } else { 1.35 * least[1] }).max(1.3 * hoop.mu_k());
-    let window = Window { x: [0.0, PI], y: [0.0, most] };
+    let most = USUAL
+        .max(if is_far { 0.0 } else { 1.35 * least[1] })
+        .max(1.3 * hoop.mu_k());
+    let window = Window {
+        x: [0.0, PI],
+        y: [0.0, most],
+    };
     let pieces = own.curve(window);
     let mut layers = vec![region(&pieces, most).drawn(Mark::Hatch(HATCH))];
     let (mut labels, mut dots) = (Vec::new(), Vec::new());
     let thin = Stroke::solid(SOFT, FINE);
     for (share, threshold) in family(least, hoop, most)? {
-        let curve = Series::new(format!("gamma={share:.4}"), &COLUMNS, rows(threshold.curve(window)));
+        let curve = Series::new(
+            format!("gamma={share:.4}"),
+            &COLUMNS,
+            rows(threshold.curve(window)),
+        );
         layers.push(curve.drawn(thin));
         let at = threshold.least();
         let text = if share == 1.0 {
@@ -225,14 +274,24 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         };
         if share < 1.0 {
             dots.push(at.to_vec());
-            labels.push(Label::new(text, &at).shifted(-7.0, -10.0).right().sized(SMALL).coloured(SOFT));
+            labels.push(
+                Label::new(text, &at)
+                    .shifted(-7.0, -10.0)
+                    .right()
+                    .sized(SMALL)
+                    .coloured(SOFT),
+            );
         } else {
             let theta = 2.0 * libm::atan(0.62 * most);
-            let label = Label::new(text, &[theta, 0.62 * most]).shifted(8.0, 4.0).left();
+            let label = Label::new(text, &[theta, 0.62 * most])
+                .shifted(8.0, 4.0)
+                .left();
             labels.push(label.sized(SMALL).coloured(SOFT));
         }
     }
-    let minima = window.pieces([0.0, 0.5 * PI - 1e-6], CELLS, &|theta| Some([theta, libm::tan(theta)]));
+    let minima = window.pieces([0.0, 0.5 * PI - 1e-6], CELLS, &|theta| {
+        Some([theta, libm::tan(theta)])
+    });
     let minima = Series::new("least", &COLUMNS, rows(minima));
     layers.push(minima.drawn(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot)));
     let curve = Series::new("this hoop", &COLUMNS, rows(pieces));
@@ -243,10 +302,15 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(Series::of_rows("least of a hoop", &COLUMNS, dots).drawn(Mark::Dot(SOFT, 2.8)));
     if is_far {
         let text = format!("this hoop: above *μ*_{{k}} = {}", short(least[1]));
-        labels.push(Label::new(text, &[PI, 0.88 * most]).shifted(-10.0, 0.0).right());
+        labels.push(
+            Label::new(text, &[PI, 0.88 * most])
+                .shifted(-10.0, 0.0)
+                .right(),
+        );
     } else if least[1] > 0.0 {
         layers.push(
-            Series::of_rows("least of this hoop", &COLUMNS, vec![least.to_vec()]).drawn(Mark::Dot(INK, 3.6)),
+            Series::of_rows("least of this hoop", &COLUMNS, vec![least.to_vec()])
+                .drawn(Mark::Dot(INK, 3.6)),
         );
     }
     let say = input.wording();
@@ -257,15 +321,31 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
          (dots, dash-dotted: *μ*_{{k}} = tan *θ*). {}",
         in_words(hoop, &own, say)
     );
-    let axes = [say.angle(window.x), say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y)];
+    let axes = [
+        say.angle(window.x),
+        say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y),
+    ];
     let of_hoop = [
         (Mark::Hatch(HATCH), "no solution or several".to_owned()),
         (Mark::Line(Stroke::solid(INK, BOLD)), "this hoop".to_owned()),
     ];
     let of_family = [
         (Mark::Line(thin), "thin hoops".to_owned()),
-        (Mark::Line(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot)), "least *μ*_{k}".to_owned()),
+        (
+            Mark::Line(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot)),
+            "least *μ*_{k}".to_owned(),
+        ),
     ];
-    let keys = of_hoop.into_iter().filter(|_| !is_far).chain(of_family).collect();
-    input.plane([NAME, "Painlevé's paradox"], caption, axes, (layers, labels), keys)
+    let keys = of_hoop
+        .into_iter()
+        .filter(|_| !is_far)
+        .chain(of_family)
+        .collect();
+    input.plane(
+        [NAME, "Painlevé's paradox"],
+        caption,
+        axes,
+        (layers, labels),
+        keys,
+    )
 }

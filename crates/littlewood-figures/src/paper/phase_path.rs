@@ -1,11 +1,12 @@
-//! A motion in the phase portrait of rolling: Figure 3's motion in the plane of Figure 2(b), and that of any other hoop.
+//! A motion in the phase portrait of rolling: Figure 3's motion in the plane of Figure 2(b), and
+//! that of any other hoop.
 
 use core::f64::consts::{PI, TAU};
 
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, START, Series, Stroke,
-    TRANSITION, lift_off_condition,
+    Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, START, Series,
+    Stroke, TRANSITION, lift_off_condition,
 };
 
 use crate::axes::plane_window;
@@ -33,7 +34,11 @@ const NAMED: usize = 6;
 
 /// Its row, the angle less whole turns.
 fn row(sample: &Sample, turns: f64) -> Vec<f64> {
-    vec![sample.state.time, sample.state.theta - turns, sample.state.theta_rate]
+    vec![
+        sample.state.time,
+        sample.state.theta - turns,
+        sample.state.theta_rate,
+    ]
 }
 
 /// The part of the plane in which a motion is seen.
@@ -41,13 +46,18 @@ fn window_of(input: &FigureInput, rows: &[Vec<f64>]) -> Window {
     let first = input.start.theta_rate.abs();
     if input.is_massless() && input.hoop.offset() == 1.0 {
         let most = f64::max(LITTLEWOOD, 1.08 * first);
-        return Window { x: [-PI, PI], y: [-most, most] };
+        return Window {
+            x: [-PI, PI],
+            y: [-most, most],
+        };
     }
     let [low, high] = bounds(rows.iter().map(|row| row[1]), 0.05);
     let from = rows.first().map_or(0.0, |row| row[1]);
     let most = WIDTHS[1];
     let x = match high - low {
-        wide if wide > most && from > 0.5 * (low + high) => [from - 0.95 * most, from + 0.05 * most],
+        wide if wide > most && from > 0.5 * (low + high) => {
+            [from - 0.95 * most, from + 0.05 * most]
+        }
         wide if wide > most => [from - 0.05 * most, from + 0.95 * most],
         wide if wide < WIDTHS[0] => [-0.5, 0.5].map(|share| 0.5 * (low + high) + share * WIDTHS[0]),
         _ => [low, high],
@@ -56,7 +66,10 @@ fn window_of(input: &FigureInput, rows: &[Vec<f64>]) -> Window {
     // The rate of a massless hoop may grow out of all proportion at the end.
     let fastest = if input.is_massless() { first } else { fastest };
     let most = f64::max(plane_window(&input.hoop).y[1], 1.08 * fastest);
-    Window { x, y: [-most, most] }
+    Window {
+        x,
+        y: [-most, most],
+    }
 }
 
 fn is_inside(window: Window, row: &[f64]) -> bool {
@@ -66,7 +79,10 @@ fn is_inside(window: Window, row: &[f64]) -> bool {
 /// Each piece, cut where it leaves the window.
 fn inside(series: Series, window: Window) -> Series {
     let pieces = series.pieces.iter().flat_map(|piece| {
-        piece.split(|row| !is_inside(window, row)).filter(|part| part.len() > 1).map(<[Vec<f64>]>::to_vec)
+        piece
+            .split(|row| !is_inside(window, row))
+            .filter(|part| part.len() > 1)
+            .map(<[Vec<f64>]>::to_vec)
     });
     let pieces = pieces.collect();
     Series { pieces, ..series }
@@ -83,7 +99,11 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Entri
         let orbit = |energy| portrait.orbit(energy).drawn(Curve::Level);
         layers.extend(portrait.energies(2, 4).into_iter().map(orbit));
     }
-    layers.push(portrait.separatrix().drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)));
+    layers.push(
+        portrait
+            .separatrix()
+            .drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)),
+    );
     let slip = if input.is_massless() {
         portrait.massless_limit().map(|(_, series)| series)
     } else {
@@ -96,10 +116,16 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Entri
             Curve::LiftOff,
             lift_off_condition(input.hoop.slope()),
         ),
-        (Some(portrait.unloading_locus()), Curve::NormalForceZero, "*n*: *N* = 0".to_owned()),
+        (
+            Some(portrait.unloading_locus()),
+            Curve::NormalForceZero,
+            "*n*: *N* = 0".to_owned(),
+        ),
     ];
     for (series, curve, words) in curves {
-        let Some(series) = series.filter(|series| !series.pieces.is_empty()) else { continue };
+        let Some(series) = series.filter(|series| !series.pieces.is_empty()) else {
+            continue;
+        };
         // Less than in the portrait alone: what matters here is the motion.
         let mark = Mark::Line(Stroke::of_curve(curve).wide(CURVE));
         layers.push(series.drawn(mark));
@@ -113,7 +139,11 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Entri
 fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<Label>) {
     let until = horizon(motion);
     let (mut dots, mut jumps, mut labels) = (Vec::new(), Vec::new(), Vec::new());
-    for transition in motion.transitions().iter().filter(|transition| transition.time() <= until) {
+    for transition in motion
+        .transitions()
+        .iter()
+        .filter(|transition| transition.time() <= until)
+    {
         let [before, after] = [transition.before, transition.after]
             .map(|state| vec![state.time, state.theta - turns, state.theta_rate]);
         if !is_inside(window, &before) {
@@ -148,25 +178,41 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let turns = TAU * libm::round(motion.start().theta / TAU);
-    // The portrait has a period of a turn: only the place of Littlewood's hoop, which has none, is moved.
-    let turns = if input.is_massless() && hoop.offset() == 1.0 { turns } else { 0.0 };
+    // The portrait has a period of a turn: only the place of Littlewood's hoop, which has none, is
+    // moved.
+    let turns = if input.is_massless() && hoop.offset() == 1.0 {
+        turns
+    } else {
+        0.0
+    };
     let row = |sample: &Sample| row(sample, turns);
     let modes: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row);
-    let mut all: Piece = modes.iter().flat_map(|(_, series)| series.rows()).map(<[f64]>::to_vec).collect();
+    let mut all: Piece = modes
+        .iter()
+        .flat_map(|(_, series)| series.rows())
+        .map(<[f64]>::to_vec)
+        .collect();
     all.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let window = window_of(input, &all);
     let portrait = Portrait::new(hoop, window);
     let (mut layers, curves) = ground(&portrait, input)?;
     let mut keys = entries(&modes, |mode| mode.to_string());
-    if motion.transitions().iter().any(|transition| transition.time() <= horizon(&motion)) {
+    if motion
+        .transitions()
+        .iter()
+        .any(|transition| transition.time() <= horizon(&motion))
+    {
         keys.push((TRANSITION, "transition".to_owned()));
     }
     keys.extend(curves);
-    let modes = modes.into_iter().map(|(mode, series)| (mode, inside(series, window)));
+    let modes = modes
+        .into_iter()
+        .map(|(mode, series)| (mode, inside(series, window)));
     layers.extend(lines(modes.collect(), BOLD));
     layers.extend(arrows(&motion, 0.5, &COLUMNS, &row, |_, rows| {
         let part = |i: usize, range: [f64; 2]| (rows[1][i] - rows[0][i]) / (range[1] - range[0]);
-        is_inside(window, &rows[0]) && libm::hypot(part(1, window.x), part(2, window.y)) > LEAST_STEP
+        is_inside(window, &rows[0])
+            && libm::hypot(part(1, window.x), part(2, window.y)) > LEAST_STEP
     }));
     let (dots, labels) = changes(&motion, turns, window);
     layers.extend(dots);
@@ -174,15 +220,27 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let start = vec![start.time, start.theta - turns, start.theta_rate];
     layers.push(Series::of_rows("start", &COLUMNS, vec![start]).drawn(START));
     let say = input.wording();
-    let is_short = all.iter().any(|row| !(window.x[0]..=window.x[1]).contains(&row[1]));
+    let is_short = all
+        .iter()
+        .any(|row| !(window.x[0]..=window.x[1]).contains(&row[1]));
     let caption = format!(
         "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows an orbit, a line of constant energy (grey). Sliding and \
          flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; dots and \
          rings: stable and unstable equilibria.{}{} {}.",
-        if is_short { " Shown are the first turns." } else { "" },
+        if is_short {
+            " Shown are the first turns."
+        } else {
+            ""
+        },
         portrait.remark(),
         input.in_words()
     ) + &remark(&motion, say);
     let axes = portrait.axes(say);
-    input.plane([NAME, "A motion in the phase portrait"], caption, axes, (layers, labels), keys)
+    input.plane(
+        [NAME, "A motion in the phase portrait"],
+        caption,
+        axes,
+        (layers, labels),
+        keys,
+    )
 }

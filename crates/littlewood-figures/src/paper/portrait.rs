@@ -37,11 +37,18 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     let n = portrait.name_of(&unloading, [0.45 * PI, high], "*n*");
     labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
     // Without friction it has no area.
-    labels.extend((hoop.mu_s() > 0.0).then(|| Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0)));
+    labels.extend(
+        (hoop.mu_s() > 0.0).then(|| Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0)),
+    );
     let lift_off = portrait.lift_off_locus();
     let condition = lift_off_condition(hoop.slope());
     let name = portrait.name_of(&lift_off, [0.3 * PI, 0.93 * window.y[1]], condition);
-    labels.extend(name.map(|name| name.shifted(-8.0, 0.0).right().sized(SMALL).coloured(NORMAL_FORCE)));
+    labels.extend(name.map(|name| {
+        name.shifted(-8.0, 0.0)
+            .right()
+            .sized(SMALL)
+            .coloured(NORMAL_FORCE)
+    }));
     layers.push(slip.drawn(Curve::SlipLimit));
     layers.push(lift_off.drawn(Curve::LiftOff));
     layers.push(unloading.drawn(Curve::NormalForceZero));
@@ -75,11 +82,12 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     )
 }
 
-/// Energies of orbits of Littlewood's hoop that fill the plane: those that pass over the top by their rate there, those
-/// that turn by the angle at which they turn.
+/// Energies of orbits of Littlewood's hoop that fill the plane: those that pass over the top by
+/// their rate there, those that turn by the angle at which they turn.
 pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
     let over = rates.iter().map(|rate| 2.0 * rate * rate + 1.0);
-    over.chain(angles.iter().map(|theta| libm::cos(*theta))).collect()
+    over.chain(angles.iter().map(|theta| libm::cos(*theta)))
+        .collect()
 }
 
 /// Where arrows stand on the manifolds, away from the lines n, which they cross at ±π/2.
@@ -90,7 +98,8 @@ const AFTER: f64 = 0.05 * PI;
 
 const FIGURE_4: &str = "figure-4";
 
-/// Figure 4 with the particle inside the rim: the portrait of footnote 7, which has a stable equilibrium.
+/// Figure 4 with the particle inside the rim: the portrait of footnote 7, which has a stable
+/// equilibrium.
 fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
     let hoop = &input.hoop;
     let portrait = Portrait::new(hoop, portrait_window(hoop));
@@ -106,7 +115,10 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
     if let Some((_, series)) = &limit {
         // Beside each vertical of half a turn, outside of 𝓡.
         let verticals = series.pieces.iter().filter_map(|piece| piece.first());
-        for (row, right) in verticals.filter(|row| (0.0..PI).contains(&row[0])).zip([10.0, -10.0]) {
+        for (row, right) in verticals
+            .filter(|row| (0.0..PI).contains(&row[0]))
+            .zip([10.0, -10.0])
+        {
             let label = Label::new("*f*", &[row[0], 0.7 * row[1]]).shifted(right, 0.0);
             labels.push(label.coloured(FRICTION_FORCE));
         }
@@ -147,7 +159,10 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     if input.hoop.offset() < 1.0 {
         return massless_inside(input);
     }
-    let window = Window { x: [-PI, PI], y: [-2.0, 2.0] };
+    let window = Window {
+        x: [-PI, PI],
+        y: [-2.0, 2.0],
+    };
     let portrait = Portrait::new(&input.hoop, window);
     let turns = [0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI];
     let energies = massless_energies(&[0.25, 0.5, 0.75, 1.2, 1.5, 1.8], &turns);
@@ -158,15 +173,27 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.orbits(&energies));
     let unloading = portrait.unloading_locus();
     let mut labels = vec![
-        Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0).coloured(NORMAL_FORCE),
-        Label::new("*n*", &[0.8 * PI, -1.0]).shifted(0.0, 11.0).coloured(NORMAL_FORCE),
+        Label::new("*n*", &[0.8 * PI, 1.0])
+            .shifted(0.0, -11.0)
+            .coloured(NORMAL_FORCE),
+        Label::new("*n*", &[0.8 * PI, -1.0])
+            .shifted(0.0, 11.0)
+            .coloured(NORMAL_FORCE),
     ];
     labels.extend([1.75, -1.75].map(|rate| Label::new("*N* < 0", &[-0.25 * PI, rate])));
     layers.push(unloading.drawn(Curve::NormalForceZero));
     if let Some((theta, limit)) = portrait.massless_limit() {
         layers.push(limit.drawn(Curve::SlipLimit));
-        labels.push(Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0).coloured(FRICTION_FORCE));
-        labels.push(Label::new("*f*", &[-theta, -0.72]).shifted(-10.0, 0.0).coloured(FRICTION_FORCE));
+        labels.push(
+            Label::new("*f*", &[theta, -0.72])
+                .shifted(10.0, 0.0)
+                .coloured(FRICTION_FORCE),
+        );
+        labels.push(
+            Label::new("*f*", &[-theta, -0.72])
+                .shifted(-10.0, 0.0)
+                .coloured(FRICTION_FORCE),
+        );
         labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
     }
     let separatrix = [portrait.law.separatrix_energy()];
@@ -184,7 +211,11 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     for (energy, turn) in energies[6..].iter().zip(turns) {
         // A little after they have turned, where they go outwards.
         for side in [1.0, -1.0] {
-            layers.push(portrait.flow(&[*energy], side * (turn + AFTER)).drawn(Mark::Head(FAINT)));
+            layers.push(
+                portrait
+                    .flow(&[*energy], side * (turn + AFTER))
+                    .drawn(Mark::Head(FAINT)),
+            );
         }
     }
     layers.extend(portrait.equilibria());

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::theory::{Body, Massless, Window};
 use littlewood::{Hoop, Mode};
 use littlewood_draw::{
-    Content, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, Piece, SOFT, START, Series, Stroke,
-    lift_off_condition,
+    Content, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, Piece, SOFT, START, Series,
+    Stroke, lift_off_condition,
 };
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
@@ -20,7 +20,12 @@ use crate::plane::{Portrait, rows};
 
 const NAME: &str = "paper";
 /// Places in the plane of gliding through which both orbits go.
-const PLACES: [[f64; 2]; 4] = [[0.3 * PI, 0.8], [0.5 * PI, 0.5], [0.5 * PI, 1.6], [0.75 * PI, 1.0]];
+const PLACES: [[f64; 2]; 4] = [
+    [0.3 * PI, 0.8],
+    [0.5 * PI, 0.5],
+    [0.5 * PI, 1.6],
+    [0.75 * PI, 1.0],
+];
 /// Angles at which the band is looked for.
 const CELLS: u32 = 480;
 /// The printed lines.
@@ -46,7 +51,9 @@ fn of_gliding(body: Massless) -> Vec<Layer> {
         let most = fastest(&body, w);
         line_of(&body, w, 1.0, [-most, most])
     });
-    let exact = exact.map(|piece| piece.into_iter().map(|row| row[..2].to_vec()).collect()).collect();
+    let exact = exact
+        .map(|piece| piece.into_iter().map(|row| row[..2].to_vec()).collect())
+        .collect();
     let printed = PLACES.into_iter().flat_map(printed).collect();
     vec![
         Series::new("exact", &PLANE, exact).drawn(GLIDING),
@@ -57,20 +64,38 @@ fn of_gliding(body: Massless) -> Vec<Layer> {
 
 /// Above n and below lift-off, on either side.
 fn band(portrait: &Portrait) -> Series {
-    let Window { x: [from, to], y: [_, most] } = portrait.window;
+    let Window {
+        x: [from, to],
+        y: [_, most],
+    } = portrait.window;
     let between = |theta: f64| {
         let low = portrait.plane.normal_force_rate(theta)?;
-        let high = portrait.plane.lift_off_rate(theta).unwrap_or(most).min(most);
+        let high = portrait
+            .plane
+            .lift_off_rate(theta)
+            .unwrap_or(most)
+            .min(most);
         (low < high).then_some([low, high])
     };
-    let angles: Vec<f64> =
-        (0..=CELLS).map(|i| from + (to - from) * f64::from(i) / f64::from(CELLS)).collect();
+    let angles: Vec<f64> = (0..=CELLS)
+        .map(|i| from + (to - from) * f64::from(i) / f64::from(CELLS))
+        .collect();
     let mut pieces: Vec<Piece> = Vec::new();
     for run in angles.chunk_by(|a, b| between(*a).is_some() == between(*b).is_some()) {
-        let edge = |end: usize| run.iter().filter_map(move |theta| Some([*theta, between(*theta)?[end]]));
-        let polygon: Vec<[f64; 2]> = edge(0).chain(edge(1).collect::<Vec<_>>().into_iter().rev()).collect();
+        let edge = |end: usize| {
+            run.iter()
+                .filter_map(move |theta| Some([*theta, between(*theta)?[end]]))
+        };
+        let polygon: Vec<[f64; 2]> = edge(0)
+            .chain(edge(1).collect::<Vec<_>>().into_iter().rev())
+            .collect();
         for sign in [1.0, -1.0] {
-            pieces.push(polygon.iter().map(|[theta, rate]| vec![*theta, sign * rate]).collect());
+            pieces.push(
+                polygon
+                    .iter()
+                    .map(|[theta, rate]| vec![*theta, sign * rate])
+                    .collect(),
+            );
         }
     }
     pieces.retain(|piece| piece.len() > 2);
@@ -94,7 +119,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let curve = |curve: Curve| Mark::Line(Stroke::of_curve(curve));
     let layers = vec![
         band(&portrait).drawn(fill),
-        portrait.separatrix().drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)),
+        portrait
+            .separatrix()
+            .drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)),
         unloading.drawn(curve(Curve::NormalForceZero)),
         lift_off.drawn(curve(Curve::LiftOff)),
     ];
@@ -108,7 +135,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             layers: of_gliding(body),
             labels: Vec::new(),
         },
-        Content { name: "lift-off", x, y, layers, labels },
+        Content {
+            name: "lift-off",
+            x,
+            y,
+            layers,
+            labels,
+        },
     ];
     let keys = vec![
         (Mark::Line(GLIDING), "orbits of gliding".to_owned()),
@@ -125,5 +158,12 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.remark(),
         say.body(hoop)
     );
-    Ok(input.sheet(860.0)?.pair(NAME, "The paper against exact", caption, 362.0, contents, keys))
+    Ok(input.sheet(860.0)?.pair(
+        NAME,
+        "The paper against exact",
+        caption,
+        362.0,
+        contents,
+        keys,
+    ))
 }

@@ -41,9 +41,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let hoop = &input.hoop;
     let (sin, cos) = libm::sincos(THETA);
     let along = |distance: f64| [X - distance * sin, 1.0 + distance * cos];
-    let across = |base: [f64; 2], distance: f64| [base[0] + distance * cos, base[1] + distance * sin];
-    let segment =
-        |name: &str, a: [f64; 2], b: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec(), b.to_vec()]);
+    let across =
+        |base: [f64; 2], distance: f64| [base[0] + distance * cos, base[1] + distance * sin];
+    let segment = |name: &str, a: [f64; 2], b: [f64; 2]| {
+        Series::of_rows(name, &COLUMNS, vec![a.to_vec(), b.to_vec()])
+    };
     let point = |name: &str, a: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec()]);
     let thin = Mark::Line(Stroke::solid(INK, FINE));
     let witness = Mark::Line(Stroke::solid(SOFT, 0.6));
@@ -59,14 +61,20 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let centre = [X, 1.0];
     let particle = along(hoop.offset());
     let mass_centre = along(hoop.h());
-    let ground = [[x_range[0], 0.0], [x_range[1], 0.0], [x_range[1], -0.09], [x_range[0], -0.09]];
+    let ground = [
+        [x_range[0], 0.0],
+        [x_range[1], 0.0],
+        [x_range[1], -0.09],
+        [x_range[0], -0.09],
+    ];
     let tip = along(1.55);
     let beside_gravity = |length: f64| {
         let [right, up] = tilted(-slope, [0.0, -length]);
         [GRAVITY[0] + right, GRAVITY[1] + up]
     };
     let mut layers = vec![
-        Series::of_rows("ground", &COLUMNS, ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
+        Series::of_rows("ground", &COLUMNS, ground.map(Vec::from).to_vec())
+            .drawn(Mark::Hatch(HATCH)),
         segment("ground", [x_range[0], 0.0], [x_range[1], 0.0]).drawn(Stroke::solid(INK, 1.4)),
         segment("normal", [X, 0.0], [X, 2.38]).drawn(dotted),
         segment("radius", centre, particle).drawn(Stroke::solid(INK, CURVE)),
@@ -82,7 +90,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         segment("x origin", [0.0, 0.0], [0.0, -0.46]).drawn(thin),
     ];
     layers.push(
-        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI)).drawn(Stroke::solid(SOFT, BOLD)),
+        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI))
+            .drawn(Stroke::solid(SOFT, BOLD)),
     );
     // Lengths beside the radius, on the side away from the angle.
     let beside = |distance: f64, away: f64| across(along(distance), -away);
@@ -90,7 +99,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         let end = away + 0.05;
         // Where there is room for two heads.
         let line = Stroke::solid(INK, 0.8);
-        let line = if to > 0.2 { Mark::Arrow(line) } else { Mark::Line(line) };
+        let line = if to > 0.2 {
+            Mark::Arrow(line)
+        } else {
+            Mark::Line(line)
+        };
         vec![
             segment(name, beside(0.0, away), beside(to, away)).drawn(line),
             segment(name, beside(to, away), beside(0.0, away)).drawn(line),
@@ -117,7 +130,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let mut labels = vec![
         Label::new("*C*", &centre).shifted(13.0, 10.0),
         Label::new("*m*_{2}", &particle).shifted(-18.0, -2.0),
-        Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]).shifted(8.0, -6.0).left().coloured(SOFT),
+        Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73])
+            .shifted(8.0, -6.0)
+            .left()
+            .coloured(SOFT),
         Label::new("*X*_{P}", &[X, 0.0]).shifted(14.0, 17.0),
         Label::new("*θ*", &half[0]).shifted(-3.0, -11.0),
         Label::new("`e`_{2}", &tip).shifted(-4.0, -10.0),
@@ -128,7 +144,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("`g`", &beside_gravity(0.3)).shifted(11.0, 0.0),
         Label::new("*x*", &[0.5 * X, -0.36]),
         Label::new("*ℓ*", &middle(hoop.offset(), 0.4)).shifted(-9.0, 7.0),
-        Label::new("*R*", &[X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)]).shifted(6.0, -10.0),
+        Label::new(
+            "*R*",
+            &[X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)],
+        )
+        .shifted(6.0, -10.0),
     ];
     if has_two {
         labels.push(Label::new("*X̄*", &mass_centre).shifted(14.0, 2.0));
@@ -141,18 +161,43 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             let [right, up] = tilted(-angle, [libm::copysign(share * reach, slope), 0.0]);
             [apex + right, up]
         };
-        let arc = (0..=ARC).map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)).to_vec()).collect();
+        let arc = (0..=ARC)
+            .map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)).to_vec())
+            .collect();
         layers.push(segment("horizontal", [apex, 0.0], at(1.0, slope)).drawn(dotted));
         layers.push(Series::of_rows("slope", &COLUMNS, arc).drawn(Stroke::solid(INK, 1.0)));
         labels.push(Label::new("*α*", &at(0.82, 0.5 * slope)));
     }
     // The coordinates of the plane, turned.
-    let corners = || x_range.into_iter().flat_map(|x| y_range.map(|y| tilted(slope, [x, y])));
-    let (x_range, y_range) = (bounds(corners().map(|[x, _]| x), 0.0), bounds(corners().map(|[_, y]| y), 0.0));
+    let corners = || {
+        x_range
+            .into_iter()
+            .flat_map(|x| y_range.map(|y| tilted(slope, [x, y])))
+    };
+    let (x_range, y_range) = (
+        bounds(corners().map(|[x, _]| x), 0.0),
+        bounds(corners().map(|[_, y]| y), 0.0),
+    );
     let sheet = input.sheet(SCALE * (x_range[1] - x_range[0]))?;
-    let (width, height) = (sheet.width, sheet.width * (y_range[1] - y_range[0]) / (x_range[1] - x_range[0]));
-    let [x, y] = [PlotAxis::silent(X_COLUMN, x_range), PlotAxis::silent(Y, y_range)];
-    let panel = Sheet::bare([0.0, 0.0, width, height], Content { name: "body", x, y, layers, labels }, slope);
+    let (width, height) = (
+        sheet.width,
+        sheet.width * (y_range[1] - y_range[0]) / (x_range[1] - x_range[0]),
+    );
+    let [x, y] = [
+        PlotAxis::silent(X_COLUMN, x_range),
+        PlotAxis::silent(Y, y_range),
+    ];
+    let panel = Sheet::bare(
+        [0.0, 0.0, width, height],
+        Content {
+            name: "body",
+            x,
+            y,
+            layers,
+            labels,
+        },
+        slope,
+    );
     Ok(sheet.figure(
         NAME,
         "Figure 1: the body",

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, State, Transition};
 use littlewood_draw::{
-    Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Layer, Mark, NORMAL_FORCE, PAPER, Panel, Piece,
-    REGION, SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
+    Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Layer, Mark, NORMAL_FORCE, PAPER,
+    Panel, Piece, REGION, SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
 };
 
 use crate::columns::{SLIP, THETA, THETA_RATE, TIME};
@@ -55,14 +55,17 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     outline.push(floor[0].clone());
     let names = [THETA, THETA_RATE, SLIP];
     let mut layers = vec![
-        Series::of_rows("plane of rolling", &names, floor).drawn(Mark::Fill(REGION.over(PAPER, 0.6))),
+        Series::of_rows("plane of rolling", &names, floor)
+            .drawn(Mark::Fill(REGION.over(PAPER, 0.6))),
         Series::of_rows("plane of rolling", &names, outline).drawn(Stroke::solid(FAINT, FINE)),
     ];
     // The shadow of the motion on the plane of rolling.
     for (mode, series) in &on_ground {
         if *mode == Mode::Sliding {
-            let pieces =
-                series.pieces.iter().map(|piece| piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect());
+            let pieces = series
+                .pieces
+                .iter()
+                .map(|piece| piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect());
             let stroke = Stroke::solid(FAINT, 1.0).dashed(Dash::Short);
             layers.push(Series::new("shadow", &names, pieces.collect()).drawn(stroke));
         }
@@ -75,7 +78,9 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             Mode::Rolling => ("*r*", 0.75),
             Mode::Gliding | Mode::Flight => continue,
         };
-        let middle = phase.sample(share * f64::min(phase.duration(), until - phase.start().time)).state;
+        let middle = phase
+            .sample(share * f64::min(phase.duration(), until - phase.start().time))
+            .state;
         let shift = match middle.slip {
             slip if slip < 0.0 => [13.0, 12.0],
             0.0 => [4.0, 14.0],
@@ -105,7 +110,9 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             changes.push(of_state(transition.after));
             jumps.push(vec![of_state(state), of_state(transition.after)]);
         } else if transition.to.is_some_and(|mode| !mode.touches_plane()) {
-            labels.push(Label::new("*L*", &[state.theta, state.slip, state.theta_rate]).shifted(13.0, -3.0));
+            labels.push(
+                Label::new("*L*", &[state.theta, state.slip, state.theta_rate]).shifted(13.0, -3.0),
+            );
         }
     }
     let jump = Stroke::solid(IMPULSE, CURVE).dashed(Dash::Short);
@@ -143,7 +150,12 @@ pub(super) fn in_space(
     let say = input.wording();
     let axes = [say.angle(x), say.slip(y), say.rate(z)];
     let [across, upwards, back] = &axes;
-    labels.insert(0, Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(SOFT));
+    labels.insert(
+        0,
+        Label::new("*η*′ = 0", &[x[1], 0.0, z[1]])
+            .shifted(-34.0, 14.0)
+            .coloured(SOFT),
+    );
     labels.push(Label::new(&across.title, &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
     labels.push(Label::new(&back.title, &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
     labels.push(Label::new(&upwards.title, &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
@@ -154,7 +166,13 @@ pub(super) fn in_space(
         image: None,
         name: "space of states",
         frame: [0.0, 0.0, sheet.width, height],
-        view: View::Space { x, y, z, yaw: 0.55, pitch: 0.32 },
+        view: View::Space {
+            x,
+            y,
+            z,
+            yaw: 0.55,
+            pitch: 0.32,
+        },
         layers,
         labels,
         keys: Vec::new(),
@@ -167,7 +185,8 @@ const ROWS: u32 = 3;
 /// Least width of panels that stand beside each other.
 const NARROWEST: f64 = 300.0;
 
-/// A transition and its time, with the symbols of §3: τ_s where static friction gives way, τ_g where the particle reaches the plane.
+/// A transition and its time, with the symbols of §3: τ_s where static friction gives way, τ_g
+/// where the particle reaches the plane.
 fn instant(transition: &Transition, say: Wording) -> String {
     let time = say.value(transition.time(), Dimension::Time);
     let clock = say.time();
@@ -184,7 +203,10 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     input.littlewood(NAME)?;
     input.level(NAME)?;
     let motion = input.motion(NAME)?;
-    let window = Window { x: [-PI, PI], y: [-2.5, 2.5] };
+    let window = Window {
+        x: [-PI, PI],
+        y: [-2.5, 2.5],
+    };
     let portrait = Portrait::new(&input.hoop, window);
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
     let modes = by_mode(&motion, "", &COLUMNS, &row);
@@ -203,10 +225,16 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     ];
     let mut labels = vec![
         Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0),
-        Label::new("*n*", &[-0.4 * theta_s, 1.0]).shifted(0.0, -11.0).coloured(NORMAL_FORCE),
+        Label::new("*n*", &[-0.4 * theta_s, 1.0])
+            .shifted(0.0, -11.0)
+            .coloured(NORMAL_FORCE),
     ];
     if portrait.massless_limit().is_some() {
-        labels.push(Label::new("*f*", &[-theta_s, 0.0]).shifted(-10.0, 0.0).coloured(FRICTION_FORCE));
+        labels.push(
+            Label::new("*f*", &[-theta_s, 0.0])
+                .shifted(-10.0, 0.0)
+                .coloured(FRICTION_FORCE),
+        );
     }
     for (mode, series) in &modes {
         let mark = Mark::Line(Stroke::of_mode(*mode).wide(BOLD));
@@ -214,14 +242,24 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
             pieces: series
                 .pieces
                 .iter()
-                .map(|piece| piece.iter().filter(|row| row[2].abs() <= window.y[1]).cloned().collect())
+                .map(|piece| {
+                    piece
+                        .iter()
+                        .filter(|row| row[2].abs() <= window.y[1])
+                        .cloned()
+                        .collect()
+                })
                 .collect(),
             ..series.clone()
         };
         plane.push(inside.drawn(mark));
-        if let Some(middle) = series.pieces.first().and_then(|piece| piece.get(piece.len() / 2)) {
-            let label =
-                Label::new(mode.name(), &[middle[1], middle[2]]).coloured(Stroke::of_mode(*mode).colour);
+        if let Some(middle) = series
+            .pieces
+            .first()
+            .and_then(|piece| piece.get(piece.len() / 2))
+        {
+            let label = Label::new(mode.name(), &[middle[1], middle[2]])
+                .coloured(Stroke::of_mode(*mode).colour);
             labels.push(match mode {
                 Mode::Rolling => label.shifted(-4.0, 14.0),
                 Mode::Sliding | Mode::Gliding | Mode::Flight => label.shifted(-10.0, -8.0).right(),
@@ -234,11 +272,21 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
         .phases()
         .iter()
         .map(|phase| {
-            let rows = all_instants(&motion, phase, until).into_iter().map(|sample| sample.state);
-            (phase.mode(), rows.map(|state| vec![state.time, state.slip]).collect())
+            let rows = all_instants(&motion, phase, until)
+                .into_iter()
+                .map(|sample| sample.state);
+            (
+                phase.mode(),
+                rows.map(|state| vec![state.time, state.slip]).collect(),
+            )
         })
         .collect();
-    let range = bounds(slips.iter().flat_map(|(_, rows)| rows.iter().map(|row| row[1])), 0.1);
+    let range = bounds(
+        slips
+            .iter()
+            .flat_map(|(_, rows)| rows.iter().map(|row| row[1])),
+        0.1,
+    );
     for (mode, rows) in slips {
         let stroke = Stroke::of_mode(mode).wide(BOLD);
         trace.push(Series::of_rows(mode.name(), &[TIME, SLIP], rows).drawn(stroke));
@@ -250,7 +298,9 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
         let vertical = range.map(|slip| vec![time, slip]).to_vec();
         trace.push(Series::of_rows("time of transition", &[TIME, SLIP], vertical).drawn(VERTICAL));
         // Above the panel, where no curve is, in rows.
-        let label = Label::new(instant(transition, say), &[time, range[1]]).sized(SMALL).fixed();
+        let label = Label::new(instant(transition, say), &[time, range[1]])
+            .sized(SMALL)
+            .fixed();
         let label = label.shifted(0.0, -10.0 - 16.0 * f64::from(row));
         let part = (time - motion.start().time) / (until - motion.start().time);
         trace_labels.push(match part {
@@ -268,13 +318,20 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     plane.extend(arrows(&motion, 0.5, &COLUMNS, &row, |_, _| true));
     plane.push(Series::of_rows("transition", &COLUMNS, changes.clone()).drawn(TRANSITION));
     plane.push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(START));
-    let ends = motion.transitions().last().is_some_and(|last| last.cause == Cause::ParticleAtPlane);
+    let ends = motion
+        .transitions()
+        .last()
+        .is_some_and(|last| last.cause == Cause::ParticleAtPlane);
     let times = if ends {
         " As *τ* → *τ*_{g}, *θ* → ±π and *θ*′ → ±∞, but *η*′ remains finite."
     } else {
         ""
     };
-    let modes: Vec<&str> = motion.phases().iter().map(|phase| phase.mode().name()).collect();
+    let modes: Vec<&str> = motion
+        .phases()
+        .iter()
+        .map(|phase| phase.mode().name())
+        .collect();
     let caption = format!(
         "A massless hoop: {}. First: in the phase plane, with 𝓡 shaded. Second: slip velocity *η*′, zero while \
          the hoop rolls; dashed verticals: transitions.{times} *μ*_{{s}} = {}; {}. Gliding follows (3.17) with \
@@ -286,7 +343,13 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     let from = motion.start().time;
     let above = 12.0 + 16.0 * f64::from(ROWS.min(motion.transitions().len() as u32));
     let contents = [
-        Content { name: "phase plane", x: say.angle(window.x), y: say.rate(window.y), layers: plane, labels },
+        Content {
+            name: "phase plane",
+            x: say.angle(window.x),
+            y: say.rate(window.y),
+            layers: plane,
+            labels,
+        },
         Content {
             name: "slip velocity",
             x: say.clock([from, horizon(&motion)]),
@@ -303,7 +366,16 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
         None => [12.0, 12.0 + height + above].map(|top| [left, top, inner, height]),
     };
     let bottom = frames[1][1] + height + 6.0;
-    let panels =
-        frames.into_iter().zip(contents).map(|(frame, content)| Sheet::panel(frame, content)).collect();
-    Ok(sheet.figure(NAME, "Figure 7(a): rolling, then gliding", caption, bottom, panels))
+    let panels = frames
+        .into_iter()
+        .zip(contents)
+        .map(|(frame, content)| Sheet::panel(frame, content))
+        .collect();
+    Ok(sheet.figure(
+        NAME,
+        "Figure 7(a): rolling, then gliding",
+        caption,
+        bottom,
+        panels,
+    ))
 }

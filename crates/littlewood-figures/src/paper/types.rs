@@ -1,10 +1,12 @@
 //! Figure 5: the region 𝓡 of the massless hoop and the three types of motion in it.
 
 use littlewood::Mode;
-use littlewood::theory::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
+use littlewood::theory::closed_form::{
+    rolling_energy, stable_manifold_rate, unstable_manifold_rate,
+};
 use littlewood_draw::{
-    Entries, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, REGION, Series, Stroke,
-    THEME, short,
+    Entries, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, REGION, Series,
+    Stroke, THEME, short,
 };
 
 use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
@@ -20,7 +22,16 @@ use littlewood_style::{Curve, Dash, of_mode};
 fn portrait_of(input: &FigureInput) -> (Portrait, f64) {
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
     let side = f64::min(1.45 * theta_s, 3.1);
-    (Portrait::new(&input.hoop, Window { x: [-side, side], y: [-1.35, 1.35] }), theta_s)
+    (
+        Portrait::new(
+            &input.hoop,
+            Window {
+                x: [-side, side],
+                y: [-1.35, 1.35],
+            },
+        ),
+        theta_s,
+    )
 }
 
 /// Energy at the corners of 𝓡, where N and the static friction give way together: Type II.
@@ -30,7 +41,13 @@ fn type_two_energy(theta_s: f64) -> f64 {
 
 /// An orbit as far as it runs in 𝓡.
 fn in_region(portrait: &Portrait, theta_s: f64, energy: f64) -> Vec<Vec<[f64; 2]>> {
-    let inner = Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..*portrait };
+    let inner = Portrait {
+        window: Window {
+            x: [-theta_s, theta_s],
+            y: [-1.0, 1.0],
+        },
+        ..*portrait
+    };
     inner
         .orbit(energy)
         .pieces
@@ -40,11 +57,16 @@ fn in_region(portrait: &Portrait, theta_s: f64, energy: f64) -> Vec<Vec<[f64; 2]
 }
 
 fn frame(portrait: &Portrait, theta_s: f64) -> impl Iterator<Item = Layer> {
-    let limit = portrait.massless_limit().map(|(_, series)| series.drawn(Curve::SlipLimit));
-    limit.into_iter().chain([unloading_lines(theta_s).drawn(Curve::NormalForceZero)])
+    let limit = portrait
+        .massless_limit()
+        .map(|(_, series)| series.drawn(Curve::SlipLimit));
+    limit
+        .into_iter()
+        .chain([unloading_lines(theta_s).drawn(Curve::NormalForceZero)])
 }
 
-const NOTE: &str = "The caption of the paper has *θ*_{s} = 26.5651°, which is half of *θ*_{s} by (3.9).";
+const NOTE: &str =
+    "The caption of the paper has *θ*_{s} = 26.5651°, which is half of *θ*_{s} by (3.9).";
 
 fn figure(
     input: &FigureInput,
@@ -74,7 +96,11 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     let unloaded_first = border
         .iter()
         .map(|piece| {
-            let edge = if piece.iter().all(|[_, rate]| *rate >= 0.0) { 1.0 } else { -1.0 };
+            let edge = if piece.iter().all(|[_, rate]| *rate >= 0.0) {
+                1.0
+            } else {
+                -1.0
+            };
             let mut polygon = piece.clone();
             polygon.push([theta_s, edge]);
             polygon.push([-theta_s, edge]);
@@ -85,9 +111,13 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         Series::new("Type I", &PLANE, rows(unloaded_first))
             .drawn(Mark::Fill(of_mode(Mode::Rolling, THEME).over(PAPER, 0.3))),
-        Series::new("Type II", &PLANE, rows(border)).drawn(Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
+        Series::new("Type II", &PLANE, rows(border))
+            .drawn(Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
     ];
-    let window = Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] };
+    let window = Window {
+        x: [-theta_s, theta_s],
+        y: [-1.0, 1.0],
+    };
     // Towards the equilibrium, and away from it.
     type Manifold = (&'static str, &'static str, fn(f64) -> f64, f64);
     let manifolds: [Manifold; 2] = [
@@ -102,7 +132,9 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.equilibria());
     for (_, name, rate, onward) in manifolds {
         let head = |share: f64| {
-            [share * theta_s, onward * share * theta_s].map(|theta| vec![theta, rate(theta)]).to_vec()
+            [share * theta_s, onward * share * theta_s]
+                .map(|theta| vec![theta, rate(theta)])
+                .to_vec()
         };
         let heads = [0.6, -0.6].map(head);
         layers.push(Series::new(name, &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
@@ -124,12 +156,30 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
             ],
         )
         .sized(12.5),
-        Label::new("*W*^{s}", &[-0.8 * theta_s, stable_manifold_rate(-0.8 * theta_s)]).shifted(8.0, -10.0),
-        Label::new("*W*^{u}", &[0.8 * theta_s, unstable_manifold_rate(0.8 * theta_s)]).shifted(-8.0, -10.0),
-        Label::new("*n*: *N* = 0", &[0.0, 1.0]).shifted(0.0, -14.0).coloured(NORMAL_FORCE),
-        Label::new("*n*: *N* = 0", &[0.0, -1.0]).shifted(0.0, 14.0).coloured(NORMAL_FORCE),
-        Label::new("*f*", &[theta_s, 0.0]).shifted(10.0, 0.0).left().coloured(FRICTION_FORCE),
-        Label::new("*f*", &[-theta_s, 0.0]).shifted(-10.0, 0.0).right().coloured(FRICTION_FORCE),
+        Label::new(
+            "*W*^{s}",
+            &[-0.8 * theta_s, stable_manifold_rate(-0.8 * theta_s)],
+        )
+        .shifted(8.0, -10.0),
+        Label::new(
+            "*W*^{u}",
+            &[0.8 * theta_s, unstable_manifold_rate(0.8 * theta_s)],
+        )
+        .shifted(-8.0, -10.0),
+        Label::new("*n*: *N* = 0", &[0.0, 1.0])
+            .shifted(0.0, -14.0)
+            .coloured(NORMAL_FORCE),
+        Label::new("*n*: *N* = 0", &[0.0, -1.0])
+            .shifted(0.0, 14.0)
+            .coloured(NORMAL_FORCE),
+        Label::new("*f*", &[theta_s, 0.0])
+            .shifted(10.0, 0.0)
+            .left()
+            .coloured(FRICTION_FORCE),
+        Label::new("*f*", &[-theta_s, 0.0])
+            .shifted(-10.0, 0.0)
+            .right()
+            .coloured(FRICTION_FORCE),
         Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0),
     ];
     let caption = format!(
@@ -160,7 +210,11 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
     let share = |from: f64, to: f64, part: f64| from + (to - from) * part;
     let of_type = Stroke::of_mode(Mode::Rolling).wide(CURVE);
     let kinds: [(&str, Vec<f64>, Stroke); 3] = [
-        ("Type I", vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)], of_type.dashed(Dash::Solid)),
+        (
+            "Type I",
+            vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)],
+            of_type.dashed(Dash::Solid),
+        ),
         ("Type II", vec![two], of_type.dashed(Dash::DashDot)),
         (
             "Type III",
@@ -181,8 +235,10 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
             let orbit: Vec<Vec<[f64; 2]>> = in_region(&portrait, theta_s, energy);
             for piece in &orbit {
                 // Orbits run to the right where θ′ > 0.
-                let exit =
-                    piece.iter().copied().reduce(|a, b| if a[0] * a[1] >= b[0] * b[1] { a } else { b });
+                let exit = piece
+                    .iter()
+                    .copied()
+                    .reduce(|a, b| if a[0] * a[1] >= b[0] * b[1] { a } else { b });
                 exits.extend(exit.map(|[theta, rate]| vec![theta, rate, energy]));
                 let i = piece.len() * 2 / 3;
                 if let Some([a, b]) = piece.get(i..i + 2).and_then(<[_]>::first_chunk) {
@@ -191,26 +247,44 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
             }
             let pieces = orbit
                 .into_iter()
-                .map(|piece| piece.into_iter().map(|[theta, rate]| vec![theta, rate, energy]).collect())
+                .map(|piece| {
+                    piece
+                        .into_iter()
+                        .map(|[theta, rate]| vec![theta, rate, energy])
+                        .collect()
+                })
                 .collect();
             layers.push(Series::new(name, &[THETA, THETA_RATE, ENERGY], pieces).drawn(stroke));
         }
     }
-    let manifolds = Series::new("manifolds", &PLANE, rows(in_region(&portrait, theta_s, 1.0)));
+    let manifolds = Series::new(
+        "manifolds",
+        &PLANE,
+        rows(in_region(&portrait, theta_s, 1.0)),
+    );
     layers.push(manifolds.drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)));
     layers.extend(frame(&portrait, theta_s));
     for (colour, piece) in heads {
         layers.push(Series::new("flow", &PLANE, vec![piece]).drawn(Mark::Head(colour)));
     }
     layers.push(
-        Series::of_rows("end of rolling", &[THETA, THETA_RATE, ENERGY], exits).drawn(Mark::Dot(INK, 3.0)),
+        Series::of_rows("end of rolling", &[THETA, THETA_RATE, ENERGY], exits)
+            .drawn(Mark::Dot(INK, 3.0)),
     );
     layers.extend(portrait.equilibria());
     let labels = vec![
-        Label::new("*n*", &[0.0, 1.0]).shifted(0.0, -12.0).coloured(NORMAL_FORCE),
-        Label::new("*n*", &[0.0, -1.0]).shifted(0.0, 12.0).coloured(NORMAL_FORCE),
-        Label::new("*f*", &[theta_s, 0.0]).shifted(12.0, 0.0).coloured(FRICTION_FORCE),
-        Label::new("*f*", &[-theta_s, 0.0]).shifted(-12.0, 0.0).coloured(FRICTION_FORCE),
+        Label::new("*n*", &[0.0, 1.0])
+            .shifted(0.0, -12.0)
+            .coloured(NORMAL_FORCE),
+        Label::new("*n*", &[0.0, -1.0])
+            .shifted(0.0, 12.0)
+            .coloured(NORMAL_FORCE),
+        Label::new("*f*", &[theta_s, 0.0])
+            .shifted(12.0, 0.0)
+            .coloured(FRICTION_FORCE),
+        Label::new("*f*", &[-theta_s, 0.0])
+            .shifted(-12.0, 0.0)
+            .coloured(FRICTION_FORCE),
     ];
     let caption = format!(
         "Rolling motions of the massless hoop in 𝓡, each to the place where rolling ends (dots). Type I ends on *n*, \
@@ -220,5 +294,11 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
         short(input.hoop.mu_s()),
         short(theta_s.to_degrees())
     );
-    figure(input, [NAME, "Figure 5(b): motions of Types I, II and III"], caption, (layers, labels), keys)
+    figure(
+        input,
+        [NAME, "Figure 5(b): motions of Types I, II and III"],
+        caption,
+        (layers, labels),
+        keys,
+    )
 }

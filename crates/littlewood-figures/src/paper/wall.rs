@@ -43,7 +43,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         .collect::<Result<_, _>>()?;
     // Each up to its first lift-off, or as far as it is shown.
     let until = |motion: &Trajectory| {
-        let lift_off = motion.transitions().iter().find(|transition| transition.cause == Cause::LiftOff);
+        let lift_off = motion
+            .transitions()
+            .iter()
+            .find(|transition| transition.cause == Cause::LiftOff);
         lift_off.map_or_else(|| horizon(motion), Transition::time)
     };
     let modes = |motion: &Trajectory| -> Vec<(Mode, Series)> {
@@ -59,8 +62,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         modes
     };
     let all: Vec<Vec<(Mode, Series)>> = motions.iter().map(modes).collect();
-    let values =
-        |k: usize| all.iter().flatten().flat_map(move |(_, series)| series.rows().map(move |row| row[k]));
+    let values = |k: usize| {
+        all.iter()
+            .flatten()
+            .flat_map(move |(_, series)| series.rows().map(move |row| row[k]))
+    };
     let y = bounds(values(3).chain([0.0]), 0.15);
     let (mut x, mut z) = (bounds(values(1), 0.08), bounds(values(2), 0.12));
     let mut edge = rows(PhasePlane::new(hoop).lift_off_curve(&Window { x, y: z }));
@@ -68,7 +74,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         // The wall is far from these motions: its nearest top is shown with them.
         let top = TAU * libm::round(0.5 * (x[0] + x[1]) / TAU);
         let least = PhasePlane::new(hoop).lift_off_rate(0.0).unwrap_or(1.0);
-        let sign = if input.start.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let sign = if input.start.theta_rate < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
         x = bounds(x.into_iter().chain([top - BESIDE, top + BESIDE]), 0.0);
         z = bounds(z.into_iter().chain([1.3 * sign * least]), 0.0);
         edge = rows(PhasePlane::new(hoop).lift_off_curve(&Window { x, y: z }));
@@ -77,13 +87,19 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let portrait = Portrait::new(hoop, window);
     let floor = [[x[0], z[0]], [x[1], z[0]], [x[1], z[1]], [x[0], z[1]]];
     let flat = |piece: Piece, slip: f64| -> Piece {
-        piece.into_iter().map(|row| vec![row[0], row[1], slip]).collect()
+        piece
+            .into_iter()
+            .map(|row| vec![row[0], row[1], slip])
+            .collect()
     };
     let mut outline: Piece = floor.map(Vec::from).to_vec();
     outline.push(floor[0].to_vec());
     let within = |row: Vec<f64>| vec![row[0].clamp(x[0], x[1]), row[1].clamp(z[0], z[1])];
     let tile = rows(portrait.plane.rolling_region(&window));
-    let tile = tile.into_iter().map(|piece| flat(piece.into_iter().map(within).collect(), 0.0)).collect();
+    let tile = tile
+        .into_iter()
+        .map(|piece| flat(piece.into_iter().map(within).collect(), 0.0))
+        .collect();
     let mut layers = vec![
         Series::new("R", &PLANE_OF_STATES, tile).drawn(Mark::Fill(REGION)),
         Series::of_rows("plane of rolling", &PLANE_OF_STATES, flat(outline, 0.0))
@@ -119,12 +135,24 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         }
     }
     // A motion that begins in flight comes into the picture where it lands.
-    let begins = |motion: &&Trajectory| motion.phases().first().is_some_and(|it| it.mode().touches_plane());
-    let starts = motions.iter().filter(begins).map(|motion| of_state(motion.start())).collect();
+    let begins = |motion: &&Trajectory| {
+        motion
+            .phases()
+            .first()
+            .is_some_and(|it| it.mode().touches_plane())
+    };
+    let starts = motions
+        .iter()
+        .filter(begins)
+        .map(|motion| of_state(motion.start()))
+        .collect();
     let jumps: Piece = motions
         .iter()
         .filter_map(|motion| {
-            motion.transitions().iter().find(|transition| transition.cause == Cause::LiftOff)
+            motion
+                .transitions()
+                .iter()
+                .find(|transition| transition.cause == Cause::LiftOff)
         })
         .map(|transition| of_state(transition.before))
         .collect();
@@ -140,5 +168,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         SHARES.map(|share| share.to_string()).join(", "),
         input.in_words()
     );
-    in_space(input, [x, y, z], (NAME, "Lift-off is a wall", caption), (layers, Vec::new()))
+    in_space(
+        input,
+        [x, y, z],
+        (NAME, "Lift-off is a wall", caption),
+        (layers, Vec::new()),
+    )
 }

@@ -12,7 +12,11 @@ const FIRST_JUMPS: usize = 4;
 /// The highest point of every flight; of many, unless `all` are asked for, the first ones.
 pub(super) fn jumps(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Vec<String> {
     let apexes: Vec<(f64, f64)> = trajectory.phases().iter().filter_map(apex).collect();
-    let shown = if all || apexes.len() <= FIRST_JUMPS + 1 { apexes.len() } else { FIRST_JUMPS };
+    let shown = if all || apexes.len() <= FIRST_JUMPS + 1 {
+        apexes.len()
+    } else {
+        FIRST_JUMPS
+    };
     let height = |height| scale.show_with_unit(Dimension::Length, height);
     let (first, more) = apexes.split_at(shown);
     let mut lines: Vec<String> = first
@@ -20,11 +24,18 @@ pub(super) fn jumps(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Vec
         .map(|(time, highest)| {
             let time = scale.show(Dimension::Time, *time);
             let highest = height(*highest);
-            format!("rim at most {highest} above the plane, at {} = {time}", scale.sign(Quantity::Time))
+            format!(
+                "rim at most {highest} above the plane, at {} = {time}",
+                scale.sign(Quantity::Time)
+            )
         })
         .collect();
     if let Some(highest) = more.iter().map(|(_, highest)| *highest).reduce(f64::max) {
-        lines.push(format!("in {} more, at most {}", more.len(), height(highest)));
+        lines.push(format!(
+            "in {} more, at most {}",
+            more.len(),
+            height(highest)
+        ));
     }
     lines
 }
@@ -42,9 +53,16 @@ pub(super) fn landings(trajectory: &Trajectory, scale: Scale<'_>) -> Option<Stri
     let summary = trajectory.summary();
     let stays = || {
         let since = scale.show(Dimension::Time, summary.settle_time);
-        format!("; the rim stays at the plane from {} = {since} on", scale.sign(Quantity::Time))
+        format!(
+            "; the rim stays at the plane from {} = {since} on",
+            scale.sign(Quantity::Time)
+        )
     };
-    let stays = if summary.settle_time.is_nan() { String::new() } else { stays() };
+    let stays = if summary.settle_time.is_nan() {
+        String::new()
+    } else {
+        stays()
+    };
     Some(format!("{}{stays}", summary.landings))
 }
 
@@ -63,7 +81,18 @@ pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String
             format!("{} {change} in {place}", show(energy.abs()))
         })
     };
-    let law = if in_impacts < 0.0 { "impacts, as Newton's law allows" } else { "impacts" };
-    let parts: Vec<String> = part(in_sliding, "sliding").into_iter().chain(part(in_impacts, law)).collect();
-    Some(if parts.is_empty() { "none lost".to_owned() } else { parts.join(", ") })
+    let law = if in_impacts < 0.0 {
+        "impacts, as Newton's law allows"
+    } else {
+        "impacts"
+    };
+    let parts: Vec<String> = part(in_sliding, "sliding")
+        .into_iter()
+        .chain(part(in_impacts, law))
+        .collect();
+    Some(if parts.is_empty() {
+        "none lost".to_owned()
+    } else {
+        parts.join(", ")
+    })
 }

@@ -6,7 +6,8 @@ use littlewood::{State, Trajectory};
 use crate::number::brief;
 use crate::sheet::Sheet;
 
-/// Adds a table with a row for each transition and quantity, and the reasons for those that do not exist.
+/// Adds a table with a row for each transition and quantity, and the reasons for those that do not
+/// exist.
 pub(super) fn derivatives(sheet: &mut Sheet, trajectory: &Trajectory, derivatives: &Derivatives) {
     let mut reasons: Vec<NoDerivative> = Vec::new();
     let mut rows: Vec<Vec<String>> = Vec::new();
@@ -25,21 +26,45 @@ pub(super) fn derivatives(sheet: &mut Sheet, trajectory: &Trajectory, derivative
                 }
             };
             let [number, event] = place.clone();
-            rows.push([number, event, quantity.sign().to_owned()].into_iter().chain(numbers).collect());
+            rows.push(
+                [number, event, quantity.sign().to_owned()]
+                    .into_iter()
+                    .chain(numbers)
+                    .collect(),
+            );
         }
     };
     for (index, transition) in trajectory.transitions().iter().enumerate() {
         let each = &derivatives.transitions()[index];
-        let each = each.iter().map(|derivative| derivative.map(|numbers| numbers.after)).collect();
-        add([(index + 1).to_string(), transition.cause.label().to_owned()], each);
+        let each = each
+            .iter()
+            .map(|derivative| derivative.map(|numbers| numbers.after))
+            .collect();
+        add(
+            [(index + 1).to_string(), transition.cause.label().to_owned()],
+            each,
+        );
     }
     if trajectory.outcome().kind().last_event().is_none() {
-        let each = derivatives.outcome().iter().map(|derivative| derivative.map(|numbers| numbers.state));
-        add([String::new(), trajectory.outcome().kind().label().to_owned()], each.collect());
+        let each = derivatives
+            .outcome()
+            .iter()
+            .map(|derivative| derivative.map(|numbers| numbers.state));
+        add(
+            [
+                String::new(),
+                trajectory.outcome().kind().label().to_owned(),
+            ],
+            each.collect(),
+        );
     }
     super::states(sheet, "per", '∂', rows);
     sheet.note("derivatives of the time of each event, and of the state after it, along the event");
     for reason in reasons {
-        sheet.note(&format!("{}: {}", reason.name().replace('_', " "), reason.label()));
+        sheet.note(&format!(
+            "{}: {}",
+            reason.name().replace('_', " "),
+            reason.label()
+        ));
     }
 }

@@ -11,15 +11,27 @@ const MOST_DIGITS: u8 = 13;
 /// Lines at most.
 const MOST_LINES: usize = 12;
 
-/// Transitions of which some number has lost digits, at most so many, and the first that the start does not decide.
-pub(super) fn trusted(trajectory: &Trajectory, digits: &[Option<Digits>], scale: Scale<'_>) -> Vec<String> {
+/// Transitions of which some number has lost digits, at most so many, and the first that the start
+/// does not decide.
+pub(super) fn trusted(
+    trajectory: &Trajectory,
+    digits: &[Option<Digits>],
+    scale: Scale<'_>,
+) -> Vec<String> {
     let decided = digits.iter().take_while(|at| at.is_some()).count();
     let all = decided == digits.len();
     let at = |index: usize| {
-        trajectory.transitions().get(index).map_or_else(String::new, |it| {
-            let time = scale.show(Dimension::Time, it.time());
-            format!("{} at {} = {time}", it.cause.label(), scale.sign(Quantity::Time))
-        })
+        trajectory
+            .transitions()
+            .get(index)
+            .map_or_else(String::new, |it| {
+                let time = scale.show(Dimension::Time, it.time());
+                format!(
+                    "{} at {} = {time}",
+                    it.cause.label(),
+                    scale.sign(Quantity::Time)
+                )
+            })
     };
     let poor = digits.iter().enumerate().filter_map(|(index, digits)| {
         let digits = digits.filter(|digits| digits.least() < MOST_DIGITS)?;
@@ -30,7 +42,8 @@ pub(super) fn trusted(trajectory: &Trajectory, digits: &[Option<Digits>], scale:
             (Quantity::Slip, digits.slip),
             (Quantity::X, digits.x),
         ];
-        let numbers = numbers.map(|(quantity, digits)| format!("{} {digits}", scale.sign(quantity)));
+        let numbers =
+            numbers.map(|(quantity, digits)| format!("{} {digits}", scale.sign(quantity)));
         Some(format!("{}: {}", at(index), numbers.join("  ")))
     });
     let mut lines = Vec::from_iter(poor);
@@ -40,10 +53,15 @@ pub(super) fn trusted(trajectory: &Trajectory, digits: &[Option<Digits>], scale:
         lines.push(format!("… {hidden} more"));
     }
     if lines.is_empty() && decided > 0 {
-        lines.push(format!("at least {MOST_DIGITS} of every number of {decided} transitions"));
+        lines.push(format!(
+            "at least {MOST_DIGITS} of every number of {decided} transitions"
+        ));
     }
     if !all {
-        lines.push(format!("not decided by the last digits of the start from here on: {}", at(decided)));
+        lines.push(format!(
+            "not decided by the last digits of the start from here on: {}",
+            at(decided)
+        ));
     }
     lines
 }

@@ -1,4 +1,5 @@
-//! A motion as a page for a person: hoop and start, the table of the phases, how it ends, and what it has come to.
+//! A motion as a page for a person: hoop and start, the table of the phases, how it ends, and what
+//! it has come to.
 
 mod balance;
 mod derivatives;
@@ -23,7 +24,8 @@ use crate::{Instant, instants};
 const GAP: &str = "   ";
 const LINE: usize = 71;
 
-/// Smaller energies and slip velocities are rounding where an impact loses nothing, or nothing slips.
+/// Smaller energies and slip velocities are rounding where an impact loses nothing, or nothing
+/// slips.
 const ROUNDING: f64 = 1e-13;
 
 /// The columns of a table of samples.
@@ -54,7 +56,10 @@ pub struct Look<'a> {
 pub fn setup(sheet: &mut Sheet, hoop: &Hoop, subject: &Subject<'_>) {
     let scale = Scale::new(subject.units);
     sheet.fact("Hoop", hoop_lines(hoop, subject));
-    sheet.fact("Start", state_lines(&State::from(subject.start), subject.start.gap_rate, scale));
+    sheet.fact(
+        "Start",
+        state_lines(&State::from(subject.start), subject.start.gap_rate, scale),
+    );
 }
 
 /// The table of the phases of a motion; with `all`, a row for every bounce and phase.
@@ -73,7 +78,10 @@ pub fn motion(sheet: &mut Sheet, subject: &Subject<'_>, trajectory: &Trajectory,
     sheet.gap();
     sheet.fact("Outcome", outcome(trajectory, scale, look.advice));
     sheet.fact("Jump", balance::jumps(trajectory, scale, look.all));
-    sheet.fact("Landings", Vec::from_iter(balance::landings(trajectory, scale)));
+    sheet.fact(
+        "Landings",
+        Vec::from_iter(balance::landings(trajectory, scale)),
+    );
     sheet.fact("Energy", Vec::from_iter(balance::energy(trajectory, scale)));
     if let Some(digits) = subject.digits {
         sheet.fact("Digits", digits::trusted(trajectory, digits, scale));
@@ -108,11 +116,14 @@ fn hoop_lines(hoop: &Hoop, subject: &Subject<'_>) -> Vec<String> {
             Some(law) if quantity == Quantity::Restitution => format!("({law})"),
             Some(_) | None => quantity.unit_sign().to_owned(),
         };
-        format!("{} = {} {unit}", quantity.sign(), brief(value)).trim_end().to_owned()
+        format!("{} = {} {unit}", quantity.sign(), brief(value))
+            .trim_end()
+            .to_owned()
     };
     let setup = Setup::new(hoop.parameters(), Start::default());
-    let parameters =
-        Quantity::HOOP.into_iter().filter_map(|quantity| Some((quantity, setup.said(quantity)?)));
+    let parameters = Quantity::HOOP
+        .into_iter()
+        .filter_map(|quantity| Some((quantity, setup.said(quantity)?)));
     let mut lines = filled(parameters.map(item), GAP, LINE);
     if let Some(units) = subject.units {
         let si = SiSetup::new(&setup, units);
@@ -121,7 +132,12 @@ fn hoop_lines(hoop: &Hoop, subject: &Subject<'_>) -> Vec<String> {
             .filter(|quantity| quantity.is_si())
             .filter_map(|quantity| Some((quantity, si.get(quantity)?)));
         let second = Dimension::Time;
-        let time = format!("{} = {} {}", second.scale_sign(), brief(units.time_s), second.si_sign());
+        let time = format!(
+            "{} = {} {}",
+            second.scale_sign(),
+            brief(units.time_s),
+            second.si_sign()
+        );
         lines.extend(filled(measures.map(item).chain([time]), GAP, LINE));
     }
     lines
@@ -137,7 +153,10 @@ fn state_lines(state: &State, gap_rate: f64, scale: Scale<'_>) -> Vec<String> {
     let always = [
         item(Quantity::Time, scale.show(Dimension::Time, state.time)),
         scale.show_angle(state.theta),
-        item(Quantity::ThetaRate, scale.show(Dimension::AngularRate, state.theta_rate)),
+        item(
+            Quantity::ThetaRate,
+            scale.show(Dimension::AngularRate, state.theta_rate),
+        ),
         item(Quantity::Slip, velocity(state.slip)),
     ];
     filled(always.into_iter().chain(rate).chain(place), "  ", LINE)
@@ -148,11 +167,18 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>, advice: Option<&str>) -> V
     let outcome = trajectory.outcome();
     let mut lines = broken(&sentence::outcome(trajectory, scale));
     lines.extend(advice.map(str::to_owned));
-    let gap_rate = if let Outcome::Landing { gap_rate, .. } = outcome { gap_rate } else { 0.0 };
+    let gap_rate = if let Outcome::Landing { gap_rate, .. } = outcome {
+        gap_rate
+    } else {
+        0.0
+    };
     lines.extend(state_lines(&outcome.state(), gap_rate, scale));
     if outcome.kind().is_forever() && trajectory.end_time().is_finite() {
         let end = scale.show(Dimension::Time, trajectory.end_time());
-        lines.push(format!("followed until {} = {end}", scale.sign(Quantity::Time)));
+        lines.push(format!(
+            "followed until {} = {end}",
+            scale.sign(Quantity::Time)
+        ));
     }
     lines
 }
@@ -181,29 +207,51 @@ fn samples(sheet: &mut Sheet, trajectory: &Trajectory, sampling: Sampling, scale
     let cell = |at: &Instant, it: SampleColumn| match (it.of(&at.sample), it.dimension()) {
         (SampleValue::Real(value), Some(dimension)) => column(scale.value(dimension, value)),
         (SampleValue::Real(value), None) => column(value),
-        (SampleValue::Mode(_), _) => {
-            at.mode.map(|mode| mode.with_arrow(at.sample.direction)).unwrap_or_default()
-        }
-        (SampleValue::Direction(direction), _) => {
-            direction.map(|direction| direction.arrow().to_string()).unwrap_or_default()
-        }
+        (SampleValue::Mode(_), _) => at
+            .mode
+            .map(|mode| mode.with_arrow(at.sample.direction))
+            .unwrap_or_default(),
+        (SampleValue::Direction(direction), _) => direction
+            .map(|direction| direction.arrow().to_string())
+            .unwrap_or_default(),
     };
-    let rows = instants(trajectory, sampling).map(|at| COLUMNS.map(|it| cell(&at, it)).to_vec()).collect();
+    let rows = instants(trajectory, sampling)
+        .map(|at| COLUMNS.map(|it| cell(&at, it)).to_vec())
+        .collect();
     let numbers: Vec<usize> = (0..COLUMNS.len())
-        .filter(|index| COLUMNS.get(*index).is_some_and(|it| it.dimension().is_some()))
+        .filter(|index| {
+            COLUMNS
+                .get(*index)
+                .is_some_and(|it| it.dimension().is_some())
+        })
         .collect();
     sheet.table(headings.to_vec(), rows, &numbers);
 }
 
 fn notes(sheet: &mut Sheet, subject: &Subject<'_>, trajectory: &Trajectory) {
     let mut notes = Vec::new();
-    if trajectory.phases().iter().any(|phase| phase.direction().is_some()) {
+    if trajectory
+        .phases()
+        .iter()
+        .any(|phase| phase.direction().is_some())
+    {
         notes.push("← → direction of slip, the sign of η′".to_owned());
     }
-    if trajectory.transitions().iter().any(|transition| transition.impact.is_some()) {
-        notes.push("impacts and jams: the state just before; that just after is in the next row".to_owned());
+    if trajectory
+        .transitions()
+        .iter()
+        .any(|transition| transition.impact.is_some())
+    {
+        notes.push(
+            "impacts and jams: the state just before; that just after is in the next row"
+                .to_owned(),
+        );
     }
-    if trajectory.phases().iter().any(Phase::is_outside_small_inertia_limit) {
+    if trajectory
+        .phases()
+        .iter()
+        .any(Phase::is_outside_small_inertia_limit)
+    {
         notes.push(
             "* gliding as the paper has it (3.17), but not the limit of any slide as the inertia vanishes:"
                 .to_owned(),

@@ -38,7 +38,11 @@ pub(super) fn parts(trajectory: &Trajectory, fold: bool) -> Vec<Part<'_>> {
     let mut transitions = trajectory.transitions().iter().peekable();
     let mut together = 0..0;
     for (index, phase) in trajectory.phases().iter().enumerate() {
-        parts.extend(transitions.next_if(|next| next.from.is_none()).map(Part::Jam));
+        parts.extend(
+            transitions
+                .next_if(|next| next.from.is_none())
+                .map(Part::Jam),
+        );
         if trajectory.end_of(phase).is_some() {
             transitions.next();
         }

@@ -24,7 +24,10 @@ pub(super) fn phases(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Ta
     let header = [
         "#".to_owned(),
         "motion".to_owned(),
-        scale.heading(&format!("from {}", scale.sign(Quantity::Time)), Dimension::Time),
+        scale.heading(
+            &format!("from {}", scale.sign(Quantity::Time)),
+            Dimension::Time,
+        ),
         scale.heading("duration", Dimension::Time),
         of_state(Quantity::Theta),
         of_state(Quantity::ThetaRate),
@@ -33,19 +36,35 @@ pub(super) fn phases(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Ta
         "ends by".to_owned(),
     ];
     let parts = parts(trajectory, !all);
-    let hidden = if all { 0..0 } else { FIRST_PARTS..parts.len().saturating_sub(LAST_PARTS) };
+    let hidden = if all {
+        0..0
+    } else {
+        FIRST_PARTS..parts.len().saturating_sub(LAST_PARTS)
+    };
     let table = Rows { trajectory, scale };
     let mut rows = Vec::new();
     for (index, part) in parts.iter().enumerate() {
         if !hidden.contains(&index) {
             rows.extend(table.of(part));
         } else if index == hidden.start {
-            let more: usize = parts.get(hidden.clone()).unwrap_or_default().iter().map(Part::phases).sum();
+            let more: usize = parts
+                .get(hidden.clone())
+                .unwrap_or_default()
+                .iter()
+                .map(Part::phases)
+                .sum();
             let cells = vec!["…".to_owned(), format!("… {more} more")];
-            rows.push(Row { folds: Some(more), ..cells.into() });
+            rows.push(Row {
+                folds: Some(more),
+                ..cells.into()
+            });
         }
     }
-    Table { head: header.to_vec(), rows, numbers: NUMBERS.to_vec() }
+    Table {
+        head: header.to_vec(),
+        rows,
+        numbers: NUMBERS.to_vec(),
+    }
 }
 
 /// The mode of a phase, the direction of slip, and the mark of the footnote.
@@ -53,7 +72,11 @@ fn motion_of(phase: &Phase) -> String {
     if matches!(phase.solution(), PhaseSolution::Flight(flight) if flight.settles()) {
         return "bounces".to_owned();
     }
-    let mark = if phase.is_outside_small_inertia_limit() { "*" } else { "" };
+    let mark = if phase.is_outside_small_inertia_limit() {
+        "*"
+    } else {
+        ""
+    };
     format!("{}{mark}", phase.mode().with_arrow(phase.direction()))
 }
 
@@ -81,7 +104,10 @@ impl Rows<'_> {
                 let end = self.trajectory.end_of(phase);
                 // The impacts of bounces that settle are all in one row.
                 let settles = end.is_some_and(|end| end.cause == Cause::Settle);
-                let impacts = end.and_then(|end| end.impact).filter(|_| settles).map_or(0.0, |it| lost(&it));
+                let impacts = end
+                    .and_then(|end| end.impact)
+                    .filter(|_| settles)
+                    .map_or(0.0, |it| lost(&it));
                 let row = self.row(
                     Some(phase.mode()),
                     [(index + 1).to_string(), motion_of(phase)],
@@ -94,18 +120,32 @@ impl Rows<'_> {
                 [row].into_iter().chain(impact).collect()
             }
             Part::Bounces(range) => {
-                let phases = self.trajectory.phases().get(range.clone()).unwrap_or_default();
-                let (Some(first), Some(last)) = (phases.first(), phases.last()) else { return Vec::new() };
-                let impacts = phases.iter().filter_map(|phase| self.trajectory.end_of(phase)?.impact);
+                let phases = self
+                    .trajectory
+                    .phases()
+                    .get(range.clone())
+                    .unwrap_or_default();
+                let (Some(first), Some(last)) = (phases.first(), phases.last()) else {
+                    return Vec::new();
+                };
+                let impacts = phases
+                    .iter()
+                    .filter_map(|phase| self.trajectory.end_of(phase)?.impact);
                 let row = self.row(
                     Some(first.mode()),
-                    [format!("{}…", range.start + 1), format!("{} bounces", range.len())],
+                    [
+                        format!("{}…", range.start + 1),
+                        format!("{} bounces", range.len()),
+                    ],
                     &first.start(),
                     last.end_time() - first.start().time,
                     impacts.map(|impact| lost(&impact)).sum(),
                     self.ends_by(last),
                 );
-                vec![Row { folds: Some(range.len()), ..row }]
+                vec![Row {
+                    folds: Some(range.len()),
+                    ..row
+                }]
             }
         }
     }
@@ -121,10 +161,24 @@ impl Rows<'_> {
     /// An impact, with the state before it: that after it is in the next row.
     fn impact(&self, transition: &Transition) -> Option<Row> {
         let impact = transition.impact?;
-        let name = if transition.cause == Cause::Jam { "jam" } else { "impact" };
+        let name = if transition.cause == Cause::Jam {
+            "jam"
+        } else {
+            "impact"
+        };
         let labels = [String::new(), name.to_owned()];
-        let before = State { slip: rounded(transition.before.slip), ..transition.before };
-        let mut row = self.row(None, labels, &before, 0.0, lost(&impact), impact.case.label());
+        let before = State {
+            slip: rounded(transition.before.slip),
+            ..transition.before
+        };
+        let mut row = self.row(
+            None,
+            labels,
+            &before,
+            0.0,
+            lost(&impact),
+            impact.case.label(),
+        );
         if let Some(duration) = row.cells.get_mut(3) {
             duration.clear();
         }
@@ -152,6 +206,11 @@ impl Rows<'_> {
             column(scale.value(Dimension::Energy, lost)),
             ends_by.to_owned(),
         ];
-        Row { mode, time: Some(state.time), folds: None, cells }
+        Row {
+            mode,
+            time: Some(state.time),
+            folds: None,
+            cells,
+        }
     }
 }

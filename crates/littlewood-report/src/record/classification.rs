@@ -49,7 +49,9 @@ impl From<&Classification> for ClassificationRecord {
             contact: found.contact,
             rolling_type: found.rolling_type.map(RollingType::name),
             rolling_end: found.rolling_end.map(rolling_end),
-            rolls_forever: found.recurrence.map(|recurrence| Fields::of_details(recurrence.details())),
+            rolls_forever: found
+                .recurrence
+                .map(|recurrence| Fields::of_details(recurrence.details())),
             reverse_chatter: found.reverse_chatter,
             candidates: found.candidates.map(CandidatesRecord::from),
         }
@@ -70,7 +72,9 @@ impl From<Candidates> for CandidatesRecord {
             consistent: candidates
                 .consistent()
                 .map(|(mode, direction)| {
-                    [("mode", Some(mode).into()), ("direction", direction.into())].into_iter().collect()
+                    [("mode", Some(mode).into()), ("direction", direction.into())]
+                        .into_iter()
+                        .collect()
                 })
                 .collect(),
             details: Fields::of_details(candidates.details()),

@@ -74,7 +74,10 @@ impl Fields {
 
     /// Named details, as they are.
     pub(crate) fn of_details(details: impl IntoIterator<Item = (&'static str, Detail)>) -> Self {
-        details.into_iter().map(|(name, detail)| (name, Value::from(detail))).collect()
+        details
+            .into_iter()
+            .map(|(name, detail)| (name, Value::from(detail)))
+            .collect()
     }
 
     /// Those of the details that are other numbers in SI units, in these units.
@@ -85,10 +88,14 @@ impl Fields {
         details
             .into_iter()
             .filter_map(|(name, detail)| match detail {
-                Detail::Real(value, dimension) if dimension.halves() != Dimension::Ratio.halves() => Some((
-                    format!("{name}{}", dimension.si_suffix()),
-                    Value::Real(units.to_si(dimension, value)),
-                )),
+                Detail::Real(value, dimension)
+                    if dimension.halves() != Dimension::Ratio.halves() =>
+                {
+                    Some((
+                        format!("{name}{}", dimension.si_suffix()),
+                        Value::Real(units.to_si(dimension, value)),
+                    ))
+                }
                 Detail::Real(..) | Detail::Count(_) | Detail::Word(_) => None,
             })
             .collect()
@@ -97,7 +104,12 @@ impl Fields {
 
 impl<N: Into<Cow<'static, str>>> FromIterator<(N, Value)> for Fields {
     fn from_iter<I: IntoIterator<Item = (N, Value)>>(fields: I) -> Self {
-        Self(fields.into_iter().map(|(name, value)| (name.into(), value)).collect())
+        Self(
+            fields
+                .into_iter()
+                .map(|(name, value)| (name.into(), value))
+                .collect(),
+        )
     }
 }
 

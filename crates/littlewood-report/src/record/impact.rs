@@ -11,12 +11,17 @@ use super::fields::{Fields, Value};
 type Number = (&'static str, Dimension, fn(&Impact) -> f64);
 
 const NUMBERS: [Number; 3] = [
-    ("normal_impulse", Dimension::Impulse, |impact| impact.impulse.normal),
-    ("friction_impulse", Dimension::Impulse, |impact| impact.impulse.friction),
+    ("normal_impulse", Dimension::Impulse, |impact| {
+        impact.impulse.normal
+    }),
+    ("friction_impulse", Dimension::Impulse, |impact| {
+        impact.impulse.friction
+    }),
     ("energy_lost", Dimension::Energy, Impact::energy_lost),
 ];
 
-/// An impact: its case, the impulse of the plane, the energy lost, the velocities before, and the rate of the gap after.
+/// An impact: its case, the impulse of the plane, the energy lost, the velocities before, and the
+/// rate of the gap after.
 #[derive(Debug, Serialize)]
 pub(crate) struct ImpactRecord {
     #[serde(flatten)]
@@ -30,7 +35,10 @@ impl ImpactRecord {
     pub(crate) fn new(impact: &Impact) -> Self {
         let case = [("case", Value::Word(Some(impact.case.name())))];
         Self {
-            whole: case.into_iter().collect::<Fields>().followed_by(Fields::of_details(whole(impact))),
+            whole: case
+                .into_iter()
+                .collect::<Fields>()
+                .followed_by(Fields::of_details(whole(impact))),
             before: Fields::of_details(before(impact)),
             after: Fields::of_details(after(impact)),
         }
@@ -51,14 +59,26 @@ fn whole(impact: &Impact) -> [(&'static str, Detail); NUMBERS.len()] {
 
 fn before(impact: &Impact) -> [(&'static str, Detail); 3] {
     [
-        (SampleColumn::ThetaRate.name(), Detail::Real(impact.before.theta_rate, Dimension::AngularRate)),
-        (SampleColumn::Slip.name(), Detail::Real(impact.before.slip, Dimension::Velocity)),
-        (SampleColumn::GapRate.name(), Detail::Real(impact.before.gap_rate, Dimension::Velocity)),
+        (
+            SampleColumn::ThetaRate.name(),
+            Detail::Real(impact.before.theta_rate, Dimension::AngularRate),
+        ),
+        (
+            SampleColumn::Slip.name(),
+            Detail::Real(impact.before.slip, Dimension::Velocity),
+        ),
+        (
+            SampleColumn::GapRate.name(),
+            Detail::Real(impact.before.gap_rate, Dimension::Velocity),
+        ),
     ]
 }
 
 fn after(impact: &Impact) -> [(&'static str, Detail); 1] {
-    [(SampleColumn::GapRate.name(), Detail::Real(impact.after.gap_rate, Dimension::Velocity))]
+    [(
+        SampleColumn::GapRate.name(),
+        Detail::Real(impact.after.gap_rate, Dimension::Velocity),
+    )]
 }
 
 /// The rate of the gap and the impact as columns, empty where there is no impact.
@@ -66,7 +86,10 @@ pub(crate) fn jump(gap_rate: f64, side: Option<&'static str>, impact: Option<&Im
     let first = [
         (SampleColumn::GapRate.name(), Value::Real(gap_rate)),
         ("side", Value::Word(side)),
-        ("impact", Value::Word(impact.map(|impact| impact.case.name()))),
+        (
+            "impact",
+            Value::Word(impact.map(|impact| impact.case.name())),
+        ),
     ];
     let numbers = NUMBERS.map(|(name, _, of)| (name, number(impact.map(of))));
     first.into_iter().chain(numbers).collect()
@@ -74,7 +97,11 @@ pub(crate) fn jump(gap_rate: f64, side: Option<&'static str>, impact: Option<&Im
 
 /// The same in SI units.
 pub(crate) fn si_jump(units: &Units, gap_rate: f64, impact: Option<&Impact>) -> Fields {
-    let first = (SampleColumn::GapRate.name(), Dimension::Velocity, Some(gap_rate));
+    let first = (
+        SampleColumn::GapRate.name(),
+        Dimension::Velocity,
+        Some(gap_rate),
+    );
     let numbers = NUMBERS.map(|(name, dimension, of)| (name, dimension, impact.map(of)));
     [first]
         .into_iter()

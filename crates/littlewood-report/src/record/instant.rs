@@ -10,8 +10,12 @@ use super::fields::{Fields, Value};
 use crate::instants::Instant;
 
 /// The names of the columns in SI units; none for a code.
-static SI_NAMES: LazyLock<Vec<Option<String>>> =
-    LazyLock::new(|| SampleColumn::ALL.into_iter().map(SampleColumn::si_name).collect());
+static SI_NAMES: LazyLock<Vec<Option<String>>> = LazyLock::new(|| {
+    SampleColumn::ALL
+        .into_iter()
+        .map(SampleColumn::si_name)
+        .collect()
+});
 
 impl From<SampleValue> for Value {
     fn from(value: SampleValue) -> Self {
@@ -25,12 +29,16 @@ impl From<SampleValue> for Value {
 
 pub(crate) fn state(state: &State) -> Fields {
     let columns = State::COLUMNS.into_iter().zip(state.numbers());
-    columns.map(|(column, value)| (column.name(), Value::Real(value))).collect()
+    columns
+        .map(|(column, value)| (column.name(), Value::Real(value)))
+        .collect()
 }
 
 pub(crate) fn si_state(units: &Units, state: &State) -> Fields {
     let columns = State::COLUMNS.into_iter().zip(state.numbers());
-    columns.filter_map(|(column, value)| in_si(units, column, value)).collect()
+    columns
+        .filter_map(|(column, value)| in_si(units, column, value))
+        .collect()
 }
 
 pub(crate) fn sample(instant: &Instant) -> Fields {
@@ -38,7 +46,10 @@ pub(crate) fn sample(instant: &Instant) -> Fields {
         SampleValue::Mode(_) => instant.mode.into(),
         value @ (SampleValue::Direction(_) | SampleValue::Real(_)) => value.into(),
     };
-    SampleColumn::ALL.into_iter().map(|column| (column.name(), value(column))).collect()
+    SampleColumn::ALL
+        .into_iter()
+        .map(|column| (column.name(), value(column)))
+        .collect()
 }
 
 /// An instant of a motion in SI units, without what has none.

@@ -1,5 +1,5 @@
-//! The records that programs read, with the names of the core's tables. A number that is not finite becomes `null` in
-//! JSON.
+//! The records that programs read, with the names of the core's tables. A number that is not finite
+//! becomes `null` in JSON.
 
 mod classification;
 mod derivatives;

@@ -24,9 +24,15 @@ pub(crate) struct OutcomeRecord {
 }
 
 impl OutcomeRecord {
-    pub(crate) fn new(outcome: &Outcome, units: Option<&Units>, derivatives: Option<&Derivatives>) -> Self {
+    pub(crate) fn new(
+        outcome: &Outcome,
+        units: Option<&Units>,
+        derivatives: Option<&Derivatives>,
+    ) -> Self {
         let end = outcome.state();
-        let si = |units| si_state(units, &end).followed_by(Fields::of_si_details(units, outcome.details()));
+        let si = |units| {
+            si_state(units, &end).followed_by(Fields::of_si_details(units, outcome.details()))
+        };
         Self {
             kind: outcome.kind().name(),
             fields: state(&end).followed_by(Fields::of_details(outcome.details())),

@@ -29,8 +29,12 @@ fn numbers(
 
 /// The law of restitution, wherever there is restitution: also where e was given alone.
 fn law(hoop: &HoopParameters) -> Fields {
-    let law = hoop.restitution.map(|_| hoop.restitution_law.unwrap_or_default());
-    law.map(|law| (RESTITUTION_LAW, Value::Word(Some(law.name())))).into_iter().collect()
+    let law = hoop
+        .restitution
+        .map(|_| hoop.restitution_law.unwrap_or_default());
+    law.map(|law| (RESTITUTION_LAW, Value::Word(Some(law.name()))))
+        .into_iter()
+        .collect()
 }
 
 fn start(start: Start) -> Fields {
@@ -40,8 +44,9 @@ fn start(start: Start) -> Fields {
 
 fn si_start(units: &Units, start: Start) -> Fields {
     let si = SiSetup::new(&Setup::new(HoopParameters::default(), start), units);
-    si_state(units, &start.into())
-        .followed_by(numbers([Quantity::GapRateMPerS], |quantity| si.said(quantity)))
+    si_state(units, &start.into()).followed_by(numbers([Quantity::GapRateMPerS], |quantity| {
+        si.said(quantity)
+    }))
 }
 
 /// A start with the motion that begins there.
@@ -74,9 +79,13 @@ impl StartRecord {
     }
 }
 
-/// The mode and the direction of slip with which a motion begins. Where the start jams, none begins before the impact.
+/// The mode and the direction of slip with which a motion begins. Where the start jams, none begins
+/// before the impact.
 pub(crate) fn opening(trajectory: &Trajectory) -> (Option<Mode>, Option<Direction>) {
-    let jams = trajectory.transitions().first().is_some_and(|first| first.from.is_none());
+    let jams = trajectory
+        .transitions()
+        .first()
+        .is_some_and(|first| first.from.is_none());
     let first = trajectory.phases().first().filter(|_| !jams);
     (first.map(Phase::mode), first.and_then(Phase::direction))
 }
@@ -109,7 +118,10 @@ impl SiRecord {
     ) -> Self {
         let si = SiSetup::new(&Setup::new(hoop, Start::default()), units);
         let unit = |(name, dimension): (&str, Dimension)| {
-            (format!("{name}{}", dimension.si_suffix()), Value::Real(units.unit(dimension)))
+            (
+                format!("{name}{}", dimension.si_suffix()),
+                Value::Real(units.unit(dimension)),
+            )
         };
         Self {
             hoop: numbers(Quantity::SI_HOOP, |quantity| si.get(quantity)).followed_by(law(&hoop)),
@@ -130,7 +142,18 @@ pub(crate) struct CaseRecord {
 
 impl From<&NamedCase> for CaseRecord {
     fn from(case: &NamedCase) -> Self {
-        let NamedCase { name, title, source, setup } = *case;
-        Self { name, title, source, hoop: hoop(setup.hoop), start: start(setup.start) }
+        let NamedCase {
+            name,
+            title,
+            source,
+            setup,
+        } = *case;
+        Self {
+            name,
+            title,
+            source,
+            hoop: hoop(setup.hoop),
+            start: start(setup.start),
+        }
     }
 }

@@ -19,17 +19,28 @@ pub(crate) fn edge(
     direction: Option<Direction>,
     cause: Option<&'static str>,
 ) -> Fields {
-    [("from", from.into()), ("to", to.into()), ("direction", direction.into()), ("cause", Value::Word(cause))]
-        .into_iter()
-        .collect()
+    [
+        ("from", from.into()),
+        ("to", to.into()),
+        ("direction", direction.into()),
+        ("cause", Value::Word(cause)),
+    ]
+    .into_iter()
+    .collect()
 }
 
 /// The edge that a transition takes.
 pub(crate) fn edge_of(transition: &Transition) -> Fields {
-    edge(transition.from, transition.to, transition.direction, Some(transition.cause.name()))
+    edge(
+        transition.from,
+        transition.to,
+        transition.direction,
+        Some(transition.cause.name()),
+    )
 }
 
-/// A transition. The state is that just after it; where the velocities jump, the impact has those before.
+/// A transition. The state is that just after it; where the velocities jump, the impact has those
+/// before.
 #[derive(Debug, Serialize)]
 pub(crate) struct TransitionRecord {
     #[serde(flatten)]
@@ -78,11 +89,20 @@ impl TransitionRecord {
     /// The jam that follows a start, of which the rest is told elsewhere.
     pub(crate) fn of_jam(impact: &Impact, units: Option<&Units>) -> Self {
         let after = [
-            (SampleColumn::ThetaRate.name(), Detail::Real(impact.after.theta_rate, Dimension::AngularRate)),
-            (SampleColumn::Slip.name(), Detail::Real(impact.after.slip, Dimension::Velocity)),
+            (
+                SampleColumn::ThetaRate.name(),
+                Detail::Real(impact.after.theta_rate, Dimension::AngularRate),
+            ),
+            (
+                SampleColumn::Slip.name(),
+                Detail::Real(impact.after.slip, Dimension::Velocity),
+            ),
         ];
         Self {
-            plain: JumpRecord { after: Fields::of_details(after), impact: Some(ImpactRecord::new(impact)) },
+            plain: JumpRecord {
+                after: Fields::of_details(after),
+                impact: Some(ImpactRecord::new(impact)),
+            },
             si: units.map(|units| JumpRecord {
                 after: Fields::of_si_details(units, after),
                 impact: Some(ImpactRecord::in_si(units, impact)),
@@ -93,12 +113,16 @@ impl TransitionRecord {
     }
 }
 
-/// The estimates with the numbers that they belong to; none where the start does not decide what happens.
+/// The estimates with the numbers that they belong to; none where the start does not decide what
+/// happens.
 fn named(digits: Option<&Digits>) -> [(SampleColumn, Option<u8>); 5] {
     [
         (SampleColumn::Time, digits.map(|digits| digits.time)),
         (SampleColumn::Theta, digits.map(|digits| digits.theta)),
-        (SampleColumn::ThetaRate, digits.map(|digits| digits.theta_rate)),
+        (
+            SampleColumn::ThetaRate,
+            digits.map(|digits| digits.theta_rate),
+        ),
         (SampleColumn::Slip, digits.map(|digits| digits.slip)),
         (SampleColumn::X, digits.map(|digits| digits.x)),
     ]
@@ -108,7 +132,12 @@ fn named(digits: Option<&Digits>) -> [(SampleColumn, Option<u8>); 5] {
 fn object(digits: &Digits) -> Fields {
     named(Some(digits))
         .into_iter()
-        .map(|(column, digits)| (column.name(), Value::Count(usize::from(digits.unwrap_or(0)))))
+        .map(|(column, digits)| {
+            (
+                column.name(),
+                Value::Count(usize::from(digits.unwrap_or(0))),
+            )
+        })
         .collect()
 }
 

@@ -15,7 +15,8 @@ pub(crate) struct UncertaintyRecord {
     outcome: Option<SpreadRecord>,
 }
 
-/// The standard errors of a state. They are `null` where a derivative does not exist, or where fewer than two motions of the sample get there.
+/// The standard errors of a state. They are `null` where a derivative does not exist, or where
+/// fewer than two motions of the sample get there.
 #[derive(Debug, Serialize)]
 struct SpreadRecord {
     first_order: Option<Fields>,
@@ -30,7 +31,10 @@ impl UncertaintyRecord {
             sample: spread.sample.as_ref().map(state),
             motions: spread.motions,
         };
-        let given = uncertainty.given.iter().map(|(quantity, error)| (quantity.name(), Value::Real(*error)));
+        let given = uncertainty
+            .given
+            .iter()
+            .map(|(quantity, error)| (quantity.name(), Value::Real(*error)));
         let mut transitions: Vec<SpreadRecord> = uncertainty.spreads.iter().map(record).collect();
         let outcome = transitions.pop();
         Self {

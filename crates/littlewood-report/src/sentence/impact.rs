@@ -12,8 +12,9 @@ use crate::scale::Scale;
 /// Smaller parts of an energy are rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Rounding of the slip in a flight, beside θ′ and the rate of the gap: it is a sum of four terms, none of which is more than twice these,
-/// and each bounce passes on what those before it have left.
+/// Rounding of the slip in a flight, beside θ′ and the rate of the gap: it is a sum of four terms,
+/// none of which is more than twice these, and each bounce passes on what those before it have
+/// left.
 const SLIP_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A landing with an impact.
@@ -23,7 +24,10 @@ pub(super) fn landing(
     impact: &Impact,
     scale: Scale<'_>,
 ) -> String {
-    format!("Lands: {}.", whole(course(impact, index), hoop, event, impact, scale))
+    format!(
+        "Lands: {}.",
+        whole(course(impact, index), hoop, event, impact, scale)
+    )
 }
 
 /// An impact without a collision.
@@ -32,7 +36,8 @@ pub(super) fn jam(hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale
         None => "no motion is consistent here",
         Some(_) => "the slide has reached P = 0",
     };
-    let course = format!("{why}, and the plane ends the slip in an impact without a collision (Painlevé)");
+    let course =
+        format!("{why}, and the plane ends the slip in an impact without a collision (Painlevé)");
     format!("Jams: {}.", whole(course, hoop, event, impact, scale))
 }
 
@@ -50,11 +55,22 @@ pub(super) fn settling(
         1 => "after a bounce and infinitely many smaller ones".to_owned(),
         _ => format!("after {bounces} bounces and infinitely many smaller ones"),
     };
-    format!("Settles: {after}, the rim stays at the plane{}.", then(event, scale))
+    format!(
+        "Settles: {after}, the rim stays at the plane{}.",
+        then(event, scale)
+    )
 }
 
-fn whole(course: String, hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale<'_>) -> String {
-    let loss = loss(hoop, event.before.theta, impact).map(|loss| format!("; {loss}")).unwrap_or_default();
+fn whole(
+    course: String,
+    hoop: &Hoop,
+    event: &Transition,
+    impact: &Impact,
+    scale: Scale<'_>,
+) -> String {
+    let loss = loss(hoop, event.before.theta, impact)
+        .map(|loss| format!("; {loss}"))
+        .unwrap_or_default();
     format!("{course}{loss}{}", then(event, scale))
 }
 
@@ -65,13 +81,17 @@ fn course(impact: &Impact, index: usize) -> String {
     match impact.case {
         ImpactCase::None => "touches the plane without an impulse",
         ImpactCase::Slides => "slips throughout",
-        ImpactCase::SticksInCompression if slips => "slips, then sticks while it is pressed to the plane",
+        ImpactCase::SticksInCompression if slips => {
+            "slips, then sticks while it is pressed to the plane"
+        }
         ImpactCase::SticksInRestitution if slips => "slips, then sticks while it springs back",
         ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution => "sticks throughout",
         ImpactCase::ReversesInCompression if slips => {
             "slips, then slips the other way while it is pressed to the plane"
         }
-        ImpactCase::ReversesInRestitution if slips => "slips, then slips the other way while it springs back",
+        ImpactCase::ReversesInRestitution if slips => {
+            "slips, then slips the other way while it springs back"
+        }
         ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
             "begins to slip while it is pressed to the plane"
         }
@@ -92,7 +112,10 @@ fn loss(hoop: &Hoop, theta: f64, impact: &Impact) -> Option<String> {
             percent(-share)
         )
     } else {
-        format!("{} of its kinetic energy before the impact is lost", percent(share))
+        format!(
+            "{} of its kinetic energy before the impact is lost",
+            percent(share)
+        )
     })
 }
 
@@ -101,7 +124,9 @@ fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     let digits = match percent {
         it if it < 0.01 => return "less than 0.01 %".to_owned(),
-        it if it < 9.95 => format!("{percent:.1e}").parse().map_or_else(|_| brief(percent), brief),
+        it if it < 9.95 => format!("{percent:.1e}")
+            .parse()
+            .map_or_else(|_| brief(percent), brief),
         it if it < 99.0 => format!("{percent:.0}"),
         _ => format!("{percent:.1}"),
     };

@@ -15,8 +15,8 @@ use crate::scale::Scale;
 /// Why the motion of a massless hoop ends at the plane.
 const NO_IMPACT: &str = "the model ends here. A rim without mass cannot be struck";
 
-/// A demand for friction that is rounding: an angle up to 2π is rounded by two units of ε, and F, which is of the size of its sine
-/// beside the weight, by two more.
+/// A demand for friction that is rounding: an angle up to 2π is rounded by two units of ε, and F,
+/// which is of the size of its sine beside the weight, by two more.
 const FRICTIONLESS: f64 = 4.0 * f64::EPSILON;
 
 /// Where the laws have no motion, or several.
@@ -27,7 +27,11 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let state = trajectory.start();
     let forces = RollingLaw::new(trajectory.hoop()).forces(state.theta, state.theta_rate);
     let mu_s = trajectory.hoop().mu_s();
-    if trajectory.transitions().first().is_some_and(|first| first.from.is_none()) {
+    if trajectory
+        .transitions()
+        .first()
+        .is_some_and(|first| first.from.is_none())
+    {
         return "Jams at once: no motion is consistent with the start (Painlevé).".to_owned();
     }
     let Some(phase) = trajectory.phases().first() else {
@@ -49,13 +53,18 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         }
         Mode::Sliding => format!("Slips: {}.", gives_way(&forces, mu_s)),
         Mode::Gliding if state.slip != 0.0 => {
-            "Glides: a hoop without inertia feels no force from the plane while it slips.".to_owned()
+            "Glides: a hoop without inertia feels no force from the plane while it slips."
+                .to_owned()
         }
         Mode::Gliding => {
-            format!("Slips, and glides without any force from the plane: {}.", gives_way(&forces, mu_s))
+            format!(
+                "Slips, and glides without any force from the plane: {}.",
+                gives_way(&forces, mu_s)
+            )
         }
         Mode::Flight => {
-            "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > 1.".to_owned()
+            "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > 1."
+                .to_owned()
         }
     }
 }
@@ -64,11 +73,15 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
     let hoop = trajectory.hoop();
-    let forces = RollingLaw::new(trajectory.hoop()).forces(event.before.theta, event.before.theta_rate);
+    let forces =
+        RollingLaw::new(trajectory.hoop()).forces(event.before.theta, event.before.theta_rate);
     let mu_s = trajectory.hoop().mu_s();
     Some(match event.cause {
         Cause::Slip => slip(event, mu_s),
-        Cause::Stick => format!("Sticks and rolls: the slip has died away, and {}.", holds(&forces, mu_s)),
+        Cause::Stick => format!(
+            "Sticks and rolls: the slip has died away, and {}.",
+            holds(&forces, mu_s)
+        ),
         Cause::Reversal if event.from == Some(Mode::Gliding) => {
             "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
         }
@@ -80,8 +93,13 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
             "Glides: the normal force has vanished before friction gave way.".to_owned()
         }
         Cause::LiftOff => {
-            let rise = -trajectory.hoop().h() * libm::sin(event.before.theta) * event.before.theta_rate;
-            let rises = if hoop.slope() == 0.0 { "rises" } else { "rises from the plane" };
+            let rise =
+                -trajectory.hoop().h() * libm::sin(event.before.theta) * event.before.theta_rate;
+            let rises = if hoop.slope() == 0.0 {
+                "rises"
+            } else {
+                "rises from the plane"
+            };
             format!(
                 "Jumps. The ground no longer pushes (N = 0), and the mass centre still {rises} at {}.",
                 scale.show_with_unit(Dimension::Velocity, three(rise))
@@ -107,7 +125,8 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
             None => "Jams.".to_owned(),
         },
         Cause::Singularity => {
-            "The slide jams: beyond P = 0 no sliding motion presses on the plane (Painlevé).".to_owned()
+            "The slide jams: beyond P = 0 no sliding motion presses on the plane (Painlevé)."
+                .to_owned()
         }
     })
 }
@@ -123,43 +142,71 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             )
         }
         Outcome::SlidesForever { recurrence, .. } => {
-            format!("Slides for ever without friction, {}.", returns(&recurrence, scale))
+            format!(
+                "Slides for ever without friction, {}.",
+                returns(&recurrence, scale)
+            )
         }
-        Outcome::SlipsForever { orbit, slips_to_halve, .. } => format!(
+        Outcome::SlipsForever {
+            orbit,
+            slips_to_halve,
+            ..
+        } => format!(
             "Slips for ever, with decaying amplitude: towards the orbit that grazes the static limit at θ = ±{}, {}; \
              the distance from it halves in about {slips_to_halve:.0} slips.",
             brief(orbit.theta),
             returns(&orbit.recurrence, scale)
         ),
-        Outcome::RepeatsForever { period, theta_gained, transitions, .. } => format!(
+        Outcome::RepeatsForever {
+            period,
+            theta_gained,
+            transitions,
+            ..
+        } => format!(
             "Repeats itself for ever, with the period {}, {transitions} transitions and {:.0} turns: no energy is lost.",
             scale.show_with_unit(Dimension::Time, period),
             (theta_gained / TAU).abs(),
         ),
         Outcome::StaysInContact { .. } => {
-            "Stays in contact for ever: energy and momentum do not suffice for a lift-off.".to_owned()
+            "Stays in contact for ever: energy and momentum do not suffice for a lift-off."
+                .to_owned()
         }
         Outcome::TimeLimit { .. } => "The time limit ends the motion here.".to_owned(),
         Outcome::TransitionLimit { transitions, .. } => {
-            let bounces = trajectory.transitions().last().is_some_and(Transition::is_bounce);
-            let endless =
-                if bounces { "bounces may never end" } else { "slips may continue with decaying amplitude" };
+            let bounces = trajectory
+                .transitions()
+                .last()
+                .is_some_and(Transition::is_bounce);
+            let endless = if bounces {
+                "bounces may never end"
+            } else {
+                "slips may continue with decaying amplitude"
+            };
             format!("Stopped after {transitions} transitions: {endless}.")
         }
         Outcome::Inconsistent { candidates, .. } => {
-            format!("{NO_ANSWER}: no motion is consistent; {}.", examined(&candidates).join("; "))
+            format!(
+                "{NO_ANSWER}: no motion is consistent; {}.",
+                examined(&candidates).join("; ")
+            )
         }
         Outcome::Ambiguous { candidates, .. } => {
             let [rolling, sliding] = examined(&candidates);
             let found = consistent(&candidates, ", ");
             format!("{NO_ANSWER}: several motions are consistent, {found}; {rolling}; {sliding}.")
         }
-        Outcome::StepLimit { limit: SlideLimit::All { slides }, .. } => {
+        Outcome::StepLimit {
+            limit: SlideLimit::All { slides },
+            ..
+        } => {
             format!(
                 "Stopped after slides of total length {slides}: slips may continue with decaying amplitude."
             )
         }
-        Outcome::StepLimit { limit: SlideLimit::One { steps, time_left }, .. } => format!(
+        Outcome::StepLimit {
+            limit: SlideLimit::One { steps, time_left },
+            ..
+        } => format!(
             "Stopped after {steps} steps of a slide: at its pace it would stick after another {}.",
             scale.show_with_unit(Dimension::Time, three(time_left))
         ),
@@ -182,13 +229,21 @@ fn holds(forces: &ContactForces, mu_s: f64) -> String {
     if forces.demand() < FRICTIONLESS {
         return "no friction is needed here".to_owned();
     }
-    format!("rolling needs a friction coefficient of {}; there is {}", demand(forces), brief(mu_s))
+    format!(
+        "rolling needs a friction coefficient of {}; there is {}",
+        demand(forces),
+        brief(mu_s)
+    )
 }
 
 /// Static friction does not suffice.
 fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
     if forces.normal > 0.0 {
-        format!("rolling would need a friction coefficient of {}; there is {}", demand(forces), brief(mu_s))
+        format!(
+            "rolling would need a friction coefficient of {}; there is {}",
+            demand(forces),
+            brief(mu_s)
+        )
     } else {
         "to roll, the ground would have to pull it down, and it can only push".to_owned()
     }
@@ -200,7 +255,10 @@ fn demand(forces: &ContactForces) -> String {
 }
 
 fn slip(event: &Transition, mu_s: f64) -> String {
-    let beyond = format!("it needs more friction than the ground has (μₛ = {})", brief(mu_s));
+    let beyond = format!(
+        "it needs more friction than the ground has (μₛ = {})",
+        brief(mu_s)
+    );
     if event.to == Some(Mode::Gliding) {
         format!("Slips and glides: {beyond}; without inertia a slip bears no force.")
     } else {
@@ -208,12 +266,25 @@ fn slip(event: &Transition, mu_s: f64) -> String {
     }
 }
 
-/// The phase that a transition ends. Every transition but a few jams ends one, so that it is not far from the same index.
+/// The phase that a transition ends. Every transition but a few jams ends one, so that it is not
+/// far from the same index.
 fn ended_by(trajectory: &Trajectory, index: usize) -> Option<&Phase> {
-    let event = trajectory.transitions().get(index).filter(|event| event.from.is_some())?;
-    let is_end = |phase: &&Phase| trajectory.end_of(phase).is_some_and(|end| core::ptr::eq(end, event));
+    let event = trajectory
+        .transitions()
+        .get(index)
+        .filter(|event| event.from.is_some())?;
+    let is_end = |phase: &&Phase| {
+        trajectory
+            .end_of(phase)
+            .is_some_and(|end| core::ptr::eq(end, event))
+    };
     let phases = trajectory.phases();
-    phases.get(..=index).unwrap_or(phases).iter().rev().find(is_end)
+    phases
+        .get(..=index)
+        .unwrap_or(phases)
+        .iter()
+        .rev()
+        .find(is_end)
 }
 
 /// A landing that ends the motion.
@@ -224,7 +295,11 @@ fn landing(flight: Option<&Phase>, scale: Scale<'_>) -> String {
         return "Lands.".to_owned();
     };
     let start = phase.start();
-    let direction = if end.x < start.x { "to the left" } else { "to the right" };
+    let direction = if end.x < start.x {
+        "to the left"
+    } else {
+        "to the right"
+    };
     format!(
         "Lands {} {direction} after {} in the air, at most {} above the plane.",
         scale.show_with_unit(Dimension::Length, three((end.x - start.x).abs())),
@@ -238,7 +313,11 @@ pub fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
     let show = |period| scale.show_with_unit(Dimension::Time, period);
     match *recurrence {
         Recurrence::Rest => "at rest in equilibrium".to_owned(),
-        Recurrence::Libration { period, theta_min, theta_max } => format!(
+        Recurrence::Libration {
+            period,
+            theta_min,
+            theta_max,
+        } => format!(
             "back and forth between θ = {} and {} with the period {}",
             brief(theta_min),
             brief(theta_max),
@@ -250,15 +329,20 @@ pub fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
             scale.show_with_unit(Dimension::Acceleration, acceleration)
         ),
         Recurrence::Asymptotic { theta } => {
-            format!("towards the unstable equilibrium θ = {}, never reached", brief(theta))
+            format!(
+                "towards the unstable equilibrium θ = {}, never reached",
+                brief(theta)
+            )
         }
     }
 }
 
 /// The motions that are consistent, with the word between them.
 pub fn consistent(candidates: &Candidates, between: &str) -> String {
-    let motions: Vec<String> =
-        candidates.consistent().map(|(mode, direction)| mode.with_arrow(direction)).collect();
+    let motions: Vec<String> = candidates
+        .consistent()
+        .map(|(mode, direction)| mode.with_arrow(direction))
+        .collect();
     motions.join(between)
 }
 
@@ -277,7 +361,11 @@ pub fn examined(candidates: &Candidates) -> [String; 2] {
 }
 
 fn to_the(slip: f64) -> &'static str {
-    if slip < 0.0 { "to the left" } else { "to the right" }
+    if slip < 0.0 {
+        "to the left"
+    } else {
+        "to the right"
+    }
 }
 
 /// Two digits say enough about a coefficient of friction.

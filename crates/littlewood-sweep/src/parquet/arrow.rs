@@ -1,8 +1,10 @@
-//! The schema of a table as Arrow's own description of it, which readers find in the footer under `ARROW:schema`.
+//! The schema of a table as Arrow's own description of it, which readers find in the footer under
+//! `ARROW:schema`.
 //!
-//! Parquet has no place for the attributes of a column. Arrow's readers (pyarrow, and what stands on it) keep the schema of
-//! a table beside that of the file: a message of Arrow's IPC format, a flatbuffer, in base 64. With it `schema.field(name)`
-//! has the attributes, and the columns of words are dictionaries.
+//! Parquet has no place for the attributes of a column. Arrow's readers (pyarrow, and what stands
+//! on it) keep the schema of a table beside that of the file: a message of Arrow's IPC format, a
+//! flatbuffer, in base 64. With it `schema.field(name)` has the attributes, and the columns of
+//! words are dictionaries.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -32,7 +34,11 @@ pub(super) fn schema(columns: &[Column]) -> String {
     }
     let mut bytes = CONTINUATION.to_vec();
     let message = buffer.into_bytes();
-    bytes.extend(u32::try_from(message.len()).unwrap_or(u32::MAX).to_le_bytes());
+    bytes.extend(
+        u32::try_from(message.len())
+            .unwrap_or(u32::MAX)
+            .to_le_bytes(),
+    );
     bytes.extend(message);
     STANDARD.encode(bytes)
 }
@@ -47,10 +53,22 @@ fn field(buffer: &mut Buffer, place: usize, column: &Column, dictionaries: &mut 
         Kind::Words => (UTF8, &[]),
         Kind::Flag => (BOOL, &[]),
     };
-    let dictionary = if column.kind == Kind::Words { Slot::Child } else { Slot::Absent };
+    let dictionary = if column.kind == Kind::Words {
+        Slot::Child
+    } else {
+        Slot::Absent
+    };
     let places = buffer.child(
         place,
-        &[Slot::Child, Slot::Absent, Slot::U8(number), Slot::Child, dictionary, Slot::Child, Slot::Child],
+        &[
+            Slot::Child,
+            Slot::Absent,
+            Slot::U8(number),
+            Slot::Child,
+            dictionary,
+            Slot::Child,
+            Slot::Child,
+        ],
     );
     buffer.text(places[0], &column.name);
     buffer.child(places[3], slots);
@@ -68,7 +86,8 @@ fn field(buffer: &mut Buffer, place: usize, column: &Column, dictionaries: &mut 
     }
 }
 
-/// The types of columns, of which `INT` has a width and a sign (none, if it is not said), and `FLOATING_POINT` a precision.
+/// The types of columns, of which `INT` has a width and a sign (none, if it is not said), and
+/// `FLOATING_POINT` a precision.
 const INT: u8 = 2;
 const FLOATING_POINT: u8 = 3;
 const UTF8: u8 = 5;

@@ -8,7 +8,9 @@ use littlewood::OutcomeKind;
 use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryValue};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
-use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
+use parquet::data_type::{
+    BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type,
+};
 use parquet::errors::Result;
 use parquet::file::writer::SerializedRowGroupWriter;
 use parquet::schema::types::{Type, TypePtr};
@@ -39,8 +41,15 @@ impl Column {
             Value::String(text) => text,
             other => other.to_string(),
         };
-        let attributes = attributes.into_iter().map(|(name, value)| (name, text(value))).collect();
-        Self { name: name.to_owned(), kind, attributes }
+        let attributes = attributes
+            .into_iter()
+            .map(|(name, value)| (name, text(value)))
+            .collect();
+        Self {
+            name: name.to_owned(),
+            kind,
+            attributes,
+        }
     }
 
     pub(super) fn of_quantity(quantity: Quantity) -> Self {
@@ -121,8 +130,13 @@ impl<W: Write + Send> Writer<'_, '_, W> {
             (ColumnType::Flag, ColumnValues::U8(flags)) => {
                 return self.write::<BoolType>(&each(flags, |flag| flag != 0));
             }
-            (_, ColumnValues::U8(_) | ColumnValues::U32(_) | ColumnValues::U64(_) | ColumnValues::F64(_)) => {
-            }
+            (
+                _,
+                ColumnValues::U8(_)
+                | ColumnValues::U32(_)
+                | ColumnValues::U64(_)
+                | ColumnValues::F64(_),
+            ) => {}
         }
         // The file has the bits of a number, and its type says that they have no sign.
         match values {
@@ -140,8 +154,12 @@ impl<W: Write + Send> Writer<'_, '_, W> {
         text: impl Fn(T) -> String,
     ) -> Result<()> {
         let mut words = HashMap::new();
-        let word =
-            |code| words.entry(code).or_insert_with(|| ByteArray::from(text(code).into_bytes())).clone();
+        let word = |code| {
+            words
+                .entry(code)
+                .or_insert_with(|| ByteArray::from(text(code).into_bytes()))
+                .clone()
+        };
         self.write::<ByteArrayType>(&each(codes, word))
     }
 
@@ -158,17 +176,22 @@ fn each<T: Copy, U>(values: &[T], to: impl FnMut(T) -> U) -> Vec<U> {
     values.iter().copied().map(to).collect()
 }
 
-/// Records that are read at once: what a damaged footer says of their number makes no memory be taken.
+/// Records that are read at once: what a damaged footer says of their number makes no memory be
+/// taken.
 const BATCH: usize = 1 << 16;
 
-pub(super) fn read(column: Results, reader: ColumnReader) -> core::result::Result<ColumnValues, String> {
+pub(super) fn read(
+    column: Results,
+    reader: ColumnReader,
+) -> core::result::Result<ColumnValues, String> {
     let no_code = |_| format!("column {column} has a number that is no code");
     match (column.not_computed(), reader) {
         (SummaryValue::U8(_), ColumnReader::BoolColumnReader(reader)) => {
             Ok(ColumnValues::U8(each(&all(reader)?, u8::from)))
         }
         (SummaryValue::U8(_), ColumnReader::Int32ColumnReader(reader)) => {
-            let codes: core::result::Result<_, _> = all(reader)?.into_iter().map(u8::try_from).collect();
+            let codes: core::result::Result<_, _> =
+                all(reader)?.into_iter().map(u8::try_from).collect();
             codes.map(ColumnValues::U8).map_err(no_code)
         }
         (SummaryValue::U32(_), ColumnReader::Int32ColumnReader(reader)) => {
@@ -180,9 +203,13 @@ pub(super) fn read(column: Results, reader: ColumnReader) -> core::result::Resul
         (SummaryValue::F64(_), ColumnReader::DoubleColumnReader(reader)) => {
             Ok(ColumnValues::F64(all(reader)?))
         }
-        (SummaryValue::U8(_) | SummaryValue::U32(_) | SummaryValue::U64(_) | SummaryValue::F64(_), _) => {
-            Err(format!("column {column} is of another type"))
-        }
+        (
+            SummaryValue::U8(_)
+            | SummaryValue::U32(_)
+            | SummaryValue::U64(_)
+            | SummaryValue::F64(_),
+            _,
+        ) => Err(format!("column {column} is of another type")),
     }
 }
 
@@ -190,8 +217,9 @@ pub(super) fn read(column: Results, reader: ColumnReader) -> core::result::Resul
 fn all<T: DataType>(mut reader: ColumnReaderImpl<T>) -> core::result::Result<Vec<T::T>, String> {
     let mut values = Vec::new();
     loop {
-        let (records, _, _) =
-            reader.read_records(BATCH, None, None, &mut values).map_err(|error| error.to_string())?;
+        let (records, _, _) = reader
+            .read_records(BATCH, None, None, &mut values)
+            .map_err(|error| error.to_string())?;
         if records == 0 {
             return Ok(values);
         }

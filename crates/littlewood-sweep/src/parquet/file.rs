@@ -31,7 +31,11 @@ pub(crate) struct OneFile {
 
 impl OneFile {
     pub(crate) fn new(path: &Path, table: Table) -> Self {
-        Self { path: path.to_owned(), parts: with_ending(path, PARTS), table }
+        Self {
+            path: path.to_owned(),
+            parts: with_ending(path, PARTS),
+            table,
+        }
     }
 
     pub(crate) fn path(&self) -> &Path {
@@ -48,35 +52,59 @@ impl OneFile {
 
     /// The points of a file of the same run; none where there is no file.
     pub(crate) fn inspect(&self) -> Result<Option<Tally>, StoreError> {
-        let not_a_store = || StoreError::NotAStore { path: self.path.clone() };
+        let not_a_store = || StoreError::NotAStore {
+            path: self.path.clone(),
+        };
         let file = match fs::metadata(&self.path) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
             Err(source) => return Err(StoreError::unwritable(&self.path, source)),
             Ok(metadata) if !metadata.is_file() => return Err(not_a_store()),
-            Ok(_) => File::open(&self.path).map_err(|source| StoreError::unreadable(&self.path, source))?,
+            Ok(_) => File::open(&self.path)
+                .map_err(|source| StoreError::unreadable(&self.path, source))?,
         };
         let metadata = footer(&file).map_err(|_| not_a_store())?;
         let find = |key: &str| {
             let entries = metadata.file_metadata().key_value_metadata()?;
-            entries.iter().find(|entry| entry.key == key)?.value.as_deref()
+            entries
+                .iter()
+                .find(|entry| entry.key == key)?
+                .value
+                .as_deref()
         };
-        let run: Value =
-            find(RUN_KEY).and_then(|run| serde_json::from_str(run).ok()).ok_or_else(not_a_store)?;
-        let header = Header { format: run.get("format").cloned(), run, complete: true };
+        let run: Value = find(RUN_KEY)
+            .and_then(|run| serde_json::from_str(run).ok())
+            .ok_or_else(not_a_store)?;
+        let header = Header {
+            format: run.get("format").cloned(),
+            run,
+            complete: true,
+        };
         header.check_versions(&self.path)?;
         let differences = self.table.description().differences(&header.run);
         if !differences.is_empty() {
-            return Err(StoreError::OtherParameters { path: self.path.clone(), differences });
+            return Err(StoreError::OtherParameters {
+                path: self.path.clone(),
+                differences,
+            });
         }
-        find(COUNTS_KEY).and_then(parse_counts).map(Some).ok_or_else(not_a_store)
+        find(COUNTS_KEY)
+            .and_then(parse_counts)
+            .map(Some)
+            .ok_or_else(not_a_store)
     }
 
     pub(crate) fn read(&self, chunk: usize) -> Result<Option<Columns>, StoreError> {
         read_row_group(&self.path, chunk, &self.table.derivatives).map(Some)
     }
 
-    /// Puts the parts together. Encoded columns are copied; nothing is decoded, and memory stays flat.
-    pub(crate) fn join(&self, count: usize, tally: Tally, disk: &dyn Disk) -> Result<(), StoreError> {
+    /// Puts the parts together. Encoded columns are copied; nothing is decoded, and memory stays
+    /// flat.
+    pub(crate) fn join(
+        &self,
+        count: usize,
+        tally: Tally,
+        disk: &dyn Disk,
+    ) -> Result<(), StoreError> {
         let unfinished = with_ending(&self.path, UNFINISHED);
         // An earlier attempt may have been killed.
         match fs::remove_file(&unfinished) {
@@ -86,37 +114,64 @@ impl OneFile {
             _ => {}
         }
         let mut failure = None;
-        let appender = Appender { disk, path: &unfinished, failure: &mut failure };
+        let appender = Appender {
+            disk,
+            path: &unfinished,
+            failure: &mut failure,
+        };
         let joined = self.copy(count, tally, BufWriter::with_capacity(BUFFER, appender));
         if let Some(source) = failure {
-            // The first error is the one to report; this only frees the room that the unfinished file takes.
+            // The first error is the one to report; this only frees the room that the unfinished
+            // file takes.
             let _ = fs::remove_file(&unfinished);
             return Err(StoreError::unwritable(&self.path, source));
         }
         joined?;
-        disk.rename(&unfinished, &self.path).map_err(|source| StoreError::unwritable(&self.path, source))
+        disk.rename(&unfinished, &self.path)
+            .map_err(|source| StoreError::unwritable(&self.path, source))
     }
 
-    fn copy(&self, count: usize, tally: Tally, target: impl Write + Send) -> Result<(), StoreError> {
+    fn copy(
+        &self,
+        count: usize,
+        tally: Tally,
+        target: impl Write + Send,
+    ) -> Result<(), StoreError> {
         let name = self.path.display().to_string();
         let failed = StoreError::encoding(&name);
         let open = |chunk: usize| -> Result<(File, ParquetMetaData), StoreError> {
             let path = self.parts.join(self.table.path(chunk));
             let file = File::open(&path).map_err(|source| StoreError::unreadable(&path, source))?;
-            let metadata = footer(&file)
-                .map_err(|error| StoreError::DamagedChunk { path, reason: error.to_string() })?;
+            let metadata = footer(&file).map_err(|error| StoreError::DamagedChunk {
+                path,
+                reason: error.to_string(),
+            })?;
             Ok((file, metadata))
         };
         let (_, first) = open(0)?;
         let schema = first.file_metadata().schema_descr().root_schema_ptr();
-        let entries = first.file_metadata().key_value_metadata().into_iter().flatten();
-        let mut entries: Vec<KeyValue> = entries.filter(|entry| entry.key != CHUNK_KEY).cloned().collect();
+        let entries = first
+            .file_metadata()
+            .key_value_metadata()
+            .into_iter()
+            .flatten();
+        let mut entries: Vec<KeyValue> = entries
+            .filter(|entry| entry.key != CHUNK_KEY)
+            .cloned()
+            .collect();
         entries.push(KeyValue::new(COUNTS_KEY.to_owned(), counts(tally)));
         let properties = WriterProperties::builder()
-            .set_created_by(first.file_metadata().created_by().unwrap_or_default().to_owned())
+            .set_created_by(
+                first
+                    .file_metadata()
+                    .created_by()
+                    .unwrap_or_default()
+                    .to_owned(),
+            )
             .set_key_value_metadata(Some(entries))
             .build();
-        let mut writer = SerializedFileWriter::new(target, schema, Arc::new(properties)).map_err(&failed)?;
+        let mut writer =
+            SerializedFileWriter::new(target, schema, Arc::new(properties)).map_err(&failed)?;
         for chunk in 0..count {
             let (file, metadata) = open(chunk)?;
             for (i, group) in metadata.row_groups().iter().enumerate() {
@@ -157,25 +212,36 @@ impl OneFile {
                 has_other_files = true;
             }
         }
-        if has_other_files { Ok(()) } else { unless_gone(fs::remove_dir(&self.parts), &self.parts) }
+        if has_other_files {
+            Ok(())
+        } else {
+            unless_gone(fs::remove_dir(&self.parts), &self.parts)
+        }
     }
 }
 
-/// The result of removing something. It may be gone already: another process may complete the same file.
+/// The result of removing something. It may be gone already: another process may complete the same
+/// file.
 fn unless_gone(result: io::Result<()>, path: &Path) -> Result<(), StoreError> {
     match result {
-        Err(source) if source.kind() != ErrorKind::NotFound => Err(StoreError::unwritable(path, source)),
+        Err(source) if source.kind() != ErrorKind::NotFound => {
+            Err(StoreError::unwritable(path, source))
+        }
         _ => Ok(()),
     }
 }
 
 fn footer(file: &File) -> parquet::errors::Result<ParquetMetaData> {
-    ParquetMetaDataReader::new().with_page_index_policy(PageIndexPolicy::Optional).parse_and_finish(file)
+    ParquetMetaDataReader::new()
+        .with_page_index_policy(PageIndexPolicy::Optional)
+        .parse_and_finish(file)
 }
 
 fn counts(tally: Tally) -> String {
-    let counts: Map<String, Value> =
-        tally.iter().map(|(class, count)| (class.to_string(), count.into())).collect();
+    let counts: Map<String, Value> = tally
+        .iter()
+        .map(|(class, count)| (class.to_string(), count.into()))
+        .collect();
     Value::Object(counts).to_string()
 }
 
@@ -187,7 +253,8 @@ fn parse_counts(text: &str) -> Option<Tally> {
     Some(tally)
 }
 
-/// A file on the disk of the run, to write to. The Parquet writer wraps errors in texts; the first one is kept here.
+/// A file on the disk of the run, to write to. The Parquet writer wraps errors in texts; the first
+/// one is kept here.
 struct Appender<'a> {
     disk: &'a dyn Disk,
     path: &'a Path,

@@ -1,4 +1,5 @@
-//! Writing a flatbuffer: tables whose fields have a number, vectors and texts, each referred to by its distance.
+//! Writing a flatbuffer: tables whose fields have a number, vectors and texts, each referred to by
+//! its distance.
 
 /// A flatbuffer that grows. What is referred to stands behind what refers to it.
 #[derive(Default)]
@@ -47,7 +48,8 @@ impl Buffer {
 
     /// A table that is referred to at a place; the places of its fields.
     pub(super) fn child(&mut self, place: usize, slots: &[Slot]) -> Vec<usize> {
-        // Before the table stands its list of fields: the size of the list, that of the table, and where each field is.
+        // Before the table stands its list of fields: the size of the list, that of the table, and
+        // where each field is.
         let list = self.align(WIDEST);
         let size = 2 * (slots.len() + 2);
         self.bytes.resize(list + size, 0);

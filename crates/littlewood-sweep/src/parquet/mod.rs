@@ -1,4 +1,5 @@
-//! Tables as Parquet: one file, or a folder with one file a chunk, which Parquet readers take as one table.
+//! Tables as Parquet: one file, or a folder with one file a chunk, which Parquet readers take as
+//! one table.
 //!
 //! ```text
 //! list.parquet/
@@ -9,10 +10,11 @@
 //!   part-00001.parquet   …
 //! ```
 //!
-//! In the folder, finished chunks can be read at any time, a run that was stopped is resumed without copying, and no
-//! footer grows with the table. pandas, pyarrow, Polars and Spark read it by its name (names that begin with `_` are not
-//! data to them); `DuckDB` reads `list.parquet/*.parquet`. One file is easier to pass on: its row groups are the chunks,
-//! copied from a folder `list.parquet.parts` that is removed when the file is there.
+//! In the folder, finished chunks can be read at any time, a run that was stopped is resumed
+//! without copying, and no footer grows with the table. pandas, pyarrow, Polars and Spark read it
+//! by its name (names that begin with `_` are not data to them); `DuckDB` reads
+//! `list.parquet/*.parquet`. One file is easier to pass on: its row groups are the chunks, copied
+//! from a folder `list.parquet.parts` that is removed when the file is there.
 
 mod arrow;
 mod column;

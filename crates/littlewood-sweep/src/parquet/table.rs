@@ -23,7 +23,11 @@ use crate::setup::places;
 use crate::starts::StartList;
 use crate::store::{Format, Header, Names, StoreError, StoreFile};
 
-const NAMES: Names = Names { header: "_run.json", manifest: "_chunks.txt", lock: "_lock" };
+const NAMES: Names = Names {
+    header: "_run.json",
+    manifest: "_chunks.txt",
+    lock: "_lock",
+};
 
 pub(super) const RUN_KEY: &str = "littlewood_run";
 
@@ -40,20 +44,33 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// The table of a grid. The rows stand chunk by chunk (see [`crate::Chunks`]), each with the quantities of its
-    /// point.
+    /// The table of a grid. The rows stand chunk by chunk (see [`crate::Chunks`]), each with the
+    /// quantities of its point.
     pub(crate) fn of_grid(description: &Description, chunks: usize, grid: &Grid) -> Self {
         let quantities = of_points(grid.base(), |quantity| grid.axis(quantity).is_some());
-        Self::new(description.clone(), chunks, quantities, grid.derivatives().to_vec())
+        Self::new(
+            description.clone(),
+            chunks,
+            quantities,
+            grid.derivatives().to_vec(),
+        )
     }
 
-    /// The table of a list, one row a start in the order of the list. Where and when the start is has a column if the
-    /// list has one.
+    /// The table of a list, one row a start in the order of the list. Where and when the start is
+    /// has a column if the list has one.
     pub(crate) fn of_list(description: &Description, chunks: usize, list: &StartList) -> Self {
         let has_column = |quantity| list.columns().contains(&quantity);
         let places = places().filter(|place| has_column(*place));
-        let quantities = of_points(list.base(), has_column).into_iter().chain(places).collect();
-        Self::new(description.clone(), chunks, quantities, list.derivatives().to_vec())
+        let quantities = of_points(list.base(), has_column)
+            .into_iter()
+            .chain(places)
+            .collect();
+        Self::new(
+            description.clone(),
+            chunks,
+            quantities,
+            list.derivatives().to_vec(),
+        )
     }
 
     fn new(
@@ -67,7 +84,14 @@ impl Table {
         let results = Results::all(&derivatives).flat_map(Column::of_results);
         let columns: Vec<Column> = of_points.chain(results).collect();
         let arrow_schema = arrow::schema(&columns);
-        Self { description, columns, arrow_schema, digits, quantities, derivatives }
+        Self {
+            description,
+            columns,
+            arrow_schema,
+            digits,
+            quantities,
+            derivatives,
+        }
     }
 
     fn file(&self, chunk: usize, points: &[Setup], columns: &Columns) -> Encoded<Vec<u8>> {
@@ -81,14 +105,23 @@ impl Table {
                 entry(arrow::SCHEMA_KEY, self.arrow_schema.clone()),
             ]))
             .build();
-        let fields = self.columns.iter().map(Column::field).collect::<Encoded<_>>()?;
-        let schema = Type::group_type_builder("schema").with_fields(fields).build()?;
-        let mut file = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
+        let fields = self
+            .columns
+            .iter()
+            .map(Column::field)
+            .collect::<Encoded<_>>()?;
+        let schema = Type::group_type_builder("schema")
+            .with_fields(fields)
+            .build()?;
+        let mut file =
+            SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
         let mut group = file.next_row_group()?;
         let mut writer = Writer(&mut group);
         for &quantity in &self.quantities {
-            let values: Vec<f64> =
-                points.iter().map(|point| point.get(quantity).unwrap_or(f64::NAN)).collect();
+            let values: Vec<f64> = points
+                .iter()
+                .map(|point| point.get(quantity).unwrap_or(f64::NAN))
+                .collect();
             writer.reals(&values)?;
         }
         for (column, values) in columns.columns() {
@@ -99,7 +132,10 @@ impl Table {
     }
 
     pub(super) fn path(&self, chunk: usize) -> PathBuf {
-        PathBuf::from(format!("part-{chunk:0digits$}.parquet", digits = self.digits))
+        PathBuf::from(format!(
+            "part-{chunk:0digits$}.parquet",
+            digits = self.digits
+        ))
     }
 
     /// Whether a run makes a file of this name in the folder of a table.
@@ -156,7 +192,9 @@ impl Format for Table {
     ) -> Result<Vec<StoreFile>, StoreError> {
         let path = self.path(chunk);
         let name = path.to_string_lossy().into_owned();
-        let bytes = self.file(chunk, points, columns).map_err(StoreError::encoding(&name))?;
+        let bytes = self
+            .file(chunk, points, columns)
+            .map_err(StoreError::encoding(&name))?;
         Ok(vec![(path, bytes)])
     }
 

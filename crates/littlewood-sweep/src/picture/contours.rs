@@ -19,17 +19,25 @@ impl Picture {
         };
         let mut lines = Vec::new();
         let unit = unit_of(self.shade, self.units.as_ref());
-        let levels: Vec<f64> = scale.ticks(unit, 10).into_iter().map(|tick| tick.value).collect();
+        let levels: Vec<f64> = scale
+            .ticks(unit, 10)
+            .into_iter()
+            .map(|tick| tick.value)
+            .collect();
         for j in 0..ny - 1 {
             for i in 0..nx - 1 {
                 let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
                 let cells: [Cell; 4] = corners.map(|(i, j)| self.cells[j * nx + i]);
-                if !cells.iter().all(|cell| cell.key == cells[0].key && cell.number.is_finite()) {
+                if !cells
+                    .iter()
+                    .all(|cell| cell.key == cells[0].key && cell.number.is_finite())
+                {
                     continue;
                 }
                 let numbers = cells.map(|cell| cell.number);
-                let (low, high) =
-                    numbers.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
+                let (low, high) = numbers
+                    .iter()
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
                         (f64::min(low, value), f64::max(high, value))
                     });
                 // A line through values that are equal to rounding would follow noise.
@@ -46,8 +54,10 @@ impl Picture {
                         let (va, vb) = (cells[a].number - level, cells[b].number - level);
                         if (va < 0.0) != (vb < 0.0) {
                             let t = va / (va - vb);
-                            let (pa, pb) =
-                                (place(corners[a].0, corners[a].1), place(corners[b].0, corners[b].1));
+                            let (pa, pb) = (
+                                place(corners[a].0, corners[a].1),
+                                place(corners[b].0, corners[b].1),
+                            );
                             crossings.push([0, 1].map(|k| pa[k] + t * (pb[k] - pa[k])));
                         }
                     }
@@ -82,18 +92,32 @@ mod tests {
         let axes = vec![axis(Quantity::Theta), axis(Quantity::ThetaRate)];
         let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
         let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), axes).expect("a grid");
-        let picture = Picture::new(&grid, Limits::default(), Shade::EnergyLost, PictureSize::default());
+        let picture = Picture::new(
+            &grid,
+            Limits::default(),
+            Shade::EnergyLost,
+            PictureSize::default(),
+        );
         let mut picture = picture.and_then(Picture::with_contours).expect("a picture");
         picture.counts = [3, 3];
-        let scale = Scale { kind: Kind::Linear, low: 0.0, high: 1.0, beyond: [false; 2] };
+        let scale = Scale {
+            kind: Kind::Linear,
+            low: 0.0,
+            high: 1.0,
+            beyond: [false; 2],
+        };
         let mut lines = |numbers: [f64; 9]| {
             picture.cells = numbers.map(|number| Cell { key: 0, number }).to_vec();
             picture.contours(&scale).len()
         };
-        // Motions that lose nothing, beside some that lose a little: zero is a tick, and their sign is rounding.
+        // Motions that lose nothing, beside some that lose a little: zero is a tick, and their sign
+        // is rounding.
         let e = 1e-16;
         assert_eq!(lines([e, -e, 0.0, -e, e, -e, 0.0, 0.01, -e]), 0);
         // The tick 0.1 in two cells, and 0.2 and 0.3 in the two others.
-        assert_eq!(lines([0.0, 0.0, 0.0, 0.15, 0.15, 0.15, 0.32, 0.32, 0.32]), 2 + 4);
+        assert_eq!(
+            lines([0.0, 0.0, 0.0, 0.15, 0.15, 0.15, 0.32, 0.32, 0.32]),
+            2 + 4
+        );
     }
 }

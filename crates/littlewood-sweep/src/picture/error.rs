@@ -7,7 +7,10 @@ use super::shade::Shade;
 
 /// What is wrong with a picture.
 #[derive(Debug, Error)]
-#[expect(missing_docs, reason = "the message of each says what it and its fields are")]
+#[expect(
+    missing_docs,
+    reason = "the message of each says what it and its fields are"
+)]
 pub enum PictureError {
     #[error("a map has 2 axes, this grid has {found}")]
     NotTwoAxes { found: usize },
@@ -25,5 +28,10 @@ pub enum PictureError {
     )]
     NoCurves { reason: &'static str },
     #[error("a picture of {width} x {height} pixels: each side must be from {least} to {most}")]
-    Size { width: u32, height: u32, least: u32, most: u32 },
+    Size {
+        width: u32,
+        height: u32,
+        least: u32,
+        most: u32,
+    },
 }

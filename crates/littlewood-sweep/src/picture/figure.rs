@@ -2,8 +2,8 @@
 
 use littlewood::tables::PhaseSequence;
 use littlewood_draw::{
-    BOUNDARY, Content, DrawError, Figure, Image, LETTER, Label, Layer, Mark, PAPER, Panel, PlotAxis, ROOM,
-    SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick, View, width,
+    BOUNDARY, Content, DrawError, Figure, Image, LETTER, Label, Layer, Mark, PAPER, Panel,
+    PlotAxis, ROOM, SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick, View, width,
 };
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, Rgb};
@@ -15,10 +15,12 @@ use super::names::{along, axis_name, is_flipped, ticks_of, title, unit_of};
 use super::scale::{Kind, Scale};
 use crate::regions::Place;
 
-/// Width of the drawing on a screen of which print takes its proportions, and height of the map there.
+/// Width of the drawing on a screen of which print takes its proportions, and height of the map
+/// there.
 const WIDTH: f64 = 620.0;
 const HEIGHT: f64 = 430.0;
-/// Height of a row of notes, of the bar of the scale, and room for its ticks; room above the map, and below.
+/// Height of a row of notes, of the bar of the scale, and room for its ticks; room above the map,
+/// and below.
 const ROW: f64 = 17.0;
 const BAR: f64 = 12.0;
 const BELOW_BAR: f64 = 24.0;
@@ -61,14 +63,30 @@ fn in_rows(notes: &[String], room: f64) -> Vec<String> {
 }
 
 fn axis(column: &'static str, title: &str, ticks: Option<Vec<Tick>>) -> PlotAxis {
-    PlotAxis { scale: ticks.map_or(Ticks::Nothing, Ticks::Given), ..PlotAxis::new(column, title, [0.0, 1.0]) }
+    PlotAxis {
+        scale: ticks.map_or(Ticks::Nothing, Ticks::Given),
+        ..PlotAxis::new(column, title, [0.0, 1.0])
+    }
 }
 
 /// A panel without axes.
 fn bare(name: &'static str, frame: [f64; 4], labels: Vec<Label>, image: Option<Image>) -> Panel {
     let [x, y] = COLUMNS.map(|column| axis(column, "", None));
-    let view = View::Plane { x, y, axes: false, tilt: 0.0 };
-    Panel { name, frame, view, image, layers: Vec::new(), labels, keys: Vec::new() }
+    let view = View::Plane {
+        x,
+        y,
+        axes: false,
+        tilt: 0.0,
+    };
+    Panel {
+        name,
+        frame,
+        view,
+        image,
+        layers: Vec::new(),
+        labels,
+        keys: Vec::new(),
+    }
 }
 
 impl Picture {
@@ -78,10 +96,14 @@ impl Picture {
     /// [`DrawError::NoRoom`].
     pub fn png(&self) -> Result<Vec<u8>, DrawError> {
         let PictureSize { width, height } = self.size;
-        Ok(self.figure(None)?.pixels([width, height], self.size.scale())?.png())
+        Ok(self
+            .figure(None)?
+            .pixels([width, height], self.size.scale())?
+            .png())
     }
 
-    /// The map as a figure of a width in print, or of the proportions of its size. Its numbers are fractions of the axes.
+    /// The map as a figure of a width in print, or of the proportions of its size. Its numbers are
+    /// fractions of the axes.
     ///
     /// # Errors
     /// A width out of bounds.
@@ -91,70 +113,129 @@ impl Picture {
         let sheet = Sheet::new(width_mm, if width_mm.is_some() { WIDTH } else { wide })?;
         let [left, inner] = sheet.span();
         let units = self.units.as_ref();
-        let scale = if self.shade.is_on_a_scale() { Scale::of(&self.cells) } else { None };
+        let scale = if self.shade.is_on_a_scale() {
+            Scale::of(&self.cells)
+        } else {
+            None
+        };
 
         let note = scale.as_ref().and_then(|scale| self.note_of_scale(scale));
         let notes = [self.fixed(), self.meanings(), note.into_iter().collect()];
         let title = title(self.shade, self.goes_on(), units);
         // On a screen titles and keys begin where the map does; print is too narrow for that.
-        let begin = if width_mm.is_some() { left + 4.0 } else { left + ROOM[0] };
+        let begin = if width_mm.is_some() {
+            left + 4.0
+        } else {
+            left + ROOM[0]
+        };
         let wide = sheet.width - left - 4.0 - begin;
-        let rows: Vec<String> = notes.iter().flat_map(|notes| in_rows(notes, wide)).collect();
+        let rows: Vec<String> = notes
+            .iter()
+            .flat_map(|notes| in_rows(notes, wide))
+            .collect();
         let mut top = BELOW;
         let mut labels = Vec::new();
-        for (text, size) in [(&title, LETTER)].into_iter().chain(rows.iter().map(|row| (row, SMALL))) {
-            let label =
-                Label::new(text.clone(), &[0.0, 1.0]).left().shifted(0.0, top + 0.3 * ROW).sized(size);
-            labels.push(if size == LETTER { label } else { label.coloured(SOFT) });
+        for (text, size) in [(&title, LETTER)]
+            .into_iter()
+            .chain(rows.iter().map(|row| (row, SMALL)))
+        {
+            let label = Label::new(text.clone(), &[0.0, 1.0])
+                .left()
+                .shifted(0.0, top + 0.3 * ROW)
+                .sized(size);
+            labels.push(if size == LETTER {
+                label
+            } else {
+                label.coloured(SOFT)
+            });
             top += ROW;
         }
         let mut panels = vec![bare("title", [begin, 4.0, inner, top], labels, None)];
         if let Some(scale) = &scale {
             let (colours, ticks) = self.bar(scale);
             let label = |tick: &Tick| {
-                Label::new(tick.label.clone(), &[tick.value, 0.0]).sized(SMALL).shifted(0.0, 10.0)
+                Label::new(tick.label.clone(), &[tick.value, 0.0])
+                    .sized(SMALL)
+                    .shifted(0.0, 10.0)
             };
             let frame = [left + ROOM[0], top + 6.0, inner - ROOM[0], BAR];
             let size = [colours.len(), 1];
-            let image = Image { size, pixels: colours.into_iter().flat_map(|colour| colour.0).collect() };
-            panels.push(bare("scale", frame, ticks.iter().map(label).collect(), Some(image)));
+            let image = Image {
+                size,
+                pixels: colours.into_iter().flat_map(|colour| colour.0).collect(),
+            };
+            panels.push(bare(
+                "scale",
+                frame,
+                ticks.iter().map(label).collect(),
+                Some(image),
+            ));
             top += 6.0 + BAR + BELOW_BAR;
         }
 
         let curves = self.curves();
         let shown: Vec<Curve> = curves.iter().map(|(curve, _)| *curve).collect();
         let slope = self.grid.base().hoop.slope;
-        let entries = self.entries(scale.as_ref()).into_iter().chain(of_curves(&shown, slope)).collect();
+        let entries = self
+            .entries(scale.as_ref())
+            .into_iter()
+            .chain(of_curves(&shown, slope))
+            .collect();
         let (keys, room) = sheet.keys(entries, top);
         let top = top + room + ABOVE;
-        let height =
-            if width_mm.is_some() { sheet.height(HEIGHT) } else { (high - top - BELOW).max(2.0 * ROOM[1]) };
+        let height = if width_mm.is_some() {
+            sheet.height(HEIGHT)
+        } else {
+            (high - top - BELOW).max(2.0 * ROOM[1])
+        };
         let axes = self.grid.axes();
         let [x, y] = [0, 1].map(|k| {
             let ticks = ticks_of(&axes[k], units, 10).into_iter();
-            let ticks = ticks.map(|tick| Tick { value: along(&axes[k], tick.value), label: tick.label });
-            axis(COLUMNS[k], &axis_name(&axes[k], units), Some(ticks.collect()))
+            let ticks = ticks.map(|tick| Tick {
+                value: along(&axes[k], tick.value),
+                label: tick.label,
+            });
+            axis(
+                COLUMNS[k],
+                &axis_name(&axes[k], units),
+                Some(ticks.collect()),
+            )
         });
         let layers = self.layers(&curves, scale.as_ref());
-        let content = Content { name: "plane", x, y, layers, labels: Vec::new() };
+        let content = Content {
+            name: "plane",
+            x,
+            y,
+            layers,
+            labels: Vec::new(),
+        };
         let mut panel = Sheet::panel([left, top, inner, height], content);
         if scale.is_some() || self.regions.regions.is_empty() {
             let [[left, top], [right, bottom]] = panel.axes_frame();
             let fineness = if width_mm.is_some() { FINENESS } else { pixels };
-            let size = [right - left, bottom - top].map(|side| libm::ceil(side * fineness).max(1.0) as usize);
+            let size = [right - left, bottom - top]
+                .map(|side| libm::ceil(side * fineness).max(1.0) as usize);
             panel.image = Some(self.image(size, scale.as_ref()));
         }
         panel.keys = keys;
         panels.push(panel);
-        let caption =
-            core::iter::once(title.clone()).chain(notes.into_iter().flatten()).collect::<Vec<_>>().join(". ")
-                + ".";
-        Ok(sheet.figure("map", &title, caption, top + height + BELOW, panels).fitted())
+        let caption = core::iter::once(title.clone())
+            .chain(notes.into_iter().flatten())
+            .collect::<Vec<_>>()
+            .join(". ")
+            + ".";
+        Ok(sheet
+            .figure("map", &title, caption, top + height + BELOW, panels)
+            .fitted())
     }
 
     /// All that is drawn over the axes.
     fn layers(&self, curves: &[(Curve, Vec<Place>)], scale: Option<&Scale>) -> Vec<Layer> {
-        let turned = |line: &Vec<Place>| line.iter().map(|place| self.upright(*place)).collect::<Vec<_>>();
+        let turned = |line: &Vec<Place>| {
+            line.iter()
+                .map(|place| self.upright(*place))
+                .collect::<Vec<_>>()
+        };
         let mut layers: Vec<Layer> = Vec::new();
         if scale.is_none() {
             for region in &self.regions.regions {
@@ -164,19 +245,38 @@ impl Picture {
                 layers.push(series.drawn(Mark::Region(self.colour_of(region.key))));
             }
         }
-        let stroke = if scale.is_some() { Stroke::solid(PAPER, FINE) } else { BOUNDARY };
-        let boundaries: Vec<Vec<Place>> =
-            self.regions.boundaries.iter().map(|boundary| turned(&boundary.points)).collect();
+        let stroke = if scale.is_some() {
+            Stroke::solid(PAPER, FINE)
+        } else {
+            BOUNDARY
+        };
+        let boundaries: Vec<Vec<Place>> = self
+            .regions
+            .boundaries
+            .iter()
+            .map(|boundary| turned(&boundary.points))
+            .collect();
         layers.push(lines("boundary", &boundaries, stroke));
         if let Some(scale) = scale {
-            layers.push(lines("contour", &self.contours(scale), Stroke::solid(PAPER, FINE)));
+            layers.push(lines(
+                "contour",
+                &self.contours(scale),
+                Stroke::solid(PAPER, FINE),
+            ));
         }
         for curve in Curve::ALL {
-            let own: Vec<Vec<Place>> =
-                curves.iter().filter(|(other, _)| *other == curve).map(|(_, line)| line.clone()).collect();
+            let own: Vec<Vec<Place>> = curves
+                .iter()
+                .filter(|(other, _)| *other == curve)
+                .map(|(_, line)| line.clone())
+                .collect();
             if !own.is_empty() {
                 let stroke = Stroke::of_curve(curve);
-                layers.push(lines(curve.name(), &own, Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN)));
+                layers.push(lines(
+                    curve.name(),
+                    &own,
+                    Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN),
+                ));
                 layers.push(lines(curve.name(), &own, stroke));
             }
         }
@@ -193,7 +293,13 @@ impl Picture {
 
     /// A place with the larger values of the axes to the right and above.
     pub(super) fn upright(&self, place: Place) -> Place {
-        [0, 1].map(|k| if is_flipped(&self.grid.axes()[k]) { 1.0 - place[k] } else { place[k] })
+        [0, 1].map(|k| {
+            if is_flipped(&self.grid.axes()[k]) {
+                1.0 - place[k]
+            } else {
+                place[k]
+            }
+        })
     }
 
     fn bar(&self, scale: &Scale) -> (Vec<Rgb>, Vec<Tick>) {
@@ -201,9 +307,16 @@ impl Picture {
             Kind::Counts => libm::round(scale.high - scale.low) as usize,
             Kind::Linear | Kind::Log => COLOURS,
         };
-        let colours = (0..count).map(|i| scale.at((i as f64 + 0.5) / count as f64)).collect();
-        let ticks = scale.ticks(unit_of(self.shade, self.units.as_ref()), 10).into_iter();
-        let ticks = ticks.map(|tick| Tick { value: scale.fraction(tick.value), label: tick.label });
+        let colours = (0..count)
+            .map(|i| scale.at((i as f64 + 0.5) / count as f64))
+            .collect();
+        let ticks = scale
+            .ticks(unit_of(self.shade, self.units.as_ref()), 10)
+            .into_iter();
+        let ticks = ticks.map(|tick| Tick {
+            value: scale.fraction(tick.value),
+            label: tick.label,
+        });
         (colours, ticks.collect())
     }
 }

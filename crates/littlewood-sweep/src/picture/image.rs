@@ -15,14 +15,24 @@ use crate::regions::Regions;
 const NEAR: usize = 2;
 
 impl Picture {
-    /// The map in so many pixels to the right and upwards: each has the colour of the nearest cell in its region.
+    /// The map in so many pixels to the right and upwards: each has the colour of the nearest cell
+    /// in its region.
     pub(super) fn image(&self, size: [usize; 2], scale: Option<&Scale>) -> Image {
         let [width, height] = size;
         let regions = keys_of_pixels(&self.regions, size);
         let flipped = [0, 1].map(|k| is_flipped(&self.grid.axes()[k]));
-        let from_the_first = |pixel: usize, k: usize| if flipped[k] { size[k] - 1 - pixel } else { pixel };
-        let places =
-            |k: usize| (0..size[k]).map(move |i| (i as f64 + 0.5) / size[k] as f64).collect::<Vec<f64>>();
+        let from_the_first = |pixel: usize, k: usize| {
+            if flipped[k] {
+                size[k] - 1 - pixel
+            } else {
+                pixel
+            }
+        };
+        let places = |k: usize| {
+            (0..size[k])
+                .map(move |i| (i as f64 + 0.5) / size[k] as f64)
+                .collect::<Vec<f64>>()
+        };
         let (across, upwards) = (places(0), places(1));
         let mut pixels = Vec::with_capacity(3 * width * height);
         for y in (0..height).rev().map(|y| from_the_first(y, 1)) {
@@ -40,9 +50,12 @@ impl Picture {
         let exact = [0, 1].map(|k| place[k] * (self.counts[k] - 1) as f64);
         let [i, j] = exact.map(|at| libm::round(at) as usize);
         let nearest = self.cells[j * nx + i];
-        let Some(key) = region.filter(|key| *key != self.key_of(nearest.key)) else { return nearest };
-        let around =
-            |middle: usize, count: usize| middle.saturating_sub(NEAR)..(middle + NEAR + 1).min(count);
+        let Some(key) = region.filter(|key| *key != self.key_of(nearest.key)) else {
+            return nearest;
+        };
+        let around = |middle: usize, count: usize| {
+            middle.saturating_sub(NEAR)..(middle + NEAR + 1).min(count)
+        };
         let away = |(i, j): (usize, usize)| libm::hypot(i as f64 - exact[0], j as f64 - exact[1]);
         around(j, ny)
             .flat_map(|j| around(i, nx).map(move |i| (i, j)))
@@ -54,30 +67,38 @@ impl Picture {
     /// The colour of what a region has in common.
     pub(super) fn colour_of(&self, key: u64) -> Rgb {
         let (rank, is_mirrored) = self.rank(key);
-        class_of(key)
-            .map_or_else(|| of_rank(rank, is_mirrored, Theme::Light), |class| of_class(class, Theme::Light))
+        class_of(key).map_or_else(
+            || of_rank(rank, is_mirrored, Theme::Light),
+            |class| of_class(class, Theme::Light),
+        )
     }
 
     fn colour(&self, cell: Cell, scale: Option<&Scale>) -> Rgb {
         match (self.shade, cell.class()) {
-            (_, Some(Class::NotComputed | Class::Invalid)) | (Shade::Class | Shade::Sequence, _) => {
-                self.colour_of(cell.key)
-            }
-            (Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_), _) => {
-                scale.map_or_else(|| Ink::NoValue.colour(Theme::Light), |scale| scale.colour(cell.number))
-            }
+            (_, Some(Class::NotComputed | Class::Invalid))
+            | (Shade::Class | Shade::Sequence, _) => self.colour_of(cell.key),
+            (Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_), _) => scale.map_or_else(
+                || Ink::NoValue.colour(Theme::Light),
+                |scale| scale.colour(cell.number),
+            ),
         }
     }
 }
 
-/// The keys of the regions in which the middles of pixels lie, row by row, the lowest first; none where there is no region.
+/// The keys of the regions in which the middles of pixels lie, row by row, the lowest first; none
+/// where there is no region.
 fn keys_of_pixels(found: &Regions, [width, height]: [usize; 2]) -> Vec<Option<u64>> {
     let mut keys = vec![None; width * height];
     // The first pixel whose middle is not before a fraction of the way.
-    let first = |at: f64, count: usize| libm::ceil(at * count as f64 - 0.5).clamp(0.0, count as f64) as usize;
+    let first = |at: f64, count: usize| {
+        libm::ceil(at * count as f64 - 0.5).clamp(0.0, count as f64) as usize
+    };
     for region in &found.regions {
         let mut rows: Vec<Vec<f64>> = vec![Vec::new(); height];
-        let edges = region.outlines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+        let edges = region
+            .outlines
+            .iter()
+            .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
         for (a, b) in edges {
             let (low, high) = if a[1] < b[1] { (a, b) } else { (b, a) };
             let (from, to) = (first(low[1], height), first(high[1], height));
@@ -106,10 +127,21 @@ mod tests {
     fn pixels_are_those_whose_middles_lie_in_a_region() {
         let square = |from: f64, to: f64| vec![[from, from], [to, from], [to, to], [from, to]];
         let hole = square(0.4, 0.6).into_iter().rev().collect();
-        let ring = Region { key: 7, outlines: vec![square(0.2, 0.8), hole], area: 0.32 };
-        let keys = keys_of_pixels(&Regions { regions: vec![ring], boundaries: Vec::new() }, [10, 10]);
+        let ring = Region {
+            key: 7,
+            outlines: vec![square(0.2, 0.8), hole],
+            area: 0.32,
+        };
+        let keys = keys_of_pixels(
+            &Regions {
+                regions: vec![ring],
+                boundaries: Vec::new(),
+            },
+            [10, 10],
+        );
         for (i, key) in keys.iter().enumerate() {
-            let inside = |from: usize, to: usize| [i % 10, i / 10].iter().all(|at| (from..to).contains(at));
+            let inside =
+                |from: usize, to: usize| [i % 10, i / 10].iter().all(|at| (from..to).contains(at));
             assert_eq!(key.is_some(), inside(2, 8) && !inside(4, 6), "{i}");
         }
     }

@@ -15,13 +15,21 @@ use super::shade::Shade;
 pub(super) type Entry = (Mark, String);
 
 fn with_share(label: &str, share: &str) -> String {
-    if share.is_empty() { label.to_owned() } else { format!("{label}, {share}") }
+    if share.is_empty() {
+        label.to_owned()
+    } else {
+        format!("{label}, {share}")
+    }
 }
 
 impl Picture {
     fn share(&self, count: u64) -> String {
         let share = 100.0 * count as f64 / self.grid.len() as f64;
-        if share < 0.05 { format!("{count} points") } else { format!("{share:.1} %") }
+        if share < 0.05 {
+            format!("{count} points")
+        } else {
+            format!("{share:.1} %")
+        }
     }
 
     /// All entries, but for those of the curves.
@@ -29,12 +37,17 @@ impl Picture {
         match self.shade {
             Shade::Class => self.entries_of_classes(&Class::ALL),
             Shade::Sequence => self.entries_of_sequences(),
-            Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => self.entries_of_scale(scale),
+            Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => {
+                self.entries_of_scale(scale)
+            }
         }
     }
 
     fn entries_of_classes(&self, classes: &[Class]) -> Vec<Entry> {
-        let counted = classes.iter().map(|&class| (class, self.count(class))).filter(|(_, count)| *count > 0);
+        let counted = classes
+            .iter()
+            .map(|&class| (class, self.count(class)))
+            .filter(|(_, count)| *count > 0);
         counted
             .map(|(class, count)| {
                 let mark = Mark::Fill(of_class(class, Theme::Light));
@@ -45,19 +58,30 @@ impl Picture {
 
     fn entries_of_sequences(&self) -> Vec<Entry> {
         let count = |key: &u64| self.sequences.get(key).copied().unwrap_or_default();
-        let (ranked, others): (Vec<u64>, Vec<u64>) =
-            self.ranking.iter().partition(|key| self.rank(**key).0 < RANKS);
+        let (ranked, others): (Vec<u64>, Vec<u64>) = self
+            .ranking
+            .iter()
+            .partition(|key| self.rank(**key).0 < RANKS);
         let ranked = ranked.iter().map(|key| {
             let text = PhaseSequence::from_bits(*key).to_string();
-            let label = if text.is_empty() { "none".to_owned() } else { minus(&text) };
-            (Mark::Fill(self.colour_of(*key)), with_share(&label, &self.share(count(key))))
+            let label = if text.is_empty() {
+                "none".to_owned()
+            } else {
+                minus(&text)
+            };
+            (
+                Mark::Fill(self.colour_of(*key)),
+                with_share(&label, &self.share(count(key))),
+            )
         });
         let mut entries: Vec<Entry> = ranked.collect();
         if !others.is_empty() {
             let label = format!("{} others", others.len());
             let colour = of_rank(RANKS, false, Theme::Light);
-            entries
-                .push((Mark::Fill(colour), with_share(&label, &self.share(others.iter().map(count).sum()))));
+            entries.push((
+                Mark::Fill(colour),
+                with_share(&label, &self.share(others.iter().map(count).sum())),
+            ));
         }
         entries.extend(self.entries_of_classes(&[Class::Invalid, Class::NotComputed]));
         entries
@@ -70,7 +94,10 @@ impl Picture {
             (scale.beyond[1], "larger values as at the right end"),
             (self.has_contours, "lines at the ticks"),
         ];
-        let text: Vec<&str> = parts.into_iter().filter_map(|(holds, text)| holds.then_some(text)).collect();
+        let text: Vec<&str> = parts
+            .into_iter()
+            .filter_map(|(holds, text)| holds.then_some(text))
+            .collect();
         (!text.is_empty()).then(|| text.join("; "))
     }
 
@@ -78,21 +105,44 @@ impl Picture {
         let mut entries = Vec::new();
         let cells_share = |count: usize| {
             let share = 100.0 * count as f64 / self.cells.len() as f64;
-            if share < 0.05 { String::new() } else { format!("{share:.1} %") }
+            if share < 0.05 {
+                String::new()
+            } else {
+                format!("{share:.1} %")
+            }
         };
         let ink = |ink: Ink| Mark::Fill(ink.colour(Theme::Light));
         if let Some(scale) = scale {
-            let zeros = self.cells.iter().filter(|cell| scale.has_zero(cell.number)).count();
+            let zeros = self
+                .cells
+                .iter()
+                .filter(|cell| scale.has_zero(cell.number))
+                .count();
             if zeros > 0 {
-                entries.push((ink(Ink::Faint), with_share(at_zero(self.shade), &cells_share(zeros))));
+                entries.push((
+                    ink(Ink::Faint),
+                    with_share(at_zero(self.shade), &cells_share(zeros)),
+                ));
             }
         }
-        let empty = self.cells.iter().filter(|cell| cell.number.is_nan()).count();
+        let empty = self
+            .cells
+            .iter()
+            .filter(|cell| cell.number.is_nan())
+            .count();
         let missing = key_of_class(Class::NotComputed);
         let not_computed = self.cells.iter().filter(|cell| cell.key == missing).count();
         if empty > not_computed {
-            let label = if scale.is_some() { without_number(self.shade) } else { "no value anywhere" };
-            let share = if scale.is_some() { cells_share(empty - not_computed) } else { String::new() };
+            let label = if scale.is_some() {
+                without_number(self.shade)
+            } else {
+                "no value anywhere"
+            };
+            let share = if scale.is_some() {
+                cells_share(empty - not_computed)
+            } else {
+                String::new()
+            };
             entries.push((ink(Ink::NoValue), with_share(label, &share)));
         }
         entries.extend(self.entries_of_classes(&[Class::NotComputed]));
@@ -102,6 +152,8 @@ impl Picture {
 
 /// The entries of curves, each once.
 pub(super) fn of_curves(curves: &[Curve], slope: f64) -> impl Iterator<Item = Entry> + '_ {
-    let shown = Curve::ALL.into_iter().filter(|curve| curves.contains(curve));
+    let shown = Curve::ALL
+        .into_iter()
+        .filter(|curve| curves.contains(curve));
     shown.map(move |curve| key_of_curve(curve, slope))
 }

@@ -35,20 +35,24 @@ pub struct PictureSize {
 
 impl Default for PictureSize {
     fn default() -> Self {
-        Self { width: 1500, height: 1000 }
+        Self {
+            width: 1500,
+            height: 1000,
+        }
     }
 }
 
 /// Smallest and largest side of a picture.
 const SIDES: [u32; 2] = [300, 10_000];
 
-/// Cells of the lattice in which boundaries are followed, at least: for pixels, and for vectors; parts of a cell of the grid
-/// at most.
+/// Cells of the lattice in which boundaries are followed, at least: for pixels, and for vectors;
+/// parts of a cell of the grid at most.
 const CELLS: [usize; 2] = [240, 480];
 const PARTS: usize = 64;
 
-/// How closely a boundary is located for pixels, in parts of the map: less than one, which its middle is within half of. Where
-/// boundaries meet, cells are not halved much beyond pixels either: motions there may have thousands of phases.
+/// How closely a boundary is located for pixels, in parts of the map: less than one, which its
+/// middle is within half of. Where boundaries meet, cells are not halved much beyond pixels either:
+/// motions there may have thousands of phases.
 const NEAR: f64 = 5e-4;
 const HALVINGS: u32 = 1;
 
@@ -57,8 +61,8 @@ pub(super) const OTHERS: u64 = u64::MAX - 0x1ff;
 
 /// A map of a grid with two axes: the first runs to the right, the second upwards.
 ///
-/// It holds a value for each pixel, not for each point: a grid that is finer than the picture is thinned, and its size
-/// does not matter. The shares in the legend are those of all points.
+/// It holds a value for each pixel, not for each point: a grid that is finer than the picture is
+/// thinned, and its size does not matter. The shares in the legend are those of all points.
 #[derive(Clone, Debug)]
 pub struct Picture {
     pub(super) grid: Grid,
@@ -78,7 +82,8 @@ pub struct Picture {
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
     pub(super) sequences: HashMap<u64, u64>,
-    /// The sequences, each with its mirror image behind it, in the order of their numbers of points, then of their codes.
+    /// The sequences, each with its mirror image behind it, in the order of their numbers of
+    /// points, then of their codes.
     pub(super) ranking: Vec<u64>,
     ranks: HashMap<u64, (usize, bool)>,
 }
@@ -87,14 +92,30 @@ impl Picture {
     /// An empty picture of a grid.
     ///
     /// # Errors
-    /// If the grid has not two axes, the column is not one of numbers, the grid does not compute the derivative, or the picture is too small or too large.
-    pub fn new(grid: &Grid, limits: Limits, shade: Shade, size: PictureSize) -> Result<Self, PictureError> {
+    /// If the grid has not two axes, the column is not one of numbers, the grid does not compute
+    /// the derivative, or the picture is too small or too large.
+    pub fn new(
+        grid: &Grid,
+        limits: Limits,
+        shade: Shade,
+        size: PictureSize,
+    ) -> Result<Self, PictureError> {
         let [x, y] = grid.axes() else {
-            return Err(PictureError::NotTwoAxes { found: grid.axes().len() });
+            return Err(PictureError::NotTwoAxes {
+                found: grid.axes().len(),
+            });
         };
         let [least, most] = SIDES;
-        if [size.width, size.height].iter().any(|side| !(least..=most).contains(side)) {
-            return Err(PictureError::Size { width: size.width, height: size.height, least, most });
+        if [size.width, size.height]
+            .iter()
+            .any(|side| !(least..=most).contains(side))
+        {
+            return Err(PictureError::Size {
+                width: size.width,
+                height: size.height,
+                least,
+                most,
+            });
         }
         if let Shade::Column(column) = shade
             && !SummaryColumn::numbers().any(|other| other == column)
@@ -106,7 +127,10 @@ impl Picture {
         {
             return Err(PictureError::NotComputed { column });
         }
-        let counts = [x.count().min(size.width as usize), y.count().min(size.height as usize)];
+        let counts = [
+            x.count().min(size.width as usize),
+            y.count().min(size.height as usize),
+        ];
         Ok(Self {
             grid: grid.clone(),
             limits,
@@ -118,7 +142,10 @@ impl Picture {
             is_in_vectors: false,
             counts,
             cells: vec![Cell::NOT_COMPUTED; counts[0] * counts[1]],
-            regions: Regions { regions: Vec::new(), boundaries: Vec::new() },
+            regions: Regions {
+                regions: Vec::new(),
+                boundaries: Vec::new(),
+            },
             tally: Tally::default(),
             sequences: HashMap::new(),
             ranking: Vec::new(),
@@ -126,8 +153,8 @@ impl Picture {
         })
     }
 
-    /// Computes a grid and draws it, boundaries as curves; nothing is kept but the picture. A cancelled picture is white
-    /// where it is not computed.
+    /// Computes a grid and draws it, boundaries as curves; nothing is kept but the picture. A
+    /// cancelled picture is white where it is not computed.
     ///
     /// # Errors
     /// As [`Picture::new`] and [`Workers::compute`].
@@ -151,7 +178,11 @@ impl Picture {
     /// # Errors
     /// As [`Picture::new`]; a chunk that cannot be read.
     #[cfg(feature = "zarr")]
-    pub fn of_store(store: &ZarrStore, shade: Shade, size: PictureSize) -> Result<Self, SweepError> {
+    pub fn of_store(
+        store: &ZarrStore,
+        shade: Shade,
+        size: PictureSize,
+    ) -> Result<Self, SweepError> {
         let mut picture = Self::new(store.grid(), store.limits(), shade, size)?;
         for number in 0..store.chunks().count() {
             if let Some(columns) = store.columns(number)? {
@@ -205,9 +236,13 @@ impl Picture {
             if self.shade == Shade::Sequence
                 && let SummaryValue::U64(bits) = columns.column(SummaryColumn::Sequence).get(i)
             {
-                *self.sequences.entry(key_of_sequence(bits, class)).or_default() += 1;
+                *self
+                    .sequences
+                    .entry(key_of_sequence(bits, class))
+                    .or_default() += 1;
             }
-            let [Some(x), Some(y)] = [0, 1].map(|k| cell(indices[k], axes[k], self.counts[k])) else {
+            let [Some(x), Some(y)] = [0, 1].map(|k| cell(indices[k], axes[k], self.counts[k]))
+            else {
                 continue;
             };
             let point = self.grid.point_at(&indices);
@@ -222,18 +257,31 @@ impl Picture {
 
     fn rank_sequences(&mut self) {
         let mut pairs: BTreeMap<u64, Vec<(Reverse<u64>, u64)>> = BTreeMap::new();
-        for (&key, &count) in self.sequences.iter().filter(|(key, _)| class_of(**key).is_none()) {
+        for (&key, &count) in self
+            .sequences
+            .iter()
+            .filter(|(key, _)| class_of(**key).is_none())
+        {
             let mirrored = PhaseSequence::from_bits(key).mirrored().bits();
-            pairs.entry(key.min(mirrored)).or_default().push((Reverse(count), key));
+            pairs
+                .entry(key.min(mirrored))
+                .or_default()
+                .push((Reverse(count), key));
         }
         let mut pairs: Vec<_> = pairs.into_values().collect();
         pairs.iter_mut().for_each(|pair| pair.sort_unstable());
-        pairs.sort_by_key(|pair| (Reverse(pair.iter().map(|(count, _)| count.0).sum::<u64>()), pair[0].1));
+        pairs.sort_by_key(|pair| {
+            (
+                Reverse(pair.iter().map(|(count, _)| count.0).sum::<u64>()),
+                pair[0].1,
+            )
+        });
         self.ranking = pairs.iter().flatten().map(|(_, key)| *key).collect();
-        let ranks = pairs
-            .iter()
-            .enumerate()
-            .flat_map(|(rank, pair)| pair.iter().enumerate().map(move |(i, (_, key))| (*key, (rank, i > 0))));
+        let ranks = pairs.iter().enumerate().flat_map(|(rank, pair)| {
+            pair.iter()
+                .enumerate()
+                .map(move |(i, (_, key))| (*key, (rank, i > 0)))
+        });
         self.ranks = ranks.collect();
     }
 
@@ -241,7 +289,9 @@ impl Picture {
     pub(super) fn key_at(&self, sequence: PhaseSequence, class: Class) -> u64 {
         match self.shade {
             Shade::Sequence => key_of_sequence(sequence.bits(), class),
-            Shade::Class | Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => of_class(class),
+            Shade::Class | Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => {
+                of_class(class)
+            }
         }
     }
 
@@ -258,9 +308,10 @@ impl Picture {
         if is_other { OTHERS } else { key }
     }
 
-    /// Follows the boundaries between colours as curves: between neighbours of the grid that differ, motions are computed. The
-    /// result does not depend on the number of threads. Cancelled, it returns false and leaves the picture as it is, and so it
-    /// does where not every point has been added.
+    /// Follows the boundaries between colours as curves: between neighbours of the grid that
+    /// differ, motions are computed. The result does not depend on the number of threads.
+    /// Cancelled, it returns false and leaves the picture as it is, and so it does where not every
+    /// point has been added.
     ///
     /// # Errors
     /// As [`Workers::compute`].
@@ -278,20 +329,44 @@ impl Picture {
             let places = (0..self.counts[k]).map(|j| place(j, count, self.counts[k]));
             places.map(|i| i as f64 / (count - 1) as f64).collect()
         });
-        let keys = self.cells.iter().map(|cell| self.key_of(cell.key)).collect();
+        let keys = self
+            .cells
+            .iter()
+            .map(|cell| self.key_of(cell.key))
+            .collect();
         let cells = CELLS[usize::from(self.is_in_vectors)];
-        let wanted = self.counts.iter().map(|count| cells.div_ceil(count - 1)).max().unwrap_or(1);
-        let exact = Detail { parts: wanted.next_power_of_two().min(PARTS), ..Detail::default() };
-        let pixels = Detail { width: NEAR, halvings: HALVINGS, ..exact };
+        let wanted = self
+            .counts
+            .iter()
+            .map(|count| cells.div_ceil(count - 1))
+            .max()
+            .unwrap_or(1);
+        let exact = Detail {
+            parts: wanted.next_power_of_two().min(PARTS),
+            ..Detail::default()
+        };
+        let pixels = Detail {
+            width: NEAR,
+            halvings: HALVINGS,
+            ..exact
+        };
         let detail = if self.is_in_vectors { exact } else { pixels };
-        let quiet = Options { cancel: options.cancel, ..Options::default() };
+        let quiet = Options {
+            cancel: options.cancel,
+            ..Options::default()
+        };
         let ledger = Ledger::new(&quiet, 0, 0);
         let mut ask = |places: &[Place]| -> Result<Vec<u64>, Halt> {
-            let points: Vec<_> = places.iter().map(|&place| self.grid.point_between(place)).collect();
+            let points: Vec<_> = places
+                .iter()
+                .map(|&place| self.grid.point_between(place))
+                .collect();
             let starts = Some(self.grid.starts_of_a_hoop());
             let found = workers.compute_points((&points, &[]), starts, limits, &ledger.watch())?;
             let rows = found.summaries().zip(found.classes());
-            Ok(rows.map(|(summary, class)| self.key_of(self.key_at(summary.sequence, *class))).collect())
+            Ok(rows
+                .map(|(summary, class)| self.key_of(self.key_at(summary.sequence, *class)))
+                .collect())
         };
         match Regions::find(&Lattice { places, keys }, &detail, &mut ask) {
             Ok(found) => {
@@ -305,7 +380,11 @@ impl Picture {
 
     /// Number of points of a class.
     pub fn count(&self, class: Class) -> u64 {
-        let missing = if class == Class::NotComputed { self.grid.len() - self.tally.total() } else { 0 };
+        let missing = if class == Class::NotComputed {
+            self.grid.len() - self.tally.total()
+        } else {
+            0
+        };
         self.tally.of(class) + missing
     }
 

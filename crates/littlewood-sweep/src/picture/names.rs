@@ -3,7 +3,9 @@
 use core::f64::consts::PI;
 
 use littlewood::si::Units;
-use littlewood::tables::{DerivativeColumn, Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
+use littlewood::tables::{
+    DerivativeColumn, Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn,
+};
 use littlewood_draw::marked;
 use littlewood_style::ticks::{self, Tick, minus};
 
@@ -29,7 +31,11 @@ fn upright(unit: &str) -> String {
 }
 
 fn with_unit(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.to_owned() } else { format!("{name}  ({unit})") }
+    if unit.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name}  ({unit})")
+    }
 }
 
 /// A sign as print has it: in SI units the quantity with a dimension.
@@ -40,7 +46,8 @@ fn sign(units: Option<&Units>, varies: Varies) -> String {
     })
 }
 
-/// The dimension in which an axis is printed: its own in SI units, else none that (2.9) has taken off.
+/// The dimension in which an axis is printed: its own in SI units, else none that (2.9) has taken
+/// off.
 pub(super) fn axis_name(axis: &Axis, units: Option<&Units>) -> String {
     let varies = axis.varies();
     let unit = match (varies, units) {
@@ -59,7 +66,11 @@ pub(super) fn along(axis: &Axis, value: f64) -> f64 {
         return 0.5;
     }
     let fraction = axis.fraction(value);
-    if is_flipped(axis) { 1.0 - fraction } else { fraction }
+    if is_flipped(axis) {
+        1.0 - fraction
+    } else {
+        fraction
+    }
 }
 
 /// Whether an axis begins with its largest value; a map has that at the far end all the same.
@@ -70,15 +81,24 @@ pub(super) fn is_flipped(axis: &Axis) -> bool {
 pub(super) fn ticks_of(axis: &Axis, units: Option<&Units>, most: usize) -> Vec<Tick> {
     let dimension = axis.varies().dimension();
     let unit = unit(units, dimension);
-    let (low, high) = (unit * axis.from().min(axis.to()), unit * axis.from().max(axis.to()));
+    let (low, high) = (
+        unit * axis.from().min(axis.to()),
+        unit * axis.from().max(axis.to()),
+    );
     if axis.count() < 2 {
-        return vec![Tick { value: axis.from(), label: number(dimension, low) }];
+        return vec![Tick {
+            value: axis.from(),
+            label: number(dimension, low),
+        }];
     }
     let mut ticks = match axis.spacing() {
         Spacing::Log if low > 0.0 => ticks::logarithmic(low, high, most),
         Spacing::Log => ticks::logarithmic(-high, -low, most)
             .into_iter()
-            .map(|tick| Tick { value: -tick.value, label: format!("−{}", tick.label) })
+            .map(|tick| Tick {
+                value: -tick.value,
+                label: format!("−{}", tick.label),
+            })
             .collect(),
         Spacing::Even if dimension == Dimension::Angle => ticks::angular(low, high, most),
         Spacing::Even => ticks::round(low, high, most),
@@ -96,18 +116,23 @@ pub(super) fn title(shade: Shade, goes_on: bool, units: Option<&Units>) -> Strin
         Shade::Class => "Outcome".to_owned(),
         Shade::Sequence => "Sequence of phases".to_owned(),
         Shade::EnergyLost => with_unit("Energy lost", &unit_sign(units, Dimension::Energy)),
-        Shade::Column(column) => {
-            with_unit(&capitalised(column.long_name()), &unit_sign(units, column.dimension()))
-        }
+        Shade::Column(column) => with_unit(
+            &capitalised(column.long_name()),
+            &unit_sign(units, column.dimension()),
+        ),
         Shade::Derivative(DerivativeColumn { number, quantity }) => {
-            let [over, under] = [number.dimension(), quantity.dimension()].map(|of| unit_sign(units, of));
+            let [over, under] =
+                [number.dimension(), quantity.dimension()].map(|of| unit_sign(units, of));
             let unit = match (over.is_empty(), under.is_empty()) {
                 (_, true) => over,
                 (true, false) => format!("1/({under})"),
                 (false, false) => format!("{over}/({under})"),
             };
             let sign = sign(units, Varies::One(quantity));
-            with_unit(&format!("Sensitivity of the {} to {sign}", number.long_name()), &unit)
+            with_unit(
+                &format!("Sensitivity of the {} to {sign}", number.long_name()),
+                &unit,
+            )
         }
     }
 }
@@ -147,13 +172,19 @@ pub(super) const fn at_zero(shade: Shade) -> &'static str {
         Shade::Column(
             SummaryColumn::FirstSlipTime | SummaryColumn::LiftOffTime | SummaryColumn::SettleTime,
         ) => "at once",
-        Shade::Class | Shade::Sequence | Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => "0",
+        Shade::Class
+        | Shade::Sequence
+        | Shade::EnergyLost
+        | Shade::Column(_)
+        | Shade::Derivative(_) => "0",
     }
 }
 
 fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }
 
 /// A number as it is read: an angle as a fraction of π where it is one.
@@ -190,18 +221,30 @@ impl Picture {
                 let text = number(dimension, value);
                 let exact = text.contains('π') || text.replace('−', "-").parse() == Ok(value);
                 let is_angle = dimension == Dimension::Angle;
-                let has_unit = if is_angle { value != 0.0 && !text.contains('π') } else { units.is_some() };
+                let has_unit = if is_angle {
+                    value != 0.0 && !text.contains('π')
+                } else {
+                    units.is_some()
+                };
                 let unit = if has_unit { dimension.si_sign() } else { "" };
                 let space = if unit.is_empty() { "" } else { " " };
                 let equals = if exact || units.is_some() { '=' } else { '≈' };
-                format!("{} {equals} {text}{space}{}", sign(units, Varies::One(quantity)), upright(unit))
+                format!(
+                    "{} {equals} {text}{space}{}",
+                    sign(units, Varies::One(quantity)),
+                    upright(unit)
+                )
             })
             .collect();
         if let Some(units) = units {
             let of = |quantity: Quantity, value: f64| {
                 let dimension = quantity.dimension();
                 let unit = upright(dimension.si_sign());
-                format!("{} = {} {unit}", marked(quantity.sign()), number(dimension, value))
+                format!(
+                    "{} = {} {unit}",
+                    marked(quantity.sign()),
+                    number(dimension, value)
+                )
             };
             parts.push(of(Quantity::ParticleMassKg, units.mass_kg));
             parts.push(of(Quantity::RadiusM, units.length_m));
@@ -228,7 +271,9 @@ impl Picture {
             return Vec::new();
         }
         let shown = self.ranking.iter().take(littlewood_style::RANKS);
-        let texts: Vec<String> = shown.map(|bits| PhaseSequence::from_bits(*bits).to_string()).collect();
+        let texts: Vec<String> = shown
+            .map(|bits| PhaseSequence::from_bits(*bits).to_string())
+            .collect();
         PhaseCode::ALL
             .into_iter()
             .filter(|phase| texts.iter().any(|text| text.contains(phase.name())))
@@ -250,10 +295,22 @@ mod tests {
         assert_eq!(name(Quantity::Theta), "*θ*  (rad)");
         assert_eq!(name(Quantity::ThetaRate), "*θ*′  (√(*g*/*R*))");
         assert_eq!(name(Quantity::Inertia), "*I*_{zz}/(*m*_{2}*R*^{2})");
-        assert_eq!(axis_name(&Axis::new(Varies::Friction, 0.0, 1.0, 3).expect("good"), None), "*μ*");
+        assert_eq!(
+            axis_name(
+                &Axis::new(Varies::Friction, 0.0, 1.0, 3).expect("good"),
+                None
+            ),
+            "*μ*"
+        );
         let title = |shade| title(shade, false, None);
-        assert_eq!(title(Shade::Column(SummaryColumn::JumpHeight)), "Height of the first jump  (*R*)");
-        assert_eq!(title(Shade::Column(SummaryColumn::EndTheta)), "Angle at the end  (rad)");
+        assert_eq!(
+            title(Shade::Column(SummaryColumn::JumpHeight)),
+            "Height of the first jump  (*R*)"
+        );
+        assert_eq!(
+            title(Shade::Column(SummaryColumn::EndTheta)),
+            "Angle at the end  (rad)"
+        );
         assert_eq!(title(Shade::EnergyLost), "Energy lost  (*m*_{2}*gR*)");
     }
 
@@ -274,7 +331,10 @@ mod tests {
         assert_eq!((last.value, last.label.as_str()), (2.0, "8"));
         let shade = Shade::Column(SummaryColumn::LiftOffTime);
         assert_eq!(
-            (title(shade, false, Some(&units)), unit_of(shade, Some(&units))),
+            (
+                title(shade, false, Some(&units)),
+                unit_of(shade, Some(&units))
+            ),
             ("Time of lift-off  (s)".to_owned(), 0.25)
         );
     }

@@ -29,25 +29,37 @@ const STEPS: f64 = 12.0;
 /// The part of a linear scale below which its values crowd if the median lies there.
 const CROWDED: f64 = 0.25;
 
-/// Decades that a logarithmic scale shows at most: what is smaller is hardly ever of interest beside the rest.
+/// Decades that a logarithmic scale shows at most: what is smaller is hardly ever of interest
+/// beside the rest.
 const DECADES: f64 = 1e4;
 
 impl Scale {
-    /// From the lowest to the highest value, less half a per cent at either end if that is far out. Positive values that
-    /// would crowd at the low end of it stand on a logarithmic scale.
+    /// From the lowest to the highest value, less half a per cent at either end if that is far out.
+    /// Positive values that would crowd at the low end of it stand on a logarithmic scale.
     pub(super) fn of(cells: &[Cell]) -> Option<Self> {
-        let mut values: Vec<f64> =
-            cells.iter().map(|cell| cell.number).filter(|value| value.is_finite()).collect();
+        let mut values: Vec<f64> = cells
+            .iter()
+            .map(|cell| cell.number)
+            .filter(|value| value.is_finite())
+            .collect();
         values.sort_by(f64::total_cmp);
         let (&first, &last) = (values.first()?, values.last()?);
         let reaches = |bound: f64| cells.iter().any(|cell| cell.number == bound);
         let beyond = |low: f64, high: f64| {
-            [first < low || reaches(f64::NEG_INFINITY), last > high || reaches(f64::INFINITY)]
+            [
+                first < low || reaches(f64::NEG_INFINITY),
+                last > high || reaches(f64::INFINITY),
+            ]
         };
         let whole = values.iter().all(|value| libm::round(*value) == *value);
         if whole && last - first < STEPS {
             let (low, high) = (first - 0.5, last + 0.5);
-            return Some(Self { kind: Kind::Counts, low, high, beyond: beyond(low, high) });
+            return Some(Self {
+                kind: Kind::Counts,
+                low,
+                high,
+                beyond: beyond(low, high),
+            });
         }
         let cut = values.len() / 200;
         let (mut low, mut high) = (values[cut], values[values.len() - 1 - cut]);
@@ -61,19 +73,31 @@ impl Scale {
         // What happens at once, at 0, says nothing about how the others are spread.
         let positive = &values[values.partition_point(|&value| value <= 0.0)..];
         if first >= 0.0
-            && let (Some(&least), Some(&median)) =
-                (positive.get(positive.len() / 200), positive.get(positive.len() / 2))
+            && let (Some(&least), Some(&median)) = (
+                positive.get(positive.len() / 200),
+                positive.get(positive.len() / 2),
+            )
             && (median - low < CROWDED * (high - low) || median - low < CROWDED * (last - low))
         {
             let high = last;
             let low = least.max(high / DECADES).min(0.5 * high);
             let below = positive[0] < low;
-            return Some(Self { kind: Kind::Log, low, high, beyond: [below, beyond(low, high)[1]] });
+            return Some(Self {
+                kind: Kind::Log,
+                low,
+                high,
+                beyond: [below, beyond(low, high)[1]],
+            });
         }
         if low == high {
             (low, high) = (low - 0.5, high + 0.5);
         }
-        Some(Self { kind: Kind::Linear, low, high, beyond: beyond(low, high) })
+        Some(Self {
+            kind: Kind::Linear,
+            low,
+            high,
+            beyond: beyond(low, high),
+        })
     }
 
     pub(super) fn fraction(&self, value: f64) -> f64 {
@@ -104,7 +128,11 @@ impl Scale {
             Kind::Counts => {
                 let steps = self.high - self.low;
                 let step = libm::floor(fraction * steps).clamp(0.0, steps - 1.0);
-                if steps > 1.0 { step / (steps - 1.0) } else { 0.5 }
+                if steps > 1.0 {
+                    step / (steps - 1.0)
+                } else {
+                    0.5
+                }
             }
         })
     }
@@ -118,7 +146,10 @@ impl Scale {
             Kind::Counts => ticks::round(low, high, STEPS as usize + 1)
                 .into_iter()
                 .filter(|tick| libm::round(tick.value) == tick.value)
-                .map(|tick| Tick { label: format!("{:.0}", tick.value), ..tick })
+                .map(|tick| Tick {
+                    label: format!("{:.0}", tick.value),
+                    ..tick
+                })
                 .collect(),
         };
         for tick in &mut ticks {
@@ -133,14 +164,24 @@ mod tests {
     use super::*;
 
     fn cells(values: &[f64]) -> Vec<Cell> {
-        values.iter().map(|&number| Cell { key: 0, number }).collect()
+        values
+            .iter()
+            .map(|&number| Cell { key: 0, number })
+            .collect()
     }
 
     #[test]
     fn what_crowds_at_the_low_end_gets_a_logarithmic_scale() {
         let spread: Vec<f64> = (1..=100).map(f64::from).map(|i| i + 0.5).collect();
-        assert_eq!(Scale::of(&cells(&spread)).expect("a scale").kind, Kind::Linear);
-        let crowded: Vec<f64> = spread.iter().map(|x| libm::exp(0.08 * x)).chain([0.0; 60]).collect();
+        assert_eq!(
+            Scale::of(&cells(&spread)).expect("a scale").kind,
+            Kind::Linear
+        );
+        let crowded: Vec<f64> = spread
+            .iter()
+            .map(|x| libm::exp(0.08 * x))
+            .chain([0.0; 60])
+            .collect();
         let scale = Scale::of(&cells(&crowded)).expect("a scale");
         assert_eq!(scale.kind, Kind::Log);
         // The median of what is not 0 stands in the middle of it, give or take.
@@ -154,9 +195,16 @@ mod tests {
     #[test]
     fn few_counts_have_a_step_each() {
         let scale = Scale::of(&cells(&[1.0, 2.0, 2.0, 4.0])).expect("a scale");
-        let labels: Vec<String> = scale.ticks(1.0, 8).into_iter().map(|tick| tick.label).collect();
+        let labels: Vec<String> = scale
+            .ticks(1.0, 8)
+            .into_iter()
+            .map(|tick| tick.label)
+            .collect();
         assert_eq!(labels, ["1", "2", "3", "4"]);
-        assert_eq!((scale.colour(1.0), scale.colour(4.0)), (of_fraction(0.0), of_fraction(1.0)));
+        assert_eq!(
+            (scale.colour(1.0), scale.colour(4.0)),
+            (of_fraction(0.0), of_fraction(1.0))
+        );
         assert_eq!(scale.colour(2.0), of_fraction(1.0 / 3.0));
     }
 

@@ -26,7 +26,9 @@ impl Shade {
     /// All that can be drawn but derivatives.
     pub fn all() -> impl Iterator<Item = Self> {
         let numbers = SummaryColumn::numbers().map(Self::Column);
-        [Self::Class, Self::Sequence, Self::EnergyLost].into_iter().chain(numbers)
+        [Self::Class, Self::Sequence, Self::EnergyLost]
+            .into_iter()
+            .chain(numbers)
     }
 
     /// Lower-case name: that of the column, where there is one.
@@ -53,17 +55,21 @@ impl Shade {
         match self {
             Self::Class | Self::Sequence => f64::NAN,
             Self::EnergyLost => {
-                let start = Hoop::new(point.hoop).map_or(f64::NAN, |hoop| hoop.energy_of(&point.start));
-                start - columns.reals(SummaryColumn::Energy).map_or(f64::NAN, |energy| energy[place])
+                let start =
+                    Hoop::new(point.hoop).map_or(f64::NAN, |hoop| hoop.energy_of(&point.start));
+                start
+                    - columns
+                        .reals(SummaryColumn::Energy)
+                        .map_or(f64::NAN, |energy| energy[place])
             }
             Self::Column(column) => match columns.column(column).get(place) {
                 SummaryValue::F64(value) => value,
                 SummaryValue::U32(count) => f64::from(count),
                 SummaryValue::U8(_) | SummaryValue::U64(_) => f64::NAN,
             },
-            Self::Derivative(column) => {
-                columns.derivative(column).map_or(f64::NAN, |values| values[place].abs())
-            }
+            Self::Derivative(column) => columns
+                .derivative(column)
+                .map_or(f64::NAN, |values| values[place].abs()),
         }
     }
 }

@@ -36,8 +36,14 @@ impl Side {
         let key = self.key_at(at);
         let (before, after) = self.crossings.iter().partition(|crossing| crossing.at < at);
         [
-            Self { keys: [self.keys[0], key], crossings: before },
-            Self { keys: [key, self.keys[1]], crossings: after },
+            Self {
+                keys: [self.keys[0], key],
+                crossings: before,
+            },
+            Self {
+                keys: [key, self.keys[1]],
+                crossings: after,
+            },
         ]
     }
 }
@@ -69,8 +75,13 @@ pub(super) fn crossed<E>(
     width: f64,
     ask: &mut Ask<'_, E>,
 ) -> Result<Vec<Side>, E> {
-    let mut sides: Vec<Side> =
-        spans.iter().map(|span| Side { keys: span.keys, crossings: Vec::new() }).collect();
+    let mut sides: Vec<Side> = spans
+        .iter()
+        .map(|span| Side {
+            keys: span.keys,
+            crossings: Vec::new(),
+        })
+        .collect();
     let place = |side: usize, at: f64| {
         let mut place = spans[side].ends[0];
         place[spans[side].axis()] = at;
@@ -80,11 +91,17 @@ pub(super) fn crossed<E>(
         .iter()
         .enumerate()
         .filter(|(_, span)| span.keys[0] != span.keys[1])
-        .map(|(side, span)| Search { side, range: span.ends.map(|end| end[span.axis()]), keys: span.keys })
+        .map(|(side, span)| Search {
+            side,
+            range: span.ends.map(|end| end[span.axis()]),
+            keys: span.keys,
+        })
         .collect();
     while !searches.is_empty() {
-        let middles: Vec<Place> =
-            searches.iter().map(|search| place(search.side, middle(search.range))).collect();
+        let middles: Vec<Place> = searches
+            .iter()
+            .map(|search| place(search.side, middle(search.range)))
+            .collect();
         let keys = ask(&middles)?;
         let mut next = Vec::new();
         for (mut search, key) in searches.into_iter().zip(keys) {
@@ -99,7 +116,11 @@ pub(super) fn crossed<E>(
                 next.push(search);
                 continue;
             }
-            let Search { side, range, mut keys } = search;
+            let Search {
+                side,
+                range,
+                mut keys,
+            } = search;
             let (end, last) = (spans[side].ends[1][spans[side].axis()], spans[side].keys[1]);
             let crossings = &mut sides[side].crossings;
             let is_last = crossings.len() + 1 == CROSSINGS || range[1] + width >= end;
@@ -109,11 +130,19 @@ pub(super) fn crossed<E>(
             }
             if keys[0] != keys[1] {
                 let at = middle(range);
-                crossings.push(Crossing { node: nodes.len(), at, keys });
+                crossings.push(Crossing {
+                    node: nodes.len(),
+                    at,
+                    keys,
+                });
                 nodes.push(place(side, at));
             }
             if keys[1] != last {
-                next.push(Search { side, range: [range[1], end], keys: [keys[1], last] });
+                next.push(Search {
+                    side,
+                    range: [range[1], end],
+                    keys: [keys[1], last],
+                });
             }
         }
         searches = next;
@@ -141,12 +170,22 @@ pub(super) struct Segment {
 }
 
 impl Cell {
-    /// The nodes of its sides counterclockwise from the lower left corner, each with the keys before and after it.
+    /// The nodes of its sides counterclockwise from the lower left corner, each with the keys
+    /// before and after it.
     pub(super) fn around(&self) -> Vec<(usize, [u64; 2])> {
         let [below, right, above, left] = &self.sides;
-        let forward = |side: &Side| side.crossings.iter().map(|one| (one.node, one.keys)).collect::<Vec<_>>();
+        let forward = |side: &Side| {
+            side.crossings
+                .iter()
+                .map(|one| (one.node, one.keys))
+                .collect::<Vec<_>>()
+        };
         let back = |side: &Side| {
-            side.crossings.iter().rev().map(|one| (one.node, [one.keys[1], one.keys[0]])).collect::<Vec<_>>()
+            side.crossings
+                .iter()
+                .rev()
+                .map(|one| (one.node, [one.keys[1], one.keys[0]]))
+                .collect::<Vec<_>>()
         };
         [forward(below), forward(right), back(above), back(left)].concat()
     }
@@ -160,10 +199,22 @@ impl Cell {
         let [x, y] = self.centre();
         let [below, right, above, left] = &self.sides;
         [
-            Span { ends: [[self.low[0], y], [x, y]], keys: [left.key_at(y), key] },
-            Span { ends: [[x, y], [self.high[0], y]], keys: [key, right.key_at(y)] },
-            Span { ends: [[x, self.low[1]], [x, y]], keys: [below.key_at(x), key] },
-            Span { ends: [[x, y], [x, self.high[1]]], keys: [key, above.key_at(x)] },
+            Span {
+                ends: [[self.low[0], y], [x, y]],
+                keys: [left.key_at(y), key],
+            },
+            Span {
+                ends: [[x, y], [self.high[0], y]],
+                keys: [key, right.key_at(y)],
+            },
+            Span {
+                ends: [[x, self.low[1]], [x, y]],
+                keys: [below.key_at(x), key],
+            },
+            Span {
+                ends: [[x, y], [x, self.high[1]]],
+                keys: [key, above.key_at(x)],
+            },
         ]
     }
 
@@ -176,9 +227,21 @@ impl Cell {
         let cell = |low: Place, high: Place, sides: [Side; 4]| Self { low, high, sides };
         [
             cell(self.low, [x, y], [below_left, inner(2), inner(0), left_low]),
-            cell([x, self.low[1]], [self.high[0], y], [below_right, right_low, inner(1), inner(2)]),
-            cell([self.low[0], y], [x, self.high[1]], [inner(0), inner(3), above_left, left_high]),
-            cell([x, y], self.high, [inner(1), right_high, above_right, inner(3)]),
+            cell(
+                [x, self.low[1]],
+                [self.high[0], y],
+                [below_right, right_low, inner(1), inner(2)],
+            ),
+            cell(
+                [self.low[0], y],
+                [x, self.high[1]],
+                [inner(0), inner(3), above_left, left_high],
+            ),
+            cell(
+                [x, y],
+                self.high,
+                [inner(1), right_high, above_right, inner(3)],
+            ),
         ]
     }
 }
@@ -186,7 +249,8 @@ impl Cell {
 /// Cells that are halved at once, at most: boundaries meet in few places, or everywhere.
 const MEETING: usize = 1_000;
 
-/// The boundaries in cells. A cell in which they meet is halved so many times; in the last one they meet in its middle.
+/// The boundaries in cells. A cell in which they meet is halved so many times; in the last one they
+/// meet in its middle.
 pub(super) fn segments<E>(
     cells: Vec<Cell>,
     halvings: u32,
@@ -205,7 +269,10 @@ pub(super) fn segments<E>(
                 [] | [_] => {}
                 // The second key is to the left on the way back to the first crossing.
                 [(first, sides), (second, _)] => {
-                    segments.push(Segment { nodes: [second, first], sides: [sides[1], sides[0]] });
+                    segments.push(Segment {
+                        nodes: [second, first],
+                        sides: [sides[1], sides[0]],
+                    });
                 }
                 ref around if left == 0 => {
                     let hub = nodes.len();
@@ -223,9 +290,17 @@ pub(super) fn segments<E>(
         }
         let centres: Vec<Place> = meeting.iter().map(Cell::centre).collect();
         let keys = ask(&centres)?;
-        let spans: Vec<Span> = meeting.iter().zip(keys).flat_map(|(cell, key)| cell.cross(key)).collect();
+        let spans: Vec<Span> = meeting
+            .iter()
+            .zip(keys)
+            .flat_map(|(cell, key)| cell.cross(key))
+            .collect();
         let inner = crossed(&spans, nodes, width, ask)?;
-        level = meeting.iter().zip(inner.chunks(4)).flat_map(|(cell, cross)| cell.quarters(cross)).collect();
+        level = meeting
+            .iter()
+            .zip(inner.chunks(4))
+            .flat_map(|(cell, cross)| cell.quarters(cross))
+            .collect();
     }
     Ok(segments)
 }

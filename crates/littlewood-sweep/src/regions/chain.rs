@@ -31,7 +31,11 @@ impl Step<'_> {
 
     const fn sides(self) -> [u64; 2] {
         let [left, right] = self.segment.sides;
-        if self.forward { [left, right] } else { [right, left] }
+        if self.forward {
+            [left, right]
+        } else {
+            [right, left]
+        }
     }
 }
 
@@ -44,15 +48,24 @@ pub(super) fn regions(
 ) -> (Vec<Region>, Vec<Boundary>) {
     let arcs: Vec<Arc> = arcs(&nodes, segments)
         .into_iter()
-        .map(|arc| Arc { points: thinned(&arc.points, flat), ..arc })
+        .map(|arc| Arc {
+            points: thinned(&arc.points, flat),
+            ..arc
+        })
         .filter(|arc| arc.nodes[0] != arc.nodes[1] || arc.points.len() > 3)
         .collect();
     let mut pieces: BTreeMap<u64, Vec<Piece>> = BTreeMap::new();
     for arc in &arcs {
         let [from, to] = arc.nodes;
         let back = arc.points.iter().rev().copied().collect();
-        pieces.entry(arc.sides[0]).or_default().push(Piece { nodes: [from, to], points: arc.points.clone() });
-        pieces.entry(arc.sides[1]).or_default().push(Piece { nodes: [to, from], points: back });
+        pieces.entry(arc.sides[0]).or_default().push(Piece {
+            nodes: [from, to],
+            points: arc.points.clone(),
+        });
+        pieces.entry(arc.sides[1]).or_default().push(Piece {
+            nodes: [to, from],
+            points: back,
+        });
     }
     for (key, piece) in border(frame, &mut nodes) {
         pieces.entry(key).or_default().push(piece);
@@ -62,10 +75,17 @@ pub(super) fn regions(
         .map(|(key, pieces)| {
             let outlines = outlines(pieces);
             let area = outlines.iter().map(|outline| area(outline)).sum();
-            Region { key, outlines, area }
+            Region {
+                key,
+                outlines,
+                area,
+            }
         })
         .collect();
-    let boundaries = arcs.into_iter().map(|Arc { sides, points, .. }| Boundary { sides, points }).collect();
+    let boundaries = arcs
+        .into_iter()
+        .map(|Arc { sides, points, .. }| Boundary { sides, points })
+        .collect();
     (regions, boundaries)
 }
 
@@ -74,7 +94,11 @@ fn arcs(nodes: &[Place], segments: &[Segment]) -> Vec<Arc> {
     let mut leaving: Vec<Vec<Step<'_>>> = vec![Vec::new(); nodes.len()];
     for (number, segment) in segments.iter().enumerate() {
         for forward in [true, false] {
-            let step = Step { number, segment, forward };
+            let step = Step {
+                number,
+                segment,
+                forward,
+            };
             leaving[step.from()].push(step);
         }
     }
@@ -92,7 +116,11 @@ fn arcs(nodes: &[Place], segments: &[Segment]) -> Vec<Arc> {
             points.push(nodes[next.to()]);
             last = next;
         }
-        arcs.push(Arc { nodes: [first.from(), last.to()], sides: first.sides(), points });
+        arcs.push(Arc {
+            nodes: [first.from(), last.to()],
+            sides: first.sides(),
+            points,
+        });
     };
     let ends = leaving.iter().filter(|steps| steps.len() != 2).flatten();
     for &first in ends {
@@ -102,7 +130,14 @@ fn arcs(nodes: &[Place], segments: &[Segment]) -> Vec<Arc> {
     }
     for (number, segment) in segments.iter().enumerate() {
         if !used.contains(&number) {
-            walk(Step { number, segment, forward: true }, &mut used);
+            walk(
+                Step {
+                    number,
+                    segment,
+                    forward: true,
+                },
+                &mut used,
+            );
         }
     }
     arcs
@@ -153,8 +188,9 @@ fn border(frame: &Cell, nodes: &mut Vec<Place>) -> Vec<(u64, Piece)> {
     });
     let [below, right, above, left] = &frame.sides;
     let mut stops: Vec<(usize, u64)> = Vec::new();
-    for (i, (side, back)) in
-        [(below, false), (right, false), (above, true), (left, true)].into_iter().enumerate()
+    for (i, (side, back)) in [(below, false), (right, false), (above, true), (left, true)]
+        .into_iter()
+        .enumerate()
     {
         stops.push((corners[i], side.keys[usize::from(back)]));
         let after = |one: &super::cell::Crossing| (one.node, one.keys[usize::from(!back)]);
@@ -166,7 +202,13 @@ fn border(frame: &Cell, nodes: &mut Vec<Place>) -> Vec<(u64, Piece)> {
     }
     let next = stops.iter().cycle().skip(1);
     let pieces = stops.iter().zip(next).map(|(&(from, key), &(to, _))| {
-        (key, Piece { nodes: [from, to], points: vec![nodes[from], nodes[to]] })
+        (
+            key,
+            Piece {
+                nodes: [from, to],
+                points: vec![nodes[from], nodes[to]],
+            },
+        )
     });
     pieces.collect()
 }
@@ -200,5 +242,9 @@ fn outlines(pieces: Vec<Piece>) -> Vec<Vec<Place>> {
 /// Area to the left of a closed curve.
 fn area(outline: &[Place]) -> f64 {
     let next = outline.iter().cycle().skip(1);
-    outline.iter().zip(next).map(|(a, b)| 0.5 * (a[0] * b[1] - a[1] * b[0])).sum()
+    outline
+        .iter()
+        .zip(next)
+        .map(|(a, b)| 0.5 * (a[0] * b[1] - a[1] * b[0]))
+        .sum()
 }

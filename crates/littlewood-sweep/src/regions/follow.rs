@@ -41,7 +41,12 @@ const fn far_end(([x, y], axis): SideName) -> Corner {
 
 impl<'a> Fine<'a> {
     pub(super) fn new(lattice: &'a Lattice, parts: usize) -> Self {
-        Self { lattice, parts, cells: lattice.cells().map(|count| parts * count), between: HashMap::new() }
+        Self {
+            lattice,
+            parts,
+            cells: lattice.cells().map(|count| parts * count),
+            between: HashMap::new(),
+        }
     }
 
     /// Where a corner stands among the keys of the lattice, if it is one of its places.
@@ -52,7 +57,8 @@ impl<'a> Fine<'a> {
     }
 
     fn key(&self, corner: Corner) -> u64 {
-        self.of_lattice(corner).map_or_else(|| self.between[&corner], |place| self.lattice.keys[place])
+        self.of_lattice(corner)
+            .map_or_else(|| self.between[&corner], |place| self.lattice.keys[place])
     }
 
     fn is_known(&self, corner: Corner) -> bool {
@@ -61,8 +67,11 @@ impl<'a> Fine<'a> {
 
     fn place(&self, corner: Corner) -> Place {
         [0, 1].map(|k| {
-            let (places, whole, rest) =
-                (&self.lattice.places[k], corner[k] / self.parts, corner[k] % self.parts);
+            let (places, whole, rest) = (
+                &self.lattice.places[k],
+                corner[k] / self.parts,
+                corner[k] % self.parts,
+            );
             if rest == 0 {
                 return places[whole];
             }
@@ -71,8 +80,15 @@ impl<'a> Fine<'a> {
     }
 
     /// Asks for the keys of corners that are not known.
-    fn learn<E>(&mut self, corners: impl IntoIterator<Item = Corner>, ask: &mut Ask<'_, E>) -> Result<(), E> {
-        let wanted: BTreeSet<Corner> = corners.into_iter().filter(|corner| !self.is_known(*corner)).collect();
+    fn learn<E>(
+        &mut self,
+        corners: impl IntoIterator<Item = Corner>,
+        ask: &mut Ask<'_, E>,
+    ) -> Result<(), E> {
+        let wanted: BTreeSet<Corner> = corners
+            .into_iter()
+            .filter(|corner| !self.is_known(*corner))
+            .collect();
         if wanted.is_empty() {
             return Ok(());
         }
@@ -88,12 +104,19 @@ impl<'a> Fine<'a> {
 
     fn beside(&self, ([x, y], axis): SideName) -> impl Iterator<Item = Corner> + use<> {
         let cells = self.cells;
-        let other =
-            if axis == 0 { y.checked_sub(1).map(|y| [x, y]) } else { x.checked_sub(1).map(|x| [x, y]) };
-        other.into_iter().chain([[x, y]]).filter(move |[x, y]| *x < cells[0] && *y < cells[1])
+        let other = if axis == 0 {
+            y.checked_sub(1).map(|y| [x, y])
+        } else {
+            x.checked_sub(1).map(|x| [x, y])
+        };
+        other
+            .into_iter()
+            .chain([[x, y]])
+            .filter(move |[x, y]| *x < cells[0] && *y < cells[1])
     }
 
-    /// Sides of the fine lattice that a boundary crosses, within those of the lattice whose ends differ.
+    /// Sides of the fine lattice that a boundary crosses, within those of the lattice whose ends
+    /// differ.
     fn seeds<E>(&mut self, ask: &mut Ask<'_, E>) -> Result<Vec<SideName>, E> {
         let [columns, rows] = self.lattice.cells();
         let parts = self.parts;
@@ -104,25 +127,43 @@ impl<'a> Fine<'a> {
                 let right = (x < columns).then(|| [from[0] + parts, from[1]]);
                 let up = (y < rows).then(|| [from[0], from[1] + parts]);
                 let ends = right.into_iter().chain(up);
-                spans.extend(ends.filter(|to| self.key(from) != self.key(*to)).map(|to| (from, to)));
+                spans.extend(
+                    ends.filter(|to| self.key(from) != self.key(*to))
+                        .map(|to| (from, to)),
+                );
             }
         }
         let mut size = parts;
         while size > 1 {
             size /= 2;
-            let middle = |(from, to): (Corner, Corner)| [0, 1].map(|k| usize::midpoint(from[k], to[k]));
+            let middle =
+                |(from, to): (Corner, Corner)| [0, 1].map(|k| usize::midpoint(from[k], to[k]));
             self.learn(spans.iter().map(|&span| middle(span)), ask)?;
-            let halves = spans.iter().flat_map(|&span| [(span.0, middle(span)), (middle(span), span.1)]);
-            spans = halves.filter(|half| self.key(half.0) != self.key(half.1)).collect();
+            let halves = spans
+                .iter()
+                .flat_map(|&span| [(span.0, middle(span)), (middle(span), span.1)]);
+            spans = halves
+                .filter(|half| self.key(half.0) != self.key(half.1))
+                .collect();
         }
-        Ok(spans.into_iter().map(|(from, to)| (from, usize::from(from[0] == to[0]))).collect())
+        Ok(spans
+            .into_iter()
+            .map(|(from, to)| (from, usize::from(from[0] == to[0])))
+            .collect())
     }
 
     /// Follows all boundaries; nothing if they run through too many cells.
-    pub(super) fn follow<E>(mut self, detail: &Detail, ask: &mut Ask<'_, E>) -> Result<Option<Followed>, E> {
+    pub(super) fn follow<E>(
+        mut self,
+        detail: &Detail,
+        ask: &mut Ask<'_, E>,
+    ) -> Result<Option<Followed>, E> {
         let seeds = self.seeds(ask)?;
         let is_coarse = self.parts == 1 && self.cells.iter().all(|count| *count < 4);
-        let mut seen: BTreeSet<Corner> = seeds.into_iter().flat_map(|side| self.beside(side)).collect();
+        let mut seen: BTreeSet<Corner> = seeds
+            .into_iter()
+            .flat_map(|side| self.beside(side))
+            .collect();
         let mut cells: BTreeSet<Corner> = BTreeSet::new();
         let mut front: Vec<Corner> = seen.iter().copied().collect();
         while !front.is_empty() {
@@ -130,13 +171,18 @@ impl<'a> Fine<'a> {
             self.learn(front.iter().copied().flat_map(corners), ask)?;
             let mut next = Vec::new();
             for cell in front {
-                let crossed: Vec<SideName> =
-                    sides_of(cell).into_iter().filter(|side| self.differ(*side)).collect();
+                let crossed: Vec<SideName> = sides_of(cell)
+                    .into_iter()
+                    .filter(|side| self.differ(*side))
+                    .collect();
                 if !crossed.is_empty() {
                     cells.insert(cell);
                 }
                 next.extend(
-                    crossed.into_iter().flat_map(|side| self.beside(side)).filter(|cell| seen.insert(*cell)),
+                    crossed
+                        .into_iter()
+                        .flat_map(|side| self.beside(side))
+                        .filter(|cell| seen.insert(*cell)),
                 );
             }
             if cells.len() > detail.most && !is_coarse {
@@ -151,7 +197,10 @@ impl<'a> Fine<'a> {
             .iter()
             .map(|&name| {
                 let corners = [name.0, far_end(name)];
-                Span { ends: corners.map(|corner| self.place(corner)), keys: corners.map(|at| self.key(at)) }
+                Span {
+                    ends: corners.map(|corner| self.place(corner)),
+                    keys: corners.map(|at| self.key(at)),
+                }
             })
             .collect();
         let mut nodes = Vec::new();
@@ -166,7 +215,11 @@ impl<'a> Fine<'a> {
                 sides: sides_of([x, y]).map(|name| sides[&name].clone()),
             })
             .collect();
-        Ok(Some(Followed { nodes, cells, frame }))
+        Ok(Some(Followed {
+            nodes,
+            cells,
+            frame,
+        }))
     }
 
     fn frame(&self, sides: &BTreeMap<SideName, Side>) -> Cell {
@@ -179,10 +232,26 @@ impl<'a> Fine<'a> {
                 .flat_map(|(_, side)| side.crossings.iter().copied())
                 .collect();
             crossings.sort_by(|a, b| a.at.total_cmp(&b.at));
-            let to = if axis == 0 { [right, from[1]] } else { [from[0], top] };
-            Side { keys: [self.key(from), self.key(to)], crossings }
+            let to = if axis == 0 {
+                [right, from[1]]
+            } else {
+                [from[0], top]
+            };
+            Side {
+                keys: [self.key(from), self.key(to)],
+                crossings,
+            }
         };
-        let sides = [side([0, 0], 0), side([right, 0], 1), side([0, top], 0), side([0, 0], 1)];
-        Cell { low: [0.0; 2], high: [1.0; 2], sides }
+        let sides = [
+            side([0, 0], 0),
+            side([right, 0], 1),
+            side([0, top], 0),
+            side([0, 0], 1),
+        ];
+        Cell {
+            low: [0.0; 2],
+            high: [1.0; 2],
+            sides,
+        }
     }
 }

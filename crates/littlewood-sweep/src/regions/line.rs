@@ -29,9 +29,10 @@ impl Band {
     /// Phases that a band knows of.
     pub const PHASES: usize = PHASES as usize;
 
-    /// The bands of a grid with one axis, from its first value to its last, by the first phases and by kinds of the summaries of
-    /// its motions, each of which is followed to the limits. Where neighbours on the grid differ, the boundary between them is
-    /// found by bisection, to this part of the line; a band between two of them can be missed. `told` is told of the motions that
+    /// The bands of a grid with one axis, from its first value to its last, by the first phases and
+    /// by kinds of the summaries of its motions, each of which is followed to the limits. Where
+    /// neighbours on the grid differ, the boundary between them is found by bisection, to this part
+    /// of the line; a band between two of them can be missed. `told` is told of the motions that
     /// have been followed. The result does not depend on the number of threads.
     ///
     /// ```
@@ -64,7 +65,11 @@ impl Band {
         workers: &Workers,
         told: &mut dyn FnMut(u64),
     ) -> Result<Vec<Self>, ParameterError> {
-        assert!(grid.axes().len() == 1, "a line has one axis, not {}", grid.axes().len());
+        assert!(
+            grid.axes().len() == 1,
+            "a line has one axis, not {}",
+            grid.axes().len()
+        );
         let last = grid.axes()[0].count() - 1;
         assert!(last > 0, "a line has two points or more");
         let key = |summary: &Summary| key_of(kind(summary), summary.sequence);
@@ -74,7 +79,10 @@ impl Band {
         let spans: Vec<Span> = places
             .windows(2)
             .zip(keys.windows(2))
-            .map(|(places, keys)| Span { ends: [places[0], places[1]], keys: [keys[0], keys[1]] })
+            .map(|(places, keys)| Span {
+                ends: [places[0], places[1]],
+                keys: [keys[0], keys[1]],
+            })
             .collect();
         let sides = crossed(&spans, &mut Vec::new(), width, &mut ask)?;
         let mut bands = vec![band_of(keys[0])];
@@ -82,7 +90,10 @@ impl Band {
             if let Some(band) = bands.last_mut() {
                 band.range[1] = crossing.at;
             }
-            bands.push(Self { range: [crossing.at, 1.0], ..band_of(crossing.keys[1]) });
+            bands.push(Self {
+                range: [crossing.at, 1.0],
+                ..band_of(crossing.keys[1])
+            });
         }
         Ok(bands)
     }

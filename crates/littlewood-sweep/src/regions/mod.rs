@@ -1,8 +1,9 @@
 //! The regions of a plane: areas whose places have one key each, bounded by curves.
 //!
-//! Where neighbours on a lattice differ, the boundary between them is followed through the cells of a finer lattice, from side
-//! to side. Where it crosses a side is found by bisection. A cell in which more than one boundary runs is halved, so that
-//! places at which three regions meet are found too.
+//! Where neighbours on a lattice differ, the boundary between them is followed through the cells of
+//! a finer lattice, from side to side. Where it crosses a side is found by bisection. A cell in
+//! which more than one boundary runs is halved, so that places at which three regions meet are
+//! found too.
 
 mod cell;
 mod chain;
@@ -41,8 +42,8 @@ pub struct Detail {
     pub parts: usize,
     /// How far apart the places are between which a boundary crosses a side.
     pub width: f64,
-    /// Cells with a boundary at most: with more the parts are fewer. Where places next to each other differ everywhere there
-    /// would be no end.
+    /// Cells with a boundary at most: with more the parts are fewer. Where places next to each
+    /// other differ everywhere there would be no end.
     pub most: usize,
     /// How often a cell is halved in which boundaries meet.
     pub halvings: u32,
@@ -52,7 +53,13 @@ pub struct Detail {
 
 impl Default for Detail {
     fn default() -> Self {
-        Self { parts: 4, width: 1e-6, most: 24_000, halvings: 6, flat: 1.5e-4 }
+        Self {
+            parts: 4,
+            width: 1e-6,
+            most: 24_000,
+            halvings: 6,
+            flat: 1.5e-4,
+        }
     }
 }
 
@@ -61,8 +68,8 @@ impl Default for Detail {
 pub struct Region {
     /// The key.
     pub key: u64,
-    /// Closed curves that have the region to their left: those around its parts counterclockwise, those around holes
-    /// clockwise.
+    /// Closed curves that have the region to their left: those around its parts counterclockwise,
+    /// those around holes clockwise.
     pub outlines: Vec<Vec<Place>>,
     /// Area in parts of the plane.
     pub area: f64,
@@ -112,14 +119,22 @@ impl Regions {
                 None => lattice = lattice.coarser(),
             }
         };
-        let Followed { mut nodes, cells, frame } = followed;
+        let Followed {
+            mut nodes,
+            cells,
+            frame,
+        } = followed;
         let segments = cell::segments(cells, detail.halvings, &mut nodes, detail.width, ask)?;
         let (regions, boundaries) = chain::regions(nodes, &segments, &frame, detail.flat);
-        Ok(Self { regions, boundaries })
+        Ok(Self {
+            regions,
+            boundaries,
+        })
     }
 
-    /// The regions of the plane of a grid by keys of the summaries of its motions, each of which is followed to the limits.
-    /// `told` is told of the motions that have been followed. The result does not depend on the number of threads.
+    /// The regions of the plane of a grid by keys of the summaries of its motions, each of which is
+    /// followed to the limits. `told` is told of the motions that have been followed. The result
+    /// does not depend on the number of threads.
     ///
     /// # Errors
     /// The first value that has no physical meaning by itself.
@@ -134,13 +149,23 @@ impl Regions {
         workers: &Workers,
         told: &mut dyn FnMut(u64),
     ) -> Result<Self, ParameterError> {
-        assert!(grid.axes().len() == 2, "a plane has two axes, not {}", grid.axes().len());
+        assert!(
+            grid.axes().len() == 2,
+            "a plane has two axes, not {}",
+            grid.axes().len()
+        );
         let count = [0, 1].map(|k| grid.axes()[k].count());
-        assert!(count.iter().all(|count| *count > 1), "a plane has two points or more to either side");
+        assert!(
+            count.iter().all(|count| *count > 1),
+            "a plane has two points or more to either side"
+        );
         let mut ask = workers.keys_of_places(grid, limits, key, told);
         let mut lattice = Lattice::even(count, |_| 0);
         let [columns, rows] = &lattice.places;
-        let places: Vec<Place> = rows.iter().flat_map(|&y| columns.iter().map(move |&x| [x, y])).collect();
+        let places: Vec<Place> = rows
+            .iter()
+            .flat_map(|&y| columns.iter().map(move |&x| [x, y]))
+            .collect();
         let mut keys = Vec::with_capacity(places.len());
         for some in places.chunks(AT_ONCE) {
             keys.extend(ask(some)?);
@@ -155,9 +180,15 @@ impl Lattice {
     pub fn even(count: [usize; 2], key: impl Fn(Place) -> u64) -> Self {
         let places = count.map(|count| {
             let last = count.max(2) - 1;
-            (0..=last).map(|i| i as f64 / last as f64).collect::<Vec<f64>>()
+            (0..=last)
+                .map(|i| i as f64 / last as f64)
+                .collect::<Vec<f64>>()
         });
-        let keys = places[1].iter().flat_map(|&y| places[0].iter().map(move |&x| [x, y])).map(key).collect();
+        let keys = places[1]
+            .iter()
+            .flat_map(|&y| places[0].iter().map(move |&x| [x, y]))
+            .map(key)
+            .collect();
         Self { places, keys }
     }
 
@@ -169,11 +200,18 @@ impl Lattice {
     /// Every other column and row.
     fn coarser(&self) -> Self {
         let kept: [Vec<usize>; 2] = self.cells().map(|last| {
-            (0..=last).filter(|i| i % 2 == 0 && (*i == 0 || i + 1 != last) || *i == last).collect()
+            (0..=last)
+                .filter(|i| i % 2 == 0 && (*i == 0 || i + 1 != last) || *i == last)
+                .collect()
         });
         let columns = self.places[0].len();
-        let keys = kept[1].iter().flat_map(|j| kept[0].iter().map(move |i| j * columns + i));
+        let keys = kept[1]
+            .iter()
+            .flat_map(|j| kept[0].iter().map(move |i| j * columns + i));
         let keys = keys.map(|place| self.keys[place]).collect();
-        Self { places: [0, 1].map(|k| kept[k].iter().map(|&i| self.places[k][i]).collect()), keys }
+        Self {
+            places: [0, 1].map(|k| kept[k].iter().map(|&i| self.places[k][i]).collect()),
+            keys,
+        }
     }
 }

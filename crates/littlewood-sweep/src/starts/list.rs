@@ -15,7 +15,8 @@ use crate::setup::quantities;
 /// A list of starts in a file. Its columns are named as the quantities of a hoop and a start are
 /// ([`Quantity::name`]); what has no column is taken from a base setup.
 ///
-/// Opening reads the file once, so that every bad cell is found before the first motion is computed.
+/// Opening reads the file once, so that every bad cell is found before the first motion is
+/// computed.
 #[derive(Clone, Debug)]
 pub struct StartList {
     path: PathBuf,
@@ -48,8 +49,14 @@ impl StartList {
         let mut rows = Rows::open(path, base)?;
         let content = checksum(path)?;
         let columns = rows.columns.clone();
-        let mut list =
-            Self { path: path.to_owned(), base, columns, rows: 0, content, derivatives: Vec::new() };
+        let mut list = Self {
+            path: path.to_owned(),
+            base,
+            columns,
+            rows: 0,
+            content,
+            derivatives: Vec::new(),
+        };
         if list.columns.is_empty() {
             return Err(ListError::Empty { path: list.path });
         }
@@ -57,7 +64,9 @@ impl StartList {
             if !list.columns.contains(&column)
                 && let Some(value) = base.get(column)
             {
-                column.check(value).map_err(|source| ListError::Fixed { column, source })?;
+                column
+                    .check(value)
+                    .map_err(|source| ListError::Fixed { column, source })?;
             }
         }
         while let Some((line, point)) = rows.next_row()? {
@@ -86,7 +95,9 @@ impl StartList {
     ///
     /// # Errors
     /// If the file cannot be read, or is not the one that was opened.
-    pub fn points(&self) -> Result<impl Iterator<Item = Result<(u64, Setup), ListError>> + use<>, ListError> {
+    pub fn points(
+        &self,
+    ) -> Result<impl Iterator<Item = Result<(u64, Setup), ListError>> + use<>, ListError> {
         let mut rows = self.read()?;
         Ok(core::iter::from_fn(move || rows.next_row().transpose()))
     }
@@ -98,11 +109,17 @@ impl StartList {
 
     pub(crate) fn read(&self) -> Result<Rows, ListError> {
         let rows = Rows::open(&self.path, self.base)?;
-        if rows.columns == self.columns { Ok(rows) } else { Err(self.changed()) }
+        if rows.columns == self.columns {
+            Ok(rows)
+        } else {
+            Err(self.changed())
+        }
     }
 
     pub(crate) fn changed(&self) -> ListError {
-        ListError::Changed { path: self.path.clone() }
+        ListError::Changed {
+            path: self.path.clone(),
+        }
     }
 
     fn check(&self, line: u64, point: &Setup) -> Result<(), ListError> {

@@ -12,8 +12,8 @@ use crate::setup::quantities;
 /// Longest line of a CSV file, in bytes. Ten numbers need less than three hundred.
 const LONGEST_LINE: u64 = 65_536;
 
-/// The lines of a CSV file. Numbers and their names hold neither commas nor ends of lines, so cells need no quotes; they
-/// may have them.
+/// The lines of a CSV file. Numbers and their names hold neither commas nor ends of lines, so cells
+/// need no quotes; they may have them.
 pub(crate) struct Rows {
     path: PathBuf,
     base: Setup,
@@ -27,12 +27,24 @@ pub(crate) struct Rows {
 
 impl Rows {
     pub(super) fn open(path: &Path, base: Setup) -> Result<Self, ListError> {
-        if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
-            return Err(ListError::UnknownFormat { path: path.to_owned() });
+        if !path
+            .extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+        {
+            return Err(ListError::UnknownFormat {
+                path: path.to_owned(),
+            });
         }
         let reader = BufReader::new(File::open(path).map_err(unreadable(path))?);
         let columns = Vec::new();
-        let mut rows = Self { path: path.to_owned(), base, columns, reader, text: Vec::new(), number: 0 };
+        let mut rows = Self {
+            path: path.to_owned(),
+            base,
+            columns,
+            reader,
+            text: Vec::new(),
+            number: 0,
+        };
         if let Some(header) = rows.next_line()? {
             rows.columns = columns_of(path, header)?;
         }
@@ -42,18 +54,29 @@ impl Rows {
     /// The next row with its line, its values set in the base setup.
     pub(crate) fn next_row(&mut self) -> Result<Option<(u64, Setup)>, ListError> {
         let mut point = self.base;
-        let Some(text) = self.next_line()?.map(str::to_owned) else { return Ok(None) };
+        let Some(text) = self.next_line()?.map(str::to_owned) else {
+            return Ok(None);
+        };
         let (path, line) = (|| self.path.clone(), self.number);
         let found = cells_of(&text).count();
         if found != self.columns.len() {
             let reason = format!("{found} cells where the header has {}", self.columns.len());
-            return Err(ListError::BadLine { path: path(), line, reason });
+            return Err(ListError::BadLine {
+                path: path(),
+                line,
+                reason,
+            });
         }
         for (&column, cell) in self.columns.iter().zip(cells_of(&text)) {
             match cell.parse().ok().filter(|value: &f64| value.is_finite()) {
                 Some(value) => point.set(column, value),
                 None => {
-                    return Err(ListError::BadCell { path: path(), line, column, cell: cell.to_owned() });
+                    return Err(ListError::BadCell {
+                        path: path(),
+                        line,
+                        column,
+                        cell: cell.to_owned(),
+                    });
                 }
             }
         }
@@ -65,7 +88,9 @@ impl Rows {
         loop {
             self.text.clear();
             let limit = LONGEST_LINE + 1;
-            let length = (&mut self.reader).take(limit).read_until(b'\n', &mut self.text);
+            let length = (&mut self.reader)
+                .take(limit)
+                .read_until(b'\n', &mut self.text);
             let length = length.map_err(unreadable(&self.path))?;
             if length == 0 {
                 return Ok(None);
@@ -98,9 +123,15 @@ fn columns_of(path: &Path, header: &str) -> Result<Vec<Quantity>, ListError> {
         let name = name.trim_start_matches('\u{feff}').trim_matches('"');
         let column = quantities()
             .find(|column| column.name() == name)
-            .ok_or_else(|| ListError::UnknownColumn { path: path.to_owned(), column: name.to_owned() })?;
+            .ok_or_else(|| ListError::UnknownColumn {
+                path: path.to_owned(),
+                column: name.to_owned(),
+            })?;
         if columns.contains(&column) {
-            return Err(ListError::DuplicateColumn { path: path.to_owned(), column });
+            return Err(ListError::DuplicateColumn {
+                path: path.to_owned(),
+                column,
+            });
         }
         columns.push(column);
     }
@@ -110,6 +141,9 @@ fn columns_of(path: &Path, header: &str) -> Result<Vec<Quantity>, ListError> {
 fn cells_of(line: &str) -> impl Iterator<Item = &str> {
     line.split(',').map(|cell| {
         let cell = cell.trim();
-        cell.strip_prefix('"').and_then(|cell| cell.strip_suffix('"')).unwrap_or(cell).trim()
+        cell.strip_prefix('"')
+            .and_then(|cell| cell.strip_suffix('"'))
+            .unwrap_or(cell)
+            .trim()
     })
 }

@@ -29,8 +29,15 @@ impl Header {
             return None;
         }
         let complete = attributes.get("status")?.as_str()? == Self::status(true);
-        let (format, run) = (attributes.get("format").cloned(), attributes.get("run")?.clone());
-        Some(Self { format, run, complete })
+        let (format, run) = (
+            attributes.get("format").cloned(),
+            attributes.get("run")?.clone(),
+        );
+        Some(Self {
+            format,
+            run,
+            complete,
+        })
     }
 
     pub(crate) const fn status(complete: bool) -> &'static str {
@@ -40,7 +47,10 @@ impl Header {
     pub(crate) fn check_versions(&self, path: &Path) -> Result<(), StoreError> {
         match ForeignVersion::find(self.format.as_ref(), &self.run) {
             None => Ok(()),
-            Some(version) => Err(StoreError::OtherFormat { path: path.to_owned(), version }),
+            Some(version) => Err(StoreError::OtherFormat {
+                path: path.to_owned(),
+                version,
+            }),
         }
     }
 }
@@ -67,8 +77,12 @@ pub(crate) trait Format: Sync {
     }
     fn paths(&self, chunk: usize) -> Vec<PathBuf>;
     /// The files of a chunk, in the order of [`Format::paths`].
-    fn encode(&self, chunk: usize, points: &[Setup], columns: &Columns)
-    -> Result<Vec<StoreFile>, StoreError>;
+    fn encode(
+        &self,
+        chunk: usize,
+        points: &[Setup],
+        columns: &Columns,
+    ) -> Result<Vec<StoreFile>, StoreError>;
     /// The results of a chunk again, from the store at a path; none if a file of it is missing.
     fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError>;
 }

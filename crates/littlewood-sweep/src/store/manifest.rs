@@ -1,4 +1,5 @@
-//! Which chunks of a store are finished, the checksums of their files, and how many points of each class they hold.
+//! Which chunks of a store are finished, the checksums of their files, and how many points of each
+//! class they hold.
 
 use core::fmt::Write as _;
 use std::collections::BTreeMap;
@@ -21,7 +22,10 @@ impl Checksum {
             hasher.update(bytes);
             length += bytes.len() as u64;
         }
-        Self { length, crc: hasher.finalize() }
+        Self {
+            length,
+            crc: hasher.finalize(),
+        }
     }
 }
 
@@ -32,8 +36,8 @@ pub(crate) struct ManifestChunk {
     pub(crate) tally: Tally,
 }
 
-/// The finished chunks of a run: a line of text each, added as the chunk is finished. A later line of the same chunk
-/// replaces it. The first line has the version of the format.
+/// The finished chunks of a run: a line of text each, added as the chunk is finished. A later line
+/// of the same chunk replaces it. The first line has the version of the format.
 ///
 /// ```text
 /// littlewood-sweep 3 run 5f3759df
@@ -48,7 +52,10 @@ pub(crate) struct Manifest {
 
 impl Manifest {
     pub(crate) const fn new(run: u32) -> Self {
-        Self { run, chunks: BTreeMap::new() }
+        Self {
+            run,
+            chunks: BTreeMap::new(),
+        }
     }
 
     pub(crate) fn head(&self) -> String {
@@ -57,8 +64,16 @@ impl Manifest {
 
     pub(crate) fn line(number: usize, entry: &ManifestChunk) -> String {
         let ManifestChunk { checksum, tally } = entry;
-        let counts: Vec<String> = tally.iter().map(|(class, count)| format!("{class}={count}")).collect();
-        format!("{number} {} {:08x} {}\n", checksum.length, checksum.crc, counts.join(","))
+        let counts: Vec<String> = tally
+            .iter()
+            .map(|(class, count)| format!("{class}={count}"))
+            .collect();
+        format!(
+            "{number} {} {:08x} {}\n",
+            checksum.length,
+            checksum.crc,
+            counts.join(",")
+        )
     }
 
     pub(crate) fn text(&self) -> String {
@@ -69,7 +84,8 @@ impl Manifest {
         text
     }
 
-    /// Reads it again. A last line without its end was cut off by a kill, and its chunk does not count.
+    /// Reads it again. A last line without its end was cut off by a kill, and its chunk does not
+    /// count.
     ///
     /// # Errors
     /// The number of a line that cannot be understood, from 1.
@@ -79,14 +95,20 @@ impl Manifest {
         match lines.next() {
             None => return Ok(manifest),
             Some(head) if head == manifest.head().as_bytes() => {}
-            Some(head) if !head.ends_with(b"\n") && manifest.head().as_bytes().starts_with(head) => {
+            Some(head)
+                if !head.ends_with(b"\n") && manifest.head().as_bytes().starts_with(head) =>
+            {
                 return Ok(manifest);
             }
             Some(_) => return Err(1),
         }
         for (number, line) in (2_usize..).zip(lines) {
-            let Some(line) = line.strip_suffix(b"\n") else { break };
-            let (chunk, entry) = entry(line).filter(|(chunk, _)| *chunk < count).ok_or(number)?;
+            let Some(line) = line.strip_suffix(b"\n") else {
+                break;
+            };
+            let (chunk, entry) = entry(line)
+                .filter(|(chunk, _)| *chunk < count)
+                .ok_or(number)?;
             manifest.chunks.insert(chunk, entry);
         }
         Ok(manifest)
@@ -104,7 +126,13 @@ fn entry(line: &[u8]) -> Option<(usize, ManifestChunk)> {
         let (class, count) = count.split_once('=')?;
         tally.add(class.parse().ok()?, count.parse().ok()?);
     }
-    words.next().is_none().then_some((chunk, ManifestChunk { checksum: Checksum { length, crc }, tally }))
+    words.next().is_none().then_some((
+        chunk,
+        ManifestChunk {
+            checksum: Checksum { length, crc },
+            tally,
+        },
+    ))
 }
 
 #[cfg(test)]
@@ -117,13 +145,27 @@ mod tests {
         let mut manifest = Manifest::new(0x5f37_59df);
         let mut tally = Tally::default();
         tally.add(Class::LeavesAtOnce, 52);
-        manifest
-            .chunks
-            .insert(0, ManifestChunk { checksum: Checksum { length: 24_681, crc: 0x1b2c }, tally });
+        manifest.chunks.insert(
+            0,
+            ManifestChunk {
+                checksum: Checksum {
+                    length: 24_681,
+                    crc: 0x1b2c,
+                },
+                tally,
+            },
+        );
         tally.add(Class::RollsForever, 25);
-        manifest
-            .chunks
-            .insert(7, ManifestChunk { checksum: Checksum { length: 9, crc: 0xffff_ffff }, tally });
+        manifest.chunks.insert(
+            7,
+            ManifestChunk {
+                checksum: Checksum {
+                    length: 9,
+                    crc: 0xffff_ffff,
+                },
+                tally,
+            },
+        );
         manifest
     }
 
@@ -137,7 +179,10 @@ mod tests {
                  leaves_at_once=52,rolls_forever=25\n"
             )
         );
-        assert_eq!(Manifest::parse(manifest.text().as_bytes(), manifest.run, 8), Ok(manifest));
+        assert_eq!(
+            Manifest::parse(manifest.text().as_bytes(), manifest.run, 8),
+            Ok(manifest)
+        );
     }
 
     #[test]
@@ -147,7 +192,10 @@ mod tests {
         for length in 0..text.len() {
             let parsed = Manifest::parse(&text.as_bytes()[..length], manifest.run, 8);
             let whole_lines = text[..length].matches('\n').count();
-            assert_eq!(parsed.map(|parsed| parsed.chunks.len()), Ok(whole_lines.saturating_sub(1)));
+            assert_eq!(
+                parsed.map(|parsed| parsed.chunks.len()),
+                Ok(whole_lines.saturating_sub(1))
+            );
         }
     }
 

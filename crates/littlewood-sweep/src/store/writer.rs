@@ -36,7 +36,11 @@ pub(crate) struct WrittenChunk {
 
 impl<'a> Store<'a> {
     /// Finds out whether the store may be begun or resumed. Writes nothing.
-    pub(crate) fn inspect(root: &Path, format: &dyn Format, resume: bool) -> Result<(), StoreError> {
+    pub(crate) fn inspect(
+        root: &Path,
+        format: &dyn Format,
+        resume: bool,
+    ) -> Result<(), StoreError> {
         check(root, format, resume).map(drop)
     }
 
@@ -48,12 +52,25 @@ impl<'a> Store<'a> {
         disk: &'a dyn Disk,
         workers: &Workers,
     ) -> Result<Self, StoreError> {
-        // Until the lock is held another process may finish the store, or begin another one: checked again after it.
+        // Until the lock is held another process may finish the store, or begin another one:
+        // checked again after it.
         let before = check(root, format, resume)?;
-        let lock = lock(root, format, disk, before.is_some_and(|header| header.complete))?;
+        let lock = lock(
+            root,
+            format,
+            disk,
+            before.is_some_and(|header| header.complete),
+        )?;
         let header = check(root, format, resume)?;
         let manifest = Manifest::new(format.description().crc());
-        let mut store = Self { root, format, disk, manifest, damaged: 0, _lock: lock };
+        let mut store = Self {
+            root,
+            format,
+            disk,
+            manifest,
+            damaged: 0,
+            _lock: lock,
+        };
         match header {
             None => store.begin()?,
             Some(Header { complete, .. }) => store.resume(count, complete, workers)?,
@@ -63,18 +80,33 @@ impl<'a> Store<'a> {
 
     /// Writes what describes the store, as a partial one.
     fn begin(&self) -> Result<(), StoreError> {
-        self.write(Path::new(self.format.names().header), &self.format.header(false)?)?;
+        self.write(
+            Path::new(self.format.names().header),
+            &self.format.header(false)?,
+        )?;
         for (path, bytes) in self.format.initial_files()? {
             self.write(&path, &bytes)?;
         }
-        self.write(Path::new(self.format.names().manifest), self.manifest.text().as_bytes())
+        self.write(
+            Path::new(self.format.names().manifest),
+            self.manifest.text().as_bytes(),
+        )
     }
 
-    fn resume(&mut self, count: usize, complete: bool, workers: &Workers) -> Result<(), StoreError> {
+    fn resume(
+        &mut self,
+        count: usize,
+        complete: bool,
+        workers: &Workers,
+    ) -> Result<(), StoreError> {
         let path = self.root.join(self.format.names().manifest);
         let claimed = match fs::read(&path) {
-            Ok(text) => Manifest::parse(&text, self.manifest.run, count)
-                .map_err(|line| StoreError::DamagedManifest { path: path.clone(), line })?,
+            Ok(text) => Manifest::parse(&text, self.manifest.run, count).map_err(|line| {
+                StoreError::DamagedManifest {
+                    path: path.clone(),
+                    line,
+                }
+            })?,
             Err(error) if error.kind() == ErrorKind::NotFound => Manifest::new(self.manifest.run),
             Err(source) => return Err(StoreError::unreadable(&path, source)),
         };
@@ -82,12 +114,18 @@ impl<'a> Store<'a> {
             claimed
                 .chunks
                 .par_iter()
-                .filter(|&(&number, entry)| is_intact(self.root, self.format, number, entry.checksum))
+                .filter(|&(&number, entry)| {
+                    is_intact(self.root, self.format, number, entry.checksum)
+                })
                 .map(|(&number, &entry)| (number, entry))
                 .collect()
         });
         let intact = self.manifest.chunks.len();
-        self.damaged = if complete { count } else { claimed.chunks.len() } - intact;
+        self.damaged = if complete {
+            count
+        } else {
+            claimed.chunks.len()
+        } - intact;
         if intact < count {
             // A store that was complete is partial from here on, until its last chunk is there.
             self.begin()?;
@@ -101,7 +139,10 @@ impl<'a> Store<'a> {
 
     pub(crate) fn tally(&self, chunks: &[usize]) -> Tally {
         let mut tally = Tally::default();
-        for entry in chunks.iter().filter_map(|number| self.manifest.chunks.get(number)) {
+        for entry in chunks
+            .iter()
+            .filter_map(|number| self.manifest.chunks.get(number))
+        {
             tally += entry.tally;
         }
         tally
@@ -112,12 +153,19 @@ impl<'a> Store<'a> {
     }
 
     /// Writes the files of a chunk, then its line in the manifest.
-    pub(crate) fn add(&mut self, chunk: WrittenChunk, files: &[StoreFile]) -> Result<(), StoreError> {
+    pub(crate) fn add(
+        &mut self,
+        chunk: WrittenChunk,
+        files: &[StoreFile],
+    ) -> Result<(), StoreError> {
         for (path, bytes) in files {
             self.write(path, bytes)?;
         }
         let checksum = Checksum::of(files.iter().map(|(_, bytes)| bytes.as_slice()));
-        let entry = ManifestChunk { checksum, tally: chunk.tally };
+        let entry = ManifestChunk {
+            checksum,
+            tally: chunk.tally,
+        };
         let path = self.root.join(self.format.names().manifest);
         self.disk
             .append(&path, Manifest::line(chunk.number, &entry).as_bytes())
@@ -126,11 +174,15 @@ impl<'a> Store<'a> {
         Ok(())
     }
 
-    /// Writes the manifest in the order of the chunks, and the header that says that the store is complete. What
-    /// describes the store is written again where it has been damaged since it was begun.
+    /// Writes the manifest in the order of the chunks, and the header that says that the store is
+    /// complete. What describes the store is written again where it has been damaged since it was
+    /// begun.
     pub(crate) fn complete(&self) -> Result<(), StoreError> {
         let mut files = self.format.initial_files()?;
-        files.push((self.format.names().manifest.into(), self.manifest.text().into_bytes()));
+        files.push((
+            self.format.names().manifest.into(),
+            self.manifest.text().into_bytes(),
+        ));
         files.push((self.format.names().header.into(), self.format.header(true)?));
         for (path, bytes) in files {
             if fs::read(self.root.join(&path)).ok().as_deref() != Some(&bytes) {
@@ -143,14 +195,18 @@ impl<'a> Store<'a> {
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
         let path = self.root.join(path);
         if let Some(folder) = path.parent() {
-            self.disk.create_folder(folder).map_err(|source| StoreError::unwritable(folder, source))?;
+            self.disk
+                .create_folder(folder)
+                .map_err(|source| StoreError::unwritable(folder, source))?;
         }
-        self.disk.write(&path, bytes).map_err(|source| StoreError::unwritable(&path, source))
+        self.disk
+            .write(&path, bytes)
+            .map_err(|source| StoreError::unwritable(&path, source))
     }
 }
 
-/// Locks the store against other processes; none on file systems without locks. The lock ends with the process, however
-/// it ends; the empty file stays, since another process may have it open.
+/// Locks the store against other processes; none on file systems without locks. The lock ends with
+/// the process, however it ends; the empty file stays, since another process may have it open.
 fn lock(
     root: &Path,
     format: &dyn Format,
@@ -159,16 +215,25 @@ fn lock(
 ) -> Result<Option<File>, StoreError> {
     let path = root.join(format.names().lock);
     let folder = path.parent().unwrap_or(root);
-    disk.create_folder(folder).map_err(|source| StoreError::unwritable(folder, source))?;
-    let file = match OpenOptions::new().read(true).append(true).create(true).open(&path) {
+    disk.create_folder(folder)
+        .map_err(|source| StoreError::unwritable(folder, source))?;
+    let file = match OpenOptions::new()
+        .read(true)
+        .append(true)
+        .create(true)
+        .open(&path)
+    {
         Ok(file) => file,
-        // Nothing is written to a store that is complete and intact; if it is not, writing will fail and say so.
+        // Nothing is written to a store that is complete and intact; if it is not, writing will
+        // fail and say so.
         Err(_) if complete => return Ok(None),
         Err(source) => return Err(StoreError::unwritable(&path, source)),
     };
     match file.try_lock() {
         Ok(()) => Ok(Some(file)),
-        Err(TryLockError::WouldBlock) => Err(StoreError::Locked { path: root.to_owned() }),
+        Err(TryLockError::WouldBlock) => Err(StoreError::Locked {
+            path: root.to_owned(),
+        }),
         Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => Ok(None),
         Err(TryLockError::Error(source)) => Err(StoreError::unwritable(&path, source)),
     }

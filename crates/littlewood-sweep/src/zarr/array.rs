@@ -8,8 +8,8 @@ use crate::attributes::Attributes;
 use crate::columns::{Column, ColumnValues};
 use crate::store::StoreError;
 
-/// Level of the compression: the numbers of motions hardly repeat, and level 3 takes a third longer to save 3 %. With the
-/// checksum every reader notices a damaged chunk.
+/// Level of the compression: the numbers of motions hardly repeat, and level 3 takes a third longer
+/// to save 3 %. With the checksum every reader notices a damaged chunk.
 const LEVEL: i32 = 1;
 
 #[derive(Debug)]
@@ -82,13 +82,22 @@ impl Array {
         if values.len() == size {
             Ok(values)
         } else {
-            Err(format!("{} bytes of values instead of {size}", values.len()))
+            Err(format!(
+                "{} bytes of values instead of {size}",
+                values.len()
+            ))
         }
     }
 }
 
-/// The values of a chunk as little-endian bytes. A chunk at the edge of the array is padded to the full size with the fill value.
-pub(super) fn to_bytes(column: Column, values: &ColumnValues, places: &[usize], size: usize) -> Vec<u8> {
+/// The values of a chunk as little-endian bytes. A chunk at the edge of the array is padded to the
+/// full size with the fill value.
+pub(super) fn to_bytes(
+    column: Column,
+    values: &ColumnValues,
+    places: &[usize],
+    size: usize,
+) -> Vec<u8> {
     if values.len() == size {
         return bytes(values);
     }
@@ -106,7 +115,8 @@ fn bytes(values: &ColumnValues) -> Vec<u8> {
     }
 }
 
-/// The bytes of values one after the other. Byte by byte they would take as long as the motions of a map.
+/// The bytes of values one after the other. Byte by byte they would take as long as the motions of
+/// a map.
 fn joined<T: Copy, const N: usize>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -> Vec<u8> {
     let mut all = vec![0; N * values.len()];
     for (place, value) in all.as_chunks_mut().0.iter_mut().zip(values) {
@@ -118,12 +128,20 @@ fn joined<T: Copy, const N: usize>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -
 /// The values of a chunk from a box of the full chunk size.
 pub(super) fn from_bytes(column: Column, bytes: &[u8], places: &[usize]) -> ColumnValues {
     fn words<const N: usize>(bytes: &[u8], places: &[usize]) -> impl Iterator<Item = [u8; N]> {
-        places.iter().map(|place| core::array::from_fn(|i| bytes[place * N + i]))
+        places
+            .iter()
+            .map(|place| core::array::from_fn(|i| bytes[place * N + i]))
     }
     match column.not_computed() {
         SummaryValue::U8(_) => ColumnValues::U8(places.iter().map(|&place| bytes[place]).collect()),
-        SummaryValue::U32(_) => ColumnValues::U32(words(bytes, places).map(u32::from_le_bytes).collect()),
-        SummaryValue::U64(_) => ColumnValues::U64(words(bytes, places).map(u64::from_le_bytes).collect()),
-        SummaryValue::F64(_) => ColumnValues::F64(words(bytes, places).map(f64::from_le_bytes).collect()),
+        SummaryValue::U32(_) => {
+            ColumnValues::U32(words(bytes, places).map(u32::from_le_bytes).collect())
+        }
+        SummaryValue::U64(_) => {
+            ColumnValues::U64(words(bytes, places).map(u64::from_le_bytes).collect())
+        }
+        SummaryValue::F64(_) => {
+            ColumnValues::F64(words(bytes, places).map(f64::from_le_bytes).collect())
+        }
     }
 }

@@ -17,9 +17,13 @@ use crate::store::{Format, Header, Names, StoreError, StoreFile};
 
 pub(super) const METADATA: &str = "zarr.json";
 
-/// The manifest and the lock are in the folder of an array: readers that list the members of the group would complain of
-/// files there.
-const NAMES: Names = Names { header: METADATA, manifest: "outcome/_chunks.txt", lock: "outcome/_lock" };
+/// The manifest and the lock are in the folder of an array: readers that list the members of the
+/// group would complain of files there.
+const NAMES: Names = Names {
+    header: METADATA,
+    manifest: "outcome/_chunks.txt",
+    lock: "outcome/_lock",
+};
 
 #[derive(Debug)]
 pub(crate) struct Layout {
@@ -36,7 +40,11 @@ impl Layout {
     pub(crate) const MOST_COORDINATES: usize = 1 << 22;
 
     pub(crate) fn new(grid: &Grid, chunks: Chunks, description: Description) -> Self {
-        let names: Vec<&'static str> = grid.axes().iter().map(|axis| axis.varies().name()).collect();
+        let names: Vec<&'static str> = grid
+            .axes()
+            .iter()
+            .map(|axis| axis.varies().name())
+            .collect();
         let coordinate = |axis: &Axis| Array {
             name: axis.varies().name().to_owned(),
             shape: vec![axis.count()],
@@ -54,10 +62,22 @@ impl Layout {
             dimensions: names.clone(),
             attributes: of_column(column),
         };
-        let coordinates = grid.axes().iter().map(|axis| (*axis, coordinate(axis))).collect();
+        let coordinates = grid
+            .axes()
+            .iter()
+            .map(|axis| (*axis, coordinate(axis)))
+            .collect();
         let derivatives = grid.derivatives().to_vec();
-        let variables = Column::all(&derivatives).map(|column| (column, variable(column))).collect();
-        Self { chunks, description, coordinates, variables, derivatives }
+        let variables = Column::all(&derivatives)
+            .map(|column| (column, variable(column)))
+            .collect();
+        Self {
+            chunks,
+            description,
+            coordinates,
+            variables,
+            derivatives,
+        }
     }
 
     fn arrays(&self) -> impl Iterator<Item = &Array> {
@@ -87,7 +107,10 @@ impl Format for Layout {
     }
 
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
-        let arrays: Attributes = self.arrays().map(|array| (array.name.clone(), array.metadata())).collect();
+        let arrays: Attributes = self
+            .arrays()
+            .map(|array| (array.name.clone(), array.metadata()))
+            .collect();
         pretty(
             METADATA,
             &json!({
@@ -117,7 +140,10 @@ impl Format for Layout {
     fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError> {
         let mut files = Vec::new();
         for array in self.arrays() {
-            files.push((Path::new(&array.name).join(METADATA), pretty(&array.name, &array.metadata())?));
+            files.push((
+                Path::new(&array.name).join(METADATA),
+                pretty(&array.name, &array.metadata())?,
+            ));
         }
         for (axis, array) in &self.coordinates {
             let values: Vec<u8> = axis.values().flat_map(f64::to_le_bytes).collect();
@@ -128,10 +154,18 @@ impl Format for Layout {
 
     fn paths(&self, chunk: usize) -> Vec<PathBuf> {
         let place = self.chunks.chunk(chunk).place;
-        self.variables.iter().map(|(_, array)| PathBuf::from(array.path(&place))).collect()
+        self.variables
+            .iter()
+            .map(|(_, array)| PathBuf::from(array.path(&place)))
+            .collect()
     }
 
-    fn encode(&self, chunk: usize, _: &[Setup], columns: &Columns) -> Result<Vec<StoreFile>, StoreError> {
+    fn encode(
+        &self,
+        chunk: usize,
+        _: &[Setup],
+        columns: &Columns,
+    ) -> Result<Vec<StoreFile>, StoreError> {
         let full = self.chunks.shape();
         let size: usize = full.iter().product();
         let places = places_in_full_chunk(&self.chunks.chunk(chunk), full);
@@ -141,9 +175,15 @@ impl Format for Layout {
             .zip(columns.columns())
             .collect::<Vec<_>>()
             .into_par_iter()
-            .map(|((column, array), (_, values))| array.encode(&to_bytes(*column, values, &places, size)))
+            .map(|((column, array), (_, values))| {
+                array.encode(&to_bytes(*column, values, &places, size))
+            })
             .collect();
-        self.paths(chunk).into_iter().zip(files).map(|(path, bytes)| Ok((path, bytes?))).collect()
+        self.paths(chunk)
+            .into_iter()
+            .zip(files)
+            .map(|(path, bytes)| Ok((path, bytes?)))
+            .collect()
     }
 
     fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError> {
@@ -159,15 +199,24 @@ impl Format for Layout {
             };
             let bytes = array
                 .decode(&encoded)
-                .map_err(|reason| StoreError::DamagedChunk { path: path.clone(), reason })?;
+                .map_err(|reason| StoreError::DamagedChunk {
+                    path: path.clone(),
+                    reason,
+                })?;
             columns.push(from_bytes(*column, &bytes, &places));
         }
-        let damaged = |reason| StoreError::DamagedChunk { path: root.to_owned(), reason };
-        Columns::from_values(columns, &self.derivatives).map(Some).map_err(damaged)
+        let damaged = |reason| StoreError::DamagedChunk {
+            path: root.to_owned(),
+            reason,
+        };
+        Columns::from_values(columns, &self.derivatives)
+            .map(Some)
+            .map_err(damaged)
     }
 }
 
-/// Where the points of a chunk, which may be cut off at the far end of an axis, stand in a chunk of full size.
+/// Where the points of a chunk, which may be cut off at the far end of an axis, stand in a chunk of
+/// full size.
 fn places_in_full_chunk(chunk: &Chunk, full: &[usize]) -> Vec<usize> {
     (0..chunk.len())
         .map(|number| {

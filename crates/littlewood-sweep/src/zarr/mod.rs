@@ -9,8 +9,9 @@
 //!   outcome/_lock        empty; locked while a run writes
 //! ```
 //!
-//! `xarray.open_zarr` opens the group as a data set with coordinates, units and long names (CF-1.11). Chunks that are not
-//! computed yet read as the columns of [`Summary::NOT_COMPUTED`](littlewood::Summary::NOT_COMPUTED).
+//! `xarray.open_zarr` opens the group as a data set with coordinates, units and long names
+//! (CF-1.11). Chunks that are not computed yet read as the columns of
+//! [`Summary::NOT_COMPUTED`](littlewood::Summary::NOT_COMPUTED).
 
 mod array;
 mod layout;

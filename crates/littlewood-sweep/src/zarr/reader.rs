@@ -39,31 +39,48 @@ impl ZarrStore {
     /// Opens a store that [`sweep_grid`](crate::sweep_grid) has made, complete or not.
     ///
     /// # Errors
-    /// If there is none, if it is of another version of the format, or if its metadata cannot be understood.
+    /// If there is none, if it is of another version of the format, or if its metadata cannot be
+    /// understood.
     pub fn open(path: &Path) -> Result<Self, StoreError> {
         let file = path.join(METADATA);
         let bytes = std::fs::read(&file).map_err(|source| StoreError::unreadable(&file, source))?;
-        let metadata: Value = serde_json::from_slice(&bytes)
-            .map_err(|error| StoreError::DamagedMetadata { path: file.clone(), reason: error.to_string() })?;
-        let header =
-            Layout::header_of(&metadata).ok_or_else(|| StoreError::NotAStore { path: path.to_owned() })?;
+        let metadata: Value =
+            serde_json::from_slice(&bytes).map_err(|error| StoreError::DamagedMetadata {
+                path: file.clone(),
+                reason: error.to_string(),
+            })?;
+        let header = Layout::header_of(&metadata).ok_or_else(|| StoreError::NotAStore {
+            path: path.to_owned(),
+        })?;
         header.check_versions(path)?;
         let Header { run, complete, .. } = header;
-        let (grid, limits, shape) = Description::grid(&run).ok_or_else(|| StoreError::DamagedMetadata {
-            path: file,
-            reason: "the attribute \"run\" does not describe a grid".to_owned(),
-        })?;
+        let (grid, limits, shape) =
+            Description::grid(&run).ok_or_else(|| StoreError::DamagedMetadata {
+                path: file,
+                reason: "the attribute \"run\" does not describe a grid".to_owned(),
+            })?;
         let chunks = Chunks::of_shape(&grid, shape);
         let layout = Layout::new(&grid, chunks, Description(run));
-        Ok(Self { root: path.to_owned(), grid, limits, complete, layout })
+        Ok(Self {
+            root: path.to_owned(),
+            grid,
+            limits,
+            complete,
+            layout,
+        })
     }
 
-    /// The numbers of chunks that are missing, or whose files do not have the checksum that was noted.
+    /// The numbers of chunks that are missing, or whose files do not have the checksum that was
+    /// noted.
     ///
     /// # Errors
     /// If the list of finished chunks is damaged.
     pub fn broken_chunks(&self) -> Result<Vec<usize>, StoreError> {
-        Ok(broken_chunks(&self.root, &self.layout, self.layout.chunks.count())?.into_iter().collect())
+        Ok(
+            broken_chunks(&self.root, &self.layout, self.layout.chunks.count())?
+                .into_iter()
+                .collect(),
+        )
     }
 
     /// The results of a chunk, in the order of its points; none if it has not been computed.

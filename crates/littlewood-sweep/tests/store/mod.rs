@@ -1,6 +1,10 @@
 //! Stores: the same whether interrupted or not, never overwritten, readable at all times.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests stand outside of test functions"
+)]
 
 mod damaged;
 mod refused;

@@ -4,7 +4,8 @@ use std::fs;
 
 use littlewood::Limits;
 use littlewood_sweep::{
-    Grid, Options, Report, StartList, StoreError, SweepError, Target, Workers, sweep_grid, sweep_list,
+    Grid, Options, Report, StartList, StoreError, SweepError, Target, Workers, sweep_grid,
+    sweep_list,
 };
 
 use crate::store::runs::{each_kind, interrupted, limits, options, store_of};
@@ -18,13 +19,29 @@ fn what_is_there_is_not_overwritten() {
         let before = tree(&store);
         let error = run(&store, &options(name)).unwrap_err();
         assert!(
-            matches!(error, SweepError::Store(StoreError::Exists { complete: false, .. })),
+            matches!(
+                error,
+                SweepError::Store(StoreError::Exists {
+                    complete: false,
+                    ..
+                })
+            ),
             "{name}: {error}"
         );
-        run(&store, &Options { resume: true, ..options(name) }).unwrap();
+        run(
+            &store,
+            &Options {
+                resume: true,
+                ..options(name)
+            },
+        )
+        .unwrap();
         let error = run(&store, &options(name)).unwrap_err();
         assert!(
-            matches!(error, SweepError::Store(StoreError::Exists { complete: true, .. })),
+            matches!(
+                error,
+                SweepError::Store(StoreError::Exists { complete: true, .. })
+            ),
             "{name}: {error}"
         );
         assert_ne!(before, tree(&store));
@@ -36,8 +53,18 @@ fn what_is_there_is_not_overwritten() {
         fs::write(folder.join("letter.txt"), "dear").unwrap();
         for path in [&file, &folder] {
             for resume in [false, true] {
-                let error = run(path, &Options { resume, ..options(name) }).unwrap_err();
-                assert!(matches!(error, SweepError::Store(StoreError::NotAStore { .. })), "{name}: {error}");
+                let error = run(
+                    path,
+                    &Options {
+                        resume,
+                        ..options(name)
+                    },
+                )
+                .unwrap_err();
+                assert!(
+                    matches!(error, SweepError::Store(StoreError::NotAStore { .. })),
+                    "{name}: {error}"
+                );
             }
         }
         assert_eq!(fs::read_to_string(file).unwrap(), "a file");
@@ -57,7 +84,10 @@ fn a_store_of_other_parameters_is_refused_and_the_difference_named() {
     let start = |grid: &Grid, limits: Limits, options: &Options<'_>, workers: &Workers| {
         sweep_grid(grid, limits, &[Target::Zarr(&path)], None, workers, options)
     };
-    let resume = Options { resume: true, ..options("zarr") };
+    let resume = Options {
+        resume: true,
+        ..options("zarr")
+    };
     start(&mixed(), limits(), &resume, &workers).unwrap();
     let before = tree(&path);
     let mut base = *mixed().base();
@@ -78,8 +108,14 @@ fn a_store_of_other_parameters_is_refused_and_the_difference_named() {
     let mut zero = *mixed().base();
     zero.start.slip = -0.0;
     let zero = Grid::new(zero, mixed().axes().to_vec()).unwrap();
-    assert_eq!(differences(start(&zero, limits(), &resume, &workers)), ["fixed.slip: 0.0 there, -0.0 here"]);
-    let small = Options { chunk_points: 7, ..resume };
+    assert_eq!(
+        differences(start(&zero, limits(), &resume, &workers)),
+        ["fixed.slip: 0.0 there, -0.0 here"]
+    );
+    let small = Options {
+        chunk_points: 7,
+        ..resume
+    };
     assert!(!differences(start(&mixed(), limits(), &small, &workers)).is_empty());
     assert_eq!(tree(&path), before);
 }
@@ -92,8 +128,17 @@ fn a_list_with_other_content_is_another_run() {
     for (content, same) in [("theta\n0.5\n", true), ("theta\n0.6\n", false)] {
         fs::write(&csv, content).unwrap();
         let list = StartList::open(&csv, figure_2()).unwrap();
-        let resume = Options { resume: true, ..Options::default() };
-        let result = sweep_list(&list, limits(), &[Target::Parquet(&path)], &workers(1), &resume);
+        let resume = Options {
+            resume: true,
+            ..Options::default()
+        };
+        let result = sweep_list(
+            &list,
+            limits(),
+            &[Target::Parquet(&path)],
+            &workers(1),
+            &resume,
+        );
         assert_eq!(result.is_ok(), same, "{result:?}");
     }
 }
@@ -105,21 +150,45 @@ fn an_unwritable_folder_is_an_error_that_names_it() {
     fs::write(&file, "").unwrap();
     // A path through a file: no one, not even root, can write there.
     let path = file.join("map.zarr");
-    let error = sweep_grid(&map(3), limits(), &[Target::Zarr(&path)], None, &workers(1), &Options::default())
-        .unwrap_err();
+    let error = sweep_grid(
+        &map(3),
+        limits(),
+        &[Target::Zarr(&path)],
+        None,
+        &workers(1),
+        &Options::default(),
+    )
+    .unwrap_err();
     assert!(error.to_string().contains("file"), "{error}");
     assert!(!error.to_string().contains("stay"), "{error}");
-    assert!(matches!(error, SweepError::Store(StoreError::Unwritable { finished: 0, .. })));
+    assert!(matches!(
+        error,
+        SweepError::Store(StoreError::Unwritable { finished: 0, .. })
+    ));
 }
 
 #[test]
 fn a_target_that_is_refused_keeps_the_others_from_being_begun() {
     let folder = tempfile::tempdir().unwrap();
-    let (zarr, file) = (folder.path().join("a.zarr"), folder.path().join("a.parquet"));
+    let (zarr, file) = (
+        folder.path().join("a.zarr"),
+        folder.path().join("a.parquet"),
+    );
     fs::write(&file, "a file").unwrap();
     let targets = [Target::Zarr(&zarr), Target::Parquet(&file)];
-    let error = sweep_grid(&mixed(), limits(), &targets, None, &workers(1), &Options::default()).unwrap_err();
-    assert!(matches!(error, SweepError::Store(StoreError::NotAStore { .. })), "{error}");
+    let error = sweep_grid(
+        &mixed(),
+        limits(),
+        &targets,
+        None,
+        &workers(1),
+        &Options::default(),
+    )
+    .unwrap_err();
+    assert!(
+        matches!(error, SweepError::Store(StoreError::NotAStore { .. })),
+        "{error}"
+    );
     assert!(!zarr.exists());
 }
 
@@ -134,11 +203,20 @@ fn two_runs_do_not_write_to_one_store() {
             "zarr" => "outcome/_lock",
             _ => "_lock",
         };
-        let held = fs::OpenOptions::new().append(true).open(store_of(name, &path).join(lock)).unwrap();
+        let held = fs::OpenOptions::new()
+            .append(true)
+            .open(store_of(name, &path).join(lock))
+            .unwrap();
         held.lock().unwrap();
-        let resume = Options { resume: true, ..options(name) };
+        let resume = Options {
+            resume: true,
+            ..options(name)
+        };
         let error = run(&path, &resume).unwrap_err();
-        assert!(matches!(error, SweepError::Store(StoreError::Locked { .. })), "{name}: {error}");
+        assert!(
+            matches!(error, SweepError::Store(StoreError::Locked { .. })),
+            "{name}: {error}"
+        );
         assert_eq!(tree(&path), before);
         drop(held);
         assert!(run(&path, &resume).unwrap().complete, "{name}");

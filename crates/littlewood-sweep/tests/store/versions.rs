@@ -5,7 +5,8 @@ use std::path::Path;
 
 use littlewood::tables::PhaseSequence;
 use littlewood_sweep::{
-    ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, Target, ZarrStore, sweep_grid,
+    ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, Target, ZarrStore,
+    sweep_grid,
 };
 use serde_json::{Value, json};
 
@@ -18,10 +19,15 @@ fn refused(result: Result<Report, SweepError>) -> ForeignVersion {
     match result.unwrap_err() {
         SweepError::Store(error @ StoreError::OtherFormat { .. }) => {
             let text = error.to_string();
-            let StoreError::OtherFormat { version, .. } = error else { unreachable!() };
+            let StoreError::OtherFormat { version, .. } = error else {
+                unreachable!()
+            };
             let (found, needed) = (version.found.to_string(), version.needed.to_string());
             assert!(text.contains(&found) && text.contains(&needed), "{text}");
-            assert!(text.contains("left as it is") && text.contains("choose another name"), "{text}");
+            assert!(
+                text.contains("left as it is") && text.contains("choose another name"),
+                "{text}"
+            );
             version
         }
         error => panic!("{error}"),
@@ -48,21 +54,43 @@ fn a_store_of_another_version_is_refused_with_both_versions() {
     let edits: [(Edit, u64, u32); 5] = [
         (|header| header["format"] = json!(1), 1, STORE_FORMAT),
         (|header| remove(header, "format"), 1, STORE_FORMAT),
-        (|header| header["format"] = json!(STORE_FORMAT + 1), u64::from(STORE_FORMAT) + 1, STORE_FORMAT),
-        (|header| remove(&mut header["run"], "format"), 1, STORE_FORMAT),
-        (|header| header["run"]["sequence_version"] = json!(1), 1, PhaseSequence::VERSION),
+        (
+            |header| header["format"] = json!(STORE_FORMAT + 1),
+            u64::from(STORE_FORMAT) + 1,
+            STORE_FORMAT,
+        ),
+        (
+            |header| remove(&mut header["run"], "format"),
+            1,
+            STORE_FORMAT,
+        ),
+        (
+            |header| header["run"]["sequence_version"] = json!(1),
+            1,
+            PhaseSequence::VERSION,
+        ),
     ];
     each_kind(|name, run, place| {
         let (whole, path) = (place.join("whole"), place.join("store"));
         run(&whole, &options(name)).unwrap();
         interrupted(name, run, &path, 20, false);
-        let header = store_of(name, &path).join(if name == "zarr" { "zarr.json" } else { "_run.json" });
+        let header = store_of(name, &path).join(if name == "zarr" {
+            "zarr.json"
+        } else {
+            "_run.json"
+        });
         let written = fs::read(&header).unwrap();
         for (change, found, needed) in edits {
             edit(&header, change);
             let before = tree(&path);
             for resume in [false, true] {
-                let version = refused(run(&path, &Options { resume, ..options(name) }));
+                let version = refused(run(
+                    &path,
+                    &Options {
+                        resume,
+                        ..options(name)
+                    },
+                ));
                 assert_eq!((version.found, version.needed), (found, needed), "{name}");
                 assert_eq!(version.program.as_deref(), Some(env!("CARGO_PKG_VERSION")));
             }
@@ -73,7 +101,17 @@ fn a_store_of_another_version_is_refused_with_both_versions() {
             assert_eq!(tree(&path), before);
             fs::write(&header, &written).unwrap();
         }
-        assert!(run(&path, &Options { resume: true, ..options(name) }).unwrap().complete);
+        assert!(
+            run(
+                &path,
+                &Options {
+                    resume: true,
+                    ..options(name)
+                }
+            )
+            .unwrap()
+            .complete
+        );
         assert_same_tree(&whole, &path);
     });
 }
@@ -86,7 +124,10 @@ fn a_file_of_the_first_version_is_refused() {
     let run = json!({ "version": "0.1.0", "points": "grid" }).to_string();
     write_table(&path, "littlewood_run", run);
     let before = fs::read(&path).unwrap();
-    let resume = Options { resume: true, ..options("grid file") };
+    let resume = Options {
+        resume: true,
+        ..options("grid file")
+    };
     let version = refused(sweep_grid(
         &mixed(),
         littlewood::Limits::until(1.0),

@@ -1,6 +1,10 @@
 //! What the tests share: the hoop of Figure 2, grids of it, trees of files, a disk that fills up.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests stand outside of test functions"
+)]
 
 pub(crate) mod table;
 pub(crate) mod zarr;
@@ -17,7 +21,10 @@ use littlewood::{HoopParameters, Start};
 use littlewood_sweep::{Axis, Columns, Disk, FileSystem, Grid, Workers};
 
 pub(crate) fn figure_2() -> Setup {
-    Setup::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4), Start::at(0.0, 0.0))
+    Setup::new(
+        HoopParameters::thin(1.0).with_friction(0.5, 0.4),
+        Start::at(0.0, 0.0),
+    )
 }
 
 /// A column of real numbers.
@@ -33,7 +40,10 @@ pub(crate) fn bits(columns: &Columns) -> Vec<Vec<u64>> {
         SummaryValue::U64(value) => value,
         SummaryValue::F64(value) => value.to_bits(),
     };
-    columns.columns().map(|(_, values)| values.iter().map(bits).collect()).collect()
+    columns
+        .columns()
+        .map(|(_, values)| values.iter().map(bits).collect())
+        .collect()
 }
 
 /// The map of the benchmarks: θ from −π to π, θ′ from −4 to 4.
@@ -98,8 +108,11 @@ pub(crate) fn parts(file: &Path) -> PathBuf {
 pub(crate) fn assert_same_tree(a: &Path, b: &Path) {
     let (a, b) = (tree(a), tree(b));
     assert_eq!(a.keys().collect::<Vec<_>>(), b.keys().collect::<Vec<_>>());
-    let differing: Vec<_> =
-        a.iter().filter(|(path, bytes)| b[*path] != **bytes).map(|(path, _)| path).collect();
+    let differing: Vec<_> = a
+        .iter()
+        .filter(|(path, bytes)| b[*path] != **bytes)
+        .map(|(path, _)| path)
+        .collect();
     assert!(differing.is_empty(), "{differing:?}");
 }
 
@@ -110,7 +123,9 @@ pub(crate) struct SmallDisk {
 
 impl SmallDisk {
     pub(crate) fn new(room: usize) -> Self {
-        Self { room: AtomicUsize::new(room) }
+        Self {
+            room: AtomicUsize::new(room),
+        }
     }
 
     fn take(&self, bytes: &[u8]) -> (usize, io::Result<()>) {

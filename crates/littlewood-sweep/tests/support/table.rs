@@ -17,12 +17,18 @@ use parquet::schema::parser::parse_message_type;
 pub(crate) fn write_table(path: &Path, key: &str, value: String) {
     let schema = parse_message_type("message table { required double theta; }").unwrap();
     let entry = Some(vec![KeyValue::new(key.to_owned(), value)]);
-    let properties = WriterProperties::builder().set_key_value_metadata(entry).build();
+    let properties = WriterProperties::builder()
+        .set_key_value_metadata(entry)
+        .build();
     let file = File::create(path).unwrap();
-    let mut writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties)).unwrap();
+    let mut writer =
+        SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties)).unwrap();
     let mut group = writer.next_row_group().unwrap();
     let mut column = group.next_column().unwrap().unwrap();
-    column.typed::<DoubleType>().write_batch(&[0.5], None, None).unwrap();
+    column
+        .typed::<DoubleType>()
+        .write_batch(&[0.5], None, None)
+        .unwrap();
     column.close().unwrap();
     group.close().unwrap();
     writer.close().unwrap();
@@ -40,9 +46,22 @@ pub(crate) struct Table {
 impl Table {
     pub(crate) fn read(path: &Path) -> Self {
         let reader = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
-        let entries = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
+        let entries = reader
+            .metadata()
+            .file_metadata()
+            .key_value_metadata()
+            .cloned()
+            .unwrap_or_default();
         let groups = reader.num_row_groups();
-        Self { rows: reader.get_row_iter(None).unwrap().map(Result::unwrap).collect(), groups, entries }
+        Self {
+            rows: reader
+                .get_row_iter(None)
+                .unwrap()
+                .map(Result::unwrap)
+                .collect(),
+            groups,
+            entries,
+        }
     }
 
     /// An entry of the footer.
@@ -53,9 +72,18 @@ impl Table {
 
     /// The values of a column.
     pub(crate) fn column(&self, name: &str) -> Vec<&Field> {
-        let find = |row: &Row| row.get_column_iter().position(|(column, _)| column == name).unwrap();
-        let Some(place) = self.rows.first().map(find) else { return Vec::new() };
-        self.rows.iter().map(|row| row.get_column_iter().nth(place).unwrap().1).collect()
+        let find = |row: &Row| {
+            row.get_column_iter()
+                .position(|(column, _)| column == name)
+                .unwrap()
+        };
+        let Some(place) = self.rows.first().map(find) else {
+            return Vec::new();
+        };
+        self.rows
+            .iter()
+            .map(|row| row.get_column_iter().nth(place).unwrap().1)
+            .collect()
     }
 
     pub(crate) fn reals(&self, name: &str) -> Vec<f64> {

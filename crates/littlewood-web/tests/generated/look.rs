@@ -4,7 +4,8 @@ use core::fmt::Write;
 
 use littlewood::Mode;
 use littlewood_style::{
-    Accent, Arrow, Curve, Dash, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_mode, swatches,
+    Accent, Arrow, Curve, Dash, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_mode,
+    swatches,
 };
 use littlewood_web::hops;
 
@@ -23,12 +24,37 @@ const REGION_OPACITY: f64 = 0.12;
 pub(crate) fn typescript() -> String {
     let mut source = Source::new("Colours and lines of the style crate.");
     source.lines("import type { Class, Mode } from './tables';");
-    source.names("INKS", "Ink", "Colours of what is not data.", Ink::ALL.map(Ink::name));
-    source.names("ARROWS", "Arrow", "Vectors that are drawn at the hoop.", Arrow::ALL.map(Arrow::name));
-    source.names("CURVES", "Curve", "Curves of the phase plane.", Curve::ALL.map(Curve::name));
-    source.names("ACCENTS", "Accent", "Colours for what has none of its own.", Accent::ALL.map(Accent::name));
+    source.names(
+        "INKS",
+        "Ink",
+        "Colours of what is not data.",
+        Ink::ALL.map(Ink::name),
+    );
+    source.names(
+        "ARROWS",
+        "Arrow",
+        "Vectors that are drawn at the hoop.",
+        Arrow::ALL.map(Arrow::name),
+    );
+    source.names(
+        "CURVES",
+        "Curve",
+        "Curves of the phase plane.",
+        Curve::ALL.map(Curve::name),
+    );
+    source.names(
+        "ACCENTS",
+        "Accent",
+        "Colours for what has none of its own.",
+        Accent::ALL.map(Accent::name),
+    );
     let lines = ImpulseLine::ALL.map(ImpulseLine::name);
-    source.names("IMPULSE_LINES", "ImpulseLine", "Lines of the plane of impulses.", lines);
+    source.names(
+        "IMPULSE_LINES",
+        "ImpulseLine",
+        "Lines of the plane of impulses.",
+        lines,
+    );
     let parts = EnergyPart::ALL.map(EnergyPart::name);
     source.names(
         "ENERGY_PARTS",
@@ -54,7 +80,12 @@ pub(crate) fn typescript() -> String {
 }",
     );
     let palettes = Theme::ALL.map(|theme| (theme.name(), palette(theme)));
-    source.record("PALETTES", ("'light' | 'dark'", "Palette"), "The colours on each paper.", palettes);
+    source.record(
+        "PALETTES",
+        ("'light' | 'dark'", "Palette"),
+        "The colours on each paper.",
+        palettes,
+    );
     let dashes = Mode::ALL.map(|mode| (mode.name(), pattern(dash_of(mode))));
     let doc = "Dashes of a line that shows a mode, in units of its width.";
     source.record("MODE_DASHES", ("Mode", "readonly number[]"), doc, dashes);
@@ -86,7 +117,12 @@ pub(crate) fn typescript() -> String {
         ];
         (curve.name(), object(&fields))
     });
-    source.record("CURVE_ROWS", ("Curve", "CurveRow"), "The table of curves.", curves);
+    source.record(
+        "CURVE_ROWS",
+        ("Curve", "CurveRow"),
+        "The table of curves.",
+        curves,
+    );
     let lines = ImpulseLine::ALL.map(|line| {
         let fields = [
             ("label", quoted(line.label())),
@@ -98,7 +134,12 @@ pub(crate) fn typescript() -> String {
     let doc = "The table of lines of the plane of impulses.";
     source.record("IMPULSE_LINE_ROWS", ("ImpulseLine", "LineRow"), doc, lines);
     let labels = EnergyPart::ALL.map(|part| (part.name(), quoted(part.label())));
-    source.record("ENERGY_LABELS", ("EnergyPart", "string"), "In words.", labels);
+    source.record(
+        "ENERGY_LABELS",
+        ("EnergyPart", "string"),
+        "In words.",
+        labels,
+    );
     source.text()
 }
 
@@ -107,12 +148,21 @@ fn palette(theme: Theme) -> String {
     for swatches in swatches(theme).chunk_by(|a, b| a.group == b.group) {
         let _ = write!(text, "\n    {}: {{", swatches[0].group);
         for swatch in swatches {
-            let _ = write!(text, "\n      {}: {},", swatch.name, quoted(&shown(swatch, theme).hex()));
+            let _ = write!(
+                text,
+                "\n      {}: {},",
+                swatch.name,
+                quoted(&shown(swatch, theme).hex())
+            );
         }
         text.push_str("\n    },");
     }
     let hops = hops(theme).map(|colour| quoted(&colour.hex())).join(", ");
-    let _ = write!(text, "\n    hops: [{hops}],\n    region: {},\n  }}", quoted(&region(theme)));
+    let _ = write!(
+        text,
+        "\n    hops: [{hops}],\n    region: {},\n  }}",
+        quoted(&region(theme))
+    );
     text
 }
 
@@ -120,9 +170,9 @@ fn pattern(dash: Dash) -> String {
     format!("{:?}", dash.pattern())
 }
 
-/// `palette.css`: inks and accents as variables of the document; the colour of a mode, a class, an arrow or a curve as a
-/// variable of the element that names it in an attribute, with a colour for letters on it; that of a class of landings by its
-/// place.
+/// `palette.css`: inks and accents as variables of the document; the colour of a mode, a class, an
+/// arrow or a curve as a variable of the element that names it in an attribute, with a colour for
+/// letters on it; that of a class of landings by its place.
 pub(crate) fn css() -> String {
     let mut variables = String::new();
     let mut rules = String::new();
@@ -133,16 +183,26 @@ pub(crate) fn css() -> String {
         if ["ink", "accent"].contains(group) && *name != Ink::Region.name() {
             let _ = writeln!(variables, "  --{}: {colour};", name.replace('_', "-"));
         } else if *group != "ink" {
-            let letters = light_dark(letters(on_light, Theme::Light), letters(on_dark, Theme::Dark));
+            let letters = light_dark(
+                letters(on_light, Theme::Light),
+                letters(on_dark, Theme::Dark),
+            );
             let _ = write!(
                 rules,
                 "\n[data-{group}='{name}'] {{\n  --{group}: {colour};\n  --on-{group}: {letters};\n}}\n"
             );
         }
     }
-    for (class, (light, dark)) in hops(Theme::Light).into_iter().zip(hops(Theme::Dark)).enumerate() {
+    for (class, (light, dark)) in hops(Theme::Light)
+        .into_iter()
+        .zip(hops(Theme::Dark))
+        .enumerate()
+    {
         let colour = light_dark(light.hex(), dark.hex());
-        let _ = write!(rules, "\n[data-hops='{class}'] {{\n  --hops: {colour};\n}}\n");
+        let _ = write!(
+            rules,
+            "\n[data-hops='{class}'] {{\n  --hops: {colour};\n}}\n"
+        );
     }
     let region = light_dark(region(Theme::Light), region(Theme::Dark));
     format!(
@@ -163,23 +223,32 @@ fn shown(swatch: &Swatch, theme: Theme) -> Rgb {
     }
 }
 
-/// The colours of the classes of landings: one colour, so that its strength, in grey too, tells more from fewer.
+/// The colours of the classes of landings: one colour, so that its strength, in grey too, tells
+/// more from fewer.
 fn hops(theme: Theme) -> [Rgb; hops::CLASSES] {
     let [least, most] = HOP_OPACITY;
     core::array::from_fn(|class| {
         let part = class as f64 / (hops::CLASSES - 1) as f64;
-        Accent::Violet.colour(theme).over(Ink::Paper.colour(theme), least + (most - least) * part)
+        Accent::Violet
+            .colour(theme)
+            .over(Ink::Paper.colour(theme), least + (most - least) * part)
     })
 }
 
 /// The more legible colour for letters on a colour.
 fn letters(ground: Rgb, theme: Theme) -> String {
-    ground.more_legible(Ink::Paper.colour(theme), Ink::Ink.colour(theme)).hex()
+    ground
+        .more_legible(Ink::Paper.colour(theme), Ink::Ink.colour(theme))
+        .hex()
 }
 
 /// Neutral and translucent: the colour of the region would be taken for a class of the map below.
 fn region(theme: Theme) -> String {
-    format!("{}{:02x}", Ink::Ink.colour(theme).hex(), (255.0 * REGION_OPACITY).round() as u8)
+    format!(
+        "{}{:02x}",
+        Ink::Ink.colour(theme).hex(),
+        (255.0 * REGION_OPACITY).round() as u8
+    )
 }
 
 /// `icon.svg`: a hoop on the plane with its particle.

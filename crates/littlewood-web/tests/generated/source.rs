@@ -27,7 +27,10 @@ impl Source {
         for name in names {
             let _ = write!(self.0, "\n  {},", quoted(name));
         }
-        let _ = write!(self.0, "\n] as const;\nexport type {kind} = (typeof {list})[number];\n");
+        let _ = write!(
+            self.0,
+            "\n] as const;\nexport type {kind} = (typeof {list})[number];\n"
+        );
     }
 
     /// A value for each name.
@@ -70,6 +73,9 @@ pub(crate) fn quoted_or_null(text: Option<&str>) -> String {
 
 /// The fields of an object.
 pub(crate) fn object(fields: &[(&str, String)]) -> String {
-    let fields: Vec<String> = fields.iter().map(|(name, value)| format!("{name}: {value}")).collect();
+    let fields: Vec<String> = fields
+        .iter()
+        .map(|(name, value)| format!("{name}: {value}"))
+        .collect();
     format!("{{ {} }}", fields.join(", "))
 }

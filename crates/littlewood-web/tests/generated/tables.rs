@@ -14,7 +14,12 @@ pub(crate) fn typescript() -> String {
     quantities(&mut source);
     columns(&mut source);
     let modes = by_code(&Mode::ALL, Mode::code, Mode::name);
-    source.names("MODES", "Mode", "Modes of motion. Arrays hold a mode as its place in this list.", modes);
+    source.names(
+        "MODES",
+        "Mode",
+        "Modes of motion. Arrays hold a mode as its place in this list.",
+        modes,
+    );
     let causes = Cause::ALL.map(|cause| (cause.name(), quoted(cause.label())));
     source.names("CAUSES", "Cause", "What ends a phase.", Cause::NAMES);
     source.record("CAUSE_LABELS", ("Cause", "string"), "In words.", causes);
@@ -38,8 +43,18 @@ pub(crate) fn typescript() -> String {
 }
 
 fn quantities(source: &mut Source) {
-    source.names("QUANTITIES", "Quantity", "What a person can set.", Quantity::NAMES);
-    source.names("GROUPS", "Group", "What a quantity belongs to.", Group::NAMES);
+    source.names(
+        "QUANTITIES",
+        "Quantity",
+        "What a person can set.",
+        Quantity::NAMES,
+    );
+    source.names(
+        "GROUPS",
+        "Group",
+        "What a quantity belongs to.",
+        Group::NAMES,
+    );
     source.lines("export type System = 'dimensionless' | 'si';");
     source.lines(
         "export interface QuantityRow {
@@ -68,13 +83,20 @@ fn quantities(source: &mut Source) {
             ("longName", quoted(row.long_name)),
             (
                 "otherwise",
-                row.presence.default_value().map_or_else(|| "null".to_owned(), |value| value.to_string()),
+                row.presence
+                    .default_value()
+                    .map_or_else(|| "null".to_owned(), |value| value.to_string()),
             ),
             ("usual", format!("[{}, {}]", row.usual[0], row.usual[1])),
         ];
         (quantity.name(), object(&fields))
     });
-    source.record("QUANTITY_ROWS", ("Quantity", "QuantityRow"), "The table of quantities.", rows);
+    source.record(
+        "QUANTITY_ROWS",
+        ("Quantity", "QuantityRow"),
+        "The table of quantities.",
+        rows,
+    );
     source.names(
         "DIMENSIONLESS",
         "DimensionlessNumber",
@@ -109,15 +131,31 @@ fn columns(source: &mut Source) {
 }",
     );
     let rows = SampleColumn::ALL.map(|column| {
-        let twin = column.name().parse::<Quantity>().ok().and_then(Quantity::si_twin);
+        let twin = column
+            .name()
+            .parse::<Quantity>()
+            .ok()
+            .and_then(Quantity::si_twin);
         let signs = [column.sign(), twin.map_or(column.sign(), Quantity::sign)];
-        let units = column.dimension().map_or(["", ""], |it| [it.scale_sign(), it.si_sign()]);
-        let both = |[plain, si]: [&str; 2]| object(&[("dimensionless", quoted(plain)), ("si", quoted(si))]);
-        let fields =
-            [("longName", quoted(column.long_name())), ("signs", both(signs)), ("units", both(units))];
+        let units = column
+            .dimension()
+            .map_or(["", ""], |it| [it.scale_sign(), it.si_sign()]);
+        let both = |[plain, si]: [&str; 2]| {
+            object(&[("dimensionless", quoted(plain)), ("si", quoted(si))])
+        };
+        let fields = [
+            ("longName", quoted(column.long_name())),
+            ("signs", both(signs)),
+            ("units", both(units)),
+        ];
         (column.name(), object(&fields))
     });
-    source.record("COLUMN_ROWS", ("SampleColumn", "ColumnRow"), "The table of columns.", rows);
+    source.record(
+        "COLUMN_ROWS",
+        ("SampleColumn", "ColumnRow"),
+        "The table of columns.",
+        rows,
+    );
     source.names(
         "STATE_COLUMNS",
         "StateColumn",
@@ -127,7 +165,12 @@ fn columns(source: &mut Source) {
 }
 
 fn outcomes(source: &mut Source) {
-    source.names("OUTCOMES", "OutcomeKind", "How a motion ends.", OutcomeKind::NAMES);
+    source.names(
+        "OUTCOMES",
+        "OutcomeKind",
+        "How a motion ends.",
+        OutcomeKind::NAMES,
+    );
     source.lines(
         "export interface OutcomeRow {
   label: string;
@@ -141,11 +184,19 @@ fn outcomes(source: &mut Source) {
         let fields = [
             ("label", quoted(kind.label())),
             ("forever", kind.is_forever().to_string()),
-            ("lastEvent", quoted_or_null(kind.last_event().map(Cause::name))),
+            (
+                "lastEvent",
+                quoted_or_null(kind.last_event().map(Cause::name)),
+            ),
         ];
         (kind.name(), object(&fields))
     });
-    source.record("OUTCOME_ROWS", ("OutcomeKind", "OutcomeRow"), "The table of outcomes.", rows);
+    source.record(
+        "OUTCOME_ROWS",
+        ("OutcomeKind", "OutcomeRow"),
+        "The table of outcomes.",
+        rows,
+    );
 }
 
 fn impacts(source: &mut Source) {
@@ -165,8 +216,16 @@ fn impacts(source: &mut Source) {
         "What the contact point does in an impact.",
         ImpactCase::NAMES,
     );
-    source.record("IMPACT_CASE_LABELS", ("ImpactCase", "string"), "In words.", cases);
-    let impulse = [("dimensionless", Dimension::Impulse.scale_sign()), ("si", Dimension::Impulse.si_sign())];
+    source.record(
+        "IMPACT_CASE_LABELS",
+        ("ImpactCase", "string"),
+        "In words.",
+        cases,
+    );
+    let impulse = [
+        ("dimensionless", Dimension::Impulse.scale_sign()),
+        ("si", Dimension::Impulse.si_sign()),
+    ];
     source.record(
         "IMPULSE_UNITS",
         ("System", "string"),
@@ -176,13 +235,36 @@ fn impacts(source: &mut Source) {
 }
 
 fn view(source: &mut Source) {
-    source.names("VIEW_KEYS", "ViewKey", "What a link says of the page.", VIEW.map(|(key, ..)| key));
-    let list =
-        |items: &[&str]| format!("[{}]", items.iter().map(|it| quoted(it)).collect::<Vec<_>>().join(", "));
+    source.names(
+        "VIEW_KEYS",
+        "ViewKey",
+        "What a link says of the page.",
+        VIEW.map(|(key, ..)| key),
+    );
+    let list = |items: &[&str]| {
+        format!(
+            "[{}]",
+            items
+                .iter()
+                .map(|it| quoted(it))
+                .collect::<Vec<_>>()
+                .join(", ")
+        )
+    };
     let choices = VIEW.map(|(key, choices, _)| (key, list(choices)));
-    source.record("VIEW_CHOICES", ("ViewKey", "readonly string[]"), "What it may say.", choices);
+    source.record(
+        "VIEW_CHOICES",
+        ("ViewKey", "readonly string[]"),
+        "What it may say.",
+        choices,
+    );
     let first = VIEW.map(|(key, _, first)| (key, quoted(first)));
-    source.record("VIEW_FIRST", ("ViewKey", "string"), "What it says at first.", first);
+    source.record(
+        "VIEW_FIRST",
+        ("ViewKey", "string"),
+        "What it says at first.",
+        first,
+    );
 }
 
 /// The names in the order of their codes, which are 0, 1, 2, …
@@ -192,7 +274,12 @@ fn by_code<T: Copy, const N: usize>(
     name: fn(T) -> &'static str,
 ) -> [&'static str; N] {
     for (place, item) in all.iter().enumerate() {
-        assert_eq!(usize::from(code(*item)), place, "the code of {} is not its place", name(*item));
+        assert_eq!(
+            usize::from(code(*item)),
+            place,
+            "the code of {} is not its place",
+            name(*item)
+        );
     }
     all.map(name)
 }

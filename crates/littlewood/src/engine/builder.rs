@@ -28,7 +28,8 @@ pub struct EngineBuilder {
 }
 
 impl EngineBuilder {
-    /// For so many starts: many, if it is not called. The number changes how long summaries take, and their last digits.
+    /// For so many starts: many, if it is not called. The number changes how long summaries take,
+    /// and their last digits.
     pub const fn expected_starts(self, starts: u64) -> Self {
         Self { starts, ..self }
     }
@@ -40,7 +41,11 @@ impl EngineBuilder {
 
     /// The engine.
     pub fn build(self) -> Engine {
-        if self.prepares() { Engine::new(&self.hoop) } else { Engine::for_few_starts(&self.hoop) }
+        if self.prepares() {
+            Engine::new(&self.hoop)
+        } else {
+            Engine::for_few_starts(&self.hoop)
+        }
     }
 }
 
@@ -58,7 +63,10 @@ pub struct StartError {
 impl Engine {
     /// An engine for as many starts as are expected; [`Engine::new`] is for many.
     pub const fn builder(hoop: &Hoop) -> EngineBuilder {
-        EngineBuilder { hoop: *hoop, starts: u64::MAX }
+        EngineBuilder {
+            hoop: *hoop,
+            starts: u64::MAX,
+        }
     }
 
     /// The summaries of many starts, one after the other, as [`Engine::summary`] makes them.
@@ -80,7 +88,8 @@ impl Engine {
         limits: Limits,
     ) -> impl Iterator<Item = Result<Summary, StartError>> + use<'_, I> {
         starts.into_iter().enumerate().map(move |(index, start)| {
-            self.summary(start, limits).map_err(|error| StartError { index, error })
+            self.summary(start, limits)
+                .map_err(|error| StartError { index, error })
         })
     }
 }

@@ -5,7 +5,8 @@ use core::sync::atomic::{AtomicU64, Ordering};
 use crate::model::named;
 
 named! {
-    /// Why the engine leaves a phase, or a whole motion, to the solvers of [`crate::Hoop::simulate`].
+    /// Why the engine leaves a phase, or a whole motion, to the solvers of
+    /// [`crate::Hoop::simulate`].
     pub enum Doubt, "reason of doubt" {
         /// The normal force next to zero at the end of a piece of a slide.
         Contact = 0, "contact";
@@ -45,12 +46,16 @@ impl Tally {
     }
 
     pub(super) fn counts(&self) -> impl Iterator<Item = (Doubt, u64)> {
-        Doubt::ALL.into_iter().map(|doubt| (doubt, self.0[doubt as usize].load(Ordering::Relaxed)))
+        Doubt::ALL
+            .into_iter()
+            .map(|doubt| (doubt, self.0[doubt as usize].load(Ordering::Relaxed)))
     }
 }
 
 impl Clone for Tally {
     fn clone(&self) -> Self {
-        Self(core::array::from_fn(|i| AtomicU64::new(self.0[i].load(Ordering::Relaxed))))
+        Self(core::array::from_fn(|i| {
+            AtomicU64::new(self.0[i].load(Ordering::Relaxed))
+        }))
     }
 }

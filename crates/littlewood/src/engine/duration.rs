@@ -1,8 +1,9 @@
 //! How long rolling takes, by Gauss sums of ∫ 2 √(D/κ) dψ (docs/engine.md).
 //!
-//! ψ is half the angle from the bottom on orbits over the top and the phase of the swing on others, D = D(π) + β sin²ψ and
-//! κ = |κ(0)| + β cos²ψ, where β = 4ℓ̂ over the top, and the energy over the bottom on others. The variable is t = tan(ψ − ψm) about the middle
-//! of a panel, so that a node costs a square root and a division.
+//! ψ is half the angle from the bottom on orbits over the top and the phase of the swing on others,
+//! D = D(π) + β sin²ψ and κ = |κ(0)| + β cos²ψ, where β = 4ℓ̂ over the top, and the energy over the
+//! bottom on others. The variable is t = tan(ψ − ψm) about the middle of a panel, so that a node
+//! costs a square root and a division.
 
 use crate::math::trig::sincos;
 
@@ -12,17 +13,24 @@ use super::quadrature::{LONG_NODE, LONG_WEIGHT, NODE, WEIGHT};
 const SHORT_NODE: [f64; 4] = [NODE[4], NODE[5], NODE[6], NODE[7]];
 const SHORT_WEIGHT: [f64; 4] = [WEIGHT[4], WEIGHT[5], WEIGHT[6], WEIGHT[7]];
 
-/// Half widths of panels in t, as parts of the distance of the singularities from the real axis: the error of the Gauss sum is about
-/// r^(−2n) for n nodes, with r = 10.1 for eight and r = 3.3 for sixteen: 1e-16 and 2e-17.
+/// Half widths of panels in t, as parts of the distance of the singularities from the real axis:
+/// the error of the Gauss sum is about r^(−2n) for n nodes, with r = 10.1 for eight and r = 3.3 for
+/// sixteen: 1e-16 and 2e-17.
 const SHORT_PANEL: f64 = 0.2;
 const LONG_PANEL: f64 = 0.66;
 
 /// Most nodes; beyond, elliptic integrals are cheaper.
 const MAX_NODES: f64 = 128.0;
 
-/// Time on the orbit with D(π), |κ(0)| and β, from where ψ has this sine and cosine on, over an arc of ψ. None where it comes so close to a
-/// singularity, next to the separatrix or to the bottom of a light hoop, that it would take too many nodes.
-pub(super) fn duration(bottom: f64, (excess, swing): (f64, f64), from: (f64, f64), arc: f64) -> Option<f64> {
+/// Time on the orbit with D(π), |κ(0)| and β, from where ψ has this sine and cosine on, over an arc
+/// of ψ. None where it comes so close to a singularity, next to the separatrix or to the bottom of
+/// a light hoop, that it would take too many nodes.
+pub(super) fn duration(
+    bottom: f64,
+    (excess, swing): (f64, f64),
+    from: (f64, f64),
+    arc: f64,
+) -> Option<f64> {
     // D vanishes at the tangent ± i √(D(π)/(D(π) + β)) from the bottom, κ likewise from the top.
     let least = bottom.min(excess);
     let clear = (least / (least + swing)).sqrt();
@@ -47,7 +55,13 @@ pub(super) fn duration(bottom: f64, (excess, swing): (f64, f64), from: (f64, f64
     let mut panel = 0.0;
     while panel < count {
         let middle = turned(here);
-        let orbit = Panel { bottom, excess, swing, middle, half };
+        let orbit = Panel {
+            bottom,
+            excess,
+            swing,
+            middle,
+            half,
+        };
         sum += if is_short {
             orbit.sum(&SHORT_NODE, &SHORT_WEIGHT)
         } else {
@@ -60,7 +74,11 @@ pub(super) fn duration(bottom: f64, (excess, swing): (f64, f64), from: (f64, f64
 }
 
 /// dτ/dψ where ψ has this sine and cosine.
-pub(super) fn slowness(bottom: f64, (excess, swing): (f64, f64), (sine, cosine): (f64, f64)) -> f64 {
+pub(super) fn slowness(
+    bottom: f64,
+    (excess, swing): (f64, f64),
+    (sine, cosine): (f64, f64),
+) -> f64 {
     2.0 * ((bottom + swing * (sine * sine)) / (excess + swing * (cosine * cosine))).sqrt()
 }
 

@@ -15,7 +15,10 @@ pub(super) struct Tolerance {
 }
 
 impl Tolerance {
-    pub(super) const ROUNDING: Self = Self { relative: 2e-15, least: 0.0 };
+    pub(super) const ROUNDING: Self = Self {
+        relative: 2e-15,
+        least: 0.0,
+    };
 
     pub(super) fn of(&self, size: f64) -> f64 {
         (self.relative * size.abs()).max(self.least)
@@ -59,11 +62,19 @@ impl Basis {
         powers[1][1] = 1.0;
         for j in 2..NODES {
             for k in 0..NODES {
-                let raised = if k == 0 { 0.0 } else { 2.0 * powers[j - 1][k - 1] };
+                let raised = if k == 0 {
+                    0.0
+                } else {
+                    2.0 * powers[j - 1][k - 1]
+                };
                 powers[j][k] = raised - powers[j - 2][k];
             }
         }
-        Self { nodes: core::array::from_fn(|k| -cos(1, k)), chebyshev, powers }
+        Self {
+            nodes: core::array::from_fn(|k| -cos(1, k)),
+            chebyshev,
+            powers,
+        }
     }
 
     pub(super) fn nodes(&self, left: f64, right: f64) -> [f64; NODES] {
@@ -90,8 +101,13 @@ impl Basis {
             }
         }
         for lane in 0..LANES {
-            let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value[lane].abs()));
-            if !chebyshev[NODES - 2..].iter().all(|c| c[lane].abs() <= tolerances[lane].of(largest)) {
+            let largest = values
+                .iter()
+                .fold(0.0_f64, |largest, value| largest.max(value[lane].abs()));
+            if !chebyshev[NODES - 2..]
+                .iter()
+                .all(|c| c[lane].abs() <= tolerances[lane].of(largest))
+            {
                 return None;
             }
         }
@@ -108,7 +124,12 @@ impl Basis {
             series[NODES - 1][lane] += level[lane];
         }
         let (centre, scale) = (0.5 * (left + right), 2.0 / (right - left));
-        Some(Interpolant { right, centre, scale, series })
+        Some(Interpolant {
+            right,
+            centre,
+            scale,
+            series,
+        })
     }
 }
 
@@ -137,6 +158,10 @@ mod tests {
     fn a_kink_does_not_converge() {
         let basis = Basis::new();
         let values = basis.nodes(-1.0, 1.0).map(|x| [(x - 0.1).abs()]);
-        assert!(basis.through(-1.0, 1.0, &values, &[Tolerance::ROUNDING]).is_none());
+        assert!(
+            basis
+                .through(-1.0, 1.0, &values, &[Tolerance::ROUNDING])
+                .is_none()
+        );
     }
 }

@@ -1,5 +1,6 @@
-//! The jump out of a slide, which is the same for all hoops: the angle by which the hoop turns in the air, and that at which the gap is
-//! largest, are functions of the angle of the lift-off alone (docs/theory/jumps.md).
+//! The jump out of a slide, which is the same for all hoops: the angle by which the hoop turns in
+//! the air, and that at which the gap is largest, are functions of the angle of the lift-off alone
+//! (docs/theory/jumps.md).
 
 use std::sync::LazyLock;
 
@@ -11,7 +12,8 @@ use crate::modes::{Flight, TakeOff};
 
 use super::interpolant::{Basis, Interpolant, Tolerance};
 
-/// From this angle on the time in the air jumps up: C/S has a point of inflection there, where tan φ/2 = φ/2.
+/// From this angle on the time in the air jumps up: C/S has a point of inflection there, where tan
+/// φ/2 = φ/2.
 const SINGULAR_ANGLE: f64 = 1.351_816_804_319_27;
 
 /// Lift-offs farther from the top are solved one by one.
@@ -26,10 +28,17 @@ const MAX_ANGLE: f64 = 1e6;
 /// Width of a piece in units of its distance from the singular angle.
 const RELATIVE_PIECE_WIDTH: f64 = 0.2;
 
-/// Angles of the landing and of the largest gap, over the angle from the top at the lift-off, in pieces.
+/// Angles of the landing and of the largest gap, over the angle from the top at the lift-off, in
+/// pieces.
 static JUMPS: LazyLock<Option<Vec<Interpolant<2>>>> = LazyLock::new(|| {
     // Any body will do: the inertia and the mass do not matter, and h is a factor.
-    let body = Heavy { mass: 1.0, h: 1.0, offset: 1.0, inertia: 1.0, tilt: -0.0 };
+    let body = Heavy {
+        mass: 1.0,
+        h: 1.0,
+        offset: 1.0,
+        inertia: 1.0,
+        tilt: -0.0,
+    };
     let basis = Basis::new();
     let mut pieces = Vec::new();
     let mut left = 0.0;
@@ -38,7 +47,13 @@ static JUMPS: LazyLock<Option<Vec<Interpolant<2>>>> = LazyLock::new(|| {
         let values = basis.nodes(left, right).map(|angle| {
             let (sin, cos) = libm::sincos(angle);
             let theta_rate = 1.0 / (body.h * cos).sqrt();
-            let start = State { time: 0.0, theta: -angle, theta_rate, slip: 0.0, x: 0.0 };
+            let start = State {
+                time: 0.0,
+                theta: -angle,
+                theta_rate,
+                slip: 0.0,
+                x: 0.0,
+            };
             let flight = Flight::from_direction(&body, start, TakeOff::Grazing, (-sin, cos));
             flight.angles().map(|phi| phi / angle)
         });
@@ -48,15 +63,20 @@ static JUMPS: LazyLock<Option<Vec<Interpolant<2>>>> = LazyLock::new(|| {
     Some(pieces)
 });
 
-/// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the lift-off in the direction of
-/// rotation, its sine and cosine, and what rounding has left of h cos θ θ′² − 1. None where it has to be solved.
+/// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the
+/// lift-off in the direction of rotation, its sine and cosine, and what rounding has left of h cos
+/// θ θ′² − 1. None where it has to be solved.
 pub(super) fn angles(theta: f64, (sin, cos): (f64, f64), opening: f64) -> Option<[f64; 2]> {
     if theta.abs() > MAX_ANGLE || !is_on(Part::Jumps) {
         return None;
     }
     let angle = -without_turns(theta);
     let told = sine_follows_from_rate(theta, (sin, cos));
-    from_table(if told { angle - opening * cos / sin } else { angle })
+    from_table(if told {
+        angle - opening * cos / sin
+    } else {
+        angle
+    })
 }
 
 fn from_table(angle: f64) -> Option<[f64; 2]> {
@@ -89,8 +109,14 @@ mod tests {
             let slope = libm::tan(angle);
             // The subtraction φ − sin φ keeps ε/φ² of its digits.
             let tolerance = 4e-16 * (8.0 + 60.0 / (apex * apex));
-            assert!((closed / slope - 1.0).abs() < tolerance, "{angle}: {closed} {slope}");
-            assert!((highest / slope - 1.0).abs() < tolerance, "{angle}: {highest} {slope}");
+            assert!(
+                (closed / slope - 1.0).abs() < tolerance,
+                "{angle}: {closed} {slope}"
+            );
+            assert!(
+                (highest / slope - 1.0).abs() < tolerance,
+                "{angle}: {highest} {slope}"
+            );
         }
         let [landing, apex] = from_table(2e-6).expect("within the table");
         assert!((landing / 8e-6 - 1.0).abs() < 1e-11 && (apex / 6e-6 - 1.0).abs() < 1e-11);

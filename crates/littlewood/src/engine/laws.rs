@@ -32,7 +32,9 @@ pub(super) struct Laws {
 impl Laws {
     /// None of a massless hoop.
     pub(super) fn new(hoop: &Hoop) -> Option<Self> {
-        let Body::Heavy(body) = hoop.body() else { return None };
+        let Body::Heavy(body) = hoop.body() else {
+            return None;
+        };
         Some(Self {
             body,
             sliding: [body, body.mirrored()].map(|body| {
@@ -43,7 +45,8 @@ impl Laws {
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             cells: Cells::default(),
             octants: Octants::default(),
-            ramps: (hoop.slope() != 0.0).then(|| Box::new([1.0, -1.0].map(|travel| Ramp::new(hoop, travel)))),
+            ramps: (hoop.slope() != 0.0)
+                .then(|| Box::new([1.0, -1.0].map(|travel| Ramp::new(hoop, travel)))),
             tally: Tally::default(),
         })
     }
@@ -58,12 +61,22 @@ impl Laws {
     /// The orbit of rolling through a place, in the direction of motion.
     fn orbit(&self, place: &Place) -> Result<Orbit<'_>, Doubt> {
         let (state, travel) = (place.state, place.travel());
-        Orbit::enter(&self.rolling, travel * state.theta, travel * state.theta_rate).ok_or(Doubt::Separatrix)
+        Orbit::enter(
+            &self.rolling,
+            travel * state.theta,
+            travel * state.theta_rate,
+        )
+        .ok_or(Doubt::Separatrix)
     }
 
-    /// The end of the rolling that begins at a place, in the direction of motion, on the limit of static friction or not; by what
-    /// is kept, if the motion is long.
-    pub(super) fn roll(&self, place: &Place, on_limit: bool, is_long: bool) -> Result<RollEnd, Doubt> {
+    /// The end of the rolling that begins at a place, in the direction of motion, on the limit of
+    /// static friction or not; by what is kept, if the motion is long.
+    pub(super) fn roll(
+        &self,
+        place: &Place,
+        on_limit: bool,
+        is_long: bool,
+    ) -> Result<RollEnd, Doubt> {
         if let Some(ramps) = &self.ramps {
             return slope::follow(ramps, place);
         }
@@ -71,7 +84,12 @@ impl Laws {
             // Gravity decides where it goes.
             return Err(Doubt::Standstill);
         }
-        roll::follow(&self.orbit(place)?, &self.margins, on_limit, is_long.then_some(&self.octants))
+        roll::follow(
+            &self.orbit(place)?,
+            &self.margins,
+            on_limit,
+            is_long.then_some(&self.octants),
+        )
     }
 
     /// Where rolling from a place, to a slip, is after a time.
@@ -82,13 +100,14 @@ impl Laws {
         }
     }
 
-    /// Whether rolling is left to the simulation: on a slope what is kept is not worth making for few phases.
+    /// Whether rolling is left to the simulation: on a slope what is kept is not worth making for
+    /// few phases.
     pub(super) const fn leaves_rolling(&self, is_long: bool) -> bool {
         self.ramps.is_some() && !is_long
     }
 
-    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`; `from_limit` where η′ = η″ = 0 at the
-    /// start.
+    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`;
+    /// `from_limit` where η′ = η″ = 0 at the start.
     pub(super) fn slide(
         &self,
         place: &Place,
@@ -115,9 +134,19 @@ impl Laws {
             u,
             elapsed: 0.0,
             slip: sigma * state.slip,
-            slip_acceleration: if from_limit { 0.0 } else { sigma * (alpha + beta * u) },
+            slip_acceleration: if from_limit {
+                0.0
+            } else {
+                sigma * (alpha + beta * u)
+            },
             direction: (sign * sin, cos),
         };
-        slide::follow(frame, here, from_limit, allowed, is_long.then_some(&self.cells))
+        slide::follow(
+            frame,
+            here,
+            from_limit,
+            allowed,
+            is_long.then_some(&self.cells),
+        )
     }
 }

@@ -1,9 +1,10 @@
 //! A faster implementation of the same simulation, for many starts.
 //!
-//! The walk along the automaton is that of [`crate::walk`], as for [`Hoop::simulate`]; the phases are other solutions of the same equations
-//! ([`laws`]): slides are followed in the angle ([`slide`]), rolling along its orbit ([`roll`]). What depends on the hoop alone is
-//! kept, and chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to rounding is left to the
-//! solvers of the simulation, for a reason that is counted ([`Doubt`]).
+//! The walk along the automaton is that of [`crate::walk`], as for [`Hoop::simulate`]; the phases
+//! are other solutions of the same equations ([`laws`]): slides are followed in the angle
+//! ([`slide`]), rolling along its orbit ([`roll`]). What depends on the hoop alone is kept, and
+//! chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to
+//! rounding is left to the solvers of the simulation, for a reason that is counted ([`Doubt`]).
 
 mod builder;
 mod chain;
@@ -34,19 +35,21 @@ pub use doubt::Doubt;
 use laws::Laws;
 use solver::FastSolver;
 
-/// Motions of lighter hoops, by Î/m, are simulated: each time the particle passes the bottom, rounding is amplified by (Î/m)^(−1/2), and
-/// that of every step tells more than that of the start of a phase.
+/// Motions of lighter hoops, by Î/m, are simulated: each time the particle passes the bottom,
+/// rounding is amplified by (Î/m)^(−1/2), and that of every step tells more than that of the start
+/// of a phase.
 const MIN_INERTIA: f64 = 1e-4;
 
-/// So are those of hoops that are better balanced, by h: the forces of rolling change by h over a turn, so that the angles at
-/// which it slips are known to ε/h.
+/// So are those of hoops that are better balanced, by h: the forces of rolling change by h over a
+/// turn, so that the angles at which it slips are known to ε/h.
 const MIN_IMBALANCE: f64 = 1e-3;
 
-/// So are those with less static friction, if there is any: where |F| = μs N they slip at angles that are known to ε/μs.
+/// So are those with less static friction, if there is any: where |F| = μs N they slip at angles
+/// that are known to ε/μs.
 const MIN_FRICTION: f64 = 1e-9;
 
-/// So are those on steeper planes, by |tan α|: the pull along the plane is so much more than the force normal to it, the unit here, that a
-/// rounded time tells in the slip.
+/// So are those on steeper planes, by |tan α|: the pull along the plane is so much more than the
+/// force normal to it, the unit here, that a rounded time tells in the slip.
 const MAX_TILT: f64 = 100.0;
 
 /// To motions of fewer transitions chains are not worth what is prepared for them.
@@ -54,8 +57,9 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 
 /// A hoop prepared for many motions.
 ///
-/// The outcome, the sequence and the number of transitions of a motion are those of [`Hoop::simulate`]. Times, states and energies may
-/// differ from it in their last digits, and so between an engine for many starts and one for few.
+/// The outcome, the sequence and the number of transitions of a motion are those of
+/// [`Hoop::simulate`]. Times, states and energies may differ from it in their last digits, and so
+/// between an engine for many starts and one for few.
 ///
 /// ```
 /// use littlewood::{Engine, Hoop, Limits, Start};
@@ -72,7 +76,8 @@ pub struct Engine {
     hoop: Hoop,
     /// None where motions are simulated.
     laws: Option<Laws>,
-    /// For all directions of motion, or on a slope for each; none where slips are followed one by one.
+    /// For all directions of motion, or on a slope for each; none where slips are followed one by
+    /// one.
     chains: Option<Vec<Chains>>,
     /// Whether what is kept is used from the first phase of a motion on.
     is_prepared: bool,
@@ -84,17 +89,31 @@ impl Engine {
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let engine = Self::for_few_starts(hoop);
-        // Without kinetic friction slides come back to the limit of static friction exactly, which the walk alone knows.
+        // Without kinetic friction slides come back to the limit of static friction exactly, which
+        // the walk alone knows.
         let laws = engine.laws.as_ref().filter(|_| hoop.mu_k() > 0.0);
         let chains = laws.map(|laws| Chains::new(hoop, laws));
-        Self { is_prepared: engine.laws.is_some(), chains, ..engine }
+        Self {
+            is_prepared: engine.laws.is_some(),
+            chains,
+            ..engine
+        }
     }
 
     /// An engine for few starts. Nothing is prepared.
     fn for_few_starts(hoop: &Hoop) -> Self {
         let resolves_slips = hoop.mu_s() == 0.0 || hoop.mu_s() >= MIN_FRICTION;
-        let is_computed = |Heavy { mass, h, inertia, tilt, .. }: Heavy| {
-            resolves_slips && h >= MIN_IMBALANCE && inertia >= MIN_INERTIA * mass && tilt.abs() <= MAX_TILT
+        let is_computed = |Heavy {
+                               mass,
+                               h,
+                               inertia,
+                               tilt,
+                               ..
+                           }: Heavy| {
+            resolves_slips
+                && h >= MIN_IMBALANCE
+                && inertia >= MIN_INERTIA * mass
+                && tilt.abs() <= MAX_TILT
         };
         Self {
             hoop: *hoop,
@@ -115,7 +134,8 @@ impl Engine {
         self.is_prepared
     }
 
-    /// Whether chains of slips out of rolling are passed at once, thousands of them in the time of some twenty phases.
+    /// Whether chains of slips out of rolling are passed at once, thousands of them in the time of
+    /// some twenty phases.
     pub const fn passes_chains(&self) -> bool {
         self.chains.is_some()
     }
@@ -125,7 +145,8 @@ impl Engine {
         self.laws.is_none()
     }
 
-    /// How many phases, and whole motions ([`Doubt::Drift`]), were left to the solvers of the simulation so far, by the reason.
+    /// How many phases, and whole motions ([`Doubt::Drift`]), were left to the solvers of the
+    /// simulation so far, by the reason.
     pub fn doubts(&self) -> impl Iterator<Item = (Doubt, u64)> {
         self.laws.iter().flat_map(|laws| laws.tally.counts())
     }
@@ -162,9 +183,14 @@ impl Engine {
         empty: SummaryRecorder<'_>,
     ) -> Summary {
         let chains = self.chains.as_deref();
-        let chains = chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
+        let chains =
+            chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
         let solver = FastSolver::new(&self.hoop, laws, &limits).with_chains(chains);
-        let solver = if self.is_prepared { solver } else { solver.for_few_starts() };
+        let solver = if self.is_prepared {
+            solver
+        } else {
+            solver.for_few_starts()
+        };
         let mut recorder = empty;
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
         if solver.has_drifted() {
@@ -175,7 +201,10 @@ impl Engine {
     }
 
     fn known<'a>(&'a self, chains: Option<&'a [Chains]>) -> Known<'a> {
-        Known { levels: chains.and_then(|chains| chains.first()?.levels()), contact: Some(&self.contact) }
+        Known {
+            levels: chains.and_then(|chains| chains.first()?.levels()),
+            contact: Some(&self.contact),
+        }
     }
 }
 
@@ -186,21 +215,35 @@ mod tests {
     use crate::walk::follow::ChainBudget;
     use crate::walk::{Cause, Solver};
 
-    /// How many transitions are passed at once from the last slip of the motion from a start that is simulated for so many.
+    /// How many transitions are passed at once from the last slip of the motion from a start that
+    /// is simulated for so many.
     fn passed_from(hoop: &Hoop, start: Start, transitions: usize) -> usize {
         let engine = Engine::new(hoop);
         let (laws, chains) = engine.laws.as_ref().zip(engine.chains.as_deref()).unwrap();
-        let motion = hoop.simulate(start, Limits::default().with_transitions(transitions)).unwrap();
-        let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
+        let motion = hoop
+            .simulate(start, Limits::default().with_transitions(transitions))
+            .unwrap();
+        let slip = motion
+            .transitions()
+            .iter()
+            .rfind(|one| one.cause == Cause::Slip)
+            .unwrap();
         let solver = FastSolver::new(hoop, laws, &Limits::default()).with_chains(Some(chains));
-        let room =
-            ChainBudget { transitions: 5_000, slides: f64::INFINITY, record_phases: false, open: None };
+        let room = ChainBudget {
+            transitions: 5_000,
+            slides: f64::INFINITY,
+            record_phases: false,
+            open: None,
+        };
         let place = solver.place(slip.before);
-        let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");
+        let linked = solver
+            .pass_links(&place, slip.direction.unwrap(), &room)
+            .expect("links");
         linked.transitions as usize
     }
 
-    /// The closer the coefficients, the closer to a grazing orbit a motion goes, and the less the level of its orbit tells where it slips.
+    /// The closer the coefficients, the closer to a grazing orbit a motion goes, and the less the
+    /// level of its orbit tells where it slips.
     #[test]
     fn slips_towards_a_grazing_orbit_are_passed_by_the_thousand() {
         for mu_k in [0.498, 0.499, 0.4999] {
@@ -221,15 +264,37 @@ mod tests {
         }
     }
 
-    /// With little friction grazing orbits slip where they turn, at an angle that hardly tells them apart.
+    /// With little friction grazing orbits slip where they turn, at an angle that hardly tells them
+    /// apart.
     #[test]
     fn slips_next_to_turning_points_are_passed_by_the_hundred() {
         for (mass_ratio, offset, inertia, mu_s, mu_k, start) in [
             (2.0, 1.0, 0.5, 0.2, 0.1999, Start::at(2.336, 0.92)),
-            (0.0985, 0.779, 0.0662, 0.0915, 0.091489, Start::at(2.336, 0.92)),
-            (0.551, 0.993, 0.124, 0.0637, 0.0636968, Start::at(2.336, 0.92)),
+            (
+                0.0985,
+                0.779,
+                0.0662,
+                0.0915,
+                0.091489,
+                Start::at(2.336, 0.92),
+            ),
+            (
+                0.551,
+                0.993,
+                0.124,
+                0.0637,
+                0.0636968,
+                Start::at(2.336, 0.92),
+            ),
             // There are no links at most rates, but at the lowest.
-            (0.22784, 0.33068, 0.17859, 0.078342, 0.078332, Start::at(0.527, -0.295)),
+            (
+                0.22784,
+                0.33068,
+                0.17859,
+                0.078342,
+                0.078332,
+                Start::at(0.527, -0.295),
+            ),
         ] {
             let parameters = HoopParameters::thin(mass_ratio)
                 .with_offset(offset)

@@ -1,7 +1,8 @@
 //! An orbit of rolling, entered at a state: when it is where, and where it is when.
 //!
-//! Everything is seen in the direction of motion. The phase ψ is half the angle from the bottom on orbits over the top, and that of the
-//! swing on others; the time is the Gauss sum of [`duration`], or, where that would be long, the elliptic integral.
+//! Everything is seen in the direction of motion. The phase ψ is half the angle from the bottom on
+//! orbits over the top, and that of the swing on others; the time is the Gauss sum of [`duration`],
+//! or, where that would be long, the elliptic integral.
 
 use core::f64::consts::TAU;
 
@@ -11,10 +12,12 @@ use crate::modes::rolling::{reduce, time_from_bottom};
 
 use super::duration::{duration, slowness};
 
-/// Orbits whose energy over the top is a smaller part of their constant are left to the exact solver.
+/// Orbits whose energy over the top is a smaller part of their constant are left to the exact
+/// solver.
 pub(super) const MIN_SEPARATRIX_DISTANCE: f64 = 1e-9;
 
-/// Newton's method for the phase at a time ends with a shorter step: its error is of the second order.
+/// Newton's method for the phase at a time ends with a shorter step: its error is of the second
+/// order.
 const MAX_LAST_STEP: f64 = 1e-9;
 
 /// It takes four steps or five.
@@ -60,7 +63,16 @@ impl<'a> Orbit<'a> {
         let rotates = over_top > 0.0;
         let swing = if rotates { four_l } else { over_bottom };
         let is_clear = over_top.abs() > MIN_SEPARATRIX_DISTANCE * (law.bottom + over_bottom);
-        is_clear.then_some(Self { law, rotates, lap, z, y, kinetic, excess: over_top.abs(), swing })
+        is_clear.then_some(Self {
+            law,
+            rotates,
+            lap,
+            z,
+            y,
+            kinetic,
+            excess: over_top.abs(),
+            swing,
+        })
     }
 
     /// The level K − D(π), twice the energy over the bottom.
@@ -93,7 +105,11 @@ impl<'a> Orbit<'a> {
         };
         let turned = libm::atan2(s1 * c0 - c1 * s0, c1 * c0 + s1 * s0);
         // Up to half a turn of the phase, give or take rounding.
-        let arc = if turned < -1.0 { turned + TAU } else { turned.max(0.0) };
+        let arc = if turned < -1.0 {
+            turned + TAU
+        } else {
+            turned.max(0.0)
+        };
         if let Some(time) = duration(self.law.bottom, orbit, (s0, c0), arc) {
             return time;
         }
@@ -108,8 +124,8 @@ impl<'a> Orbit<'a> {
         elapsed.max(0.0)
     }
 
-    /// Where it is after a time, less than a period: Newton's method for the phase, each step of which adds its own time. None where the
-    /// sum would be long.
+    /// Where it is after a time, less than a period: Newton's method for the phase, each step of
+    /// which adds its own time. None where the sum would be long.
     pub(super) fn after(&self, time: f64) -> Option<Reached> {
         let orbit = (self.excess, self.swing);
         let (mut here, mut left) = (self.entry(), time);
@@ -142,14 +158,28 @@ impl<'a> Orbit<'a> {
                 kinetic,
             )
         } else if cosine < 0.0 {
-            (self.lap + 1.0, -sine, -cosine, self.excess + four_l * (cosine * cosine))
+            (
+                self.lap + 1.0,
+                -sine,
+                -cosine,
+                self.excess + four_l * (cosine * cosine),
+            )
         } else {
-            (self.lap, sine, cosine, self.excess + four_l * (cosine * cosine))
+            (
+                self.lap,
+                sine,
+                cosine,
+                self.excess + four_l * (cosine * cosine),
+            )
         };
         let rate = (kinetic / (self.law.bottom + four_l * z * z)).sqrt();
         Reached {
             theta: TAU * lap + 2.0 * libm::atan2(y, -z),
-            theta_rate: if self.rotates { rate } else { rate.copysign(cosine) },
+            theta_rate: if self.rotates {
+                rate
+            } else {
+                rate.copysign(cosine)
+            },
         }
     }
 }
@@ -183,7 +213,8 @@ mod tests {
             let Some(orbit) = Orbit::enter(&law, theta, theta_rate) else { return Ok(()) };
             let Some(found) = orbit.after(part * period) else { return Ok(()) };
             let expected = rolling.state(part * period);
-            // A change of the constant K by its last digits moves the orbit by so much, next to the separatrix most.
+            // A change of the constant K by its last digits moves the orbit by so much, next to the
+            // separatrix most.
             let k = law.bottom + orbit.level();
             let conditioning = k / orbit.excess.min(law.bottom);
             let allowed = 1e-14 * conditioning * (1.0 + period * (1.0 + expected.theta_rate.abs()));
@@ -200,7 +231,9 @@ mod tests {
         let (mut all, mut found) = (0, 0);
         for (i, j) in (0..40).flat_map(|i| (1..40).map(move |j| (i, j))) {
             let (theta, theta_rate) = (0.16 * f64::from(i) - 3.1, 0.1 * f64::from(j));
-            let Some(orbit) = Orbit::enter(&law, theta, theta_rate) else { continue };
+            let Some(orbit) = Orbit::enter(&law, theta, theta_rate) else {
+                continue;
+            };
             for time in [1e-9, 0.3, 2.0] {
                 all += 1;
                 found += usize::from(orbit.after(time).is_some());

@@ -12,12 +12,19 @@ pub(super) struct Place {
 
 impl Place {
     pub(super) fn new(state: State) -> Self {
-        Self { state, direction: sincos(state.theta) }
+        Self {
+            state,
+            direction: sincos(state.theta),
+        }
     }
 
     /// Sign of θ′.
     pub(super) fn travel(&self) -> f64 {
-        if self.state.theta_rate < 0.0 { -1.0 } else { 1.0 }
+        if self.state.theta_rate < 0.0 {
+            -1.0
+        } else {
+            1.0
+        }
     }
 
     /// u = θ′².

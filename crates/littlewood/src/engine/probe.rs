@@ -9,8 +9,9 @@ use crate::motion::summary::Summary;
 const PROBES: u32 = 8;
 
 impl Engine {
-    /// The summaries of those starts of an even lattice of 8 × 8 in a window of (θ, θ′) whose motions take so many
-    /// transitions; what else a start has is that of `base`. It costs 64 motions, which are followed no farther.
+    /// The summaries of those starts of an even lattice of 8 × 8 in a window of (θ, θ′) whose
+    /// motions take so many transitions; what else a start has is that of `base`. It costs 64
+    /// motions, which are followed no farther.
     pub fn long_motions(
         &self,
         window: Window,
@@ -19,10 +20,15 @@ impl Engine {
         transitions: usize,
     ) -> impl Iterator<Item = Summary> {
         let limits = limits.with_transitions(limits.transitions.min(transitions));
-        let at = |[from, to]: [f64; 2], i: u32| from + (to - from) * (f64::from(i) + 0.5) / f64::from(PROBES);
+        let at = |[from, to]: [f64; 2], i: u32| {
+            from + (to - from) * (f64::from(i) + 0.5) / f64::from(PROBES)
+        };
         let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [i, j]));
-        let starts =
-            starts.map(move |[i, j]| Start { theta: at(window.x, i), theta_rate: at(window.y, j), ..base });
+        let starts = starts.map(move |[i, j]| Start {
+            theta: at(window.x, i),
+            theta_rate: at(window.y, j),
+            ..base
+        });
         let summaries = self.summaries(starts, limits).filter_map(Result::ok);
         summaries.filter(move |summary| summary.transitions as usize >= transitions)
     }

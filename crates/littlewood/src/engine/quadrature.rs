@@ -1,4 +1,5 @@
-//! Gauss–Legendre quadrature on [−1, 1], with eight, twelve and sixteen nodes in increasing order, of the longest rule the positive ones.
+//! Gauss–Legendre quadrature on [−1, 1], with eight, twelve and sixteen nodes in increasing order,
+//! of the longest rule the positive ones.
 
 pub(super) const NODES: usize = 8;
 
@@ -51,15 +52,33 @@ mod tests {
     fn is_exact_below(end: i32, rule: impl Fn(&dyn Fn(f64) -> f64) -> f64) {
         for degree in 0..end {
             let sum = rule(&|x| (0..degree).fold(1.0, |product, _| product * x));
-            let exact = if degree % 2 == 0 { 2.0 / f64::from(degree + 1) } else { 0.0 };
+            let exact = if degree % 2 == 0 {
+                2.0 / f64::from(degree + 1)
+            } else {
+                0.0
+            };
             assert!((sum - exact).abs() < 4e-16, "degree {degree}: {sum}");
         }
     }
 
     #[test]
     fn polynomials_are_integrated_exactly() {
-        is_exact_below(16, |f| NODE.iter().zip(WEIGHT).map(|(x, w)| w * f(*x)).sum());
-        is_exact_below(24, |f| MIDDLE_NODE.iter().zip(MIDDLE_WEIGHT).map(|(x, w)| w * f(*x)).sum());
-        is_exact_below(32, |f| LONG_NODE.iter().zip(LONG_WEIGHT).map(|(x, w)| w * (f(*x) + f(-x))).sum());
+        is_exact_below(16, |f| {
+            NODE.iter().zip(WEIGHT).map(|(x, w)| w * f(*x)).sum()
+        });
+        is_exact_below(24, |f| {
+            MIDDLE_NODE
+                .iter()
+                .zip(MIDDLE_WEIGHT)
+                .map(|(x, w)| w * f(*x))
+                .sum()
+        });
+        is_exact_below(32, |f| {
+            LONG_NODE
+                .iter()
+                .zip(LONG_WEIGHT)
+                .map(|(x, w)| w * (f(*x) + f(-x)))
+                .sum()
+        });
     }
 }

@@ -1,5 +1,5 @@
-//! Rolling along one orbit, to its slip, in the direction of motion (docs/engine.md): a zero of the forms of [`crate::modes::rolling`] on the
-//! arcs ahead, isolated in Bernstein form.
+//! Rolling along one orbit, to its slip, in the direction of motion (docs/engine.md): a zero of the
+//! forms of [`crate::modes::rolling`] on the arcs ahead, isolated in Bernstein form.
 
 use core::f64::consts::TAU;
 use std::sync::OnceLock;
@@ -11,25 +11,37 @@ use crate::model::Direction;
 use super::doubt::Doubt;
 use super::orbit::{Orbit, Pass};
 
-/// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`, 1 or −1.
+/// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`, 1
+/// or −1.
 pub(super) fn side_of(direction: Direction, travel: f64) -> usize {
     usize::from((direction == Direction::Positive) == travel.is_sign_positive())
 }
 
 pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
-    if (side == 1) == travel.is_sign_positive() { Direction::Positive } else { Direction::Negative }
+    if (side == 1) == travel.is_sign_positive() {
+        Direction::Positive
+    } else {
+        Direction::Negative
+    }
 }
 
 /// A margin within this part of its terms of zero is solved exactly.
 pub(super) const MARGIN_TOLERANCE: f64 = 1e-12;
 
-/// Slower slips are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
+/// Slower slips are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate
+/// the time to 1e-13.
 pub(super) const MIN_RATE: f64 = 4e-3;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
     /// Slips at the angle, in the frame of motion, to a side.
-    Slip { elapsed: f64, theta: f64, theta_rate: f64, side: usize, direction: (f64, f64) },
+    Slip {
+        elapsed: f64,
+        theta: f64,
+        theta_rate: f64,
+        side: usize,
+        direction: (f64, f64),
+    },
     /// Never slips.
     Never,
 }
@@ -57,7 +69,8 @@ const EDGES: [HalfAngle; OCTANTS + 1] = {
 /// The margins of one body as A + L B with the level L = K − D(π), side by side.
 pub(super) type Margins = [[Form<7>; 2]; 2];
 
-/// The forms X^(6−k) Y^k in the barycentric coordinates of each octant, by the power of these, then by k.
+/// The forms X^(6−k) Y^k in the barycentric coordinates of each octant, by the power of these, then
+/// by k.
 const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
     let mut table = [[[0.0; 7]; 7]; OCTANTS];
     let mut octant = 0;
@@ -89,7 +102,8 @@ const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
     table
 };
 
-/// The levels L ≥ `least` for which all sums A + L B are positive, narrowed by what is in doubt, from A and B with the sizes of their terms.
+/// The levels L ≥ `least` for which all sums A + L B are positive, narrowed by what is in doubt,
+/// from A and B with the sizes of their terms.
 pub(super) fn holds(least: f64, sums: impl IntoIterator<Item = [(f64, f64); 2]>) -> (f64, f64) {
     let mut bounds = (least, f64::INFINITY);
     for [(a, a_size), (b, b_size)] in sums {
@@ -106,7 +120,8 @@ pub(super) fn holds(least: f64, sums: impl IntoIterator<Item = [(f64, f64); 2]>)
     bounds
 }
 
-/// Which of two margins is negative, if one is, from them with the sizes of their terms. None where one is in doubt, or both are negative.
+/// Which of two margins is negative, if one is, from them with the sizes of their terms. None where
+/// one is in doubt, or both are negative.
 pub(super) fn breaks(margins: &[(f64, f64); 2]) -> Option<Option<usize>> {
     let mut broken = None;
     for (side, (margin, size)) in margins.iter().enumerate() {
@@ -141,13 +156,22 @@ impl Octant {
         });
         let sizes = parts.map(|parts| {
             parts.map(|Form(part)| {
-                powers.map(|powers| powers.iter().zip(part).map(|(power, c)| (power * c).abs()).sum::<f64>())
+                powers.map(|powers| {
+                    powers
+                        .iter()
+                        .zip(part)
+                        .map(|(power, c)| (power * c).abs())
+                        .sum::<f64>()
+                })
             })
         });
         let sums = margins.iter().zip(&sizes).flat_map(|(forms, sizes)| {
             (0..7).map(move |k| [0, 1].map(|part: usize| (forms[part].0[k], sizes[part][k])))
         });
-        Self { levels: holds(0.0, sums), margins }
+        Self {
+            levels: holds(0.0, sums),
+            margins,
+        }
     }
 
     fn holds(&self, level: f64) -> bool {
@@ -178,7 +202,9 @@ impl Octants {
     fn hold(&self, margins: &Margins, level: f64) -> bool {
         let (low, high) = *self.levels.get_or_init(|| {
             let levels = (0..OCTANTS).map(|number| self.get(margins, number).levels);
-            levels.fold((0.0, f64::INFINITY), |all, one| (all.0.max(one.0), all.1.min(one.1)))
+            levels.fold((0.0, f64::INFINITY), |all, one| {
+                (all.0.max(one.0), all.1.min(one.1))
+            })
         });
         level > low && level < high
     }
@@ -201,10 +227,13 @@ pub(super) enum Known {
 impl Known {
     /// From the coefficients in order of passage.
     pub(super) fn of(coefficients: &[f64]) -> Self {
-        let (above, rest) = coefficients.split_at(coefficients.iter().take_while(|c| **c > 0.0).count());
+        let (above, rest) =
+            coefficients.split_at(coefficients.iter().take_while(|c| **c > 0.0).count());
         match rest.last() {
             None => Self::Holds,
-            Some(last) if !above.is_empty() && *last < 0.0 && rest.iter().all(|c| *c <= 0.0) => Self::Falls,
+            Some(last) if !above.is_empty() && *last < 0.0 && rest.iter().all(|c| *c <= 0.0) => {
+                Self::Falls
+            }
             Some(_) => Self::Nothing,
         }
     }
@@ -235,13 +264,20 @@ impl Arc {
             let side = cross(*edge, from);
             side > 0.0 || (is_up && side == 0.0)
         };
-        let mut octant = EDGES[1..OCTANTS].iter().filter(|edge| is_behind(edge)).count();
+        let mut octant = EDGES[1..OCTANTS]
+            .iter()
+            .filter(|edge| is_behind(edge))
+            .count();
         let mut left = Some(from);
         core::iter::from_fn(move || {
             let from = left?;
             let edge = EDGES[if is_up { octant + 1 } else { octant }];
             let ahead = cross(edge, to);
-            let goes_on = if is_up { ahead > 0.0 && octant + 1 < OCTANTS } else { ahead < 0.0 && octant > 0 };
+            let goes_on = if is_up {
+                ahead > 0.0 && octant + 1 < OCTANTS
+            } else {
+                ahead < 0.0 && octant > 0
+            };
             let number = octant;
             if goes_on {
                 left = Some(edge);
@@ -249,7 +285,14 @@ impl Arc {
             } else {
                 left = None;
             }
-            Some((number, Self { from, to: if goes_on { edge } else { to }, pass }))
+            Some((
+                number,
+                Self {
+                    from,
+                    to: if goes_on { edge } else { to },
+                    pass,
+                },
+            ))
         })
     }
 }
@@ -263,8 +306,8 @@ fn earlier(first: Option<(f64, usize)>, at: Option<f64>, side: usize) -> Option<
     }
 }
 
-/// Follows an orbit on which rolling holds where it is entered, perhaps just so (`on_limit`). `kept` are the octants of
-/// long motions.
+/// Follows an orbit on which rolling holds where it is entered, perhaps just so (`on_limit`).
+/// `kept` are the octants of long motions.
 pub(super) fn follow(
     orbit: &Orbit<'_>,
     margins: &Margins,
@@ -297,7 +340,9 @@ pub(super) fn follow(
             let margin = on_orbit(parts, level).restricted(arc.from, arc.to);
             if starts_at_zero == Some(side) {
                 let margin = margin.bernstein().starting_at_zero();
-                let at = margin.first_crossing().map(|bracket| bracket.refine(|t| margin.value_and_slope(t)));
+                let at = margin
+                    .first_crossing()
+                    .map(|bracket| bracket.refine(|t| margin.value_and_slope(t)));
                 first = earlier(first, at, side);
                 continue;
             }
@@ -335,11 +380,17 @@ pub(super) fn follow(
         };
         // The margin is positive where the arc begins: it falls ahead.
         let (begin, end) = (EDGES[number], EDGES[number + 1]);
-        if let (Some((form, side)), None, true) =
-            (falling, starts_at_zero, arc.to == if is_up { end } else { begin })
-        {
+        if let (Some((form, side)), None, true) = (
+            falling,
+            starts_at_zero,
+            arc.to == if is_up { end } else { begin },
+        ) {
             let (from, to) = if is_up { (begin, end) } else { (end, begin) };
-            let at = Bracket { low: 0.0, high: 1.0 }.refine_from_secant(|t| {
+            let at = Bracket {
+                low: 0.0,
+                high: 1.0,
+            }
+            .refine_from_secant(|t| {
                 if is_up {
                     form.value_and_slope([1.0 - t, t], [-1.0, 1.0])
                 } else {
@@ -348,7 +399,9 @@ pub(super) fn follow(
             });
             return slip(orbit, &Arc { from, to, ..arc }, at, side);
         }
-        if let Some((at, side)) = slip_on(&arc, starts_at_zero, &|side| known[side].1 == Known::Holds) {
+        if let Some((at, side)) =
+            slip_on(&arc, starts_at_zero, &|side| known[side].1 == Known::Holds)
+        {
             return slip(orbit, &arc, at, side);
         }
     }
@@ -365,18 +418,38 @@ fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
         [-1.0, 0.0]
     } else {
         let four_l = 4.0 * orbit.law.offset;
-        [-(orbit.swing / four_l).sqrt(), (orbit.excess / four_l).sqrt()]
+        [
+            -(orbit.swing / four_l).sqrt(),
+            (orbit.excess / four_l).sqrt(),
+        ]
     };
     let first = (!past_bottom).then(|| arc(here, bottom, Pass::First));
-    let second = arc(if past_bottom { here } else { bottom }, farthest, Pass::First);
+    let second = arc(
+        if past_bottom { here } else { bottom },
+        farthest,
+        Pass::First,
+    );
     let (third, fourth) = if orbit.rotates {
-        let third = arc([1.0, 0.0], if past_bottom { bottom } else { here }, Pass::NextTurn);
-        (third, past_bottom.then(|| arc(bottom, here, Pass::NextTurn)))
+        let third = arc(
+            [1.0, 0.0],
+            if past_bottom { bottom } else { here },
+            Pass::NextTurn,
+        );
+        (
+            third,
+            past_bottom.then(|| arc(bottom, here, Pass::NextTurn)),
+        )
     } else {
         let [x, y] = farthest;
-        (arc(farthest, bottom, Pass::WayBack), Some(arc(bottom, [-x, y], Pass::WayBack)))
+        (
+            arc(farthest, bottom, Pass::WayBack),
+            Some(arc(bottom, [-x, y], Pass::WayBack)),
+        )
     };
-    [first, Some(second), Some(third), fourth].into_iter().flatten().filter(|arc| arc.from != arc.to)
+    [first, Some(second), Some(third), fourth]
+        .into_iter()
+        .flatten()
+        .filter(|arc| arc.from != arc.to)
 }
 
 fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, Doubt> {
@@ -423,8 +496,8 @@ mod tests {
         [x, y]
     }
 
-    /// Where a margin vanishes and grows behind, on both sides of the body, forth and back: the exact solver's slip, by the orbit alone
-    /// and by what is kept of it.
+    /// Where a margin vanishes and grows behind, on both sides of the body, forth and back: the
+    /// exact solver's slip, by the orbit alone and by what is kept of it.
     #[test]
     fn an_orbit_on_the_limit_slips_where_it_does_for_the_exact_solver() {
         let mut slips = 0;
@@ -438,25 +511,48 @@ mod tests {
             let curve = SlipCurves::new(margins, law);
             for (step, side) in (0..300).flat_map(|step| [0, 1].map(|side| (step, side))) {
                 let theta = 0.021 * f64::from(step) - 3.1;
-                let Some(u) = curve.limit(side, theta).filter(|u| *u > 1e-2) else { continue };
+                let Some(u) = curve.limit(side, theta).filter(|u| *u > 1e-2) else {
+                    continue;
+                };
                 let rate = u.sqrt();
-                let Some(orbit) = Orbit::enter(&law, theta, rate) else { continue };
+                let Some(orbit) = Orbit::enter(&law, theta, rate) else {
+                    continue;
+                };
                 let ahead = on_orbit(&margins[side], orbit.level()).value(half_angle(theta + 1e-4));
                 if ahead < 1e-9 {
                     continue;
                 }
-                let start = State { time: 0.0, theta, theta_rate: rate, slip: 0.0, x: 0.0 };
+                let start = State {
+                    time: 0.0,
+                    theta,
+                    theta_rate: rate,
+                    slip: 0.0,
+                    x: 0.0,
+                };
                 let expected = Rolling::new(&hoop, start).orbit().end_from_limit();
                 let octants = Octants::default();
                 for kept in [None, Some(&octants)] {
                     let found = follow(&orbit, &margins, true, kept);
                     match (found, expected) {
-                        (Ok(RollEnd::Slip { elapsed, theta, theta_rate, .. }), Some(end)) => {
-                            for (found, expected) in
-                                [(elapsed, end.elapsed), (theta, end.theta), (theta_rate, end.theta_rate)]
-                            {
+                        (
+                            Ok(RollEnd::Slip {
+                                elapsed,
+                                theta,
+                                theta_rate,
+                                ..
+                            }),
+                            Some(end),
+                        ) => {
+                            for (found, expected) in [
+                                (elapsed, end.elapsed),
+                                (theta, end.theta),
+                                (theta_rate, end.theta_rate),
+                            ] {
                                 let allowed = 1e-12 * (1.0 + expected.abs());
-                                assert!((found - expected).abs() < allowed, "{orbit:?}: {found} {expected}");
+                                assert!(
+                                    (found - expected).abs() < allowed,
+                                    "{orbit:?}: {found} {expected}"
+                                );
                             }
                             slips += 1;
                         }
@@ -488,13 +584,21 @@ mod tests {
             (EDGES[4], EDGES[2], vec![3, 2]),
             ([-1.0, 0.0], EDGES[4], vec![7, 6, 5, 4]),
         ] {
-            let parts: Vec<(usize, Arc)> = Arc { from, to, pass: Pass::First }.parts().collect();
+            let parts: Vec<(usize, Arc)> = Arc {
+                from,
+                to,
+                pass: Pass::First,
+            }
+            .parts()
+            .collect();
             assert_eq!(parts.iter().map(|part| part.0).collect::<Vec<_>>(), octants);
             assert_eq!((parts[0].1.from, parts[parts.len() - 1].1.to), (from, to));
             assert!(parts.windows(2).all(|pair| pair[0].1.to == pair[1].1.from));
             for (octant, Arc { from, to, .. }) in parts {
                 let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
-                assert!(cross(EDGES[octant], middle) > 0.0 && cross(middle, EDGES[octant + 1]) > 0.0);
+                assert!(
+                    cross(EDGES[octant], middle) > 0.0 && cross(middle, EDGES[octant + 1]) > 0.0
+                );
             }
         }
     }
@@ -521,12 +625,22 @@ mod tests {
 
     #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
-        let of =
-            |margins: [[f64; 2]; 2]| holds(0.0, margins.map(|parts| parts.map(|part| (part, part.abs()))));
+        let of = |margins: [[f64; 2]; 2]| {
+            holds(
+                0.0,
+                margins.map(|parts| parts.map(|part| (part, part.abs()))),
+            )
+        };
         // Margins L − 2 and 6 − 2 L, both positive for 2 < L < 3.
         let (least, most) = of([[-2.0, 1.0], [6.0, -2.0]]);
-        assert!(least > 2.0 * (1.0 + MARGIN_TOLERANCE) && least < 2.0 + 1e-10, "{least:e}");
-        assert!(most < 3.0 * (1.0 - MARGIN_TOLERANCE) && most > 3.0 - 1e-10, "{most:e}");
+        assert!(
+            least > 2.0 * (1.0 + MARGIN_TOLERANCE) && least < 2.0 + 1e-10,
+            "{least:e}"
+        );
+        assert!(
+            most < 3.0 * (1.0 - MARGIN_TOLERANCE) && most > 3.0 - 1e-10,
+            "{most:e}"
+        );
         // A margin that no orbit changes.
         assert_eq!(of([[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
         assert_eq!(of([[1.0, 0.0], [-1.0, 0.0]]).1, f64::NEG_INFINITY);

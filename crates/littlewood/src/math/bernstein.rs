@@ -1,10 +1,12 @@
-//! Isolation of the sign changes of a polynomial by the variation-diminishing property of its Bernstein form.
+//! Isolation of the sign changes of a polynomial by the variation-diminishing property of its
+//! Bernstein form.
 //!
-//! On [0, 1] the number of roots in (0, 1) is at most the number of sign changes of the Bernstein coefficients, and
-//! has the same parity. No sign change proves that there is no root, one proves exactly one root. Otherwise
-//! de Casteljau's scheme halves the interval, and the left half is examined first. No crossing is missed, however
-//! short the excursion. An excursion shorter than 2⁻⁵⁰ of the interval cannot be distinguished from a double root
-//! in double precision; its end values decide.
+//! On [0, 1] the number of roots in (0, 1) is at most the number of sign changes of the Bernstein
+//! coefficients, and has the same parity. No sign change proves that there is no root, one proves
+//! exactly one root. Otherwise de Casteljau's scheme halves the interval, and the left half is
+//! examined first. No crossing is missed, however short the excursion. An excursion shorter than
+//! 2⁻⁵⁰ of the interval cannot be distinguished from a double root in double precision; its end
+//! values decide.
 
 use crate::math::bracket::Bracket;
 
@@ -44,7 +46,8 @@ impl Bernstein {
         let mut power = 1.0;
         for (i, a) in taylor.iter().enumerate() {
             scaled[i] = a * power / BINOMIAL[degree][i];
-            // Keeps 0 · ∞ = NaN out: a slide of 1e30 time units has zero coefficients from the third on.
+            // Keeps 0 · ∞ = NaN out: a slide of 1e30 time units has zero coefficients from the
+            // third on.
             power = (power * width).min(f64::MAX);
         }
         let mut coefficients = [0.0; MAX_DEGREE + 1];
@@ -55,7 +58,10 @@ impl Bernstein {
             }
             coefficients[j] = sum;
         }
-        Self { coefficients, degree }
+        Self {
+            coefficients,
+            degree,
+        }
     }
 
     /// From the coefficients of a form Σ g_k a^{n−k} b^k in the barycentric coordinates of an arc.
@@ -65,7 +71,10 @@ impl Bernstein {
         for (k, g) in form.iter().enumerate() {
             coefficients[k] = g / BINOMIAL[degree][k];
         }
-        Self { coefficients, degree }
+        Self {
+            coefficients,
+            degree,
+        }
     }
 
     pub(crate) fn coefficients(&self) -> &[f64] {
@@ -81,7 +90,11 @@ impl Bernstein {
 
     /// Sign just right of 0: that of the first non-zero coefficient.
     pub(crate) fn initial_sign(&self) -> f64 {
-        self.coefficients().iter().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
+        self.coefficients()
+            .iter()
+            .copied()
+            .find(|b| *b != 0.0)
+            .map_or(0.0, f64::signum)
     }
 
     /// Value and derivative at x by de Casteljau's scheme, stable on [0, 1].
@@ -96,7 +109,10 @@ impl Bernstein {
             }
         }
         let degree = f64::from(u32::try_from(self.degree).unwrap_or(0));
-        ((1.0 - x) * work[0] + x * work[1], degree * (work[1] - work[0]))
+        (
+            (1.0 - x) * work[0] + x * work[1],
+            degree * (work[1] - work[0]),
+        )
     }
 
     /// The polynomial in 1 − x.
@@ -111,33 +127,68 @@ impl Bernstein {
         self
     }
 
-    /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right of 0 crosses
-    /// at 0. A root without a sign change is not a crossing.
+    /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right
+    /// of 0 crosses at 0. A root without a sign change is not a crossing.
     pub(crate) fn first_crossing(&self) -> Option<Bracket> {
-        self.search(Bracket { low: 0.0, high: 1.0 }, 0, &mut 1.0, &mut |_, bracket| Some(bracket))
+        self.search(
+            Bracket {
+                low: 0.0,
+                high: 1.0,
+            },
+            0,
+            &mut 1.0,
+            &mut |_, bracket| Some(bracket),
+        )
     }
 
-    /// All points of (0, 1) at which the sign changes, in order; roots without a sign change are left out.
+    /// All points of (0, 1) at which the sign changes, in order; roots without a sign change are
+    /// left out.
     pub(crate) fn sign_changes(&self) -> Vec<f64> {
         let mut changes = Vec::new();
-        self.search(Bracket { low: 0.0, high: 1.0 }, 0, &mut 0.0, &mut |part, Bracket { low, high }| {
-            let falling = if part.initial_sign() > 0.0 { *part } else { part.negated() };
-            let at = Bracket { low: 0.0, high: 1.0 }.refine(|x| falling.value_and_slope(x));
-            changes.push(if low < high { low + at * (high - low) } else { low });
-            None::<()>
-        });
+        self.search(
+            Bracket {
+                low: 0.0,
+                high: 1.0,
+            },
+            0,
+            &mut 0.0,
+            &mut |part, Bracket { low, high }| {
+                let falling = if part.initial_sign() > 0.0 {
+                    *part
+                } else {
+                    part.negated()
+                };
+                let at = Bracket {
+                    low: 0.0,
+                    high: 1.0,
+                }
+                .refine(|x| falling.value_and_slope(x));
+                changes.push(if low < high {
+                    low + at * (high - low)
+                } else {
+                    low
+                });
+                None::<()>
+            },
+        );
         changes
     }
 
     /// Sign just left of 1.
     pub(crate) fn final_sign(&self) -> f64 {
-        self.coefficients().iter().rev().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
+        self.coefficients()
+            .iter()
+            .rev()
+            .copied()
+            .find(|b| *b != 0.0)
+            .map_or(0.0, f64::signum)
     }
 
     /// Passes the sign changes to `found`, in order, until it returns an answer.
     ///
-    /// `self` is the polynomial on the subinterval `on` of [0, 1], `sign` the sign before it. `found` gets the
-    /// polynomial on the subinterval that isolates the change; a change at a boundary has an empty subinterval.
+    /// `self` is the polynomial on the subinterval `on` of [0, 1], `sign` the sign before it.
+    /// `found` gets the polynomial on the subinterval that isolates the change; a change at a
+    /// boundary has an empty subinterval.
     fn search<T>(
         &self,
         on: Bracket,
@@ -146,7 +197,12 @@ impl Bernstein {
         found: &mut impl FnMut(&Self, Bracket) -> Option<T>,
     ) -> Option<T> {
         let (mut changes, mut first, mut last) = (0, 0.0, 0.0);
-        for b in self.coefficients().iter().filter(|b| **b != 0.0).map(|b| b.signum()) {
+        for b in self
+            .coefficients()
+            .iter()
+            .filter(|b| **b != 0.0)
+            .map(|b| b.signum())
+        {
             if first == 0.0 {
                 first = b;
             } else if b != last {
@@ -159,7 +215,13 @@ impl Bernstein {
         }
         if first * *sign < 0.0 {
             *sign = first;
-            if let Some(answer) = found(self, Bracket { low: on.low, high: on.low }) {
+            if let Some(answer) = found(
+                self,
+                Bracket {
+                    low: on.low,
+                    high: on.low,
+                },
+            ) {
                 return Some(answer);
             }
         }
@@ -168,7 +230,9 @@ impl Bernstein {
             let middle = 0.5 * (on.low + on.high);
             return left
                 .search(Bracket { high: middle, ..on }, halvings + 1, sign, found)
-                .or_else(|| right.search(Bracket { low: middle, ..on }, halvings + 1, sign, found));
+                .or_else(|| {
+                    right.search(Bracket { low: middle, ..on }, halvings + 1, sign, found)
+                });
         }
         *sign = last;
         if first == last { None } else { found(self, on) }
@@ -190,13 +254,18 @@ impl Bernstein {
 /// Value and derivative of the polynomial with these Taylor coefficients.
 #[inline]
 pub(crate) fn value_and_slope(taylor: &[f64], at: f64) -> (f64, f64) {
-    taylor.iter().rev().fold((0.0, 0.0), |(sum, slope), c| (sum * at + c, slope * at + sum))
+    taylor.iter().rev().fold((0.0, 0.0), |(sum, slope), c| {
+        (sum * at + c, slope * at + sum)
+    })
 }
 
 /// First crossing of the polynomial from non-negative to negative in [0, width].
 pub(crate) fn first_crossing(taylor: &[f64], width: f64) -> Option<f64> {
     let Bracket { low, high } = Bernstein::from_taylor(taylor, width).first_crossing()?;
-    let bracket = Bracket { low: low * width, high: high * width };
+    let bracket = Bracket {
+        low: low * width,
+        high: high * width,
+    };
     Some(bracket.refine(|at| value_and_slope(taylor, at)))
 }
 
@@ -220,7 +289,9 @@ mod tests {
     }
 
     fn first_root(polynomial: &Bernstein) -> Option<f64> {
-        polynomial.first_crossing().map(|bracket| bracket.refine(|x| polynomial.value_and_slope(x)))
+        polynomial
+            .first_crossing()
+            .map(|bracket| bracket.refine(|x| polynomial.value_and_slope(x)))
     }
 
     #[test]
@@ -243,14 +314,30 @@ mod tests {
         let found = planted(&[0.3, 0.3, 0.7], 1.0).sign_changes();
         // Rounding may split the double root in two.
         assert!(found.len() % 2 == 1 && found.len() <= 3, "{found:?}");
-        assert!(found.last().is_some_and(|root| (root - 0.7).abs() < 1e-12), "{found:?}");
-        assert!(found.iter().rev().skip(1).all(|root| (root - 0.3).abs() < 1e-7), "{found:?}");
+        assert!(
+            found.last().is_some_and(|root| (root - 0.7).abs() < 1e-12),
+            "{found:?}"
+        );
+        assert!(
+            found
+                .iter()
+                .rev()
+                .skip(1)
+                .all(|root| (root - 0.3).abs() < 1e-7),
+            "{found:?}"
+        );
     }
 
     #[test]
     fn the_sign_after_a_root_at_zero_decides() {
         assert_eq!(planted(&[0.0], 1.0).first_crossing(), None);
-        assert_eq!(planted(&[0.0], -1.0).first_crossing(), Some(Bracket { low: 0.0, high: 0.0 }));
+        assert_eq!(
+            planted(&[0.0], -1.0).first_crossing(),
+            Some(Bracket {
+                low: 0.0,
+                high: 0.0
+            })
+        );
         let found = first_root(&planted(&[0.0, 0.25], -1.0)).expect("the second root");
         assert!((found - 0.25).abs() < 1e-15);
     }
@@ -266,7 +353,8 @@ mod tests {
             let sign = if outside.len() % 2 == 0 { 1.0 } else { -1.0 };
             let found = first_root(&planted(&roots, sign));
             let found = found.expect("an excursion below zero");
-            // Rounding of the coefficients moves a root by about ε·(size of the coefficients)/slope.
+            // Rounding of the coefficients moves a root by about ε·(size of the
+            // coefficients)/slope.
             prop_assert!((found - first).abs() < 1e-11 / gap, "{found} {first}");
         }
 

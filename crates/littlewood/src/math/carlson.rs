@@ -1,13 +1,15 @@
 //! Carlson's symmetric elliptic integrals `R_F`, `R_C`, `R_J` for the arguments of rolling.
 //!
-//! Duplication theorem (B. C. Carlson, *Numerical computation of real or complex elliptic integrals*, Numer. Algorithms
-//! 10, 1995; <https://dlmf.nist.gov/19.36>). Existing crates take `atan` and `log` from `std` or `libm` by a feature
-//! that any other dependency can enable, which changes the last bits. The tests compare with such a crate.
+//! Duplication theorem (B. C. Carlson, *Numerical computation of real or complex elliptic
+//! integrals*, Numer. Algorithms 10, 1995; <https://dlmf.nist.gov/19.36>). Existing crates take
+//! `atan` and `log` from `std` or `libm` by a feature that any other dependency can enable, which
+//! changes the last bits. The tests compare with such a crate.
 
 /// Relative truncation error of the series.
 const TRUNCATION: f64 = f64::EPSILON / 8.0;
 
-/// `R_F(x, y, z)` for non-negative arguments of which at most one is zero (DLMF 19.16.1); relative error a few ulp.
+/// `R_F(x, y, z)` for non-negative arguments of which at most one is zero (DLMF 19.16.1); relative
+/// error a few ulp.
 ///
 /// Infinite when two arguments vanish.
 pub(crate) fn rf(x: f64, y: f64, z: f64) -> f64 {
@@ -38,8 +40,8 @@ pub(crate) fn rf(x: f64, y: f64, z: f64) -> f64 {
     }
 }
 
-/// `R_C(1, y)` for y > 0 (DLMF 19.6.15), the elementary function in the sum for `R_J`, from y and e = y − 1: next to y = 0 and y = 1
-/// one of them has lost digits.
+/// `R_C(1, y)` for y > 0 (DLMF 19.6.15), the elementary function in the sum for `R_J`, from y and
+/// e = y − 1: next to y = 0 and y = 1 one of them has lost digits.
 fn rc_one(y: f64, e: f64) -> f64 {
     if e.abs() < 0.02 {
         // Alternating series 1 − e/3 + e²/5 − …; 0.02^10 / 21 is below half an ulp.

@@ -1,8 +1,9 @@
 //! Trigonometric polynomials as forms in the half angle, and their sign changes on a turn.
 //!
-//! With X = cos(θ/2), Y = sin(θ/2) a trigonometric polynomial of degree n is a homogeneous polynomial of degree 2n:
-//! 1 = X² + Y², cos θ = X² − Y², sin θ = 2XY. On an arc between two directions of (X, Y) it is a polynomial in Bernstein
-//! form, whose sign changes [`crate::math::bernstein`] isolates without sampling.
+//! With X = cos(θ/2), Y = sin(θ/2) a trigonometric polynomial of degree n is a homogeneous
+//! polynomial of degree 2n: 1 = X² + Y², cos θ = X² − Y², sin θ = 2XY. On an arc between two
+//! directions of (X, Y) it is a polynomial in Bernstein form, whose sign changes
+//! [`crate::math::bernstein`] isolates without sampling.
 
 use crate::math::bernstein::Bernstein;
 
@@ -75,8 +76,8 @@ pub(crate) fn on_arc(from: HalfAngle, to: HalfAngle, at: f64) -> HalfAngle {
     [x / length, y / length]
 }
 
-/// Substitutes the barycentric coordinates of an arc, by Horner's scheme. `sum` and `power` must be zero and have the
-/// length of the form.
+/// Substitutes the barycentric coordinates of an arc, by Horner's scheme. `sum` and `power` must be
+/// zero and have the length of the form.
 #[inline(always)]
 fn restrict(form: &[f64], from: HalfAngle, to: HalfAngle, sum: &mut [f64], power: &mut [f64]) {
     sum[0] = form[0];
@@ -168,12 +169,13 @@ impl Trigonometric {
         Self(slope)
     }
 
-    /// Angles in (0, 2π) at which the sign changes, in order. Where rounding decides the sign of a coefficient, the list
-    /// may contain a spurious sign change.
+    /// Angles in (0, 2π) at which the sign changes, in order. Where rounding decides the sign of a
+    /// coefficient, the list may contain a spurious sign change.
     pub(crate) fn sign_changes(&self) -> Vec<f64> {
         const ARCS_PER_TURN: u32 = 8;
         let direction = |arc: u32| {
-            let (sin, cos) = libm::sincos(core::f64::consts::PI * f64::from(arc) / f64::from(ARCS_PER_TURN));
+            let (sin, cos) =
+                libm::sincos(core::f64::consts::PI * f64::from(arc) / f64::from(ARCS_PER_TURN));
             [cos, sin]
         };
         let mut changes = Vec::new();

@@ -1,4 +1,5 @@
-//! Numbers that carry derivatives: one statement of an equation gives its value, for `f64`, and its derivatives, for [`Dual`].
+//! Numbers that carry derivatives: one statement of an equation gives its value, for `f64`, and its
+//! derivatives, for [`Dual`].
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -35,7 +36,11 @@ pub trait Number:
     }
 
     fn min(self, other: Self) -> Self {
-        if other.value() < self.value() { other } else { self }
+        if other.value() < self.value() {
+            other
+        } else {
+            self
+        }
     }
 }
 
@@ -73,7 +78,10 @@ impl<const K: usize> Dual<K> {
 impl<const K: usize> Number for Dual<K> {
     #[inline]
     fn constant(value: f64) -> Self {
-        Self { value, parts: [0.0; K] }
+        Self {
+            value,
+            parts: [0.0; K],
+        }
     }
 
     #[inline]
@@ -83,7 +91,10 @@ impl<const K: usize> Number for Dual<K> {
 
     #[inline]
     fn map(self, value: f64, derivative: f64) -> Self {
-        Self { value, parts: self.parts.map(|part| derivative * part) }
+        Self {
+            value,
+            parts: self.parts.map(|part| derivative * part),
+        }
     }
 }
 
@@ -92,7 +103,10 @@ impl<const K: usize> Add for Dual<K> {
     #[inline]
     fn add(self, other: Self) -> Self {
         let parts = core::array::from_fn(|k| self.parts[k] + other.parts[k]);
-        Self { value: self.value + other.value, parts }
+        Self {
+            value: self.value + other.value,
+            parts,
+        }
     }
 }
 
@@ -101,27 +115,41 @@ impl<const K: usize> Sub for Dual<K> {
     #[inline]
     fn sub(self, other: Self) -> Self {
         let parts = core::array::from_fn(|k| self.parts[k] - other.parts[k]);
-        Self { value: self.value - other.value, parts }
+        Self {
+            value: self.value - other.value,
+            parts,
+        }
     }
 }
 
 impl<const K: usize> Mul for Dual<K> {
     type Output = Self;
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "the derivative of a product")]
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "the derivative of a product"
+    )]
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let parts = core::array::from_fn(|k| self.parts[k] * other.value + self.value * other.parts[k]);
-        Self { value: self.value * other.value, parts }
+        let parts =
+            core::array::from_fn(|k| self.parts[k] * other.value + self.value * other.parts[k]);
+        Self {
+            value: self.value * other.value,
+            parts,
+        }
     }
 }
 
 impl<const K: usize> Div for Dual<K> {
     type Output = Self;
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "the derivative of a quotient")]
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "the derivative of a quotient"
+    )]
     #[inline]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
-        let parts = core::array::from_fn(|k| (self.parts[k] - value * other.parts[k]) / other.value);
+        let parts =
+            core::array::from_fn(|k| (self.parts[k] - value * other.parts[k]) / other.value);
         Self { value, parts }
     }
 }
@@ -130,7 +158,10 @@ impl<const K: usize> Neg for Dual<K> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self { value: -self.value, parts: self.parts.map(|part| -part) }
+        Self {
+            value: -self.value,
+            parts: self.parts.map(|part| -part),
+        }
     }
 }
 
@@ -162,6 +193,9 @@ impl<const K: usize> Div<f64> for Dual<K> {
     type Output = Self;
     #[inline]
     fn div(self, other: f64) -> Self {
-        Self { value: self.value / other, parts: self.parts.map(|part| part / other) }
+        Self {
+            value: self.value / other,
+            parts: self.parts.map(|part| part / other),
+        }
     }
 }

@@ -9,8 +9,8 @@ pub(crate) const NODES: usize = 16;
 /// Largest relative tail of an integrand on a panel: the rule is exact to twice the degree.
 pub(crate) const TAIL_TOLERANCE: f64 = 1e-8;
 
-/// What rounding of an integrand leaves in the tail, at most, as a multiple of its terms: a few units in the last place, ten times in the sums
-/// over the nodes.
+/// What rounding of an integrand leaves in the tail, at most, as a multiple of its terms: a few
+/// units in the last place, ten times in the sums over the nodes.
 pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Largest number of halvings of a panel: its width is then one unit in the last place.
@@ -66,7 +66,8 @@ impl Rule {
         let mut integrals = [[0.0; NODES]; NODES];
         for (i, row) in integrals.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
-                // ∫ P_k = (P_{k+1} − P_{k−1})/(2k + 1), of the polynomial that is 1 at node j and 0 at the others.
+                // ∫ P_k = (P_{k+1} − P_{k−1})/(2k + 1), of the polynomial that is 1 at node j and 0
+                // at the others.
                 let mut sum = nodes[i] + 1.0;
                 for k in 1..NODES {
                     sum += values[j][k] * (values[i][k + 1] - values[i][k - 1]);
@@ -78,7 +79,12 @@ impl Rule {
             let scale = k as f64 + 0.5;
             core::array::from_fn(|j| scale * weights[j] * values[j][k])
         });
-        Self { nodes, weights, integrals, tails }
+        Self {
+            nodes,
+            weights,
+            integrals,
+            tails,
+        }
     }
 
     pub(crate) fn integral(&self, values: &[f64; NODES]) -> f64 {
@@ -97,12 +103,18 @@ impl Rule {
 }
 
 pub(crate) fn largest(values: &[f64; NODES]) -> f64 {
-    values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
+    values
+        .iter()
+        .fold(0.0, |largest, value| largest.max(value.abs()))
 }
 
-/// The integral of a function over an interval, on panels that are halved until the rule resolves it, or its rounding, which the function
-/// gives as a part of its value.
-pub(crate) fn integral<T: Number>(tolerance: f64, [from, to]: [f64; 2], f: impl Fn(f64) -> (T, f64)) -> T {
+/// The integral of a function over an interval, on panels that are halved until the rule resolves
+/// it, or its rounding, which the function gives as a part of its value.
+pub(crate) fn integral<T: Number>(
+    tolerance: f64,
+    [from, to]: [f64; 2],
+    f: impl Fn(f64) -> (T, f64),
+) -> T {
     let rule = Rule::get();
     let pieces = (to - from).ceil().max(1.0);
     let width = (to - from) / pieces;
@@ -112,18 +124,29 @@ pub(crate) fn integral<T: Number>(tolerance: f64, [from, to]: [f64; 2], f: impl 
     let mut sum = T::constant(0.0);
     let mut pending: Vec<(f64, f64, u32)> = (0..pieces as u32)
         .rev()
-        .map(|k| (from + width * f64::from(k), from + width * f64::from(k + 1), 0))
+        .map(|k| {
+            (
+                from + width * f64::from(k),
+                from + width * f64::from(k + 1),
+                0,
+            )
+        })
         .collect();
     while let Some((low, high, halvings)) = pending.pop() {
         let (centre, half) = (0.5 * (low + high), 0.5 * (high - low));
         let nodes = rule.nodes.map(|x| f(centre + half * x));
         let values: [f64; NODES] = nodes.map(|node| node.0.value());
         let rounding = nodes.iter().fold(0.0_f64, |most, node| most.max(node.1));
-        if halvings < MAX_HALVINGS && rule.tail(&values) > tolerance.max(rounding) * largest(&values) {
+        if halvings < MAX_HALVINGS
+            && rule.tail(&values) > tolerance.max(rounding) * largest(&values)
+        {
             pending.extend([(centre, high, halvings + 1), (low, centre, halvings + 1)]);
         } else {
             let terms = rule.weights.iter().zip(nodes);
-            sum = sum + terms.fold(T::constant(0.0), |sum, (weight, node)| sum + node.0 * *weight) * half;
+            sum = sum
+                + terms.fold(T::constant(0.0), |sum, (weight, node)| {
+                    sum + node.0 * *weight
+                }) * half;
         }
     }
     sum
@@ -142,12 +165,19 @@ mod tests {
         let rule = Rule::get();
         for degree in 0..2 * NODES {
             let power = |x: f64, n: usize| (0..n).fold(1.0, |product, _| product * x);
-            let exact = |x: f64| (power(x, degree + 1) - power(-1.0, degree + 1)) / (degree + 1) as f64;
+            let exact =
+                |x: f64| (power(x, degree + 1) - power(-1.0, degree + 1)) / (degree + 1) as f64;
             let values = rule.nodes.map(|x| power(x, degree));
-            assert!((rule.integral(&values) - exact(1.0)).abs() < 1e-15, "degree {degree}");
+            assert!(
+                (rule.integral(&values) - exact(1.0)).abs() < 1e-15,
+                "degree {degree}"
+            );
             if degree < NODES {
                 for (x, integral) in rule.nodes.iter().zip(rule.up_to(&values)) {
-                    assert!((integral - exact(*x)).abs() < 1e-15, "degree {degree} at {x}");
+                    assert!(
+                        (integral - exact(*x)).abs() < 1e-15,
+                        "degree {degree} at {x}"
+                    );
                 }
             }
         }

@@ -4,15 +4,15 @@ use crate::math::bernstein::{first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::math::number::Number;
 
-/// Degree of the series. The step-size rule of Jorba and Zou gives 20 at double precision; two more cost
-/// little and allow longer steps.
+/// Degree of the series. The step-size rule of Jorba and Zou gives 20 at double precision; two more
+/// cost little and allow longer steps.
 pub(crate) const DEGREE: usize = 22;
 
 /// Coefficients 0 to `DEGREE` of a power series in the distance from its centre.
 pub(crate) type Series<T = f64> = [T; DEGREE + 1];
 
-/// Coefficients `n` of products of series, each summed in the order of its first factor. The interleaved sums hide the latency of
-/// the additions.
+/// Coefficients `n` of products of series, each summed in the order of its first factor. The
+/// interleaved sums hide the latency of the additions.
 #[inline(always)]
 pub(crate) fn convolve<T: Number, const N: usize>(
     products: [(&Series<T>, &Series<T>); N],
@@ -35,7 +35,10 @@ pub(crate) fn convolve<T: Number, const N: usize>(
 /// Value of a series, by Horner's scheme.
 #[inline]
 pub(crate) fn value<T: Number>(series: &Series<T>, at: f64) -> T {
-    series.iter().rev().fold(T::constant(0.0), |sum, c| sum * at + *c)
+    series
+        .iter()
+        .rev()
+        .fold(T::constant(0.0), |sum, c| sum * at + *c)
 }
 
 /// A series, or a polynomial, about a point at a distance.
@@ -76,9 +79,14 @@ pub(crate) fn crossing(series: &Series, width: f64) -> Option<f64> {
     first_crossing(series, width)
 }
 
-/// The point of [0, width] where a monotone series takes the value `level`; `sign` is the sign of series − level at 0.
+/// The point of [0, width] where a monotone series takes the value `level`; `sign` is the sign of
+/// series − level at 0.
 pub(crate) fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
-    Bracket { low: 0.0, high: width }.refine(|at| {
+    Bracket {
+        low: 0.0,
+        high: width,
+    }
+    .refine(|at| {
         let (value, slope) = value_and_slope(series, at);
         (sign * (value - level), sign * slope)
     })

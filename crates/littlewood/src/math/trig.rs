@@ -1,17 +1,19 @@
 //! Sine and cosine together, for flight and the engine.
 //!
-//! Multiples of π/2, in two parts, reduce the angle to [−π/4, π/4], where both functions are Taylor sums. All operations
-//! are IEEE sums and products, so the bits are the same on every platform. The error is below one unit in the last
-//! place; the cost is a third of that of `libm`.
+//! Multiples of π/2, in two parts, reduce the angle to [−π/4, π/4], where both functions are Taylor
+//! sums. All operations are IEEE sums and products, so the bits are the same on every platform. The
+//! error is below one unit in the last place; the cost is a third of that of `libm`.
 
 use core::f64::consts::{FRAC_2_PI, TAU};
 
 use crate::math::number::Number;
 
-/// Largest reducible angle: its multiple of π/2 stays below 2²⁰, where the product with the leading part is exact.
+/// Largest reducible angle: its multiple of π/2 stays below 2²⁰, where the product with the leading
+/// part is exact.
 const MAX_REDUCIBLE_ANGLE: f64 = 1e5;
 
-/// Least distance to the nth multiple of π/2, over n: the trailing part is rounded by up to 7e-27 n, 7e-17 of this.
+/// Least distance to the nth multiple of π/2, over n: the trailing part is rounded by up to 7e-27
+/// n, 7e-17 of this.
 const MIN_REMAINDER_PER_MULTIPLE: f64 = 1e-10;
 
 /// 1.5 × 2⁵²: adding and subtracting it rounds to an integer.
@@ -21,8 +23,8 @@ const ROUNDING_SHIFT: f64 = 6_755_399_441_055_744.0;
 const HALF_PI_HIGH: f64 = 1.570_796_326_734_125_6;
 const HALF_PI_LOW: f64 = 6.077_100_506_506_192e-11;
 
-/// `sign` (−1)^k/(2k + `first`)! for k = N − 1, …, 0: coefficients of (sin y)/y, (1 − cos y)/y², (y − sin y)/y³, … in y² for `first` = 1,
-/// 2, 3, …
+/// `sign` (−1)^k/(2k + `first`)! for k = N − 1, …, 0: coefficients of (sin y)/y, (1 − cos y)/y², (y
+/// − sin y)/y³, … in y² for `first` = 1, 2, 3, …
 pub(crate) const fn taylor<const N: usize>(first: usize, sign: f64) -> [f64; N] {
     let mut coefficients = [0.0; N];
     let (mut term, mut power) = (sign, 1);
@@ -45,16 +47,25 @@ const SINE: [f64; 8] = taylor(3, -1.0);
 const COSINE: [f64; 9] = taylor(2, -1.0);
 
 /// 2π in three parts. The first two have 25 bits: their products with up to 2²⁸ turns are exact.
-const TURN: [f64; 3] = [6.283_185_243_606_567, 6.357_301_884_918_343e-8, 2.449_293_598_294_706_4e-16];
+const TURN: [f64; 3] = [
+    6.283_185_243_606_567,
+    6.357_301_884_918_343e-8,
+    2.449_293_598_294_706_4e-16,
+];
 
 /// An angle up to 1e9 modulo 2π, in [−π, π].
 pub(crate) fn without_turns(theta: f64) -> f64 {
     let turns = (theta / TAU).round_ties_even();
     // Preserves the sign of −0.
-    if turns == 0.0 { theta } else { TURN.iter().fold(theta, |rest, part| rest - turns * part) }
+    if turns == 0.0 {
+        theta
+    } else {
+        TURN.iter().fold(theta, |rest, part| rest - turns * part)
+    }
 }
 
-/// A polynomial, highest power first. Even and odd powers are summed separately, for two short dependency chains.
+/// A polynomial, highest power first. Even and odd powers are summed separately, for two short
+/// dependency chains.
 #[inline(always)]
 fn polynomial(coefficients: &[f64], x: f64) -> f64 {
     let square = x * x;
@@ -68,7 +79,11 @@ fn polynomial(coefficients: &[f64], x: f64) -> f64 {
 /// 1 + cos θ without cancellation near the bottom.
 #[inline]
 pub(crate) fn above_bottom<T: Number>((sin, cos): (T, T)) -> T {
-    if cos.value() < 0.0 { sin * sin / (-cos + 1.0) } else { cos + 1.0 }
+    if cos.value() < 0.0 {
+        sin * sin / (-cos + 1.0)
+    } else {
+        cos + 1.0
+    }
 }
 
 #[inline]
@@ -89,8 +104,16 @@ pub(crate) fn sincos(x: f64) -> (f64, f64) {
     let (sin, cos) = core_sincos(r, rest);
     // The quadrant is the last two bits of the mantissa.
     let quadrant = shifted.to_bits();
-    let (sin, cos) = if quadrant & 1 == 0 { (sin, cos) } else { (cos, -sin) };
-    if quadrant & 2 == 0 { (sin, cos) } else { (-sin, -cos) }
+    let (sin, cos) = if quadrant & 1 == 0 {
+        (sin, cos)
+    } else {
+        (cos, -sin)
+    };
+    if quadrant & 2 == 0 {
+        (sin, cos)
+    } else {
+        (-sin, -cos)
+    }
 }
 
 /// (sin, cos) of r + `rest`, for |r| ≤ π/4 and a correction below the last digit of r.
@@ -103,10 +126,14 @@ fn core_sincos(r: f64, rest: f64) -> (f64, f64) {
     let half = 0.5 * square;
     let one = 1.0 - half;
     let lost = (1.0 - one) - half;
-    (r + (rest + r * (square * sine)), one + (lost + (square * square * cosine - r * rest)))
+    (
+        r + (rest + r * (square * sine)),
+        one + (lost + (square * square * cosine - r * rest)),
+    )
 }
 
-/// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: ratios of successive terms in `TruncatedSeries`.
+/// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: ratios of successive terms in
+/// `TruncatedSeries`.
 const TERM_RATIOS: [(f64, f64); 9] = {
     let mut table = [(0.0, 0.0); 9];
     let mut i = 0;
@@ -135,7 +162,12 @@ impl TruncatedSeries {
         if phi.abs() > 1.0 {
             let (sine, cosine) = sincos(phi);
             let versine = 1.0 - cosine;
-            return Self { sine, versine, odd: phi - sine, even: 0.5 * square - versine };
+            return Self {
+                sine,
+                versine,
+                odd: phi - sine,
+                even: 0.5 * square - versine,
+            };
         }
         // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the omitted terms are below 1/23!.
         let (mut odd, mut even) = (1.0, 1.0);
@@ -144,7 +176,12 @@ impl TruncatedSeries {
             even = 1.0 - even * (square * b);
         }
         let (odd, even) = (phi * square / 6.0 * odd, square * square / 24.0 * even);
-        Self { sine: phi - odd, versine: 0.5 * square - even, odd, even }
+        Self {
+            sine: phi - odd,
+            versine: 0.5 * square - even,
+            odd,
+            even,
+        }
     }
 }
 
@@ -155,11 +192,14 @@ mod tests {
 
     /// Next to multiples of a right angle.
     fn next_to_a_right_angle() -> impl Strategy<Value = f64> {
-        (-60_000..60_000_i32, -17.0..-8.0_f64, prop_oneof![Just(1.0), Just(-1.0)]).prop_map(
-            |(multiple, exponent, sign)| {
-                f64::from(multiple) * core::f64::consts::FRAC_PI_2 + sign * libm::exp10(exponent)
-            },
+        (
+            -60_000..60_000_i32,
+            -17.0..-8.0_f64,
+            prop_oneof![Just(1.0), Just(-1.0)],
         )
+            .prop_map(|(multiple, exponent, sign)| {
+                f64::from(multiple) * core::f64::consts::FRAC_PI_2 + sign * libm::exp10(exponent)
+            })
     }
 
     proptest! {

@@ -1,7 +1,8 @@
-//! Littlewood's hoop in closed form (§3): massless, with the particle on the rim unless a function takes an offset.
+//! Littlewood's hoop in closed form (§3): massless, with the particle on the rim unless a function
+//! takes an offset.
 //!
-//! Angles are in radians, times in √(R/g), energies in m2 g R. Misprints of the paper are corrected; the documentation
-//! quotes the printed formula.
+//! Angles are in radians, times in √(R/g), energies in m2 g R. Misprints of the paper are
+//! corrected; the documentation quotes the printed formula.
 
 use crate::model::{Massless, Start, named};
 
@@ -25,9 +26,9 @@ pub fn alpha(theta: f64, theta_rate: f64) -> f64 {
 /// sin(θ/2) = sin(θ0/2) cosh(Δτ/2) + θ0′ cos(θ0/2) sinh(Δτ/2).
 /// ```
 ///
-/// This is (3.3) with α corrected, with exponents ±(τ − τ0)/2 (printed: τ − τ0/2), and without the division by α,
-/// which vanishes on the stable manifold. It contains (3.5) to (3.7). A magnitude above 1 means that the particle has
-/// reached the plane: the motion has ended.
+/// This is (3.3) with α corrected, with exponents ±(τ − τ0)/2 (printed: τ − τ0/2), and without the
+/// division by α, which vanishes on the stable manifold. It contains (3.5) to (3.7). A magnitude
+/// above 1 means that the particle has reached the plane: the motion has ended.
 pub fn rolling_half_sine(start: &Start, elapsed: f64) -> f64 {
     let (sin, cos) = libm::sincos(0.5 * start.theta);
     sin * libm::cosh(0.5 * elapsed) + start.theta_rate * cos * libm::sinh(0.5 * elapsed)
@@ -39,14 +40,15 @@ pub fn rolling_angle(start: &Start, elapsed: f64) -> Option<f64> {
     (sine.abs() <= 1.0).then(|| 2.0 * libm::asin(sine))
 }
 
-/// Time in which rolling, without slip and loss of contact, brings the particle to the plane, θ = ±π; `None` on the
-/// stable manifold.
+/// Time in which rolling, without slip and loss of contact, brings the particle to the plane, θ =
+/// ±π; `None` on the stable manifold.
 pub fn rolling_time_to_plane(theta: f64, theta_rate: f64) -> Option<f64> {
     let growing = alpha(theta, theta_rate);
     if growing == 0.0 {
         return None;
     }
-    // Z = ±1 is reached moving outward: Z + 2Z′ = α e^(Δτ/2), with 4Z′² = 1 − Z0² + 4Z0′² = cos²(θ0/2) (1 + θ0′²).
+    // Z = ±1 is reached moving outward: Z + 2Z′ = α e^(Δτ/2), with 4Z′² = 1 − Z0² + 4Z0′² =
+    // cos²(θ0/2) (1 + θ0′²).
     let cos = libm::cos(0.5 * theta);
     let rate = cos.abs() * (1.0 + theta_rate * theta_rate).sqrt();
     Some(2.0 * libm::log((1.0 + rate) / growing.abs()))
@@ -74,11 +76,11 @@ pub fn rolling_friction(theta: f64, theta_rate: f64) -> f64 {
     (theta_rate * theta_rate - 1.0) * cos * sin
 }
 
-/// Angle θ_s > 0 at which slip begins (3.9): θ_s = 2 atan μs for the particle on the rim (53.13° for μs = 0.5; the
-/// caption of Figure 5 has half of it).
+/// Angle θ_s > 0 at which slip begins (3.9): θ_s = 2 atan μs for the particle on the rim (53.13°
+/// for μs = 0.5; the caption of Figure 5 has half of it).
 ///
-/// For ℓ̂ < 1 (footnote 7) |F|/N = ℓ̂|sin θ|/(1 + ℓ̂ cos θ), so θ_s = atan μs + asin(μs/(ℓ̂ √(1 + μs²))); `None` for
-/// μs > ℓ̂/√(1 − ℓ̂²), where static friction always suffices.
+/// For ℓ̂ < 1 (footnote 7) |F|/N = ℓ̂|sin θ|/(1 + ℓ̂ cos θ), so θ_s = atan μs + asin(μs/(ℓ̂ √(1 +
+/// μs²))); `None` for μs > ℓ̂/√(1 − ℓ̂²), where static friction always suffices.
 pub fn slip_angle(hoop: &Massless, mu_s: f64) -> Option<f64> {
     if hoop.offset == 1.0 {
         return Some(2.0 * libm::atan(mu_s));
@@ -123,13 +125,15 @@ impl RollingType {
     }
 }
 
-/// Time at which a hoop that rolls from the top (θ0 = 0) begins to slip: τ = 2 asinh(sin(θ_s/2)/θ0′) by (3.6).
+/// Time at which a hoop that rolls from the top (θ0 = 0) begins to slip: τ = 2
+/// asinh(sin(θ_s/2)/θ0′) by (3.6).
 pub fn slip_time_from_top(theta_rate: f64, mu_s: f64) -> f64 {
     let sine = mu_s / (1.0 + mu_s * mu_s).sqrt();
     2.0 * libm::asinh(sine / theta_rate.abs())
 }
 
-/// Time at which N = 0 for a hoop that rolls from the top with |θ0′| ≤ 1: τ = arccosh(1/θ0′²), where cos θ = θ0′².
+/// Time at which N = 0 for a hoop that rolls from the top with |θ0′| ≤ 1: τ = arccosh(1/θ0′²),
+/// where cos θ = θ0′².
 pub fn unloading_time_from_top(theta_rate: f64) -> f64 {
     libm::acosh(1.0 / (theta_rate * theta_rate))
 }
@@ -141,13 +145,22 @@ pub fn gliding_time_to_plane(theta: f64, theta_rate: f64) -> f64 {
     let cos_half = libm::cos(0.5 * theta);
     let height = 2.0 * cos_half * cos_half;
     let root = (rise * rise + 2.0 * height).sqrt();
-    if rise >= 0.0 { rise + root } else { 2.0 * height / (root - rise) }
+    if rise >= 0.0 {
+        rise + root
+    } else {
+        2.0 * height / (root - rise)
+    }
 }
 
-/// Position of the particle (mass centre) of a gliding hoop relative to x̄0, after Δτ (3.19): a parabola, or a
-/// vertical line if η0′ = θ0′ (1 + cos θ0).
+/// Position of the particle (mass centre) of a gliding hoop relative to x̄0, after Δτ (3.19): a
+/// parabola, or a vertical line if η0′ = θ0′ (1 + cos θ0).
 pub fn gliding_path(start: &Start, elapsed: f64) -> (f64, f64) {
-    let Start { theta, theta_rate, slip, .. } = *start;
+    let Start {
+        theta,
+        theta_rate,
+        slip,
+        ..
+    } = *start;
     let (sin, cos) = libm::sincos(theta);
     (
         (slip - theta_rate * (1.0 + cos)) * elapsed,

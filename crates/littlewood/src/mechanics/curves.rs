@@ -1,5 +1,5 @@
-//! Curves as points: dense where they bend, cut where they leave the window, every point on the curve itself; and the
-//! curves of the (θ, θ′) plane of rolling.
+//! Curves as points: dense where they bend, cut where they leave the window, every point on the
+//! curve itself; and the curves of the (θ, θ′) plane of rolling.
 
 use core::f64::consts::{PI, TAU};
 
@@ -28,15 +28,20 @@ impl Window {
         (self.x[0]..=self.x[1]).contains(&x) && (self.y[0]..=self.y[1]).contains(&y)
     }
 
-    /// The pieces of a curve in the window, from samples in `cells` intervals of its parameter: dense where it bends, cut
-    /// where it leaves the window. Each point is one of the curve. A piece that lies between two samples is not seen.
+    /// The pieces of a curve in the window, from samples in `cells` intervals of its parameter:
+    /// dense where it bends, cut where it leaves the window. Each point is one of the curve. A
+    /// piece that lies between two samples is not seen.
     pub fn pieces(&self, [from, to]: [f64; 2], cells: u32, curve: Curve<'_>) -> Vec<Vec<Point>> {
         let seen = |s: f64| curve(s).filter(|point| self.holds(*point));
         let mut pieces: Vec<Vec<Point>> = Vec::new();
         let mut open = false;
         let mut last = from;
         for i in 0..=cells {
-            let s = if i == cells { to } else { from + (to - from) * f64::from(i) / f64::from(cells) };
+            let s = if i == cells {
+                to
+            } else {
+                from + (to - from) * f64::from(i) / f64::from(cells)
+            };
             let here = seen(s);
             if i > 0 {
                 match (seen(last), here) {
@@ -115,7 +120,11 @@ impl Window {
         let (ax, ay) = (scale(q[0] - p[0], self.x), scale(q[1] - p[1], self.y));
         let (bx, by) = (scale(m[0] - p[0], self.x), scale(m[1] - p[1], self.y));
         let length = (ax * ax + ay * ay).sqrt();
-        if length == 0.0 { (bx * bx + by * by).sqrt() } else { (ax * by - ay * bx).abs() / length }
+        if length == 0.0 {
+            (bx * bx + by * by).sqrt()
+        } else {
+            (ax * by - ay * bx).abs() / length
+        }
     }
 }
 
@@ -146,7 +155,8 @@ impl PhasePlane {
     fn graph(&self, window: &Window, rate: &dyn Fn(f64) -> Option<f64>) -> Vec<Vec<Point>> {
         // Where D = 0, at θ = ±π without inertia, nothing is defined.
         let inside = |theta: f64| self.law.denominator(theta) > 1e-12;
-        let curve = |theta: f64, sign: f64| Some([theta, sign * rate(theta).filter(|_| inside(theta))?]);
+        let curve =
+            |theta: f64, sign: f64| Some([theta, sign * rate(theta).filter(|_| inside(theta))?]);
         let pieces = |sign: f64| window.pieces(window.x, CELLS, &|theta| curve(theta, sign));
         [1.0, -1.0].into_iter().flat_map(pieces).collect()
     }
@@ -156,7 +166,11 @@ impl PhasePlane {
         let [from, to] = window.x;
         let turns = (libm::floor(from / TAU) as i32 - 1)..=(libm::ceil(to / TAU) as i32 + 1);
         let mut found: Vec<f64> = turns
-            .flat_map(|turn| angles.iter().map(move |angle| angle + TAU * f64::from(turn)))
+            .flat_map(|turn| {
+                angles
+                    .iter()
+                    .map(move |angle| angle + TAU * f64::from(turn))
+            })
             .filter(|angle| (from..=to).contains(angle))
             .collect();
         found.sort_by(f64::total_cmp);
@@ -164,7 +178,8 @@ impl PhasePlane {
         found
     }
 
-    /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has verticals: the angle alone decides.
+    /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has
+    /// verticals: the angle alone decides.
     pub fn slip_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         let verticals = match self.hoop.body() {
             Body::Heavy(_) if self.hoop.mu_s() == 0.0 => vec![0.0, PI],
@@ -174,34 +189,46 @@ impl PhasePlane {
                 let angles = limit.map(|limit| {
                     // Inside the rim the demand falls again towards the bottom, where it is zero.
                     let again = PI + 2.0 * libm::atan(self.hoop.mu_s()) - limit;
-                    if body.offset < 1.0 { vec![-limit, limit, -again, again] } else { vec![-limit, limit] }
+                    if body.offset < 1.0 {
+                        vec![-limit, limit, -again, again]
+                    } else {
+                        vec![-limit, limit]
+                    }
                 });
                 angles.unwrap_or_default()
             }
         };
-        let verticals = Self::turned(window, &verticals).into_iter().filter_map(|at| {
-            let most = self.normal_force_rate(at).unwrap_or(f64::INFINITY);
-            let ends = [window.y[0].max(-most), window.y[1].min(most)];
-            (ends[0] < ends[1]).then(|| ends.map(|rate| [at, rate]).to_vec())
-        });
+        let verticals = Self::turned(window, &verticals)
+            .into_iter()
+            .filter_map(|at| {
+                let most = self.normal_force_rate(at).unwrap_or(f64::INFINITY);
+                let ends = [window.y[0].max(-most), window.y[1].min(most)];
+                (ends[0] < ends[1]).then(|| ends.map(|rate| [at, rate]).to_vec())
+            });
         let branches = [Direction::Positive, Direction::Negative].into_iter();
-        let branches =
-            branches.flat_map(|direction| self.graph(window, &|theta| self.slip_rate(theta, direction)));
+        let branches = branches
+            .flat_map(|direction| self.graph(window, &|theta| self.slip_rate(theta, direction)));
         branches.chain(verticals).collect()
     }
 
     /// The curve n, N = 0 in rolling.
     pub fn normal_force_curve(&self, window: &Window) -> Vec<Vec<Point>> {
-        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) && self.hoop.slope() == 0.0
+        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0)
+            && self.hoop.slope() == 0.0
         {
             // N = cos²(θ/2) (1 − θ′²) (3.8).
-            let lines = [1.0, -1.0].into_iter().filter(|rate| (window.y[0]..=window.y[1]).contains(rate));
-            return lines.map(|rate| window.x.map(|theta| [theta, rate]).to_vec()).collect();
+            let lines = [1.0, -1.0]
+                .into_iter()
+                .filter(|rate| (window.y[0]..=window.y[1]).contains(rate));
+            return lines
+                .map(|rate| window.x.map(|theta| [theta, rate]).to_vec())
+                .collect();
         }
         self.graph(window, &|theta| self.normal_force_rate(theta))
     }
 
-    /// The curve h cos θ θ′² = cos α beyond which the body leaves the plane; a massless hoop never does.
+    /// The curve h cos θ θ′² = cos α beyond which the body leaves the plane; a massless hoop never
+    /// does.
     pub fn lift_off_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         match self.hoop.body() {
             Body::Heavy(_) => self.graph(window, &|theta| self.lift_off_rate(theta)),
@@ -218,10 +245,13 @@ impl PhasePlane {
         [edge(0), edge(1)].concat()
     }
 
-    /// The separatrix through the unstable equilibrium; without inertia its stable and unstable manifold.
+    /// The separatrix through the unstable equilibrium; without inertia its stable and unstable
+    /// manifold.
     pub fn separatrix_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         if self.hoop.slope() != 0.0 {
-            return self.graph(window, &|theta| Some(self.separatrix_rate(theta)).filter(|rate| *rate > 0.0));
+            return self.graph(window, &|theta| {
+                Some(self.separatrix_rate(theta)).filter(|rate| *rate > 0.0)
+            });
         }
         self.level_curve(self.law.separatrix_energy(), window)
     }
@@ -237,7 +267,8 @@ impl PhasePlane {
             let orbit = |side: f64| {
                 window.pieces(window.y, CELLS, &|rate| {
                     let square = rate * rate;
-                    let cos = (energy - 0.5 * (1.0 + offset * offset) * square) / (offset * (1.0 + square));
+                    let cos = (energy - 0.5 * (1.0 + offset * offset) * square)
+                        / (offset * (1.0 + square));
                     (cos.abs() <= 1.0).then(|| [side * libm::acos(cos), rate])
                 })
             };
@@ -272,13 +303,21 @@ impl PhasePlane {
             };
             let end = self.normal_force_rate(theta);
             // Inside the rim N may grow with the rate, towards the bottom.
-            let end = if body.offset < 1.0 { Some(end.unwrap_or(most)) } else { end };
+            let end = if body.offset < 1.0 {
+                Some(end.unwrap_or(most))
+            } else {
+                end
+            };
             return end.filter(|_| holds).map(|rate| [0.0, rate.min(most)]);
         }
         let (at_rest, at_one) = (self.forces(theta, 0.0), self.forces(theta, 1.0));
         let (mut low, mut high) = (0.0, most * most);
         // μs N ± F ≥ 0 and N ≥ 0, each linear in θ′².
-        for (share, normal) in [(1.0, self.hoop.mu_s()), (-1.0, self.hoop.mu_s()), (0.0, 1.0)] {
+        for (share, normal) in [
+            (1.0, self.hoop.mu_s()),
+            (-1.0, self.hoop.mu_s()),
+            (0.0, 1.0),
+        ] {
             let constant = normal * at_rest.normal + share * at_rest.friction;
             let slope = normal * at_one.normal + share * at_one.friction - constant;
             let root = -constant / slope;
@@ -300,11 +339,13 @@ impl PhasePlane {
         let mut pieces = Vec::new();
         for upper in window.pieces(window.x, CELLS, &top) {
             // The lower edge bends where the upper one may be straight.
-            let ends = [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
+            let ends =
+                [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
             let bottom = |theta: f64| Some([theta, self.holding(theta, most)?[0]]);
             let mut lower = window.pieces(ends, CELLS, &bottom).concat();
             lower.reverse();
-            let mirrored = |points: &[Point]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
+            let mirrored =
+                |points: &[Point]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
             if lower.iter().all(|[_, low]| *low == 0.0) {
                 let mut below = mirrored(&upper);
                 below.reverse();

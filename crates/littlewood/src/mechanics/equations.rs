@@ -1,8 +1,9 @@
-//! The equations of motion, each written once: those of rolling (2.8, 2.11, 2.12), of sliding (2.15, 2.16, 2.18), and
-//! 1 − h cos θ θ′² of contact.
+//! The equations of motion, each written once: those of rolling (2.8, 2.11, 2.12), of sliding
+//! (2.15, 2.16, 2.18), and 1 − h cos θ θ′² of contact.
 //!
-//! The formulas take sin θ, cos θ and u = θ′², which solvers have already computed. A formula that is linear in (1, u)
-//! or (1, sin θ, cos θ) takes the 1 as its first argument; applied to coefficients of power series it gives the series.
+//! The formulas take sin θ, cos θ and u = θ′², which solvers have already computed. A formula that
+//! is linear in (1, u) or (1, sin θ, cos θ) takes the 1 as its first argument; applied to
+//! coefficients of power series it gives the series.
 //!
 //! | equation | quantity | function |
 //! |---|---|---|
@@ -13,7 +14,8 @@
 //! | (2.16) | θ″ and η″ of sliding | [`SlidingLaw::accelerations`] |
 //! | (3.1) to (3.20) | the massless hoop | [`crate::mechanics::closed_form`], [`crate::modes::gliding`] |
 //!
-//! Symbols: m total mass, h distance and Î moment of inertia of the mass centre, ℓ̂ = m h, σ = sign(η′).
+//! Symbols: m total mass, h distance and Î moment of inertia of the mass centre, ℓ̂ = m h, σ =
+//! sign(η′).
 
 use crate::math::form::Trigonometric;
 use crate::math::number::Number;
@@ -31,9 +33,14 @@ pub struct ContactForces<T = f64> {
 }
 
 impl ContactForces {
-    /// Friction demand |F|/N, the least coefficient of friction for this motion. Infinite for N ≤ 0.
+    /// Friction demand |F|/N, the least coefficient of friction for this motion. Infinite for
+    /// N ≤ 0.
     pub fn demand(&self) -> f64 {
-        if self.normal > 0.0 { self.friction.abs() / self.normal } else { f64::INFINITY }
+        if self.normal > 0.0 {
+            self.friction.abs() / self.normal
+        } else {
+            f64::INFINITY
+        }
     }
 }
 
@@ -46,21 +53,21 @@ pub struct Accelerations<T = f64> {
     pub slip: T,
 }
 
-/// w = 1 − h cos θ θ′², from cos θ θ′². A hoop can stay in contact while w > 0; sliding lifts off where w = 0 (2.18),
-/// independent of μk.
+/// w = 1 − h cos θ θ′², from cos θ θ′². A hoop can stay in contact while w > 0; sliding lifts off
+/// where w = 0 (2.18), independent of μk.
 #[inline]
 pub(crate) fn contact<T: Number>(one: f64, h: T, cos_u: T) -> T {
     -(h * cos_u) + one
 }
 
-/// Whether the body lifts off: w < 0, or w = 0 and decreasing. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at
-/// the top, w″ = h cos θ θ′⁴ > 0 and the body stays in contact.
+/// Whether the body lifts off: w < 0, or w = 0 and decreasing. At w = 0, w′ = h sin θ θ′³; where
+/// that vanishes too, at the top, w″ = h cos θ θ′⁴ > 0 and the body stays in contact.
 pub(crate) fn leaves_plane(w: f64, sin: f64, theta_rate: f64) -> bool {
     w < 0.0 || (w == 0.0 && sin * theta_rate < 0.0)
 }
 
-/// σ η″ at η′ = 0 where rolling violates static friction: −σ D (F + μk σ N)/(m P) with N and F of (2.12), from
-/// `drive` = |F| − μk N and D.
+/// σ η″ at η′ = 0 where rolling violates static friction: −σ D (F + μk σ N)/(m P) with N and F of
+/// (2.12), from `drive` = |F| − μk N and D.
 #[inline]
 pub(crate) fn slip_acceleration_at_rest(mass: f64, denominator: f64, drive: f64, p: f64) -> f64 {
     denominator * drive / (mass * p)
@@ -81,14 +88,31 @@ pub(crate) fn energy_at(
 ) -> f64 {
     let inertia = hoop.body().inertia_about_mass_centre();
     let [mass, h, offset, tilt] = [hoop.mass(), hoop.h(), hoop.offset(), hoop.tilt()];
-    let body = Heavy { mass, h, offset, inertia, tilt };
-    energy_of(&body, [state.theta_rate, state.slip, state.x], direction, [gap, gap_rate])
+    let body = Heavy {
+        mass,
+        h,
+        offset,
+        inertia,
+        tilt,
+    };
+    energy_of(
+        &body,
+        [state.theta_rate, state.slip, state.x],
+        direction,
+        [gap, gap_rate],
+    )
 }
 
 /// [`energy`] of a body with inertia or without, from θ′, η′ and x.
 #[inline]
 pub(crate) fn energy_of<T: Number>(
-    &Heavy { mass, h, offset, inertia, tilt }: &Heavy<T>,
+    &Heavy {
+        mass,
+        h,
+        offset,
+        inertia,
+        tilt,
+    }: &Heavy<T>,
     [rate, slip, x]: [T; 3],
     (sin, cos): (T, T),
     [gap, gap_rate]: [T; 2],
@@ -120,9 +144,16 @@ pub struct RollingLaw<T = f64> {
 }
 
 impl<T: Number> RollingLaw<T> {
-    /// The equations in units in which gravity normal to the plane is 1, of a body with inertia or without.
+    /// The equations in units in which gravity normal to the plane is 1, of a body with inertia or
+    /// without.
     pub(crate) fn of_body(body: &Heavy<T>) -> Self {
-        let Heavy { mass, h, offset, inertia, tilt } = *body;
+        let Heavy {
+            mass,
+            h,
+            offset,
+            inertia,
+            tilt,
+        } = *body;
         let (outer, inner) = (h + 1.0, -h + 1.0);
         Self {
             mass,
@@ -154,7 +185,8 @@ impl<T: Number> RollingLaw<T> {
         self.offset * levered + (self.mass * one + self.offset * cos) * self.tilt
     }
 
-    /// The gain of D u over an angle, from the direction of its middle, its chord 2 sin(½ angle), and the angle.
+    /// The gain of D u over an angle, from the direction of its middle, its chord 2 sin(½ angle),
+    /// and the angle.
     #[inline]
     pub(crate) fn gain(&self, (sin, cos): (T, T), chord: T, angle: T) -> T {
         (self.offset * chord * (sin + self.tilt * cos) + self.tilt * self.mass * angle) * 2.0
@@ -173,10 +205,16 @@ impl<T: Number> RollingLaw<T> {
         kinetic + self.weight * (self.offset * cos) - self.weight * fallen
     }
 
-    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D. With θ″ of (2.11)
-    /// F = [ℓ̂ sin θ (u (Î + ℓ̂(h + cos θ)) − m − ℓ̂ cos θ) + (m Î + ℓ̂² sin²θ) tan α]/D, which keeps the digits of a heavy hoop.
+    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12),
+    /// from D. With θ″ of (2.11) F = [ℓ̂ sin θ (u (Î + ℓ̂(h + cos θ)) − m − ℓ̂ cos θ) + (m Î + ℓ̂²
+    /// sin²θ) tan α]/D, which keeps the digits of a heavy hoop.
     #[inline]
-    pub(crate) fn forces_at(&self, (sin, cos): (T, T), [one, u]: [T; 2], denominator: T) -> ContactForces<T> {
+    pub(crate) fn forces_at(
+        &self,
+        (sin, cos): (T, T),
+        [one, u]: [T; 2],
+        denominator: T,
+    ) -> ContactForces<T> {
         let acceleration = self.acceleration((sin, cos), [one, u], denominator);
         let beyond_mass = self.beyond_mass[1] + self.offset * above_bottom((sin, cos));
         let arm = self.offset * sin;
@@ -192,7 +230,10 @@ impl RollingLaw {
     /// The equations of rolling of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        Self { weight: libm::cos(hoop.slope()), ..Self::of(hoop) }
+        Self {
+            weight: libm::cos(hoop.slope()),
+            ..Self::of(hoop)
+        }
     }
 
     /// The equations in units in which gravity normal to the plane is 1.
@@ -200,8 +241,8 @@ impl RollingLaw {
         Self::of_body(&hoop.rigid_body())
     }
 
-    /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². A sum of non-negative terms, accurate
-    /// near the bottom, where D of a light hoop is small.
+    /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². A sum of
+    /// non-negative terms, accurate near the bottom, where D of a light hoop is small.
     pub fn denominator(&self, theta: f64) -> f64 {
         self.bottom + self.height(theta)
     }
@@ -230,20 +271,25 @@ impl RollingLaw {
         )
     }
 
-    /// Normal and friction force (2.12). In 𝓡 of (2.14) they are the contact forces; elsewhere, those that rolling would
-    /// require.
+    /// Normal and friction force (2.12). In 𝓡 of (2.14) they are the contact forces; elsewhere,
+    /// those that rolling would require.
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
-        self.forces_at(libm::sincos(theta), [self.weight, theta_rate * theta_rate], self.denominator(theta))
+        self.forces_at(
+            libm::sincos(theta),
+            [self.weight, theta_rate * theta_rate],
+            self.denominator(theta),
+        )
     }
 
-    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for Littlewood's hoop), where x = −θ.
+    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for
+    /// Littlewood's hoop), where x = −θ.
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
         let kinetic = 0.5 * self.denominator(theta) * theta_rate * theta_rate;
         self.energy_of(kinetic, theta, libm::sincos(theta))
     }
 
-    /// The angles of the unstable and of the stable equilibrium, sin(θ + α) = −sin α/h: 0 and π on a level plane. None where the slope
-    /// exceeds asin h, and for a balanced hoop.
+    /// The angles of the unstable and of the stable equilibrium, sin(θ + α) = −sin α/h: 0 and π on
+    /// a level plane. None where the slope exceeds asin h, and for a balanced hoop.
     pub fn equilibria(&self) -> Option<[f64; 2]> {
         if self.tilt == 0.0 {
             return (self.offset > 0.0).then_some([0.0, core::f64::consts::PI]);
@@ -256,12 +302,14 @@ impl RollingLaw {
         })
     }
 
-    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂ on a level plane; NaN without such an equilibrium.
+    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂ on a level plane; NaN
+    /// without such an equilibrium.
     pub fn separatrix_energy(&self) -> f64 {
         if self.tilt == 0.0 {
             return self.offset;
         }
-        self.equilibria().map_or(f64::NAN, |[unstable, _]| self.energy(unstable, 0.0))
+        self.equilibria()
+            .map_or(f64::NAN, |[unstable, _]| self.energy(unstable, 0.0))
     }
 }
 
@@ -285,7 +333,11 @@ pub struct SlidingLaw<T = f64> {
 
 impl<T: Number> SlidingLaw<T> {
     pub(crate) fn of_body(body: Heavy<T>, mu_k: T, direction: Direction) -> Self {
-        Self { body, friction: mu_k * direction.sign(), weight: T::constant(1.0) }
+        Self {
+            body,
+            friction: mu_k * direction.sign(),
+            weight: T::constant(1.0),
+        }
     }
 
     /// q = h sin θ − μk σ (1 + h cos θ).
@@ -298,7 +350,9 @@ impl<T: Number> SlidingLaw<T> {
     /// P = Î + m h sin θ q.
     #[inline]
     pub(crate) fn p(&self, sin: T, q: T) -> T {
-        let Heavy { mass, h, inertia, .. } = self.body;
+        let Heavy {
+            mass, h, inertia, ..
+        } = self.body;
         inertia + mass * h * sin * q
     }
 
@@ -316,7 +370,9 @@ impl<T: Number> SlidingLaw<T> {
 
     /// θ″ and η″ of (2.16), solved, from (sin θ, cos θ) and θ′.
     pub(crate) fn accelerations_at(&self, (sin, cos): (T, T), theta_rate: T) -> Accelerations<T> {
-        let Heavy { mass, h, inertia, .. } = self.body;
+        let Heavy {
+            mass, h, inertia, ..
+        } = self.body;
         let w = self.weight - h * (cos * (theta_rate * theta_rate));
         let q = self.q(1.0, sin, cos);
         let p = self.p(sin, q);
@@ -331,8 +387,8 @@ impl<T: Number> SlidingLaw<T> {
         }
     }
 
-    /// The second integral, x̄ + μk σ (ȳ + τ²/2) + tan α τ²/2 minus a linear function of τ, of the slide from an angle, a rate, a slip
-    /// velocity and an x.
+    /// The second integral, x̄ + μk σ (ȳ + τ²/2) + tan α τ²/2 minus a linear function of τ, of the
+    /// slide from an angle, a rate, a slip velocity and an x.
     pub(crate) fn path(&self, [rate, slip, x]: [T; 3], (sin, cos): (T, T)) -> SlidePath<T> {
         let h = self.body.h;
         let vx = slip - (h * cos + 1.0) * rate;
@@ -354,7 +410,10 @@ impl SlidingLaw {
         match hoop.body() {
             Body::Heavy(body) => {
                 let law = Self::of_body(body, hoop.mu_k(), direction);
-                Some(Self { weight: libm::cos(hoop.slope()), ..law })
+                Some(Self {
+                    weight: libm::cos(hoop.slope()),
+                    ..law
+                })
             }
             Body::Massless(_) => None,
         }
@@ -370,18 +429,26 @@ impl SlidingLaw {
     /// α and β of η″ = α + β u (2.16): one division where [`SlidingLaw::accelerations`] has two.
     #[inline]
     pub(crate) fn slip_acceleration(&self, sin: f64, cos: f64) -> (f64, f64) {
-        let Heavy { mass, h, inertia, .. } = self.body;
+        let Heavy {
+            mass, h, inertia, ..
+        } = self.body;
         let q = self.q(1.0, sin, cos);
         let alpha = ((1.0 + h * cos) * mass * q - self.friction * inertia) / self.p(sin, q);
         (alpha - self.body.pull(), -h * cos * alpha - h * sin)
     }
 
-    /// w = cos α − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, independent of μk.
+    /// w = cos α − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where
+    /// w = 0, independent of μk.
     pub fn contact(&self, theta: f64, theta_rate: f64) -> f64 {
-        contact(self.weight, self.body.h, libm::cos(theta) * (theta_rate * theta_rate))
+        contact(
+            self.weight,
+            self.body.h,
+            libm::cos(theta) * (theta_rate * theta_rate),
+        )
     }
 
-    /// P = Î + m h sin θ q. Where P ≤ 0, sliding has no solution with N > 0, or the motion is not unique.
+    /// P = Î + m h sin θ q. Where P ≤ 0, sliding has no solution with N > 0, or the motion is not
+    /// unique.
     pub fn solvability(&self, theta: f64) -> f64 {
         let (sin, cos) = libm::sincos(theta);
         self.p(sin, self.q(1.0, sin, cos))
@@ -389,9 +456,12 @@ impl SlidingLaw {
 
     /// N = Î m w/P and F = −μk σ N (2.15, 2.18).
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
-        let normal =
-            self.body.inertia * self.body.mass * self.contact(theta, theta_rate) / self.solvability(theta);
-        ContactForces { normal, friction: -self.friction * normal }
+        let normal = self.body.inertia * self.body.mass * self.contact(theta, theta_rate)
+            / self.solvability(theta);
+        ContactForces {
+            normal,
+            friction: -self.friction * normal,
+        }
     }
 
     /// θ″ and η″ of (2.16), solved.
@@ -402,7 +472,8 @@ impl SlidingLaw {
     /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + (μk σ cos α + sin α) τ.
     pub fn momentum_integral(&self, state: &State) -> f64 {
         let (sin, cos) = libm::sincos(state.theta);
-        state.slip - state.theta_rate * self.lever(sin, cos) + self.drag() * self.weight * state.time
+        state.slip - state.theta_rate * self.lever(sin, cos)
+            + self.drag() * self.weight * state.time
     }
 }
 

@@ -9,13 +9,15 @@ const MAX_FIRST_STEP: f64 = 1e-3;
 /// Largest ratio of successive steps. Near a double zero Newton's method has the ratio ½.
 const MAX_STEP_RATIO: f64 = 0.75;
 
-/// Longest last step of a converged iteration, rad. Rounding moves a double zero by about √ε = 1.5e-8.
+/// Longest last step of a converged iteration, rad. Rounding moves a double zero by about √ε =
+/// 1.5e-8.
 const MAX_LAST_STEP: f64 = 1e-7;
 
 /// Maximum number of steps: 53 halvings reach the last digit.
 const MAX_STEPS: usize = 53;
 
-/// First integrals of a slide without friction. With c = cos ϑ, s = sin ϑ, u = ϑ′² and J = Î + m h² s²,
+/// First integrals of a slide without friction. With c = cos ϑ, s = sin ϑ, u = ϑ′² and J = Î + m h²
+/// s²,
 ///
 /// ```text
 /// J u + 2 m h c = C,    η′ − ϑ′ (1 + h c) = A.
@@ -30,7 +32,13 @@ pub(crate) struct FrictionlessIntegrals {
 impl FrictionlessIntegrals {
     /// The integrals at a state, with the sine and cosine of its angle.
     pub(crate) fn new(body: &Heavy, state: &State, (sin, cos): (f64, f64)) -> Self {
-        let Heavy { mass, h, inertia, offset, .. } = *body;
+        let Heavy {
+            mass,
+            h,
+            inertia,
+            offset,
+            ..
+        } = *body;
         let rate = state.theta_rate;
         Self {
             energy: (inertia + mass * (h * sin) * (h * sin)) * rate * rate + 2.0 * offset * cos,
@@ -38,31 +46,47 @@ impl FrictionlessIntegrals {
         }
     }
 
-    /// A² J − (C − 2 m h c) (1 + h c)², which vanishes with η′, in powers of c − `cos`. Each coefficient is given as its two
-    /// terms.
+    /// A² J − (C − 2 m h c) (1 + h c)², which vanishes with η′, in powers of c − `cos`. Each
+    /// coefficient is given as its two terms.
     pub(crate) fn standstills(&self, body: &Heavy, cos: f64) -> [[f64; 2]; 4] {
-        let Heavy { mass, h, inertia, offset, .. } = *body;
+        let Heavy {
+            mass,
+            h,
+            inertia,
+            offset,
+            ..
+        } = *body;
         let (square, product) = (self.momentum * self.momentum, mass * h * h);
         let lever = 1.0 + h * cos;
         let [kinetic, slope] = [self.energy - 2.0 * offset * cos, -2.0 * offset];
         [
-            [square * (inertia + product * (1.0 - cos) * (1.0 + cos)), -kinetic * lever * lever],
-            [-2.0 * square * product * cos, -(kinetic * 2.0 * h + slope * lever) * lever],
+            [
+                square * (inertia + product * (1.0 - cos) * (1.0 + cos)),
+                -kinetic * lever * lever,
+            ],
+            [
+                -2.0 * square * product * cos,
+                -(kinetic * 2.0 * h + slope * lever) * lever,
+            ],
             [-square * product, -(kinetic * h + slope * 2.0 * lever) * h],
             [0.0, -slope * h * h],
         ]
     }
 
-    /// The distances of the other two zeros of the cubic from its zero at `cos`, by deflation; NaN where they are not real.
+    /// The distances of the other two zeros of the cubic from its zero at `cos`, by deflation; NaN
+    /// where they are not real.
     pub(crate) fn other_standstills(&self, body: &Heavy, cos: f64) -> [f64; 2] {
-        let [_, slope, square, cube] = self.standstills(body, cos).map(|[first, second]| first + second);
+        let [_, slope, square, cube] = self
+            .standstills(body, cos)
+            .map(|[first, second]| first + second);
         let root = (square * square - 4.0 * cube * slope).sqrt();
         let larger = -0.5 * (square + root.copysign(square));
         [larger / cube, slope / larger]
     }
 
-    /// Whether deflation gives a zero at this distance more accurately than the cubic does. The error of deflation is that
-    /// of the slope at `cos` times the distance; the error of the cubic is that of its value at the zero.
+    /// Whether deflation gives a zero at this distance more accurately than the cubic does. The
+    /// error of deflation is that of the slope at `cos` times the distance; the error of the cubic
+    /// is that of its value at the zero.
     pub(crate) fn deflation_is_better(&self, body: &Heavy, cos: f64, distance: f64) -> bool {
         let size = |[first, second]: [f64; 2]| first.abs() + second.abs();
         let [_, slope, ..] = self.standstills(body, cos);
@@ -70,10 +94,16 @@ impl FrictionlessIntegrals {
         size(slope) * distance.abs() < size(value)
     }
 
-    /// Angle near `theta`, and rate, at which η′ vanishes: Newton's method for C, with θ′ from A. `None` without
-    /// convergence.
+    /// Angle near `theta`, and rate, at which η′ vanishes: Newton's method for C, with θ′ from A.
+    /// `None` without convergence.
     pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
-        let Heavy { mass, h, inertia, offset, .. } = *body;
+        let Heavy {
+            mass,
+            h,
+            inertia,
+            offset,
+            ..
+        } = *body;
         let theta = converge(theta, |theta| {
             let (sin, cos) = sincos(theta);
             let lever = lever(h, (sin, cos));
@@ -85,15 +115,23 @@ impl FrictionlessIntegrals {
         Some((theta, self.rate_at_rest(body, sincos(theta))))
     }
 
-    /// θ′ where η′ vanishes. Next to the bottom A, over a lever that is small for a particle near the rim, magnifies the rounding of
-    /// the angle; at a turning point C does so.
+    /// θ′ where η′ vanishes. Next to the bottom A, over a lever that is small for a particle near
+    /// the rim, magnifies the rounding of the angle; at a turning point C does so.
     pub(crate) fn rate_at_rest(&self, body: &Heavy, (sin, cos): (f64, f64)) -> f64 {
-        let Heavy { mass, h, inertia, offset, .. } = *body;
+        let Heavy {
+            mass,
+            h,
+            inertia,
+            offset,
+            ..
+        } = *body;
         let lever = lever(h, (sin, cos));
         let from_momentum = -self.momentum / lever;
         let (kinetic, potential) = (self.energy - 2.0 * offset * cos, 2.0 * offset * cos);
         if (self.energy.abs() + potential.abs()) * lever < 2.0 * kinetic * (h * sin).abs() {
-            (kinetic / (inertia + mass * (h * sin) * (h * sin))).sqrt().copysign(from_momentum)
+            (kinetic / (inertia + mass * (h * sin) * (h * sin)))
+                .sqrt()
+                .copysign(from_momentum)
         } else {
             from_momentum
         }

@@ -1,20 +1,25 @@
-//! The impact of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of restitution (docs/theory/impact.md).
+//! The impact of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of
+//! restitution (docs/theory/impact.md).
 //!
-//! The normal impulse P is the independent variable (Routh; Keller 1986), in which everything is piecewise linear. Of the compliances
+//! The normal impulse P is the independent variable (Routh; Keller 1986), in which everything is
+//! piecewise linear. Of the compliances
 //!
 //! ```text
 //! A = 1/m + (1 + h cos θ)²/Î,   B = h sin θ (1 + h cos θ)/Î,   C = 1/m + h² sin²θ/Î,   A C − B² = D/(m² Î)
 //! ```
 //!
-//! those of a light hoop are large and nearly cancel; dθ′/dP is therefore computed first, and du/dP and dw/dP from it.
+//! those of a light hoop are large and nearly cancel; dθ′/dP is therefore computed first, and du/dP
+//! and dw/dP from it.
 //!
-//! Literature: J. B. Keller, J. Appl. Mech. 53, 1986; W. J. Stronge, Proc. R. Soc. A 431, 1990 (the energetic law);
-//! Y. Wang and M. T. Mason, J. Appl. Mech. 59, 1992 (the cases).
+//! Literature: J. B. Keller, J. Appl. Mech. 53, 1986; W. J. Stronge, Proc. R. Soc. A 431, 1990 (the
+//! energetic law); Y. Wang and M. T. Mason, J. Appl. Mech. 59, 1992 (the cases).
 
 use thiserror::Error;
 
 use crate::math::number::Number;
-use crate::model::{Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, getters, named};
+use crate::model::{
+    Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, getters, named,
+};
 
 /// The impulse of the plane on the body, in m2 √(gR).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +37,9 @@ pub struct Impulse<T = f64> {
 #[expect(missing_docs, reason = "the message of each says what its fields are")]
 pub enum ImpactError {
     /// The gap does not close.
-    #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and not positive: the gap has to close")]
+    #[error(
+        "gap_rate = {gap_rate} sqrt(g R) must be finite and not positive: the gap has to close"
+    )]
     Opening { gap_rate: f64 },
     /// A massless hoop: an impulse on its rim would cause an infinite velocity.
     #[error("a massless hoop has no impact: an impulse would accelerate its rim without bound")]
@@ -56,7 +63,8 @@ named! {
         SticksInRestitution = 4, "sticks_in_restitution" => "sticks in restitution";
         /// Slip reverses in restitution.
         ReversesInRestitution = 5, "reverses_in_restitution" => "reverses in restitution";
-        /// P ≤ 0 (Painlevé): during slip the normal impulse closes the gap, which opens only after slip has ended.
+        /// P ≤ 0 (Painlevé): during slip the normal impulse closes the gap, which opens only after
+        /// slip has ended.
         Jams = 6, "jams" => "jams";
     }
 }
@@ -75,7 +83,11 @@ pub struct ContactVelocities<T = f64> {
 
 impl ContactVelocities {
     pub(crate) const fn of(state: &State, gap_rate: f64) -> Self {
-        Self { theta_rate: state.theta_rate, slip: state.slip, gap_rate }
+        Self {
+            theta_rate: state.theta_rate,
+            slip: state.slip,
+            gap_rate,
+        }
     }
 }
 
@@ -109,7 +121,11 @@ getters! {
 impl Impact {
     /// The state after the impact, from the state before it.
     pub(crate) fn state_after(&self, before: &State) -> State {
-        State { theta_rate: self.after.theta_rate, slip: self.after.slip, ..*before }
+        State {
+            theta_rate: self.after.theta_rate,
+            slip: self.after.slip,
+            ..*before
+        }
     }
 }
 
@@ -122,7 +138,8 @@ struct Slope<T> {
     gap_rate: T,
 }
 
-/// Compliance of the contact point to an impulse (J, P), in 1/m2: u′ − u = A J + B P, w′ − w = B J + C P.
+/// Compliance of the contact point to an impulse (J, P), in 1/m2: u′ − u = A J + B P, w′ − w = B
+/// J + C P.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Compliance {
@@ -137,8 +154,12 @@ pub struct Compliance {
 impl Hoop {
     /// The compliance at an angle; `None` for a massless hoop.
     pub fn compliance(&self, theta: f64) -> Option<Compliance> {
-        let Body::Heavy(body) = self.body() else { return None };
-        let Heavy { mass, h, inertia, .. } = body;
+        let Body::Heavy(body) = self.body() else {
+            return None;
+        };
+        let Heavy {
+            mass, h, inertia, ..
+        } = body;
         let (arm, lever) = (h * libm::sin(theta), 1.0 + h * libm::cos(theta));
         Some(Compliance {
             a: 1.0 / mass + lever * lever / inertia,
@@ -147,22 +168,33 @@ impl Hoop {
         })
     }
 
-    /// The vertices of an impact in the plane of impulses (J, P): zero, the impulse at which slip ends, if it does, and
-    /// the total. Empty for a massless hoop. Not defined for the sum of the impacts of a [`crate::impact::Settling`].
+    /// The vertices of an impact in the plane of impulses (J, P): zero, the impulse at which slip
+    /// ends, if it does, and the total. Empty for a massless hoop. Not defined for the sum of the
+    /// impacts of a [`crate::impact::Settling`].
     pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<Impulse> {
-        let Body::Heavy(body) = self.body() else { return Vec::new() };
+        let Body::Heavy(body) = self.body() else {
+            return Vec::new();
+        };
         let contact = Contact::new(self, &body, theta);
         let direction = Direction::of_sign(impact.before.slip);
         let slipping = direction.map_or(contact.at_rest, |direction| contact.slope(direction));
         let first = contact.course(impact.before, direction, slipping).first;
-        let bend = (first > 0.0 && first < impact.impulse.normal)
-            .then_some(Impulse { normal: first, friction: slipping.friction * first });
-        let none = Impulse { normal: 0.0, friction: 0.0 };
-        [Some(none), bend, Some(impact.impulse)].into_iter().flatten().collect()
+        let bend = (first > 0.0 && first < impact.impulse.normal).then_some(Impulse {
+            normal: first,
+            friction: slipping.friction * first,
+        });
+        let none = Impulse {
+            normal: 0.0,
+            friction: 0.0,
+        };
+        [Some(none), bend, Some(impact.impulse)]
+            .into_iter()
+            .flatten()
+            .collect()
     }
 
-    /// The impact of a hoop whose rim touches the plane in `state` with `gap_rate` ≤ 0. Friction is μk in slip and at most
-    /// μs in stick.
+    /// The impact of a hoop whose rim touches the plane in `state` with `gap_rate` ≤ 0. Friction is
+    /// μk in slip and at most μs in stick.
     ///
     /// ```
     /// use littlewood::cases::find_case;
@@ -186,7 +218,9 @@ impl Hoop {
         gap_rate: f64,
         restitution: Restitution,
     ) -> Result<Impact, ImpactError> {
-        let Body::Heavy(body) = self.body() else { return Err(ImpactError::Massless) };
+        let Body::Heavy(body) = self.body() else {
+            return Err(ImpactError::Massless);
+        };
         if !(gap_rate.is_finite() && gap_rate <= 0.0) {
             return Err(ImpactError::Opening { gap_rate });
         }
@@ -194,14 +228,20 @@ impl Hoop {
         Ok(Contact::new(self, &body, state.theta).impact(before, restitution.parts()))
     }
 
-    /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or which has reached
-    /// P = 0. `None` for a massless hoop, without a coefficient of restitution, and without slip. Does not apply where
-    /// P > 0.
+    /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or
+    /// which has reached P = 0. `None` for a massless hoop, without a coefficient of restitution,
+    /// and without slip. Does not apply where P > 0.
     pub fn jam(&self, state: &State) -> Option<Impact> {
-        let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else { return None };
+        let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else {
+            return None;
+        };
         let direction = Direction::of_sign(state.slip)?;
         let contact = Contact::new(self, &body, state.theta);
-        Some(contact.jam(ContactVelocities::of(state, 0.0), direction, restitution.parts()))
+        Some(contact.jam(
+            ContactVelocities::of(state, 0.0),
+            direction,
+            restitution.parts(),
+        ))
     }
 }
 
@@ -224,12 +264,14 @@ impl Contact {
         Self::of(body, [hoop.mu_s(), hoop.mu_k()], libm::sincos(theta))
     }
 
-    /// The slopes of the gap rate in slip in this direction and in stick, and the rate at which the slip decreases, all with respect to
-    /// the normal impulse; `None` where the slip does not end in a stick.
+    /// The slopes of the gap rate in slip in this direction and in stick, and the rate at which the
+    /// slip decreases, all with respect to the normal impulse; `None` where the slip does not end
+    /// in a stick.
     pub(crate) fn sticking(&self, direction: Direction) -> Option<([f64; 2], f64)> {
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
-        (braking > 0.0 && !self.reverses).then_some(([slipping.gap_rate, self.at_rest.gap_rate], braking))
+        (braking > 0.0 && !self.reverses)
+            .then_some(([slipping.gap_rate, self.at_rest.gap_rate], braking))
     }
 }
 
@@ -249,18 +291,34 @@ impl<T: Number> Contact<T> {
         });
         // m Î A and m Î B: sticking requires |B|/A ≤ μs.
         let (a, b) = (body.inertia + mass * lever * lever, mass * arm * lever);
-        let stuck = Slope { slip: T::constant(0.0), ..slope(-b / a, arm / a) };
-        let reversed = Direction::of_sign(b.value()).filter(|_| b.value().abs() > mu_s.value() * a.value());
+        let stuck = Slope {
+            slip: T::constant(0.0),
+            ..slope(-b / a, arm / a)
+        };
+        let reversed =
+            Direction::of_sign(b.value()).filter(|_| b.value().abs() > mu_s.value() * a.value());
         let at_rest = reversed.map_or(stuck, |direction| slipping[direction.index()]);
-        Self { mass, arm, lever, slipping, at_rest, reverses: reversed.is_some() }
+        Self {
+            mass,
+            arm,
+            lever,
+            slipping,
+            at_rest,
+            reverses: reversed.is_some(),
+        }
     }
 
     fn slope(&self, direction: Direction) -> Slope<T> {
         self.slipping[direction.index()]
     }
 
-    /// The impact with these velocities, for a gap rate ≤ 0, by a coefficient and law of restitution.
-    pub(crate) fn impact(&self, before: ContactVelocities<T>, restitution: (T, RestitutionLaw)) -> Impact<T> {
+    /// The impact with these velocities, for a gap rate ≤ 0, by a coefficient and law of
+    /// restitution.
+    pub(crate) fn impact(
+        &self,
+        before: ContactVelocities<T>,
+        restitution: (T, RestitutionLaw),
+    ) -> Impact<T> {
         let direction = Direction::of_sign(before.slip.value());
         let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
         let jams = direction.is_some() && slipping.gap_rate.value() <= 0.0;
@@ -270,16 +328,20 @@ impl<T: Number> Contact<T> {
                 case: ImpactCase::None,
                 before,
                 after: before,
-                impulse: Impulse { normal: none, friction: none },
+                impulse: Impulse {
+                    normal: none,
+                    friction: none,
+                },
                 normal_work: none,
                 friction_work: none,
             };
         }
-        self.course(before, direction, slipping).impact(jams, restitution)
+        self.course(before, direction, slipping)
+            .impact(jams, restitution)
     }
 
-    /// The jam of a hoop that slips where P ≤ 0, at gap rate 0. Where a slide has reached P = 0, rounding may make P
-    /// positive; it is set to zero.
+    /// The jam of a hoop that slips where P ≤ 0, at gap rate 0. Where a slide has reached P = 0,
+    /// rounding may make P positive; it is set to zero.
     pub(crate) fn jam(
         &self,
         before: ContactVelocities<T>,
@@ -292,9 +354,15 @@ impl<T: Number> Contact<T> {
         } else {
             let spin = T::constant(-1.0) / (self.mass * self.arm);
             let slip = slope.friction / self.mass + self.lever * spin;
-            Slope { spin, slip, gap_rate: T::constant(0.0), ..slope }
+            Slope {
+                spin,
+                slip,
+                gap_rate: T::constant(0.0),
+                ..slope
+            }
         };
-        self.course(before, Some(direction), slipping).impact(true, restitution)
+        self.course(before, Some(direction), slipping)
+            .impact(true, restitution)
     }
 
     fn course(
@@ -314,7 +382,12 @@ impl<T: Number> Contact<T> {
                 }
             }
         };
-        Course { contact: self, before, slipping, first }
+        Course {
+            contact: self,
+            before,
+            slipping,
+            first,
+        }
     }
 }
 
@@ -331,7 +404,8 @@ struct End<T> {
     case: ImpactCase,
     /// P.
     normal: T,
-    /// Gap rate after the impact, from the law of restitution. Summed over P it would be lost in rounding for small e.
+    /// Gap rate after the impact, from the law of restitution. Summed over P it would be lost in
+    /// rounding for small e.
     opening: T,
 }
 
@@ -339,11 +413,19 @@ impl<T: Number> Course<'_, T> {
     /// The end of the impact by the law of restitution.
     fn end(&self, jams: bool, (e, law): (T, RestitutionLaw)) -> End<T> {
         let closing = -self.before.gap_rate;
-        let (k1, k2, first) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate, self.first);
+        let (k1, k2, first) = (
+            self.slipping.gap_rate,
+            self.contact.at_rest.gap_rate,
+            self.first,
+        );
         let reverses = self.contact.reverses;
         let whole = (e + 1.0) * closing;
         if !jams && first.value() * k1.value() >= whole.value() {
-            return End { case: ImpactCase::Slides, normal: whole / k1, opening: e * closing };
+            return End {
+                case: ImpactCase::Slides,
+                normal: whole / k1,
+                opening: e * closing,
+            };
         }
         // The gap rate where slip ends.
         let at_end = k1 * first - closing;
@@ -362,9 +444,17 @@ impl<T: Number> Course<'_, T> {
                 RestitutionLaw::Poisson => e * compression * k2,
                 RestitutionLaw::Newton => e * closing,
             };
-            return End { case, normal: compression + opening / k2, opening };
+            return End {
+                case,
+                normal: compression + opening / k2,
+                opening,
+            };
         }
-        let case = if reverses { ImpactCase::ReversesInRestitution } else { ImpactCase::SticksInRestitution };
+        let case = if reverses {
+            ImpactCase::ReversesInRestitution
+        } else {
+            ImpactCase::SticksInRestitution
+        };
         let opening = match law {
             RestitutionLaw::Energetic => {
                 let given_back = e * e * closing * closing - at_end * at_end;
@@ -373,16 +463,27 @@ impl<T: Number> Course<'_, T> {
             RestitutionLaw::Poisson => at_end + k2 * (whole / k1 - first),
             RestitutionLaw::Newton => e * closing,
         };
-        End { case, normal: first + (opening - at_end) / k2, opening }
+        End {
+            case,
+            normal: first + (opening - at_end) / k2,
+            opening,
+        }
     }
 
     fn impact(&self, jams: bool, restitution: (T, RestitutionLaw)) -> Impact<T> {
-        let End { case, normal, opening } = self.end(jams, restitution);
+        let End {
+            case,
+            normal,
+            opening,
+        } = self.end(jams, restitution);
         let before = self.before;
         let then = self.contact.at_rest;
         let one = normal.min(self.first);
         let two = normal - one;
-        let impulse = Impulse { normal, friction: self.slipping.friction * one + then.friction * two };
+        let impulse = Impulse {
+            normal,
+            friction: self.slipping.friction * one + then.friction * two,
+        };
         let slip_between = match case {
             ImpactCase::Slides => before.slip + self.slipping.slip * one,
             ImpactCase::None
@@ -398,10 +499,17 @@ impl<T: Number> Course<'_, T> {
             slip: slip_between + then.slip * two,
             gap_rate: opening,
         };
-        let normal_work =
-            one * 0.5 * (before.gap_rate + gap_between) + two * 0.5 * (gap_between + after.gap_rate);
+        let normal_work = one * 0.5 * (before.gap_rate + gap_between)
+            + two * 0.5 * (gap_between + after.gap_rate);
         let friction_work = self.slipping.friction * 0.5 * one * (before.slip + slip_between)
             + then.friction * 0.5 * two * (slip_between + after.slip);
-        Impact { case, before, after, impulse, normal_work, friction_work }
+        Impact {
+            case,
+            before,
+            after,
+            impulse,
+            normal_work,
+            friction_work,
+        }
     }
 }

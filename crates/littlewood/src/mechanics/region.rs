@@ -1,4 +1,5 @@
-//! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundaries, the separatrix and the equilibria.
+//! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundaries, the separatrix and the
+//! equilibria.
 
 use core::f64::consts::{PI, TAU};
 
@@ -20,7 +21,8 @@ use crate::model::{Body, Direction, Hoop};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PhasePlane {
-    /// In units in which gravity normal to the plane is 1; rates there are those of the plane over `pace`.
+    /// In units in which gravity normal to the plane is 1; rates there are those of the plane over
+    /// `pace`.
     pub(super) law: RollingLaw,
     pub(super) hoop: Hoop,
     pub(super) pace: f64,
@@ -51,14 +53,21 @@ impl PhasePlane {
     /// The phase plane of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        Self { law: RollingLaw::of(hoop), hoop: *hoop, pace: hoop.pace() }
+        Self {
+            law: RollingLaw::of(hoop),
+            hoop: *hoop,
+            pace: hoop.pace(),
+        }
     }
 
     /// Normal and friction force of rolling (2.12).
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         let ContactForces { normal, friction } = self.law.forces(theta, theta_rate / self.pace);
         let weight = self.pace * self.pace;
-        ContactForces { normal: weight * normal, friction: weight * friction }
+        ContactForces {
+            normal: weight * normal,
+            friction: weight * friction,
+        }
     }
 
     /// Region 𝓝 of (2.14): N > 0.
@@ -66,7 +75,8 @@ impl PhasePlane {
         self.forces(theta, theta_rate).normal > 0.0
     }
 
-    /// Region 𝓡 of (2.14): |F| ≤ μs N and N > 0. For Littlewood's hoop (3.10): |θ| ≤ θ_s and |θ′| < 1.
+    /// Region 𝓡 of (2.14): |F| ≤ μs N and N > 0. For Littlewood's hoop (3.10): |θ| ≤ θ_s and
+    /// |θ′| < 1.
     pub fn in_rolling_region(&self, theta: f64, theta_rate: f64) -> bool {
         let forces = self.forces(theta, theta_rate);
         forces.normal > 0.0 && forces.friction.abs() <= self.hoop.mu_s() * forces.normal
@@ -93,7 +103,8 @@ impl PhasePlane {
         }
         let [constant, slope] = self.line(theta);
         let cone = direction.sign() * self.hoop.mu_s();
-        let u = -(constant.friction + cone * constant.normal) / (slope.friction + cone * slope.normal);
+        let u =
+            -(constant.friction + cone * constant.normal) / (slope.friction + cone * slope.normal);
         let rate = self.rate_of(u)?;
         (constant.normal + slope.normal * u >= 0.0).then_some(rate)
     }
@@ -108,14 +119,23 @@ impl PhasePlane {
     /// equilibrium next downhill from θ, which bounds the well; zero where it does not reach θ.
     pub fn separatrix_rate(&self, theta: f64) -> f64 {
         if self.hoop.slope() == 0.0 {
-            return self.level_rate(theta, self.law.separatrix_energy()).unwrap_or(0.0);
+            return self
+                .level_rate(theta, self.law.separatrix_energy())
+                .unwrap_or(0.0);
         }
-        let Some([unstable, _]) = self.law.equilibria() else { return 0.0 };
+        let Some([unstable, _]) = self.law.equilibria() else {
+            return 0.0;
+        };
         let turns = (theta - unstable) / TAU;
-        let turns = if self.hoop.slope() > 0.0 { turns.ceil() } else { turns.floor() };
+        let turns = if self.hoop.slope() > 0.0 {
+            turns.ceil()
+        } else {
+            turns.floor()
+        };
         let saddle = unstable + TAU * turns;
         let kinetic = self.law.energy(saddle, 0.0) - self.law.energy(theta, 0.0);
-        self.rate_of(2.0 * kinetic / self.law.denominator(theta)).unwrap_or(0.0)
+        self.rate_of(2.0 * kinetic / self.law.denominator(theta))
+            .unwrap_or(0.0)
     }
 
     /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ) on a level plane; `None` where the orbit does not reach θ. On a slope E
@@ -131,19 +151,27 @@ impl PhasePlane {
         self.rate_of(2.0 * kinetic / self.law.denominator(theta))
     }
 
-    /// The equilibria of rolling in (−π, π]; none where the slope exceeds asin h. A massless hoop with the particle on the rim of a level
-    /// plane has none at θ = π (§3a).
+    /// The equilibria of rolling in (−π, π]; none where the slope exceeds asin h. A massless hoop
+    /// with the particle on the rim of a level plane has none at θ = π (§3a).
     pub fn equilibria(&self) -> Vec<Equilibrium> {
         let offset = self.hoop.offset();
         let Some([unstable, stable]) = self.law.equilibria() else {
-            let neutral = |theta| Equilibrium { theta, stability: Stability::Neutral };
+            let neutral = |theta| Equilibrium {
+                theta,
+                stability: Stability::Neutral,
+            };
             let is_level = self.hoop.slope() == 0.0;
-            return if is_level { [0.0, PI].map(neutral).to_vec() } else { Vec::new() };
+            return if is_level {
+                [0.0, PI].map(neutral).to_vec()
+            } else {
+                Vec::new()
+            };
         };
         // D θ″ = ℓ̂ (1 + u) sin θ + (m + ℓ̂ cos θ) tan α has this slope at an equilibrium.
         let stiffness = |theta: f64| {
             let (sin, cos) = libm::sincos(theta);
-            self.pace * (offset * (cos - self.law.tilt * sin).abs() / self.law.denominator(theta)).sqrt()
+            self.pace
+                * (offset * (cos - self.law.tilt * sin).abs() / self.law.denominator(theta)).sqrt()
         };
         let within = |theta: f64| {
             if theta > PI {
@@ -154,11 +182,21 @@ impl PhasePlane {
                 theta
             }
         };
-        let saddle = Stability::Unstable { exponent: stiffness(unstable) };
-        let mut equilibria = vec![Equilibrium { theta: within(unstable), stability: saddle }];
+        let saddle = Stability::Unstable {
+            exponent: stiffness(unstable),
+        };
+        let mut equilibria = vec![Equilibrium {
+            theta: within(unstable),
+            stability: saddle,
+        }];
         if self.law.bottom > 0.0 || self.hoop.slope() != 0.0 {
-            let centre = Stability::Stable { frequency: stiffness(stable) };
-            equilibria.push(Equilibrium { theta: within(stable), stability: centre });
+            let centre = Stability::Stable {
+                frequency: stiffness(stable),
+            };
+            equilibria.push(Equilibrium {
+                theta: within(stable),
+                stability: centre,
+            });
         }
         equilibria
     }

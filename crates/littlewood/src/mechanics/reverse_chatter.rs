@@ -1,8 +1,10 @@
-//! Reverse chatter: bounces that grow out of rolling, infinitely many in a finite time (docs/studies/bounces-out-of-nothing.md).
+//! Reverse chatter: bounces that grow out of rolling, infinitely many in a finite time
+//! (docs/studies/bounces-out-of-nothing.md).
 //!
-//! With w = cos α − h cos θ θ′², a = −h sin θ θ′² − sin α, the compliances A, B, C, M = μk A − |B|, p = 2 |a|/(w M) and the slopes
-//! k1 = C − μk |B| and k2 = C − B²/A of the gap rate in slip and in stick, the ratio of successive bounces exceeds e only if a B > 0 and
-//! M > 0. It exceeds 1 where p lies between two numbers of the angle, and so θ′² between two linear forms.
+//! With w = cos α − h cos θ θ′², a = −h sin θ θ′² − sin α, the compliances A, B, C, M = μk A − |B|,
+//! p = 2 |a|/(w M) and the slopes k1 = C − μk |B| and k2 = C − B²/A of the gap rate in slip and in
+//! stick, the ratio of successive bounces exceeds e only if a B > 0 and M > 0. It exceeds 1 where p
+//! lies between two numbers of the angle, and so θ′² between two linear forms.
 
 use crate::mechanics::region::PhasePlane;
 use crate::mechanics::settling::RATIO_ROUNDING;
@@ -16,7 +18,10 @@ fn growing(restitution: Restitution, [k1, k2]: [f64; 2]) -> Option<[f64; 2]> {
     let (low, high) = match restitution.law() {
         RestitutionLaw::Energetic => {
             let root = ((e * e * k2 - k1) / gain).sqrt();
-            ((1.0 - e) * (1.0 + e) / (e * gain * (e + root)), (1.0 + root) / k1)
+            (
+                (1.0 - e) * (1.0 + e) / (e * gain * (e + root)),
+                (1.0 + root) / k1,
+            )
         }
         RestitutionLaw::Poisson => ((1.0 - e) / (e * gain), ((1.0 + e) * k2 / k1 - 2.0) / gain),
         RestitutionLaw::Newton => return None,
@@ -28,12 +33,15 @@ fn growing(restitution: Restitution, [k1, k2]: [f64; 2]) -> Option<[f64; 2]> {
 impl PhasePlane {
     /// The body and its restitution, and the slope of the plane.
     fn bouncing(&self) -> Option<(Heavy, Restitution)> {
-        let Body::Heavy(body) = self.hoop.body() else { return None };
+        let Body::Heavy(body) = self.hoop.body() else {
+            return None;
+        };
         Some((body, self.hoop.restitution()?))
     }
 
-    /// The ratio of successive bounces, where bounces grow out of rolling (reverse chatter): there rolling, or rest, is not the only
-    /// motion. `None` where they do not grow, without a coefficient of restitution, and on a level plane.
+    /// The ratio of successive bounces, where bounces grow out of rolling (reverse chatter): there
+    /// rolling, or rest, is not the only motion. `None` where they do not grow, without a
+    /// coefficient of restitution, and on a level plane.
     ///
     /// ```
     /// use littlewood::theory::PhasePlane;
@@ -55,8 +63,15 @@ impl PhasePlane {
         if !(weight > 0.0 && drift * sin > 0.0) {
             return None;
         }
-        let before = ContactVelocities { theta_rate: 0.0, slip: 2.0 * drift / weight, gap_rate: -1.0 };
-        let ratio = Contact::new(&self.hoop, &body, theta).impact(before, restitution.parts()).after.gap_rate;
+        let before = ContactVelocities {
+            theta_rate: 0.0,
+            slip: 2.0 * drift / weight,
+            gap_rate: -1.0,
+        };
+        let ratio = Contact::new(&self.hoop, &body, theta)
+            .impact(before, restitution.parts())
+            .after
+            .gap_rate;
         (ratio.is_finite() && ratio > 1.0 + RATIO_ROUNDING).then_some(ratio)
     }
 
@@ -74,7 +89,11 @@ impl PhasePlane {
         // |a| over w lies between ½ M p, and both are linear in u: constant + slope u > 0.
         let beyond = |share: f64| [pull.abs() - share, -body.h * (sin.abs() - share * cos)];
         let [least, most] = [low, high].map(|p| 0.5 * braking * p);
-        let until = if most.is_finite() { beyond(most).map(|term| -term) } else { [1.0, -body.h * cos] };
+        let until = if most.is_finite() {
+            beyond(most).map(|term| -term)
+        } else {
+            [1.0, -body.h * cos]
+        };
         let mut range = [0.0, f64::INFINITY];
         for [constant, slope] in [beyond(least), until] {
             let root = -constant / slope;

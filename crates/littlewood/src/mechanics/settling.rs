@@ -1,9 +1,12 @@
-//! Settling: the sum of an infinite sequence of decaying bounces, or chatter (docs/theory/impact.md).
+//! Settling: the sum of an infinite sequence of decaying bounces, or chatter
+//! (docs/theory/impact.md).
 //!
-//! Where W = cos α − h cos θ θ′² > 0 and each bounce is slower than the previous one, infinitely many bounces take a finite
-//! time. Once they are short, θ, W, the compliance and the slip acceleration a = −h sin θ θ′² − sin α in flight are nearly
-//! constant. With these fixed, a flight with initial gap rate v takes 2v/W and adds 2 a v/W to the slip, and bounces of one kind have a
-//! geometric sum, with an error of the order of the square of the remaining time. The ratio of successive gap rates decides, not e.
+//! Where W = cos α − h cos θ θ′² > 0 and each bounce is slower than the previous one, infinitely
+//! many bounces take a finite time. Once they are short, θ, W, the compliance and the slip
+//! acceleration a = −h sin θ θ′² − sin α in flight are nearly constant. With these fixed, a flight
+//! with initial gap rate v takes 2v/W and adds 2 a v/W to the slip, and bounces of one kind have a
+//! geometric sum, with an error of the order of the square of the remaining time. The ratio of
+//! successive gap rates decides, not e.
 
 use thiserror::Error;
 
@@ -11,10 +14,12 @@ use crate::math::number::Number;
 use crate::mechanics::{Contact, ContactVelocities, Impact, ImpactCase, Impulse, contact};
 use crate::model::{Body, Heavy, Hoop, Restitution, RestitutionLaw, State};
 
-/// Longest time summed with fixed coefficients, also in units of 1/|θ′|. The error is of the order of its square.
+/// Longest time summed with fixed coefficients, also in units of 1/|θ′|. The error is of the order
+/// of its square.
 const MAX_SETTLING_TIME: f64 = 1e-7;
 
-/// Largest error of the sum: in angle and position, and in times and velocities in units of 1 + |θ′|.
+/// Largest error of the sum: in angle and position, and in times and velocities in units of 1 +
+/// |θ′|.
 const MAX_SUM_ERROR: f64 = 10.0 * MAX_SETTLING_TIME * MAX_SETTLING_TIME;
 
 /// Rounding error of a ratio, a quotient of sums of a dozen products of one sign.
@@ -57,11 +62,13 @@ pub enum NoSettling {
     /// 1 − h cos θ θ′² ≤ 0: the gap grows without an impact.
     #[error("1 - h cos(theta) theta'^2 = {contact} is not positive: the gap does not close again")]
     LeavesPlane { contact: f64 },
-    /// The bounces do not decay by more than rounding: e = 1 in slip, without friction, or by Newton's law; or they grow, on
-    /// a slope ([reverse chatter](crate::theory::PhasePlane::reverse_chatter)).
+    /// The bounces do not decay by more than rounding: e = 1 in slip, without friction, or by
+    /// Newton's law; or they grow, on a slope ([reverse
+    /// chatter](crate::theory::PhasePlane::reverse_chatter)).
     #[error("each bounce is {ratio} times as fast as the one before")]
     Grows { ratio: f64 },
-    /// The bounces did not take one kind within the maximum number, in which a run of bounces that slip counts as one.
+    /// The bounces did not take one kind within the maximum number, in which a run of bounces that
+    /// slip counts as one.
     #[error("the kind of the bounces still changes after {bounces}")]
     Unsettled { bounces: usize },
 }
@@ -91,7 +98,9 @@ impl Hoop {
         gap_rate: f64,
         restitution: Restitution,
     ) -> Result<Settling, NoSettling> {
-        let Body::Heavy(body) = self.body() else { return Err(NoSettling::Massless) };
+        let Body::Heavy(body) = self.body() else {
+            return Err(NoSettling::Massless);
+        };
         if !(gap_rate.is_finite() && gap_rate > 0.0) {
             return Err(NoSettling::Closed { gap_rate });
         }
@@ -118,28 +127,49 @@ impl Hoop {
         if 2.0 * gap_rate / bounces.contact_force * pace > MAX_SETTLING_TIME {
             return None;
         }
-        let settling = bounces.sum(ContactVelocities::of(state, gap_rate), MAX_SETTLING_TIME).ok()?;
-        let Settling { duration, impact: Impact { before, after, .. }, .. } = settling;
-        // A slow bounce can still change the velocities by a finite amount if its impact ends the slip.
+        let settling = bounces
+            .sum(ContactVelocities::of(state, gap_rate), MAX_SETTLING_TIME)
+            .ok()?;
+        let Settling {
+            duration,
+            impact: Impact { before, after, .. },
+            ..
+        } = settling;
+        // A slow bounce can still change the velocities by a finite amount if its impact ends the
+        // slip.
         let spin = after.theta_rate - before.theta_rate;
         if duration * pace > MAX_SETTLING_TIME
             || duration * (spin.abs() + (after.slip - before.slip).abs()) > MAX_SUM_ERROR
         {
             return None;
         }
-        // The sum must not depend on whether θ and θ′ are those of the start, the middle or the end.
+        // The sum must not depend on whether θ and θ′ are those of the start, the middle or the
+        // end.
         let holds = [0.5, 1.0].into_iter().all(|part| {
             let theta = state.theta + part * duration * state.theta_rate;
-            let later = State { theta, theta_rate: state.theta_rate + part * spin, ..*state };
+            let later = State {
+                theta,
+                theta_rate: state.theta_rate + part * spin,
+                ..*state
+            };
             let sum = Bounces::new(self, (body, 1.0), &later, restitution).and_then(|bounces| {
-                bounces.sum(ContactVelocities::of(&later, gap_rate), 2.0 * MAX_SETTLING_TIME)
+                bounces.sum(
+                    ContactVelocities::of(&later, gap_rate),
+                    2.0 * MAX_SETTLING_TIME,
+                )
             });
-            sum.is_ok_and(|Settling { duration: other, impact, .. }| {
-                let other_spin = impact.after.theta_rate - impact.before.theta_rate;
-                (other - duration).abs() * pace <= MAX_SUM_ERROR
-                    && (other_spin - spin).abs() <= MAX_SUM_ERROR * pace
-                    && (impact.after.slip - after.slip).abs() <= MAX_SUM_ERROR * pace
-            })
+            sum.is_ok_and(
+                |Settling {
+                     duration: other,
+                     impact,
+                     ..
+                 }| {
+                    let other_spin = impact.after.theta_rate - impact.before.theta_rate;
+                    (other - duration).abs() * pace <= MAX_SUM_ERROR
+                        && (other_spin - spin).abs() <= MAX_SUM_ERROR * pace
+                        && (impact.after.slip - after.slip).abs() <= MAX_SUM_ERROR * pace
+                },
+            )
         });
         holds.then_some(settling)
     }
@@ -183,7 +213,8 @@ impl<T: Number> Sums<T> {
         self.duration = self.duration + duration * times;
         self.normal = self.normal + impact.impulse.normal * times;
         self.friction = self.friction + impact.impulse.friction * times;
-        self.theta_rate = self.theta_rate + (impact.after.theta_rate - impact.before.theta_rate) * times;
+        self.theta_rate =
+            self.theta_rate + (impact.after.theta_rate - impact.before.theta_rate) * times;
         self.normal_work = self.normal_work + impact.normal_work * works;
         self.friction_work = self.friction_work + impact.friction_work * works;
     }
@@ -198,12 +229,18 @@ impl Bounces {
         restitution: Restitution,
     ) -> Result<Self, NoSettling> {
         let friction = [hoop.mu_s(), hoop.mu_k()];
-        Self::of(body, (friction, weight), (state.theta, state.theta_rate), restitution.parts())
+        Self::of(
+            body,
+            (friction, weight),
+            (state.theta, state.theta_rate),
+            restitution.parts(),
+        )
     }
 }
 
 impl<T: Number> Bounces<T> {
-    /// The bounces of a body with coefficients of static and kinetic friction, at an angle and a rate.
+    /// The bounces of a body with coefficients of static and kinetic friction, at an angle and a
+    /// rate.
     pub(crate) fn of(
         body: &Heavy<T>,
         (friction, weight): ([T; 2], f64),
@@ -213,7 +250,9 @@ impl<T: Number> Bounces<T> {
         let (sin, cos) = theta.sincos();
         let contact_force = contact(weight, body.h, cos * (rate * rate));
         if contact_force.value() <= 0.0 {
-            return Err(NoSettling::LeavesPlane { contact: contact_force.value() });
+            return Err(NoSettling::LeavesPlane {
+                contact: contact_force.value(),
+            });
         }
         Ok(Self {
             contact: Contact::of(body, friction, (sin, cos)),
@@ -223,8 +262,13 @@ impl<T: Number> Bounces<T> {
         })
     }
 
-    /// The sum of all bounces from θ′, η′ and a gap rate. A sum longer than `longest` may return [`NoSettling::Unsettled`].
-    pub(crate) fn sum(&self, start: ContactVelocities<T>, longest: f64) -> Result<Settling<T>, NoSettling> {
+    /// The sum of all bounces from θ′, η′ and a gap rate. A sum longer than `longest` may return
+    /// [`NoSettling::Unsettled`].
+    pub(crate) fn sum(
+        &self,
+        start: ContactVelocities<T>,
+        longest: f64,
+    ) -> Result<Settling<T>, NoSettling> {
         let mut sums = Sums::<T>::new();
         let one = T::constant(1.0);
         let (mut slip, mut opening) = (start.slip, start.gap_rate);
@@ -243,25 +287,42 @@ impl<T: Number> Bounces<T> {
             let (r, now) = (ratio.value(), slip.value());
             let shrinks = 1.0 - r > RATIO_ROUNDING;
             // All velocities of a repeating bounce scale with this ratio.
-            let repeats = (impact.after.slip.value() - now * r).abs() <= REPETITION_TOLERANCE * now.abs() * r;
+            let repeats =
+                (impact.after.slip.value() - now * r).abs() <= REPETITION_TOLERANCE * now.abs() * r;
             if repeats && impact.case != ImpactCase::Slides {
                 if !shrinks {
                     return Err(NoSettling::Grows { ratio: r });
                 }
-                let (count, squares) =
-                    (geometric(ratio, f64::INFINITY), geometric(ratio * ratio, f64::INFINITY));
+                let (count, squares) = (
+                    geometric(ratio, f64::INFINITY),
+                    geometric(ratio * ratio, f64::INFINITY),
+                );
                 sums.add(duration, &impact, count, squares);
                 return Ok(self.settled(start, &sums, T::constant(0.0), (ratio, impact.case)));
             }
             if impact.case == ImpactCase::Slides {
-                let slides = Slides { ratio, slip, before: before.slip, after: impact.after.slip };
+                let slides = Slides {
+                    ratio,
+                    slip,
+                    before: before.slip,
+                    after: impact.after.slip,
+                };
                 let number = slides.number();
                 if number == f64::INFINITY && !shrinks {
                     return Err(NoSettling::Grows { ratio: r });
                 }
                 let (count, squares) = (geometric(ratio, number), geometric(ratio * ratio, number));
-                sums.add(duration, &Impact { friction_work: T::constant(0.0), ..impact }, count, squares);
-                sums.friction_work = sums.friction_work + impact.impulse.friction * slides.slipped(number);
+                sums.add(
+                    duration,
+                    &Impact {
+                        friction_work: T::constant(0.0),
+                        ..impact
+                    },
+                    count,
+                    squares,
+                );
+                sums.friction_work =
+                    sums.friction_work + impact.impulse.friction * slides.slipped(number);
                 slip = slip + (impact.after.slip - slip) * count;
                 if number == f64::INFINITY {
                     return Ok(self.settled(start, &sums, slip, (ratio, impact.case)));
@@ -279,7 +340,9 @@ impl<T: Number> Bounces<T> {
                 return Err(NoSettling::Grows { ratio: r });
             }
         }
-        Err(NoSettling::Unsettled { bounces: MAX_BOUNCES })
+        Err(NoSettling::Unsettled {
+            bounces: MAX_BOUNCES,
+        })
     }
 
     fn settled(
@@ -289,14 +352,21 @@ impl<T: Number> Bounces<T> {
         slip: T,
         (ratio, case): (T, ImpactCase),
     ) -> Settling<T> {
-        let impulse = Impulse { normal: sums.normal, friction: sums.friction };
+        let impulse = Impulse {
+            normal: sums.normal,
+            friction: sums.friction,
+        };
         let before = ContactVelocities {
             theta_rate: start.theta_rate,
             slip: start.slip + self.slip_acceleration * sums.duration,
             gap_rate: start.gap_rate - self.contact_force * sums.duration,
         };
         let theta_rate = start.theta_rate + sums.theta_rate;
-        let after = ContactVelocities { theta_rate, slip, gap_rate: T::constant(0.0) };
+        let after = ContactVelocities {
+            theta_rate,
+            slip,
+            gap_rate: T::constant(0.0),
+        };
         let impact = Impact {
             case,
             before,
@@ -305,7 +375,12 @@ impl<T: Number> Bounces<T> {
             normal_work: sums.normal_work,
             friction_work: sums.friction_work,
         };
-        Settling { gap_rate: start.gap_rate, duration: sums.duration, ratio, impact }
+        Settling {
+            gap_rate: start.gap_rate,
+            duration: sums.duration,
+            ratio,
+            impact,
+        }
     }
 }
 
@@ -314,17 +389,25 @@ fn geometric<T: Number>(ratio: T, count: f64) -> T {
     let r = ratio.value();
     if r == 1.0 || count <= 1.0 {
         // The derivative of the sum at r = 1 is that of its terms.
-        let slope = if count <= 1.0 { 0.0 } else { 0.5 * count * (count - 1.0) };
+        let slope = if count <= 1.0 {
+            0.0
+        } else {
+            0.5 * count * (count - 1.0)
+        };
         return ratio.map(count, slope);
     }
     let power = libm::expm1(count * libm::log(r));
     let sum = power / (r - 1.0);
-    let last = if count == f64::INFINITY { 0.0 } else { count * (power + 1.0) / r };
+    let last = if count == f64::INFINITY {
+        0.0
+    } else {
+        count * (power + 1.0) / r
+    };
     ratio.map(sum, (last - sum) / (r - 1.0))
 }
 
-/// A run of bounces that slip throughout. The slip velocity after the kth is sₖ = s0 + (s1 − s0) gₖ, with the geometric
-/// sum gₖ of k terms.
+/// A run of bounces that slip throughout. The slip velocity after the kth is sₖ = s0 + (s1 − s0)
+/// gₖ, with the geometric sum gₖ of k terms.
 #[derive(Clone, Copy, Debug)]
 struct Slides<T> {
     ratio: T,
@@ -336,10 +419,11 @@ struct Slides<T> {
 }
 
 impl<T: Number> Slides<T> {
-    /// Number of bounces to add, including the first: all if infinitely many slip, otherwise about half of those that do, so
-    /// that rounding does not pass the last.
+    /// Number of bounces to add, including the first: all if infinitely many slip, otherwise about
+    /// half of those that do, so that rounding does not pass the last.
     fn number(&self) -> f64 {
-        let [ratio, slip, before, after] = [self.ratio, self.slip, self.before, self.after].map(T::value);
+        let [ratio, slip, before, after] =
+            [self.ratio, self.slip, self.before, self.after].map(T::value);
         // The number of bounces until the slip velocity `now` + `change` gₖ vanishes.
         let further = |now: f64, change: f64| {
             let until = -now / change;
@@ -354,14 +438,20 @@ impl<T: Number> Slides<T> {
             }
         };
         let change = after - slip;
-        let most =
-            further(before, change - (1.0 - ratio) * (before - slip)).min(further(after, change * ratio));
+        let most = further(before, change - (1.0 - ratio) * (before - slip))
+            .min(further(after, change * ratio));
         1.0 + (0.5 * most).floor()
     }
 
-    /// The sum of the mean slip velocities in `number` impacts, each weighted with its impulse over the first.
+    /// The sum of the mean slip velocities in `number` impacts, each weighted with its impulse over
+    /// the first.
     fn slipped(&self, number: f64) -> T {
-        let Self { ratio, slip, before, after } = *self;
+        let Self {
+            ratio,
+            slip,
+            before,
+            after,
+        } = *self;
         let count = geometric(ratio, number);
         let change = after - slip;
         slip * count

@@ -3,18 +3,27 @@
 use crate::math::form::Trigonometric;
 use crate::model::Heavy;
 
-/// P and q as functions of θ for σ = +1 and this coefficient of friction; those for σ = −1 are the mirror image.
+/// P and q as functions of θ for σ = +1 and this coefficient of friction; those for σ = −1 are the
+/// mirror image.
 pub(crate) fn solvability(body: &Heavy, mu: f64) -> (Trigonometric, Trigonometric) {
-    let Heavy { mass, h, inertia, .. } = *body;
+    let Heavy {
+        mass, h, inertia, ..
+    } = *body;
     let q = Trigonometric::linear(-mu, h, -mu * h);
-    let p = Trigonometric::sin().times(&q).scaled(mass * h).plus(&Trigonometric::linear(inertia, 0.0, 0.0));
+    let p = Trigonometric::sin()
+        .times(&q)
+        .scaled(mass * h)
+        .plus(&Trigonometric::linear(inertia, 0.0, 0.0));
     (p, q)
 }
 
 /// Whether P > 0 at every angle, and so with less friction.
 pub(crate) fn is_solvable(body: &Heavy, mu: f64) -> bool {
-    let Heavy { mass, h, inertia, .. } = *body;
-    // At a cosine P is least where sin θ is this. Where it vanishes there no zero need be searched for.
+    let Heavy {
+        mass, h, inertia, ..
+    } = *body;
+    // At a cosine P is least where sin θ is this. Where it vanishes there no zero need be searched
+    // for.
     let (mut sin, mut cos) = (1.0, 0.0);
     for _ in 0..3 {
         sin = (0.5 * mu * (1.0 + h * cos) / h).min(1.0);
@@ -24,20 +33,28 @@ pub(crate) fn is_solvable(body: &Heavy, mu: f64) -> bool {
     inertia > 0.0 && !vanishes && lowest_zero(body, mu).is_none()
 }
 
-/// Least cos θ at which P vanishes, for either direction of slip; `None` where P has no zeros. At the bottom P = Î, so
-/// P > 0 at smaller cosines.
+/// Least cos θ at which P vanishes, for either direction of slip; `None` where P has no zeros. At
+/// the bottom P = Î, so P > 0 at smaller cosines.
 pub(crate) fn lowest_zero(body: &Heavy, mu: f64) -> Option<f64> {
     if is_clearly_positive(body, mu) {
         return None;
     }
-    solvability(body, mu).0.sign_changes().into_iter().map(libm::cos).reduce(f64::min)
+    solvability(body, mu)
+        .0
+        .sign_changes()
+        .into_iter()
+        .map(libm::cos)
+        .reduce(f64::min)
 }
 
 /// Whether bounds of P tell that P > 0 at every angle.
 fn is_clearly_positive(body: &Heavy, mu: f64) -> bool {
     const PARTS: u32 = 8;
-    let Heavy { mass, h, inertia, .. } = *body;
-    // With y = h |sin θ| from one number to another, P ≥ Î − m y μ (1 + h cos θ) + m y² with the largest cosine.
+    let Heavy {
+        mass, h, inertia, ..
+    } = *body;
+    // With y = h |sin θ| from one number to another, P ≥ Î − m y μ (1 + h cos θ) + m y² with the
+    // largest cosine.
     (0..PARTS).all(|part| {
         let [low, high] = [part, part + 1].map(|part| f64::from(part) / f64::from(PARTS));
         let friction = mu * (1.0 + h * (1.0 - low * low).sqrt());

@@ -59,8 +59,8 @@ getters! {
 }
 
 impl Dimension {
-    /// Twice the exponents of m2, R and g; the unit of (2.9), plain and typeset; the SI unit, plain, typeset and as the
-    /// suffix of a name.
+    /// Twice the exponents of m2, R and g; the unit of (2.9), plain and typeset; the SI unit,
+    /// plain, typeset and as the suffix of a name.
     const fn row(self) -> ([i8; 3], [&'static str; 2], [&'static str; 3]) {
         match self {
             Self::Ratio => ([0, 0, 0], ["1", ""], ["1", "", ""]),
@@ -68,21 +68,41 @@ impl Dimension {
             Self::Mass => ([2, 0, 0], ["m2", "m₂"], ["kg", "kg", "_kg"]),
             Self::Length => ([0, 2, 0], ["R", "R"], ["m", "m", "_m"]),
             Self::Time => ([0, 1, -1], ["sqrt(R/g)", "√(R/g)"], ["s", "s", "_s"]),
-            Self::AngularRate => ([0, -1, 1], ["sqrt(g/R)", "√(g/R)"], ["rad/s", "rad/s", "_rad_per_s"]),
-            Self::AngularAcceleration => ([0, -2, 2], ["g/R", "g/R"], ["rad/s^2", "rad/s²", "_rad_per_s2"]),
-            Self::Velocity => ([0, 1, 1], ["sqrt(g R)", "√(gR)"], ["m/s", "m/s", "_m_per_s"]),
+            Self::AngularRate => (
+                [0, -1, 1],
+                ["sqrt(g/R)", "√(g/R)"],
+                ["rad/s", "rad/s", "_rad_per_s"],
+            ),
+            Self::AngularAcceleration => (
+                [0, -2, 2],
+                ["g/R", "g/R"],
+                ["rad/s^2", "rad/s²", "_rad_per_s2"],
+            ),
+            Self::Velocity => (
+                [0, 1, 1],
+                ["sqrt(g R)", "√(gR)"],
+                ["m/s", "m/s", "_m_per_s"],
+            ),
             Self::Acceleration => ([0, 0, 2], ["g", "g"], ["m/s^2", "m/s²", "_m_per_s2"]),
             Self::Force => ([2, 0, 2], ["m2 g", "m₂g"], ["N", "N", "_n"]),
             Self::Energy => ([2, 2, 2], ["m2 g R", "m₂gR"], ["J", "J", "_j"]),
-            Self::Impulse => ([2, 1, 1], ["m2 sqrt(g R)", "m₂√(gR)"], ["N s", "N s", "_n_s"]),
+            Self::Impulse => (
+                [2, 1, 1],
+                ["m2 sqrt(g R)", "m₂√(gR)"],
+                ["N s", "N s", "_n_s"],
+            ),
             Self::Inertia => ([2, 4, 0], ["m2 R^2", "m₂R²"], ["kg m^2", "kg m²", "_kg_m2"]),
         }
     }
 
-    /// UDUNITS unit of a value in the system of (2.9): `rad` for an angle, else `1`. [`Dimension::scale`] is a separate
-    /// attribute.
+    /// UDUNITS unit of a value in the system of (2.9): `rad` for an angle, else `1`.
+    /// [`Dimension::scale`] is a separate attribute.
     pub const fn cf_unit(self) -> &'static str {
-        if matches!(self, Self::Angle) { "rad" } else { "1" }
+        if matches!(self, Self::Angle) {
+            "rad"
+        } else {
+            "1"
+        }
     }
 }
 

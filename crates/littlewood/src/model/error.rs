@@ -4,7 +4,8 @@ use thiserror::Error;
 
 use crate::model::{Bound, Number, Quantity, Reading, RestitutionLaw};
 
-/// Least moment of inertia about the mass centre: fifth powers of its inverse, 1e300, are representable.
+/// Least moment of inertia about the mass centre: fifth powers of its inverse, 1e300, are
+/// representable.
 pub(crate) const MIN_INERTIA: f64 = 1e-60;
 
 /// A parameter of a hoop or a start without physical meaning.
@@ -14,8 +15,13 @@ pub(crate) const MIN_INERTIA: f64 = 1e-60;
 pub enum ParameterError {
     /// A value violates a bound.
     #[error("{} {bound}", Reading(*quantity, *value))]
-    OutOfBounds { quantity: Quantity, value: f64, bound: Bound },
-    /// A point mass at the centre, without inertia and without a moment of its weight: no equation of motion.
+    OutOfBounds {
+        quantity: Quantity,
+        value: f64,
+        bound: Bound,
+    },
+    /// A point mass at the centre, without inertia and without a moment of its weight: no equation
+    /// of motion.
     #[error(
         "offset = 0 and moment of inertia = 0 (mass_ratio = {}, inertia = 0): \
          a point mass at the centre of the hoop has no equation of motion",
@@ -57,16 +63,20 @@ impl ParameterError {
             Self::MasslessImpact { .. } | Self::MasslessFlight { .. } => {
                 "leave it out, or give the hoop a mass or a moment of inertia"
             }
-            Self::NoMotion { .. } => "give the disc a moment of inertia, or move the particle off the centre",
+            Self::NoMotion { .. } => {
+                "give the disc a moment of inertia, or move the particle off the centre"
+            }
             Self::NearlyMassless { .. } => {
                 "set mass_ratio and inertia to 0 for a massless hoop, or to 1e-16: smaller values give the same motion"
             }
-            Self::OutOfBounds { bound: Bound::Finite, .. } => {
-                "NaN and infinities are not numbers to start from"
-            }
-            Self::OutOfBounds { bound: Bound::MagnitudeAtMost(_), .. } => {
-                "beyond this bound a double no longer resolves the motion"
-            }
+            Self::OutOfBounds {
+                bound: Bound::Finite,
+                ..
+            } => "NaN and infinities are not numbers to start from",
+            Self::OutOfBounds {
+                bound: Bound::MagnitudeAtMost(_),
+                ..
+            } => "beyond this bound a double no longer resolves the motion",
             Self::OutOfBounds { quantity, .. } => quantity.hint(),
         }
     }
@@ -90,7 +100,11 @@ impl ParameterError {
                 | Self::NearlyMassless { .. }
                 | Self::MasslessImpact { .. }
                 | Self::MasslessFlight { .. }
-                | Self::OutOfBounds { quantity: Quantity::MuK, bound: Bound::AtMost(..), .. }
+                | Self::OutOfBounds {
+                    quantity: Quantity::MuK,
+                    bound: Bound::AtMost(..),
+                    ..
+                }
         )
     }
 }
@@ -109,19 +123,38 @@ impl Quantity {
             [first, second] => first.allows(value) && second.allows(value),
             more => more.iter().all(|bound| bound.allows(value)),
         };
-        if value.is_finite() && keeps { Ok(value) } else { Err(self.refusal(value)) }
+        if value.is_finite() && keeps {
+            Ok(value)
+        } else {
+            Err(self.refusal(value))
+        }
     }
 
     /// The first bound that a value violates.
     #[cold]
     fn refusal(self, value: f64) -> ParameterError {
-        let broken = self.bounds().iter().find(|bound| value.is_finite() && !bound.allows(value));
+        let broken = self
+            .bounds()
+            .iter()
+            .find(|bound| value.is_finite() && !bound.allows(value));
         let bound = broken.copied().unwrap_or(Bound::Finite);
-        ParameterError::OutOfBounds { quantity: self, value, bound }
+        ParameterError::OutOfBounds {
+            quantity: self,
+            value,
+            bound,
+        }
     }
 }
 
 /// `value`, if the bound allows it.
 pub(crate) fn within(quantity: Quantity, value: f64, bound: Bound) -> Result<f64, ParameterError> {
-    if bound.allows(value) { Ok(value) } else { Err(ParameterError::OutOfBounds { quantity, value, bound }) }
+    if bound.allows(value) {
+        Ok(value)
+    } else {
+        Err(ParameterError::OutOfBounds {
+            quantity,
+            value,
+            bound,
+        })
+    }
 }

@@ -2,7 +2,8 @@
 
 use crate::math::number::Number;
 use crate::model::{
-    Bound, MIN_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, getters, setters, within,
+    Bound, MIN_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, getters, setters,
+    within,
 };
 
 /// The unchecked parameters of a hoop. [`Hoop::new`] checks them.
@@ -39,8 +40,8 @@ pub struct HoopParameters {
 }
 
 impl HoopParameters {
-    /// A thin hoop of this mass ratio m̂1 with the particle on its rim, without friction: ℓ = R, I_zz = m1 R². Other bodies
-    /// have another offset and moment of inertia.
+    /// A thin hoop of this mass ratio m̂1 with the particle on its rim, without friction: ℓ = R,
+    /// I_zz = m1 R². Other bodies have another offset and moment of inertia.
     #[must_use]
     pub const fn thin(mass_ratio: f64) -> Self {
         Self {
@@ -55,10 +56,15 @@ impl HoopParameters {
         }
     }
 
-    /// The same hoop with this coefficient and law of restitution: its motion continues after a landing.
+    /// The same hoop with this coefficient and law of restitution: its motion continues after a
+    /// landing.
     #[must_use]
     pub const fn with_restitution(self, coefficient: f64, law: RestitutionLaw) -> Self {
-        Self { restitution: Some(coefficient), restitution_law: Some(law), ..self }
+        Self {
+            restitution: Some(coefficient),
+            restitution_law: Some(law),
+            ..self
+        }
     }
 }
 
@@ -103,7 +109,8 @@ pub struct Heavy<T = f64> {
     pub offset: T,
     /// Moment of inertia about the mass centre, Î = Î_zz + m̂1 ℓ̂²/(1 + m̂1) (2.1).
     pub inertia: T,
-    /// Gravity along the plane over that normal to it, tan α; −0 on a level plane, so that every sum with it is unchanged.
+    /// Gravity along the plane over that normal to it, tan α; −0 on a level plane, so that every
+    /// sum with it is unchanged.
     pub tilt: T,
 }
 
@@ -123,7 +130,10 @@ impl Restitution {
     /// # Errors
     /// A coefficient outside [0, 1].
     pub fn new(coefficient: f64, law: RestitutionLaw) -> Result<Self, ParameterError> {
-        Ok(Self { coefficient: Quantity::Restitution.check(coefficient)?, law })
+        Ok(Self {
+            coefficient: Quantity::Restitution.check(coefficient)?,
+            law,
+        })
     }
 }
 
@@ -154,14 +164,24 @@ getters! {
 }
 
 impl Hoop {
-    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, |α| < π/2, 0 ≤ e ≤ 1, and a body that can move.
+    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, |α| < π/2, 0 ≤
+    /// e ≤ 1, and a body that can move.
     ///
     /// # Errors
-    /// The first value that violates a bound; ℓ̂ = 0 with Î = 0 ([`ParameterError::NoMotion`]); 0 < Î < 1e-60; a law of
-    /// restitution without a coefficient; a massless hoop with a coefficient of restitution.
+    /// The first value that violates a bound; ℓ̂ = 0 with Î = 0 ([`ParameterError::NoMotion`]); 0 <
+    /// Î < 1e-60; a law of restitution without a coefficient; a massless hoop with a coefficient of
+    /// restitution.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
-        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law } =
-            parameters;
+        let HoopParameters {
+            mass_ratio,
+            offset,
+            inertia,
+            mu_s,
+            mu_k,
+            slope,
+            restitution,
+            restitution_law,
+        } = parameters;
         for (quantity, value) in [
             (Quantity::MassRatio, mass_ratio),
             (Quantity::Offset, offset),
@@ -177,11 +197,16 @@ impl Hoop {
         let heavy = Heavy::of([mass_ratio, offset, inertia], slope);
         let body = if heavy.inertia > 0.0 {
             if heavy.inertia < MIN_INERTIA {
-                return Err(ParameterError::NearlyMassless { inertia: heavy.inertia });
+                return Err(ParameterError::NearlyMassless {
+                    inertia: heavy.inertia,
+                });
             }
             Body::Heavy(heavy)
         } else if offset > 0.0 && mass_ratio == 0.0 {
-            Body::Massless(Massless { offset, tilt: heavy.tilt })
+            Body::Massless(Massless {
+                offset,
+                tilt: heavy.tilt,
+            })
         } else {
             return Err(ParameterError::NoMotion { mass_ratio });
         };
@@ -196,7 +221,11 @@ impl Hoop {
                 Some(Restitution::new(coefficient, law.unwrap_or_default())?)
             }
         };
-        Ok(Self { parameters, body, restitution })
+        Ok(Self {
+            parameters,
+            body,
+            restitution,
+        })
     }
 
     /// Littlewood's own hoop (§3): massless, the particle on the rim.
@@ -220,16 +249,26 @@ impl Hoop {
     /// # Errors
     /// A massless hoop.
     pub fn with_restitution(&self, restitution: Restitution) -> Result<Self, ParameterError> {
-        Self::new(self.parameters.with_restitution(restitution.coefficient(), restitution.law()))
+        Self::new(
+            self.parameters
+                .with_restitution(restitution.coefficient(), restitution.law()),
+        )
     }
 
     /// The parameters of the equations of rolling, which hold without inertia, too.
     pub(crate) fn rigid_body(&self) -> Heavy {
-        let HoopParameters { mass_ratio, offset, inertia, slope, .. } = self.parameters;
+        let HoopParameters {
+            mass_ratio,
+            offset,
+            inertia,
+            slope,
+            ..
+        } = self.parameters;
         Heavy::of([mass_ratio, offset, inertia], slope)
     }
 
-    /// √cos α: velocities over it are those in units in which gravity normal to the plane is 1. It is 1 on a level plane.
+    /// √cos α: velocities over it are those in units in which gravity normal to the plane is 1. It
+    /// is 1 on a level plane.
     pub(crate) fn pace(&self) -> f64 {
         libm::cos(self.parameters.slope).sqrt()
     }
@@ -244,10 +283,15 @@ impl Hoop {
 }
 
 impl<T: Number> Heavy<T> {
-    /// The body of a mass ratio, an offset and a moment of inertia Î_zz, on a slope; without inertia also that of a massless hoop.
+    /// The body of a mass ratio, an offset and a moment of inertia Î_zz, on a slope; without
+    /// inertia also that of a massless hoop.
     pub(crate) fn of([mass_ratio, offset, inertia]: [T; 3], slope: T) -> Self {
         let (_, cos) = libm::sincos(slope.value());
-        let tilt = if slope.value() == 0.0 { -0.0 } else { libm::tan(slope.value()) };
+        let tilt = if slope.value() == 0.0 {
+            -0.0
+        } else {
+            libm::tan(slope.value())
+        };
         let mass = mass_ratio + 1.0;
         Self {
             mass,
@@ -267,7 +311,14 @@ impl<T: Number> Heavy<T> {
 impl Heavy {
     /// The mirror image, on the mirrored slope.
     pub(crate) const fn mirrored(self) -> Self {
-        Self { tilt: if self.tilt == 0.0 { self.tilt } else { -self.tilt }, ..self }
+        Self {
+            tilt: if self.tilt == 0.0 {
+                self.tilt
+            } else {
+                -self.tilt
+            },
+            ..self
+        }
     }
 }
 

@@ -15,11 +15,13 @@ named! {
     pub label: &'static str {
         /// No other: a motion ends in a phase without end or at a limit.
         None = 0, "none" => "only that a phase lasts for ever";
-        /// The motion is periodic ([`crate::Outcome::RepeatsForever`], [`crate::Outcome::SlidesForever`]) or slips for ever
-        /// ([`crate::Outcome::SlipsForever`]); at a limit of transitions or slides, it stays in contact.
+        /// The motion is periodic ([`crate::Outcome::RepeatsForever`],
+        /// [`crate::Outcome::SlidesForever`]) or slips for ever ([`crate::Outcome::SlipsForever`]);
+        /// at a limit of transitions or slides, it stays in contact.
         #[default]
         Endless = 1, "endless" => "that the motion repeats itself or slips for ever; at a limit, that it stays in contact";
-        /// As `Endless`; a proof that the hoop never lifts off ([`crate::Outcome::StaysInContact`]) ends a motion at any time.
+        /// As `Endless`; a proof that the hoop never lifts off ([`crate::Outcome::StaysInContact`])
+        /// ends a motion at any time.
         Contact = 2, "contact" => "the same, and as soon as it is known that the hoop never lifts off";
     }
 }
@@ -31,13 +33,15 @@ named! {
 pub struct Limits {
     /// Time limit τ. Endless rolling is reported as such in any case.
     pub until: Option<f64>,
-    /// Maximum number of transitions. Light hoops on nearly smooth planes reach it, since friction dissipates little energy,
-    /// and so do hoops with e = 1, whose bounces with slip, or without friction, do not end.
+    /// Maximum number of transitions. Light hoops on nearly smooth planes reach it, since friction
+    /// dissipates little energy, and so do hoops with e = 1, whose bounces with slip, or without
+    /// friction, do not end.
     pub transitions: usize,
-    /// Maximum total length of the slides. Each adds its chord √(Δτ² + Δθ²), at most 32, since the solver skips whole turns
-    /// of a longer slide. The sum is multiplied by 1 + ln(1 + m/Î), since the particle of a light hoop passes the bottom in
-    /// short steps. Motions with thousands of slides, on planes with little friction, reach it; the default takes about a
-    /// quarter of a second.
+    /// Maximum total length of the slides. Each adds its chord √(Δτ² + Δθ²), at most 32, since the
+    /// solver skips whole turns of a longer slide. The sum is multiplied by 1 + ln(1 + m/Î), since
+    /// the particle of a light hoop passes the bottom in short steps. Motions with thousands of
+    /// slides, on planes with little friction, reach it; the default takes about a quarter of a
+    /// second.
     pub slides: usize,
     /// Proofs that end a motion without a time limit.
     pub proof: Proof,
@@ -45,7 +49,12 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { until: None, transitions: 10_000, slides: 30_000, proof: Proof::default() }
+        Self {
+            until: None,
+            transitions: 10_000,
+            slides: 30_000,
+            proof: Proof::default(),
+        }
     }
 }
 
@@ -72,14 +81,22 @@ impl Limits {
     pub(crate) fn check(&self, start: &Start) -> Result<(), ParameterError> {
         if let Some(until) = self.until {
             Quantity::Until.check(until)?;
-            within(Quantity::Until, until, Bound::AtLeast(Quantity::Time, start.time))?;
+            within(
+                Quantity::Until,
+                until,
+                Bound::AtLeast(Quantity::Time, start.time),
+            )?;
         }
         Ok(())
     }
 
     /// The proofs that end a motion: none with a time limit, up to which all states are required.
     pub(crate) const fn proof(&self) -> Proof {
-        if self.until.is_some() { Proof::None } else { self.proof }
+        if self.until.is_some() {
+            Proof::None
+        } else {
+            self.proof
+        }
     }
 
     /// The default limits with a time limit τ.

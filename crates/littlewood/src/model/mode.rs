@@ -35,7 +35,10 @@ impl Mode {
 
     /// The mode with an arrow for the direction of slip, for tables and films: `sliding ←`.
     pub fn with_arrow(self, direction: Option<Direction>) -> String {
-        direction.map_or_else(|| self.to_string(), |direction| format!("{self} {}", direction.arrow()))
+        direction.map_or_else(
+            || self.to_string(),
+            |direction| format!("{self} {}", direction.arrow()),
+        )
     }
 }
 

@@ -24,9 +24,9 @@ pub struct UnknownCode {
     pub code: u8,
 }
 
-/// Declares an enumeration with the name and the code of each item, and derives `ALL`, `NAMES`, `name`, `code`, `Display`,
-/// `FromStr`, `TryFrom<u8>` and, with the feature `serde`, the names in text formats. Items may have a further value, which
-/// a method of the given name returns.
+/// Declares an enumeration with the name and the code of each item, and derives `ALL`, `NAMES`,
+/// `name`, `code`, `Display`, `FromStr`, `TryFrom<u8>` and, with the feature `serde`, the names in
+/// text formats. Items may have a further value, which a method of the given name returns.
 macro_rules! named {
     (
         $(#[$meta:meta])*

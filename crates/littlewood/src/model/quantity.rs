@@ -1,8 +1,8 @@
-//! The table of quantities that a user can set, the source of flags, scenario files, records, axes, messages and the
-//! fields of the laboratory.
+//! The table of quantities that a user can set, the source of flags, scenario files, records, axes,
+//! messages and the fields of the laboratory.
 //!
-//! A new quantity of a hoop or a start takes one row here, one field of [`crate::HoopParameters`] or [`crate::Start`],
-//! and one line of [`crate::tables::Setup::field`].
+//! A new quantity of a hoop or a start takes one row here, one field of [`crate::HoopParameters`]
+//! or [`crate::Start`], and one line of [`crate::tables::Setup::field`].
 
 use core::fmt;
 
@@ -176,9 +176,11 @@ pub struct QuantityRow {
     pub group: Group,
     /// Dimension.
     pub dimension: Dimension,
-    /// System of units. Angles and ratios have the same value in both systems and are listed as dimensionless.
+    /// System of units. Angles and ratios have the same value in both systems and are listed as
+    /// dimensionless.
     pub system: System,
-    /// The quantity in the other system; `None` if its value is the same in both, or it exists in one only.
+    /// The quantity in the other system; `None` if its value is the same in both, or it exists in
+    /// one only.
     pub twin: Option<Quantity>,
     /// Symbol in plain letters.
     pub symbol: &'static str,
@@ -241,10 +243,16 @@ impl fmt::Display for Bound {
             Self::Finite => f.write_str("must be a finite number"),
             Self::Positive => f.write_str("must be greater than 0"),
             Self::NonNegative => f.write_str("must not be negative"),
-            Self::AtMost(quantity, value) => write!(f, "must not exceed {}", Reading(*quantity, *value)),
+            Self::AtMost(quantity, value) => {
+                write!(f, "must not exceed {}", Reading(*quantity, *value))
+            }
             Self::AtMostConstant(value) => write!(f, "must not exceed {}", Number(*value)),
-            Self::MagnitudeAtMost(value) => write!(f, "must lie between {:e} and {value:e}", -value),
-            Self::MagnitudeBelow(value) => write!(f, "must lie between -{value} and {value}, exclusive"),
+            Self::MagnitudeAtMost(value) => {
+                write!(f, "must lie between {:e} and {value:e}", -value)
+            }
+            Self::MagnitudeBelow(value) => {
+                write!(f, "must lie between -{value} and {value}, exclusive")
+            }
             Self::AtLeast(quantity, value) => {
                 write!(f, "must not be less than {}", Reading(*quantity, *value))
             }
@@ -309,7 +317,8 @@ const FINITE: &[Bound] = &[];
 const DIMENSIONLESS: System = System::Dimensionless;
 const SI: System = System::Si;
 
-/// A row: system, group, dimension and twin; symbols; bounds, presence and usual range; texts for files and help.
+/// A row: system, group, dimension and twin; symbols; bounds, presence and usual range; texts for
+/// files and help.
 const fn row(
     (system, group, dimension, twin): (System, Group, Dimension, Option<Quantity>),
     [symbol, sign]: [&'static str; 2],
@@ -317,7 +326,8 @@ const fn row(
     long_name: &'static str,
     help: &'static str,
 ) -> QuantityRow {
-    let hint = "see the units in the message; every value is dimensionless unless its name ends in a unit";
+    let hint =
+        "see the units in the message; every value is dimensionless unless its name ends in a unit";
     QuantityRow {
         group,
         dimension,
@@ -355,18 +365,32 @@ getters! {
     pub sign: &'static str = self.row().sign;
     /// Description.
     pub long_name: &'static str = self.row().long_name;
-    /// Whether the quantity is in SI units. False for θ, μs and μk, which have the same values in both systems.
+    /// Whether the quantity is in SI units. False for θ, μs and μk, which have the same values in
+    /// both systems.
     pub is_si: bool = matches!(self.row().system, System::Si);
 }
 
 impl Quantity {
     /// The dimensionless parameters of a hoop.
-    pub const HOOP: [Self; 7] =
-        [Self::MassRatio, Self::Offset, Self::Inertia, Self::MuS, Self::MuK, Self::Slope, Self::Restitution];
+    pub const HOOP: [Self; 7] = [
+        Self::MassRatio,
+        Self::Offset,
+        Self::Inertia,
+        Self::MuS,
+        Self::MuK,
+        Self::Slope,
+        Self::Restitution,
+    ];
 
     /// The dimensionless quantities of a start.
-    pub const START: [Self; 6] =
-        [Self::Theta, Self::ThetaRate, Self::Slip, Self::GapRate, Self::X, Self::Time];
+    pub const START: [Self; 6] = [
+        Self::Theta,
+        Self::ThetaRate,
+        Self::Slip,
+        Self::GapRate,
+        Self::X,
+        Self::Time,
+    ];
 
     /// The quantities that determine a motion and that a sweep can vary, in the order of tables.
     pub const AXES: [Self; 11] = [
@@ -398,10 +422,17 @@ impl Quantity {
     ];
 
     /// The quantities of a start in SI units.
-    pub const SI_START: [Self; 6] =
-        [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::GapRateMPerS, Self::XM, Self::TimeS];
+    pub const SI_START: [Self; 6] = [
+        Self::Theta,
+        Self::ThetaRateRadPerS,
+        Self::SlipMPerS,
+        Self::GapRateMPerS,
+        Self::XM,
+        Self::TimeS,
+    ];
 
-    /// Whether a value goes without saying, and is left out of records and captions: no slope, no opening gap.
+    /// Whether a value goes without saying, and is left out of records and captions: no slope, no
+    /// opening gap.
     pub const fn goes_without_saying(self, value: f64) -> bool {
         matches!(self, Self::Slope | Self::GapRate | Self::GapRateMPerS) && value.to_bits() == 0
     }

@@ -3,18 +3,20 @@
 use crate::model::{getters, named};
 
 named! {
-    /// Definition of the coefficient of restitution. The default, the energetic law, never increases the energy.
+    /// Definition of the coefficient of restitution. The default, the energetic law, never
+    /// increases the energy.
     #[derive(Default)]
     pub enum RestitutionLaw, "law of restitution",
     /// Label for menus and legends.
     pub label: &'static str {
-        /// Ratio of works: the normal force does e² times as much work in restitution as it absorbs in compression (Stronge).
+        /// Ratio of works: the normal force does e² times as much work in restitution as it absorbs
+        /// in compression (Stronge).
         #[default]
         Energetic = 0, "energetic" => "energetic (Stronge)";
         /// Ratio of impulses: that of restitution is e times that of compression.
         Poisson = 1, "poisson" => "impulses (Poisson)";
-        /// Ratio of velocities: the gap opens e times as fast as it closed. It can increase the energy if slip ends during
-        /// the impact.
+        /// Ratio of velocities: the gap opens e times as fast as it closed. It can increase the
+        /// energy if slip ends during the impact.
         Newton = 2, "newton" => "velocities (Newton)";
     }
 }

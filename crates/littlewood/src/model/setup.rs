@@ -62,9 +62,11 @@ impl Setup {
         Self::value(&mut { *self }, quantity)
     }
 
-    /// The value of a quantity, if it has one that does not go without saying ([`Quantity::goes_without_saying`]).
+    /// The value of a quantity, if it has one that does not go without saying
+    /// ([`Quantity::goes_without_saying`]).
     pub fn said(&self, quantity: Quantity) -> Option<f64> {
-        self.get(quantity).filter(|value| !quantity.goes_without_saying(*value))
+        self.get(quantity)
+            .filter(|value| !quantity.goes_without_saying(*value))
     }
 
     const fn value(&mut self, quantity: Quantity) -> Option<f64> {

@@ -1,8 +1,8 @@
 //! Conversion between SI units and the dimensionless quantities of (2.9).
 
 use crate::model::{
-    Bound, Dimension, Hoop, HoopParameters, ParameterError, Quantity, RestitutionLaw, STANDARD_GRAVITY,
-    Setup, Start, State, Units, within,
+    Bound, Dimension, Hoop, HoopParameters, ParameterError, Quantity, RestitutionLaw,
+    STANDARD_GRAVITY, Setup, Start, State, Units, within,
 };
 
 /// A hoop in SI units.
@@ -98,19 +98,38 @@ impl SiParameters {
         let mass_kg = Quantity::ParticleMassKg.check(self.particle_mass_kg)?;
         let length_m = Quantity::RadiusM.check(self.radius_m)?;
         let gravity = Quantity::GravityMPerS2.check(self.gravity_m_per_s2)?;
-        Ok(Units { mass_kg, length_m, time_s: (length_m / gravity).sqrt(), gravity_m_per_s2: gravity })
+        Ok(Units {
+            mass_kg,
+            length_m,
+            time_s: (length_m / gravity).sqrt(),
+            gravity_m_per_s2: gravity,
+        })
     }
 
     /// The dimensionless hoop and the units of its motion.
     ///
     /// # Errors
-    /// Unless m2, R, g > 0, m1, `I_zz` ≥ 0, 0 ≤ ℓ ≤ R, 0 ≤ μk ≤ μs, all finite; and as [`Hoop::new`].
+    /// Unless m2, R, g > 0, m1, `I_zz` ≥ 0, 0 ≤ ℓ ≤ R, 0 ≤ μk ≤ μs, all finite; and as
+    /// [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
-        let Self { disc_mass_kg, radius_m, offset_m, inertia_kg_m2, mu_s, mu_k, slope, .. } = *self;
+        let Self {
+            disc_mass_kg,
+            radius_m,
+            offset_m,
+            inertia_kg_m2,
+            mu_s,
+            mu_k,
+            slope,
+            ..
+        } = *self;
         let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
         let radius = Quantity::RadiusM.check(radius_m)?;
         let offset = Quantity::OffsetM.check(offset_m)?;
-        within(Quantity::OffsetM, offset, Bound::AtMost(Quantity::RadiusM, radius))?;
+        within(
+            Quantity::OffsetM,
+            offset,
+            Bound::AtMost(Quantity::RadiusM, radius),
+        )?;
         let inertia = Quantity::InertiaKgM2.check(inertia_kg_m2)?;
         let units = self.units()?;
         let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
@@ -130,8 +149,16 @@ impl SiParameters {
     /// The parameters of a hoop in SI units, unchecked.
     #[must_use]
     pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
-        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law } =
-            *hoop;
+        let HoopParameters {
+            mass_ratio,
+            offset,
+            inertia,
+            mu_s,
+            mu_k,
+            slope,
+            restitution,
+            restitution_law,
+        } = *hoop;
         let si = |quantity: Quantity, value| units.to_si(quantity.dimension(), value);
         Self {
             disc_mass_kg: si(Quantity::DiscMassKg, mass_ratio),
@@ -163,19 +190,32 @@ impl SiSetup {
     #[must_use]
     pub fn new(setup: &Setup, units: &Units) -> Self {
         let gap_rate = units.to_si(Quantity::GapRateMPerS.dimension(), setup.start.gap_rate);
-        let start = SiState { gap_rate_m_per_s: gap_rate, ..units.state(&setup.start.into()) };
-        Self { hoop: SiParameters::new(&setup.hoop, units), start }
+        let start = SiState {
+            gap_rate_m_per_s: gap_rate,
+            ..units.state(&setup.start.into())
+        };
+        Self {
+            hoop: SiParameters::new(&setup.hoop, units),
+            start,
+        }
     }
 
-    /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is NaN, an error in
+    /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is NaN,
+    /// an error in
     /// [`SiSetup::to_setup`].
     pub fn from_values(
         value: impl Fn(Quantity) -> Option<f64>,
         restitution_law: Option<RestitutionLaw>,
     ) -> Self {
-        let hoop =
-            SiParameters { restitution: value(Quantity::Restitution), restitution_law, ..Default::default() };
-        let mut setup = Self { hoop, start: SiState::default() };
+        let hoop = SiParameters {
+            restitution: value(Quantity::Restitution),
+            restitution_law,
+            ..Default::default()
+        };
+        let mut setup = Self {
+            hoop,
+            start: SiState::default(),
+        };
         for quantity in Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START) {
             if let Some(field) = setup.field(quantity) {
                 *field = value(quantity).unwrap_or(f64::NAN);
@@ -184,18 +224,26 @@ impl SiSetup {
         setup
     }
 
-    /// The value of a quantity; `None` for a limit and for dimensionless quantities with an SI twin.
+    /// The value of a quantity; `None` for a limit and for dimensionless quantities with an SI
+    /// twin.
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         let mut copy = *self;
-        if quantity == Quantity::Restitution { self.hoop.restitution } else { copy.field(quantity).copied() }
+        if quantity == Quantity::Restitution {
+            self.hoop.restitution
+        } else {
+            copy.field(quantity).copied()
+        }
     }
 
-    /// The value of a quantity, if it has one that does not go without saying ([`Quantity::goes_without_saying`]).
+    /// The value of a quantity, if it has one that does not go without saying
+    /// ([`Quantity::goes_without_saying`]).
     pub fn said(&self, quantity: Quantity) -> Option<f64> {
-        self.get(quantity).filter(|value| !quantity.goes_without_saying(*value))
+        self.get(quantity)
+            .filter(|value| !quantity.goes_without_saying(*value))
     }
 
-    /// The field of a quantity; `None` for the coefficient of restitution, too, which may be absent.
+    /// The field of a quantity; `None` for the coefficient of restitution, too, which may be
+    /// absent.
     const fn field(&mut self, quantity: Quantity) -> Option<&mut f64> {
         let Self { hoop, start } = self;
         Some(match quantity {
@@ -234,7 +282,10 @@ impl SiSetup {
     /// As [`SiParameters::to_hoop`] and [`Units::start`].
     pub fn to_setup(&self) -> Result<(Setup, Units), ParameterError> {
         let (hoop, units) = self.hoop.to_hoop()?;
-        Ok((Setup::new(hoop.parameters(), units.start(&self.start)?), units))
+        Ok((
+            Setup::new(hoop.parameters(), units.start(&self.start)?),
+            units,
+        ))
     }
 }
 
@@ -245,7 +296,10 @@ impl Units {
     /// A value that is not finite; a negative gap rate.
     pub fn start(&self, si: &SiState) -> Result<Start, ParameterError> {
         let plain = |quantity: Quantity, value: f64| -> Result<f64, ParameterError> {
-            Ok(self.from_si(quantity.dimension(), within(quantity, value, Bound::Finite)?))
+            Ok(self.from_si(
+                quantity.dimension(),
+                within(quantity, value, Bound::Finite)?,
+            ))
         };
         Ok(Start {
             time: plain(Quantity::TimeS, si.time_s)?,
@@ -268,7 +322,11 @@ impl Units {
         let until = self.from_si(Dimension::Time, Quantity::UntilS.check(until_s)?);
         if until < start.time {
             let bound = Bound::AtLeast(Quantity::TimeS, self.to_si(Dimension::Time, start.time));
-            return Err(ParameterError::OutOfBounds { quantity: Quantity::UntilS, value: until_s, bound });
+            return Err(ParameterError::OutOfBounds {
+                quantity: Quantity::UntilS,
+                value: until_s,
+                bound,
+            });
         }
         Ok(until)
     }

@@ -31,13 +31,33 @@ impl Start {
     /// A start at τ = 0, x = 0 without slip.
     #[must_use]
     pub const fn at(theta: f64, theta_rate: f64) -> Self {
-        Self { time: 0.0, theta, theta_rate, slip: 0.0, gap_rate: 0.0, x: 0.0 }
+        Self {
+            time: 0.0,
+            theta,
+            theta_rate,
+            slip: 0.0,
+            gap_rate: 0.0,
+            x: 0.0,
+        }
     }
 
     /// The state, without the gap rate.
     pub(crate) const fn state(&self) -> State {
-        let Self { time, theta, theta_rate, slip, gap_rate: _, x } = *self;
-        State { time, theta, theta_rate, slip, x }
+        let Self {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            gap_rate: _,
+            x,
+        } = *self;
+        State {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        }
     }
 
     /// The state, if all values are within the bounds of [`Quantity::START`].
@@ -70,12 +90,26 @@ setters! {
 
 impl From<State> for Start {
     fn from(state: State) -> Self {
-        let State { time, theta, theta_rate, slip, x } = state;
-        Self { time, theta, theta_rate, slip, gap_rate: 0.0, x }
+        let State {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        } = state;
+        Self {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            gap_rate: 0.0,
+            x,
+        }
     }
 }
 
-/// The state of the body at an instant. In flight `slip` is the horizontal velocity of the lowest point of the rim.
+/// The state of the body at an instant. In flight `slip` is the horizontal velocity of the lowest
+/// point of the rim.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {

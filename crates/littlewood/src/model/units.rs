@@ -16,8 +16,8 @@ pub struct Units {
 }
 
 impl Units {
-    /// The unit of a dimension as a fraction, from the exponents of m2, R and g. Powers of R/g are powers of the unit of
-    /// time; an odd power of √g contributes one unit of time.
+    /// The unit of a dimension as a fraction, from the exponents of m2, R and g. Powers of R/g are
+    /// powers of the unit of time; an odd power of √g contributes one unit of time.
     fn fraction(&self, dimension: Dimension) -> (Option<f64>, f64) {
         let [mass, mut length, mut gravity] = dimension.halves();
         let mut time = 0;
@@ -33,8 +33,9 @@ impl Units {
             (self.time_s, time),
         ];
         let product = |sign: i8| {
-            let factors =
-                powers.iter().flat_map(|&(unit, power)| (0..(sign * power).max(0)).map(move |_| unit));
+            let factors = powers
+                .iter()
+                .flat_map(|&(unit, power)| (0..(sign * power).max(0)).map(move |_| unit));
             factors.reduce(|product, unit| product * unit)
         };
         (product(1), product(-1).unwrap_or(1.0))

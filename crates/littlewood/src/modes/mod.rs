@@ -1,7 +1,8 @@
 //! The four modes of motion: the solution of each in time, and the events that end it.
 //!
 //! [`Phase::solution`](crate::Phase::solution) returns the solution of a phase, which gives the state at any time. A rolling solution
-//! also gives its orbit in the (θ, θ′) plane, with the end of the orbit ([`RollingEnd`]) or its recurrence ([`Recurrence`]).
+//! also gives its orbit in the (θ, θ′) plane, with the end of the orbit ([`RollingEnd`]) or its
+//! recurrence ([`Recurrence`]).
 //!
 //! ```
 //! use littlewood::cases::find_case;
@@ -37,8 +38,9 @@ pub use self::rolling::{
 pub use self::sample::Position;
 pub use self::sliding::{SlideLimit, Sliding};
 
-/// The exact solution of a phase. τ and x are relative to the start of the motion, and θ excludes the whole turns of the start.
-/// On a slope its units are those in which gravity normal to the plane is 1: times are multiplied by √cos α, velocities divided by it.
+/// The exact solution of a phase. τ and x are relative to the start of the motion, and θ excludes
+/// the whole turns of the start. On a slope its units are those in which gravity normal to the
+/// plane is 1: times are multiplied by √cos α, velocities divided by it.
 #[derive(Clone, Debug)]
 pub enum PhaseSolution {
     /// Rolling along an orbit.

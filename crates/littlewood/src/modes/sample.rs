@@ -63,9 +63,14 @@ impl Instant {
     pub(crate) fn sample(self, hoop: &Hoop, state: State) -> Sample {
         let (gap, gap_rate) = self.gap;
         let (sin, cos) = libm::sincos(state.theta);
-        let centre = Position { x: state.x, y: 1.0 + gap };
-        let along_radius =
-            |distance: f64| Position { x: centre.x - distance * sin, y: centre.y + distance * cos };
+        let centre = Position {
+            x: state.x,
+            y: 1.0 + gap,
+        };
+        let along_radius = |distance: f64| Position {
+            x: centre.x - distance * sin,
+            y: centre.y + distance * cos,
+        };
         Sample {
             state,
             mode: self.mode,

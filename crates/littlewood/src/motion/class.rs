@@ -5,22 +5,25 @@ use crate::motion::summary::Summary;
 use crate::walk::OutcomeKind;
 
 named! {
-    /// A class of outcomes for maps: coarser than the outcome, but with early and late lift-offs distinguished.
+    /// A class of outcomes for maps: coarser than the outcome, but with early and late lift-offs
+    /// distinguished.
     pub enum Class, "class of outcomes",
     /// Label for legends.
     pub label: &'static str {
         /// In flight from the start.
         LeavesAtOnce = 0, "leaves_at_once" => "leaves at once";
-        /// Lifts off after some time in contact. A motion in flight at the time limit counts as lifted off.
+        /// Lifts off after some time in contact. A motion in flight at the time limit counts as
+        /// lifted off.
         LiftsOffLater = 1, "lifts_off_later" => "lifts off later";
         /// Rolls for ever (proved).
         RollsForever = 2, "rolls_forever" => "rolls for ever";
-        /// Repeats a cycle of slides, or of rolls and slides, without kinetic friction or mass (proved).
+        /// Repeats a cycle of slides, or of rolls and slides, without kinetic friction or mass
+        /// (proved).
         RepeatsForever = 3, "repeats_forever" => "repeats for ever";
         /// Rolls and slips for ever with μs = μk (proved).
         SlipsForever = 4, "slips_forever" => "slips for ever";
-        /// In contact up to a limit of time, transitions or steps, or until its energy proves that it
-        /// never lifts off.
+        /// In contact up to a limit of time, transitions or steps, or until its energy proves that
+        /// it never lifts off.
         InContact = 5, "in_contact" => "in contact";
         /// The particle reaches the plane.
         ParticleAtPlane = 6, "particle_at_plane" => "particle at the plane";
@@ -43,7 +46,11 @@ impl Class {
     /// The class of a motion.
     #[must_use]
     pub fn of(summary: &Summary) -> Self {
-        if summary.sequence.first().is_some_and(|(mode, _)| !mode.touches_plane()) {
+        if summary
+            .sequence
+            .first()
+            .is_some_and(|(mode, _)| !mode.touches_plane())
+        {
             return Self::LeavesAtOnce;
         }
         if !summary.lift_off_time.is_nan() {
@@ -67,7 +74,9 @@ impl Class {
             OutcomeKind::ParticleAtPlane => Self::ParticleAtPlane,
             OutcomeKind::ParticleAtBottom => Self::ParticleAtBottom,
             OutcomeKind::ParticleAtTop => Self::ParticleAtTop,
-            OutcomeKind::Inconsistent | OutcomeKind::Ambiguous | OutcomeKind::Singular => Self::Painleve,
+            OutcomeKind::Inconsistent | OutcomeKind::Ambiguous | OutcomeKind::Singular => {
+                Self::Painleve
+            }
             OutcomeKind::Unresolved => Self::Unresolved,
             OutcomeKind::NotComputed => Self::NotComputed,
             OutcomeKind::Invalid => Self::Invalid,
@@ -76,6 +85,9 @@ impl Class {
 
     /// Whether the body stays in contact up to the end of the simulation.
     pub const fn stays_in_contact(self) -> bool {
-        matches!(self, Self::RollsForever | Self::RepeatsForever | Self::SlipsForever | Self::InContact)
+        matches!(
+            self,
+            Self::RollsForever | Self::RepeatsForever | Self::SlipsForever | Self::InContact
+        )
     }
 }

@@ -13,7 +13,8 @@ named! {
         Rolling = 0, "rolling_region";
         /// 𝓝 without 𝓡: N > 0 and |F| > μs N.
         BeyondFriction = 1, "beyond_friction";
-        /// N ≤ 0 in rolling and 1 − h cos θ θ′² > 0: sliding in contact. The paper calls it loss of contact.
+        /// N ≤ 0 in rolling and 1 − h cos θ θ′² > 0: sliding in contact. The paper calls it loss of
+        /// contact.
         SlidingBand = 2, "sliding_band";
         /// 1 − h cos θ θ′² < 0, or zero and decreasing, or an opening gap: flight.
         LossOfContact = 3, "loss_of_contact";
@@ -37,7 +38,8 @@ pub struct Classification {
     pub region: StartRegion,
     /// Mode that begins, if exactly one is consistent.
     pub mode: Option<Mode>,
-    /// Direction of slip that begins; none for rolling and flight, and for a glide from η′ = 0, whose solution determines it.
+    /// Direction of slip that begins; none for rolling and flight, and for a glide from η′ = 0,
+    /// whose solution determines it.
     pub direction: Option<Direction>,
     /// Energy E (2.8).
     pub energy: f64,
@@ -51,21 +53,23 @@ pub struct Classification {
     pub recurrence: Option<Recurrence>,
     /// For Littlewood's hoop in 𝓡: Type I, II or III; none on the stable manifold.
     pub rolling_type: Option<RollingType>,
-    /// For a start in 𝓡 from which bounces can grow out of rolling, which is then not the only motion: the ratio of successive
-    /// bounces ([`PhasePlane::reverse_chatter`]).
+    /// For a start in 𝓡 from which bounces can grow out of rolling, which is then not the only
+    /// motion: the ratio of successive bounces ([`PhasePlane::reverse_chatter`]).
     pub reverse_chatter: Option<f64>,
     /// The candidates, if no motion or more than one is consistent.
     pub candidates: Option<Candidates>,
 }
 
 impl Hoop {
-    /// Kinetic and potential energy of a start (2.8); on a slope the potential energy includes m x̄ sin α.
+    /// Kinetic and potential energy of a start (2.8); on a slope the potential energy includes m x̄
+    /// sin α.
     pub fn energy_of(&self, start: &Start) -> f64 {
         let (origin, (state, gap_rate), _) = Origin::of(self, start, Limits::default());
         origin.energy(energy(self, &state, 0.0, gap_rate))
     }
 
-    /// Determines the region of a start, the motion that begins, and, for Littlewood's hoop, its type.
+    /// Determines the region of a start, the motion that begins, and, for Littlewood's hoop, its
+    /// type.
     ///
     /// ```
     /// use littlewood::theory::RollingType;
@@ -102,7 +106,8 @@ impl Hoop {
             (found.region, found.mode) = (StartRegion::LossOfContact, Some(Mode::Flight));
             return Ok(found);
         }
-        (found.region, found.mode, found.direction) = match next_motion(self, &state, Arrival::Open) {
+        (found.region, found.mode, found.direction) = match next_motion(self, &state, Arrival::Open)
+        {
             Next::Roll { .. } => {
                 let orbit = RollingOrbit::of(self, theta, theta_rate);
                 let end = orbit.end();
@@ -110,7 +115,8 @@ impl Hoop {
                 let endless = end.is_none() && !orbit.leaves_bounds();
                 found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));
                 found.rolling_end = end.map(|end| origin.rolling_end(end));
-                found.reverse_chatter = PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);
+                found.reverse_chatter =
+                    PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);
                 (StartRegion::Rolling, Some(Mode::Rolling), None)
             }
             Next::Slide { direction, .. } => {
@@ -121,8 +127,14 @@ impl Hoop {
                 };
                 (region, Some(Mode::Sliding), Some(direction))
             }
-            Next::Glide { .. } => (StartRegion::Gliding, Some(Mode::Gliding), Direction::of_sign(state.slip)),
-            Next::Fly { .. } | Next::Settle { .. } => (StartRegion::LossOfContact, Some(Mode::Flight), None),
+            Next::Glide { .. } => (
+                StartRegion::Gliding,
+                Some(Mode::Gliding),
+                Direction::of_sign(state.slip),
+            ),
+            Next::Fly { .. } | Next::Settle { .. } => {
+                (StartRegion::LossOfContact, Some(Mode::Flight), None)
+            }
             Next::None(candidates) => {
                 found.candidates = Some(origin.candidates(*candidates));
                 (StartRegion::Inconsistent, None, None)
@@ -135,7 +147,12 @@ impl Hoop {
         Ok(found)
     }
 
-    fn rolling_type(&self, theta: f64, theta_rate: f64, end: Option<RollingEnd>) -> Option<RollingType> {
+    fn rolling_type(
+        &self,
+        theta: f64,
+        theta_rate: f64,
+        end: Option<RollingEnd>,
+    ) -> Option<RollingType> {
         match self.body() {
             Body::Massless(body) if body.offset == 1.0 => {
                 if self.slope() != 0.0 {
@@ -144,8 +161,10 @@ impl Hoop {
                         RollingLimit::Friction(_) => RollingType::III,
                     });
                 }
-                let by_energy = RollingType::of_energy(rolling_energy(theta, theta_rate), self.mu_s())?;
-                // Near e = 1 + 2 cos θ_s the energy may round to either side, so the end of rolling decides.
+                let by_energy =
+                    RollingType::of_energy(rolling_energy(theta, theta_rate), self.mu_s())?;
+                // Near e = 1 + 2 cos θ_s the energy may round to either side, so the end of rolling
+                // decides.
                 match (end?.limit, by_energy) {
                     (_, RollingType::II) => Some(RollingType::II),
                     (RollingLimit::NormalForce, _) => Some(RollingType::I),

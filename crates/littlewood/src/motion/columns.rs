@@ -68,7 +68,13 @@ impl State {
 
     /// The numbers, in the order of [`State::COLUMNS`].
     pub const fn numbers(&self) -> [f64; 5] {
-        let Self { time, theta, theta_rate, slip, x } = *self;
+        let Self {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        } = *self;
         [time, theta, theta_rate, slip, x]
     }
 }
@@ -133,7 +139,8 @@ impl SampleColumn {
 
     /// Column name with the SI unit; none for a code.
     pub fn si_name(self) -> Option<String> {
-        self.dimension().map(|dimension| format!("{self}{}", dimension.si_suffix()))
+        self.dimension()
+            .map(|dimension| format!("{self}{}", dimension.si_suffix()))
     }
 }
 
@@ -213,9 +220,16 @@ impl FromStr for DerivativeColumn {
         let parts = name.split_once("_by_").and_then(|(number, quantity)| {
             let number = SummaryColumn::reals().find(|column| column.name() == number)?;
             let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-            Some((number, quantities.into_iter().find(|known| known.name() == quantity)?))
+            Some((
+                number,
+                quantities
+                    .into_iter()
+                    .find(|known| known.name() == quantity)?,
+            ))
         });
-        let (number, quantity) = parts.ok_or_else(|| UnknownDerivative { name: name.to_owned() })?;
+        let (number, quantity) = parts.ok_or_else(|| UnknownDerivative {
+            name: name.to_owned(),
+        })?;
         Ok(Self { number, quantity })
     }
 }
@@ -291,29 +305,37 @@ impl SummaryColumn {
 
     /// The columns of real numbers and counts.
     pub fn numbers() -> impl Iterator<Item = Self> {
-        Self::ALL.into_iter().filter(|column| match column.column_type() {
-            ColumnType::Real | ColumnType::Count => true,
-            ColumnType::Outcome | ColumnType::Sequence | ColumnType::Flag => false,
-        })
+        Self::ALL
+            .into_iter()
+            .filter(|column| match column.column_type() {
+                ColumnType::Real | ColumnType::Count => true,
+                ColumnType::Outcome | ColumnType::Sequence | ColumnType::Flag => false,
+            })
     }
 
     /// The columns of real numbers.
     pub fn reals() -> impl Iterator<Item = Self> {
-        Self::ALL.into_iter().filter(|column| column.column_type() == ColumnType::Real)
+        Self::ALL
+            .into_iter()
+            .filter(|column| column.column_type() == ColumnType::Real)
     }
 
-    /// The value in a summary. Every NaN becomes [`f64::NAN`], since the sign and payload of a computed NaN are unspecified.
+    /// The value in a summary. Every NaN becomes [`f64::NAN`], since the sign and payload of a
+    /// computed NaN are unspecified.
     pub fn of(self, summary: &Summary) -> SummaryValue {
         self.field(&mut { *summary }).value()
     }
 
-    /// Sets the value in a summary. Returns false, and changes nothing, for a value of another type or an unknown code.
+    /// Sets the value in a summary. Returns false, and changes nothing, for a value of another type
+    /// or an unknown code.
     pub fn set(self, summary: &mut Summary, value: SummaryValue) -> bool {
         match (self.field(summary), value) {
-            (Field::Outcome(outcome), SummaryValue::U8(code)) => match OutcomeKind::try_from(code) {
-                Ok(kind) => *outcome = kind,
-                Err(_) => return false,
-            },
+            (Field::Outcome(outcome), SummaryValue::U8(code)) => {
+                match OutcomeKind::try_from(code) {
+                    Ok(kind) => *outcome = kind,
+                    Err(_) => return false,
+                }
+            }
             (Field::Sequence(sequence), SummaryValue::U64(bits)) => {
                 *sequence = PhaseSequence::from_bits(bits);
             }
@@ -321,7 +343,11 @@ impl SummaryColumn {
             (Field::Flag(flag), SummaryValue::U8(value)) => *flag = value != 0,
             (Field::Real(real), SummaryValue::F64(value)) => *real = value,
             (
-                Field::Outcome(_) | Field::Sequence(_) | Field::Count(_) | Field::Flag(_) | Field::Real(_),
+                Field::Outcome(_)
+                | Field::Sequence(_)
+                | Field::Count(_)
+                | Field::Flag(_)
+                | Field::Real(_),
                 _,
             ) => {
                 return false;

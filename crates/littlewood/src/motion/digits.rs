@@ -1,8 +1,9 @@
 //! The number of significant digits of a motion, estimated from perturbed motions.
 //!
-//! A printed number differs from the exact one for two reasons: the parameters of the hoop and the start are known to the last place of a
-//! double only, and every phase of the simulation rounds. Motions with one perturbed parameter measure the first error. Motions whose
-//! phases start and end with perturbed states, by the size of the rounding, measure the second.
+//! A printed number differs from the exact one for two reasons: the parameters of the hoop and the
+//! start are known to the last place of a double only, and every phase of the simulation rounds.
+//! Motions with one perturbed parameter measure the first error. Motions whose phases start and end
+//! with perturbed states, by the size of the rounding, measure the second.
 
 use core::cell::Cell;
 
@@ -12,8 +13,8 @@ use crate::model::{
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhaseSolution, TakeOff};
 use crate::walk::{
-    Arrival, Cause, Ending, Event, Exact, Known, Next, Origin, Outcome, PhaseRecord, Recorder, Solved,
-    SolvedBy, Solver, walk,
+    Arrival, Cause, Ending, Event, Exact, Known, Next, Origin, Outcome, PhaseRecord, Recorder,
+    Solved, SolvedBy, Solver, walk,
 };
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
@@ -36,25 +37,29 @@ pub struct Digits {
 /// Digits of a number with an error of its last place only.
 const MAX_DIGITS: u8 = 15;
 
-/// Perturbation of a parameter in units of the last place: large enough to exceed the rounding of the results. The measured change is
-/// divided by this number.
+/// Perturbation of a parameter in units of the last place: large enough to exceed the rounding of
+/// the results. The measured change is divided by this number.
 const PERTURBATION_ULPS: u64 = 8;
 
-/// Number of motions with perturbed phases. The largest of 12 random changes is nearly two standard deviations; it counts twice.
+/// Number of motions with perturbed phases. The largest of 12 random changes is nearly two standard
+/// deviations; it counts twice.
 const PERTURBED_MOTIONS: u64 = 12;
 
-/// Number of perturbations of a slide, with that of its end: rounding on the way may grow more than that at the start.
+/// Number of perturbations of a slide, with that of its end: rounding on the way may grow more than
+/// that at the start.
 const PERTURBATIONS_PER_SLIDE: u32 = 4;
 
 impl Hoop {
-    /// Estimates the significant digits of the state at each transition of the motion from `start`. They account for the last place
-    /// of each parameter of the hoop and the start, and for rounding in the simulation.
+    /// Estimates the significant digits of the state at each transition of the motion from `start`.
+    /// They account for the last place of each parameter of the hoop and the start, and for
+    /// rounding in the simulation.
     ///
-    /// The motion is simulated again up to 24 times with one parameter perturbed up or down in its last places. Then it is simulated 12
-    /// times with each phase perturbed by its rounding in pseudo-random directions, the same in every call. The changes of a state are its
-    /// uncertainty.
-    /// A transition and all later ones are `None` if a perturbed motion has another event there: the parameters do not determine it.
-    /// Zeros, ℓ̂ = 1 and e = 1 are exact, and so is μs = μk: equal coefficients are perturbed together.
+    /// The motion is simulated again up to 24 times with one parameter perturbed up or down in its
+    /// last places. Then it is simulated 12 times with each phase perturbed by its rounding in
+    /// pseudo-random directions, the same in every call. The changes of a state are its
+    /// uncertainty. A transition and all later ones are `None` if a perturbed motion has another
+    /// event there: the parameters do not determine it. Zeros, ℓ̂ = 1 and e = 1 are exact, and so
+    /// is μs = μk: equal coefficients are perturbed together.
     ///
     /// ```
     /// use littlewood::{Hoop, Limits, Start};
@@ -67,28 +72,46 @@ impl Hoop {
     ///
     /// # Errors
     /// As [`Hoop::simulate`].
-    pub fn digits(&self, start: Start, limits: Limits) -> Result<Vec<Option<Digits>>, ParameterError> {
+    pub fn digits(
+        &self,
+        start: Start,
+        limits: Limits,
+    ) -> Result<Vec<Option<Digits>>, ParameterError> {
         let motion = self.events(start, limits, None)?;
-        let mut spreads = Uncertainties { motion: &motion, of: vec![Some([0.0; 5]); motion.len()] };
+        let mut spreads = Uncertainties {
+            motion: &motion,
+            of: vec![Some([0.0; 5]); motion.len()],
+        };
         for pair in self.neighbours(start) {
             let changes = pair.map(|setup| {
                 // A bound may exclude one of the two directions.
-                Self::new(setup.hoop).ok()?.events(setup.start, limits, None).ok()
+                Self::new(setup.hoop)
+                    .ok()?
+                    .events(setup.start, limits, None)
+                    .ok()
             });
             spreads.add(changes.iter().flatten(), 0.5 / PERTURBATION_ULPS as f64);
         }
-        let perturbed =
-            (0..PERTURBED_MOTIONS).map(|seed| self.events(start, limits, Some(RandomSigns::new(seed))));
+        let perturbed = (0..PERTURBED_MOTIONS)
+            .map(|seed| self.events(start, limits, Some(RandomSigns::new(seed))));
         spreads.add(perturbed.collect::<Result<Vec<_>, _>>()?.iter(), 2.0);
         let mut is_determined = true;
-        Ok(Vec::from_iter(spreads.of.iter().zip(&motion).map(|(spread, event)| {
-            is_determined &= spread.is_some();
-            let spread = spread.filter(|_| is_determined)?;
-            let values = event.state.numbers();
-            let [time, theta, theta_rate, slip, x] =
-                core::array::from_fn(|place| digits(values[place], spread[place]));
-            Some(Digits { time, theta, theta_rate, slip, x })
-        })))
+        Ok(Vec::from_iter(spreads.of.iter().zip(&motion).map(
+            |(spread, event)| {
+                is_determined &= spread.is_some();
+                let spread = spread.filter(|_| is_determined)?;
+                let values = event.state.numbers();
+                let [time, theta, theta_rate, slip, x] =
+                    core::array::from_fn(|place| digits(values[place], spread[place]));
+                Some(Digits {
+                    time,
+                    theta,
+                    theta_rate,
+                    slip,
+                    x,
+                })
+            },
+        )))
     }
 
     /// The events of a motion, with perturbed phases if `signs` are given.
@@ -101,27 +124,43 @@ impl Hoop {
         self.check(start)?;
         limits.check(&start)?;
         let (origin, relative, limits) = Origin::of(self, &start, limits);
-        let mut events = Events { origin, seen: Vec::new() };
-        let solver = PerturbedSolver { exact: Exact::new(self, &limits), signs };
+        let mut events = Events {
+            origin,
+            seen: Vec::new(),
+        };
+        let solver = PerturbedSolver {
+            exact: Exact::new(self, &limits),
+            signs,
+        };
         walk(&solver, relative, (&limits, Known::default()), &mut events);
         Ok(events.seen)
     }
 
-    /// Hoops and starts with one number perturbed in its last places, towards zero and away from it.
+    /// Hoops and starts with one number perturbed in its last places, towards zero and away from
+    /// it.
     fn neighbours(&self, start: Start) -> impl Iterator<Item = [Setup; 2]> {
         let setup = Setup::new(self.parameters(), start);
         let is_exact = |quantity, value: f64| {
-            value == 0.0 || (value == 1.0 && matches!(quantity, Quantity::Offset | Quantity::Restitution))
+            value == 0.0
+                || (value == 1.0 && matches!(quantity, Quantity::Offset | Quantity::Restitution))
         };
         let coefficients_are_equal = self.mu_s() == self.mu_k();
-        Quantity::HOOP.into_iter().chain(Quantity::START).filter_map(move |quantity| {
-            let value = setup.get(quantity).filter(|value| !is_exact(quantity, *value))?;
-            if coefficients_are_equal && quantity == Quantity::MuK {
-                return None;
-            }
-            Some(
-                [value.to_bits().saturating_sub(PERTURBATION_ULPS), value.to_bits() + PERTURBATION_ULPS].map(
-                    |bits| {
+        Quantity::HOOP
+            .into_iter()
+            .chain(Quantity::START)
+            .filter_map(move |quantity| {
+                let value = setup
+                    .get(quantity)
+                    .filter(|value| !is_exact(quantity, *value))?;
+                if coefficients_are_equal && quantity == Quantity::MuK {
+                    return None;
+                }
+                Some(
+                    [
+                        value.to_bits().saturating_sub(PERTURBATION_ULPS),
+                        value.to_bits() + PERTURBATION_ULPS,
+                    ]
+                    .map(|bits| {
                         let value = f64::from_bits(bits);
                         let mut setup = setup;
                         setup.set(quantity, value);
@@ -129,18 +168,26 @@ impl Hoop {
                             setup.set(Quantity::MuK, value);
                         }
                         setup
-                    },
-                ),
-            )
-        })
+                    }),
+                )
+            })
     }
 }
 
 impl Digits {
     /// The minimum of the five numbers.
     pub fn least(&self) -> u8 {
-        let Self { time, theta, theta_rate, slip, x } = *self;
-        [time, theta, theta_rate, slip, x].into_iter().min().unwrap_or(0)
+        let Self {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        } = *self;
+        [time, theta, theta_rate, slip, x]
+            .into_iter()
+            .min()
+            .unwrap_or(0)
     }
 }
 
@@ -160,12 +207,21 @@ impl Recorder<PhaseSolution> for Events {
     fn phase(&mut self, _: PhaseRecord, _: PhaseSolution) {}
 
     fn transition(&mut self, event: &Event, _: Option<&Impact>, direction: Option<Direction>) {
-        let Event { state, from, to, cause } = *event;
-        self.seen.push(EventRecord { state: self.origin.state(state), kind: (cause, from, to, direction) });
+        let Event {
+            state,
+            from,
+            to,
+            cause,
+        } = *event;
+        self.seen.push(EventRecord {
+            state: self.origin.state(state),
+            kind: (cause, from, to, direction),
+        });
     }
 }
 
-/// Uncertainties of the state at each transition of a motion; none if a perturbed motion has another event.
+/// Uncertainties of the state at each transition of a motion; none if a perturbed motion has
+/// another event.
 struct Uncertainties<'a> {
     motion: &'a [EventRecord],
     of: Vec<Option<[f64; 5]>>,
@@ -205,10 +261,17 @@ impl RandomSigns {
 
     /// The value moved up or down by `by`; unchanged if the result is not finite.
     fn moved(&self, value: f64, by: f64) -> f64 {
-        let state =
-            self.0.get().wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let state = self
+            .0
+            .get()
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         self.0.set(state);
-        let moved = if state >> 63 == 0 { value + by } else { value - by };
+        let moved = if state >> 63 == 0 {
+            value + by
+        } else {
+            value - by
+        };
         if moved.is_finite() { moved } else { value }
     }
 }
@@ -220,16 +283,31 @@ struct PerturbedSolver<'a> {
 }
 
 impl PerturbedSolver<'_> {
-    /// The start of a phase with each number moved in its last place, the size of the rounding within the solution.
+    /// The start of a phase with each number moved in its last place, the size of the rounding
+    /// within the solution.
     fn perturbed_start(&self, state: &State) -> State {
-        let State { time, theta, theta_rate, slip, x } = *state;
-        let Some(signs) = &self.signs else { return *state };
+        let State {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        } = *state;
+        let Some(signs) = &self.signs else {
+            return *state;
+        };
         let moved = |value: f64| signs.moved(value, f64::EPSILON * value.abs());
-        State { time, theta: moved(theta), theta_rate: moved(theta_rate), slip: moved(slip), x }
+        State {
+            time,
+            theta: moved(theta),
+            theta_rate: moved(theta_rate),
+            slip: moved(slip),
+            x,
+        }
     }
 
-    /// A later state of a phase, with each number moved by the rounding of its terms: the earlier value, and the change over a number of
-    /// steps.
+    /// A later state of a phase, with each number moved by the rounding of its terms: the earlier
+    /// value, and the change over a number of steps.
     fn perturbed_end(&self, from: &State, (mode, steps): (Mode, f64), to: State) -> State {
         let Some(signs) = &self.signs else { return to };
         let least = f64::EPSILON * steps.sqrt();
@@ -245,10 +323,16 @@ impl PerturbedSolver<'_> {
         let slipped = from.slip.abs().max(to.slip.abs());
         // Rolling ends at an angle, whose rounding along the orbit is one of time and rate.
         let late = match mode {
-            Mode::Rolling => (to.theta / to.theta_rate).abs().min(duration / f64::EPSILON),
+            Mode::Rolling => (to.theta / to.theta_rate)
+                .abs()
+                .min(duration / f64::EPSILON),
             Mode::Sliding | Mode::Gliding | Mode::Flight => 0.0,
         };
-        let along = if late == 0.0 { 0.0 } else { (to.theta_rate - from.theta_rate).abs() / duration * late };
+        let along = if late == 0.0 {
+            0.0
+        } else {
+            (to.theta_rate - from.theta_rate).abs() / duration * late
+        };
         // Terms of the first and of the second integral of a slide.
         let velocity = slipped + rate * (1.0 + h + friction * h) + friction * duration;
         let place = from.x.abs() + h + friction * h;
@@ -257,13 +341,22 @@ impl PerturbedSolver<'_> {
             theta: moved(to.theta, turned),
             theta_rate: moved(to.theta_rate, rate + along),
             // In contact, η′ = 0 is exact.
-            slip: if to.slip == 0.0 && mode != Mode::Flight { 0.0 } else { moved(to.slip, velocity) },
+            slip: if to.slip == 0.0 && mode != Mode::Flight {
+                0.0
+            } else {
+                moved(to.slip, velocity)
+            },
             x: moved(to.x, place + turned + velocity * duration),
         }
     }
 
     /// A landing with its time moved by its own rounding, and by that of the terms of the gap.
-    fn perturbed_landing(&self, flight: &Flight, gap_rate: f64, signs: &RandomSigns) -> (State, f64) {
+    fn perturbed_landing(
+        &self,
+        flight: &Flight,
+        gap_rate: f64,
+        signs: &RandomSigns,
+    ) -> (State, f64) {
         let duration = flight.duration();
         let gap = self.hoop().h() + (flight.take_off_rate() + 0.5 * duration) * duration;
         // At a grazing landing the gap rate, a divisor, may be as small as rounding.
@@ -274,14 +367,26 @@ impl PerturbedSolver<'_> {
     }
 
     fn perturbed(&self, from: &State, solved: SolvedBy<Self>) -> SolvedBy<Self> {
-        let Solved { solution, direction, ending } = solved;
+        let Solved {
+            solution,
+            direction,
+            ending,
+        } = solved;
         let steps = match &solution {
             PhaseSolution::Sliding(slide) => slide.steps() as f64,
             PhaseSolution::Rolling(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 1.0,
         };
         let moved = |state: State| self.perturbed_end(from, (solution.mode(), steps), state);
         let ending = match ending {
-            Ending::Event { place, cause, arrival } => Ending::Event { place: moved(place), cause, arrival },
+            Ending::Event {
+                place,
+                cause,
+                arrival,
+            } => Ending::Event {
+                place: moved(place),
+                cause,
+                arrival,
+            },
             Ending::Landing { state, gap_rate } => {
                 let (state, gap_rate) = match (&solution, &self.signs) {
                     (PhaseSolution::Flight(flight), Some(signs)) => {
@@ -289,16 +394,37 @@ impl PerturbedSolver<'_> {
                     }
                     _ => (state, gap_rate),
                 };
-                Ending::Landing { state: moved(state), gap_rate }
+                Ending::Landing {
+                    state: moved(state),
+                    gap_rate,
+                }
             }
-            Ending::Settled { state, settling } => Ending::Settled { state: moved(state), settling },
-            Ending::Singular { state, solvability } => Ending::Singular { state: moved(state), solvability },
-            Ending::Motion { event, end, verdict } => {
+            Ending::Settled { state, settling } => Ending::Settled {
+                state: moved(state),
+                settling,
+            },
+            Ending::Singular { state, solvability } => Ending::Singular {
+                state: moved(state),
+                solvability,
+            },
+            Ending::Motion {
+                event,
+                end,
+                verdict,
+            } => {
                 let event = event.map(|(cause, state)| (cause, moved(state)));
-                Ending::Motion { event, end, verdict }
+                Ending::Motion {
+                    event,
+                    end,
+                    verdict,
+                }
             }
         };
-        Solved { solution, direction, ending }
+        Solved {
+            solution,
+            direction,
+            ending,
+        }
     }
 }
 
@@ -328,10 +454,19 @@ impl Solver for PerturbedSolver<'_> {
     }
 
     fn roll(&self, state: &State, on_limit: bool) -> SolvedBy<Self> {
-        self.perturbed(state, self.exact.roll(&self.perturbed_start(state), on_limit))
+        self.perturbed(
+            state,
+            self.exact.roll(&self.perturbed_start(state), on_limit),
+        )
     }
 
-    fn slide(&self, state: &State, body: &Heavy, direction: Direction, entry: Entry) -> SolvedBy<Self> {
+    fn slide(
+        &self,
+        state: &State,
+        body: &Heavy,
+        direction: Direction,
+        entry: Entry,
+    ) -> SolvedBy<Self> {
         let perturbed_start = self.perturbed_start(state);
         let mut from = perturbed_start;
         let mut solved = self.exact.slide(&perturbed_start, body, direction, entry);
@@ -349,7 +484,10 @@ impl Solver for PerturbedSolver<'_> {
             let cut = slide.state((end.time - from.time) / f64::from(pieces));
             // The rounding of the first integral scales with the slip at the start of the slide.
             let cut = self.perturbed_end(
-                &State { slip: perturbed_start.slip, ..from },
+                &State {
+                    slip: perturbed_start.slip,
+                    ..from
+                },
                 (Mode::Sliding, steps),
                 cut,
             );
@@ -359,21 +497,36 @@ impl Solver for PerturbedSolver<'_> {
             from = cut;
             solved = self.exact.slide(&from, body, direction, Entry::Moving);
         }
-        self.perturbed(&State { slip: perturbed_start.slip, ..from }, solved)
+        self.perturbed(
+            &State {
+                slip: perturbed_start.slip,
+                ..from
+            },
+            solved,
+        )
     }
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let take_off = match (take_off, &self.signs) {
-            (TakeOff::Rising { gap_rate }, Some(signs)) => {
-                TakeOff::Rising { gap_rate: signs.moved(gap_rate, f64::EPSILON * gap_rate) }
+            (TakeOff::Rising { gap_rate }, Some(signs)) => TakeOff::Rising {
+                gap_rate: signs.moved(gap_rate, f64::EPSILON * gap_rate),
+            },
+            (take_off @ (TakeOff::Rising { .. } | TakeOff::Grazing | TakeOff::Unloaded), _) => {
+                take_off
             }
-            (take_off @ (TakeOff::Rising { .. } | TakeOff::Grazing | TakeOff::Unloaded), _) => take_off,
         };
-        self.perturbed(state, self.exact.fly(&self.perturbed_start(state), body, take_off))
+        self.perturbed(
+            state,
+            self.exact.fly(&self.perturbed_start(state), body, take_off),
+        )
     }
 
     fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
-        self.perturbed(state, self.exact.settle(&self.perturbed_start(state), body, settling))
+        self.perturbed(
+            state,
+            self.exact
+                .settle(&self.perturbed_start(state), body, settling),
+        )
     }
 
     fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
@@ -382,7 +535,8 @@ impl Solver for PerturbedSolver<'_> {
     }
 }
 
-/// Rounding of numbers below the normal ones: each product and sum on the way loses up to half a unit of 2^−1074.
+/// Rounding of numbers below the normal ones: each product and sum on the way loses up to half a
+/// unit of 2^−1074.
 const SUBNORMAL_ERROR: f64 = 64.0 * 5e-324;
 
 /// Significant digits of a value with the uncertainty `spread`.

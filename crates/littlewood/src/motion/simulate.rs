@@ -10,9 +10,10 @@ use crate::walk::{Event, Exact, Known, Origin, PhaseRecord, Recorder, Solution, 
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.
     ///
-    /// Each transition is isolated as a root of the solution and located to machine precision, that is, to a few times the uncertainty
-    /// due to the last digits of hoop and start (docs/accuracy.md gives measurements). The result is identical on every platform,
-    /// bit for bit. Without a coefficient of restitution the motion ends at the first landing.
+    /// Each transition is isolated as a root of the solution and located to machine precision, that
+    /// is, to a few times the uncertainty due to the last digits of hoop and start
+    /// (docs/accuracy.md gives measurements). The result is identical on every platform, bit for
+    /// bit. Without a coefficient of restitution the motion ends at the first landing.
     ///
     /// ```
     /// use littlewood::{Hoop, Limits, Mode, Start};
@@ -41,8 +42,19 @@ impl Hoop {
             summary: SummaryRecorder::new(self, origin),
         };
         let solver = Exact::new(self, &limits);
-        let outcome = walk(&solver, relative, (&limits, Known::default()), &mut recording);
-        let Recording { hoop, phases, transitions, summary, .. } = recording;
+        let outcome = walk(
+            &solver,
+            relative,
+            (&limits, Known::default()),
+            &mut recording,
+        );
+        let Recording {
+            hoop,
+            phases,
+            transitions,
+            summary,
+            ..
+        } = recording;
         let summary = summary.finish(outcome.kind(), outcome.state());
         Ok(Trajectory {
             hoop,
@@ -59,9 +71,9 @@ impl Hoop {
     pub(crate) fn check(&self, start: Start) -> Result<State, ParameterError> {
         let state = start.check()?;
         match self.body() {
-            Body::Massless(_) if start.gap_rate > 0.0 => {
-                Err(ParameterError::MasslessFlight { gap_rate: start.gap_rate })
-            }
+            Body::Massless(_) if start.gap_rate > 0.0 => Err(ParameterError::MasslessFlight {
+                gap_rate: start.gap_rate,
+            }),
             Body::Massless(_) | Body::Heavy(_) => Ok(state),
         }
     }
@@ -81,12 +93,24 @@ impl Recorder<PhaseSolution> for Recording<'_> {
         self.summary.phase(phase, &solution);
         let PhaseRecord { start, end, .. } = phase;
         let Self { hoop, origin, .. } = *self;
-        self.phases.push(Phase { hoop, origin, solution, start, end, ended_by: None });
+        self.phases.push(Phase {
+            hoop,
+            origin,
+            solution,
+            start,
+            end,
+            ended_by: None,
+        });
     }
 
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>) {
         Recorder::<&PhaseSolution>::transition(&mut self.summary, event, impact, direction);
-        let Event { state: before, from, to, cause } = *event;
+        let Event {
+            state: before,
+            from,
+            to,
+            cause,
+        } = *event;
         let after = impact.map_or(before, |impact| impact.state_after(&before));
         let impact = impact.map(|impact| self.origin.impact(*impact));
         if from.is_some()
@@ -95,7 +119,15 @@ impl Recorder<PhaseSolution> for Recording<'_> {
             phase.ended_by = Some(self.transitions.len());
         }
         let [before, after] = [before, after].map(|state| self.origin.state(state));
-        self.transitions.push(Transition { before, after, impact, from, to, direction, cause });
+        self.transitions.push(Transition {
+            before,
+            after,
+            impact,
+            from,
+            to,
+            direction,
+            cause,
+        });
     }
 }
 

@@ -24,7 +24,8 @@ pub struct Summary {
     pub energy: f64,
     /// Time of the first slip out of rolling; NaN if none.
     pub first_slip_time: f64,
-    /// Time of the lift-off: the start of the flight, which may be the start of the motion; NaN if none.
+    /// Time of the lift-off: the start of the flight, which may be the start of the motion; NaN if
+    /// none.
     pub lift_off_time: f64,
     /// Distance that the geometric centre travels in the first flight; NaN without landing.
     pub jump_length: f64,
@@ -34,10 +35,12 @@ pub struct Summary {
     pub landings: u32,
     /// Energy lost in impacts, including settling and jams.
     pub impact_energy_lost: f64,
-    /// Time after which the rim stays on the plane: the last landing without rebound, or the end of the last
-    /// settling bounces. NaN if the rim never leaves the plane, or is off the plane at the end.
+    /// Time after which the rim stays on the plane: the last landing without rebound, or the end of
+    /// the last settling bounces. NaN if the rim never leaves the plane, or is off the plane at the
+    /// end.
     pub settle_time: f64,
-    /// Whether P ≤ 0 occurred (Painlevé): no consistent motion, several, a singular slide, or a jam.
+    /// Whether P ≤ 0 occurred (Painlevé): no consistent motion, several, a singular slide, or a
+    /// jam.
     pub painleve: bool,
 }
 
@@ -49,8 +52,13 @@ impl Summary {
     pub const NOT_COMPUTED: Self = Self::without_motion(OutcomeKind::NotComputed);
 
     const fn without_motion(outcome: OutcomeKind) -> Self {
-        let nowhere =
-            State { time: f64::NAN, theta: f64::NAN, theta_rate: f64::NAN, slip: f64::NAN, x: f64::NAN };
+        let nowhere = State {
+            time: f64::NAN,
+            theta: f64::NAN,
+            theta_rate: f64::NAN,
+            slip: f64::NAN,
+            x: f64::NAN,
+        };
         Self {
             outcome,
             sequence: PhaseSequence::from_bits(0),
@@ -88,7 +96,9 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     fn phase(&mut self, phase: PhaseRecord, solution: S) {
         self.summary.sequence.push(phase.mode, phase.direction);
         (self.flight, self.gap_rate) = (None, 0.0);
-        let Some(flight) = solution.flight() else { return };
+        let Some(flight) = solution.flight() else {
+            return;
+        };
         self.flight = Some((phase.start, flight.take_off_rate()));
         self.summary.settle_time = f64::NAN;
         if self.summary.lift_off_time.is_nan() {
@@ -138,7 +148,11 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     }
 
     fn detail(&self) -> PhaseDetail {
-        if self.summary.sequence.is_truncated() { PhaseDetail::Number } else { PhaseDetail::Modes }
+        if self.summary.sequence.is_truncated() {
+            PhaseDetail::Number
+        } else {
+            PhaseDetail::Modes
+        }
     }
 
     fn links(&mut self, transitions: u32, phases: PhaseSequence) {
@@ -149,14 +163,30 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
 
 impl<'a> SummaryRecorder<'a> {
     pub(crate) const fn new(hoop: &'a Hoop, origin: Origin) -> Self {
-        let summary =
-            Summary { impact_energy_lost: 0.0, ..Summary::without_motion(OutcomeKind::NotComputed) };
-        Self { hoop, origin, summary, flight: None, jump_height: f64::NAN, gap_rate: 0.0 }
+        let summary = Summary {
+            impact_energy_lost: 0.0,
+            ..Summary::without_motion(OutcomeKind::NotComputed)
+        };
+        Self {
+            hoop,
+            origin,
+            summary,
+            flight: None,
+            jump_height: f64::NAN,
+            gap_rate: 0.0,
+        }
     }
 
     /// The summary of a motion with this outcome and end; the end is relative to the origin.
     pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
-        let Self { hoop, origin, mut summary, flight, mut gap_rate, .. } = self;
+        let Self {
+            hoop,
+            origin,
+            mut summary,
+            flight,
+            mut gap_rate,
+            ..
+        } = self;
         (summary.outcome, summary.end) = (outcome, origin.state(end));
         summary.painleve |= outcome.is_painleve();
         let mut last = end;
@@ -167,7 +197,11 @@ impl<'a> SummaryRecorder<'a> {
         if !summary.sequence.is_empty() {
             let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, gap_rate));
             // The energy is NaN if a rate is infinite.
-            summary.energy = if energy.is_finite() { origin.energy(energy) } else { f64::NAN };
+            summary.energy = if energy.is_finite() {
+                origin.energy(energy)
+            } else {
+                f64::NAN
+            };
         }
         summary
     }

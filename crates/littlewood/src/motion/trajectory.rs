@@ -35,8 +35,8 @@ impl Phase {
         self.solution.direction()
     }
 
-    /// State at the end; none for an endless phase. The rate is infinite if a gliding particle reaches
-    /// θ = 0 or ±π.
+    /// State at the end; none for an endless phase. The rate is infinite if a gliding particle
+    /// reaches θ = 0 or ±π.
     pub const fn end(&self) -> Option<State> {
         match self.end {
             Some(end) => Some(self.origin.state(end)),
@@ -46,7 +46,8 @@ impl Phase {
 
     /// Time at the end; infinite for an endless phase.
     pub fn end_time(&self) -> f64 {
-        self.end.map_or(f64::INFINITY, |end| self.origin.time(end.time))
+        self.end
+            .map_or(f64::INFINITY, |end| self.origin.time(end.time))
     }
 
     /// Duration; infinite for an endless phase.
@@ -76,10 +77,12 @@ impl Phase {
         self.relative_sample(elapsed)
     }
 
-    /// Time since the start, and height, of the largest gap in a flight, also if the flight is cut before; none for other modes and for
-    /// settling bounces, whose gap is not resolved.
+    /// Time since the start, and height, of the largest gap in a flight, also if the flight is cut
+    /// before; none for other modes and for settling bounces, whose gap is not resolved.
     pub fn apex(&self) -> Option<(f64, f64)> {
-        let PhaseSolution::Flight(flight) = &self.solution else { return None };
+        let PhaseSolution::Flight(flight) = &self.solution else {
+            return None;
+        };
         let (elapsed, height) = flight.apex();
         (!flight.settles()).then_some((self.origin.duration(elapsed), height))
     }
@@ -88,15 +91,22 @@ impl Phase {
     pub fn take_off_rate(&self) -> f64 {
         match &self.solution {
             PhaseSolution::Flight(flight) => self.origin.velocity(flight.take_off_rate()),
-            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) => 0.0,
+            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) => {
+                0.0
+            }
         }
     }
 
-    /// The recurrence of the orbit of rolling, as long as static friction holds; none for other modes.
+    /// The recurrence of the orbit of rolling, as long as static friction holds; none for other
+    /// modes.
     pub fn recurrence(&self) -> Option<Recurrence> {
         match &self.solution {
-            PhaseSolution::Rolling(rolling) => Some(self.origin.recurrence(rolling.orbit().recurrence())),
-            PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => None,
+            PhaseSolution::Rolling(rolling) => {
+                Some(self.origin.recurrence(rolling.orbit().recurrence()))
+            }
+            PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => {
+                None
+            }
         }
     }
 
@@ -106,10 +116,13 @@ impl Phase {
             return 0.0;
         }
         let energy = |state: State| energy(&self.hoop, &state, 0.0, 0.0);
-        self.end.map_or(0.0, |end| self.origin.force(energy(self.start) - energy(end)))
+        self.end.map_or(0.0, |end| {
+            self.origin.force(energy(self.start) - energy(end))
+        })
     }
 
-    /// Whether the phase is gliding that is not the limit of sliding as the inertia of a heavy hoop vanishes.
+    /// Whether the phase is gliding that is not the limit of sliding as the inertia of a heavy hoop
+    /// vanishes.
     pub const fn is_outside_small_inertia_limit(&self) -> bool {
         matches!(&self.solution, PhaseSolution::Gliding(glide) if !glide.is_small_inertia_limit())
     }
@@ -126,7 +139,10 @@ impl Phase {
             Some(end) if elapsed >= duration => end,
             Some(_) | None => self.solution.state(elapsed),
         };
-        self.origin.sample(self.solution.sample(&self.hoop, state, elapsed.min(duration).max(0.0)))
+        self.origin.sample(
+            self.solution
+                .sample(&self.hoop, state, elapsed.min(duration).max(0.0)),
+        )
     }
 
     /// The first sample.
@@ -136,7 +152,8 @@ impl Phase {
 
     /// The last sample, before the transition that ends the phase; none for an endless phase.
     pub fn last(&self) -> Option<Sample> {
-        self.end.map(|_| self.relative_sample(self.relative_duration()))
+        self.end
+            .map(|_| self.relative_sample(self.relative_duration()))
     }
 }
 
@@ -163,7 +180,8 @@ getters! {
     pub start: State = self.start;
     /// The phases in order; empty if no motion, or more than one, is consistent at the start.
     pub phases: &[Phase] = self.phases.as_slice();
-    /// The transitions in order. Each ends a phase, except a jam from a state without a consistent motion;
+    /// The transitions in order. Each ends a phase, except a jam from a state without a consistent
+    /// motion;
     /// [`Trajectory::end_of`] returns the transition of a phase.
     pub transitions: &[Transition] = self.transitions.as_slice();
     /// The outcome.
@@ -197,18 +215,21 @@ impl Trajectory {
             .sum()
     }
 
-    /// The sample at `time`, in O(log n) of the number of phases and steps; none outside the motion. At a
-    /// transition it is the first sample of the next phase.
+    /// The sample at `time`, in O(log n) of the number of phases and steps; none outside the
+    /// motion. At a transition it is the first sample of the next phase.
     pub fn at(&self, time: f64) -> Option<Sample> {
         if !(time.is_finite() && time >= self.start.time && time <= self.end_time()) {
             return None;
         }
-        let after = self.phases.partition_point(|phase| phase.start().time <= time);
+        let after = self
+            .phases
+            .partition_point(|phase| phase.start().time <= time);
         Some(self.phases.get(after.checked_sub(1)?)?.at(time))
     }
 
-    /// The only sample of a motion without a phase: the state and its energy at the start. Accelerations and forces are NaN, and the
-    /// mode is meaningless. None for a motion with a phase.
+    /// The only sample of a motion without a phase: the state and its energy at the start.
+    /// Accelerations and forces are NaN, and the mode is meaningless. None for a motion with a
+    /// phase.
     pub fn only_instant(&self) -> Option<Sample> {
         let unknown = (f64::NAN, f64::NAN);
         let instant = Instant {
@@ -218,7 +239,10 @@ impl Trajectory {
             forces: unknown,
             gap: (0.0, 0.0),
         };
-        self.phases.is_empty().then(|| self.origin.sample(instant.sample(&self.hoop, self.relative)))
+        self.phases.is_empty().then(|| {
+            self.origin
+                .sample(instant.sample(&self.hoop, self.relative))
+        })
     }
 
     /// The samples at `times`, by [`Trajectory::at`].
@@ -230,22 +254,35 @@ impl Trajectory {
         times.into_iter().map(|time| self.at(time))
     }
 
-    /// `count` evenly spaced samples from the start to `until`, or to the end if that comes first. Every transition in between
-    /// adds two samples, the last of the phase that ends and the first of the phase that begins, because the forces may jump.
+    /// `count` evenly spaced samples from the start to `until`, or to the end if that comes first.
+    /// Every transition in between adds two samples, the last of the phase that ends and the first
+    /// of the phase that begins, because the forces may jump.
     pub fn sample_evenly(&self, count: usize, until: f64) -> impl Iterator<Item = Sample> + '_ {
         // Times are relative to the start.
         let last = self.phases.last().map_or(0.0, Phase::last_instant);
-        let end = if until < self.end_time() { self.origin.elapsed(until) } else { last };
+        let end = if until < self.end_time() {
+            self.origin.elapsed(until)
+        } else {
+            last
+        };
         let intervals = count.saturating_sub(1).max(1);
         let grid = move |i: usize| {
-            if i == intervals { end } else { end * (i as f64 / intervals as f64) }
+            if i == intervals {
+                end
+            } else {
+                end * (i as f64 / intervals as f64)
+            }
         };
         // Number of grid points before a time.
         let before = move |time: f64| {
             let (mut low, mut high) = (0, count);
             while low < high {
                 let middle = usize::midpoint(low, high);
-                if grid(middle) < time { low = middle + 1 } else { high = middle }
+                if grid(middle) < time {
+                    low = middle + 1
+                } else {
+                    high = middle
+                }
             }
             low
         };
@@ -259,9 +296,12 @@ impl Trajectory {
                 let first = (index > 0).then(|| phase.first());
                 // Skips a grid point that coincides with a transition.
                 let from = before(start)
-                    + usize::from(index > 0 && before(start) < count && grid(before(start)) == start);
+                    + usize::from(
+                        index > 0 && before(start) < count && grid(before(start)) == start,
+                    );
                 let to = if index == last { count } else { before(stop) };
-                let between = (from..to.max(from)).map(move |i| phase.relative_sample(grid(i) - start));
+                let between =
+                    (from..to.max(from)).map(move |i| phase.relative_sample(grid(i) - start));
                 let final_instant = phase.last().filter(|_| index < last && stop <= end);
                 first.into_iter().chain(between).chain(final_instant)
             })

@@ -24,7 +24,8 @@ named! {
         Graze = 4, "graze" => ("graze", true);
         /// Sliding: N = 0 with the mass centre rising (§2d).
         LiftOff = 5, "lift_off" => ("lift-off", false);
-        /// Flight: the rim touches the plane (§2e); with a coefficient of restitution the event includes the impact.
+        /// Flight: the rim touches the plane (§2e); with a coefficient of restitution the event
+        /// includes the impact.
         Landing = 6, "landing" => ("landing", false);
         /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
         ParticleAtPlane = 7, "particle_at_plane" => ("particle at the plane", false);
@@ -45,7 +46,8 @@ getters! {
     Cause, self:
     /// Label for tables and figures.
     pub label: &'static str = self.row().0;
-    /// Whether the motion stays in contact without an impact, so that its first integrals continue to hold.
+    /// Whether the motion stays in contact without an impact, so that its first integrals continue
+    /// to hold.
     pub(crate) keeps_contact: bool = self.row().1;
 }
 
@@ -145,7 +147,12 @@ pub(crate) struct Event {
 
 impl Event {
     pub(crate) const fn new(state: State, from: Mode, cause: Cause) -> Self {
-        Self { state, from: Some(from), to: None, cause }
+        Self {
+            state,
+            from: Some(from),
+            to: None,
+            cause,
+        }
     }
 }
 

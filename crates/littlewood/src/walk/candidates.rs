@@ -1,11 +1,14 @@
-//! The motion that follows a state: all candidates that are consistent with the accelerations (docs/theory/contact.md).
+//! The motion that follows a state: all candidates that are consistent with the accelerations
+//! (docs/theory/contact.md).
 //!
-//! At η′ = 0 rolling, sliding in either direction and flight compete. Static friction is read as: where rolling and a slide both are
-//! consistent, the contact sticks. So a slide from η′ = 0 is a candidate only if rolling is not. The motion continues if there is exactly
-//! one candidate; none or several (Painlevé: P ≤ 0) is an outcome.
+//! At η′ = 0 rolling, sliding in either direction and flight compete. Static friction is read as:
+//! where rolling and a slide both are consistent, the contact sticks. So a slide from η′ = 0 is a
+//! candidate only if rolling is not. The motion continues if there is exactly one candidate; none
+//! or several (Painlevé: P ≤ 0) is an outcome.
 
 use crate::mechanics::{
-    ContactForces, RollingLaw, Settling, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
+    ContactForces, RollingLaw, Settling, SlidingLaw, contact, leaves_plane,
+    slip_acceleration_at_rest,
 };
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
 use crate::modes::{Entry, GlideEntry, Hold, RollingLimit, RollingOrbit, TakeOff};
@@ -56,11 +59,23 @@ impl Candidates {
     pub const fn details(&self) -> [(&'static str, Detail); 5] {
         let [negative, positive] = self.solvability;
         [
-            ("rolling_normal", Detail::Real(self.rolling_forces.normal, Dimension::Force)),
-            ("rolling_friction", Detail::Real(self.rolling_forces.friction, Dimension::Force)),
+            (
+                "rolling_normal",
+                Detail::Real(self.rolling_forces.normal, Dimension::Force),
+            ),
+            (
+                "rolling_friction",
+                Detail::Real(self.rolling_forces.friction, Dimension::Force),
+            ),
             ("contact", Detail::Real(self.contact, Dimension::Ratio)),
-            ("solvability_negative", Detail::Real(negative, Dimension::Ratio)),
-            ("solvability_positive", Detail::Real(positive, Dimension::Ratio)),
+            (
+                "solvability_negative",
+                Detail::Real(negative, Dimension::Ratio),
+            ),
+            (
+                "solvability_positive",
+                Detail::Real(positive, Dimension::Ratio),
+            ),
         ]
     }
 
@@ -68,8 +83,14 @@ impl Candidates {
     pub fn consistent(&self) -> impl Iterator<Item = (Mode, Option<Direction>)> {
         [
             (self.rolling, (Mode::Rolling, None)),
-            (self.sliding_negative, (Mode::Sliding, Some(Direction::Negative))),
-            (self.sliding_positive, (Mode::Sliding, Some(Direction::Positive))),
+            (
+                self.sliding_negative,
+                (Mode::Sliding, Some(Direction::Negative)),
+            ),
+            (
+                self.sliding_positive,
+                (Mode::Sliding, Some(Direction::Positive)),
+            ),
             (self.gliding, (Mode::Gliding, None)),
             (self.flight, (Mode::Flight, None)),
         ]
@@ -78,7 +99,8 @@ impl Candidates {
     }
 }
 
-/// The motion that begins; `on_limit` if |F| = μs N at the start and static friction holds after it.
+/// The motion that begins; `on_limit` if |F| = μs N at the start and static friction holds after
+/// it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Next {
     Roll {
@@ -119,7 +141,11 @@ impl Next {
 
     /// The direction of slip, if it is known before the phase is solved.
     pub(crate) const fn direction(&self) -> Option<Direction> {
-        if let Self::Slide { direction, .. } = self { Some(*direction) } else { None }
+        if let Self::Slide { direction, .. } = self {
+            Some(*direction)
+        } else {
+            None
+        }
     }
 }
 
@@ -132,8 +158,8 @@ pub(crate) enum Arrival {
     GlideAtRest { presses: bool },
     /// Rolling reaches this limit.
     RollingLimit(RollingLimit),
-    /// A slide without kinetic friction returns to the limit of static friction. The slip continues in this direction, or none if static
-    /// friction holds.
+    /// A slide without kinetic friction returns to the limit of static friction. The slip continues
+    /// in this direction, or none if static friction holds.
     BackOnLimit(Option<Direction>),
     /// The normal force of a slide vanishes, with w decreasing: only flight follows.
     LiftOff,
@@ -143,13 +169,19 @@ pub(crate) enum Arrival {
 pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next {
     match hoop.body() {
         Body::Heavy(body) => match arrival {
-            Arrival::LiftOff => Next::Fly { body, take_off: TakeOff::Grazing },
+            Arrival::LiftOff => Next::Fly {
+                body,
+                take_off: TakeOff::Grazing,
+            },
             Arrival::Open
             | Arrival::GlideAtRest { .. }
             | Arrival::RollingLimit(_)
-            | Arrival::BackOnLimit(_) => {
-                weigh(hoop, &body, state, &exact_evidence(hoop, &body, state, arrival))
-            }
+            | Arrival::BackOnLimit(_) => weigh(
+                hoop,
+                &body,
+                state,
+                &exact_evidence(hoop, &body, state, arrival),
+            ),
         },
         Body::Massless(body) => massless(hoop, &body, state, arrival),
     }
@@ -174,10 +206,15 @@ pub(crate) enum SlipEvidence {
     /// η′ ≠ 0.
     Moving(Direction),
     /// η′ = 0, with N, F and D of rolling.
-    AtRest { hold: Hold, rolling_forces: ContactForces, denominator: f64 },
+    AtRest {
+        hold: Hold,
+        rolling_forces: ContactForces,
+        denominator: f64,
+    },
 }
 
-/// Evaluates the evidence at a state. Rolling is decided by the same margins from which its end is computed.
+/// Evaluates the evidence at a state. Rolling is decided by the same margins from which its end is
+/// computed.
 fn exact_evidence(
     hoop: &Hoop,
     body: &Heavy,
@@ -192,9 +229,10 @@ fn exact_evidence(
             let rolling = RollingLaw::of(hoop);
             SlipEvidence::AtRest {
                 hold: match arrival {
-                    Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
-                        Hold::Slips { direction, excess: 0.0 }
-                    }
+                    Arrival::RollingLimit(RollingLimit::Friction(direction)) => Hold::Slips {
+                        direction,
+                        excess: 0.0,
+                    },
                     Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
                         Hold::NoNormalForce
                     }
@@ -233,16 +271,34 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
     state: &State,
     evidence: &Evidence<P>,
 ) -> Next {
-    let Evidence { contact, leaves, slip, ref solvability, is_solvable, on_limit } = *evidence;
+    let Evidence {
+        contact,
+        leaves,
+        slip,
+        ref solvability,
+        is_solvable,
+        on_limit,
+    } = *evidence;
     if is_solvable && contact != 0.0 {
-        // For P > 0 the candidates exclude each other: contact requires w > 0, and with N > 0 in rolling a slide begins only against
-        // the friction force.
+        // For P > 0 the candidates exclude each other: contact requires w > 0, and with N > 0 in
+        // rolling a slide begins only against the friction force.
         match slip {
-            _ if leaves => return Next::Fly { body: *body, take_off: TakeOff::Unloaded },
-            SlipEvidence::Moving(direction) => {
-                return Next::Slide { body: *body, direction, entry: Entry::Moving };
+            _ if leaves => {
+                return Next::Fly {
+                    body: *body,
+                    take_off: TakeOff::Unloaded,
+                };
             }
-            SlipEvidence::AtRest { hold: Hold::Holds, .. } => {
+            SlipEvidence::Moving(direction) => {
+                return Next::Slide {
+                    body: *body,
+                    direction,
+                    entry: Entry::Moving,
+                };
+            }
+            SlipEvidence::AtRest {
+                hold: Hold::Holds, ..
+            } => {
                 return Next::Roll { on_limit };
             }
             SlipEvidence::AtRest {
@@ -254,19 +310,35 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
                 let p = solvability(direction);
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 if acceleration > 0.0 {
-                    let entry = Entry::FromRest { slip_acceleration: direction.sign() * acceleration };
-                    return Next::Slide { body: *body, direction, entry };
+                    let entry = Entry::FromRest {
+                        slip_acceleration: direction.sign() * acceleration,
+                    };
+                    return Next::Slide {
+                        body: *body,
+                        direction,
+                        entry,
+                    };
                 }
             }
             SlipEvidence::AtRest { .. } => {}
         }
     }
-    weigh_all((hoop, body, state), (contact, leaves), (slip, on_limit), Direction::ALL.map(solvability))
+    weigh_all(
+        (hoop, body, state),
+        (contact, leaves),
+        (slip, on_limit),
+        Direction::ALL.map(solvability),
+    )
 }
 
-/// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`; at least `excess` for N > 0. With a large
-/// μs the term μs N amplifies the cancellation in N, so F is used instead; on the limit −σF = μs N.
-pub(crate) fn slip_drive(hoop: &Hoop, forces: &ContactForces, (direction, excess): (Direction, f64)) -> f64 {
+/// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`; at least
+/// `excess` for N > 0. With a large μs the term μs N amplifies the cancellation in N, so F is used
+/// instead; on the limit −σF = μs N.
+pub(crate) fn slip_drive(
+    hoop: &Hoop,
+    forces: &ContactForces,
+    (direction, excess): (Direction, f64),
+) -> f64 {
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
     if mu_s <= 1.0 {
         return excess + (mu_s - mu_k) * forces.normal;
@@ -287,8 +359,13 @@ fn weigh_all(
     (slip, on_limit): (SlipEvidence, bool),
     solvability: [f64; 2],
 ) -> Next {
-    // N = Î m w/P > 0; for w = 0 the normal force increases from zero unless the body leaves the plane.
-    let w = if contact == 0.0 && !leaves { 1.0 } else { contact };
+    // N = Î m w/P > 0; for w = 0 the normal force increases from zero unless the body leaves the
+    // plane.
+    let w = if contact == 0.0 && !leaves {
+        1.0
+    } else {
+        contact
+    };
     let pressed = |direction: Direction| {
         let p = solvability[direction.index()];
         (w > 0.0 && p > 0.0) || (w < 0.0 && p < 0.0)
@@ -301,7 +378,11 @@ fn weigh_all(
         SlipEvidence::Moving(direction) => {
             sliding[direction.index()] = pressed(direction).then_some(Entry::Moving);
         }
-        SlipEvidence::AtRest { hold, rolling_forces: forces, denominator } => {
+        SlipEvidence::AtRest {
+            hold,
+            rolling_forces: forces,
+            denominator,
+        } => {
             rolling = hold == Hold::Holds;
             let slip = match hold {
                 Hold::Holds => None,
@@ -311,15 +392,19 @@ fn weigh_all(
             for (against, direction, excess) in slip.into_iter().flat_map(|(against, excess)| {
                 [against, against.reversed()].map(|direction| (against, direction, excess))
             }) {
-                // −(σF + μk N). Towards `against` it equals |F| − μk N and follows from the excess over μs N that decided against
-                // rolling, so the signs agree.
+                // −(σF + μk N). Towards `against` it equals |F| − μk N and follows from the excess
+                // over μs N that decided against rolling, so the signs agree.
                 let drive = if direction == against {
                     slip_drive(hoop, &forces, (direction, excess))
                 } else {
-                    // On the limit with a large μs, F may vanish to rounding, and its sign need not agree with `against`.
+                    // On the limit with a large μs, F may vanish to rounding, and its sign need not
+                    // agree with `against`.
                     let rounds = excess == 0.0 && hoop.mu_s() > 1.0;
-                    let along =
-                        if rounds { direction.sign() * forces.friction } else { forces.friction.abs() };
+                    let along = if rounds {
+                        direction.sign() * forces.friction
+                    } else {
+                        forces.friction.abs()
+                    };
                     -along - hoop.mu_k() * forces.normal
                 };
                 let p = solvability[direction.index()];
@@ -329,21 +414,34 @@ fn weigh_all(
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 // On the static limit with μs = μk it vanishes, and η‴ has the sign of `against`.
                 if acceleration > 0.0 || (drive == 0.0 && direction == against) {
-                    let entry = Entry::FromRest { slip_acceleration: direction.sign() * acceleration };
+                    let entry = Entry::FromRest {
+                        slip_acceleration: direction.sign() * acceleration,
+                    };
                     sliding[direction.index()] = Some(entry);
                 }
             }
         }
     }
 
-    let slide = |direction, entry| Next::Slide { body: *body, direction, entry };
+    let slide = |direction, entry| Next::Slide {
+        body: *body,
+        direction,
+        entry,
+    };
     match (rolling, sliding, leaves) {
         (true, [None, None], false) => Next::Roll { on_limit },
         (false, [Some(entry), None], false) => slide(Direction::Negative, entry),
         (false, [None, Some(entry)], false) => slide(Direction::Positive, entry),
         (false, [None, None], true) => {
-            let take_off = if contact == 0.0 { TakeOff::Grazing } else { TakeOff::Unloaded };
-            Next::Fly { body: *body, take_off }
+            let take_off = if contact == 0.0 {
+                TakeOff::Grazing
+            } else {
+                TakeOff::Unloaded
+            };
+            Next::Fly {
+                body: *body,
+                take_off,
+            }
         }
         (_, [negative, positive], _) => {
             let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
@@ -354,7 +452,11 @@ fn weigh_all(
                 flight: leaves,
                 ..Candidates::none(forces, contact, solvability)
             });
-            if candidates.count() == 0 { Next::None(candidates) } else { Next::Several(candidates) }
+            if candidates.count() == 0 {
+                Next::None(candidates)
+            } else {
+                Next::Several(candidates)
+            }
         }
     }
 }
@@ -378,14 +480,24 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     if may_roll && RollingOrbit::of(hoop, theta, theta_rate).hold() == Hold::Holds {
         return Next::Roll { on_limit: false };
     }
-    let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));
+    let contact = contact(
+        1.0,
+        body.offset,
+        libm::cos(theta) * (theta_rate * theta_rate),
+    );
     // At the top a glide requires the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
         let entry = match arrival {
-            Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff if !at_rest => GlideEntry::Moving,
+            Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff if !at_rest => {
+                GlideEntry::Moving
+            }
             Arrival::RollingLimit(RollingLimit::NormalForce) => GlideEntry::Unloaded,
-            Arrival::RollingLimit(RollingLimit::Friction(_)) => GlideEntry::FromRest { presses: Some(true) },
-            Arrival::GlideAtRest { presses } => GlideEntry::FromRest { presses: Some(presses) },
+            Arrival::RollingLimit(RollingLimit::Friction(_)) => GlideEntry::FromRest {
+                presses: Some(true),
+            },
+            Arrival::GlideAtRest { presses } => GlideEntry::FromRest {
+                presses: Some(presses),
+            },
             Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff => {
                 GlideEntry::FromRest { presses: None }
             }

@@ -5,10 +5,12 @@ use core::cell::Cell;
 use crate::mechanics::{Settling, SlidingLaw};
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, Proof, State};
 use crate::modes::{
-    Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideLimit, Sliding, SlidingEnd,
-    TakeOff,
+    Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideLimit, Sliding,
+    SlidingEnd, TakeOff,
 };
-use crate::walk::{Arrival, Cause, Ending, Next, Outcome, Solution, Solved, SolvedBy, Solver, next_motion};
+use crate::walk::{
+    Arrival, Cause, Ending, Next, Outcome, Solution, Solved, SolvedBy, Solver, next_motion,
+};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Exact<'a> {
@@ -19,19 +21,25 @@ pub(crate) struct Exact<'a> {
     steps: Cell<usize>,
 }
 
-/// Largest number of steps of all hard slides of a motion: a quarter of a second, and 60 MB. The length of a slide does not bound its
-/// steps: a hoop of Î = 1e-12 m that comes to rest near a graze takes 43,000 steps for a length of 4e-4.
+/// Largest number of steps of all hard slides of a motion: a quarter of a second, and 60 MB. The
+/// length of a slide does not bound its steps: a hoop of Î = 1e-12 m that comes to rest near a
+/// graze takes 43,000 steps for a length of 4e-4.
 const MAX_STEPS_OF_HARD_SLIDES: usize = 100_000;
 
-/// Largest number of steps of a slide that is not hard; the total length limits such slides. Other solvers delegate hard slides to this
-/// one, so that the count is the same.
+/// Largest number of steps of a slide that is not hard; the total length limits such slides. Other
+/// solvers delegate hard slides to this one, so that the count is the same.
 const MAX_STEPS_OF_EASY_SLIDE: usize = 2_000;
 
 type ExactEnding = Ending<State, Outcome>;
 
 impl<'a> Exact<'a> {
     pub(crate) const fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
-        Self { hoop, until: limits.until, proof: limits.proof(), steps: Cell::new(MAX_STEPS_OF_HARD_SLIDES) }
+        Self {
+            hoop,
+            until: limits.until,
+            proof: limits.proof(),
+            steps: Cell::new(MAX_STEPS_OF_HARD_SLIDES),
+        }
     }
 
     fn allowed(&self, state: &State) -> Option<f64> {
@@ -40,35 +48,62 @@ impl<'a> Exact<'a> {
 
     /// A phase cut at the time limit, with the exact time of the limit.
     fn stopped(&self, state: State) -> ExactEnding {
-        let state = State { time: self.until.unwrap_or(state.time), ..state };
+        let state = State {
+            time: self.until.unwrap_or(state.time),
+            ..state
+        };
         Self::without_event(state, Outcome::TimeLimit { state })
     }
 
     const fn without_event(state: State, verdict: Outcome) -> ExactEnding {
-        Ending::Motion { event: None, end: Some(state), verdict }
+        Ending::Motion {
+            event: None,
+            end: Some(state),
+            verdict,
+        }
     }
 
     const fn ended(cause: Cause, state: State, outcome: Outcome) -> ExactEnding {
-        Ending::Motion { event: Some((cause, state)), end: Some(state), verdict: outcome }
+        Ending::Motion {
+            event: Some((cause, state)),
+            end: Some(state),
+            verdict: outcome,
+        }
     }
 
     /// A flight that ends by `ends`, or at the time limit if that comes first.
-    fn flown(&self, flight: Flight, start: &State, ends: impl Fn(State) -> ExactEnding) -> SolvedBy<Self> {
+    fn flown(
+        &self,
+        flight: Flight,
+        start: &State,
+        ends: impl Fn(State) -> ExactEnding,
+    ) -> SolvedBy<Self> {
         let duration = flight.duration();
         let ending = match self.allowed(start) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
             Some(_) | None => ends(flight.state(duration)),
         };
-        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+        Solved {
+            solution: PhaseSolution::Flight(flight),
+            direction: None,
+            ending,
+        }
     }
 
     /// A phase without end; it is cut at the time limit, if any.
     fn endless(&self, start: &State, at: impl Fn(f64) -> State, outcome: Outcome) -> ExactEnding {
         let end = self.allowed(start).map(|allowed| {
             let state = at(allowed);
-            State { time: self.until.unwrap_or(state.time), ..state }
+            State {
+                time: self.until.unwrap_or(state.time),
+                ..state
+            }
         });
-        Ending::Motion { event: None, end, verdict: outcome }
+        Ending::Motion {
+            event: None,
+            end,
+            verdict: outcome,
+        }
     }
 }
 
@@ -100,7 +135,11 @@ impl Solver for Exact<'_> {
     fn roll(&self, state: &State, on_limit: bool) -> SolvedBy<Self> {
         let rolling = Rolling::new(self.hoop, *state);
         let allowed = self.allowed(state);
-        let end = if on_limit { rolling.orbit().end_from_limit() } else { rolling.orbit().end() };
+        let end = if on_limit {
+            rolling.orbit().end_from_limit()
+        } else {
+            rolling.orbit().end()
+        };
         let ending = match end {
             // A massless hoop whose particle is at the plane, but for rounding.
             Some(end) if !end.theta_rate.is_finite() => {
@@ -118,53 +157,92 @@ impl Solver for Exact<'_> {
             }
             None => {
                 let recurrence = rolling.orbit().recurrence();
-                let outcome = Outcome::RollsForever { since: *state, recurrence };
+                let outcome = Outcome::RollsForever {
+                    since: *state,
+                    recurrence,
+                };
                 self.endless(state, |allowed| rolling.state(allowed), outcome)
             }
         };
-        Solved { solution: PhaseSolution::Rolling(Box::new(rolling)), direction: None, ending }
+        Solved {
+            solution: PhaseSolution::Rolling(Box::new(rolling)),
+            direction: None,
+            ending,
+        }
     }
 
-    fn slide(&self, state: &State, body: &Heavy, direction: Direction, entry: Entry) -> SolvedBy<Self> {
+    fn slide(
+        &self,
+        state: &State,
+        body: &Heavy,
+        direction: Direction,
+        entry: Entry,
+    ) -> SolvedBy<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
-        let bounds = (self.allowed(state), self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE));
+        let bounds = (
+            self.allowed(state),
+            self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE),
+        );
         let (slide, end) = Sliding::run(law, *state, direction, entry, bounds);
         if slide.work() > MAX_STEPS_OF_EASY_SLIDE {
-            self.steps.set(self.steps.get().saturating_sub(slide.work()));
+            self.steps
+                .set(self.steps.get().saturating_sub(slide.work()));
         }
         let ending = match end {
-            SlidingEnd::Rest(place) => Ending::Event { place, cause: Cause::Stick, arrival: Arrival::Open },
-            SlidingEnd::LiftOff(place) => {
-                Ending::Event { place, cause: Cause::LiftOff, arrival: Arrival::LiftOff }
+            SlidingEnd::Rest(place) => Ending::Event {
+                place,
+                cause: Cause::Stick,
+                arrival: Arrival::Open,
+            },
+            SlidingEnd::LiftOff(place) => Ending::Event {
+                place,
+                cause: Cause::LiftOff,
+                arrival: Arrival::LiftOff,
+            },
+            SlidingEnd::Singular(place) => Ending::Singular {
+                state: place,
+                solvability: law.solvability(place.theta),
+            },
+            SlidingEnd::Unresolved(state) => {
+                Self::without_event(state, Outcome::Unresolved { state })
             }
-            SlidingEnd::Singular(place) => {
-                Ending::Singular { state: place, solvability: law.solvability(place.theta) }
-            }
-            SlidingEnd::Unresolved(state) => Self::without_event(state, Outcome::Unresolved { state }),
             SlidingEnd::StepLimit { state, .. }
                 if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
             {
                 Self::without_event(state, Outcome::StaysInContact { state })
             }
             SlidingEnd::StepLimit { state, time_left } => {
-                let limit = SlideLimit::One { steps: slide.work(), time_left };
+                let limit = SlideLimit::One {
+                    steps: slide.work(),
+                    time_left,
+                };
                 Self::without_event(state, Outcome::StepLimit { state, limit })
             }
             SlidingEnd::TimeLimit(state) => self.stopped(state),
             SlidingEnd::Endless(recurrence) => {
-                let outcome = Outcome::SlidesForever { since: *state, recurrence };
+                let outcome = Outcome::SlidesForever {
+                    since: *state,
+                    recurrence,
+                };
                 self.endless(state, |allowed| slide.state(allowed), outcome)
             }
         };
         let solution = PhaseSolution::Sliding(Box::new(slide));
-        Solved { solution, direction: Some(direction), ending }
+        Solved {
+            solution,
+            direction: Some(direction),
+            ending,
+        }
     }
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let flight = Flight::new(body, *state, take_off);
         self.flown(flight, state, |end| {
             if flight.is_resolved() {
-                Ending::Landing { state: end, gap_rate: flight.landing_rate() }
+                Ending::Landing {
+                    state: end,
+                    gap_rate: flight.landing_rate(),
+                }
             } else {
                 Self::without_event(*state, Outcome::Unresolved { state: *state })
             }
@@ -173,28 +251,43 @@ impl Solver for Exact<'_> {
 
     fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
         let flight = Flight::settling(body, *state, settling.gap_rate, settling.duration);
-        self.flown(flight, state, |state| Ending::Settled { state, settling: Box::new(*settling) })
+        self.flown(flight, state, |state| Ending::Settled {
+            state,
+            settling: Box::new(*settling),
+        })
     }
 
     fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
         let allowed = self.allowed(state);
         let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
         let ending = match end {
-            GlidingEnd::Rest { state, presses } => {
-                Ending::Event { place: state, cause: Cause::Stick, arrival: Arrival::GlideAtRest { presses } }
-            }
-            GlidingEnd::Bottom(state) if body.offset < 1.0 => {
-                Self::ended(Cause::ParticleAtBottom, state, Outcome::ParticleAtBottom { state })
-            }
-            GlidingEnd::Bottom(state) => {
-                Self::ended(Cause::ParticleAtPlane, state, Outcome::ParticleAtPlane { state })
-            }
-            GlidingEnd::Top(state) => {
-                Self::ended(Cause::ParticleAtTop, state, Outcome::ParticleAtTop { state })
-            }
+            GlidingEnd::Rest { state, presses } => Ending::Event {
+                place: state,
+                cause: Cause::Stick,
+                arrival: Arrival::GlideAtRest { presses },
+            },
+            GlidingEnd::Bottom(state) if body.offset < 1.0 => Self::ended(
+                Cause::ParticleAtBottom,
+                state,
+                Outcome::ParticleAtBottom { state },
+            ),
+            GlidingEnd::Bottom(state) => Self::ended(
+                Cause::ParticleAtPlane,
+                state,
+                Outcome::ParticleAtPlane { state },
+            ),
+            GlidingEnd::Top(state) => Self::ended(
+                Cause::ParticleAtTop,
+                state,
+                Outcome::ParticleAtTop { state },
+            ),
             GlidingEnd::TimeLimit(state) => self.stopped(state),
         };
-        Solved { solution: PhaseSolution::Gliding(glide), direction: glide.direction(), ending }
+        Solved {
+            solution: PhaseSolution::Gliding(glide),
+            direction: glide.direction(),
+            ending,
+        }
     }
 }
 

@@ -1,11 +1,13 @@
-//! The walk of a motion along the automaton: a [`Solver`] solves each phase, and a [`Recorder`] records it.
+//! The walk of a motion along the automaton: a [`Solver`] solves each phase, and a [`Recorder`]
+//! records it.
 //!
-//! Exact and tabulated phases, trajectories and summaries share one loop and one decision on the next motion. So the engine
-//! can differ from the simulation only in the solution of a phase.
+//! Exact and tabulated phases, trajectories and summaries share one loop and one decision on the
+//! next motion. So the engine can differ from the simulation only in the solution of a phase.
 
 use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
 use crate::model::{
-    Body, Direction, Heavy, Hoop, Limits, Massless, Mode, Quantity, State, length_of_slide, weight_of_slides,
+    Body, Direction, Heavy, Hoop, Limits, Massless, Mode, Quantity, State, length_of_slide,
+    weight_of_slides,
 };
 use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, SlideLimit, TakeOff};
 use crate::walk::{Arrival, Cause, Event, Known, LastSlip, Next, Outcome, PhaseSequence, Proofs};
@@ -26,13 +28,19 @@ pub(crate) trait Solver {
     fn decide(&self, place: &Self::Place, arrival: Arrival) -> Next;
     /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     fn roll(&self, place: &Self::Place, on_limit: bool) -> SolvedBy<Self>;
-    fn slide(&self, place: &Self::Place, body: &Heavy, direction: Direction, entry: Entry) -> SolvedBy<Self>;
+    fn slide(
+        &self,
+        place: &Self::Place,
+        body: &Heavy,
+        direction: Direction,
+        entry: Entry,
+    ) -> SolvedBy<Self>;
     fn fly(&self, place: &Self::Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self>;
     /// Infinitely many bounces.
     fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
     fn glide(&self, place: &Self::Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self>;
-    /// Skips links of a chain of slips, from a slip out of rolling, if none of them provably leads to a grazing orbit. None if
-    /// the phases must be solved one by one.
+    /// Skips links of a chain of slips, from a slip out of rolling, if none of them provably leads
+    /// to a grazing orbit. None if the phases must be solved one by one.
     fn pass_links(
         &self,
         _: &Self::Place,
@@ -49,7 +57,8 @@ pub(crate) struct ChainBudget<'a> {
     pub(crate) slides: f64,
     /// Whether to record the phases, at most as many as a sequence holds.
     pub(crate) record_phases: bool,
-    /// If proofs examine each state: whether a state leaves the outcome open. Once decided, the outcome is decided in all later states.
+    /// If proofs examine each state: whether a state leaves the outcome open. Once decided, the
+    /// outcome is decided in all later states.
     pub(crate) open: Option<&'a dyn Fn(&State) -> bool>,
 }
 
@@ -78,28 +87,41 @@ pub(crate) struct Solved<S, P, V> {
     pub(crate) ending: Ending<P, V>,
 }
 
-pub(crate) type SolvedBy<T> = Solved<<T as Solver>::Solution, <T as Solver>::Place, <T as Solver>::Verdict>;
+pub(crate) type SolvedBy<T> =
+    Solved<<T as Solver>::Solution, <T as Solver>::Place, <T as Solver>::Verdict>;
 
 pub(crate) enum Ending<P, V> {
     /// An event after which the motion continues.
-    Event { place: P, cause: Cause, arrival: Arrival },
+    Event {
+        place: P,
+        cause: Cause,
+        arrival: Arrival,
+    },
     /// The landing of the rim.
     Landing { state: State, gap_rate: f64 },
     /// The end of infinitely many bounces.
-    Settled { state: State, settling: Box<Settling> },
+    Settled {
+        state: State,
+        settling: Box<Settling>,
+    },
     /// P = 0 in a slide, with the computed value of P.
     Singular { state: State, solvability: f64 },
-    /// The end of the motion: `event` is its last transition, `end` the state at the end of the phase, if any.
-    Motion { event: Option<(Cause, State)>, end: Option<State>, verdict: V },
+    /// The end of the motion: `event` is its last transition, `end` the state at the end of the
+    /// phase, if any.
+    Motion {
+        event: Option<(Cause, State)>,
+        end: Option<State>,
+        verdict: V,
+    },
 }
 
 impl<P, V> Ending<P, V> {
     pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
         match self {
             Self::Event { place, .. } => Some(of(place)),
-            Self::Landing { state, .. } | Self::Settled { state, .. } | Self::Singular { state, .. } => {
-                Some(*state)
-            }
+            Self::Landing { state, .. }
+            | Self::Settled { state, .. }
+            | Self::Singular { state, .. } => Some(*state),
             Self::Motion { end, .. } => *end,
         }
     }
@@ -107,8 +129,8 @@ impl<P, V> Ending<P, V> {
 
 pub(crate) trait Recorder<S> {
     fn phase(&mut self, phase: PhaseRecord, solution: S);
-    /// Records an event, with its impact and the direction of slip of the motion that begins. It ends the last phase if its `from` is a
-    /// mode.
+    /// Records an event, with its impact and the direction of slip of the motion that begins. It
+    /// ends the last phase if its `from` is a mode.
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
     fn detail(&self) -> PhaseDetail {
         PhaseDetail::Solutions
@@ -150,7 +172,12 @@ impl<P> Current<P> {
         let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
         let begin = solver.decide(&place, arrival);
         let slips = begin.direction();
-        Self { place, begin, limit: None, slips }
+        Self {
+            place,
+            begin,
+            limit: None,
+            slips,
+        }
     }
 }
 
@@ -159,8 +186,8 @@ type EventWithImpact = (Event, Option<Box<Impact>>);
 /// An event with an impact; the event alone if the state after it is not representable.
 type Rebound = Result<EventWithImpact, Event>;
 
-/// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion or to a limit. `known` is shared data for
-/// proofs.
+/// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion or to a
+/// limit. `known` is shared data for proofs.
 pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     (start, gap_rate): (State, f64),
@@ -177,12 +204,20 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         return outcome.into();
     }
     let limit = LastSlip::at_start(solver.hoop(), start, begin.direction());
-    let mut now = Current { place, begin, limit, slips: None };
+    let mut now = Current {
+        place,
+        begin,
+        limit,
+        slips: None,
+    };
     let mut pending: Option<Event> = None;
     let (mut count, mut slid) = (0, 0.0);
     let weight = weight_of_slides(solver.hoop());
     loop {
-        let left = (limits.transitions.saturating_sub(count), limits.slides as f64 - slid);
+        let left = (
+            limits.transitions.saturating_sub(count),
+            limits.slides as f64 - slid,
+        );
         let passed = pass_links(solver, &mut now, recorder, &mut proofs, left);
         (count, slid) = (count + passed.0, slid + passed.1);
         let (begins, mode) = (T::state(&now.place), now.begin.mode());
@@ -191,7 +226,10 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
             Ok(happening) => happening,
             Err(verdict) => return verdict,
         };
-        let event = Event { to: now.begin.mode(), ..event };
+        let event = Event {
+            to: now.begin.mode(),
+            ..event
+        };
         let direction = now.begin.direction();
         if event.to == Some(Mode::Gliding) {
             // The direction of a glide from rest follows from its solution.
@@ -204,16 +242,26 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
             slid += weight * length_of_slide(&begins, &event.state);
         }
         let state = T::state(&now.place);
-        let stopped = proofs.at_event(&event, (&state, direction), range).or_else(|| {
-            let limit = if count >= limits.transitions {
-                Outcome::TransitionLimit { state, transitions: limits.transitions }
-            } else if slid > limits.slides as f64 {
-                Outcome::StepLimit { state, limit: SlideLimit::All { slides: limits.slides } }
-            } else {
-                return None;
-            };
-            event.to.is_some().then(|| proofs.at_limit(limit, event.to))
-        });
+        let stopped = proofs
+            .at_event(&event, (&state, direction), range)
+            .or_else(|| {
+                let limit = if count >= limits.transitions {
+                    Outcome::TransitionLimit {
+                        state,
+                        transitions: limits.transitions,
+                    }
+                } else if slid > limits.slides as f64 {
+                    Outcome::StepLimit {
+                        state,
+                        limit: SlideLimit::All {
+                            slides: limits.slides,
+                        },
+                    }
+                } else {
+                    return None;
+                };
+                event.to.is_some().then(|| proofs.at_limit(limit, event.to))
+            });
         if let Some(outcome) = stopped {
             flush(recorder, &mut pending, direction);
             return outcome.into();
@@ -221,8 +269,8 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
-/// Skips links of a chain of slips after a slip out of rolling, within a number of transitions and a length of slides. Returns the
-/// number of transitions and the length of slides skipped.
+/// Skips links of a chain of slips after a slip out of rolling, within a number of transitions and
+/// a length of slides. Returns the number of transitions and the length of slides skipped.
 #[inline(always)]
 fn pass_links<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
@@ -237,13 +285,23 @@ fn pass_links<T: Solver, R: Recorder<T::Solution>>(
     {
         let open = |state: &State| !proofs.ends_motion(state);
         let budget = ChainBudget {
-            transitions: u32::try_from(most - passed).unwrap_or(u32::MAX).saturating_sub(1),
+            transitions: u32::try_from(most - passed)
+                .unwrap_or(u32::MAX)
+                .saturating_sub(1),
             slides: longest - slid,
             record_phases: recorder.detail() == PhaseDetail::Modes,
             open: proofs.examines_each_state().then_some(&open),
         };
-        let Some(segment) = solver.pass_links(&now.place, direction, &budget) else { break };
-        let ChainSegment { place, direction, transitions, slid: length, phases } = segment;
+        let Some(segment) = solver.pass_links(&now.place, direction, &budget) else {
+            break;
+        };
+        let ChainSegment {
+            place,
+            direction,
+            transitions,
+            slid: length,
+            phases,
+        } = segment;
         recorder.links(transitions, phases);
         (passed, slid) = (passed + transitions as usize, slid + length);
         proofs.skipped_to(&T::state(&place));
@@ -252,15 +310,19 @@ fn pass_links<T: Solver, R: Recorder<T::Solution>>(
     (passed, slid)
 }
 
-/// The next slip out of rolling, its direction, and the length of the slides before it. None if another mode or an impact comes first,
-/// or a phase that `accepts` refuses.
+/// The next slip out of rolling, its direction, and the length of the slides before it. None if
+/// another mode or an impact comes first, or a phase that `accepts` refuses.
 pub(crate) fn next_slip<T: Solver>(
     solver: &T,
     slip: T::Place,
     direction: Direction,
     accepts: impl FnMut(Mode, Option<Direction>) -> bool,
 ) -> Option<(State, Direction, f64)> {
-    let mut checker = ModeChecker { accepts, accepted: true, slid: 0.0 };
+    let mut checker = ModeChecker {
+        accepts,
+        accepted: true,
+        slid: 0.0,
+    };
     let mut now = Current::slipping(solver, slip, direction);
     loop {
         let (_, impact) = follow(solver, &mut now, (&mut checker, &mut None), &mut None).ok()?;
@@ -293,8 +355,8 @@ impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for ModeChecker<F
     fn transition(&mut self, _: &Event, _: Option<&Impact>, _: Option<Direction>) {}
 }
 
-/// Solves and records the phase that begins now, up to the event that ends it; or returns the outcome if the motion ends.
-/// Stores the range of the angle of a slide in `range`, if it is known.
+/// Solves and records the phase that begins now, up to the event that ends it; or returns the
+/// outcome if the motion ends. Stores the range of the angle of a slide in `range`, if it is known.
 #[inline(always)]
 fn follow<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
@@ -307,42 +369,87 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     let state = T::state(place);
     let (mode, solved) = match &now.begin {
         Next::Roll { on_limit } => (Mode::Rolling, solver.roll(place, *on_limit)),
-        Next::Slide { body, direction, entry } => {
-            (Mode::Sliding, solver.slide(place, body, *direction, *entry))
-        }
+        Next::Slide {
+            body,
+            direction,
+            entry,
+        } => (Mode::Sliding, solver.slide(place, body, *direction, *entry)),
         Next::Fly { body, take_off } => (Mode::Flight, solver.fly(place, body, *take_off)),
         Next::Glide { body, entry } => (Mode::Gliding, solver.glide(place, body, *entry)),
         Next::Settle { body, settling } => (Mode::Flight, solver.settle(place, body, settling)),
         Next::None(candidates) => {
             flush(recorder, pending, None);
-            let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
-            return leads_on(recorder, jam(solver, now, None, state), (None, inconsistent));
+            let inconsistent = Outcome::Inconsistent {
+                state,
+                candidates: **candidates,
+            };
+            return leads_on(
+                recorder,
+                jam(solver, now, None, state),
+                (None, inconsistent),
+            );
         }
         Next::Several(candidates) => {
             flush(recorder, pending, None);
-            return Err(Outcome::Ambiguous { state, candidates: **candidates }.into());
+            return Err(Outcome::Ambiguous {
+                state,
+                candidates: **candidates,
+            }
+            .into());
         }
     };
-    let Solved { solution, direction, mut ending } = solved;
+    let Solved {
+        solution,
+        direction,
+        mut ending,
+    } = solved;
     flush(recorder, pending, direction);
     *range = solution.theta_range();
-    if let Ending::Event { place, cause: Cause::Stick, arrival } = &mut ending {
+    if let Ending::Event {
+        place,
+        cause: Cause::Stick,
+        arrival,
+    } = &mut ending
+    {
         correct_rest(solver, now, place, arrival);
     }
-    recorder.phase(PhaseRecord { mode, direction, start: state, end: ending.state(T::state) }, solution);
+    recorder.phase(
+        PhaseRecord {
+            mode,
+            direction,
+            start: state,
+            end: ending.state(T::state),
+        },
+        solution,
+    );
     match ending {
-        Ending::Event { place: reached, cause, arrival } => {
-            Ok((continues(solver, now, (mode, direction), reached, (cause, arrival)), None))
-        }
-        Ending::Motion { event, end: _, verdict } => {
+        Ending::Event {
+            place: reached,
+            cause,
+            arrival,
+        } => Ok((
+            continues(solver, now, (mode, direction), reached, (cause, arrival)),
+            None,
+        )),
+        Ending::Motion {
+            event,
+            end: _,
+            verdict,
+        } => {
             if let Some((cause, before)) = event {
                 recorder.transition(&Event::new(before, mode, cause), None, None);
             }
             Err(verdict)
         }
-        Ending::Settled { state: end, settling } => Ok(settles(solver, now, end, &settling)),
+        Ending::Settled {
+            state: end,
+            settling,
+        } => Ok(settles(solver, now, end, &settling)),
         Ending::Landing { state, gap_rate } => {
-            let last = (Some(Event::new(state, mode, Cause::Landing)), Outcome::Landing { state, gap_rate });
+            let last = (
+                Some(Event::new(state, mode, Cause::Landing)),
+                Outcome::Landing { state, gap_rate },
+            );
             leads_on(recorder, lands(solver, now, state, gap_rate), last)
         }
         Ending::Singular { state, solvability } => {
@@ -353,8 +460,8 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
-/// The event of an impact. The motion ends before the impact if the state after it is not representable, and ends with `outcome` if
-/// there is no impact; records the event that ends it.
+/// The event of an impact. The motion ends before the impact if the state after it is not
+/// representable, and ends with `outcome` if there is no impact; records the event that ends it.
 #[inline(always)]
 fn leads_on<S, V: From<Outcome>>(
     recorder: &mut impl Recorder<S>,
@@ -374,14 +481,22 @@ fn leads_on<S, V: From<Outcome>>(
 
 /// Corrects the place at which a slide comes to rest, and its arrival, by the conserved quantities.
 #[inline(always)]
-fn correct_rest<T: Solver>(solver: &T, now: &Current<T::Place>, place: &mut T::Place, arrival: &mut Arrival) {
-    let (Arrival::Open, Some(limit), Body::Heavy(body)) = (*arrival, &now.limit, solver.hoop().body()) else {
+fn correct_rest<T: Solver>(
+    solver: &T,
+    now: &Current<T::Place>,
+    place: &mut T::Place,
+    arrival: &mut Arrival,
+) {
+    let (Arrival::Open, Some(limit), Body::Heavy(body)) =
+        (*arrival, &now.limit, solver.hoop().body())
+    else {
         return;
     };
     let slide = T::state(&now.place).time..=solver.until();
     *arrival = match limit.correct_rest(&body, &T::state(place)) {
         Some((state, arrival)) => {
-            // The uncorrected end lies within the time limit, and rounding must not move it outside.
+            // The uncorrected end lies within the time limit, and rounding must not move it
+            // outside.
             if slide.contains(&state.time) {
                 *place = solver.place(state);
             }
@@ -406,9 +521,10 @@ fn continues<T: Solver>(
     let begin = &now.begin;
     // Only a slide begins with a known direction.
     (now.limit, now.slips) = match (arrival, begin.direction()) {
-        (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => {
-            (LastSlip::out_of_rolling(solver.hoop(), state, out), Some(direction))
-        }
+        (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => (
+            LastSlip::out_of_rolling(solver.hoop(), state, out),
+            Some(direction),
+        ),
         (_, Some(_)) => (now.limit, None),
         (_, None) => (None, None),
     };
@@ -426,12 +542,26 @@ fn continues<T: Solver>(
 }
 
 /// Sets the motion after a landing of a hoop with restitution.
-fn lands<T: Solver>(solver: &T, now: &mut Current<T::Place>, state: State, gap_rate: f64) -> Option<Rebound> {
+fn lands<T: Solver>(
+    solver: &T,
+    now: &mut Current<T::Place>,
+    state: State,
+    gap_rate: f64,
+) -> Option<Rebound> {
     let hoop = solver.hoop();
-    let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
+    let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else {
+        return None;
+    };
     let event = Event::new(state, Mode::Flight, Cause::Landing);
-    let coordinates = [(Quantity::Time, state.time), (Quantity::Theta, state.theta), (Quantity::X, state.x)];
-    if coordinates.into_iter().any(|(quantity, value)| quantity.check(value).is_err()) {
+    let coordinates = [
+        (Quantity::Time, state.time),
+        (Quantity::Theta, state.theta),
+        (Quantity::X, state.x),
+    ];
+    if coordinates
+        .into_iter()
+        .any(|(quantity, value)| quantity.check(value).is_err())
+    {
         // After a flight of many turns the angle may exceed the bound of a start.
         return Some(Err(event));
     }
@@ -448,9 +578,24 @@ fn jam<T: Solver>(
     from: Option<Mode>,
     state: State,
 ) -> Option<Rebound> {
-    let Body::Heavy(body) = solver.hoop().body() else { return None };
+    let Body::Heavy(body) = solver.hoop().body() else {
+        return None;
+    };
     let impact = solver.hoop().jam(&state)?;
-    Some(rebounds(solver, now, &body, (Event { state, from, to: None, cause: Cause::Jam }, impact)))
+    Some(rebounds(
+        solver,
+        now,
+        &body,
+        (
+            Event {
+                state,
+                from,
+                to: None,
+                cause: Cause::Jam,
+            },
+            impact,
+        ),
+    ))
 }
 
 /// Sets the motion after the end of infinitely many bounces.
@@ -460,16 +605,23 @@ fn settles<T: Solver>(
     state: State,
     settling: &Settling,
 ) -> EventWithImpact {
-    // The sum of the bounces assumes a fixed angle. The small rotation of the flight changes the last digits of the slip.
+    // The sum of the bounces assumes a fixed angle. The small rotation of the flight changes the
+    // last digits of the slip.
     let before = ContactVelocities::of(&state, settling.impact.before.gap_rate);
-    let impact = Impact { before, ..settling.impact };
+    let impact = Impact {
+        before,
+        ..settling.impact
+    };
     now.place = solver.place(impact.state_after(&state));
     now.begin = solver.decide(&now.place, Arrival::Open);
-    (Event::new(state, Mode::Flight, Cause::Settle), Some(Box::new(impact)))
+    (
+        Event::new(state, Mode::Flight, Cause::Settle),
+        Some(Box::new(impact)),
+    )
 }
 
-/// Sets the motion after an impact: a flight if the gap opens. An error if a velocity overflows, which occurs for very small
-/// inertia.
+/// Sets the motion after an impact: a flight if the gap opens. An error if a velocity overflows,
+/// which occurs for very small inertia.
 fn rebounds<T: Solver>(
     solver: &T,
     now: &mut Current<T::Place>,
@@ -477,7 +629,11 @@ fn rebounds<T: Solver>(
     (event, impact): (Event, Impact),
 ) -> Rebound {
     let after = impact.state_after(&event.state);
-    let ContactVelocities { theta_rate, slip, gap_rate } = impact.after;
+    let ContactVelocities {
+        theta_rate,
+        slip,
+        gap_rate,
+    } = impact.after;
     if !(theta_rate + slip + gap_rate).is_finite() {
         return Err(event);
     }
@@ -493,16 +649,27 @@ fn rebounds<T: Solver>(
 /// The motion with an opening gap: settling bounces if they are short enough, otherwise a flight.
 fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Next {
     let hoop = solver.hoop();
-    let settling =
-        hoop.restitution().and_then(|restitution| hoop.short_settling(body, state, gap_rate, restitution));
+    let settling = hoop
+        .restitution()
+        .and_then(|restitution| hoop.short_settling(body, state, gap_rate, restitution));
     match settling {
-        Some(settling) => Next::Settle { body: *body, settling: Box::new(settling) },
-        None => Next::Fly { body: *body, take_off: TakeOff::Rising { gap_rate } },
+        Some(settling) => Next::Settle {
+            body: *body,
+            settling: Box::new(settling),
+        },
+        None => Next::Fly {
+            body: *body,
+            take_off: TakeOff::Rising { gap_rate },
+        },
     }
 }
 
 #[inline]
-fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Event>, direction: Option<Direction>) {
+fn flush<S>(
+    recorder: &mut impl Recorder<S>,
+    pending: &mut Option<Event>,
+    direction: Option<Direction>,
+) {
     if let Some(event) = pending.take() {
         recorder.transition(&event, None, direction);
     }

@@ -1,4 +1,5 @@
-//! The transitions between modes: the consistent motion at a state, the event that ends it, and the outcome of the motion.
+//! The transitions between modes: the consistent motion at a state, the event that ends it, and the
+//! outcome of the motion.
 
 pub(crate) mod automaton;
 pub(crate) mod candidates;

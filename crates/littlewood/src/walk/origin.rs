@@ -1,10 +1,13 @@
-//! The origin of a motion: τ, x and the whole turns of its start, and the pace of gravity normal to the plane.
+//! The origin of a motion: τ, x and the whole turns of its start, and the pace of gravity normal to
+//! the plane.
 //!
-//! The equations depend neither on τ nor on x, and on θ only through its sine and cosine. So each motion is simulated from τ = 0, x = 0 and
+//! The equations depend neither on τ nor on x, and on θ only through its sine and cosine. So each
+//! motion is simulated from τ = 0, x = 0 and
 //! |θ| ≤ π, and the origin is added to the results. Each result is the rounded sum of two numbers; nothing else depends on the origin.
 //!
-//! On a slope α the motion is simulated in units in which gravity normal to the plane is 1. Velocities are then divided by √cos α, times
-//! multiplied by it, and forces and energies divided by cos α. On a level plane these factors are 1 and change no bit.
+//! On a slope α the motion is simulated in units in which gravity normal to the plane is 1.
+//! Velocities are then divided by √cos α, times multiplied by it, and forces and energies divided
+//! by cos α. On a level plane these factors are 1 and change no bit.
 
 use crate::math::trig::without_turns;
 use crate::mechanics::{ContactForces, ContactVelocities, Impact, Impulse};
@@ -23,7 +26,8 @@ pub(crate) struct Origin {
     until: Option<[f64; 2]>,
     /// √cos α, the unit of velocity.
     pace: f64,
-    /// θ′ and η′ of the start relative to the origin, and as given: what does not change is given back as it was.
+    /// θ′ and η′ of the start relative to the origin, and as given: what does not change is given
+    /// back as it was.
     velocities: [[f64; 2]; 2],
     /// The energy at the x of the start, m x sin α.
     height: f64,
@@ -43,13 +47,32 @@ impl Origin {
         // Adding a negative zero leaves every number unchanged.
         let [time, x, turns, rest] =
             [state.time, state.x, turns, rest].map(|from| if from == 0.0 { -0.0 } else { from });
-        let until = limits.until.map(|until| [(until - state.time) * pace, until]);
-        let seen =
-            State { time: 0.0, theta, theta_rate: state.theta_rate / pace, slip: state.slip / pace, x: 0.0 };
+        let until = limits
+            .until
+            .map(|until| [(until - state.time) * pace, until]);
+        let seen = State {
+            time: 0.0,
+            theta,
+            theta_rate: state.theta_rate / pace,
+            slip: state.slip / pace,
+            x: 0.0,
+        };
         let velocities = [[seen.theta_rate, state.theta_rate], [seen.slip, state.slip]];
-        let height = if hoop.slope() == 0.0 { -0.0 } else { hoop.mass() * x * libm::sin(hoop.slope()) };
+        let height = if hoop.slope() == 0.0 {
+            -0.0
+        } else {
+            hoop.mass() * x * libm::sin(hoop.slope())
+        };
         (
-            Self { time, x, turns: [turns, rest], until, pace, velocities, height },
+            Self {
+                time,
+                x,
+                turns: [turns, rest],
+                until,
+                pace,
+                velocities,
+                height,
+            },
             (seen, start.gap_rate / pace),
             limits.with_until(until.map(|[elapsed, _]| elapsed)),
         )
@@ -96,16 +119,38 @@ impl Origin {
 
     /// The absolute state from one relative to the origin.
     pub(crate) const fn state(&self, state: State) -> State {
-        let State { time, theta, theta_rate, slip, x } = state;
+        let State {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        } = state;
         let [[seen_rate, rate], [seen_slip, given_slip]] = self.velocities;
-        let theta_rate =
-            if theta_rate.to_bits() == seen_rate.to_bits() { rate } else { self.velocity(theta_rate) };
-        let slip = if slip.to_bits() == seen_slip.to_bits() { given_slip } else { self.velocity(slip) };
-        State { time: self.time(time), theta: self.theta(theta), theta_rate, slip, x: self.x + x }
+        let theta_rate = if theta_rate.to_bits() == seen_rate.to_bits() {
+            rate
+        } else {
+            self.velocity(theta_rate)
+        };
+        let slip = if slip.to_bits() == seen_slip.to_bits() {
+            given_slip
+        } else {
+            self.velocity(slip)
+        };
+        State {
+            time: self.time(time),
+            theta: self.theta(theta),
+            theta_rate,
+            slip,
+            x: self.x + x,
+        }
     }
 
     pub(crate) fn sample(&self, sample: Sample) -> Sample {
-        let moved = |position: Position| Position { x: self.x + position.x, ..position };
+        let moved = |position: Position| Position {
+            x: self.x + position.x,
+            ..position
+        };
         Sample {
             state: self.state(sample.state),
             centre: moved(sample.centre),
@@ -122,11 +167,17 @@ impl Origin {
     }
 
     pub(crate) const fn forces(&self, forces: ContactForces) -> ContactForces {
-        ContactForces { normal: self.force(forces.normal), friction: self.force(forces.friction) }
+        ContactForces {
+            normal: self.force(forces.normal),
+            friction: self.force(forces.friction),
+        }
     }
 
     pub(crate) const fn candidates(&self, candidates: Candidates) -> Candidates {
-        Candidates { rolling_forces: self.forces(candidates.rolling_forces), ..candidates }
+        Candidates {
+            rolling_forces: self.forces(candidates.rolling_forces),
+            ..candidates
+        }
     }
 
     pub(crate) const fn rolling_end(&self, end: RollingEnd) -> RollingEnd {
@@ -139,10 +190,21 @@ impl Origin {
     }
 
     const fn velocities(&self, velocities: ContactVelocities) -> ContactVelocities {
-        let ContactVelocities { theta_rate, slip, gap_rate } = velocities;
-        let [theta_rate, slip, gap_rate] =
-            [self.velocity(theta_rate), self.velocity(slip), self.velocity(gap_rate)];
-        ContactVelocities { theta_rate, slip, gap_rate }
+        let ContactVelocities {
+            theta_rate,
+            slip,
+            gap_rate,
+        } = velocities;
+        let [theta_rate, slip, gap_rate] = [
+            self.velocity(theta_rate),
+            self.velocity(slip),
+            self.velocity(gap_rate),
+        ];
+        ContactVelocities {
+            theta_rate,
+            slip,
+            gap_rate,
+        }
     }
 
     pub(crate) const fn impact(&self, impact: Impact) -> Impact {
@@ -150,7 +212,10 @@ impl Origin {
         Impact {
             before: self.velocities(impact.before),
             after: self.velocities(impact.after),
-            impulse: Impulse { normal: self.velocity(normal), friction: self.velocity(friction) },
+            impulse: Impulse {
+                normal: self.velocity(normal),
+                friction: self.velocity(friction),
+            },
             normal_work: self.force(impact.normal_work),
             friction_work: self.force(impact.friction_work),
             ..impact
@@ -162,19 +227,26 @@ impl Origin {
         *state = self.state(*state);
         match &mut outcome {
             Outcome::Landing { gap_rate, .. } => *gap_rate = self.velocity(*gap_rate),
-            Outcome::RollsForever { recurrence, .. } | Outcome::SlidesForever { recurrence, .. } => {
+            Outcome::RollsForever { recurrence, .. }
+            | Outcome::SlidesForever { recurrence, .. } => {
                 *recurrence = self.recurrence(*recurrence);
             }
             Outcome::RepeatsForever { period, .. } => *period = self.duration(*period),
             Outcome::Inconsistent { candidates, .. } | Outcome::Ambiguous { candidates, .. } => {
                 *candidates = self.candidates(*candidates);
             }
-            Outcome::StepLimit { limit: SlideLimit::One { time_left, .. }, .. } => {
+            Outcome::StepLimit {
+                limit: SlideLimit::One { time_left, .. },
+                ..
+            } => {
                 *time_left = self.duration(*time_left);
             }
             // A motion slips for ever on a level plane only, whose units are those of the results.
             Outcome::SlipsForever { .. }
-            | Outcome::StepLimit { limit: SlideLimit::All { .. }, .. }
+            | Outcome::StepLimit {
+                limit: SlideLimit::All { .. },
+                ..
+            }
             | Outcome::StaysInContact { .. }
             | Outcome::ParticleAtPlane { .. }
             | Outcome::ParticleAtBottom { .. }
@@ -189,12 +261,24 @@ impl Origin {
 
     pub(crate) const fn recurrence(&self, recurrence: Recurrence) -> Recurrence {
         match recurrence.at_pace(self.pace) {
-            Recurrence::Libration { period, theta_min, theta_max } => {
+            Recurrence::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } => {
                 let (theta_min, theta_max) = (self.theta(theta_min), self.theta(theta_max));
-                Recurrence::Libration { period, theta_min, theta_max }
+                Recurrence::Libration {
+                    period,
+                    theta_min,
+                    theta_max,
+                }
             }
-            Recurrence::Asymptotic { theta } => Recurrence::Asymptotic { theta: self.theta(theta) },
-            same @ (Recurrence::Rest | Recurrence::Rotation { .. } | Recurrence::Downhill { .. }) => same,
+            Recurrence::Asymptotic { theta } => Recurrence::Asymptotic {
+                theta: self.theta(theta),
+            },
+            same @ (Recurrence::Rest
+            | Recurrence::Rotation { .. }
+            | Recurrence::Downhill { .. }) => same,
         }
     }
 }

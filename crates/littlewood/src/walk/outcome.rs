@@ -1,4 +1,5 @@
-//! The outcome of a motion: as a number for arrays ([`OutcomeKind`]), and with its data ([`Outcome`]).
+//! The outcome of a motion: as a number for arrays ([`OutcomeKind`]), and with its data
+//! ([`Outcome`]).
 
 use crate::model::{Detail, Dimension, State, getters, named};
 use crate::modes::{GrazingOrbit, Recurrence, SlideLimit};
@@ -58,7 +59,8 @@ getters! {
     pub last_event: Option<Cause> = self.row().2;
     /// Whether the last phase has no end.
     pub is_forever: bool = matches!(self, Self::RollsForever | Self::SlidesForever);
-    /// Whether the motion ended at P ≤ 0 (Painlevé): no consistent motion, several, or a slide that reaches P = 0.
+    /// Whether the motion ended at P ≤ 0 (Painlevé): no consistent motion, several, or a slide that
+    /// reaches P = 0.
     pub is_painleve: bool = matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular);
 }
 
@@ -67,45 +69,74 @@ getters! {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "the text of each says what its fields are")]
 pub enum Outcome {
-    /// The body lands after a flight; the state is just before the impact, and the rate of the gap, which closes, negative.
+    /// The body lands after a flight; the state is just before the impact, and the rate of the gap,
+    /// which closes, negative.
     Landing { state: State, gap_rate: f64 },
     /// Static friction holds on the whole orbit ahead, from `since`, the start of the last phase.
-    RollsForever { since: State, recurrence: Recurrence },
-    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period passed without
-    /// an event since the start of the last phase. The recurrence is that of θ and θ′.
-    SlidesForever { since: State, recurrence: Recurrence },
-    /// With μs = μk the motion rolls and slips for ever and converges to the grazing orbit: E − E* decreases like 1/n with the
-    /// number n of slips, and halves in 1/(c (E − E*)) of them. Declared at the end of a slip whose energy loss proves it.
-    SlipsForever { state: State, orbit: GrazingOrbit, slips_to_halve: f64 },
-    /// Without kinetic friction, or for a massless hoop, energy is conserved in contact. The motion returned to an earlier event, so it
-    /// repeats. `since` is the state at the first of the two; θ gains a multiple of 2π in a period.
-    RepeatsForever { since: State, period: f64, theta_gained: f64, transitions: usize },
-    /// Energy and momentum exclude any later lift-off ([`crate::Hoop::never_lifts_off`]). The simulation stopped here, either on
-    /// request or at a limit.
+    RollsForever {
+        since: State,
+        recurrence: Recurrence,
+    },
+    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period
+    /// passed without an event since the start of the last phase. The recurrence is that of θ and
+    /// θ′.
+    SlidesForever {
+        since: State,
+        recurrence: Recurrence,
+    },
+    /// With μs = μk the motion rolls and slips for ever and converges to the grazing orbit: E − E*
+    /// decreases like 1/n with the number n of slips, and halves in 1/(c (E − E*)) of them.
+    /// Declared at the end of a slip whose energy loss proves it.
+    SlipsForever {
+        state: State,
+        orbit: GrazingOrbit,
+        slips_to_halve: f64,
+    },
+    /// Without kinetic friction, or for a massless hoop, energy is conserved in contact. The motion
+    /// returned to an earlier event, so it repeats. `since` is the state at the first of the two; θ
+    /// gains a multiple of 2π in a period.
+    RepeatsForever {
+        since: State,
+        period: f64,
+        theta_gained: f64,
+        transitions: usize,
+    },
+    /// Energy and momentum exclude any later lift-off ([`crate::Hoop::never_lifts_off`]). The
+    /// simulation stopped here, either on request or at a limit.
     StaysInContact { state: State },
-    /// The particle on the rim of a massless hoop reaches the plane, θ = ±π, at an infinite rate. No impact law applies, since the rim
-    /// has no inertia.
+    /// The particle on the rim of a massless hoop reaches the plane, θ = ±π, at an infinite rate.
+    /// No impact law applies, since the rim has no inertia.
     ParticleAtPlane { state: State },
-    /// The particle inside the rim of a massless hoop reaches its lowest point, θ = ±π, at an infinite rate.
+    /// The particle inside the rim of a massless hoop reaches its lowest point, θ = ±π, at an
+    /// infinite rate.
     ParticleAtBottom { state: State },
-    /// The particle of a massless hoop reaches its highest point with upward velocity left, at an infinite rate.
+    /// The particle of a massless hoop reaches its highest point with upward velocity left, at an
+    /// infinite rate.
     ParticleAtTop { state: State },
     /// The time limit was reached.
     TimeLimit { state: State },
     /// The largest number of transitions was reached.
     TransitionLimit { state: State, transitions: usize },
     /// No motion is consistent with the laws of friction and contact.
-    Inconsistent { state: State, candidates: Candidates },
+    Inconsistent {
+        state: State,
+        candidates: Candidates,
+    },
     /// Several motions are consistent.
-    Ambiguous { state: State, candidates: Candidates },
-    /// A slide reaches P = 0 with N > 0, beyond which it has no solution (Painlevé). `solvability` is P there.
+    Ambiguous {
+        state: State,
+        candidates: Candidates,
+    },
+    /// A slide reaches P = 0 with N > 0, beyond which it has no solution (Painlevé). `solvability`
+    /// is P there.
     Singular { state: State, solvability: f64 },
     /// The slides exceeded a limit.
     StepLimit { state: State, limit: SlideLimit },
-    /// The time scale falls below double precision: a slide of a hoop with very small inertia whose particle passes the bottom, or a slide
-    /// next to P = 0 whose end depends on rounding. Or an impact beyond the bounds of θ and x of a start, or with velocities that overflow.
-    /// Or an unbalanced hoop that rolls down a slope beyond these bounds, a flight of more turns than doubles resolve, or a massless hoop
-    /// whose particle is at the plane but for rounding.
+    /// The time scale falls below double precision: a slide of a hoop with very small inertia whose
+    /// particle passes the bottom, or a slide next to P = 0 whose end depends on rounding. Or an
+    /// impact beyond the bounds of θ and x of a start, or with velocities that overflow. Or an
+    /// unbalanced hoop that rolls down a slope beyond these bounds, a flight of more turns than
+    /// doubles resolve, or a massless hoop whose particle is at the plane but for rounding.
     Unresolved { state: State },
 }
 
@@ -145,7 +176,8 @@ impl Outcome {
 
     /// The recurrence of an endless motion; none for other outcomes.
     pub const fn recurrence(&self) -> Option<Recurrence> {
-        if let Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } = self {
+        if let Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } = self
+        {
             Some(*recurrence)
         } else {
             None
@@ -185,26 +217,51 @@ impl Outcome {
     /// The values besides kind, state and candidates, with their names in records.
     pub fn details(&self) -> Vec<(&'static str, Detail)> {
         match *self {
-            Self::Landing { gap_rate, .. } => vec![("gap_rate", Detail::Real(gap_rate, Dimension::Velocity))],
+            Self::Landing { gap_rate, .. } => {
+                vec![("gap_rate", Detail::Real(gap_rate, Dimension::Velocity))]
+            }
             Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } => {
                 recurrence.details()
             }
-            Self::SlipsForever { orbit, slips_to_halve, .. } => orbit
+            Self::SlipsForever {
+                orbit,
+                slips_to_halve,
+                ..
+            } => orbit
                 .details()
                 .into_iter()
-                .chain([("slips_to_halve", Detail::Real(slips_to_halve, Dimension::Ratio))])
+                .chain([(
+                    "slips_to_halve",
+                    Detail::Real(slips_to_halve, Dimension::Ratio),
+                )])
                 .collect(),
-            Self::RepeatsForever { period, theta_gained, transitions, .. } => vec![
+            Self::RepeatsForever {
+                period,
+                theta_gained,
+                transitions,
+                ..
+            } => vec![
                 ("period", Detail::Real(period, Dimension::Time)),
                 ("theta_gained", Detail::Real(theta_gained, Dimension::Angle)),
                 ("transitions", Detail::Count(transitions)),
             ],
-            Self::TransitionLimit { transitions, .. } => vec![("transitions", Detail::Count(transitions))],
-            Self::StepLimit { limit: SlideLimit::All { slides }, .. } => {
+            Self::TransitionLimit { transitions, .. } => {
+                vec![("transitions", Detail::Count(transitions))]
+            }
+            Self::StepLimit {
+                limit: SlideLimit::All { slides },
+                ..
+            } => {
                 vec![("slides", Detail::Count(slides))]
             }
-            Self::StepLimit { limit: SlideLimit::One { steps, time_left }, .. } => {
-                vec![("steps", Detail::Count(steps)), ("time_left", Detail::Real(time_left, Dimension::Time))]
+            Self::StepLimit {
+                limit: SlideLimit::One { steps, time_left },
+                ..
+            } => {
+                vec![
+                    ("steps", Detail::Count(steps)),
+                    ("time_left", Detail::Real(time_left, Dimension::Time)),
+                ]
             }
             Self::Singular { solvability, .. } => {
                 vec![("solvability", Detail::Real(solvability, Dimension::Ratio))]

@@ -1,10 +1,12 @@
 //! Proofs at an event about the rest of the motion, which end the simulation of an endless motion.
 //!
-//! - Without kinetic friction, and for a massless hoop, energy is conserved in contact. A motion then has finitely many
-//!   distinct slips, sticks and reversals, and repeats once it returns to one.
-//! - With μs = μk > 0 slips shrink towards the orbit that grazes the limit of static friction ([`GrazingOrbit`]).
-//! - In contact the energy never increases, its part outside the horizontal velocity has an upper bound, and a lift-off requires a
-//!   minimum of this part ([`Hoop::never_lifts_off`]).
+//! - Without kinetic friction, and for a massless hoop, energy is conserved in contact. A motion
+//!   then has finitely many distinct slips, sticks and reversals, and repeats once it returns to
+//!   one.
+//! - With μs = μk > 0 slips shrink towards the orbit that grazes the limit of static friction
+//!   ([`GrazingOrbit`]).
+//! - In contact the energy never increases, its part outside the horizontal velocity has an upper
+//!   bound, and a lift-off requires a minimum of this part ([`Hoop::never_lifts_off`]).
 
 use core::f64::consts::TAU;
 
@@ -13,10 +15,12 @@ use crate::model::{Body, Direction, Hoop, Limits, Mode, Proof, State};
 use crate::modes::{Levels, Recurrence};
 use crate::walk::{Cause, Event, Outcome};
 
-/// Two reversals count as the same if their distance is at most this fraction of the distance to a reversal of the other direction.
+/// Two reversals count as the same if their distance is at most this fraction of the distance to a
+/// reversal of the other direction.
 const MAX_REVERSAL_DISTANCE_RATIO: f64 = 0.25;
 
-/// Largest difference of equal values, relative to one plus their size: rounding of some thousand steps is far below.
+/// Largest difference of equal values, relative to one plus their size: rounding of some thousand
+/// steps is far below.
 const EQUALITY_TOLERANCE: f64 = 1e-9;
 
 /// Whether two values are equal within rounding.
@@ -97,7 +101,9 @@ impl<'a> Proofs<'a> {
     pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, known: Known<'a>) -> Self {
         let proof = limits.proof();
         let kind = match hoop.body() {
-            Body::Heavy(_) | Body::Massless(_) if proof == Proof::None || hoop.slope() != 0.0 => Kind::None,
+            Body::Heavy(_) | Body::Massless(_) if proof == Proof::None || hoop.slope() != 0.0 => {
+                Kind::None
+            }
             Body::Massless(_) => Kind::Conservative(Vec::new()),
             Body::Heavy(_) if hoop.mu_k() == 0.0 => Kind::Conservative(Vec::new()),
             Body::Heavy(body) if hoop.mu_s() == hoop.mu_k() && body.h > 0.0 => {
@@ -111,16 +117,23 @@ impl<'a> Proofs<'a> {
             }
             Body::Heavy(_) => Kind::None,
         };
-        Self { hoop, proof, shared: known.contact, own: ContactProof::default(), kind }
+        Self {
+            hoop,
+            proof,
+            shared: known.contact,
+            own: ContactProof::default(),
+            kind,
+        }
     }
 
     /// The outcome if the state proves that the motion never lifts off, and this proof ends it.
     pub(crate) fn at_start(&self, state: &State, mode: Option<Mode>) -> Option<Outcome> {
-        (touches(mode) && self.ends_motion(state)).then_some(Outcome::StaysInContact { state: *state })
+        (touches(mode) && self.ends_motion(state))
+            .then_some(Outcome::StaysInContact { state: *state })
     }
 
-    /// The outcome that an event proves, from the state and the direction of slip after it, and from the range of the angle of the slide
-    /// before it.
+    /// The outcome that an event proves, from the state and the direction of slip after it, and
+    /// from the range of the angle of the slide before it.
     pub(crate) fn at_event(
         &mut self,
         event: &Event,
@@ -129,7 +142,9 @@ impl<'a> Proofs<'a> {
     ) -> Option<Outcome> {
         let endless = match &mut self.kind {
             Kind::None => None,
-            Kind::Conservative(visits) => repeats(visits, event, (direction, self.hoop.mu_s() == 0.0), range),
+            Kind::Conservative(visits) => {
+                repeats(visits, event, (direction, self.hoop.mu_s() == 0.0), range)
+            }
             Kind::Grazing(slips) => slips.add(self.hoop, event),
         };
         endless.or_else(|| self.at_start(after, event.to))
@@ -167,7 +182,8 @@ impl<'a> Proofs<'a> {
         self.shared.unwrap_or(&self.own).holds(self.hoop, state)
     }
 
-    /// The outcome at a limit, in the mode that would follow: replaces the limit by a proof, if there is one.
+    /// The outcome at a limit, in the mode that would follow: replaces the limit by a proof, if
+    /// there is one.
     pub(crate) fn at_limit(&self, limit: Outcome, mode: Option<Mode>) -> Outcome {
         let state = limit.state();
         if self.proof != Proof::None && touches(mode) && self.never_lifts_off(&state) {
@@ -189,7 +205,9 @@ fn repeats(
     (direction, is_smooth): (Option<Direction>, bool),
     range: Option<(f64, f64)>,
 ) -> Option<Outcome> {
-    let Event { state, from, cause, .. } = *event;
+    let Event {
+        state, from, cause, ..
+    } = *event;
     if !cause.keeps_contact() {
         visits.clear();
         return None;
@@ -201,33 +219,56 @@ fn repeats(
             && direction == earlier.direction
             && (is_same_state || (is_smooth && is_same_reversal(visits, earlier, &state)))
     });
-    visits.push(Visit { state, cause, direction, slid: from == Some(Mode::Sliding), range });
+    visits.push(Visit {
+        state,
+        cause,
+        direction,
+        slid: from == Some(Mode::Sliding),
+        range,
+    });
     let back = back?;
     let since = visits[back].state;
     let cycle = &visits[back + 1..];
     let (period, theta_gained) = (state.time - since.time, state.theta - since.theta);
     let transitions = cycle.len();
-    if !cycle.iter().all(|visit| visit.slid && visit.cause == Cause::Reversal) {
-        return Some(Outcome::RepeatsForever { since, period, theta_gained, transitions });
+    if !cycle
+        .iter()
+        .all(|visit| visit.slid && visit.cause == Cause::Reversal)
+    {
+        return Some(Outcome::RepeatsForever {
+            since,
+            period,
+            theta_gained,
+            transitions,
+        });
     }
     let recurrence = if theta_gained.abs() > 1.0 {
         Recurrence::Rotation { period }
     } else {
         let ranges = cycle.iter().filter_map(|visit| visit.range);
-        let (theta_min, theta_max) = ranges.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| {
-            (low.min(range.0), high.max(range.1))
-        });
-        Recurrence::Libration { period, theta_min, theta_max }
+        let (theta_min, theta_max) = ranges
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| {
+                (low.min(range.0), high.max(range.1))
+            });
+        Recurrence::Libration {
+            period,
+            theta_min,
+            theta_max,
+        }
     };
     Some(Outcome::SlidesForever { since, recurrence })
 }
 
-/// Whether a reversal on a smooth plane is the same as an earlier one of the same direction. There |θ′| is a function of θ, and
-/// reversals of the two directions alternate along the path: between two different ones of one direction lies one of the other. The
-/// error of a close pair is inversely proportional to its distance, so this distance sets the tolerance.
+/// Whether a reversal on a smooth plane is the same as an earlier one of the same direction. There
+/// |θ′| is a function of θ, and reversals of the two directions alternate along the path: between
+/// two different ones of one direction lies one of the other. The error of a close pair is
+/// inversely proportional to its distance, so this distance sets the tolerance.
 fn is_same_reversal(visits: &[Visit], earlier: &Visit, state: &State) -> bool {
     let away = |visit: &Visit| angle_between(visit.state.theta, state.theta);
-    let others = visits.iter().filter(|visit| visit.direction != earlier.direction).map(away);
+    let others = visits
+        .iter()
+        .filter(|visit| visit.direction != earlier.direction)
+        .map(away);
     let nearest = others.fold(f64::INFINITY, f64::min);
     earlier.cause == Cause::Reversal
         && earlier.state.theta_rate * state.theta_rate > 0.0
@@ -238,7 +279,8 @@ fn is_same_reversal(visits: &[Visit], earlier: &Visit, state: &State) -> bool {
 impl Slips<'_> {
     fn levels(&mut self, hoop: &Hoop) -> Option<&Levels> {
         let own = &mut self.own;
-        self.shared.or_else(|| own.get_or_insert_with(|| Levels::new(hoop)).as_ref())
+        self.shared
+            .or_else(|| own.get_or_insert_with(|| Levels::new(hoop)).as_ref())
     }
 
     /// Adds the beginning of a slip out of rolling.
@@ -250,21 +292,32 @@ impl Slips<'_> {
 
     /// Adds an event; returns the outcome if the motion slips for ever.
     fn add(&mut self, hoop: &Hoop, event: &Event) -> Option<Outcome> {
-        let Event { state, cause, to, .. } = *event;
+        let Event {
+            state, cause, to, ..
+        } = *event;
         if (cause, to) == (Cause::Slip, Some(Mode::Sliding)) {
             self.begins(&state);
             return None;
         }
-        let slip = self.slip.take().filter(|_| (cause, to) == (Cause::Stick, Some(Mode::Rolling)));
+        let slip = self
+            .slip
+            .take()
+            .filter(|_| (cause, to) == (Cause::Stick, Some(Mode::Rolling)));
         let before = self.confirmed.take();
         let slip = slip?;
         let energy = self.law.energy(state.theta, state.theta_rate);
         let orbit = self.levels(hoop)?.attracting(hoop, slip.energy, energy)?;
         self.confirmed = Some(slip);
-        // An orbit that grazes the limit away from its turning points does so on both sides of the vertical. The losses there differ
-        // except in the limit, so a slip on each side is required.
-        let is_known = orbit.theta_rate == 0.0 || before.is_some_and(|before| before.ahead != slip.ahead);
+        // An orbit that grazes the limit away from its turning points does so on both sides of the
+        // vertical. The losses there differ except in the limit, so a slip on each side is
+        // required.
+        let is_known =
+            orbit.theta_rate == 0.0 || before.is_some_and(|before| before.ahead != slip.ahead);
         let slips_to_halve = 1.0 / (orbit.loss * (energy - orbit.energy));
-        is_known.then_some(Outcome::SlipsForever { state, orbit, slips_to_halve })
+        is_known.then_some(Outcome::SlipsForever {
+            state,
+            orbit,
+            slips_to_halve,
+        })
     }
 }

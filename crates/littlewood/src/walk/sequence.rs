@@ -50,10 +50,11 @@ impl PhaseCode {
     }
 }
 
-/// A sequence of phases in 64 bits: up to [`PhaseSequence::CAPACITY`] phases of four bits each, and a bit that is set if more
-/// follow.
+/// A sequence of phases in 64 bits: up to [`PhaseSequence::CAPACITY`] phases of four bits each, and
+/// a bit that is set if more follow.
 ///
-/// Displayed with one letter per phase, the name of its [`PhaseCode`], and `…` if more phases follow.
+/// Displayed with one letter per phase, the name of its [`PhaseCode`], and `…` if more phases
+/// follow.
 ///
 /// ```
 /// use littlewood::{Hoop, Limits, Start};
@@ -127,8 +128,8 @@ impl PhaseSequence {
     /// The phases of the mirror image of a motion.
     #[must_use]
     pub const fn mirrored(self) -> Self {
-        // Codes of opposite directions differ in the lowest bit. Only those of sliding, 2 and 3, and of gliding, 4 and 5, have exactly
-        // one of the two bits above it.
+        // Codes of opposite directions differ in the lowest bit. Only those of sliding, 2 and 3,
+        // and of gliding, 4 and 5, have exactly one of the two bits above it.
         let directed = ((self.0 >> 1) ^ (self.0 >> 2)) & Self::LAST_BITS;
         Self(self.0 ^ directed)
     }
@@ -141,18 +142,26 @@ impl PhaseSequence {
 
     /// The first phase, if any.
     pub fn first(self) -> Option<(Mode, Option<Direction>)> {
-        self.codes().next().and_then(Result::ok).map(PhaseCode::mode)
+        self.codes()
+            .next()
+            .and_then(Result::ok)
+            .map(PhaseCode::mode)
     }
 
     /// The phases stored; an unknown code is an error.
-    pub fn codes(self) -> impl Iterator<Item = Result<PhaseCode, crate::model::named::UnknownCode>> {
+    pub fn codes(
+        self,
+    ) -> impl Iterator<Item = Result<PhaseCode, crate::model::named::UnknownCode>> {
         (0..self.len()).map(move |i| PhaseCode::try_from((self.0 >> (Self::BITS * i)) as u8 & 0xf))
     }
 }
 
 impl fmt::Display for PhaseSequence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut text: String = self.codes().map(|code| code.map_or("?", PhaseCode::name)).collect();
+        let mut text: String = self
+            .codes()
+            .map(|code| code.map_or("?", PhaseCode::name))
+            .collect();
         if self.is_truncated() {
             text.push('…');
         }

@@ -1,14 +1,17 @@
 //! The last slip out of rolling, to which slides without kinetic friction return.
 //!
-//! Such a slide conserves energy and horizontal momentum: θ′² and η′ are fixed functions of cos θ, also through reversals and
-//! turning points. A slip has |F| = μs N and η′ = 0. So η′ vanishes again where the hoop returns to that angle or to its
-//! mirror image. There |F| = μs N holds exactly, and rounding would decide arbitrarily. For small N, η″ is small, too, and
-//! the angle is more accurate than the zero of η′. So the slide ends at the angle.
+//! Such a slide conserves energy and horizontal momentum: θ′² and η′ are fixed functions of cos θ,
+//! also through reversals and turning points. A slip has |F| = μs N and η′ = 0. So η′ vanishes
+//! again where the hoop returns to that angle or to its mirror image. There |F| = μs N holds
+//! exactly, and rounding would decide arbitrarily. For small N, η″ is small, too, and the angle is
+//! more accurate than the zero of η′. So the slide ends at the angle.
 //!
-//! Symmetry decides the next motion: |F|/N of rolling is equal at the four states (±θ, ±θ′). It increases at two of them, where
-//! the hoop slips, and decreases at the other two, where static friction holds.
+//! Symmetry decides the next motion: |F|/N of rolling is equal at the four states (±θ, ±θ′). It
+//! increases at two of them, where the hoop slips, and decreases at the other two, where static
+//! friction holds.
 //!
-//! A motion may also start with η′ = 0 and |F| > μs N. It then has the same excess at the four states, and slips at each.
+//! A motion may also start with η′ = 0 and |F| > μs N. It then has the same excess at the four
+//! states, and slips at each.
 
 use core::f64::consts::TAU;
 
@@ -17,8 +20,9 @@ use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
 use crate::model::{Direction, Heavy, Hoop, State};
 use crate::walk::{Arrival, is_same};
 
-/// Least distance, in cos θ, of two zeros of η′ after a start at rest. A closer pair is a near-tangent zero, which is left to the
-/// numerical slide. On the limit of static friction η″ does not vanish.
+/// Least distance, in cos θ, of two zeros of η′ after a start at rest. A closer pair is a
+/// near-tangent zero, which is left to the numerical slide. On the limit of static friction η″ does
+/// not vanish.
 const MIN_STANDSTILL_DISTANCE: f64 = 1e-6;
 
 /// The beginning of a slip without kinetic friction, at η′ = 0.
@@ -31,65 +35,100 @@ pub(crate) struct LastSlip {
 }
 
 impl LastSlip {
-    /// A slip that ended rolling; none with kinetic friction, which dissipates energy, nor on a slope, which changes the momentum.
+    /// A slip that ended rolling; none with kinetic friction, which dissipates energy, nor on a
+    /// slope, which changes the momentum.
     pub(crate) fn out_of_rolling(hoop: &Hoop, state: State, direction: Direction) -> Option<Self> {
-        (hoop.mu_k() == 0.0 && hoop.slope() == 0.0).then_some(Self { state, direction, is_on_limit: true })
+        (hoop.mu_k() == 0.0 && hoop.slope() == 0.0).then_some(Self {
+            state,
+            direction,
+            is_on_limit: true,
+        })
     }
 
     /// The start of a motion, if it slides from η′ = 0: there |F| of rolling exceeds μs N.
     pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
-        let direction = slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.slope() == 0.0)?;
-        Some(Self { state, direction, is_on_limit: false })
+        let direction =
+            slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.slope() == 0.0)?;
+        Some(Self {
+            state,
+            direction,
+            is_on_limit: false,
+        })
     }
 
     /// Corrects a state with η′ = 0 by the conserved quantities; also returns the arrival.
     pub(crate) fn correct_rest(&self, body: &Heavy, state: &State) -> Option<(State, Arrival)> {
-        let [integrals, here] =
-            [&self.state, state].map(|state| FrictionlessIntegrals::new(body, state, sincos(state.theta)));
+        let [integrals, here] = [&self.state, state]
+            .map(|state| FrictionlessIntegrals::new(body, state, sincos(state.theta)));
         if !is_same(integrals.energy, here.energy) || !is_same(integrals.momentum, here.momentum) {
             return None;
         }
         let [at_slip, now] = [self.state.theta, state.theta].map(|angle| sincos(angle).1);
         let away = now - at_slip;
         let others = integrals.other_standstills(body, at_slip);
-        if !self.is_on_limit && others.iter().any(|other| other.abs() < MIN_STANDSTILL_DISTANCE) {
+        if !self.is_on_limit
+            && others
+                .iter()
+                .any(|other| other.abs() < MIN_STANDSTILL_DISTANCE)
+        {
             return None;
         }
         let real = others.into_iter().filter(|other| !other.is_nan());
         let nearest = real.min_by(|a, b| (a - away).abs().total_cmp(&(b - away).abs()));
-        let (theta, theta_rate, arrival) = match nearest.filter(|other| (other - away).abs() < away.abs()) {
-            None => self.back_on_limit(state)?,
-            Some(other) if integrals.deflation_is_better(body, at_slip, other) => {
-                let theta = self.at_cosine(other, state.theta)?;
-                (theta, integrals.rate_at_rest(body, sincos(theta)), Arrival::Open)
-            }
-            Some(_) => {
-                let (theta, theta_rate) = integrals.standstill_near(body, state.theta)?;
-                (theta, theta_rate, Arrival::Open)
-            }
-        };
+        let (theta, theta_rate, arrival) =
+            match nearest.filter(|other| (other - away).abs() < away.abs()) {
+                None => self.back_on_limit(state)?,
+                Some(other) if integrals.deflation_is_better(body, at_slip, other) => {
+                    let theta = self.at_cosine(other, state.theta)?;
+                    (
+                        theta,
+                        integrals.rate_at_rest(body, sincos(theta)),
+                        Arrival::Open,
+                    )
+                }
+                Some(_) => {
+                    let (theta, theta_rate) = integrals.standstill_near(body, state.theta)?;
+                    (theta, theta_rate, Arrival::Open)
+                }
+            };
         let law = SlidingLaw::of_body(*body, 0.0, self.direction);
         // The angle fixes the time if it changes faster than the slip.
         let by_angle = theta_rate.abs() > law.accelerations(theta, theta_rate).slip.abs();
-        let late = if by_angle { (theta - state.theta) / theta_rate } else { 0.0 };
+        let late = if by_angle {
+            (theta - state.theta) / theta_rate
+        } else {
+            0.0
+        };
         // Near η′ = 0 the hoop moves as in rolling.
         let x = state.x - theta_rate * late;
-        let placed = State { time: state.time + late, theta, theta_rate, slip: 0.0, x };
+        let placed = State {
+            time: state.time + late,
+            theta,
+            theta_rate,
+            slip: 0.0,
+            x,
+        };
         Some((placed, arrival))
     }
 
     /// Angle and rate of the nearest of the four states, and the arrival.
     fn back_on_limit(&self, state: &State) -> Option<(f64, f64, Arrival)> {
-        let [turned, mirrored] =
-            [self.state.theta, -self.state.theta].map(|angle| same_direction_near(angle, state.theta));
-        let [from_turned, from_mirrored] = [turned, mirrored].map(|angle| (angle - state.theta).abs());
+        let [turned, mirrored] = [self.state.theta, -self.state.theta]
+            .map(|angle| same_direction_near(angle, state.theta));
+        let [from_turned, from_mirrored] =
+            [turned, mirrored].map(|angle| (angle - state.theta).abs());
         if from_turned == from_mirrored {
             return None;
         }
         let is_turned = from_turned < from_mirrored;
         // With |F| > μs N it slips at all four states.
-        let slips = !self.is_on_limit || is_turned == (state.theta_rate * self.state.theta_rate > 0.0);
-        let direction = if is_turned { self.direction } else { self.direction.reversed() };
+        let slips =
+            !self.is_on_limit || is_turned == (state.theta_rate * self.state.theta_rate > 0.0);
+        let direction = if is_turned {
+            self.direction
+        } else {
+            self.direction.reversed()
+        };
         Some((
             if is_turned { turned } else { mirrored },
             self.state.theta_rate.abs().copysign(state.theta_rate),
@@ -97,12 +136,14 @@ impl LastSlip {
         ))
     }
 
-    /// The angle near `near` with cos θ = cos θ₀ + `more`, by Newton's method on the product 2 sin ½(θ + θ₀) sin ½(θ₀ − θ), which
-    /// does not cancel. None if the iteration does not converge to it, as near cos θ = ±1.
+    /// The angle near `near` with cos θ = cos θ₀ + `more`, by Newton's method on the product 2 sin
+    /// ½(θ + θ₀) sin ½(θ₀ − θ), which does not cancel. None if the iteration does not converge to
+    /// it, as near cos θ = ±1.
     fn at_cosine(&self, more: f64, near: f64) -> Option<f64> {
         let from = self.state.theta;
         converge(near, |theta| {
-            let [(sum, _), (difference, _)] = [theta + from, from - theta].map(|angle| sincos(0.5 * angle));
+            let [(sum, _), (difference, _)] =
+                [theta + from, from - theta].map(|angle| sincos(0.5 * angle));
             (more - 2.0 * sum * difference) / sincos(theta).0
         })
     }

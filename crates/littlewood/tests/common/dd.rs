@@ -10,8 +10,11 @@ pub(crate) struct Dd {
 }
 
 /// π/2 as a sum of three doubles.
-const HALF_PI: [f64; 3] =
-    [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
+const HALF_PI: [f64; 3] = [
+    std::f64::consts::FRAC_PI_2,
+    6.123_233_995_736_766e-17,
+    -1.497_384_904_859_169_8e-33,
+];
 
 impl From<f64> for Dd {
     fn from(high: f64) -> Self {
@@ -23,14 +26,20 @@ impl Dd {
     /// a + b for |a| ≥ |b|.
     fn ordered(a: f64, b: f64) -> Self {
         let high = a + b;
-        Self { high, low: b - (high - a) }
+        Self {
+            high,
+            low: b - (high - a),
+        }
     }
 
     /// a + b, exactly.
     fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
         let part = high - a;
-        Self { high, low: (a - (high - part)) + (b - part) }
+        Self {
+            high,
+            low: (a - (high - part)) + (b - part),
+        }
     }
 
     /// a b, exactly: halves of 26 bits have products that are doubles.
@@ -49,13 +58,17 @@ impl Dd {
     /// An angle without the turns in it.
     pub(crate) fn without_turns(self) -> Self {
         let quarters = 4.0 * (self.high / (4.0 * HALF_PI[0])).round();
-        HALF_PI.iter().fold(self, |rest, part| rest - Self::product(quarters, *part))
+        HALF_PI
+            .iter()
+            .fold(self, |rest, part| rest - Self::product(quarters, *part))
     }
 
     /// Sine and cosine, by their series about the next multiple of π/2.
     pub(crate) fn sincos(self) -> (Self, Self) {
         let multiple = (self.high / HALF_PI[0]).round();
-        let rest = HALF_PI.iter().fold(self, |rest, part| rest - Self::product(multiple, *part));
+        let rest = HALF_PI
+            .iter()
+            .fold(self, |rest, part| rest - Self::product(multiple, *part));
         let square = rest * rest;
         let (mut sin, mut cos) = (Self::from(0.0), Self::from(0.0));
         let (mut odd, mut even) = (rest, Self::from(1.0));
@@ -85,7 +98,10 @@ impl Add for Dd {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        let (high, low) = (Self::sum(self.high, other.high), Self::sum(self.low, other.low));
+        let (high, low) = (
+            Self::sum(self.high, other.high),
+            Self::sum(self.low, other.low),
+        );
         let sum = Self::ordered(high.high, high.low + low.high);
         Self::ordered(sum.high, sum.low + low.low)
     }
@@ -95,7 +111,10 @@ impl Neg for Dd {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self { high: -self.high, low: -self.low }
+        Self {
+            high: -self.high,
+            low: -self.low,
+        }
     }
 }
 
@@ -112,6 +131,9 @@ impl Mul for Dd {
 
     fn mul(self, other: Self) -> Self {
         let product = Self::product(self.high, other.high);
-        Self::ordered(product.high, product.low + (self.high * other.low + self.low * other.high))
+        Self::ordered(
+            product.high,
+            product.low + (self.high * other.low + self.low * other.high),
+        )
     }
 }

@@ -32,7 +32,10 @@ fn offset() -> impl Strategy<Value = f64> {
 
 /// The engine for many starts of a hoop, and that for one.
 pub(crate) fn engines(hoop: &Hoop) -> [Engine; 2] {
-    [Engine::new(hoop), Engine::builder(hoop).expected_starts(1).build()]
+    [
+        Engine::new(hoop),
+        Engine::builder(hoop).expected_starts(1).build(),
+    ]
 }
 
 /// Heavy hoops, down to tiny inertia.
@@ -60,18 +63,25 @@ pub(crate) fn heavy_hoop() -> impl Strategy<Value = Hoop> {
 
 /// Heavy hoops of moderate proportions, on which rounding errors stay small.
 pub(crate) fn moderate_hoop() -> impl Strategy<Value = Hoop> {
-    (0.2..4.0_f64, 0.1..=1.0_f64, 0.2..4.0_f64, 0.05..0.7_f64, 0.0..=1.0_f64).prop_filter_map(
-        "a body that can move",
-        |(mass_ratio, offset, inertia, mu_s, part)| {
-            Hoop::new(
-                HoopParameters::thin(mass_ratio)
-                    .with_offset(offset)
-                    .with_inertia(inertia)
-                    .with_friction(mu_s, mu_s * part),
-            )
-            .ok()
-        },
+    (
+        0.2..4.0_f64,
+        0.1..=1.0_f64,
+        0.2..4.0_f64,
+        0.05..0.7_f64,
+        0.0..=1.0_f64,
     )
+        .prop_filter_map(
+            "a body that can move",
+            |(mass_ratio, offset, inertia, mu_s, part)| {
+                Hoop::new(
+                    HoopParameters::thin(mass_ratio)
+                        .with_offset(offset)
+                        .with_inertia(inertia)
+                        .with_friction(mu_s, mu_s * part),
+                )
+                .ok()
+            },
+        )
 }
 
 /// Massless hoops, the particle on the rim or inside.
@@ -79,7 +89,12 @@ pub(crate) fn massless_hoop() -> impl Strategy<Value = Hoop> {
     (prop_oneof![2 => Just(1.0), 1 => 0.05..1.0_f64], friction()).prop_filter_map(
         "a massless hoop",
         |(offset, (mu_s, mu_k))| {
-            Hoop::new(HoopParameters::thin(0.0).with_offset(offset).with_friction(mu_s, mu_k)).ok()
+            Hoop::new(
+                HoopParameters::thin(0.0)
+                    .with_offset(offset)
+                    .with_friction(mu_s, mu_k),
+            )
+            .ok()
         },
     )
 }
@@ -136,7 +151,13 @@ pub(crate) fn whole_range() -> impl Strategy<Value = (Hoop, Start)> {
 
 /// A power of ten, of either sign.
 fn signed_power(powers: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
-    (powers, any::<bool>()).prop_map(|(power, up)| if up { libm::exp10(power) } else { -libm::exp10(power) })
+    (powers, any::<bool>()).prop_map(|(power, up)| {
+        if up {
+            libm::exp10(power)
+        } else {
+            -libm::exp10(power)
+        }
+    })
 }
 
 /// Slopes of both signs, down to 1e-12.
@@ -146,7 +167,8 @@ pub(crate) fn slope() -> impl Strategy<Value = f64> {
 
 /// The same, and slopes that differ from the vertical by so little.
 pub(crate) fn any_slope() -> impl Strategy<Value = f64> {
-    let nearly_vertical = signed_power(-12.0..-1.0).prop_map(|left| left.signum() * (PI / 2.0 - left.abs()));
+    let nearly_vertical =
+        signed_power(-12.0..-1.0).prop_map(|left| left.signum() * (PI / 2.0 - left.abs()));
     prop_oneof![6 => slope(), 1 => nearly_vertical]
 }
 
@@ -157,7 +179,9 @@ pub(crate) fn tilted(hoop: &Hoop, slope: f64) -> Hoop {
 
 /// Few transitions and a short time are enough for a law that must hold at every instant.
 pub(crate) fn simulate(hoop: &Hoop, start: Start) -> Trajectory {
-    let limits = Limits::default().with_until(Some(start.time + 20.0)).with_transitions(60);
+    let limits = Limits::default()
+        .with_until(Some(start.time + 20.0))
+        .with_transitions(60);
     hoop.simulate(start, limits).expect("a valid start")
 }
 

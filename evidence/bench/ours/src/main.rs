@@ -1,4 +1,5 @@
-//! This project's library: answers each line, a benchmark and a whole number, with one line of JSON.
+//! This project's library: answers each line, a benchmark and a whole number, with one line of
+//! JSON.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -64,7 +65,8 @@ fn trajectory(hoop: &Hoop, engine: &Engine) -> Result<Vec<String>, Box<dyn Error
     ])
 }
 
-/// When the hoop leaves the plane: `0` at once, `1` later, `2` not; `9` where the motion has not one continuation.
+/// When the hoop leaves the plane: `0` at once, `1` later, `2` not; `9` where the motion has not
+/// one continuation.
 fn digit(summary: &Summary) -> u8 {
     match summary.outcome {
         OutcomeKind::Landing | OutcomeKind::RollsForever | OutcomeKind::TimeLimit => {
@@ -86,7 +88,8 @@ fn value(index: usize, count: usize, end: f64) -> f64 {
     if index + 1 == count { end } else { index as f64 * (2.0 * end / (count - 1) as f64) - end }
 }
 
-/// Wall time and outcomes of the grid of starts. Each thread takes the next row that none has taken.
+/// Wall time and outcomes of the grid of starts. Each thread takes the next row that none has
+/// taken.
 fn grid(engine: &Engine, cells: usize, limits: Limits, threads: usize) -> (f64, Vec<u8>) {
     let next = AtomicUsize::new(0);
     let work = || {

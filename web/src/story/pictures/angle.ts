@@ -23,10 +23,14 @@ export function angle(picture: Picture): void {
     for (const motion of motions) motion.free();
     motions = THREE.map((hoop) => motionOf(liftingOff(hoop, radians(before))).motion);
   };
-  const slider = picture.slider('angle', { min: 5, max: 75, step: 1, first: 45, text: (value) => `${plain(value)}°` }, (value) => {
-    take(value);
-    player.go(player.time);
-  });
+  const slider = picture.slider(
+    'angle',
+    { min: 5, max: 75, step: 1, first: 45, text: (value) => `${plain(value)}°` },
+    (value) => {
+      take(value);
+      player.go(player.time);
+    },
+  );
   take(slider.value);
   const turned = (motion: Motion): number => jumpOf(motion)?.turned ?? NaN;
   // Its time is the part of the flight that has passed, the same for all three.
@@ -35,7 +39,13 @@ export function angle(picture: Picture): void {
     (time) => percent(time),
     1,
   );
-  const one = (c: CanvasRenderingContext2D, place: number, width: number, height: number, palette: Palette): void => {
+  const one = (
+    c: CanvasRenderingContext2D,
+    place: number,
+    width: number,
+    height: number,
+    palette: Palette,
+  ): void => {
     const motion = motions[place]!;
     const jump = jumpOf(motion);
     if (jump === null) return;
@@ -43,7 +53,9 @@ export function angle(picture: Picture): void {
     if (now === null) return;
     const { offset } = THREE[place]!;
     const floor = height - 30;
-    const highest = Math.max(...motions.map((it) => it.samples.gap.reduce((a, b) => Math.max(a, b), 0)));
+    const highest = Math.max(
+      ...motions.map((it) => it.samples.gap.reduce((a, b) => Math.max(a, b), 0)),
+    );
     const radius = Math.min(0.34 * width, (floor - 34) / (2 + highest));
     const x = (place + 0.5) * width;
     const y = floor - radius * now.centre_y;
@@ -58,7 +70,13 @@ export function angle(picture: Picture): void {
     for (const [turn, from] of wholeTurns(start - now.theta).entries()) {
       c.beginPath();
       const inner = radius * (0.62 - 0.11 * turn);
-      c.arc(x, y, Math.max(4, inner), -Math.PI / 2 - start + from[0], -Math.PI / 2 - start + from[1]);
+      c.arc(
+        x,
+        y,
+        Math.max(4, inner),
+        -Math.PI / 2 - start + from[0],
+        -Math.PI / 2 - start + from[1],
+      );
       c.stroke();
     }
     c.strokeStyle = palette.ink.soft;
@@ -66,7 +84,19 @@ export function angle(picture: Picture): void {
     setDash(c, [3, 3]);
     line(c, [x, y], [x - radius * Math.sin(before.theta), y - radius * Math.cos(before.theta)]);
     c.setLineDash([]);
-    ring(c, { x, y, radius, theta: now.theta, offset, colour: palette.mode.flight, width: [4, 9, 2][place]! }, palette);
+    ring(
+      c,
+      {
+        x,
+        y,
+        radius,
+        theta: now.theta,
+        offset,
+        colour: palette.mode.flight,
+        width: [4, 9, 2][place]!,
+      },
+      palette,
+    );
     words(c, picture.word(NAMES[place]!), [x, floor + 16], palette, 'center', 13);
   };
   picture.live(
@@ -75,7 +105,12 @@ export function angle(picture: Picture): void {
     },
     () => {
       const [first, second, third] = motions.map((motion) => inDegrees(turned(motion)));
-      return fill(PICTURES.angle.says.turned, { angle: `${plain(slider.value)}°`, first: first!, second: second!, third: third! });
+      return fill(PICTURES.angle.says.turned, {
+        angle: `${plain(slider.value)}°`,
+        first: first!,
+        second: second!,
+        third: third!,
+      });
     },
     () => linkTo(liftingOff(THREE[1]!, radians(slider.value))),
   );
@@ -84,6 +119,7 @@ export function angle(picture: Picture): void {
 /** An angle as whole turns and the rest, each from where to where. */
 function wholeTurns(angle: number): [number, number][] {
   const turns: [number, number][] = [];
-  for (let left = angle; left > 0; left -= 2 * Math.PI) turns.push([0, Math.min(left, 2 * Math.PI)]);
+  for (let left = angle; left > 0; left -= 2 * Math.PI)
+    turns.push([0, Math.min(left, 2 * Math.PI)]);
   return turns;
 }

@@ -15,7 +15,11 @@ type Fate = 'hops' | 'atOnce' | 'stays';
 const FATES = ['hops', 'atOnce', 'stays'] as const satisfies readonly Fate[];
 
 /** The colours of the same classes in the outcome maps. */
-const CLASS_OF = { hops: 'lifts_off_later', atOnce: 'leaves_at_once', stays: 'rolls_forever' } as const satisfies Record<Fate, Class>;
+const CLASS_OF = {
+  hops: 'lifts_off_later',
+  atOnce: 'leaves_at_once',
+  stays: 'rolls_forever',
+} as const satisfies Record<Fate, Class>;
 
 const COLUMNS = 54;
 const ROWS = 36;
@@ -39,17 +43,34 @@ export function answer(picture: Picture): void {
   const hoopOf = (push: number, share: number): Hoop =>
     thinHoop((1 - share) / share, { theta_rate: -push, mu_s: mu.value, mu_k: KINETIC * mu.value });
   const [share, push, mu] = [
-    picture.slider('share', { min: 10, max: 98, step: 1, first: 80, text: (value) => percent(value / 100) }),
-    picture.slider('push', { min: 0, max: 2, step: 0.01, first: PUSH, text: (value) => plain(value) }),
-    picture.slider('mu', { min: 0.1, max: 1.5, step: 0.05, first: 0.5, text: (value) => plain(value) }, () => {
-      cells.fill(-1);
-      next = 0;
+    picture.slider('share', {
+      min: 10,
+      max: 98,
+      step: 1,
+      first: 80,
+      text: (value) => percent(value / 100),
     }),
+    picture.slider('push', {
+      min: 0,
+      max: 2,
+      step: 0.01,
+      first: PUSH,
+      text: (value) => plain(value),
+    }),
+    picture.slider(
+      'mu',
+      { min: 0.1, max: 1.5, step: 0.05, first: 0.5, text: (value) => plain(value) },
+      () => {
+        cells.fill(-1);
+        next = 0;
+      },
+    ),
   ];
   const cells = new Int8Array(COLUMNS * ROWS).fill(-1);
   let next = 0;
   const hoop = (): Hoop => hoopOf(push.value, share.value / 100);
-  const between = ([from, to]: readonly [number, number], part: number): number => from + part * (to - from);
+  const between = ([from, to]: readonly [number, number], part: number): number =>
+    from + part * (to - from);
 
   /** Every cell once, from coarse to fine: in steps that are prime to their number. */
   const compute = (): void => {
@@ -57,7 +78,10 @@ export function answer(picture: Picture): void {
     while (next < cells.length && performance.now() - begin < SLICE) {
       const cell = (next * 601) % cells.length;
       const [column, row] = [cell % COLUMNS, Math.floor(cell / COLUMNS)];
-      const at = hoopOf(between(PUSHES, (column + 0.5) / COLUMNS), between(SHARES, 1 - (row + 0.5) / ROWS));
+      const at = hoopOf(
+        between(PUSHES, (column + 0.5) / COLUMNS),
+        between(SHARES, 1 - (row + 0.5) / ROWS),
+      );
       cells[cell] = FATES.indexOf(fateIn(at));
       next += 1;
     }
@@ -68,7 +92,12 @@ export function answer(picture: Picture): void {
   const legend = make('ul', { class: 'legend' });
   for (const fate of FATES) {
     legend.append(
-      make('li', { 'data-class': CLASS_OF[fate] }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), picture.word(CLASS_OF[fate])),
+      make(
+        'li',
+        { 'data-class': CLASS_OF[fate] },
+        make('span', { class: 'swatch', 'aria-hidden': 'true' }),
+        picture.word(CLASS_OF[fate]),
+      ),
     );
   }
   picture.controls.before(legend);
@@ -76,12 +105,21 @@ export function answer(picture: Picture): void {
   const MARGIN = { left: 34, right: 12, top: 12, bottom: 30 };
   const frame = (): { left: number; top: number; width: number; height: number } => {
     const { width, height } = picture.size;
-    return { left: MARGIN.left, top: MARGIN.top, width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom };
+    return {
+      left: MARGIN.left,
+      top: MARGIN.top,
+      width: width - MARGIN.left - MARGIN.right,
+      height: height - MARGIN.top - MARGIN.bottom,
+    };
   };
   const place = (): Point => {
     const { left, top, width, height } = frame();
-    const part = ([from, to]: readonly [number, number], value: number): number => (value - from) / (to - from);
-    return [left + part(PUSHES, push.value) * width, top + (1 - part(SHARES, share.value / 100)) * height];
+    const part = ([from, to]: readonly [number, number], value: number): number =>
+      (value - from) / (to - from);
+    return [
+      left + part(PUSHES, push.value) * width,
+      top + (1 - part(SHARES, share.value / 100)) * height,
+    ];
   };
   picture.handle(
     place,

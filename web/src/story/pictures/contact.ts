@@ -12,16 +12,22 @@ import { Showing } from './course';
 /** Columns of the samples of a motion as a curve. */
 function curve(showing: Showing, column: 'gap' | 'slip', until: number): Point[] {
   const { samples } = showing.motion;
-  return Array.from(samples.time, (time, i): Point => [time, samples[column][i]!]).filter(([time]) => time <= until);
+  return Array.from(samples.time, (time, i): Point => [time, samples[column][i]!]).filter(
+    ([time]) => time <= until,
+  );
 }
 
 export function bounce(picture: Picture): void {
   const says = PICTURES.bounce.says;
   const showing = new Showing(FIGURE_3, { restitution: BOUNCE }, 24);
-  const slider = picture.slider('restitution', { min: 0, max: 1, step: 0.05, first: BOUNCE, text: (value) => plain(value) }, (value) => {
-    showing.take(FIGURE_3, { restitution: value });
-    player.go(0);
-  });
+  const slider = picture.slider(
+    'restitution',
+    { min: 0, max: 1, step: 0.05, first: BOUNCE, text: (value) => plain(value) },
+    (value) => {
+      showing.take(FIGURE_3, { restitution: value });
+      player.go(0);
+    },
+  );
   const player = picture.player(showing.course, showing.timeText);
   picture.live(
     (c, size, palette) => {
@@ -51,7 +57,10 @@ export function bounce(picture: Picture): void {
       const settles = events.some(({ name }) => name === 'settle');
       const last = phases.at(-1);
       const filling = { count: plain(strikes), mode: MODES[last?.mode ?? 'rolling'] };
-      return fill(settles ? says.bounces : slider.value === 0 && strikes === 1 ? says.never : says.counted, filling);
+      return fill(
+        settles ? says.bounces : slider.value === 0 && strikes === 1 ? says.never : says.counted,
+        filling,
+      );
     },
     () => linkTo(FIGURE_3, { restitution: slider.value }, { time: player.time }),
   );
@@ -64,10 +73,14 @@ export function jam(picture: Picture): void {
   const says = PICTURES.jam.says;
   const first = 0.4;
   const showing = new Showing(jammingHoop(first), { restitution: 0 }, JAM_SHOWN, 0.25);
-  const slider = picture.slider('mu', { min: 0.1, max: 1, step: 0.02, first, text: (value) => plain(value) }, (value) => {
-    showing.take(jammingHoop(value), { restitution: 0 });
-    player.go(0);
-  });
+  const slider = picture.slider(
+    'mu',
+    { min: 0.1, max: 1, step: 0.02, first, text: (value) => plain(value) },
+    (value) => {
+      showing.take(jammingHoop(value), { restitution: 0 });
+      player.go(0);
+    },
+  );
   const player = picture.player(showing.course, showing.timeText);
   const jams = (): boolean => showing.motion.events[1]?.name === 'jam';
   picture.live(
@@ -96,7 +109,11 @@ export function jam(picture: Picture): void {
       const end = showing.motion.phases[0]?.end ?? NaN;
       const { samples } = showing.motion;
       let largest = 0;
-      for (let i = 0; i < samples.length && samples.time[i]! <= end && modeOf(samples.mode[i]!) === 'sliding'; i++)
+      for (
+        let i = 0;
+        i < samples.length && samples.time[i]! <= end && modeOf(samples.mode[i]!) === 'sliding';
+        i++
+      )
         largest = Math.max(largest, samples.normal[i]!);
       return fill(says.slides, { time: plain(end, 2), normal: percent(largest) });
     },

@@ -48,10 +48,25 @@ export class Showing {
 
   scene(time: number, palette: Palette, follow = true): HoopScene {
     const { offset, slope } = this.hoop;
-    return { motion: this.motion, sample: this.motion.at(time), offset, h: this.h, slope, follow, landing: null, palette };
+    return {
+      motion: this.motion,
+      sample: this.motion.at(time),
+      offset,
+      h: this.h,
+      slope,
+      follow,
+      landing: null,
+      palette,
+    };
   }
 
-  draw(c: CanvasRenderingContext2D, size: Size, time: number, palette: Palette, follow = true): Sample | null {
+  draw(
+    c: CanvasRenderingContext2D,
+    size: Size,
+    time: number,
+    palette: Palette,
+    follow = true,
+  ): Sample | null {
     const scene = this.scene(time, palette, follow);
     drawHoop(c, size, scene);
     return scene.sample;

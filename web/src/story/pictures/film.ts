@@ -20,8 +20,16 @@ export function film(picture: Picture): void {
   const { motion } = motionOf(hoop);
   const unit = HULA_SECOND;
   const jump = jumpOf(motion)!;
-  const slide = motion.phases.findLast(({ mode, end }) => mode === 'sliding' && end <= jump.from + 1e-9)!;
-  const rate = picture.slider('rate', { min: 0, max: RATES.length - 1, step: 1, first: 1, text: (value) => plain(RATES[value]!) });
+  const slide = motion.phases.findLast(
+    ({ mode, end }) => mode === 'sliding' && end <= jump.from + 1e-9,
+  )!;
+  const rate = picture.slider('rate', {
+    min: 0,
+    max: RATES.length - 1,
+    step: 1,
+    first: 1,
+    text: (value) => plain(RATES[value]!),
+  });
   const player = picture.player(
     () => ({ from: slide.start, to: motion.end, stops: [jump.from], speed: 0.5 / unit / 2 }),
     (time) => `${plain((time - jump.from) * unit, 2)} s`,
@@ -31,7 +39,10 @@ export function film(picture: Picture): void {
   const frames = (): number[] => {
     const step = 1 / RATES[rate.value]! / unit;
     const first = slide.start + 0.37 * step;
-    return Array.from({ length: Math.max(0, Math.floor((motion.end - first) / step) + 1) }, (_, i) => first + i * step);
+    return Array.from(
+      { length: Math.max(0, Math.floor((motion.end - first) / step) + 1) },
+      (_, i) => first + i * step,
+    );
   };
   const own = ownFilm(picture, () => (player.time - jump.from) * unit);
   picture.live(
@@ -39,7 +50,10 @@ export function film(picture: Picture): void {
       own.show();
       const floor = height - 26;
       const [from, to] = [motion.at(slide.start)!, motion.at(motion.end)!];
-      const radius = Math.min(width / (to.x - from.x + 2.4), (floor - 16) / (2 + most(motion, 'gap')));
+      const radius = Math.min(
+        width / (to.x - from.x + 2.4),
+        (floor - 16) / (2 + most(motion, 'gap')),
+      );
       const left = (width - radius * (to.x - from.x)) / 2;
       ground(c, { left: 0, top: 0, width, height }, floor, radius, 0, palette);
       const seen = frames().filter((time) => time <= player.time + 1e-9);
@@ -53,13 +67,28 @@ export function film(picture: Picture): void {
         if (isWhole)
           ring(
             c,
-            { x, y, radius, theta: it.theta, colour, width: isFaint ? 1 : 4, isFaint, dash: inAir || isFaint ? [] : [4, 2] },
+            {
+              x,
+              y,
+              radius,
+              theta: it.theta,
+              colour,
+              width: isFaint ? 1 : 4,
+              isFaint,
+              dash: inAir || isFaint ? [] : [4, 2],
+            },
             palette,
           );
         else {
           c.fillStyle = colour;
           c.beginPath();
-          c.arc(x - radius * Math.sin(it.theta), y - radius * Math.cos(it.theta), 2.5, 0, 2 * Math.PI);
+          c.arc(
+            x - radius * Math.sin(it.theta),
+            y - radius * Math.cos(it.theta),
+            2.5,
+            0,
+            2 * Math.PI,
+          );
           c.fill();
         }
       };
@@ -88,7 +117,12 @@ export function film(picture: Picture): void {
 /** A film from the device of the reader, which follows the time of the picture. It is sent nowhere. */
 function ownFilm(picture: Picture, seconds: () => number): { show: () => void } {
   const input = make('input', { type: 'file', accept: 'video/*' });
-  const video = make('video', { muted: '', playsinline: '', controls: '', 'aria-label': picture.word('film') });
+  const video = make('video', {
+    muted: '',
+    playsinline: '',
+    controls: '',
+    'aria-label': picture.word('film'),
+  });
   const mark = make('button', { type: 'button' }, picture.word('mark'));
   video.hidden = true;
   mark.hidden = true;
@@ -108,7 +142,11 @@ function ownFilm(picture: Picture, seconds: () => number): { show: () => void } 
     lift = video.currentTime - seconds();
     video.pause();
   });
-  picture.controls.append(make('label', { class: 'own' }, make('span', {}, picture.word('own')), input), video, mark);
+  picture.controls.append(
+    make('label', { class: 'own' }, make('span', {}, picture.word('own')), input),
+    video,
+    mark,
+  );
   return {
     show: () => {
       if (lift === null || !video.paused) return;

@@ -1,8 +1,21 @@
-// What the ground has to do for Littlewood's hoop to roll: its forces, and the cone of those that it can give.
+// What the ground has to do for Littlewood's hoop to roll: its forces, and the cone of those that
+// it can give.
 
 import type { Palette } from '../../generated/palette';
 import { setDash } from '../../views/canvas';
-import { type Box, disc, force, ground, line, type Point, plot, ring, split, weightOf, words } from '../draw';
+import {
+  type Box,
+  disc,
+  force,
+  ground,
+  line,
+  type Point,
+  plot,
+  ring,
+  split,
+  weightOf,
+  words,
+} from '../draw';
 import { hoopWith, linkTo, motionOf, Rolling } from '../hoops';
 import type { Picture } from '../kit';
 import { degrees, percent, plain } from '../numbers';
@@ -36,11 +49,21 @@ export function forces(picture: Picture): void {
   const says = PICTURES.forces.says;
   const hoop = hoopWith();
   const rolling = new Rolling(hoop);
-  const angle = picture.slider('angle', { min: 0, max: 160, step: 1, first: 40, text: (value) => `${plain(value)}°` });
+  const angle = picture.slider('angle', {
+    min: 0,
+    max: 160,
+    step: 1,
+    first: 40,
+    text: (value) => `${plain(value)}°`,
+  });
   let place: Place = { centre: [0, 0], radius: 1, floor: 0 };
   const turned = (): number => radians(angle.value);
 
-  const draw = (c: CanvasRenderingContext2D, size: { width: number; height: number }, palette: Palette): void => {
+  const draw = (
+    c: CanvasRenderingContext2D,
+    size: { width: number; height: number },
+    palette: Palette,
+  ): void => {
     const [left, right] = split(size, 0.56);
     place = placeIn(left, 64);
     const { centre, radius, floor } = place;
@@ -60,7 +83,18 @@ export function forces(picture: Picture): void {
     c.setLineDash([]);
     const { normal, friction } = rolling.forces(-phi);
     const colour = palette.mode.rolling;
-    ring(c, { x: centre[0], y: centre[1], radius, theta: -phi, colour, dash: normal < -NOTHING ? [3, 2] : [] }, palette);
+    ring(
+      c,
+      {
+        x: centre[0],
+        y: centre[1],
+        radius,
+        theta: -phi,
+        colour,
+        dash: normal < -NOTHING ? [3, 2] : [],
+      },
+      palette,
+    );
     const foot: Point = [centre[0], floor];
     const unit = 1.15 * radius;
     if (normal < -NOTHING) {
@@ -75,7 +109,10 @@ export function forces(picture: Picture): void {
     c.fillStyle = palette.ink.ink;
     disc(c, foot, 4);
     const most = radians(160);
-    const points = Array.from({ length: 161 }, (_, i): Point => [radians(i), rolling.forces(-radians(i)).normal]);
+    const points = Array.from(
+      { length: 161 },
+      (_, i): Point => [radians(i), rolling.forces(-radians(i)).normal],
+    );
     const zero = points.findIndex(([, n]) => n <= 0);
     plot(
       c,
@@ -86,10 +123,15 @@ export function forces(picture: Picture): void {
         xName: picture.word('of'),
         yName: picture.word('needed'),
         levels: [0],
-        uprights: zero < 0 ? [] : [{ x: points[zero]![0], name: picture.word('normal_force_zero') }],
+        uprights:
+          zero < 0 ? [] : [{ x: points[zero]![0], name: picture.word('normal_force_zero') }],
         curves: [
           { points: points.filter(([, n]) => n >= 0), colour: palette.arrow.normal_force },
-          { points: points.filter(([, n]) => n <= 0.01), colour: palette.arrow.impulse, dash: [3, 2] },
+          {
+            points: points.filter(([, n]) => n <= 0.01),
+            colour: palette.arrow.impulse,
+            dash: [3, 2],
+          },
         ],
         now: [phi, normal],
       },
@@ -97,15 +139,29 @@ export function forces(picture: Picture): void {
     );
   };
   picture.handle(
-    () => weightOf({ x: place.centre[0], y: place.centre[1], radius: place.radius, theta: -turned(), colour: '' }),
+    () =>
+      weightOf({
+        x: place.centre[0],
+        y: place.centre[1],
+        radius: place.radius,
+        theta: -turned(),
+        colour: '',
+      }),
     (x, y) => angle.set(dragged(place, x, y)),
   );
   picture.live(
     draw,
     () => {
       const { normal, friction } = rolling.forces(-turned());
-      const filling = { angle: `${plain(angle.value)}°`, normal: percent(Math.abs(normal)), friction: percent(Math.abs(friction)) };
-      return fill(normal > NOTHING ? says.pushes : normal > -NOTHING ? says.nothing : says.pulls, filling);
+      const filling = {
+        angle: `${plain(angle.value)}°`,
+        normal: percent(Math.abs(normal)),
+        friction: percent(Math.abs(friction)),
+      };
+      return fill(
+        normal > NOTHING ? says.pushes : normal > -NOTHING ? says.nothing : says.pulls,
+        filling,
+      );
     },
     () => linkTo({ ...hoop, theta: -turned(), theta_rate: rolling.rate(-turned()) }),
   );
@@ -122,10 +178,20 @@ function limitOf(mu: number): number {
 export function cone(picture: Picture): void {
   const says = PICTURES.cone.says;
   const rolling = new Rolling(hoopWith());
-  const angle = picture.slider('angle', { min: 0, max: 120, step: 1, first: 30, text: (value) => `${plain(value)}°` });
-  const mu = picture.slider('mu', { min: 0.1, max: 1.5, step: 0.05, first: 0.5, text: (value) => plain(value) }, (value) => {
-    limit = limitOf(value);
+  const angle = picture.slider('angle', {
+    min: 0,
+    max: 120,
+    step: 1,
+    first: 30,
+    text: (value) => `${plain(value)}°`,
   });
+  const mu = picture.slider(
+    'mu',
+    { min: 0.1, max: 1.5, step: 0.05, first: 0.5, text: (value) => plain(value) },
+    (value) => {
+      limit = limitOf(value);
+    },
+  );
   let limit = limitOf(mu.value);
   let place: Place = { centre: [0, 0], radius: 1, floor: 0 };
   const turned = (): number => radians(angle.value);
@@ -136,7 +202,14 @@ export function cone(picture: Picture): void {
     return { ratio, kind: ratio <= mu.value ? 'grips' : 'slips' };
   };
   picture.handle(
-    () => weightOf({ x: place.centre[0], y: place.centre[1], radius: place.radius, theta: -turned(), colour: '' }),
+    () =>
+      weightOf({
+        x: place.centre[0],
+        y: place.centre[1],
+        radius: place.radius,
+        theta: -turned(),
+        colour: '',
+      }),
     (x, y) => angle.set(dragged(place, x, y)),
   );
   picture.live(
@@ -174,21 +247,48 @@ export function cone(picture: Picture): void {
         palette,
       );
       // Its direction is what matters: it vanishes at the horizontal.
-      const [wx, wy] = weightOf({ x: centre[0], y: centre[1], radius, theta: -turned(), colour: '' });
+      const [wx, wy] = weightOf({
+        x: centre[0],
+        y: centre[1],
+        radius,
+        theta: -turned(),
+        colour: '',
+      });
       const distance = Math.max(1, Math.hypot(wx - foot[0], wy - foot[1]));
       const { normal, friction } = rolling.forces(-turned());
       const length = 0.75 * Math.min(distance, 1.2 * radius);
       const size2 = Math.hypot(normal, friction);
       const [dx, dy] = size2 > 0 ? [friction / size2, -normal / size2] : [0, -1];
-      if (kind !== 'pulls') force(c, foot, dx * length, dy * length, palette.arrow.normal_force, '', palette);
+      if (kind !== 'pulls')
+        force(c, foot, dx * length, dy * length, palette.arrow.normal_force, '', palette);
       c.fillStyle = palette.ink.ink;
       disc(c, foot, 4);
-      words(c, picture.word(kind === 'grips' ? 'grips' : 'slips'), [size.width - 8, 20], palette, 'right', 17);
+      words(
+        c,
+        picture.word(kind === 'grips' ? 'grips' : 'slips'),
+        [size.width - 8, 20],
+        palette,
+        'right',
+        17,
+      );
     },
     () => {
       const { ratio, kind } = state();
-      return fill(says[kind], { angle: `${plain(angle.value)}°`, ratio: plain(ratio, 2), mu: plain(mu.value), limit: degrees(limit) });
+      return fill(says[kind], {
+        angle: `${plain(angle.value)}°`,
+        ratio: plain(ratio, 2),
+        mu: plain(mu.value),
+        limit: degrees(limit),
+      });
     },
-    () => linkTo(hoopWith({ theta: -turned(), theta_rate: rolling.rate(-turned()), mu_s: mu.value, mu_k: mu.value })),
+    () =>
+      linkTo(
+        hoopWith({
+          theta: -turned(),
+          theta_rate: rolling.rate(-turned()),
+          mu_s: mu.value,
+          mu_k: mu.value,
+        }),
+      ),
   );
 }

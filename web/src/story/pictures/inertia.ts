@@ -32,8 +32,13 @@ export function inertia(picture: Picture): void {
     motion = motionOf(hoop, run).motion;
     distance = value === 0 ? 0 : distanceOf(motion, none);
   };
-  const text = (step: number): string => (step >= LAST ? picture.word('none') : plain(inertiaAt(step), 2));
-  const slider = picture.slider('inertia', { min: 0, max: LAST, step: 1, first: 10, text }, (step) => take(inertiaAt(step)));
+  const text = (step: number): string =>
+    step >= LAST ? picture.word('none') : plain(inertiaAt(step), 2);
+  const slider = picture.slider(
+    'inertia',
+    { min: 0, max: LAST, step: 1, first: 10, text },
+    (step) => take(inertiaAt(step)),
+  );
   take(inertiaAt(slider.value));
   const player = picture.player(
     () => ({ from: 0, to: none.end, stops: none.events.map(({ time }) => time), speed: 0.9 }),
@@ -65,7 +70,11 @@ export function inertia(picture: Picture): void {
       c.setLineDash([]);
       const [x, y] = at(now.x, now.centre_y);
       const mode = modeOf(now.mode);
-      ring(c, { x, y, radius, theta: now.theta, colour: palette.mode[mode], dash: MODE_DASHES[mode] }, palette);
+      ring(
+        c,
+        { x, y, radius, theta: now.theta, colour: palette.mode[mode], dash: MODE_DASHES[mode] },
+        palette,
+      );
       const bare = none.at(player.time);
       if (bare) {
         c.strokeStyle = palette.ink.ink;

@@ -28,10 +28,14 @@ export function liftoff(picture: Picture): void {
     instant = motion.events.find(({ name }) => name === 'lift_off')?.time ?? motion.begin;
   };
   take(PUSH);
-  picture.slider('push', { min: 0.8, max: 1.1, step: 0.01, first: PUSH, text: (value) => plain(value) }, (value) => {
-    take(value);
-    player.go(instant - AROUND);
-  });
+  picture.slider(
+    'push',
+    { min: 0.8, max: 1.1, step: 0.01, first: PUSH, text: (value) => plain(value) },
+    (value) => {
+      take(value);
+      player.go(instant - AROUND);
+    },
+  );
   const player = picture.player(
     () => ({ from: instant - AROUND, to: instant + AROUND, stops: [instant], speed: 0.2 }),
     (time) => `${plain(time - instant, 2)} √(R/g)`,
@@ -42,7 +46,16 @@ export function liftoff(picture: Picture): void {
       const [left, right] = split(size, 0.45);
       const sample = motion.at(player.time);
       const box = { width: left.width, height: left.height };
-      drawHoop(c, box, { motion, sample, offset: 1, h, slope: 0, follow: true, landing: null, palette });
+      drawHoop(c, box, {
+        motion,
+        sample,
+        offset: 1,
+        h,
+        slope: 0,
+        follow: true,
+        landing: null,
+        palette,
+      });
       const [from, to] = [instant - AROUND, instant + AROUND];
       const column = (name: 'normal' | 'gap', factor: number): Point[] =>
         Array.from({ length: 161 }, (_, i): Point => {
@@ -65,7 +78,10 @@ export function liftoff(picture: Picture): void {
             { points: normal, colour: palette.arrow.normal_force },
             { points: gap, colour: palette.mode.flight, dash: [3, 1.5] },
           ],
-          now: [player.time, player.time <= instant ? (sample?.normal ?? NaN) : (sample?.gap ?? NaN) * LARGER],
+          now: [
+            player.time,
+            player.time <= instant ? (sample?.normal ?? NaN) : (sample?.gap ?? NaN) * LARGER,
+          ],
         },
         palette,
       );

@@ -4,7 +4,16 @@ import { inOrder } from '../../core/fields';
 import { make } from '../../dom';
 import type { Class } from '../../generated/tables';
 import { OutcomePicture } from '../../map/client';
-import { type Curves, curvesOf, drawMotion, drawPlane, FROM, Frame, TO, wrapped } from '../../views/plane';
+import {
+  type Curves,
+  curvesOf,
+  drawMotion,
+  drawPlane,
+  FROM,
+  Frame,
+  TO,
+  wrapped,
+} from '../../views/plane';
 import { hoopWith, linkTo, problemOf, storyHoop } from '../hoops';
 import type { Picture } from '../kit';
 import { degrees, fateOf, plain } from '../numbers';
@@ -28,8 +37,16 @@ export function map(picture: Picture): void {
     fate = fateOf(showing.hoop);
     player.go(0);
   };
-  const angle = picture.slider('angle', { min: -3.1, max: 6.2, step: 0.05, first: 1, text: (value) => degrees(value) }, take);
-  const rate = picture.slider('rate', { min: -RATE, max: RATE, step: 0.05, first: -1.2, text: (value) => plain(value) }, take);
+  const angle = picture.slider(
+    'angle',
+    { min: -3.1, max: 6.2, step: 0.05, first: 1, text: (value) => degrees(value) },
+    take,
+  );
+  const rate = picture.slider(
+    'rate',
+    { min: -RATE, max: RATE, step: 0.05, first: -1.2, text: (value) => plain(value) },
+    take,
+  );
   const player = picture.player(showing.course, showing.timeText);
   picture.controls.before(legend);
 
@@ -52,25 +69,45 @@ export function map(picture: Picture): void {
           palette,
           () => {
             const present = outcomes?.present.filter((name) => name !== 'not_computed') ?? [];
-            const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
-            legend.replaceChildren(...present.map((name) => make('li', { 'data-class': name }, swatch(), picture.word(name))));
+            const swatch = (): HTMLElement =>
+              make('span', { class: 'swatch', 'aria-hidden': 'true' });
+            legend.replaceChildren(
+              ...present.map((name) =>
+                make('li', { 'data-class': name }, swatch(), picture.word(name)),
+              ),
+            );
             picture.changed();
           },
           (message) => {
             throw new Error(message);
           },
         );
-        outcomes.ask({ numbers: inOrder('dimensionless', base), restitution: undefined, law: undefined, rate: RATE, shows: 'outcome' });
+        outcomes.ask({
+          numbers: inOrder('dimensionless', base),
+          restitution: undefined,
+          law: undefined,
+          rate: RATE,
+          shows: 'outcome',
+        });
         shown = palette;
       } else if (shown !== palette) {
         shown = palette;
         outcomes.setPalette(palette);
       }
       const now = showing.motion.at(player.time);
-      drawPlane(c, new Frame(size, RATE), { curves, symbols: false, map: outcomes.picture, mapSize: outcomes.side, palette });
+      drawPlane(c, new Frame(size, RATE), {
+        curves,
+        symbols: false,
+        map: outcomes.picture,
+        mapSize: outcomes.side,
+        palette,
+      });
       drawMotion(c, new Frame(size, RATE), showing.motion, now, palette);
     },
-    () => (fate === 'leaves_at_once' || fate === 'lifts_off_later' || fate === 'rolls_forever' ? says[fate] : says.stays),
+    () =>
+      fate === 'leaves_at_once' || fate === 'lifts_off_later' || fate === 'rolls_forever'
+        ? says[fate]
+        : says.stays,
     () => linkTo(showing.hoop),
   );
   let shown: unknown = null;

@@ -36,9 +36,13 @@ export function question(picture: Picture): void {
     said = verdict(hoop);
     player.go(0);
   };
-  const push = picture.slider('push', { min: 0, max: 1.3, step: 0.01, first: PUSH, text: (value) => plain(value) }, (value) => {
-    take(storyHoop(value));
-  });
+  const push = picture.slider(
+    'push',
+    { min: 0, max: 1.3, step: 0.01, first: PUSH, text: (value) => plain(value) },
+    (value) => {
+      take(storyHoop(value));
+    },
+  );
   let said = verdict(hoop);
   const player = picture.player(showing.course, showing.timeText);
   picture.hold(
@@ -55,7 +59,8 @@ export function question(picture: Picture): void {
         if (!CALM.matches) player.play();
       },
       second: HULA_SECOND,
-      say: ({ theta, theta_rate }) => fill(picture.word('where'), { angle: degrees(-theta), rate: plain(-theta_rate) }),
+      say: ({ theta, theta_rate }) =>
+        fill(picture.word('where'), { angle: degrees(-theta), rate: plain(-theta_rate) }),
     }),
     () => said,
     () => linkTo(hoop),

@@ -2,7 +2,16 @@
 
 import { climbingDisc, linkTo, rampDisc } from '../hoops';
 import type { Picture } from '../kit';
-import { CLIMB, climbOf, millimetres, plain, RAMP, RAMP_RADIUS, RAMP_RADIUS_M, slipsOf } from '../numbers';
+import {
+  CLIMB,
+  climbOf,
+  millimetres,
+  plain,
+  RAMP,
+  RAMP_RADIUS,
+  RAMP_RADIUS_M,
+  slipsOf,
+} from '../numbers';
 import { fill } from '../rich';
 import { PICTURES } from '../text';
 import { Showing } from './course';
@@ -21,8 +30,16 @@ export function ramp(picture: Picture): void {
     showing.take(rampDisc(radians(slope.value), radians(release.value)));
     player.go(0);
   };
-  const slope = picture.slider('slope', { min: 10, max: 45, step: 1, first: 30, text: inDegrees }, take);
-  const release = picture.slider('release', { min: -180, max: 180, step: 5, first: 30, text: inDegrees }, take);
+  const slope = picture.slider(
+    'slope',
+    { min: 10, max: 45, step: 1, first: 30, text: inDegrees },
+    take,
+  );
+  const release = picture.slider(
+    'release',
+    { min: -180, max: 180, step: 5, first: 30, text: inDegrees },
+    take,
+  );
   const player = picture.player(showing.course, showing.timeText);
   picture.live(
     (c, size, palette) => showing.draw(c, size, player.time, palette),
@@ -37,14 +54,25 @@ export function ramp(picture: Picture): void {
 
 export function climb(picture: Picture): void {
   const says = PICTURES.climb.says;
-  const disc = (): Parameters<typeof climbingDisc> => [radians(slope.value), -radians(uphill.value)];
+  const disc = (): Parameters<typeof climbingDisc> => [
+    radians(slope.value),
+    -radians(uphill.value),
+  ];
   const showing = new Showing(climbingDisc(CLIMB.slope, CLIMB.theta));
   const take = (): void => {
     showing.take(climbingDisc(...disc()));
     player.go(0);
   };
-  const slope = picture.slider('slope', { min: 1, max: 30, step: 0.5, first: (CLIMB.slope * 180) / Math.PI, text: inDegrees }, take);
-  const uphill = picture.slider('release', { min: 0, max: 180, step: 1, first: (-CLIMB.theta * 180) / Math.PI, text: inDegrees }, take);
+  const slope = picture.slider(
+    'slope',
+    { min: 1, max: 30, step: 0.5, first: (CLIMB.slope * 180) / Math.PI, text: inDegrees },
+    take,
+  );
+  const uphill = picture.slider(
+    'release',
+    { min: 0, max: 180, step: 1, first: (-CLIMB.theta * 180) / Math.PI, text: inDegrees },
+    take,
+  );
   const player = picture.player(showing.course, showing.timeText);
   picture.live(
     (c, size, palette) => showing.draw(c, size, player.time, palette, false),

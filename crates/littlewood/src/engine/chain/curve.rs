@@ -38,10 +38,12 @@ pub(super) struct Curves {
     parts: Vec<Part>,
 }
 
-/// Largest amplification of the rounding of levels that polynomials are made for: next to an extremum of the level there is no bound.
+/// Largest amplification of the rounding of levels that polynomials are made for: next to an
+/// extremum of the level there is no bound.
 const MAX_AMPLIFICATION: f64 = 1e3;
 
-/// More halvings of a part on which slips are told by their rate: chains that contract towards a turning point end at small ones.
+/// More halvings of a part on which slips are told by their rate: chains that contract towards a
+/// turning point end at small ones.
 const MORE_HALVINGS_TO_REST: u32 = 3;
 
 /// An end of a piece is a pole if 1/K is smaller there than in the middle by this.
@@ -54,7 +56,10 @@ impl Curves {
             let (rests, extrema) = slips.rests_and_extrema(side);
             for piece in slips.slips(side) {
                 let inside = |cuts: &[f64]| -> Vec<f64> {
-                    cuts.iter().copied().filter(|angle| piece.0 < *angle && *angle < piece.1).collect()
+                    cuts.iter()
+                        .copied()
+                        .filter(|angle| piece.0 < *angle && *angle < piece.1)
+                        .collect()
                 };
                 let rests = inside(&rests);
                 let mut ends = vec![piece.0, piece.1];
@@ -81,10 +86,18 @@ impl Curves {
                         let at = |angle: f64| match coordinate {
                             Coordinate::Angle => angle,
                             Coordinate::InverseLevel => slips.inverse_level(side, angle).max(0.0),
-                            Coordinate::Rate => slips.limit(side, angle).map_or(0.0, |u| u.max(0.0).sqrt()),
+                            Coordinate::Rate => {
+                                slips.limit(side, angle).map_or(0.0, |u| u.max(0.0).sqrt())
+                            }
                         };
                         let (one, other) = (at(angles.0), at(angles.1));
-                        Part { side, piece, coordinate, angles, bounds: (one.min(other), one.max(other)) }
+                        Part {
+                            side,
+                            piece,
+                            coordinate,
+                            angles,
+                            bounds: (one.min(other), one.max(other)),
+                        }
                     };
                     parts.extend([half(pair[0]), half(pair[1])]);
                 }
@@ -100,7 +113,8 @@ impl Curves {
     /// The angle of a slip at a rate, on a part on which rates rise or fall.
     fn angle_at(&self, part: &Part, rate: f64) -> f64 {
         let (low, high) = part.angles;
-        let [first, last] = [low, high].map(|angle| self.slips.limit(part.side, angle).unwrap_or(0.0));
+        let [first, last] =
+            [low, high].map(|angle| self.slips.limit(part.side, angle).unwrap_or(0.0));
         let falls = if first > last { 1.0 } else { -1.0 };
         Bracket { low, high }.refine(|angle| {
             let (u, slope) = self.slips.limit_and_slope(part.side, angle);
@@ -115,9 +129,9 @@ impl Curves {
         let index = self.parts.iter().position(holds)?;
         let at = match self.parts[index].coordinate {
             Coordinate::Angle => slip.angle,
-            Coordinate::InverseLevel => {
-                self.slips.inverse(self.slips.level(theta_rate * theta_rate, slip.angle))
-            }
+            Coordinate::InverseLevel => self
+                .slips
+                .inverse(self.slips.level(theta_rate * theta_rate, slip.angle)),
             Coordinate::Rate => theta_rate.abs(),
         };
         Some(Point { part: index, at })
@@ -131,8 +145,9 @@ impl Curves {
         }
     }
 
-    /// By how much a coordinate moves, between two of a part, where the level of the orbit moves by a part of itself, over that part: what
-    /// rounding of the level is amplified by. Orbits that graze the limit of friction slip at very different angles.
+    /// By how much a coordinate moves, between two of a part, where the level of the orbit moves by
+    /// a part of itself, over that part: what rounding of the level is amplified by. Orbits that
+    /// graze the limit of friction slip at very different angles.
     pub(super) fn amplification(&self, part: usize, (from, to): (f64, f64)) -> f64 {
         let part = &self.parts[part];
         let moves = |angles: [f64; 2]| {
@@ -158,7 +173,10 @@ impl Curves {
                 (angle, self.slips.rate_squared(level, angle))
             }
             Coordinate::Rate => {
-                let slip = SlipPoint { side, angle: self.angle_at(part, point.at) };
+                let slip = SlipPoint {
+                    side,
+                    angle: self.angle_at(part, point.at),
+                };
                 return (point.at > 0.0).then_some((slip, point.at));
             }
         };

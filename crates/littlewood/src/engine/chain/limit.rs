@@ -1,8 +1,8 @@
 //! The curves of the phase plane on which rolling slips, |F| = μs N, in the direction of motion.
 //!
-//! The margins (μs N ∓ F) D² of an orbit are linear in its level L = K − D(π): A(ϑ) + L B(ϑ). The level L*(ϑ) = −A/B at which
-//! a margin vanishes belongs to the body. Between its extrema and poles it is monotone, so that on such a piece a margin
-//! changes sign at most once, whatever the orbit.
+//! The margins (μs N ∓ F) D² of an orbit are linear in its level L = K − D(π): A(ϑ) + L B(ϑ). The
+//! level L*(ϑ) = −A/B at which a margin vanishes belongs to the body. Between its extrema and poles
+//! it is monotone, so that on such a piece a margin changes sign at most once, whatever the orbit.
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,7 +12,8 @@ use crate::math::form::Trigonometric;
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, State};
 
-/// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a turn.
+/// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a
+/// turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::engine) struct SlipPoint {
     pub(in crate::engine) side: usize,
@@ -23,7 +24,10 @@ impl SlipPoint {
     pub(super) fn of(state: &State, direction: Direction) -> Self {
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let theta = travel * state.theta;
-        Self { side: side_of(direction, travel), angle: theta - TAU * (theta / TAU).floor() }
+        Self {
+            side: side_of(direction, travel),
+            angle: theta - TAU * (theta / TAU).floor(),
+        }
     }
 }
 
@@ -68,21 +72,28 @@ impl SlipCurves {
     /// The same with its derivative by the angle.
     pub(super) fn limit_and_slope(&self, side: usize, angle: f64) -> (f64, f64) {
         let (y, x) = libm::sincos(0.5 * angle);
-        let [(a, a_slope), (b, b_slope)] =
-            [0, 1].map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
+        let [(a, a_slope), (b, b_slope)] = [0, 1]
+            .map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
         let d_slope = -4.0 * self.law.offset * x * y;
         let level = -a / b;
         let level_slope = -(a_slope + level * b_slope) / b;
         let u = self.rate_squared(level, angle);
-        (u, (level_slope - (1.0 + u) * d_slope) / self.law.denominator(angle))
+        (
+            u,
+            (level_slope - (1.0 + u) * d_slope) / self.law.denominator(angle),
+        )
     }
 
-    /// The angles at which θ′² of [`SlipCurves::limit`] vanishes, and those at which it has an extremum.
+    /// The angles at which θ′² of [`SlipCurves::limit`] vanishes, and those at which it has an
+    /// extremum.
     pub(super) fn rests_and_extrema(&self, side: usize) -> (Vec<f64>, Vec<f64>) {
         let [a, b] = [0, 1].map(|i: usize| Trigonometric::from_form(&self.margins[side][i]));
         // u = (K − D)/D with K = −(A − D(π) B)/B.
         let rests = a.plus(&self.law.above_bottom().times(&b));
-        let (a, b) = (a.minus(&b.scaled(self.law.bottom)), self.law.denominator_polynomial().times(&b));
+        let (a, b) = (
+            a.minus(&b.scaled(self.law.bottom)),
+            self.law.denominator_polynomial().times(&b),
+        );
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative()));
         (rests.sign_changes(), extrema.sign_changes())
     }
@@ -101,12 +112,17 @@ impl SlipCurves {
             // The poles of −A/B, and its extrema, the zeros of A′B − AB′.
             let [a, b] = [0, 1].map(|k: usize| Trigonometric::from_form(&margins[k]));
             angles.extend(b.sign_changes());
-            angles.extend(a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes());
+            angles.extend(
+                a.derivative()
+                    .times(&b)
+                    .minus(&a.times(&b.derivative()))
+                    .sign_changes(),
+            );
         }
         angles.sort_by(f64::total_cmp);
         angles.dedup_by(|a, b| *a - *b < 1e-9);
-        // The margin for the level at the middle falls through zero there or rises, as at all levels of the piece, those among them that
-        // no orbit has (u < 0).
+        // The margin for the level at the middle falls through zero there or rises, as at all
+        // levels of the piece, those among them that no orbit has (u < 0).
         let falls = |(left, right): &(f64, f64)| {
             let middle = 0.5 * (left + right);
             self.limit(side, middle).is_some_and(|u| {
@@ -114,20 +130,26 @@ impl SlipCurves {
                 self.margin(side, level, *left).0 > self.margin(side, level, *right).0
             })
         };
-        angles.windows(2).map(|pair| (pair[0], pair[1])).filter(falls).collect()
+        angles
+            .windows(2)
+            .map(|pair| (pair[0], pair[1]))
+            .filter(falls)
+            .collect()
     }
 
     /// The margin of a side on the orbit with a level, and its derivative by the angle.
     fn margin(&self, side: usize, level: f64, angle: f64) -> (f64, f64) {
         let (y, x) = libm::sincos(0.5 * angle);
-        let [(a, a_slope), (b, b_slope)] =
-            [0, 1].map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
+        let [(a, a_slope), (b, b_slope)] = [0, 1]
+            .map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
         (a + level * b, a_slope + level * b_slope)
     }
 
     /// The angle on a piece at which the orbit with a level slips.
     pub(super) fn slip_on(&self, (low, high): (f64, f64), side: usize, level: f64) -> Option<f64> {
-        level.is_finite().then(|| Bracket { low, high }.refine(|angle| self.margin(side, level, angle)))
+        level
+            .is_finite()
+            .then(|| Bracket { low, high }.refine(|angle| self.margin(side, level, angle)))
     }
 }
 
@@ -153,7 +175,8 @@ mod tests {
                     let angle = TAU / 200.0 * f64::from(k);
                     let (u, slope) = curves.limit_and_slope(side, angle);
                     assert_eq!(curves.limit(side, angle), Some(u));
-                    let [before, after] = [-1e-6, 1e-6].map(|step| curves.limit(side, angle + step).unwrap());
+                    let [before, after] =
+                        [-1e-6, 1e-6].map(|step| curves.limit(side, angle + step).unwrap());
                     let quotient = (after - before) / 2e-6;
                     if quotient.abs() < 100.0 {
                         assert!(

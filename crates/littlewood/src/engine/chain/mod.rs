@@ -1,7 +1,9 @@
-//! Chains of slips (docs/engine.md): whole powers of the map from one slip out of rolling to the next, a *link*.
+//! Chains of slips (docs/engine.md): whole powers of the map from one slip out of rolling to the
+//! next, a *link*.
 //!
-//! The map of 2^k links is that of 2^(k−1) links, twice; its polynomials go through these values at Chebyshev nodes ([`tree`]), and n links
-//! take some 2 log₂ n of them. Pieces are made when a motion first needs them, and are the same whichever motion that is.
+//! The map of 2^k links is that of 2^(k−1) links, twice; its polynomials go through these values at
+//! Chebyshev nodes ([`tree`]), and n links take some 2 log₂ n of them. Pieces are made when a
+//! motion first needs them, and are the same whichever motion that is.
 
 mod curve;
 mod limit;
@@ -29,9 +31,10 @@ const LEVELS: usize = 14;
 const SUCCESSES_BEFORE_RETRY: usize = 2;
 
 pub(super) trait Follow {
-    /// The state at the end of the link that begins at a slip with this rate, travelling to positive angles from x = 0 at τ = 0 in the frame
-    /// of the chains, with the direction of the slip there, the length of the slides, and the phases; none where the motion comes to
-    /// another end, or it may be known there that it slips for ever.
+    /// The state at the end of the link that begins at a slip with this rate, travelling to
+    /// positive angles from x = 0 at τ = 0 in the frame of the chains, with the direction of the
+    /// slip there, the length of the slides, and the phases; none where the motion comes to another
+    /// end, or it may be known there that it slips for ever.
     fn link(
         &self,
         chains: &Chains,
@@ -56,10 +59,16 @@ pub(super) struct Chains {
 }
 
 impl Chains {
-    /// Of a hoop with these equations: for all slips, or on a slope for those in each direction of motion. Nothing is computed yet.
+    /// Of a hoop with these equations: for all slips, or on a slope for those in each direction of
+    /// motion. Nothing is computed yet.
     pub(super) fn new(hoop: &Hoop, laws: &Laws) -> Vec<Self> {
-        let travels: &[Option<f64>] = if hoop.slope() == 0.0 { &[None] } else { &[Some(1.0), Some(-1.0)] };
-        let margins = |travel: &Option<f64>| Some((*travel, margin_forms(hoop, travel.unwrap_or(1.0))?));
+        let travels: &[Option<f64>] = if hoop.slope() == 0.0 {
+            &[None]
+        } else {
+            &[Some(1.0), Some(-1.0)]
+        };
+        let margins =
+            |travel: &Option<f64>| Some((*travel, margin_forms(hoop, travel.unwrap_or(1.0))?));
         travels
             .iter()
             .filter_map(margins)
@@ -70,13 +79,20 @@ impl Chains {
     fn of(hoop: &Hoop, laws: &Laws, (travel, margins): (Option<f64>, Margins)) -> Self {
         let Heavy { mass, inertia, .. } = laws.body;
         let curves = Curves::new(SlipCurves::new(margins, laws.rolling));
-        let level = curves.bounds().map(|(left, right)| Tree::new(left, right, 0)).collect();
+        let level = curves
+            .bounds()
+            .map(|(left, right)| Tree::new(left, right, 0))
+            .collect();
         Self {
             curves,
             basis: Basis::new(),
             levels: vec![level; LEVELS],
             noise: (mass / inertia).sqrt().max(1.0),
-            grazing: if hoop.mu_s() == hoop.mu_k() && hoop.slope() == 0.0 { Levels::new(hoop) } else { None },
+            grazing: if hoop.mu_s() == hoop.mu_k() && hoop.slope() == 0.0 {
+                Levels::new(hoop)
+            } else {
+                None
+            },
             travel,
         }
     }
@@ -86,13 +102,14 @@ impl Chains {
         self.travel.unwrap_or(1.0)
     }
 
-    /// The point of the curves at which a slip in this direction begins. On a slope each direction of motion has its own curves; for a state
-    /// that moves the other way the result is `None`.
+    /// The point of the curves at which a slip in this direction begins. On a slope each direction
+    /// of motion has its own curves; for a state that moves the other way the result is `None`.
     pub(super) fn point(&self, state: &State, direction: Direction) -> Option<Point> {
         if self.travel.is_some() && state.theta_rate < 0.0 {
             return None;
         }
-        self.curves.point(SlipPoint::of(state, direction), state.theta_rate)
+        self.curves
+            .point(SlipPoint::of(state, direction), state.theta_rate)
     }
 
     /// The slip at a point, and |θ′|.
@@ -105,14 +122,24 @@ impl Chains {
         self.grazing.as_ref()
     }
 
-    /// Whether a link, which has one slide, leads to a grazing orbit for sure: such a slip may end a motion, and is no link.
-    pub(super) fn is_last(&self, hoop: &Hoop, slip: &State, end: &State, phases: PhaseSequence) -> bool {
-        let Some(levels) = &self.grazing else { return false };
+    /// Whether a link, which has one slide, leads to a grazing orbit for sure: such a slip may end
+    /// a motion, and is no link.
+    pub(super) fn is_last(
+        &self,
+        hoop: &Hoop,
+        slip: &State,
+        end: &State,
+        phases: PhaseSequence,
+    ) -> bool {
+        let Some(levels) = &self.grazing else {
+            return false;
+        };
         let [before, after] = [slip, end].map(|state| levels.energy(state));
         phases.len() == 2 && levels.attracting(hoop, before, after).is_some()
     }
 
-    /// Links from a slip one by one, as many as a motion has room for and a sequence holds the phases of.
+    /// Links from a slip one by one, as many as a motion has room for and a sequence holds the
+    /// phases of.
     pub(super) fn links(
         &self,
         point: Point,
@@ -122,13 +149,19 @@ impl Chains {
         let mut passed: Option<(Passage, PhaseSequence)> = None;
         loop {
             let here = passed.map_or(point, |(total, _)| total.end);
-            let Some(found) = self.found(0, here, follow) else { return passed };
+            let Some(found) = self.found(0, here, follow) else {
+                return passed;
+            };
             let link = found.from(here.at);
             let next = match passed {
                 None => (link, found.phases),
                 Some((total, mut phases)) => {
                     // A link is seen in the frame of motion where it begins.
-                    phases.append(if total.is_back() { found.phases.mirrored() } else { found.phases });
+                    phases.append(if total.is_back() {
+                        found.phases.mirrored()
+                    } else {
+                        found.phases
+                    });
                     (total.then(&link), phases)
                 }
             };
@@ -148,7 +181,8 @@ impl Chains {
     ) -> Option<Passage> {
         let mut total: Option<Passage> = None;
         let mut level = 0;
-        // Links passed on this level since it was found to be the highest: enough of them, and a higher one is tried again.
+        // Links passed on this level since it was found to be the highest: enough of them, and a
+        // higher one is tried again.
         let mut passed = SUCCESSES_BEFORE_RETRY;
         loop {
             let here = total.map_or(point, |passage| passage.end);
@@ -189,11 +223,19 @@ impl Chains {
     }
 
     /// What a piece of a level is made from.
-    fn value(&self, level: usize, point: Point, follow: &impl Follow) -> Option<(Passage, PhaseSequence)> {
+    fn value(
+        &self,
+        level: usize,
+        point: Point,
+        follow: &impl Follow,
+    ) -> Option<(Passage, PhaseSequence)> {
         let Some(below) = level.checked_sub(1) else {
             let (slip, rate) = self.curves.slip(point)?;
             let (end, direction, slid, phases) = follow.link(self, slip, rate)?;
-            return Some((Passage::to(&end, self.point(&end, direction)?, slid, phases), phases));
+            return Some((
+                Passage::to(&end, self.point(&end, direction)?, slid, phases),
+                phases,
+            ));
         };
         let first = self.found(below, point, follow)?.from(point.at);
         let second = self.found(below, first.end, follow)?.from(first.end.at);

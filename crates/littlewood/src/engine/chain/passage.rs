@@ -36,7 +36,10 @@ pub(in crate::engine) struct Route {
 /// A digest of two numbers, in order.
 const fn mixed(first: u64, second: u64) -> u64 {
     // The multipliers are odd, so that nothing is lost.
-    let sum = first.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(second).wrapping_add(1);
+    let sum = first
+        .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        .wrapping_add(second)
+        .wrapping_add(1);
     (sum ^ (sum >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
 }
 
@@ -45,8 +48,20 @@ impl Passage {
     pub(super) fn to(state: &State, end: Point, slid: f64, phases: PhaseSequence) -> Self {
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let turns = (travel * state.theta / TAU).floor();
-        let route = Route { part: end.part, travel, turns, transitions: phases.len(), digest: phases.bits() };
-        Self { end, elapsed: state.time, moved: state.x, slid, route }
+        let route = Route {
+            part: end.part,
+            travel,
+            turns,
+            transitions: phases.len(),
+            digest: phases.bits(),
+        };
+        Self {
+            end,
+            elapsed: state.time,
+            moved: state.x,
+            slid,
+            route,
+        }
     }
 
     /// The numbers that are interpolated.
@@ -55,7 +70,16 @@ impl Passage {
     }
 
     pub(super) const fn with_numbers(route: Route, [at, elapsed, moved, slid]: [f64; 4]) -> Self {
-        Self { end: Point { part: route.part, at }, elapsed, moved, slid, route }
+        Self {
+            end: Point {
+                part: route.part,
+                at,
+            },
+            elapsed,
+            moved,
+            slid,
+            route,
+        }
     }
 
     pub(super) fn is_back(&self) -> bool {
@@ -79,11 +103,16 @@ impl Passage {
         }
     }
 
-    /// The state at the end of a passage from a slip at a state, with the angle, reduced to a turn in the frame of motion, and |θ′| there.
+    /// The state at the end of a passage from a slip at a state, with the angle, reduced to a turn
+    /// in the frame of motion, and |θ′| there.
     pub(in crate::engine) fn state_after(&self, start: &State, (angle, rate): (f64, f64)) -> State {
         let sign = if start.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let turns = (sign * start.theta / TAU).floor();
-        let Route { travel, turns: gained, .. } = self.route;
+        let Route {
+            travel,
+            turns: gained,
+            ..
+        } = self.route;
         State {
             time: start.time + self.elapsed,
             theta: sign * (travel * (angle + TAU * gained) + TAU * turns),

@@ -1,5 +1,5 @@
-//! The maps of 2^k links on one curve of slips, by polynomials on pieces that are made when they are needed, and halved where a phase
-//! begins to appear or vanishes.
+//! The maps of 2^k links on one curve of slips, by polynomials on pieces that are made when they
+//! are needed, and halved where a phase begins to appear or vanishes.
 
 use std::sync::OnceLock;
 
@@ -9,12 +9,13 @@ use super::super::interpolant::{Basis, Interpolant, NODES, Tolerance};
 use super::curve::Curves;
 use super::passage::{Passage, Route};
 
-/// Polynomials have converged when their last coefficients are below this part of the largest value, times what rounding in a link is
-/// amplified by.
+/// Polynomials have converged when their last coefficients are below this part of the largest
+/// value, times what rounding in a link is amplified by.
 pub(super) const TOLERANCE: f64 = 2e-15;
 
-/// Most halvings of a part for a heavy hoop. The finest structure of a light one is finer by as much as it amplifies rounding. What is
-/// left is narrow, and followed phase by phase in less time than finer pieces would take.
+/// Most halvings of a part for a heavy hoop. The finest structure of a light one is finer by as
+/// much as it amplifies rounding. What is left is narrow, and followed phase by phase in less time
+/// than finer pieces would take.
 pub(super) const MAX_HALVINGS: u32 = 12;
 
 /// Part of the tolerance to which the level of an orbit is known: a few units in its last place.
@@ -66,7 +67,8 @@ pub(super) struct Making<'a> {
     /// To which part of a value the polynomials tell it.
     pub(super) tolerance: f64,
     pub(super) halvings: u32,
-    /// The least coordinate, if chains end there: next to it links are looked for in narrower intervals.
+    /// The least coordinate, if chains end there: next to it links are looked for in narrower
+    /// intervals.
     pub(super) end: Option<f64>,
     /// The links from a coordinate.
     pub(super) value: &'a dyn Fn(f64) -> Option<(Passage, PhaseSequence)>,
@@ -75,7 +77,12 @@ pub(super) struct Making<'a> {
 impl Tree {
     /// Between two coordinates, after so many halvings.
     pub(super) const fn new(left: f64, right: f64, halvings: u32) -> Self {
-        Self { left, right, halvings, fit: OnceLock::new() }
+        Self {
+            left,
+            right,
+            halvings,
+            fit: OnceLock::new(),
+        }
     }
 
     pub(super) fn find(&self, at: f64, making: &Making<'_>) -> Option<&Found> {
@@ -90,8 +97,23 @@ impl Tree {
     }
 }
 
-fn fit(&Tree { left, right, halvings, .. }: &Tree, making: &Making<'_>) -> Fit {
-    let Making { basis, curves, tolerance, halvings: most, end, value } = making;
+fn fit(
+    &Tree {
+        left,
+        right,
+        halvings,
+        ..
+    }: &Tree,
+    making: &Making<'_>,
+) -> Fit {
+    let Making {
+        basis,
+        curves,
+        tolerance,
+        halvings: most,
+        end,
+        value,
+    } = making;
     let middle = 0.5 * (left + right);
     let divided = || {
         if halvings < *most {
@@ -107,7 +129,11 @@ fn fit(&Tree { left, right, halvings, .. }: &Tree, making: &Making<'_>) -> Fit {
     let (Some(first), Some(second), Some(last)) = (&first, &second, &last) else {
         let nothing = first.is_none() && second.is_none() && last.is_none();
         let searched = halvings >= MIN_HALVINGS_SEARCHED && *end != Some(left);
-        return if nothing && searched { Fit::Nothing } else { divided() };
+        return if nothing && searched {
+            Fit::Nothing
+        } else {
+            divided()
+        };
     };
     let (route, phases) = (first.0.route, first.1);
     let same = |(passage, other): &(Passage, PhaseSequence)| {
@@ -124,26 +150,53 @@ fn fit(&Tree { left, right, halvings, .. }: &Tree, making: &Making<'_>) -> Fit {
             None => return divided(),
         }
     }
-    // The rounding of the level of an orbit decides where and when it slips, and how far the hoop has come.
+    // The rounding of the level of an orbit decides where and when it slips, and how far the hoop
+    // has come.
     let (first, last) = (&first.0.end, &last.0.end);
     let least = LEVEL_ROUNDING * tolerance * curves.amplification(last.part, (first.at, last.at));
-    let relative = Tolerance { relative: *tolerance, least };
+    let relative = Tolerance {
+        relative: *tolerance,
+        least,
+    };
     // x comes back to where it was, unlike time; the length of slides is only counted.
-    let moved = Tolerance { least: least.max(*tolerance), ..relative };
-    let counted = Tolerance { relative: LENGTH_TOLERANCE, least: LENGTH_TOLERANCE };
+    let moved = Tolerance {
+        least: least.max(*tolerance),
+        ..relative
+    };
+    let counted = Tolerance {
+        relative: LENGTH_TOLERANCE,
+        least: LENGTH_TOLERANCE,
+    };
     let tolerances = [relative, relative, moved, counted];
-    let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else { return divided() };
+    let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else {
+        return divided();
+    };
     let agrees = |at: f64, expected: [f64; 4]| {
-        let values = interpolant.at(at).into_iter().zip(expected).zip(&tolerances);
+        let values = interpolant
+            .at(at)
+            .into_iter()
+            .zip(expected)
+            .zip(&tolerances);
         values.into_iter().all(|((value, expected), tolerance)| {
             (value - expected).abs() <= MAX_MISS * tolerance.of(expected)
         })
     };
-    let between = nodes.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).chain([left, right]);
+    let between = nodes
+        .windows(2)
+        .map(|pair| 0.5 * (pair[0] + pair[1]))
+        .chain([left, right]);
     for at in between {
-        if !value(at).as_ref().and_then(same).is_some_and(|expected| agrees(at, expected)) {
+        if !value(at)
+            .as_ref()
+            .and_then(same)
+            .is_some_and(|expected| agrees(at, expected))
+        {
             return divided();
         }
     }
-    Fit::Found(Box::new(Found { route, phases, numbers: interpolant }))
+    Fit::Found(Box::new(Found {
+        route,
+        phases,
+        numbers: interpolant,
+    }))
 }

@@ -1,26 +1,30 @@
 //! All slides of a body in one direction about an angle.
 //!
-//! There every slide is u = p + u_c h, with two series and one number u_c that belongs to the slide. They reach to both sides, twice as
-//! far as the series of one slide from where it begins, and serve every slide of a motion that comes there.
+//! There every slide is u = p + u_c h, with two series and one number u_c that belongs to the
+//! slide. They reach to both sides, twice as far as the series of one slide from where it begins,
+//! and serve every slide of a motion that comes there.
 
 use core::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
+use crate::engine::quadrature::{
+    MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT,
+};
 use crate::math::trig::sincos;
 use crate::mechanics::SlidingLaw;
 
 use super::piece::{LawAt, Waypoint};
 use super::series::{
-    CONVERGENCE, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern, reach, scaled,
-    sum_of_sizes, value,
+    CONVERGENCE, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern,
+    reach, scaled, sum_of_sizes, value,
 };
 use super::step::{Step, rotated};
 
 /// The number of coarsest tiles in a turn.
 pub(super) const TILES: usize = 16;
 
-/// How often a tile may be halved where its series do not reach over it, or u changes too much on it.
+/// How often a tile may be halved where its series do not reach over it, or u changes too much on
+/// it.
 pub(super) const HALVINGS: usize = 5;
 
 /// The finest tiles of a turn. Angles at which tiles begin are counted in these.
@@ -36,7 +40,8 @@ pub(super) struct Cell {
     direction: (f64, f64),
     /// z at the end: twice as far from the centre as the tile, or as far as the series reach.
     width: f64,
-    /// u = p + u_c h, truncated at the first of these degrees, which are even, and on the tile at the second.
+    /// u = p + u_c h, truncated at the first of these degrees, which are even, and on the tile at
+    /// the second.
     p: Series,
     h: Series,
     degrees: (usize, usize),
@@ -53,7 +58,8 @@ pub(super) struct Cell {
     law_at_exit: LawAt,
     /// p, h, and the weight of 1/√u in the time, at the Gauss nodes of its tile.
     nodes: [[f64; NODES]; 3],
-    /// Sums of the sizes of the terms of p and h, from the linear ones on, up to the ellipse on which u has no zero if they are small.
+    /// Sums of the sizes of the terms of p and h, from the linear ones on, up to the ellipse on
+    /// which u has no zero if they are small.
     terms: (f64, f64),
 }
 
@@ -77,7 +83,11 @@ impl Tile {
     pub(super) const fn at(edge: usize, halvings: usize) -> Option<Self> {
         let shift = HALVINGS - halvings;
         let number = edge >> shift;
-        if number << shift == edge { Some(Self { halvings, number }) } else { None }
+        if number << shift == edge {
+            Some(Self { halvings, number })
+        } else {
+            None
+        }
     }
 
     /// The edge at its end.
@@ -109,16 +119,19 @@ type Kept = [OnceLock<Option<Box<Cell>>>];
 pub(in crate::engine) struct Cells([[OnceLock<Box<Kept>>; HALVINGS + 1]; 4]);
 
 impl Cells {
-    /// The cell of a tile for the direction `sigma` of slip in the frame of motion, if there is one. On a slope the mirrored frame has its
-    /// own.
+    /// The cell of a tile for the direction `sigma` of slip in the frame of motion, if there is
+    /// one. On a slope the mirrored frame has its own.
     pub(super) fn get(&self, law: &SlidingLaw, sigma: f64, tile: Tile) -> Option<&Cell> {
         let which = usize::from(sigma > 0.0) + 2 * usize::from(law.body.tilt > 0.0);
         let cells = &self.0[which][tile.halvings];
         let cells = cells.get_or_init(|| (0..tile.count()).map(|_| OnceLock::new()).collect());
-        cells[tile.number].get_or_init(|| Cell::new(law, sigma, tile).map(Box::new)).as_deref()
+        cells[tile.number]
+            .get_or_init(|| Cell::new(law, sigma, tile).map(Box::new))
+            .as_deref()
     }
 
-    /// The coarsest tile from an edge, halved at least so often, that a slide with this u crosses; with its cell, u_c, and u at its end.
+    /// The coarsest tile from an edge, halved at least so often, that a slide with this u crosses;
+    /// with its cell, u_c, and u at its end.
     pub(super) fn crossing(
         &self,
         (law, sigma): (&SlidingLaw, f64),
@@ -149,14 +162,15 @@ fn degree_of(series: [&Series; 2], t: f64) -> usize {
 }
 
 impl Cell {
-    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not known to be positive, and where the
-    /// series do not reach over the tile.
+    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not
+    /// known to be positive, and where the series do not reach over the tile.
     fn new(law: &SlidingLaw, sigma: f64, tile: Tile) -> Option<Self> {
         let angle = tile.angle();
         let direction = sincos((tile.number as f64 + 0.5) * angle);
         let polynomials = Polynomials::new(law, sigma, direction);
         let [p, h] = polynomials.solutions([0.0, 1.0], [1.0, 0.0]);
-        // z at the end of the tile; u changes no more than the Gauss sum of the time allows up to twice the angle.
+        // z at the end of the tile; u changes no more than the Gauss sum of the time allows up to
+        // twice the angle.
         let [half, widest] = [0.25, 0.5].map(|part| libm::tan(part * angle));
         let size = largest(&scaled(p, widest));
         let width = reach(&p, 0, size).min(reach(&h, 0, 1.0)).min(widest);
@@ -190,7 +204,11 @@ impl Cell {
             entry: (entry[0], entry[1]),
             exit: (exit[0], exit[1]),
             law_at_exit: LawAt::new(law, rotated(direction, half)),
-            nodes: [nodes.map(|node| node[0]), nodes.map(|node| node[1]), core::array::from_fn(weight)],
+            nodes: [
+                nodes.map(|node| node[0]),
+                nodes.map(|node| node[1]),
+                core::array::from_fn(weight),
+            ],
             terms: (p_terms, h_terms),
             p,
             h,
@@ -201,12 +219,15 @@ impl Cell {
 
     fn place(&self, (sin, cos): (f64, f64)) -> f64 {
         let (middle_sin, middle_cos) = self.direction;
-        let (turn_sin, turn_cos) = (sin * middle_cos - cos * middle_sin, cos * middle_cos + sin * middle_sin);
+        let (turn_sin, turn_cos) = (
+            sin * middle_cos - cos * middle_sin,
+            cos * middle_cos + sin * middle_sin,
+        );
         turn_sin / ((1.0 + turn_cos) * self.width)
     }
 
-    /// Of a slide with this u at the beginning of the tile: u_c, and u at the end of the tile. None where u is not known to stay away
-    /// from zero.
+    /// Of a slide with this u at the beginning of the tile: u_c, and u at the end of the tile. None
+    /// where u is not known to stay away from zero.
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
         let is_clear = self.terms.0 + level * self.terms.1 <= Step::MAX_TERMS * level;
@@ -227,20 +248,42 @@ impl Cell {
         &self.law_at_exit
     }
 
-    /// The step over the whole tile of a slide that crosses it in this time, and its place at the beginning.
-    pub(super) fn whole_step(&self, here: &Waypoint, level: f64, time: f64) -> Option<(Waypoint, Step)> {
-        let place = Waypoint { z: -self.end, ..*here };
+    /// The step over the whole tile of a slide that crosses it in this time, and its place at the
+    /// beginning.
+    pub(super) fn whole_step(
+        &self,
+        here: &Waypoint,
+        level: f64,
+        time: f64,
+    ) -> Option<(Waypoint, Step)> {
+        let place = Waypoint {
+            z: -self.end,
+            ..*here
+        };
         let u = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
-        Some((place, self.step_at((level, u), self.degrees.1, (self.end, Some((place.z, time))))?))
+        Some((
+            place,
+            self.step_at(
+                (level, u),
+                self.degrees.1,
+                (self.end, Some((place.z, time))),
+            )?,
+        ))
     }
 
-    /// The step of a slide with this direction and u to the end of the tile, or half as far, and its place there. None at other places, where u is not known to stay away from zero, and where η″ may change its sign twice.
+    /// The step of a slide with this direction and u to the end of the tile, or half as far, and
+    /// its place there. None at other places, where u is not known to stay away from zero, and
+    /// where η″ may change its sign twice.
     pub(super) fn step(&self, here: &Waypoint) -> Option<(Waypoint, Step)> {
         let z = self.place(here.direction);
         if !(z >= -1.0 && z < self.end - MIN_STEP) {
             return None;
         }
-        let degree = if z >= -self.end { self.degrees.1 } else { self.degrees.0 };
+        let degree = if z >= -self.end {
+            self.degrees.1
+        } else {
+            self.degrees.0
+        };
         let at_place = |series: &Series| value(&series[..=degree], z);
         let level = (here.u - at_place(&self.p)) / at_place(&self.h);
         let slope = self.p[1] + level * self.h[1];
@@ -248,14 +291,23 @@ impl Cell {
         let nearly_even = |end: &f64| Step::is_nearly_even(level, slope, (z, *end));
         let u: Series = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
         let clear = |end: &f64| Step::is_clear(&u[..=degree], (z, *end));
-        let end = [self.end, 0.5 * (z + self.end)].into_iter().filter(nearly_even).find(clear)?;
-        Some((Waypoint { z, ..*here }, self.step_at((level, u), degree, (end, None))?))
+        let end = [self.end, 0.5 * (z + self.end)]
+            .into_iter()
+            .filter(nearly_even)
+            .find(clear)?;
+        Some((
+            Waypoint { z, ..*here },
+            self.step_at((level, u), degree, (end, None))?,
+        ))
     }
 
     /// The Bernstein coefficients of n³ P σ η″ of a slide, and what they leave out.
     fn coefficients(&self, level: f64) -> (Low, f64) {
         let (a, b) = (&self.a, &self.b);
-        (core::array::from_fn(|k| a.0[k] + level * b.0[k]), a.1 + level.abs() * b.1)
+        (
+            core::array::from_fn(|k| a.0[k] + level * b.0[k]),
+            a.1 + level.abs() * b.1,
+        )
     }
 
     /// The signs of σ η″ of a slide on the cell, and the largest |η″| where its sign is not known.
@@ -299,9 +351,15 @@ mod tests {
 
     /// All cells of a hoop whose tiles are halved so often, with their laws and signs.
     fn cells(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, Tile, Cell)> {
-        let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
-        let laws = [Direction::Negative, Direction::Positive]
-            .map(|direction| (SlidingLaw::of_body(body, hoop.mu_k(), direction), direction.sign()));
+        let Body::Heavy(body) = hoop.body() else {
+            unreachable!("it has mass")
+        };
+        let laws = [Direction::Negative, Direction::Positive].map(|direction| {
+            (
+                SlidingLaw::of_body(body, hoop.mu_k(), direction),
+                direction.sign(),
+            )
+        });
         laws.into_iter()
             .flat_map(|(law, sigma)| {
                 (0..TILES << halvings)
@@ -315,18 +373,33 @@ mod tests {
     #[test]
     fn u_is_positive_where_a_tile_is_crossed() {
         let mut crossings = 0;
-        for (mass_ratio, inertia, mu) in
-            [(1.0, 1.0, 0.4), (0.01, 0.01, 0.4), (0.0, 3e-4, 0.4), (0.2, 0.1, 1.4)]
-        {
-            let hoop = HoopParameters::thin(mass_ratio).with_inertia(inertia).with_friction(mu, mu);
+        for (mass_ratio, inertia, mu) in [
+            (1.0, 1.0, 0.4),
+            (0.01, 0.01, 0.4),
+            (0.0, 3e-4, 0.4),
+            (0.2, 0.1, 1.4),
+        ] {
+            let hoop = HoopParameters::thin(mass_ratio)
+                .with_inertia(inertia)
+                .with_friction(mu, mu);
             let hoop = Hoop::new(hoop).unwrap();
-            for (_, sigma, tile, cell) in (0..=HALVINGS).flat_map(|halvings| cells(&hoop, halvings)) {
+            for (_, sigma, tile, cell) in (0..=HALVINGS).flat_map(|halvings| cells(&hoop, halvings))
+            {
                 for exponent in -24..=24 {
                     let u = libm::pow(10.0, 0.25 * f64::from(exponent));
-                    let Some((level, end)) = cell.crossing(u) else { continue };
+                    let Some((level, end)) = cell.crossing(u) else {
+                        continue;
+                    };
                     let [p, h, _] = &cell.nodes;
-                    let least = p.iter().zip(h).map(|(p, h)| p + level * h).fold(end, f64::min);
-                    assert!(least > 0.0, "{mass_ratio} {inertia}: {sigma} {tile:?} {u}: {least}");
+                    let least = p
+                        .iter()
+                        .zip(h)
+                        .map(|(p, h)| p + level * h)
+                        .fold(end, f64::min);
+                    assert!(
+                        least > 0.0,
+                        "{mass_ratio} {inertia}: {sigma} {tile:?} {u}: {least}"
+                    );
                     crossings += 1;
                 }
             }
@@ -342,7 +415,10 @@ mod tests {
             for turns in [-3.0, 0.0, 7.0] {
                 for number in 0..count {
                     let theta = TAU * (turns + (number as f64 + 0.8) / count as f64);
-                    assert_eq!(Tile::about(theta, halvings), [tile((number + 1) % count), tile(number)]);
+                    assert_eq!(
+                        Tile::about(theta, halvings),
+                        [tile((number + 1) % count), tile(number)]
+                    );
                 }
             }
             assert_eq!(Tile::about(0.0, halvings), [tile(0), tile(count - 1)]);

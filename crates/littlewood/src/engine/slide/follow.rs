@@ -1,8 +1,10 @@
-//! A slide, followed piece by piece to its event (docs/engine.md), in the frame of motion, ϑ growing.
+//! A slide, followed piece by piece to its event (docs/engine.md), in the frame of motion, ϑ
+//! growing.
 //!
-//! 1 − h cos ϑ u falls through zero only where sin ϑ < 0: its sign at the end of a piece, or at the top, tells whether it has. The signs of
-//! η″ tell whether η′ is monotone, or has one extremum. In a libration, and without kinetic friction, θ′² is periodic in time: periods
-//! without an event are passed at once.
+//! 1 − h cos ϑ u falls through zero only where sin ϑ < 0: its sign at the end of a piece, or at the
+//! top, tells whether it has. The signs of η″ tell whether η′ is monotone, or has one extremum. In
+//! a libration, and without kinetic friction, θ′² is periodic in time: periods without an event are
+//! passed at once.
 
 use core::f64::consts::{PI, TAU};
 
@@ -16,7 +18,8 @@ use super::step::{Step, rotated};
 use super::turn::Turn;
 use super::{SlideEnd, SlideEvent};
 
-/// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole turns.
+/// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole
+/// turns.
 const MAX_PIECES: usize = 512;
 
 /// A slide over more turns than this is left to the exact solver.
@@ -31,13 +34,16 @@ const MIN_PERIODS_TO_SKIP: f64 = 3.0;
 /// A place is the same after a period if its angle is the same to this.
 const PERIOD_TOLERANCE: f64 = 1e-12;
 
-/// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
+/// A turning point nearer than this part of the width on which u has converged is the centre of the
+/// next piece.
 const MAX_TURN_DISTANCE: f64 = 0.7;
 
-/// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
+/// A turning point behind is the centre of the next piece if it is nearer than this part of the
+/// piece.
 const MAX_PART_BEHIND_TURN: f64 = 0.5;
 
-/// A tile holds no slide whose u changes by more than itself over this z, its halves none for which that is half as much, and so on.
+/// A tile holds no slide whose u changes by more than itself over this z, its halves none for which
+/// that is half as much, and so on.
 const MIN_DOUBLING_DISTANCE: f64 = 0.25;
 
 /// How a slide is seen: perhaps mirrored.
@@ -55,8 +61,20 @@ pub(in crate::engine) struct Frame<'a> {
 
 impl Frame<'_> {
     fn mirrored(self) -> Self {
-        let Self { laws, sign, theta, sigma, integral } = self;
-        Self { laws, sign: -sign, theta: -theta, sigma: -sigma, integral: -integral }
+        let Self {
+            laws,
+            sign,
+            theta,
+            sigma,
+            integral,
+        } = self;
+        Self {
+            laws,
+            sign: -sign,
+            theta: -theta,
+            sigma: -sigma,
+            integral: -integral,
+        }
     }
 
     const fn law(&self) -> &SlidingLaw {
@@ -69,7 +87,12 @@ impl Frame<'_> {
     }
 
     const fn way<'b, P: Piece>(&'b self, piece: &'b P) -> Way<'b, P> {
-        Way { law: self.law(), piece, sigma: self.sigma, integral: self.integral }
+        Way {
+            law: self.law(),
+            piece,
+            sigma: self.sigma,
+            integral: self.integral,
+        }
     }
 }
 
@@ -99,7 +122,11 @@ struct Passed {
 
 impl Passed {
     const fn to(end: End, at: Waypoint) -> Self {
-        Self { end, at, least: at.slip }
+        Self {
+            end,
+            at,
+            least: at.slip,
+        }
     }
 }
 
@@ -131,8 +158,8 @@ struct Slide<'a> {
     cells: Option<&'a Cells>,
 }
 
-/// Follows a slide from a place to its event, or to where it is after the time that is `allowed`; `from_limit` where η′ = η″ = 0 at
-/// the place. `cells` are those that are kept.
+/// Follows a slide from a place to its event, or to where it is after the time that is `allowed`;
+/// `from_limit` where η′ = η″ = 0 at the place. `cells` are those that are kept.
 pub(in crate::engine) fn follow(
     frame: Frame<'_>,
     here: Waypoint,
@@ -154,7 +181,8 @@ pub(in crate::engine) fn follow(
     };
     if from_limit {
         // Its signs are known, however short a turning point makes the step.
-        let expansion = Expansion::new(slide.frame.law(), slide.frame.sigma, here.direction, here.u);
+        let expansion =
+            Expansion::new(slide.frame.law(), slide.frame.sigma, here.direction, here.u);
         if let Some(end) = slide.own_step(&expansion, true)? {
             return Ok(end);
         }
@@ -183,7 +211,11 @@ impl<'a> Slide<'a> {
         let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
         // The turn that is behind has led as far as it does.
         let is_done = self.is_behind_turn && expansion.u[1] > 0.0;
-        let turn = if is_done { None } else { turn_about(&frame, &here, &expansion) };
+        let turn = if is_done {
+            None
+        } else {
+            turn_about(&frame, &here, &expansion)
+        };
         match turn {
             Some((before, place, turn)) => self.pass_turn(before, &place, &turn),
             None => self.own_step(&expansion, false),
@@ -196,16 +228,18 @@ impl<'a> Slide<'a> {
         let ((sin, cos), law) = (here.direction, frame.law());
         // du/dz: where u is steep tiles must be narrow, or there is none.
         let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
-        let halvings =
-            (0..=HALVINGS).find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= here.u * (1_u32 << k) as f64)?;
-        let mut tiles = (halvings..=HALVINGS).flat_map(|halvings| Tile::about(frame.theta, halvings));
+        let halvings = (0..=HALVINGS)
+            .find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= here.u * (1_u32 << k) as f64)?;
+        let mut tiles =
+            (halvings..=HALVINGS).flat_map(|halvings| Tile::about(frame.theta, halvings));
         let (tile, (place, step)) =
             tiles.find_map(|tile| Some((tile, cells.get(law, frame.sigma, tile)?.step(&here)?)))?;
         let edge = step.exit.is_some().then(|| tile.exit());
         Some(self.pass_step(&place, &step, edge))
     }
 
-    /// Crosses whole tiles up to the first with an event, or up to a place where no tile can be crossed.
+    /// Crosses whole tiles up to the first with an event, or up to a place where no tile can be
+    /// crossed.
     fn cross_tiles(&mut self, cells: &'a Cells) -> Result<Option<SlideEnd>, Doubt> {
         let Self { frame, allowed, .. } = *self;
         let law = frame.law();
@@ -256,7 +290,9 @@ impl<'a> Slide<'a> {
                 (self.edge, self.here) = (next, at);
                 self.go_on(least, true)?
             } else {
-                let Some((place, step)) = cell.whole_step(here, level, time) else { break };
+                let Some((place, step)) = cell.whole_step(here, level, time) else {
+                    break;
+                };
                 self.pass_step(&place, &step, next)?
             };
             if end.is_some() {
@@ -268,9 +304,25 @@ impl<'a> Slide<'a> {
     }
 
     /// A step until its series ends.
-    fn own_step(&mut self, expansion: &Expansion, from_limit: bool) -> Result<Option<SlideEnd>, Doubt> {
-        let step = Step::new(expansion, self.here.direction, expansion.reach(0), from_limit)?;
-        self.pass_step(&Waypoint { z: 0.0, ..self.here }, &step, None)
+    fn own_step(
+        &mut self,
+        expansion: &Expansion,
+        from_limit: bool,
+    ) -> Result<Option<SlideEnd>, Doubt> {
+        let step = Step::new(
+            expansion,
+            self.here.direction,
+            expansion.reach(0),
+            from_limit,
+        )?;
+        self.pass_step(
+            &Waypoint {
+                z: 0.0,
+                ..self.here
+            },
+            &step,
+            None,
+        )
     }
 
     /// Passes a step from a place in it, at whose end the slide is at an edge, or not.
@@ -317,11 +369,17 @@ impl<'a> Slide<'a> {
         if place.z < 0.0 && at.z > 0.0 {
             self.turns += 1.0;
         }
-        self.frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
+        self.frame = Frame {
+            theta: before.theta + turn.turned_by(at.z),
+            ..before
+        };
         if passed.end == End::Open {
             self.frame = self.frame.mirrored();
             (self.edge, self.is_behind_turn) = (None, true);
-            self.here = Waypoint { direction: mirrored(at.direction), ..at };
+            self.here = Waypoint {
+                direction: mirrored(at.direction),
+                ..at
+            };
             return self.go_on(passed.least, true);
         }
         Ok(Some(self.ended(&passed, turn.rate(at.z, at.u))))
@@ -341,23 +399,38 @@ impl<'a> Slide<'a> {
             elapsed: at.elapsed,
             theta: self.frame.theta,
             theta_rate: rate,
-            slip: if *end == End::Rest { 0.0 } else { self.frame.sigma * at.slip },
+            slip: if *end == End::Rest {
+                0.0
+            } else {
+                self.frame.sigma * at.slip
+            },
             direction: at.direction,
             lifts_off: *end == End::LiftOff,
             turns: self.turns,
         };
         let event = event.mirrored(self.frame.sign);
-        if *end == End::Cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) }
+        if *end == End::Cut {
+            SlideEnd::Cut(event)
+        } else {
+            SlideEnd::Event(event)
+        }
     }
 
-    /// Goes on behind a piece on which η′ was at least this, and passes whole periods where it is at a place to which it comes back.
+    /// Goes on behind a piece on which η′ was at least this, and passes whole periods where it is
+    /// at a place to which it comes back.
     fn go_on(&mut self, least: f64, comes_back: bool) -> Result<Option<SlideEnd>, Doubt> {
         self.least = self.least.min(least);
         if !comes_back {
             return Ok(None);
         }
         let Frame { sign, theta, .. } = self.frame;
-        let here = Mark { sign, theta, elapsed: self.here.elapsed, turns: self.turns, piece: self.pieces };
+        let here = Mark {
+            sign,
+            theta,
+            elapsed: self.here.elapsed,
+            turns: self.turns,
+            piece: self.pieces,
+        };
         let set = |slide: &mut Self, mark: Mark| {
             (slide.mark, slide.least) = (Some(mark), slide.here.slip);
         };
@@ -366,9 +439,13 @@ impl<'a> Slide<'a> {
             return Ok(None);
         };
         let turned = theta - mark.theta;
-        let turns = if turned.abs() < PI { 0.0 } else { (turned / TAU).round() };
-        let is_same =
-            sign == mark.sign && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
+        let turns = if turned.abs() < PI {
+            0.0
+        } else {
+            (turned / TAU).round()
+        };
+        let is_same = sign == mark.sign
+            && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
         if !(is_same && (turns != 0.0 || self.turns >= mark.turns + 2.0)) {
             // Where the first piece began the slide may never be again.
             if here.piece > 2 * mark.piece + TILES {
@@ -381,7 +458,11 @@ impl<'a> Slide<'a> {
         let loss = self.frame.loss(period);
         let allowed = (self.allowed - here.elapsed) / period;
         // In the frame in which η′ < 0 they are followed one by one.
-        let periods = if self.frame.sigma > 0.0 { (self.least / loss).min(allowed) } else { 0.0 };
+        let periods = if self.frame.sigma > 0.0 {
+            (self.least / loss).min(allowed)
+        } else {
+            0.0
+        };
         if loss <= 0.0 && (turns == 0.0 || law.friction == 0.0) {
             if allowed == f64::INFINITY {
                 return Ok(Some(SlideEnd::Never));
@@ -404,7 +485,12 @@ impl<'a> Slide<'a> {
             // The last ones, in which rounding might tell, are followed.
             self.pass_periods(periods.floor() - 2.0, period, 0.0);
         }
-        let mark = Mark { elapsed: self.here.elapsed, theta: self.frame.theta, turns: self.turns, ..here };
+        let mark = Mark {
+            elapsed: self.here.elapsed,
+            theta: self.frame.theta,
+            turns: self.turns,
+            ..here
+        };
         set(self, mark);
         Ok(None)
     }
@@ -435,16 +521,21 @@ fn over_step(way: &Way<'_, Step>, here: &Waypoint, step: &Step) -> Result<Passed
     if w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
         return Err(Doubt::Contact);
     }
-    if w < 0.0 { pass(way, (here, top), false, signs) } else { pass(way, (here, end), true, signs) }
+    if w < 0.0 {
+        pass(way, (here, top), false, signs)
+    } else {
+        pass(way, (here, end), true, signs)
+    }
 }
 
-/// Whether a slide that turns towards larger angles, from a place with this sin ϑ to another less than half a turn ahead, passes the
-/// top.
+/// Whether a slide that turns towards larger angles, from a place with this sin ϑ to another less
+/// than half a turn ahead, passes the top.
 fn passes_top(from: f64, to: f64) -> bool {
     from < 0.0 && to >= 0.0
 }
 
-/// Passes a turn from a place to y = 1, or to the event before. `held` says that the normal force cannot vanish.
+/// Passes a turn from a place to y = 1, or to the event before. `held` says that the normal force
+/// cannot vanish.
 fn over_turn(way: &Way<'_, Turn>, here: &Waypoint, held: bool) -> Result<Passed, Doubt> {
     let Turn { signs, doubt, .. } = *way.piece;
     match signs {
@@ -455,7 +546,10 @@ fn over_turn(way: &Way<'_, Turn>, here: &Waypoint, held: bool) -> Result<Passed,
                 return Ok(middle);
             }
             let passed = pass(way, (&middle.at, 1.0), held, (signs, doubt))?;
-            Ok(Passed { least: passed.least.min(middle.least), ..passed })
+            Ok(Passed {
+                least: passed.least.min(middle.least),
+                ..passed
+            })
         }
         Signs::Rising | Signs::Falling | Signs::Positive | Signs::Negative | Signs::Unknown => {
             pass(way, (here, 1.0), held, (signs, doubt))
@@ -463,7 +557,8 @@ fn over_turn(way: &Way<'_, Turn>, here: &Waypoint, held: bool) -> Result<Passed,
     }
 }
 
-/// Passes a piece from a place to another, or to the event before. `held` says that the normal force cannot vanish.
+/// Passes a piece from a place to another, or to the event before. `held` says that the normal
+/// force cannot vanish.
 fn pass<P: Piece>(
     way: &Way<'_, P>,
     (here, to): (&Waypoint, f64),
@@ -471,12 +566,20 @@ fn pass<P: Piece>(
     (signs, doubt): (Signs, f64),
 ) -> Result<Passed, Doubt> {
     let (h, u) = (way.law.body.h, way.piece.u(to));
-    let w = if held { 1.0 } else { contact(1.0, h, way.piece.direction(to).1 * u) };
+    let w = if held {
+        1.0
+    } else {
+        contact(1.0, h, way.piece.direction(to).1 * u)
+    };
     if !held && w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
         return Err(Doubt::Contact);
     }
     let lifts_off = w < 0.0;
-    let there = if lifts_off { way.lift_off(here, (to, w)) } else { way.at(here, to) };
+    let there = if lifts_off {
+        way.lift_off(here, (to, w))
+    } else {
+        way.at(here, to)
+    };
     // Where the piece ends just at a zero of η′, which may be a touch, rounding would decide.
     if there.slip.abs() <= SIGN_TOLERANCE * way.size_of_slip(&there) {
         return Err(Doubt::Slip);
@@ -498,24 +601,36 @@ fn pass<P: Piece>(
         Signs::Positive | Signs::Negative | Signs::Falling | Signs::Rising if there.slip <= 0.0 => {
             rest(&there)
         }
-        // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no more than this.
-        Signs::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => Err(Doubt::SlipShape),
+        // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no
+        // more than this.
+        Signs::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => {
+            Err(Doubt::SlipShape)
+        }
         Signs::Positive | Signs::Negative | Signs::Falling => Ok(passed),
         Signs::Rising => {
-            let Some(least) = way.least(here, &there) else { return Ok(passed) };
+            let Some(least) = way.least(here, &there) else {
+                return Ok(passed);
+            };
             let uncertain =
                 doubt * (there.elapsed - here.elapsed) + SIGN_TOLERANCE * way.size_of_slip(&least);
             // Where it hardly vanishes, or hardly does not, rounding would decide.
             if least.slip.abs() <= uncertain {
                 return Err(Doubt::Slip);
             }
-            if least.slip < 0.0 { rest(&least) } else { Ok(Passed { least: least.slip, ..passed }) }
+            if least.slip < 0.0 {
+                rest(&least)
+            } else {
+                Ok(Passed {
+                    least: least.slip,
+                    ..passed
+                })
+            }
         }
     }
 }
 
-/// The turn about the turning point next to the centre of an expansion, ahead or behind, if it is near; with the frame before it,
-/// whose angle is that of the turning point, and the place in it.
+/// The turn about the turning point next to the centre of an expansion, ahead or behind, if it is
+/// near; with the frame before it, whose angle is that of the turning point, and the place in it.
 fn turn_about<'a>(
     frame: &Frame<'a>,
     here: &Waypoint,
@@ -527,13 +642,34 @@ fn turn_about<'a>(
     }
     let distance = expansion.zero(reach)?.abs();
     let is_ahead = expansion.u[1] < 0.0;
-    let (frame, direction) =
-        if is_ahead { (*frame, here.direction) } else { (frame.mirrored(), mirrored(here.direction)) };
+    let (frame, direction) = if is_ahead {
+        (*frame, here.direction)
+    } else {
+        (frame.mirrored(), mirrored(here.direction))
+    };
     let (behind, there) = (frame.mirrored(), mirrored(rotated(direction, distance)));
-    let turn = Turn::new(&Expansion::new(behind.law(), behind.sigma, there, 0.0), there)?;
+    let turn = Turn::new(
+        &Expansion::new(behind.law(), behind.sigma, there, 0.0),
+        there,
+    )?;
     let part = distance / turn.width;
     // Behind the turning point a step leads farther than the rest of the turn.
-    let (z, farthest) = if is_ahead { (-part.sqrt(), 1.0) } else { (part.sqrt(), MAX_PART_BEHIND_TURN) };
-    let frame = Frame { theta: frame.theta + 2.0 * libm::atan(distance), ..frame };
-    (part < farthest).then_some((frame, Waypoint { z, direction, ..*here }, turn))
+    let (z, farthest) = if is_ahead {
+        (-part.sqrt(), 1.0)
+    } else {
+        (part.sqrt(), MAX_PART_BEHIND_TURN)
+    };
+    let frame = Frame {
+        theta: frame.theta + 2.0 * libm::atan(distance),
+        ..frame
+    };
+    (part < farthest).then_some((
+        frame,
+        Waypoint {
+            z,
+            direction,
+            ..*here
+        },
+        turn,
+    ))
 }

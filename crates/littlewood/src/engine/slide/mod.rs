@@ -1,8 +1,10 @@
 //! Sliding of one body, followed in the angle.
 //!
-//! u = θ′² obeys the linear equation du/dϑ = a(ϑ) (1 − h cos ϑ u), a = 2 m q/P, whatever the motion. About any angle a slide is therefore a
-//! power series ([`series`]); about a fixed angle all slides are u = p + u_c h, with two series that belong to the body and one number u_c
-//! that belongs to the slide ([`cell`]). The time is a Gauss sum of dϑ/√u, and η′ follows from it by the first integral of sliding.
+//! u = θ′² obeys the linear equation du/dϑ = a(ϑ) (1 − h cos ϑ u), a = 2 m q/P, whatever the
+//! motion. About any angle a slide is therefore a power series ([`series`]); about a fixed angle
+//! all slides are u = p + u_c h, with two series that belong to the body and one number u_c that
+//! belongs to the slide ([`cell`]). The time is a Gauss sum of dϑ/√u, and η′ follows from it by the
+//! first integral of sliding.
 
 mod cell;
 mod follow;
@@ -41,8 +43,8 @@ pub(super) enum SlideEnd {
 }
 
 impl SlideEvent {
-    /// Whether a whole period has passed since the start: the way from the first turning point to the third, or, if energy is conserved, a
-    /// turn.
+    /// Whether a whole period has passed since the start: the way from the first turning point to
+    /// the third, or, if energy is conserved, a turn.
     pub(super) fn is_behind_a_period(&self, start: f64, is_conservative: bool) -> bool {
         let has_turned = is_conservative && (self.theta - start).abs() >= TAU;
         has_turned || self.turns >= 3.0

@@ -5,14 +5,16 @@ use crate::math::bracket::{Bracket, Step, last_digit};
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
 
-/// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
-/// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
+/// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 +
+/// |θ′|), so that below this part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
 const MIN_SLIP_ACCELERATION: f64 = 2e-3;
 
-/// Rounding of η′ by light hoops, which amplify it by (Î/m)^(−1/2) at each passage of the bottom, as a part of that.
+/// Rounding of η′ by light hoops, which amplify it by (Î/m)^(−1/2) at each passage of the bottom,
+/// as a part of that.
 const AMPLIFICATION_PART: f64 = 0.1;
 
-/// Newton's method for a place at a time ends with a shorter step: its error is of the second order.
+/// Newton's method for a place at a time ends with a shorter step: its error is of the second
+/// order.
 const MAX_LAST_STEP: f64 = 1e-8;
 
 /// The same for the place at which η′ vanishes.
@@ -21,20 +23,21 @@ const MAX_LAST_STEP_TO_REST: f64 = 1e-7;
 /// The same for the place at which the normal force vanishes.
 const MAX_LAST_STEP_TO_LIFT_OFF: f64 = 1e-9;
 
-/// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more than this part of itself: the error is
-/// the fourth power of that over 2880.
+/// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more
+/// than this part of itself: the error is the fourth power of that over 2880.
 const MAX_SIMPSON_STEP: f64 = 1e-3;
 
-/// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes it for
-/// fixed.
+/// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that
+/// part: Newton's method takes it for fixed.
 const MAX_TIME_ERROR: f64 = 1e-14;
 
 /// The place of a minimum of η′ is known to this: the value to the second order.
 const MINIMUM_TOLERANCE: f64 = 1e-7;
 
-/// A number within this part of its terms of zero may have either sign in the simulation: rounding, as much as passages of the bottom of
-/// a light hoop and a small P amplify it. Chosen: with 1e-12 a fast motion of the tests that lifts off, with m̂1 = Î = 0.007 and μs = 25, ends
-/// elsewhere by 7e-8 of its angle.
+/// A number within this part of its terms of zero may have either sign in the simulation: rounding,
+/// as much as passages of the bottom of a light hoop and a small P amplify it. Chosen: with 1e-12 a
+/// fast motion of the tests that lifts off, with m̂1 = Î = 0.007 and μs = 25, ends elsewhere by
+/// 7e-8 of its angle.
 pub(super) const SIGN_TOLERANCE: f64 = 1e-9;
 
 /// Where η″ vanishes at an end of a way its sign is told so far inside, as a part of the way.
@@ -74,7 +77,12 @@ impl LawAt {
     #[inline]
     pub(super) fn new(law: &SlidingLaw, (sin, cos): (f64, f64)) -> Self {
         let (alpha, beta) = law.slip_acceleration(sin, cos);
-        Self { direction: (sin, cos), lever: law.lever(sin, cos), alpha, beta }
+        Self {
+            direction: (sin, cos),
+            lever: law.lever(sin, cos),
+            alpha,
+            beta,
+        }
     }
 }
 
@@ -114,14 +122,22 @@ impl<P: Piece> Way<'_, P> {
     /// Everything at z, from the way since `here`.
     #[inline]
     pub(super) fn at(&self, here: &Waypoint, z: f64) -> Waypoint {
-        self.waypoint(z, self.piece.u(z), here.elapsed + self.piece.time(here.z, z))
+        self.waypoint(
+            z,
+            self.piece.u(z),
+            here.elapsed + self.piece.time(here.z, z),
+        )
     }
 
     /// The same a short step away; none if it is longer.
     fn beside(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
         let (middle, u) = (0.5 * (here.z + z), self.piece.u(z));
-        let (first, last) = (self.piece.slowness(here.z, here.u), self.piece.slowness(z, u));
-        if !((z - here.z).abs() <= MAX_SIMPSON_STEP && (last - first).abs() <= MAX_SIMPSON_STEP * first.abs())
+        let (first, last) = (
+            self.piece.slowness(here.z, here.u),
+            self.piece.slowness(z, u),
+        );
+        if !((z - here.z).abs() <= MAX_SIMPSON_STEP
+            && (last - first).abs() <= MAX_SIMPSON_STEP * first.abs())
         {
             return None;
         }
@@ -154,17 +170,27 @@ impl<P: Piece> Way<'_, P> {
         let h = self.law.body.h;
         let w_here = contact(1.0, h, here.direction.1 * here.u);
         let guess = here.z + (end - here.z) * w_here / (w_here - w_end);
-        let z = Bracket { low: here.z, high: end }.iterate(guess, |z| {
+        let z = Bracket {
+            low: here.z,
+            high: end,
+        }
+        .iterate(guess, |z| {
             let (sin, cos) = self.piece.direction(z);
             let u = self.piece.u(z);
             let value = contact(1.0, h, cos * u);
-            let slope = self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
-            Step { value, step: -value / slope, last: MAX_LAST_STEP_TO_LIFT_OFF }
+            let slope =
+                self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
+            Step {
+                value,
+                step: -value / slope,
+                last: MAX_LAST_STEP_TO_LIFT_OFF,
+            }
         });
         self.at(here, z)
     }
 
-    /// Where η′ is least between two waypoints, between which η″ changes its sign at most once; none where it is so at one of them.
+    /// Where η′ is least between two waypoints, between which η″ changes its sign at most once;
+    /// none where it is so at one of them.
     pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
         // Falls where η″ rises, as a bracket has it.
         let falling = |z: f64| -self.slip_acceleration(z);
@@ -185,19 +211,27 @@ impl<P: Piece> Way<'_, P> {
             let value = falling(z);
             let step = value * (before.0 - z) / (value - before.1);
             before = (z, value);
-            Step { value, step, last: MINIMUM_TOLERANCE }
+            Step {
+                value,
+                step,
+                last: MINIMUM_TOLERANCE,
+            }
         });
         Some(self.at(here, z))
     }
 
-    /// The longest step from z that may be the last of Newton's method, of which the error of the time is of the second order.
+    /// The longest step from z that may be the last of Newton's method, of which the error of the
+    /// time is of the second order.
     fn last_step(&self, z: f64, u: f64, step: f64, longest: f64) -> f64 {
         if step.abs() >= longest {
             return last_digit(z);
         }
-        let (here, there) =
-            (self.piece.slowness(z, u), self.piece.slowness(z + step, self.piece.u(z + step)));
-        let is_last = (0.5 * step * (here + there) * (there - here)).abs() < MAX_TIME_ERROR * here.abs();
+        let (here, there) = (
+            self.piece.slowness(z, u),
+            self.piece.slowness(z + step, self.piece.u(z + step)),
+        );
+        let is_last =
+            (0.5 * step * (here + there) * (there - here)).abs() < MAX_TIME_ERROR * here.abs();
         if is_last { longest } else { last_digit(z) }
     }
 
@@ -209,16 +243,26 @@ impl<P: Piece> Way<'_, P> {
             let u = self.piece.u(z);
             let value = elapsed - (here.elapsed + self.piece.time(here.z, z));
             let step = value / self.piece.slowness(z, u);
-            Step { value, step, last: self.last_step(z, u, step, MAX_LAST_STEP) }
+            Step {
+                value,
+                step,
+                last: self.last_step(z, u, step, MAX_LAST_STEP),
+            }
         });
         self.waypoint(z, self.piece.u(z), elapsed)
     }
 
-    /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method with the exact time.
+    /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method
+    /// with the exact time.
     pub(super) fn rest(&self, here: &Waypoint, there: &Waypoint) -> Result<Waypoint, Doubt> {
         let span = there.z - here.z;
         let slope = |at: &Waypoint| at.slip_acceleration * self.piece.slowness(at.z, at.u);
-        let part = cubic_root(here.slip, slope(here) * span, there.slip, slope(there) * span);
+        let part = cubic_root(
+            here.slip,
+            slope(here) * span,
+            there.slip,
+            slope(there) * span,
+        );
         let mut near = *here;
         let mut evaluate = |z: f64| {
             self.beside(&near, z).unwrap_or_else(|| {
@@ -226,10 +270,18 @@ impl<P: Piece> Way<'_, P> {
                 near
             })
         };
-        let z = Bracket { low: here.z, high: there.z }.iterate(here.z + part * span, |z| {
+        let z = Bracket {
+            low: here.z,
+            high: there.z,
+        }
+        .iterate(here.z + part * span, |z| {
             let at = evaluate(z);
             let step = -at.slip / slope(&at);
-            Step { value: at.slip, step, last: self.last_step(z, at.u, step, MAX_LAST_STEP_TO_REST) }
+            Step {
+                value: at.slip,
+                step,
+                last: self.last_step(z, at.u, step, MAX_LAST_STEP_TO_REST),
+            }
         });
         let at = evaluate(z);
         let Heavy { mass, inertia, .. } = self.law.body;
@@ -241,7 +293,8 @@ impl<P: Piece> Way<'_, P> {
     }
 }
 
-/// Root in (0, 1] of the cubic with these values and slopes at 0 and 1, the value at 1 not positive.
+/// Root in (0, 1] of the cubic with these values and slopes at 0 and 1, the value at 1 not
+/// positive.
 fn cubic_root(start: f64, start_slope: f64, end: f64, end_slope: f64) -> f64 {
     let c2 = 3.0 * (end - start) - 2.0 * start_slope - end_slope;
     let c3 = 2.0 * (start - end) + start_slope + end_slope;

@@ -1,7 +1,9 @@
-//! u = θ′² of a slide as a power series in z, the tangent of half the angle turned, and the sign of η″ (docs/engine.md).
+//! u = θ′² of a slide as a power series in z, the tangent of half the angle turned, and the sign of
+//! η″ (docs/engine.md).
 //!
-//! With n = 1 + z², sin ϑ = S/n, cos ϑ = C/n, q = Q/n and P = R/n², n R du/dz = 4 m Q (n − h C u) has polynomial coefficients: each
-//! coefficient of u follows from the six before it. The series converges up to the nearest zero of P, or to z = ± i.
+//! With n = 1 + z², sin ϑ = S/n, cos ϑ = C/n, q = Q/n and P = R/n², n R du/dz = 4 m Q (n − h C u)
+//! has polynomial coefficients: each coefficient of u follows from the six before it. The series
+//! converges up to the nearest zero of P, or to z = ± i.
 
 use crate::math::series::product;
 use crate::mechanics::SlidingLaw;
@@ -15,7 +17,8 @@ const TERMS: usize = 6;
 /// Part of the first coefficient that the last of a series may be.
 pub(super) const CONVERGENCE: f64 = f64::EPSILON / 16.0;
 
-/// A width that is tried is so much less than the parabola leads to: where the sum is one, rounding would tell.
+/// A width that is tried is so much less than the parabola leads to: where the sum is one, rounding
+/// would tell.
 const WIDTH_MARGIN: f64 = 0.98;
 
 /// Degree of the polynomials whose sign is examined; what they leave out is bounded.
@@ -48,10 +51,13 @@ pub(super) fn scaled<const N: usize>(mut polynomial: [f64; N], width: f64) -> [f
     polynomial
 }
 
-/// The value of a polynomial of even degree at a point, even and odd powers apart: two short chains instead of a long one.
+/// The value of a polynomial of even degree at a point, even and odd powers apart: two short chains
+/// instead of a long one.
 #[inline(always)]
 pub(super) fn value(coefficients: &[f64], at: f64) -> f64 {
-    let Some((last, others)) = coefficients.split_last() else { return 0.0 };
+    let Some((last, others)) = coefficients.split_last() else {
+        return 0.0;
+    };
     let (pairs, rest) = others.as_chunks();
     debug_assert!(rest.is_empty(), "an even degree");
     let square = at * at;
@@ -120,7 +126,9 @@ pub(super) struct Polynomials {
 impl Polynomials {
     /// About an angle with this sine and cosine, for the direction `sigma` of slip.
     pub(super) fn new(law: &SlidingLaw, sigma: f64, (sin, cos): (f64, f64)) -> Self {
-        let Heavy { mass, h, inertia, .. } = law.body;
+        let Heavy {
+            mass, h, inertia, ..
+        } = law.body;
         let (n, nn) = ([1.0, 0.0, 1.0], [1.0, 0.0, 2.0, 0.0, 1.0]);
         let (s, c) = ([sin, 2.0 * cos, -sin], [cos, -2.0 * sin, -cos]);
         let q: [f64; 3] = core::array::from_fn(|k| law.q(n[k], s[k], c[k]));
@@ -132,25 +140,39 @@ impl Polynomials {
         let inverse = 1.0 / np[0];
         let scale = 4.0 * mass * inverse;
         let l: [f64; TERMS] = core::array::from_fn(|j| np[j + 1] * inverse);
-        let rest: [f64; TERMS] =
-            core::array::from_fn(|j| if j < 5 { scale * h * cq[j] } else { 0.0 } - (j + 1) as f64 * l[j]);
+        let rest: [f64; TERMS] = core::array::from_fn(
+            |j| if j < 5 { scale * h * cq[j] } else { 0.0 } - (j + 1) as f64 * l[j],
+        );
         // α = A/P and β = B/P of η″ = α + β u.
         let lever: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
         let lq: [f64; 5] = product(&lever, &q);
-        let a: [f64; 5] = core::array::from_fn(|k| sigma * (mass * lq[k] - law.friction * inertia * nn[k]));
+        let a: [f64; 5] =
+            core::array::from_fn(|k| sigma * (mass * lq[k] - law.friction * inertia * nn[k]));
         let ca: [f64; 7] = product(&c, &a);
         let sp: [f64; 7] = product(&s, &p);
         let b = core::array::from_fn(|k| -h * (ca[k] + sigma * sp[k]));
         let pulled: [f64; 5] = core::array::from_fn(|k| a[k] - sigma * law.body.pull() * p[k]);
-        Self { p, a: product(&pulled, &n), b, l, rest, drive: nq.map(|c| scale * c) }
+        Self {
+            p,
+            a: product(&pulled, &n),
+            b,
+            l,
+            rest,
+            drive: nq.map(|c| scale * c),
+        }
     }
 
     /// Solutions with these values at the angle, each of the equation with so much of its drive.
     #[inline(always)]
-    pub(super) fn solutions<const N: usize>(&self, values: [f64; N], drives: [f64; N]) -> [Series; N] {
+    pub(super) fn solutions<const N: usize>(
+        &self,
+        values: [f64; N],
+        drives: [f64; N],
+    ) -> [Series; N] {
         let Self { l, rest, drive, .. } = self;
         let mut u = [[0.0; DEGREE + 1]; N];
-        // The last coefficients, the latest first: in registers, not read again as soon as they are written.
+        // The last coefficients, the latest first: in registers, not read again as soon as they are
+        // written.
         let mut last = [[0.0; N]; TERMS];
         last[0] = values;
         for i in 0..N {
@@ -179,8 +201,8 @@ impl Polynomials {
         scaled(self.p, width)
     }
 
-    /// The lowest coefficients of so much of a, and b u, in powers of t = z/width, where u is given in them, and a bound on what they leave
-    /// out.
+    /// The lowest coefficients of so much of a, and b u, in powers of t = z/width, where u is given
+    /// in them, and a bound on what they leave out.
     #[inline(always)]
     pub(super) fn slip_acceleration(&self, u: &Series, width: f64, part_of_a: f64) -> (Low, f64) {
         let b = scaled(self.b, width);
@@ -215,7 +237,8 @@ pub(super) struct Expansion {
 }
 
 impl Expansion {
-    /// The slide in the direction `sigma` of slip through an angle with this sine and cosine, and u there.
+    /// The slide in the direction `sigma` of slip through an angle with this sine and cosine, and u
+    /// there.
     pub(super) fn new(law: &SlidingLaw, sigma: f64, direction: (f64, f64), u0: f64) -> Self {
         let polynomials = Polynomials::new(law, sigma, direction);
         let [u] = polynomials.solutions([u0], [1.0]);
@@ -227,7 +250,8 @@ impl Expansion {
         reach(&self.u, lead, self.u[lead].abs())
     }
 
-    /// z of the zero of u next to the centre, where it is nearer than the width on which u has converged.
+    /// z of the zero of u next to the centre, where it is nearer than the width on which u has
+    /// converged.
     pub(super) fn zero(&self, reach: f64) -> Option<f64> {
         let mut z = -self.u[0] / self.u[1];
         for _ in 0..20 {
@@ -247,8 +271,8 @@ impl Expansion {
         None
     }
 
-    /// The width, at most this, on a multiple `stretch` of which the terms of u from `from` on are at most this part of the one at
-    /// `lead`, by their sizes.
+    /// The width, at most this, on a multiple `stretch` of which the terms of u from `from` on are
+    /// at most this part of the one at `lead`, by their sizes.
     pub(super) fn smooth(
         &self,
         (lead, from): (usize, usize),
@@ -256,15 +280,19 @@ impl Expansion {
         part: f64,
     ) -> Option<f64> {
         let most = part * self.u[lead].abs();
-        let linear = if from == lead + 1 { self.u[from].abs() } else { 0.0 };
+        let linear = if from == lead + 1 {
+            self.u[from].abs()
+        } else {
+            0.0
+        };
         let terms = |far: f64| sum_of_sizes(&self.u[from..], far) * power(far, from - lead);
         let far = stretch * widest;
         let sum = terms(far);
         if sum <= most {
             return (widest > 0.0).then_some(widest);
         }
-        // Behind a linear term the sum grows at least with the square of the width: as far as the parabola through it leads, and, by
-        // the parabola through the sum there, perhaps farther.
+        // Behind a linear term the sum grows at least with the square of the width: as far as the
+        // parabola through it leads, and, by the parabola through the sum there, perhaps farther.
         let parabola = |far: f64, sum: f64| {
             let bend = (sum - linear * far) / (far * far);
             2.0 * most / (linear + (linear * linear + 4.0 * bend * most).sqrt())
@@ -279,9 +307,9 @@ impl Expansion {
         (width > 0.0).then_some(width)
     }
 
-    /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where its sign is not known,
-    /// about a change of sign. Where η″ = 0 at t = 0 (`from_zero`), the signs behind that, which are those of η″/t. None where P is
-    /// not known to be positive.
+    /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where
+    /// its sign is not known, about a change of sign. Where η″ = 0 at t = 0 (`from_zero`), the
+    /// signs behind that, which are those of η″/t. None where P is not known to be positive.
     pub(super) fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<(Signs, f64)> {
         let least = least(self.polynomials.p(width));
         if least <= 0.0 {
@@ -297,13 +325,18 @@ impl Expansion {
     }
 }
 
-/// The width in z on which a series, divided by z^`lead`, has converged beside a number of this size.
+/// The width in z on which a series, divided by z^`lead`, has converged beside a number of this
+/// size.
 pub(super) fn reach(series: &Series, lead: usize, size: f64) -> f64 {
     let scale = CONVERGENCE * size;
     let width = root(scale / series[DEGREE].abs()).min(1.0);
     // The last coefficient may be small by chance.
     let before = series[DEGREE - 1].abs() * power(width, DEGREE - 1 - lead);
-    if before > scale { width * root(scale / before) } else { width }
+    if before > scale {
+        width * root(scale / before)
+    } else {
+        width
+    }
 }
 
 /// Σ |c_k| z^k.
@@ -338,7 +371,9 @@ pub(super) fn bernstein<const N: usize>(mut c: [f64; N]) -> [f64; N] {
 
 /// The smallest Bernstein coefficient of a polynomial on [0, 1], on which it is nowhere less.
 pub(super) fn least<const N: usize>(polynomial: [f64; N]) -> f64 {
-    bernstein(polynomial).into_iter().fold(f64::INFINITY, f64::min)
+    bernstein(polynomial)
+        .into_iter()
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// A polynomial in (1 + t)/2 from one in t: what it is on [−1, 1] as one on [0, 1].
@@ -353,8 +388,12 @@ pub(super) fn from_both_sides<const N: usize>(mut c: [f64; N]) -> [f64; N] {
 
 /// Signs of a function whose Bernstein coefficients are known to `band`.
 pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
-    let least = coefficients.iter().fold(f64::INFINITY, |least, b| least.min(*b));
-    let largest = coefficients.iter().fold(f64::NEG_INFINITY, |largest, b| largest.max(*b));
+    let least = coefficients
+        .iter()
+        .fold(f64::INFINITY, |least, b| least.min(*b));
+    let largest = coefficients
+        .iter()
+        .fold(f64::NEG_INFINITY, |largest, b| largest.max(*b));
     if least > band {
         return Signs::Positive;
     }
@@ -369,12 +408,20 @@ pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
     }
     let begin = coefficients.iter().take_while(|b| is_first(**b)).count();
     // What is not known lies between.
-    let end = coefficients.iter().rev().take_while(|b| is_last(**b)).count();
+    let end = coefficients
+        .iter()
+        .rev()
+        .take_while(|b| is_last(**b))
+        .count();
     let between = &coefficients[begin..coefficients.len() - end];
     if (first > 0.0) == (last > 0.0) || between.iter().any(|b| b.abs() > band) {
         return Signs::Unknown;
     }
-    if first > 0.0 { Signs::Falling } else { Signs::Rising }
+    if first > 0.0 {
+        Signs::Falling
+    } else {
+        Signs::Rising
+    }
 }
 
 #[cfg(test)]
@@ -390,7 +437,9 @@ mod tests {
     /// Near rest, where u is small and hardly changes, too.
     #[test]
     fn widths_are_as_wide_as_they_may_be() {
-        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
+        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else {
+            unreachable!("it has mass")
+        };
         let law = SlidingLaw::of_body(body, 0.4, Direction::Positive);
         let mut narrower = 0;
         for (theta, u) in [0.3, 1.8, 2.9, 3.1, 4.4]
@@ -400,7 +449,9 @@ mod tests {
             let expansion = Expansion::new(&law, 1.0, libm::sincos(theta), u);
             for (lead, from) in [(0, 1), (0, 2), (1, 2)] {
                 let terms = |far: f64| -> f64 {
-                    (from..=DEGREE).map(|k| expansion.u[k].abs() * libm::pow(far, (k - lead) as f64)).sum()
+                    (from..=DEGREE)
+                        .map(|k| expansion.u[k].abs() * libm::pow(far, (k - lead) as f64))
+                        .sum()
                 };
                 let most = 0.9 * expansion.u[lead].abs();
                 for widest in [1e-3, 0.2] {
@@ -411,7 +462,10 @@ mod tests {
                     );
                     if width < widest {
                         narrower += 1;
-                        assert!(terms(1.8 * 1.25 * width) > most, "{theta} {u} {lead} {from}: {width}");
+                        assert!(
+                            terms(1.8 * 1.25 * width) > most,
+                            "{theta} {u} {lead} {from}: {width}"
+                        );
                     }
                 }
             }
@@ -427,7 +481,8 @@ mod tests {
         let [up, down] = [[5.0; SIGN_DEGREE + 1], [-5.0; SIGN_DEGREE + 1]];
         assert_eq!((seen(up), seen(down)), (Signs::Positive, Signs::Negative));
         for at in 1..SIGN_DEGREE {
-            // What is doubtful between two signs may be the change; what is clear is another change.
+            // What is doubtful between two signs may be the change; what is clear is another
+            // change.
             let with = |mut coefficients: [f64; SIGN_DEGREE + 1], doubtful: f64| {
                 coefficients[at..].iter_mut().for_each(|b| *b = -*b);
                 coefficients[at] = doubtful;
@@ -445,8 +500,11 @@ mod tests {
                 coefficients[SIGN_DEGREE] = -coefficients[SIGN_DEGREE];
                 seen(coefficients)
             };
-            let expected =
-                if at == SIGN_DEGREE - 1 { [Signs::Falling, Signs::Rising] } else { [Signs::Unknown; 2] };
+            let expected = if at == SIGN_DEGREE - 1 {
+                [Signs::Falling, Signs::Rising]
+            } else {
+                [Signs::Unknown; 2]
+            };
             assert_eq!([twice(up), twice(down)], expected, "{at}");
         }
         for end in [0, SIGN_DEGREE] {

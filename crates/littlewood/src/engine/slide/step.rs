@@ -1,6 +1,8 @@
 //! A step of a slide on which θ′ keeps its sign.
 
-use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
+use crate::engine::quadrature::{
+    MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT,
+};
 
 use crate::engine::doubt::Doubt;
 
@@ -9,9 +11,10 @@ use crate::mechanics::SlidingLaw;
 use super::piece::{LawAt, Piece};
 use super::series::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes, value};
 
-/// Up to this multiple of a step u has no zero: the terms of its series are at most the part [`Step::MAX_TERMS`] of the first, but for a
-/// linear term that makes it grow by at most `MAX_GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities
-/// lie outside the ellipse about the step with the half axes 1.3 and 1.2, r = 5 and r⁻²⁴ = 2e-17.
+/// Up to this multiple of a step u has no zero: the terms of its series are at most the part
+/// [`Step::MAX_TERMS`] of the first, but for a linear term that makes it grow by at most
+/// `MAX_GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities lie
+/// outside the ellipse about the step with the half axes 1.3 and 1.2, r = 5 and r⁻²⁴ = 2e-17.
 const CLEAR_MULTIPLE: f64 = 1.8;
 const MAX_GROWTH: f64 = 0.9;
 
@@ -56,8 +59,8 @@ impl Step {
     /// The part of u that the terms behind the first may be.
     pub(super) const MAX_TERMS: f64 = 0.9;
 
-    /// The step from an angle with this sine and cosine, where η″ = 0 if it is `from_zero`. `reach` is the width on which the series has
-    /// converged.
+    /// The step from an angle with this sine and cosine, where η″ = 0 if it is `from_zero`. `reach`
+    /// is the width on which the series has converged.
     pub(super) fn new(
         expansion: &Expansion,
         direction: (f64, f64),
@@ -66,14 +69,20 @@ impl Step {
     ) -> Result<Self, Doubt> {
         let [u0, slope, ..] = expansion.u;
         let width = if slope > 0.0 {
-            expansion.smooth((0, 2), (reach.min(MAX_GROWTH * u0 / slope), CLEAR_MULTIPLE), Self::MAX_TERMS)
+            expansion.smooth(
+                (0, 2),
+                (reach.min(MAX_GROWTH * u0 / slope), CLEAR_MULTIPLE),
+                Self::MAX_TERMS,
+            )
         } else {
             expansion.smooth((0, 1), (reach, CLEAR_MULTIPLE), Self::MAX_TERMS)
         };
         let width = width.ok_or(Doubt::TurningPoint)?;
         let on = |width: f64| {
             let u = scaled(expansion.u, width);
-            expansion.signs(&u, width, from_zero).map(|(signs, doubt)| (width, u, signs, doubt))
+            expansion
+                .signs(&u, width, from_zero)
+                .map(|(signs, doubt)| (width, u, signs, doubt))
         };
         let mut step = on(width).ok_or(Doubt::Pole)?;
         // Where η″ vanishes at the end of a step, or twice on it, half of the step has its signs.
@@ -81,11 +90,21 @@ impl Step {
             step = on(0.5 * width).ok_or(Doubt::Pole)?;
         }
         let (width, u, signs, doubt) = step;
-        Ok(Self { width, u, degree: DEGREE, signs, doubt, direction, end: 1.0, known: None, exit: None })
+        Ok(Self {
+            width,
+            u,
+            degree: DEGREE,
+            signs,
+            doubt,
+            direction,
+            end: 1.0,
+            known: None,
+            exit: None,
+        })
     }
 
-    /// Whether u has no zero near the step between two t by the sizes of its terms: on the same ellipse about the step all but the first
-    /// are at most the part [`Step::MAX_TERMS`] of that.
+    /// Whether u has no zero near the step between two t by the sizes of its terms: on the same
+    /// ellipse about the step all but the first are at most the part [`Step::MAX_TERMS`] of that.
     pub(super) fn is_clear(u: &[f64], (from, to): (f64, f64)) -> bool {
         let far = Self::far(from, to);
         far * sum_of_sizes(&u[1..], far) <= Self::MAX_TERMS * u[0]
@@ -134,7 +153,10 @@ pub(super) fn rotated((sin, cos): (f64, f64), z: f64) -> (f64, f64) {
     let square = z * z;
     let inverse = 1.0 / (1.0 + square);
     let (turn_sin, turn_cos) = (2.0 * z * inverse, (1.0 - square) * inverse);
-    (sin * turn_cos + cos * turn_sin, cos * turn_cos - sin * turn_sin)
+    (
+        sin * turn_cos + cos * turn_sin,
+        cos * turn_cos - sin * turn_sin,
+    )
 }
 
 impl Piece for Step {
@@ -176,7 +198,10 @@ impl Piece for Step {
     }
 
     fn time(&self, from: f64, to: f64) -> f64 {
-        if let Some((_, time)) = self.known.filter(|(begin, _)| from == *begin && to == self.end) {
+        if let Some((_, time)) = self
+            .known
+            .filter(|(begin, _)| from == *begin && to == self.end)
+        {
             return time;
         }
         if from == 0.0 && to == 1.0 && self.degree == DEGREE {

@@ -1,8 +1,9 @@
 //! A slide about a turning point, at which θ′ changes its sign.
 //!
-//! Friction does not depend on the sign of θ′, so that u is the same function of the angle before and behind the turning point.
-//! There u = z v(z), z ≥ 0 being the tangent of half the angle from the turning point, and with z = width · y², y going from
-//! negative to positive through the turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
+//! Friction does not depend on the sign of θ′, so that u is the same function of the angle before
+//! and behind the turning point. There u = z v(z), z ≥ 0 being the tangent of half the angle from
+//! the turning point, and with z = width · y², y going from negative to positive through the
+//! turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
 
 use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 
@@ -10,8 +11,9 @@ use super::piece::Piece;
 use super::series::{DEGREE, Expansion, Series, Signs, scaled, value};
 use super::step::rotated;
 
-/// Up to this multiple of the width v has no zero: the terms of its series are at most the part `MAX_TERMS` of the first. The Gauss sum
-/// of 1/√v in y is then exact to rounding: r = 2.9 and r⁻³² = 1e-15 at least.
+/// Up to this multiple of the width v has no zero: the terms of its series are at most the part
+/// `MAX_TERMS` of the first. The Gauss sum of 1/√v in y is then exact to rounding: r = 2.9 and
+/// r⁻³² = 1e-15 at least.
 const CLEAR_MULTIPLE: f64 = 2.8;
 const MAX_TERMS: f64 = 0.9;
 
@@ -31,7 +33,8 @@ pub(super) struct Turn {
 }
 
 impl Turn {
-    /// From the expansion about the turning point in the frame of motion behind it, the sine and cosine of whose angle these are.
+    /// From the expansion about the turning point in the frame of motion behind it, the sine and
+    /// cosine of whose angle these are.
     pub(super) fn new(expansion: &Expansion, (sin, cos): (f64, f64)) -> Option<Self> {
         if expansion.u[1] <= 0.0 {
             return None;
@@ -41,7 +44,13 @@ impl Turn {
         let (signs, doubt) = expansion.signs(&u, width, false)?;
         let mut v = [0.0; DEGREE + 1];
         v[..DEGREE].copy_from_slice(&u[1..]);
-        Some(Self { width, v: v.map(|c| c / width), signs, doubt, direction: (-sin, cos) })
+        Some(Self {
+            width,
+            v: v.map(|c| c / width),
+            signs,
+            doubt,
+            direction: (-sin, cos),
+        })
     }
 
     /// Angle from the turning point at y, back in the frame of motion before it.

@@ -1,7 +1,8 @@
 //! Rolling on a slope, to its slip, by tiles of a turn (docs/engine.md).
 //!
-//! In the direction of motion, at the distance φ from the beginning of a tile, G = D ϑ′² is g + γ(φ), with a function γ of the body and the
-//! slope, and one number g of the orbit. The first to vanish of the two margins of static friction ([`Limits`]) and G decides what happens.
+//! In the direction of motion, at the distance φ from the beginning of a tile, G = D ϑ′² is g +
+//! γ(φ), with a function γ of the body and the slope, and one number g of the orbit. The first to
+//! vanish of the two margins of static friction ([`Limits`]) and G decides what happens.
 
 mod tile;
 
@@ -24,16 +25,19 @@ use tile::{About, MAX_BEND, TILES, Tile, WIDTH, rotated, separatrix_distance, sw
 /// An orbit of more turns is left to the exact solver, which finds the turn of a slip by bisection.
 const MAX_TURNS: usize = 32;
 
-/// A turning point nearer than this part of the distance on which time is such a sum is where a leg begins.
+/// A turning point nearer than this part of the distance on which time is such a sum is where a leg
+/// begins.
 const MAX_PART_BESIDE_TURN: f64 = 0.1;
 
 const MAX_HALVINGS: u32 = 24;
 
-/// Newton's method for the place at a time ends with a shorter step: its error is of the second order.
+/// Newton's method for the place at a time ends with a shorter step: its error is of the second
+/// order.
 const MAX_LAST_STEP: f64 = 1e-9;
 const MAX_STEPS: u32 = 12;
 
-/// Rolling in one direction of motion: what is kept of it, made where orbits come, and the same whichever orbit that is.
+/// Rolling in one direction of motion: what is kept of it, made where orbits come, and the same
+/// whichever orbit that is.
 #[derive(Clone, Debug)]
 pub(super) struct Ramp {
     limits: Limits,
@@ -43,7 +47,10 @@ pub(super) struct Ramp {
 impl Ramp {
     /// In the direction `travel`.
     pub(super) fn new(hoop: &Hoop, travel: f64) -> Self {
-        Self { limits: Limits::new(hoop, travel), tiles: [const { OnceLock::new() }; TILES] }
+        Self {
+            limits: Limits::new(hoop, travel),
+            tiles: [const { OnceLock::new() }; TILES],
+        }
     }
 
     fn law(&self) -> &RollingLaw {
@@ -59,7 +66,8 @@ impl Ramp {
 /// A part of an orbit in one direction of motion.
 struct Leg<'a> {
     ramp: &'a Ramp,
-    /// −1 where the motion began the other way, and the angle at the beginning in the frame of this one.
+    /// −1 where the motion began the other way, and the angle at the beginning in the frame of this
+    /// one.
     sign: f64,
     theta: f64,
     /// The tile at its beginning, the place there, and g of the tile.
@@ -68,7 +76,8 @@ struct Leg<'a> {
     level: f64,
     /// How far behind its beginning a turning point is, if it is next to it.
     past_turn: Option<f64>,
-    /// G about the beginning, or that turning point: next to it G is less than the last digits of `level`.
+    /// G about the beginning, or that turning point: next to it G is less than the last digits of
+    /// `level`.
     origin: About,
 }
 
@@ -87,7 +96,8 @@ enum LegEnd {
 }
 
 impl<'a> Leg<'a> {
-    /// From an angle with this sine and cosine, at which G is `kinetic`, or a turning point is so far behind.
+    /// From an angle with this sine and cosine, at which G is `kinetic`, or a turning point is so
+    /// far behind.
     fn enter(
         (ramp, sign): (&'a Ramp, f64),
         (theta, direction): (f64, (f64, f64)),
@@ -101,7 +111,16 @@ impl<'a> Leg<'a> {
         let (g, past) = past_turn.map_or((kinetic, 0.0), |distance| (0.0, distance));
         let origin = About::new(ramp.law(), rotated(direction, -past), g);
         let level = g - ramp.tile(tile).about.gain(from - past);
-        Self { ramp, sign, theta, tile, from, level, past_turn, origin }
+        Self {
+            ramp,
+            sign,
+            theta,
+            tile,
+            from,
+            level,
+            past_turn,
+            origin,
+        }
     }
 
     /// From the end of this one at a turning point, the other way.
@@ -111,7 +130,16 @@ impl<'a> Leg<'a> {
         let origin = About::new(ramp.law(), rotated(first.direction, from), 0.0);
         let (sign, theta) = (-self.sign, -self.angle(&spot));
         let (level, past_turn) = (-first.about.gain(from), Some(0.0));
-        Leg { ramp, sign, theta, tile, from, level, past_turn, origin }
+        Leg {
+            ramp,
+            sign,
+            theta,
+            tile,
+            from,
+            level,
+            past_turn,
+            origin,
+        }
     }
 
     fn angle(&self, spot: &Spot) -> f64 {
@@ -123,7 +151,11 @@ impl<'a> Leg<'a> {
     }
 
     fn beginning(&self) -> Spot {
-        Spot { tiles: 0, at: self.from, level: self.level }
+        Spot {
+            tiles: 0,
+            at: self.from,
+            level: self.level,
+        }
     }
 
     fn about(&self, spot: &Spot) -> About {
@@ -141,7 +173,8 @@ impl<'a> Leg<'a> {
         About::new(self.ramp.law(), rotated(tile.direction, at), g)
     }
 
-    /// The time between two places on the tile of a spot, or over the whole; none where it comes too close to a turning point.
+    /// The time between two places on the tile of a spot, or over the whole; none where it comes
+    /// too close to a turning point.
     fn time_on(&self, tile: &Tile, spot: &Spot, [from, to]: [f64; 2]) -> Option<f64> {
         let is_whole = from == 0.0 && to == WIDTH && spot.level > tile.smooth;
         if is_whole {
@@ -151,7 +184,13 @@ impl<'a> Leg<'a> {
         }
     }
 
-    fn time_of_parts(&self, tile: &Tile, spot: &Spot, [from, to]: [f64; 2], halvings: u32) -> Option<f64> {
+    fn time_of_parts(
+        &self,
+        tile: &Tile,
+        spot: &Spot,
+        [from, to]: [f64; 2],
+        halvings: u32,
+    ) -> Option<f64> {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let about = self.about_on(tile, spot, middle);
         if about.is_smooth(half) {
@@ -193,20 +232,32 @@ impl<'a> Leg<'a> {
         while spot.tiles <= MAX_TURNS * TILES {
             let tile = self.tile_of(&spot);
             let starts_at_zero = self.past_turn.is_some() && spot.tiles == 0;
-            let passes = !starts_at_zero && spot.level > tile.levels.0 && spot.level < tile.levels.1;
+            let passes =
+                !starts_at_zero && spot.level > tile.levels.0 && spot.level < tile.levels.1;
             if !passes && let Some(end) = self.end_on(tile, spot, starts_at_zero)? {
                 return Ok(end);
             }
-            spot = Spot { tiles: spot.tiles + 1, at: 0.0, level: spot.level + tile.gain };
+            spot = Spot {
+                tiles: spot.tiles + 1,
+                at: 0.0,
+                level: spot.level + tile.gain,
+            };
         }
         Err(Doubt::TooLong)
     }
 
-    fn end_on(&self, tile: &Tile, spot: Spot, starts_at_zero: bool) -> Result<Option<LegEnd>, Doubt> {
+    fn end_on(
+        &self,
+        tile: &Tile,
+        spot: Spot,
+        starts_at_zero: bool,
+    ) -> Result<Option<LegEnd>, Doubt> {
         let level = spot.level;
         let turn = tile.kinetic.crossing(level, (spot.at, starts_at_zero));
-        let [negative, positive] =
-            tile.margins.each_ref().map(|margin| margin.crossing(level, (spot.at, false)));
+        let [negative, positive] = tile
+            .margins
+            .each_ref()
+            .map(|margin| margin.crossing(level, (spot.at, false)));
         let slip = match (negative, positive) {
             (Some(negative), Some(positive)) if positive < negative => Some((positive, 1)),
             (Some(negative), _) => Some((negative, 0)),
@@ -216,7 +267,10 @@ impl<'a> Leg<'a> {
             && turn.is_none_or(|turn| at < turn)
         {
             self.check_top(tile, &spot, at, starts_at_zero)?;
-            return Ok(Some(LegEnd::Slip { spot: Spot { at, ..spot }, side }));
+            return Ok(Some(LegEnd::Slip {
+                spot: Spot { at, ..spot },
+                side,
+            }));
         }
         if let Some(at) = turn {
             let spot = Spot { at, ..spot };
@@ -224,22 +278,39 @@ impl<'a> Leg<'a> {
                 return Err(Doubt::Separatrix);
             }
             // Where it slips just so, or not, next to the turning point.
-            return if self.holds(&spot) { Ok(Some(LegEnd::Turn(spot))) } else { Err(Doubt::FrictionLimit) };
+            return if self.holds(&spot) {
+                Ok(Some(LegEnd::Turn(spot)))
+            } else {
+                Err(Doubt::FrictionLimit)
+            };
         }
         self.check_top(tile, &spot, WIDTH, starts_at_zero)?;
         Ok(None)
     }
 
     /// Whether it clearly passes the top, if that is on a tile between a place and another.
-    fn check_top(&self, tile: &Tile, spot: &Spot, to: f64, starts_at_zero: bool) -> Result<(), Doubt> {
+    fn check_top(
+        &self,
+        tile: &Tile,
+        spot: &Spot,
+        to: f64,
+        starts_at_zero: bool,
+    ) -> Result<(), Doubt> {
         let rises = |at: f64| value_and_slope(&tile.kinetic.taylor[0], at).1 > 0.0;
         if starts_at_zero || rises(spot.at) || !rises(to) {
             return Ok(());
         }
         let ahead = shifted(tile.kinetic.on_orbit(spot.level), spot.at);
         let ahead = Bernstein::from_taylor(&ahead, to - spot.at);
-        let least = ahead.coefficients().iter().fold(f64::INFINITY, |least, c| least.min(*c));
-        if least > separatrix_distance(self.ramp.law()) { Ok(()) } else { Err(Doubt::Separatrix) }
+        let least = ahead
+            .coefficients()
+            .iter()
+            .fold(f64::INFINITY, |least, c| least.min(*c));
+        if least > separatrix_distance(self.ramp.law()) {
+            Ok(())
+        } else {
+            Err(Doubt::Separatrix)
+        }
     }
 
     /// The time to a spot, perhaps a turning point. None where it takes too many nodes.
@@ -253,21 +324,40 @@ impl<'a> Leg<'a> {
     }
 
     /// Passes its pieces up to a spot, until one is the last that is wanted.
-    fn pieces(&self, spot: &Spot, is_turn: bool, mut pass: impl FnMut(Piece) -> Option<bool>) -> Option<()> {
+    fn pieces(
+        &self,
+        spot: &Spot,
+        is_turn: bool,
+        mut pass: impl FnMut(Piece) -> Option<bool>,
+    ) -> Option<()> {
         // Distances from a turning point behind the beginning.
         let past = self.past_turn.unwrap_or(0.0);
         let length = past + self.distance(spot);
-        let behind = Spot { at: self.from - past, ..self.beginning() };
-        let turns = [(self.past_turn.is_some(), behind, 1.0), (is_turn, *spot, -1.0)];
+        let behind = Spot {
+            at: self.from - past,
+            ..self.beginning()
+        };
+        let turns = [
+            (self.past_turn.is_some(), behind, 1.0),
+            (is_turn, *spot, -1.0),
+        ];
         let turns = turns.map(|(turns, spot, side)| turns.then(|| (self.about(&spot), side)));
-        let reach = turns.map(|turn| turn.map_or(0.0, |(about, _)| about.reach_of_turn().min(WIDTH)));
+        let reach =
+            turns.map(|turn| turn.map_or(0.0, |(about, _)| about.reach_of_turn().min(WIDTH)));
         let all = reach[0] + reach[1];
-        let reach = if all > length { reach.map(|reach| reach * (length / all)) } else { reach };
+        let reach = if all > length {
+            reach.map(|reach| reach * (length / all))
+        } else {
+            reach
+        };
         let reach = [reach[0].max(past), reach[1].min(length - past)];
         let time_of = |turn: Option<(About, f64)>, [from, to]: [f64; 2]| {
             turn.map(|(about, side)| {
                 let time = about.time_from_turn(to, side) - about.time_from_turn(from, side);
-                Piece { time: Some(time), on: None }
+                Piece {
+                    time: Some(time),
+                    on: None,
+                }
             })
         };
         if let Some(piece) = time_of(turns[0], [past, reach[0]])
@@ -283,11 +373,18 @@ impl<'a> Leg<'a> {
             let to = (spot.at - reach[1] + WIDTH * (spot.tiles - here.tiles) as f64).min(WIDTH);
             if from < to {
                 let time = self.time_on(tile, &here, [from, to]);
-                if pass(Piece { time, on: Some((here, [from, to])) })? {
+                if pass(Piece {
+                    time,
+                    on: Some((here, [from, to])),
+                })? {
                     return Some(());
                 }
             }
-            here = Spot { tiles: here.tiles + 1, at: 0.0, level: here.level + tile.gain };
+            here = Spot {
+                tiles: here.tiles + 1,
+                at: 0.0,
+                level: here.level + tile.gain,
+            };
         }
         if let Some(piece) = time_of(turns[1], [0.0, reach[1]]) {
             pass(piece)?;
@@ -300,7 +397,10 @@ impl<'a> Leg<'a> {
         let about = self.about(spot);
         let rate = (about.g.max(0.0) / about.d).sqrt();
         let (sin, cos) = rotated(self.tile_of(spot).direction, spot.at);
-        let reached = Reached { theta: self.sign * self.angle(spot), theta_rate: self.sign * rate };
+        let reached = Reached {
+            theta: self.sign * self.angle(spot),
+            theta_rate: self.sign * rate,
+        };
         (reached, (self.sign * sin, cos))
     }
 
@@ -312,7 +412,13 @@ impl<'a> Leg<'a> {
         }
         let elapsed = before + self.time(spot, false).ok_or(Doubt::Separatrix)?;
         let side = if self.sign < 0.0 { 1 - side } else { side };
-        Ok(RollEnd::Slip { elapsed, theta, theta_rate, side, direction })
+        Ok(RollEnd::Slip {
+            elapsed,
+            theta,
+            theta_rate,
+            side,
+            direction,
+        })
     }
 
     /// Where it is after a time, on the way to a spot.
@@ -360,7 +466,11 @@ struct Orbit<'a> {
 impl<'a> Orbit<'a> {
     fn enter(ramps: &'a [Ramp; 2], place: &Place) -> Self {
         let (travel, u) = (place.travel(), place.u());
-        let [ahead, back] = if travel < 0.0 { [&ramps[1], &ramps[0]] } else { [&ramps[0], &ramps[1]] };
+        let [ahead, back] = if travel < 0.0 {
+            [&ramps[1], &ramps[0]]
+        } else {
+            [&ramps[0], &ramps[1]]
+        };
         let theta = travel * place.state.theta;
         let direction = (travel * place.direction.0, place.direction.1);
         let kinetic = ahead.law().denominator_of(direction) * u;
@@ -368,22 +478,36 @@ impl<'a> Orbit<'a> {
         // Next to a turning point the distance from it has all digits.
         let side = if about.slope < 0.0 { 1.0 } else { -1.0 };
         let reach = MAX_PART_BESIDE_TURN * about.reach_of_turn();
-        let turn = about.distance_of_turn(kinetic, side).filter(|distance| *distance <= reach);
+        let turn = about
+            .distance_of_turn(kinetic, side)
+            .filter(|distance| *distance <= reach);
         let Some(distance) = turn.filter(|_| side > 0.0) else {
             let first = Leg::enter((ahead, 1.0), (theta, direction), kinetic, turn);
-            return Self { first, back, before: (0.0, 0.0) };
+            return Self {
+                first,
+                back,
+                before: (0.0, 0.0),
+            };
         };
         let (theta, (sin, cos)) = (theta + distance, rotated(direction, distance));
         let first = Leg::enter((back, -1.0), (-theta, (-sin, cos)), 0.0, Some(0.0));
         let turn = first.about(&first.beginning());
         let before = (distance, turn.time_from_turn(distance, 1.0));
-        Self { first, back: ahead, before }
+        Self {
+            first,
+            back: ahead,
+            before,
+        }
     }
 }
 
 /// Follows the rolling that begins at a place, and holds there.
 pub(super) fn follow(ramps: &[Ramp; 2], place: &Place) -> Result<RollEnd, Doubt> {
-    let Orbit { first, back, before: (distance, before) } = Orbit::enter(ramps, place);
+    let Orbit {
+        first,
+        back,
+        before: (distance, before),
+    } = Orbit::enter(ramps, place);
     let turn = match first.end()? {
         // It would have slipped on the way to the turning point.
         LegEnd::Slip { spot, .. } if distance > 0.0 && first.distance(&spot) <= distance => {
@@ -404,7 +528,11 @@ pub(super) fn follow(ramps: &[Ramp; 2], place: &Place) -> Result<RollEnd, Doubt>
 
 /// Where rolling from a place is after a time, before its slip.
 pub(super) fn after(ramps: &[Ramp; 2], place: &Place, time: f64) -> Option<Reached> {
-    let Orbit { first, back, before: (_, before) } = Orbit::enter(ramps, place);
+    let Orbit {
+        first,
+        back,
+        before: (_, before),
+    } = Orbit::enter(ramps, place);
     let time = time - before;
     if time < 0.0 {
         return None;
@@ -418,7 +546,9 @@ pub(super) fn after(ramps: &[Ramp; 2], place: &Place, time: f64) -> Option<Reach
         return Some(first.at(&first.after(time, &turn, true)?).0);
     }
     let back = first.back(turn, back);
-    let LegEnd::Slip { spot, .. } = back.end().ok()? else { return None };
+    let LegEnd::Slip { spot, .. } = back.end().ok()? else {
+        return None;
+    };
     Some(back.at(&back.after(time - outward, &spot, false)?).0)
 }
 
@@ -436,11 +566,22 @@ mod tests {
     }
 
     fn at(theta: f64, theta_rate: f64) -> State {
-        State { time: 0.0, theta, theta_rate, slip: 0.0, x: 0.0 }
+        State {
+            time: 0.0,
+            theta,
+            theta_rate,
+            slip: 0.0,
+            x: 0.0,
+        }
     }
 
     fn figure_2(slope: f64) -> Hoop {
-        Hoop::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4).with_slope(slope)).unwrap()
+        Hoop::new(
+            HoopParameters::thin(1.0)
+                .with_friction(0.5, 0.4)
+                .with_slope(slope),
+        )
+        .unwrap()
     }
 
     proptest! {
@@ -468,7 +609,8 @@ mod tests {
             let end = rolling.orbit().end().expect("it slips");
             let travel = place.travel();
             prop_assert_eq!(end.limit, RollingLimit::Friction(direction_of(side, travel)));
-            // What the rounding of an angle, or of a margin, changes of a slip whose margin falls slowly.
+            // What the rounding of an angle, or of a margin, changes of a slip whose margin falls
+            // slowly.
             let tolerance = 1e-11 * (1.0 + elapsed);
             prop_assert!((end.theta - travel * theta).abs() < tolerance, "{} {theta}", end.theta);
             prop_assert!((end.theta_rate - travel * theta_rate).abs() < tolerance, "{} {theta_rate}", end.theta_rate);
@@ -504,7 +646,10 @@ mod tests {
                 all += 1;
             }
             assert!(all > 200 && 20 * left < all, "{slope}: {left} of {all}");
-            assert!(slips > 100 && 3 * found > 2 * slips, "{slope}: {found} of {slips}");
+            assert!(
+                slips > 100 && 3 * found > 2 * slips,
+                "{slope}: {found} of {slips}"
+            );
         }
     }
 }

@@ -16,12 +16,14 @@ use crate::modes::rolling::Limits;
 pub(super) const TILES: usize = 16;
 pub(super) const WIDTH: f64 = TAU / TILES as f64;
 
-/// G and D change by at most this part of themselves on the ellipse about a panel with the half axes 1.76 and 1.45 times its own: the Gauss sum
-/// with 16 nodes is then exact to rounding, r = 3.2 and r⁻³² = 7e-17.
+/// G and D change by at most this part of themselves on the ellipse about a panel with the half
+/// axes 1.76 and 1.45 times its own: the Gauss sum with 16 nodes is then exact to rounding, r = 3.2
+/// and r⁻³² = 7e-17.
 const MAX_CHANGE: f64 = 0.9;
 const ELLIPSE: f64 = 1.76;
 
-/// Bounds of what sines and cosines of complex angles |φ| ≤ 1 add to the linear terms, as a part of |φ|²/2.
+/// Bounds of what sines and cosines of complex angles |φ| ≤ 1 add to the linear terms, as a part of
+/// |φ|²/2.
 const CURVATURE: f64 = 1.15;
 
 /// Newton's method for the distance of a turning point takes two steps or three.
@@ -44,7 +46,10 @@ fn bends(angle: f64) -> (f64, f64) {
 pub(super) fn rotated((sin, cos): (f64, f64), angle: f64) -> (f64, f64) {
     let (bend, versine) = bends(angle);
     let sine = angle + bend;
-    (sin + (cos * sine - sin * versine), cos - (sin * sine + cos * versine))
+    (
+        sin + (cos * sine - sin * versine),
+        cos - (sin * sine + cos * versine),
+    )
 }
 
 /// A function a + g b on a tile.
@@ -64,14 +69,21 @@ impl Linear {
             core::array::from_fn(|k| form.coefficients()[k])
         });
         let sizes = [0, 1].map(|part: usize| value(&taylor[part].map(f64::abs), WIDTH));
-        Self { taylor, bernstein, sizes }
+        Self {
+            taylor,
+            bernstein,
+            sizes,
+        }
     }
 
     /// The g for which it is certainly positive everywhere, and exceeds `least`.
     fn levels(&self, least: f64) -> (f64, f64) {
         let [a, b] = &self.bernstein;
         let [a_size, b_size] = self.sizes;
-        holds(f64::NEG_INFINITY, (0..=DEGREE).map(|k| [(a[k] - least, a_size), (b[k], b_size)]))
+        holds(
+            f64::NEG_INFINITY,
+            (0..=DEGREE).map(|k| [(a[k] - least, a_size), (b[k], b_size)]),
+        )
     }
 
     fn known(&self, level: f64) -> Known {
@@ -95,7 +107,10 @@ impl Linear {
         match self.known(level) {
             Known::Holds => None,
             Known::Falls if !starts_at_zero => {
-                let bracket = Bracket { low: from, high: WIDTH };
+                let bracket = Bracket {
+                    low: from,
+                    high: WIDTH,
+                };
                 Some(bracket.refine_from_secant(|at| value_and_slope(&on_orbit, at)))
             }
             Known::Falls | Known::Nothing => {
@@ -128,7 +143,9 @@ pub(super) struct About {
 
 impl About {
     pub(super) fn new(law: &RollingLaw, (sin, cos): (f64, f64), g: f64) -> Self {
-        let RollingLaw { offset, mass, tilt, .. } = *law;
+        let RollingLaw {
+            offset, mass, tilt, ..
+        } = *law;
         Self {
             g,
             slope: 2.0 * (offset * sin + tilt * (mass + offset * cos)),
@@ -160,9 +177,18 @@ impl About {
     #[inline(always)]
     pub(super) fn slowness(&self, angle: f64) -> [f64; 2] {
         let (bend, versine) = bends(angle);
-        let (even, odd) = (self.g + self.g_versine * versine, self.slope * angle + self.g_sine * bend);
-        let (d_even, d_odd) = (self.d + self.d_versine * versine, self.d_sine * (angle + bend));
-        [((d_even + d_odd) / (even + odd)).sqrt(), ((d_even - d_odd) / (even - odd)).sqrt()]
+        let (even, odd) = (
+            self.g + self.g_versine * versine,
+            self.slope * angle + self.g_sine * bend,
+        );
+        let (d_even, d_odd) = (
+            self.d + self.d_versine * versine,
+            self.d_sine * (angle + bend),
+        );
+        [
+            ((d_even + d_odd) / (even + odd)).sqrt(),
+            ((d_even - d_odd) / (even - odd)).sqrt(),
+        ]
     }
 
     /// The time from −half to half.
@@ -175,7 +201,8 @@ impl About {
         half * sum
     }
 
-    /// About a turning point: how far from it, in a direction, time is a Gauss sum in the square root of the distance.
+    /// About a turning point: how far from it, in a direction, time is a Gauss sum in the square
+    /// root of the distance.
     pub(super) fn reach_of_turn(&self) -> f64 {
         let of_g = MAX_CHANGE * self.slope.abs() / self.g_bend;
         let square = self.d_sine * self.d_sine + 4.0 * self.d_bend * (MAX_CHANGE * self.d);
@@ -183,7 +210,8 @@ impl About {
         of_g.min(of_d).min(1.0) / (ELLIPSE * ELLIPSE)
     }
 
-    /// The distance of the turning point on the side of this sign, where G is `kinetic` here, if it is near.
+    /// The distance of the turning point on the side of this sign, where G is `kinetic` here, if it
+    /// is near.
     pub(super) fn distance_of_turn(&self, kinetic: f64, side: f64) -> Option<f64> {
         let slope = self.slope.abs();
         let mut distance = kinetic / slope;
@@ -202,7 +230,8 @@ impl About {
         None
     }
 
-    /// The time from a turning point to a distance on the side of this sign, or back: ∫ 2 √(D/ρ) ds with the distance s² and G = s² ρ.
+    /// The time from a turning point to a distance on the side of this sign, or back: ∫ 2 √(D/ρ) ds
+    /// with the distance s² and G = s² ρ.
     pub(super) fn time_from_turn(&self, distance: f64, side: f64) -> f64 {
         let far = distance.sqrt();
         if distance == 0.0 {
@@ -248,15 +277,26 @@ impl Tile {
             let with_gain = core::array::from_fn(|n| a[n] + convolve([(&gains, &b)], n)[0]);
             Linear::new([with_gain, b])
         });
-        let kinetic = Linear::new([gains, core::array::from_fn(|n| if n == 0 { 1.0 } else { 0.0 })]);
+        let kinetic = Linear::new([
+            gains,
+            core::array::from_fn(|n| if n == 0 { 1.0 } else { 0.0 }),
+        ]);
         let about = About::new(law, direction, 0.0);
         let half = 0.5 * WIDTH;
         let middle = About::new(law, rotated(direction, half), about.gain(half));
         // Of which g is_smooth would hold.
         let reach = ELLIPSE * half;
         let smooth = reach * (middle.slope.abs() + reach * middle.g_bend) / MAX_CHANGE - middle.g;
-        let smooth =
-            if (About { g: f64::INFINITY, ..middle }).is_smooth(half) { smooth } else { f64::INFINITY };
+        let smooth = if (About {
+            g: f64::INFINITY,
+            ..middle
+        })
+        .is_smooth(half)
+        {
+            smooth
+        } else {
+            f64::INFINITY
+        };
         let from_middle = |j: usize| {
             let side = if j.is_multiple_of(2) { half } else { -half };
             side * LONG_NODE[j / 2]
@@ -267,8 +307,9 @@ impl Tile {
             half * LONG_WEIGHT[j / 2] * d.sqrt()
         });
         let levels = margins.iter().map(|margin| margin.levels(0.0));
-        let levels = levels
-            .fold(kinetic.levels(separatrix_distance(law)), |all, one| (all.0.max(one.0), all.1.min(one.1)));
+        let levels = levels.fold(kinetic.levels(separatrix_distance(law)), |all, one| {
+            (all.0.max(one.0), all.1.min(one.1))
+        });
         Self {
             direction,
             about,
@@ -291,7 +332,8 @@ impl Tile {
     }
 }
 
-/// G of orbits next to the separatrix is less at the top, by the energies as a function of the angle.
+/// G of orbits next to the separatrix is less at the top, by the energies as a function of the
+/// angle.
 pub(super) fn separatrix_distance(law: &RollingLaw) -> f64 {
     MIN_SEPARATRIX_DISTANCE * (law.bottom + swing(law))
 }

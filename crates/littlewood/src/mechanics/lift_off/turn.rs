@@ -1,4 +1,5 @@
-//! The work of friction over a whole turn: whether it can accelerate the rotation of a hoop to a lift-off.
+//! The work of friction over a whole turn: whether it can accelerate the rotation of a hoop to a
+//! lift-off.
 
 use core::f64::consts::PI;
 use std::sync::LazyLock;
@@ -15,18 +16,20 @@ const CELLS_PER_HALF_TURN: usize = 256;
 const MIN_DENOMINATOR_RATIO: f64 = 1e-3;
 
 /// Cosines at the boundaries of the cells, from the bottom up.
-static COSINES: LazyLock<[f64; CELLS_PER_HALF_TURN + 1]> =
-    LazyLock::new(|| core::array::from_fn(|k| -libm::cos(PI * k as f64 / CELLS_PER_HALF_TURN as f64)));
+static COSINES: LazyLock<[f64; CELLS_PER_HALF_TURN + 1]> = LazyLock::new(|| {
+    core::array::from_fn(|k| -libm::cos(PI * k as f64 / CELLS_PER_HALF_TURN as f64))
+});
 
 /// Upper bound of a quantity with rounded terms.
 pub(super) fn at_most(quantity: f64) -> f64 {
     quantity + ENERGY_ROUNDING * (1.0 + quantity.abs())
 }
 
-/// The proof that a hoop never lifts off, by the work of friction over whole turns (docs/ends.md): C, twice the energy without that of the
-/// horizontal velocity v of the mass centre against θ′, grows by at most some Δ in a turn, and a lift-off requires C = L. With ω = |θ′| (1 +
-/// h cos θ) and φ = F/N in the direction of the rotation, v* is such that friction with φ = μs where ω ≤ v*, and φ = −μk elsewhere, does no
-/// work on C in a turn.
+/// The proof that a hoop never lifts off, by the work of friction over whole turns (docs/ends.md):
+/// C, twice the energy without that of the horizontal velocity v of the mass centre against θ′,
+/// grows by at most some Δ in a turn, and a lift-off requires C = L. With ω = |θ′| (1 + h cos θ)
+/// and φ = F/N in the direction of the rotation, v* is such that friction with φ = μs where ω ≤ v*,
+/// and φ = −μk elsewhere, does no work on C in a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct WholeTurns {
     /// Upper bound L − Δ of C.
@@ -60,8 +63,9 @@ impl WholeTurns {
         if turning <= at_most(separatrix) {
             return None;
         }
-        let mut cells: Vec<Cell> =
-            ends().map(|ends| Cell::new(body, friction, ends, [turning, needed])).collect();
+        let mut cells: Vec<Cell> = ends()
+            .map(|ends| Cell::new(body, friction, ends, [turning, needed]))
+            .collect();
         cells.sort_unstable_by(|a, b| a.least_velocity.total_cmp(&b.least_velocity));
         let mut work = -cells.iter().map(|cell| cell.loss).sum::<f64>() * (1.0 - ENERGY_ROUNDING);
         let fastest = cells.iter().find(|cell| {
@@ -69,22 +73,41 @@ impl WholeTurns {
             work > 0.0
         });
         // Without friction C is constant.
-        let velocity = fastest.map_or(f64::INFINITY, |cell| cell.least_velocity * (1.0 - ENERGY_ROUNDING));
-        Some(Self { turning, energy: turning + body.mass * velocity * velocity })
+        let velocity = fastest.map_or(f64::INFINITY, |cell| {
+            cell.least_velocity * (1.0 - ENERGY_ROUNDING)
+        });
+        Some(Self {
+            turning,
+            energy: turning + body.mass * velocity * velocity,
+        })
     }
 }
 
 impl Cell {
     /// The bounds between two cosines, the lower first, for C between `least` and `most`.
-    fn new(body: &Heavy, [mu_s, mu_k]: [f64; 2], [low, high]: [f64; 2], [least, most]: [f64; 2]) -> Self {
-        let Heavy { mass, h, inertia, offset, .. } = *body;
+    fn new(
+        body: &Heavy,
+        [mu_s, mu_k]: [f64; 2],
+        [low, high]: [f64; 2],
+        [least, most]: [f64; 2],
+    ) -> Self {
+        let Heavy {
+            mass,
+            h,
+            inertia,
+            offset,
+            ..
+        } = *body;
         let is_above = low + high > 0.0;
         let [inner, outer] = if is_above { [low, high] } else { [high, low] };
         let sine_square = |cos: f64| (1.0 - cos) * (1.0 + cos);
         let spin = |cos: f64| inertia + mass * h * h * sine_square(cos);
         let [light, heavy] = [spin(outer), spin(inner)];
         let [short, long] = [1.0 + h * low, 1.0 + h * high];
-        let [slow, fast] = [(least - 2.0 * offset * high) / heavy, (most - 2.0 * offset * low) / light];
+        let [slow, fast] = [
+            (least - 2.0 * offset * high) / heavy,
+            (most - 2.0 * offset * low) / light,
+        ];
         // w = 1 − h cos θ u, non-negative before a lift-off.
         let [weak, strong] = if is_above {
             [1.0 - h * high * fast, 1.0 - h * low * slow]

@@ -1,15 +1,17 @@
-//! Free flight (§2e): the mass centre follows a parabola and the hoop turns at constant rate, until the rim touches down
-//! (docs/theory/jumps.md).
+//! Free flight (§2e): the mass centre follows a parabola and the hoop turns at constant rate, until
+//! the rim touches down (docs/theory/jumps.md).
 //!
-//! With φ = ω Δτ, ω = |θ′|, C = cos φ − 1 + φ²/2, S = φ − sin φ, and angles positive in the direction of rotation, the gap is
+//! With φ = ω Δτ, ω = |θ′|, C = cos φ − 1 + φ²/2, S = φ − sin φ, and angles positive in the
+//! direction of rotation, the gap is
 //!
 //! ```text
 //! v φ/ω + b φ²/2 − h [c0 C(φ) + s0 S(φ)],   b = h c0 − 1/θ′²    up to one radian,
 //! v φ/ω − φ²/(2 θ′²) + h [c0 (1 − cos φ) − s0 S(φ)]             beyond, where b would lose digits of a fast hoop.
 //! ```
 //!
-//! The search excludes its roots at the start. The zeros of its second derivative are known; between them gap′ is monotone, and between the
-//! zeros of gap′ the gap is. For h θ′² ≤ 1 the gap is concave and the argument is the time, which also covers a hoop that does not turn.
+//! The search excludes its roots at the start. The zeros of its second derivative are known;
+//! between them gap′ is monotone, and between the zeros of gap′ the gap is. For h θ′² ≤ 1 the gap
+//! is concave and the argument is the time, which also covers a hoop that does not turn.
 
 mod gap;
 
@@ -57,14 +59,16 @@ getters! {
     pub settles: bool = self.settles;
     /// Rate of the gap at the start.
     pub take_off_rate: f64 = self.gap.rise * self.clock;
-    /// Whether it begins at a lift-off from sliding, where the gap opens with the third power of the time.
+    /// Whether it begins at a lift-off from sliding, where the gap opens with the third power of
+    /// the time.
     pub(crate) lifts_off: bool = self.gap.opening == 0.0 && self.gap.rise == 0.0;
     /// Time from the start of the flight to the landing.
     pub duration: f64 = self.landing.at / self.clock;
 }
 
 impl Flight {
-    /// From a state with the rim on the plane. The decision on flight used the same cosine, so 1 − h cos θ θ′² has the same sign here.
+    /// From a state with the rim on the plane. The decision on flight used the same cosine, so 1 −
+    /// h cos θ θ′² has the same sign here.
     pub(crate) fn new(body: &Heavy, start: State, take_off: TakeOff) -> Self {
         Self::from_direction(body, start, take_off, libm::sincos(start.theta))
     }
@@ -78,10 +82,17 @@ impl Flight {
     ) -> Self {
         let flight = Self::without_landing(body, start, take_off, (sin, cos));
         if flight.is_concave() {
-            return Self { landing: flight.gap.only_landing(), ..flight };
+            return Self {
+                landing: flight.gap.only_landing(),
+                ..flight
+            };
         }
         let (apex, landing) = flight.gap.extent();
-        Self { landing, apex: Some(apex), ..flight }
+        Self {
+            landing,
+            apex: Some(apex),
+            ..flight
+        }
     }
 
     /// [`Self::new`] with known angles φ of the landing and of the maximum of the gap.
@@ -94,11 +105,20 @@ impl Flight {
     ) -> Self {
         let flight = Self::without_landing(body, start, take_off, (sin, cos));
         let [landing, apex] = angles.map(|phi| flight.gap.bound(phi));
-        Self { landing, apex: Some(apex), ..flight }
+        Self {
+            landing,
+            apex: Some(apex),
+            ..flight
+        }
     }
 
     /// A flight whose landing and maximum are still unset.
-    fn without_landing(body: &Heavy, start: State, take_off: TakeOff, (sin, cos): (f64, f64)) -> Self {
+    fn without_landing(
+        body: &Heavy,
+        start: State,
+        take_off: TakeOff,
+        (sin, cos): (f64, f64),
+    ) -> Self {
         let h = body.h;
         let rate = start.theta_rate;
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
@@ -119,12 +139,25 @@ impl Flight {
         let (gap, clock, gap_rate) = match take_off {
             TakeOff::Grazing => (in_angle.at_lift_off(), rate.abs(), 0.0),
             TakeOff::Unloaded => (in_angle, rate.abs(), 0.0),
-            TakeOff::Rising { gap_rate } if h * square <= 1.0 => {
-                (Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..in_angle }, 1.0, gap_rate)
-            }
-            TakeOff::Rising { gap_rate } => {
-                (Gap { rise: gap_rate / rate.abs(), ..in_angle }, rate.abs(), gap_rate)
-            }
+            TakeOff::Rising { gap_rate } if h * square <= 1.0 => (
+                Gap {
+                    rise: gap_rate,
+                    opening,
+                    weight: 1.0,
+                    spin: rate.abs(),
+                    ..in_angle
+                },
+                1.0,
+                gap_rate,
+            ),
+            TakeOff::Rising { gap_rate } => (
+                Gap {
+                    rise: gap_rate / rate.abs(),
+                    ..in_angle
+                },
+                rate.abs(),
+                gap_rate,
+            ),
         };
         Self {
             h,
@@ -148,9 +181,24 @@ impl Flight {
         let take_off = TakeOff::Rising { gap_rate };
         let flight = Self::without_landing(body, start, take_off, (sin, cos));
         let opening = body.h * (cos * (rate * rate)) - 1.0;
-        let gap = Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..flight.gap };
-        let landing = Bound { at: duration, ..Bound::default() };
-        Self { gap, clock: 1.0, landing, settles: true, ..flight }
+        let gap = Gap {
+            rise: gap_rate,
+            opening,
+            weight: 1.0,
+            spin: rate.abs(),
+            ..flight.gap
+        };
+        let landing = Bound {
+            at: duration,
+            ..Bound::default()
+        };
+        Self {
+            gap,
+            clock: 1.0,
+            landing,
+            settles: true,
+            ..flight
+        }
     }
 
     /// Whether the gap is concave; its argument is then the time.
@@ -159,7 +207,8 @@ impl Flight {
     }
 
     fn highest(&self) -> Bound {
-        self.apex.unwrap_or_else(|| self.gap.only_apex(self.landing.at))
+        self.apex
+            .unwrap_or_else(|| self.gap.only_apex(self.landing.at))
     }
 
     /// Arguments of the landing and of the maximum of the gap.
@@ -167,7 +216,8 @@ impl Flight {
         [self.landing.at, self.highest().at]
     }
 
-    /// Whether there is a landing. On a steep slope a flight may last for more turns than can be counted.
+    /// Whether there is a landing. On a steep slope a flight may last for more turns than can be
+    /// counted.
     pub(crate) fn is_resolved(&self) -> bool {
         self.landing.at < MAX_RESOLVED_ANGLE
     }
@@ -176,8 +226,8 @@ impl Flight {
         self.clock * self.landing.slope
     }
 
-    /// Time since the start, and height, of the largest gap between the rim and the plane. Both are zero for settling bounces,
-    /// whose gap is not resolved.
+    /// Time since the start, and height, of the largest gap between the rim and the plane. Both are
+    /// zero for settling bounces, whose gap is not resolved.
     pub fn apex(&self) -> (f64, f64) {
         if self.settles {
             return (0.0, 0.0);
@@ -200,14 +250,16 @@ impl Flight {
         }
     }
 
-    /// Gap under the rim and its rate after the time `elapsed`. For settling bounces the gap is zero, and the rate is that of a
-    /// flight without impacts: the impulses act together at the end.
+    /// Gap under the rim and its rate after the time `elapsed`. For settling bounces the gap is
+    /// zero, and the rate is that of a flight without impacts: the impulses act together at the
+    /// end.
     pub fn gap(&self, elapsed: f64) -> (f64, f64) {
         let Bound { gap, slope, .. } = self.gap.bound(self.clock * elapsed);
         (if self.settles { 0.0 } else { gap }, self.clock * slope)
     }
 
-    /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved on a level plane.
+    /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved on a level
+    /// plane.
     pub fn mass_centre_velocity(&self, elapsed: f64) -> (f64, f64) {
         (self.vx - self.pull * elapsed, self.vy - elapsed)
     }
@@ -217,12 +269,19 @@ impl Flight {
         let instant = Instant {
             mode: Mode::Flight,
             direction: None,
-            accelerations: (0.0, -self.h * libm::sin(state.theta) * rate * rate - self.pull),
+            accelerations: (
+                0.0,
+                -self.h * libm::sin(state.theta) * rate * rate - self.pull,
+            ),
             forces: (0.0, 0.0),
             gap,
         };
-        // The energy of the start: at an angle of many turns, the rounding of θ times the rate dominates the velocities.
+        // The energy of the start: at an angle of many turns, the rounding of θ times the rate
+        // dominates the velocities.
         let energy = energy(hoop, &self.start, 0.0, self.take_off_rate());
-        Sample { energy, ..instant.sample(hoop, state) }
+        Sample {
+            energy,
+            ..instant.sample(hoop, state)
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Gliding of a massless hoop (§3c–e): contact with N = F = 0 (docs/theory/massless.md).
 //!
-//! The particle falls freely (3.19) and the massless hoop follows. With V = ȳ′ = V0 − Δτ and the momentum v, which decreases by τ tan α on a
-//! slope,
+//! The particle falls freely (3.19) and the massless hoop follows. With V = ȳ′ = V0 − Δτ and the
+//! momentum v, which decreases by τ tan α on a slope,
 //!
 //! ```text
 //! ℓ̂ (1 − cos θ) = 2 ℓ̂ sin²(θ0/2) − V0 Δτ + Δτ²/2,    θ′ = −V/(ℓ̂ sin θ),    η′ = v + θ′ (1 + ℓ̂ cos θ).
@@ -32,11 +32,13 @@ pub struct Gliding {
 /// First integrals of gliding (3.18), with w corrected.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlidingIntegrals {
-    /// Energy of the particle normal to the plane about the centre, w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ cos α.
+    /// Energy of the particle normal to the plane about the centre, w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ
+    /// cos α.
     pub w: f64,
     /// Total energy e_s; on a slope without that of the fall along the plane.
     pub energy: f64,
-    /// Momentum along the plane v = η′ − θ′ (1 + ℓ̂ cos θ), which decreases by sin α in a unit of time.
+    /// Momentum along the plane v = η′ − θ′ (1 + ℓ̂ cos θ), which decreases by sin α in a unit of
+    /// time.
     pub momentum: f64,
 }
 
@@ -44,25 +46,43 @@ impl GlidingIntegrals {
     /// At a state of a massless hoop.
     #[must_use]
     pub fn at(hoop: &Massless, state: &State) -> Self {
-        let State { theta, theta_rate, slip, .. } = *state;
+        let State {
+            theta,
+            theta_rate,
+            slip,
+            ..
+        } = *state;
         let (sin, cos) = libm::sincos(theta);
         let l = hoop.offset;
         let rise = l * sin * theta_rate;
         let momentum = slip - theta_rate * (1.0 + l * cos);
         let height = hoop.weight() * (l * cos);
         let energy = 0.5 * (rise * rise + momentum * momentum) + height;
-        Self { w: 0.5 * rise * rise + height, energy, momentum }
+        Self {
+            w: 0.5 * rise * rise + height,
+            energy,
+            momentum,
+        }
     }
 }
 
-/// Accelerations θ″ and η″ of gliding (3.17), for a particle at 0 < ℓ̂ ≤ 1. Not defined at θ = 0, ±π.
+/// Accelerations θ″ and η″ of gliding (3.17), for a particle at 0 < ℓ̂ ≤ 1. Not defined at θ = 0,
+/// ±π.
 pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f64, f64) {
     let u = theta_rate * theta_rate;
-    accelerations([hoop.offset, hoop.pull()], [hoop.weight(), u], libm::sincos(theta))
+    accelerations(
+        [hoop.offset, hoop.pull()],
+        [hoop.weight(), u],
+        libm::sincos(theta),
+    )
 }
 
 /// θ″ and η″ from ℓ̂ and the pull of the slope, gravity normal to the plane and u.
-pub(crate) fn accelerations<T: Number>([l, pull]: [T; 2], [weight, u]: [T; 2], (sin, cos): (T, T)) -> (T, T) {
+pub(crate) fn accelerations<T: Number>(
+    [l, pull]: [T; 2],
+    [weight, u]: [T; 2],
+    (sin, cos): (T, T),
+) -> (T, T) {
     let slip = (weight * (l * cos + 1.0) - u * l * (l + cos)) / (l * sin) - pull * weight;
     ((weight - l * cos * u) / (l * sin), slip)
 }
@@ -71,7 +91,8 @@ pub(crate) fn accelerations<T: Number>([l, pull]: [T; 2], [weight, u]: [T; 2], (
 pub(crate) enum GlidingEnd {
     /// η′ = 0; `presses` if the normal force of rolling is positive there.
     Rest { state: State, presses: bool },
-    /// The particle reaches its lowest point, θ = ±π, with unbounded θ′ (3.20). The rate of the state is infinite.
+    /// The particle reaches its lowest point, θ = ±π, with unbounded θ′ (3.20). The rate of the
+    /// state is infinite.
     Bottom(State),
     /// The particle reaches its highest point with upward velocity left: it would lift the hoop.
     Top(State),
@@ -100,14 +121,20 @@ impl Gliding {
             Some(allowed) if is_stopped => particle.place(allowed),
             Some(_) | None => last,
         };
-        let mut glide =
-            Self { body: *body, start, direction: slip.direction, particle, limit_of_small_inertia: true };
+        let mut glide = Self {
+            body: *body,
+            start,
+            direction: slip.direction,
+            particle,
+            limit_of_small_inertia: true,
+        };
         glide.limit_of_small_inertia = glide.is_limit_of_small_inertia(mu_k, &place);
         let state = particle.state(&place);
         let end = if is_stopped {
             GlidingEnd::TimeLimit(if place.elapsed == 0.0 { start } else { state })
         } else if slip.rest.is_some() {
-            // N of rolling has the sign of η″ towards the particle, and η″ the sign of the slip that follows.
+            // N of rolling has the sign of η″ towards the particle, and η″ the sign of the slip
+            // that follows.
             GlidingEnd::Rest {
                 state: State { slip: 0.0, ..state },
                 presses: slip.direction.sign() * particle.side < 0.0,
@@ -125,8 +152,8 @@ impl Gliding {
         Some(self.direction)
     }
 
-    /// Whether this phase is the limit of sliding of a heavy hoop as its inertia vanishes. The limit does not exist where
-    /// μk σ sin θ > 0 and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ) (Painlevé).
+    /// Whether this phase is the limit of sliding of a heavy hoop as its inertia vanishes. The
+    /// limit does not exist where μk σ sin θ > 0 and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ) (Painlevé).
     pub const fn is_small_inertia_limit(&self) -> bool {
         self.limit_of_small_inertia
     }
@@ -136,7 +163,8 @@ impl Gliding {
         if self.direction.sign() * particle.side < 0.0 {
             return true;
         }
-        // ℓ̂|sin θ|/(1 + ℓ̂ cos θ) has one maximum on a side, so its minimum lies at an end or where θ′ = 0.
+        // ℓ̂|sin θ|/(1 + ℓ̂ cos θ) has one maximum on a side, so its minimum lies at an end or
+        // where θ′ = 0.
         let turning = particle.rise;
         let turns = (turning > 0.0 && turning < end.elapsed).then(|| particle.place(turning));
         [particle.place(0.0), *end]
@@ -147,7 +175,11 @@ impl Gliding {
 
     /// State after the time `elapsed`.
     pub fn state(&self, elapsed: f64) -> State {
-        if elapsed == 0.0 { self.start } else { self.particle.state(&self.particle.place(elapsed)) }
+        if elapsed == 0.0 {
+            self.start
+        } else {
+            self.particle.state(&self.particle.place(elapsed))
+        }
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {

@@ -1,12 +1,14 @@
 //! The freely falling particle of a gliding hoop.
 //!
-//! With its depth a = ℓ̂(1 − cos θ) below the top, its height b = ℓ̂(1 + cos θ) above the bottom, and z = −V = Δτ − V0,
+//! With its depth a = ℓ̂(1 − cos θ) below the top, its height b = ℓ̂(1 + cos θ) above the bottom,
+//! and z = −V = Δτ − V0,
 //!
 //! ```text
 //! a = a0 + f,   b = b0 − f,   z² = V0² + 2f,   f = Δτ (Δτ/2 − V0).
 //! ```
 //!
-//! Each is computed from terms that do not cancel: near the end of the glide from the time left, and at the end exactly.
+//! Each is computed from terms that do not cancel: near the end of the glide from the time left,
+//! and at the end exactly.
 
 use core::f64::consts::TAU;
 
@@ -20,7 +22,8 @@ pub(super) struct Particle {
     pub(super) pull: f64,
     /// 1 − ℓ̂.
     pub(super) inside: f64,
-    /// Multiple of 2π to which the angle belongs, and the side of the vertical on which the particle is.
+    /// Multiple of 2π to which the angle belongs, and the side of the vertical on which the
+    /// particle is.
     turns: f64,
     pub(super) side: f64,
     /// a0 and b0.
@@ -73,7 +76,11 @@ impl Particle {
         let (sin, cos) = libm::sincos(0.5 * start.theta);
         let sine = libm::sin(start.theta);
         // At the top the direction of motion decides the side.
-        let side = if sine < 0.0 || (sine == 0.0 && start.theta_rate < 0.0) { -1.0 } else { 1.0 };
+        let side = if sine < 0.0 || (sine == 0.0 && start.theta_rate < 0.0) {
+            -1.0
+        } else {
+            1.0
+        };
         let inside = 1.0 - l;
         let above_bottom = 2.0 * l * cos * cos;
         Self {
@@ -81,7 +88,8 @@ impl Particle {
             offset: l,
             pull: body.pull(),
             inside,
-            // The side fixes the number of turns; next to the bottom the angle alone would be ambiguous.
+            // The side fixes the number of turns; next to the bottom the angle alone would be
+            // ambiguous.
             turns: (start.theta / TAU - 0.25 * side).round(),
             side,
             below_top: 2.0 * l * sin * sin,
@@ -94,7 +102,10 @@ impl Particle {
 
     /// Rate θ′ at the start, and its square.
     pub(super) fn spin(&self) -> (f64, f64) {
-        (self.start.theta_rate, self.start.theta_rate * self.start.theta_rate)
+        (
+            self.start.theta_rate,
+            self.start.theta_rate * self.start.theta_rate,
+        )
     }
 
     /// z² at the bottom, V0² + 2 b0.
@@ -110,7 +121,11 @@ impl Particle {
     /// Time to θ = ±π (3.20), where ȳ = 1 − ℓ̂.
     fn time_to_bottom(&self) -> f64 {
         let root = self.square_at_bottom().sqrt();
-        if self.rise >= 0.0 { self.rise + root } else { 2.0 * self.above_bottom / (root - self.rise) }
+        if self.rise >= 0.0 {
+            self.rise + root
+        } else {
+            2.0 * self.above_bottom / (root - self.rise)
+        }
     }
 
     /// Whether the particle reaches the top with upward velocity left.
@@ -118,7 +133,8 @@ impl Particle {
         self.rise > 0.0 && self.square_at_top() > 0.0
     }
 
-    /// Times to θ = 0 on the way up and on the way down of the free fall, if the particle reaches the top.
+    /// Times to θ = 0 on the way up and on the way down of the free fall, if the particle reaches
+    /// the top.
     fn times_to_top(&self) -> Option<(f64, f64)> {
         self.reaches_top().then(|| {
             let late = self.rise + self.square_at_top().sqrt();
@@ -154,7 +170,8 @@ impl Particle {
             None => self.below_top + elapsed * (0.5 * elapsed - self.rise),
         };
         let to_bottom = self.time_to_bottom();
-        let above_bottom = 0.5 * (to_bottom - elapsed) * (elapsed + 2.0 * self.above_bottom / to_bottom);
+        let above_bottom =
+            0.5 * (to_bottom - elapsed) * (elapsed + 2.0 * self.above_bottom / to_bottom);
         ParticleState {
             elapsed,
             below_top: below_top.max(0.0),
@@ -175,7 +192,11 @@ impl Particle {
             theta: TAU * self.turns + self.side * 2.0 * half_angle,
             theta_rate: rate,
             // For ℓ̂ = 1 the lever vanishes at the bottom, where the rate is infinite.
-            slip: if lever == 0.0 { momentum } else { momentum + rate * lever },
+            slip: if lever == 0.0 {
+                momentum
+            } else {
+                momentum + rate * lever
+            },
             x: self.mass_centre + (self.momentum - 0.5 * lost) * place.elapsed + self.side * arm,
         }
     }

@@ -1,9 +1,11 @@
 //! The first rest of the slip, η′ = v + θ′(1 + ℓ̂ cos θ) = 0 (docs/theory/massless.md).
 //!
-//! With L = 1 − ℓ̂ + b and the heights a, b of [`super::particle`], √(ab) η′ = v √(ab) ± z L. So η′ vanishes only where the two terms have
-//! opposite signs, at the zeros of P = v² a b − z² L², a cubic polynomial in the height. It is expanded about both ends of the path, in the
-//! height from that end, without cancelling terms: P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, and at a start from rest the known root is
-//! divided out. There P/f → −2 L0 G as f → 0, with G = ℓ̂ sin θ η″ = 1 + ℓ̂c − ℓ̂(ℓ̂ + c) θ′² (3.17). In rolling N = L0 G/D.
+//! With L = 1 − ℓ̂ + b and the heights a, b of [`super::particle`], √(ab) η′ = v √(ab) ± z L. So η′
+//! vanishes only where the two terms have opposite signs, at the zeros of P = v² a b − z² L², a
+//! cubic polynomial in the height. It is expanded about both ends of the path, in the height from
+//! that end, without cancelling terms: P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, and at a start
+//! from rest the known root is divided out. There P/f → −2 L0 G as f → 0, with G = ℓ̂ sin θ η″ =
+//! 1 + ℓ̂c − ℓ̂(ℓ̂ + c) θ′² (3.17). In rolling N = L0 G/D.
 
 use crate::math::bernstein::{Bernstein, first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
@@ -15,15 +17,16 @@ use super::particle::{Particle, ParticleState};
 pub(crate) enum GlideEntry {
     /// With η′ ≠ 0.
     Moving,
-    /// With η′ = 0. `presses` is the sign of the normal force of rolling, if the preceding event determined it.
+    /// With η′ = 0. `presses` is the sign of the normal force of rolling, if the preceding event
+    /// determined it.
     FromRest { presses: Option<bool> },
     /// With η′ = η″ = 0, where N = 0 in rolling.
     Unloaded,
 }
 
 impl GlideEntry {
-    /// The direction of a slip velocity, if it is not zero, and G = `pull`: zero where the preceding event determined another sign of N, which
-    /// is that of G except for rounding.
+    /// The direction of a slip velocity, if it is not zero, and G = `pull`: zero where the
+    /// preceding event determined another sign of N, which is that of G except for rounding.
     pub(super) fn begun(self, slip: f64, pull: f64) -> (Option<Direction>, f64) {
         match self {
             Self::Moving => (Direction::of_sign(slip), pull),
@@ -97,12 +100,20 @@ impl Slip {
             terms.slip = 0.0;
         }
         let direction = begun.unwrap_or_else(|| {
-            // With slip towards the side of the particle, P < 0 on the way down and P > 0 on the way up.
+            // With slip towards the side of the particle, P < 0 on the way down and P > 0 on the
+            // way up.
             let down = if particle.rise > 0.0 { -1.0 } else { 1.0 };
             let towards = -particle.side * down * initial_sign(&terms.about_start(down));
-            if towards < 0.0 { Direction::Negative } else { Direction::Positive }
+            if towards < 0.0 {
+                Direction::Negative
+            } else {
+                Direction::Positive
+            }
         });
-        Self { direction, rest: Path::of(particle).and_then(|path| terms.rest(particle, path)) }
+        Self {
+            direction,
+            rest: Path::of(particle).and_then(|path| terms.rest(particle, path)),
+        }
     }
 }
 
@@ -141,15 +152,31 @@ impl Terms {
             momentum: particle.momentum * particle.momentum,
             slip: slip * (slip - 2.0 * rate * lever),
             // A glide from the top has ℓ̂ θ′² = 1, hence G = 0.
-            pull: if a == 0.0 { 0.0 } else { b * ((1.0 - rate) * (1.0 + rate)) + inside * (1.0 + l * spin) },
+            pull: if a == 0.0 {
+                0.0
+            } else {
+                b * ((1.0 - rate) * (1.0 + rate)) + inside * (1.0 + l * spin)
+            },
         }
     }
 
     /// P about the start, in f × `down`; `down` is −1 on the way up.
     fn about_start(&self, down: f64) -> Cubic {
-        let Self { a, b, lever, slip, pull, .. } = *self;
+        let Self {
+            a,
+            b,
+            lever,
+            slip,
+            pull,
+            ..
+        } = *self;
         let slope = (b - a) * slip - 2.0 * lever * pull;
-        [a * b * slip, slope * down, 4.0 * lever - self.rise - self.momentum, -2.0 * down]
+        [
+            a * b * slip,
+            slope * down,
+            4.0 * lever - self.rise - self.momentum,
+            -2.0 * down,
+        ]
     }
 
     /// Heights of the turning point below the top and above the bottom.
@@ -161,21 +188,48 @@ impl Terms {
     fn about_turn(&self) -> Cubic {
         let (a, b) = self.turn();
         let (momentum, lever) = (self.momentum, self.inside + b);
-        [momentum * a * b, momentum * (b - a) - 2.0 * lever * lever, 4.0 * lever - momentum, -2.0]
+        [
+            momentum * a * b,
+            momentum * (b - a) - 2.0 * lever * lever,
+            4.0 * lever - momentum,
+            -2.0,
+        ]
     }
 
     /// P about the bottom, in b.
     fn about_bottom(&self) -> Cubic {
-        let Self { inside, whole, bottom, momentum, .. } = *self;
+        let Self {
+            inside,
+            whole,
+            bottom,
+            momentum,
+            ..
+        } = *self;
         let slope = whole * momentum - 2.0 * inside * (bottom - inside);
-        [-bottom * inside * inside, slope, 4.0 * inside - momentum - bottom, 2.0]
+        [
+            -bottom * inside * inside,
+            slope,
+            4.0 * inside - momentum - bottom,
+            2.0,
+        ]
     }
 
     /// P about the top, in a.
     fn about_top(&self) -> Cubic {
-        let Self { outside, whole, top, momentum, .. } = *self;
+        let Self {
+            outside,
+            whole,
+            top,
+            momentum,
+            ..
+        } = *self;
         let slope = whole * momentum - 2.0 * outside * (outside - top);
-        [-top * outside * outside, slope, 4.0 * outside - momentum - top, -2.0]
+        [
+            -top * outside * outside,
+            slope,
+            4.0 * outside - momentum - top,
+            -2.0,
+        ]
     }
 
     /// P about the two ends of a path, in the height from each end, and the total height.
@@ -192,7 +246,11 @@ impl Terms {
     fn rest(&self, particle: &Particle, path: Path) -> Option<ParticleState> {
         let at_turn = path == Path::DownFromTurn && particle.momentum == 0.0;
         let ends = self.ends(path);
-        let found = if at_turn { Along::FromBegin(0.0) } else { first_rest(ends, initial_sign(&ends.0))? };
+        let found = if at_turn {
+            Along::FromBegin(0.0)
+        } else {
+            first_rest(ends, initial_sign(&ends.0))?
+        };
         let (turn_a, turn_b) = self.turn();
         let (from_turn, down) = match path {
             Path::Down => (false, 1.0),
@@ -202,7 +260,12 @@ impl Terms {
         // a, b, z², and the height from the beginning of the path.
         let (below_top, above_bottom, square, passed) = match (found, path) {
             (Along::FromBegin(y), _) if from_turn => (turn_a + y, turn_b - y, 2.0 * y, y),
-            (Along::FromBegin(y), _) => (self.a + down * y, self.b - down * y, self.rise + 2.0 * down * y, y),
+            (Along::FromBegin(y), _) => (
+                self.a + down * y,
+                self.b - down * y,
+                self.rise + 2.0 * down * y,
+                y,
+            ),
             (Along::ToEnd(y), Path::UpToTurn) => (turn_a + y, turn_b - y, 2.0 * y, ends.2 - y),
             (Along::ToEnd(y), Path::UpToTop) => (y, self.whole - y, self.top + 2.0 * y, ends.2 - y),
             (Along::ToEnd(y), Path::Down | Path::DownFromTurn) => {
@@ -215,16 +278,25 @@ impl Terms {
         } else {
             2.0 * down * passed / (fall_rate - particle.rise)
         };
-        Some(ParticleState { elapsed, below_top, above_bottom, fall_rate })
+        Some(ParticleState {
+            elapsed,
+            below_top,
+            above_bottom,
+            fall_rate,
+        })
     }
 }
 
 /// Sign just above 0.
 fn initial_sign(cubic: &Cubic) -> f64 {
-    cubic.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum())
+    cubic
+        .iter()
+        .find(|c| **c != 0.0)
+        .map_or(0.0, |c| c.signum())
 }
 
-/// The first change from this sign on a path: by the polynomial about its beginning on the first half, about its end on the second.
+/// The first change from this sign on a path: by the polynomial about its beginning on the first
+/// half, about its end on the second.
 pub(super) fn first_rest<const N: usize>(
     (begin, end, length): ([f64; N], [f64; N], f64),
     sign: f64,
@@ -235,8 +307,13 @@ pub(super) fn first_rest<const N: usize>(
     let roots = begin.iter().take_while(|c| **c == 0.0).count().min(N - 1);
     let first = first_crossing(&begin[roots..], middle).map(Along::FromBegin);
     first.or_else(|| {
-        let Bracket { low, high } = Bernstein::from_taylor(&end, middle).reversed().first_crossing()?;
-        let bracket = Bracket { low: middle * (1.0 - high), high: middle * (1.0 - low) };
+        let Bracket { low, high } = Bernstein::from_taylor(&end, middle)
+            .reversed()
+            .first_crossing()?;
+        let bracket = Bracket {
+            low: middle * (1.0 - high),
+            high: middle * (1.0 - low),
+        };
         let back = |x| {
             let (value, slope) = value_and_slope(&end, x);
             (-value, -slope)

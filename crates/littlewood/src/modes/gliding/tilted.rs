@@ -1,6 +1,8 @@
-//! The first rest of the slip of a glide on a slope, as in [`super::rest`] with v = v0 − τ tan α: there Q = v² a b − z² L² is a polynomial of
-//! degree six in the time. The signs of its terms are constant between the zeros of v and of z. For ℓ̂ = 1, L = b, and Q/b is of degree
-//! four. It is expanded about both ends of each piece, in the time from that end: about the bottom and the top without cancelling terms.
+//! The first rest of the slip of a glide on a slope, as in [`super::rest`] with v = v0 − τ tan α:
+//! there Q = v² a b − z² L² is a polynomial of degree six in the time. The signs of its terms are
+//! constant between the zeros of v and of z. For ℓ̂ = 1, L = b, and Q/b is of degree four. It is
+//! expanded about both ends of each piece, in the time from that end: about the bottom and the top
+//! without cancelling terms.
 
 use crate::math::series::shifted;
 use crate::model::Direction;
@@ -21,15 +23,22 @@ fn condition(particle: &Particle, at: &ParticleState, drift: f64, pace: f64) -> 
     let plus = |constant: f64, sign: f64| -> Polynomial {
         core::array::from_fn(|n| sign * f[n] + if n == 0 { constant } else { 0.0 })
     };
-    let linear = |constant: f64, slope: f64| -> Polynomial { [constant, slope, 0.0, 0.0, 0.0, 0.0, 0.0] };
+    let linear =
+        |constant: f64, slope: f64| -> Polynomial { [constant, slope, 0.0, 0.0, 0.0, 0.0, 0.0] };
     let (below, above) = (plus(at.below_top, 1.0), plus(at.above_bottom, -1.0));
-    let (drift, fall) = (linear(drift, -pace * particle.pull), linear(at.fall_rate, pace));
+    let (drift, fall) = (
+        linear(drift, -pace * particle.pull),
+        linear(at.fall_rate, pace),
+    );
     let (drift_square, fall_square) = (times(&drift, &drift), times(&fall, &fall));
     let (first, second) = if particle.inside == 0.0 {
         (times(&drift_square, &below), times(&fall_square, &above))
     } else {
         let levers = plus(particle.inside + at.above_bottom, -1.0);
-        (times(&drift_square, &times(&below, &above)), times(&fall_square, &times(&levers, &levers)))
+        (
+            times(&drift_square, &times(&below, &above)),
+            times(&fall_square, &times(&levers, &levers)),
+        )
     };
     core::array::from_fn(|n| first[n] - second[n])
 }
@@ -45,23 +54,44 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
     // G = ℓ̂ sin θ η″ at η′ = 0; N of rolling has its sign.
     let level = b * ((1.0 - rate) * (1.0 + rate)) + inside * (1.0 + l * spin);
     let (begun, pull) = entry.begun(slip, level - tilt * arm);
-    let start = ParticleState { elapsed: 0.0, below_top: a, above_bottom: b, fall_rate: -rise };
+    let start = ParticleState {
+        elapsed: 0.0,
+        below_top: a,
+        above_bottom: b,
+        fall_rate: -rise,
+    };
     let mut q = condition(particle, &start, particle.momentum, 1.0);
     // The first coefficients, without cancellation.
     let product = if inside == 0.0 { a } else { a * b };
-    q[0] = if begun.is_some() { product * slip * (slip - 2.0 * rate * lever) } else { 0.0 };
+    q[0] = if begun.is_some() {
+        product * slip * (slip - 2.0 * rate * lever)
+    } else {
+        0.0
+    };
     if begun.is_none() {
         q[1] = 2.0 * rise * pull * if inside == 0.0 { 1.0 } else { lever };
     }
     let direction = begun.unwrap_or_else(|| {
         let next = q.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum());
         let fall = if rise > 0.0 { -1.0 } else { 1.0 };
-        let towards = if pull == 0.0 { -side * fall * next } else { side * pull };
-        if towards < 0.0 { Direction::Negative } else { Direction::Positive }
+        let towards = if pull == 0.0 {
+            -side * fall * next
+        } else {
+            side * pull
+        };
+        if towards < 0.0 {
+            Direction::Negative
+        } else {
+            Direction::Positive
+        }
     });
     let end = particle.end();
     let mut cuts = vec![0.0];
-    cuts.extend([rise, particle.momentum / tilt].into_iter().filter(|at| *at > 0.0 && *at < end.elapsed));
+    cuts.extend(
+        [rise, particle.momentum / tilt]
+            .into_iter()
+            .filter(|at| *at > 0.0 && *at < end.elapsed),
+    );
     cuts.push(end.elapsed);
     cuts.sort_by(f64::total_cmp);
     let rest = cuts.windows(2).find_map(|piece| {

@@ -1,4 +1,5 @@
-//! The end of rolling: the boundary of 𝓡 (2.14) on an orbit, as roots of forms in the half angle (docs/theory/rolling.md).
+//! The end of rolling: the boundary of 𝓡 (2.14) on an orbit, as roots of forms in the half angle
+//! (docs/theory/rolling.md).
 //!
 //! On an orbit with constant K they are of degree six in X = cos(θ/2), Y = sin(θ/2):
 //!
@@ -7,8 +8,9 @@
 //! F D² = s ℓ̂ [(K − D) (D − m − ℓ̂c) − D (m + ℓ̂c)]
 //! ```
 //!
-//! K − D = D θ′² is twice the energy over the top times X² and that over the bottom times Y². So F keeps its digits where D is large. For a
-//! massless hoop the contact force points at the particle, F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
+//! K − D = D θ′² is twice the energy over the top times X² and that over the bottom times Y². So F
+//! keeps its digits where D is large. For a massless hoop the contact force points at the particle,
+//! F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
 
 use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};
@@ -62,14 +64,20 @@ pub(crate) enum Hold {
 }
 
 impl Hold {
-    /// From the margins that become negative at once, by their values and in the frame of the motion.
+    /// From the margins that become negative at once, by their values and in the frame of the
+    /// motion.
     pub(super) fn of(negative: impl Iterator<Item = (f64, RollingLimit)>, travel: f64) -> Self {
-        negative.fold(Self::Holds, |hold, (margin, limit)| match (hold, in_body_frame(limit, travel)) {
-            // Both margins are negative only where N < 0.
-            (Self::Slips { .. } | Self::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
-                Self::NoNormalForce
+        negative.fold(Self::Holds, |hold, (margin, limit)| {
+            match (hold, in_body_frame(limit, travel)) {
+                // Both margins are negative only where N < 0.
+                (Self::Slips { .. } | Self::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
+                    Self::NoNormalForce
+                }
+                (Self::Holds, RollingLimit::Friction(direction)) => Self::Slips {
+                    direction,
+                    excess: -margin,
+                },
             }
-            (Self::Holds, RollingLimit::Friction(direction)) => Self::Slips { direction, excess: -margin },
         })
     }
 }
@@ -77,7 +85,9 @@ impl Hold {
 /// Converts a limit from the frame of the motion, where ϑ increases, to the frame of the body.
 pub(super) fn in_body_frame(limit: RollingLimit, travel: f64) -> RollingLimit {
     match limit {
-        RollingLimit::Friction(direction) if travel < 0.0 => RollingLimit::Friction(direction.reversed()),
+        RollingLimit::Friction(direction) if travel < 0.0 => {
+            RollingLimit::Friction(direction.reversed())
+        }
         other => other,
     }
 }
@@ -85,8 +95,8 @@ pub(super) fn in_body_frame(limit: RollingLimit, travel: f64) -> RollingLimit {
 /// X² + Y² = 1. Forms in even powers have the coefficients of those powers alone: a0 X² + a1 Y².
 const HALF_ANGLE_NORM: [f64; 2] = [1.0, 1.0];
 
-/// N D² and F D²/(2ℓ̂) as forms in the half angle, the first in even powers and the second in odd ones, from K − D in X² and Y², and K.
-/// `one` is the coefficient of what does not depend on them.
+/// N D² and F D²/(2ℓ̂) as forms in the half angle, the first in even powers and the second in odd
+/// ones, from K − D in X² and Y², and K. `one` is the coefficient of what does not depend on them.
 fn forces(law: &RollingLaw, one: f64, excess: [f64; 2], k: f64) -> ([f64; 4], [f64; 3]) {
     let l = law.offset;
     let d = [law.top, law.bottom];
@@ -133,7 +143,11 @@ impl Boundary {
         let (l, mu) = (law.offset, hoop.mu_s());
         let excess = [over_top, over_bottom];
         match hoop.body() {
-            Body::Heavy(_) => Self::Heavy(margins(mu, l, forces(law, 1.0, excess, law.bottom + over_bottom))),
+            Body::Heavy(_) => Self::Heavy(margins(
+                mu,
+                l,
+                forces(law, 1.0, excess, law.bottom + over_bottom),
+            )),
             Body::Massless(_) => {
                 let lever = [1.0 + l, 1.0 - l];
                 let cone = |sign: f64| Form([mu * lever[0], sign * 2.0 * l, mu * lever[1]]);
@@ -141,7 +155,10 @@ impl Boundary {
                 let held: [f64; 3] = product(&lever, &[law.top, law.bottom]);
                 let pulled: [f64; 3] = product(&[l * (1.0 + l), -l * (1.0 - l)], &excess);
                 let normal: [f64; 3] = core::array::from_fn(|i| held[i] - pulled[i]);
-                Self::Massless([cone(1.0), cone(-1.0)], Form([normal[0], 0.0, normal[1], 0.0, normal[2]]))
+                Self::Massless(
+                    [cone(1.0), cone(-1.0)],
+                    Form([normal[0], 0.0, normal[1], 0.0, normal[2]]),
+                )
             }
         }
     }
@@ -155,9 +172,11 @@ impl Boundary {
         let negative = RollingLimit::Friction(Direction::Negative);
         let positive = RollingLimit::Friction(Direction::Positive);
         match self {
-            Self::Heavy([minus, plus]) => {
-                [Some((minus.on_arc(from, to), negative)), Some((plus.on_arc(from, to), positive)), None]
-            }
+            Self::Heavy([minus, plus]) => [
+                Some((minus.on_arc(from, to), negative)),
+                Some((plus.on_arc(from, to), positive)),
+                None,
+            ],
             Self::Massless([minus, plus], normal) => [
                 Some((normal.on_arc(from, to), RollingLimit::NormalForce)),
                 Some((minus.on_arc(from, to), negative)),
@@ -171,7 +190,15 @@ impl Boundary {
 
 /// What a slope adds to the margins: −T ℓ̂ s (m + ℓ̂c) D to N D², and T (m Î + ℓ̂² s²) D to F D².
 fn pulled(law: &RollingLaw, travel: f64, mu: f64) -> [Form<7>; 2] {
-    let RollingLaw { mass, offset: l, top, bottom, own, tilt, .. } = *law;
+    let RollingLaw {
+        mass,
+        offset: l,
+        top,
+        bottom,
+        own,
+        tilt,
+        ..
+    } = *law;
     let (pull, d) = (travel * tilt, [top, bottom]);
     let normal: [f64; 3] = product(&[mass + l, mass - l], &d);
     let friction: [f64; 4] = product(&[own, 2.0 * own + 4.0 * l * l, own], &d);
@@ -187,17 +214,27 @@ fn pulled(law: &RollingLaw, travel: f64, mu: f64) -> [Form<7>; 2] {
     })
 }
 
-/// The margins (μs N − F) D² and (μs N + F) D² = A + E B with E = K − D(π), on a level plane twice the energy over the bottom: for each, A and B
-/// as forms of degree six in (cos θ/2, sin θ/2), in the direction `travel` of motion; none for a massless hoop.
+/// The margins (μs N − F) D² and (μs N + F) D² = A + E B with E = K − D(π), on a level plane twice
+/// the energy over the bottom: for each, A and B as forms of degree six in (cos θ/2, sin θ/2), in
+/// the direction `travel` of motion; none for a massless hoop.
 pub(crate) fn margin_forms(hoop: &Hoop, travel: f64) -> Option<[[Form<7>; 2]; 2]> {
-    let Body::Heavy(_) = hoop.body() else { return None };
+    let Body::Heavy(_) = hoop.body() else {
+        return None;
+    };
     let law = RollingLaw::of(hoop);
     let part = |one, excess, k| margins(hoop.mu_s(), law.offset, forces(&law, one, excess, k));
     let [minus, plus] = part(1.0, [-4.0 * law.offset, 0.0], law.bottom);
     let [minus_driven, plus_driven] = part(0.0, [1.0, 1.0], 1.0);
     let [pulled_minus, pulled_plus] = pulled(&law, travel, hoop.mu_s());
     let with = |form: Form<7>, pulled: Form<7>| {
-        if law.tilt == 0.0 { form } else { Form(core::array::from_fn(|i| form.0[i] + pulled.0[i])) }
+        if law.tilt == 0.0 {
+            form
+        } else {
+            Form(core::array::from_fn(|i| form.0[i] + pulled.0[i]))
+        }
     };
-    Some([[with(minus, pulled_minus), minus_driven], [with(plus, pulled_plus), plus_driven]])
+    Some([
+        [with(minus, pulled_minus), minus_driven],
+        [with(plus, pulled_plus), plus_driven],
+    ])
 }

@@ -1,7 +1,9 @@
-//! The grazing orbit: the rolling orbit that touches the limit of static friction (docs/ends.md). Motions with μs = μk can converge to it.
+//! The grazing orbit: the rolling orbit that touches the limit of static friction (docs/ends.md).
+//! Motions with μs = μk can converge to it.
 //!
-//! On the orbit with K = D(π) + L the margin (μs N − F) D² is A(θ) + L B(θ). Rolling holds for ever below the lowest level L* = −A/B that
-//! the orbit meets, at a minimum of the level or at a turning point. (The margin of the other side is the mirror image.) With
+//! On the orbit with K = D(π) + L the margin (μs N − F) D² is A(θ) + L B(θ). Rolling holds for ever
+//! below the lowest level L* = −A/B that the orbit meets, at a minimum of the level or at a turning
+//! point. (The margin of the other side is the mirror image.) With
 //!
 //! ```text
 //! a = −B/D²,               ω = ½ (A + L* B)″ θ′²/D²       at a minimum of the level,
@@ -46,8 +48,9 @@ pub struct GrazingOrbit {
 }
 
 impl GrazingOrbit {
-    /// The grazing orbit of the highest energy below `energy`, among rotations if an orbit of this energy rotates, otherwise
-    /// among librations. None if static friction holds on all such orbits, or on none; none for a massless hoop and on a slope.
+    /// The grazing orbit of the highest energy below `energy`, among rotations if an orbit of this
+    /// energy rotates, otherwise among librations. None if static friction holds on all such
+    /// orbits, or on none; none for a massless hoop and on a slope.
     pub fn below(hoop: &Hoop, energy: f64) -> Option<Self> {
         Levels::new(hoop)?.orbit_below(hoop, energy)
     }
@@ -55,18 +58,26 @@ impl GrazingOrbit {
     /// Values with their names in records.
     pub(crate) fn details(&self) -> Vec<(&'static str, Detail)> {
         let mut details = vec![
-            ("grazing_energy", Detail::Real(self.energy, Dimension::Energy)),
+            (
+                "grazing_energy",
+                Detail::Real(self.energy, Dimension::Energy),
+            ),
             ("grazing_theta", Detail::Real(self.theta, Dimension::Angle)),
-            ("grazing_theta_rate", Detail::Real(self.theta_rate, Dimension::AngularRate)),
+            (
+                "grazing_theta_rate",
+                Detail::Real(self.theta_rate, Dimension::AngularRate),
+            ),
         ];
         details.extend(self.recurrence.details());
         details
     }
 
-    /// Whether a slip with μk = μs from the energy `before` to `after` proves convergence to this orbit: E > E*, the
-    /// limit is exceeded only at θ*, and the slip lost the energy c (E − E*)², a small fraction of E − E*, as all later slips will.
+    /// Whether a slip with μk = μs from the energy `before` to `after` proves convergence to this
+    /// orbit: E > E*, the limit is exceeded only at θ*, and the slip lost the energy c (E − E*)², a
+    /// small fraction of E − E*, as all later slips will.
     fn attracts(&self, before: f64, after: f64) -> bool {
-        /// Largest fraction of E − E* that the slip may have lost: the law of the loss holds to leading order only.
+        /// Largest fraction of E − E* that the slip may have lost: the law of the loss holds to
+        /// leading order only.
         const SMALL_LOSS: f64 = 0.125;
         let distance = before - self.energy;
         let expected = self.loss * distance * distance;
@@ -106,34 +117,56 @@ struct Level {
 
 impl Level {
     const fn new(over_bottom: f64, angle: f64, at_turning_point: bool) -> Self {
-        Self { over_bottom, angle, at_turning_point, orbit: OnceLock::new() }
+        Self {
+            over_bottom,
+            angle,
+            at_turning_point,
+            orbit: OnceLock::new(),
+        }
     }
 }
 
 impl Levels {
     /// The levels of a heavy hoop; none if it is balanced, or on a slope.
     pub(crate) fn new(hoop: &Hoop) -> Option<Self> {
-        let Body::Heavy(body) = hoop.body() else { return None };
+        let Body::Heavy(body) = hoop.body() else {
+            return None;
+        };
         if body.h == 0.0 || hoop.slope() != 0.0 {
             return None;
         }
         let [[a, b], _] =
             margin_forms(hoop, 1.0)?.map(|parts| parts.map(|part| Trigonometric::from_form(&part)));
         let law = RollingLaw::of(hoop);
-        let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes();
+        let extrema = a
+            .derivative()
+            .times(&b)
+            .minus(&a.times(&b.derivative()))
+            .sign_changes();
         let inside = extrema.into_iter().filter_map(|angle| {
             let over_bottom = -a.value(angle) / b.value(angle);
             (over_bottom > law.height(angle)).then(|| Level::new(over_bottom, angle, false))
         });
         // At rest |F| = μs N where A + (D − D(π)) B = 0.
-        let at_rest = a.plus(&law.above_bottom().times(&b)).sign_changes().into_iter();
+        let at_rest = a
+            .plus(&law.above_bottom().times(&b))
+            .sign_changes()
+            .into_iter();
         let at_rest = at_rest.map(|angle| Level::new(law.height(angle), angle, true));
         let mut levels: Vec<Level> = inside.chain(at_rest).collect();
         levels.sort_by(|a, b| a.over_bottom.total_cmp(&b.over_bottom));
         levels.dedup_by(|a, b| {
-            (a.angle - b.angle).abs() < SAME_ANGLE_TOLERANCE && a.at_turning_point == b.at_turning_point
+            (a.angle - b.angle).abs() < SAME_ANGLE_TOLERANCE
+                && a.at_turning_point == b.at_turning_point
         });
-        Some(Self { law, body, mu_k: hoop.mu_k(), constant: a, slope: b, levels })
+        Some(Self {
+            law,
+            body,
+            mu_k: hoop.mu_k(),
+            constant: a,
+            slope: b,
+            levels,
+        })
     }
 
     /// L/2 − ℓ̂.
@@ -147,40 +180,71 @@ impl Levels {
 
     /// The grazing orbit to which a slip with μk = μs from one energy to another provably leads.
     pub(crate) fn attracting(&self, hoop: &Hoop, before: f64, after: f64) -> Option<GrazingOrbit> {
-        self.orbit_below(hoop, after).filter(|orbit| orbit.attracts(before, after))
+        self.orbit_below(hoop, after)
+            .filter(|orbit| orbit.attracts(before, after))
     }
 
     /// The grazing orbit of the highest energy below `energy`.
     fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
-        let above = self.levels.partition_point(|level| self.energy_of(level.over_bottom) < energy);
+        let above = self
+            .levels
+            .partition_point(|level| self.energy_of(level.over_bottom) < energy);
         let rotates = energy > self.law.separatrix_energy();
         let swing = |level: &Level| rotates == (level.over_bottom > 4.0 * self.law.offset);
         (0..above)
             .rev()
             .take_while(|at| swing(&self.levels[*at]))
-            .find_map(|at| *self.levels[at].orbit.get_or_init(|| self.orbit_at(hoop, at)))
+            .find_map(|at| {
+                *self.levels[at]
+                    .orbit
+                    .get_or_init(|| self.orbit_at(hoop, at))
+            })
     }
 
     /// The grazing orbit at a level, if orbits above exceed the limit and orbits below do not.
     fn orbit_at(&self, hoop: &Hoop, at: usize) -> Option<GrazingOrbit> {
-        let Level { over_bottom, angle, at_turning_point, .. } = self.levels[at];
+        let Level {
+            over_bottom,
+            angle,
+            at_turning_point,
+            ..
+        } = self.levels[at];
         let over_top = 4.0 * self.law.offset;
-        let lowest = if over_bottom > over_top { over_top } else { 0.0 };
-        let floor = at.checked_sub(1).map_or(lowest, |lower| self.levels[lower].over_bottom.max(lowest));
-        let ceiling = self.levels.get(at + 1).map_or(f64::INFINITY, |next| self.energy_of(next.over_bottom));
+        let lowest = if over_bottom > over_top {
+            over_top
+        } else {
+            0.0
+        };
+        let floor = at
+            .checked_sub(1)
+            .map_or(lowest, |lower| self.levels[lower].over_bottom.max(lowest));
+        let ceiling = self
+            .levels
+            .get(at + 1)
+            .map_or(f64::INFINITY, |next| self.energy_of(next.over_bottom));
 
         let d = self.law.denominator(angle);
         let (sin, cos) = libm::sincos(angle);
-        let u = if at_turning_point { 0.0 } else { (over_bottom - self.law.height(angle)) / d };
+        let u = if at_turning_point {
+            0.0
+        } else {
+            (over_bottom - self.law.height(angle)) / d
+        };
         let margin = self.constant.plus(&self.slope.scaled(over_bottom));
         let slope = margin.derivative();
         let (rise, fall) = if at_turning_point {
             let steepness = -2.0 * self.law.offset * sin;
             let acceleration = self.law.acceleration((sin, cos), [1.0, 0.0], d);
             let along = slope.value(angle);
-            (-(self.slope.value(angle) + along / steepness), 0.5 * along * acceleration)
+            (
+                -(self.slope.value(angle) + along / steepness),
+                0.5 * along * acceleration,
+            )
         } else {
-            (-self.slope.value(angle), 0.5 * slope.derivative().value(angle) * u)
+            (
+                -self.slope.value(angle),
+                0.5 * slope.derivative().value(angle) * u,
+            )
         };
         let sliding = SlidingLaw::of_body(self.body, self.mu_k, Direction::Negative);
         let solvability = sliding.p(sin, sliding.q(1.0, sin, cos));
@@ -193,7 +257,8 @@ impl Levels {
                 theta: if angle > PI { 2.0 * PI - angle } else { angle },
                 theta_rate,
                 recurrence: RollingOrbit::of(hoop, angle, theta_rate).recurrence(),
-                loss: 9.0 * self.mu_k * normal * rise * rise / (self.body.mass * solvability * d * fall),
+                loss: 9.0 * self.mu_k * normal * rise * rise
+                    / (self.body.mass * solvability * d * fall),
                 ceiling,
             }
         })
@@ -202,6 +267,8 @@ impl Levels {
     /// Whether static friction holds on the whole orbit of a level.
     fn holds(&self, hoop: &Hoop, over_bottom: f64) -> bool {
         let u = over_bottom / self.law.bottom;
-        RollingOrbit::of(hoop, PI, u.max(0.0).sqrt()).end().is_none()
+        RollingOrbit::of(hoop, PI, u.max(0.0).sqrt())
+            .end()
+            .is_none()
     }
 }

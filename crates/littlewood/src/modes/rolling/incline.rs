@@ -1,4 +1,5 @@
-//! Rolling on a slope (docs/theory/slope.md): the kinetic energy as a function of the angle, time as a quadrature, and the end of rolling.
+//! Rolling on a slope (docs/theory/slope.md): the kinetic energy as a function of the angle, time
+//! as a quadrature, and the end of rolling.
 //!
 //! In the direction of motion, in which the angle ϑ increases, with T = ± tan α, D θ′² obeys
 //!
@@ -19,10 +20,12 @@ use super::boundary::{Hold, RollingEnd, RollingLimit, in_body_frame};
 use super::limits::Limits;
 use super::recurrence::Recurrence;
 
-/// How often a panel is halved before its series are computed, which cost some ten times as much as a look at the margins.
+/// How often a panel is halved before its series are computed, which cost some ten times as much as
+/// a look at the margins.
 const SCREENINGS: u32 = 3;
 
-/// Number of terms summed one by one before the formula of Euler and Maclaurin: its first omitted term is then below 1e-16 of a term.
+/// Number of terms summed one by one before the formula of Euler and Maclaurin: its first omitted
+/// term is then below 1e-16 of a term.
 const SINGLE_TERMS: u32 = 32;
 
 /// The rolling orbit of a hoop on a slope through a state.
@@ -52,7 +55,8 @@ struct Leg {
     behind: Option<f64>,
 }
 
-/// A distance in whole turns and a rest: each number is computed from the rest, which resolves it however many turns there are.
+/// A distance in whole turns and a rest: each number is computed from the rest, which resolves it
+/// however many turns there are.
 #[derive(Clone, Copy, Debug)]
 struct Distance {
     turns: f64,
@@ -84,17 +88,30 @@ impl Incline {
         let first = Leg::new(limits, [0.0, travel * theta], kinetic);
         let back = first.reach.map(|reach| {
             let turned = first.turned + TAU * reach.turns;
-            Leg::new(limits.reversed(), [-turned, -(first.angle + reach.rest)], 0.0)
+            Leg::new(
+                limits.reversed(),
+                [-turned, -(first.angle + reach.rest)],
+                0.0,
+            )
         });
         // Both turning points round to the angle of the start.
-        let width = back.and_then(|back| back.reach).map_or(f64::INFINITY, |reach| reach.total());
+        let width = back
+            .and_then(|back| back.reach)
+            .map_or(f64::INFINITY, |reach| reach.total());
         let rests = moving == 0.0 || width <= f64::EPSILON * theta.abs();
-        Self { travel, first, back, rests }
+        Self {
+            travel,
+            first,
+            back,
+            rests,
+        }
     }
 
-    /// Whether the hoop is unbalanced and leaves the bounds of θ: rolling ends beyond them if nowhere else.
+    /// Whether the hoop is unbalanced and leaves the bounds of θ: rolling ends beyond them if
+    /// nowhere else.
     pub(super) fn leaves_bounds(&self) -> bool {
-        !self.rests && (self.first.leaves_bounds() || self.back.is_some_and(|back| back.leaves_bounds()))
+        !self.rests
+            && (self.first.leaves_bounds() || self.back.is_some_and(|back| back.leaves_bounds()))
     }
 
     pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
@@ -109,12 +126,18 @@ impl Incline {
 
     /// The sign of θ in the frame of a leg.
     fn frame(&self, leg: &Leg) -> f64 {
-        if leg.law().tilt == self.first.law().tilt { self.travel } else { -self.travel }
+        if leg.law().tilt == self.first.law().tilt {
+            self.travel
+        } else {
+            -self.travel
+        }
     }
 
     /// The leg and the place after a time, and the direction of motion in the frame of the leg.
     fn at(&self, elapsed: f64) -> (Leg, Place, f64) {
-        let Some(back) = self.back else { return (self.first, self.first.place_at(elapsed), 1.0) };
+        let Some(back) = self.back else {
+            return (self.first, self.first.place_at(elapsed), 1.0);
+        };
         let outward = self.first.whole();
         if elapsed <= outward {
             return (self.first, self.first.place_at(elapsed), 1.0);
@@ -165,18 +188,36 @@ impl Incline {
         };
         let frame = self.frame(&back);
         // From rest the motion comes back to its start.
-        let far = if self.first.kinetic == 0.0 { -self.first.start() } else { back.start() + reach.total() };
+        let far = if self.first.kinetic == 0.0 {
+            -self.first.start()
+        } else {
+            back.start() + reach.total()
+        };
         let [from, to] = [back.start(), far].map(|angle| frame * angle);
-        Recurrence::Libration { period: 2.0 * back.whole(), theta_min: from.min(to), theta_max: from.max(to) }
+        Recurrence::Libration {
+            period: 2.0 * back.whole(),
+            theta_min: from.min(to),
+            theta_max: from.max(to),
+        }
     }
 
     pub(super) fn hold(&self) -> Hold {
         let leg = &self.first;
         let d = leg.denominator(leg.place(0.0, 0.0));
-        let negative = leg.margins(leg.place(0.0, 0.0)).filter_map(|(margin, limit)| {
-            let first = if self.rests { Some(&margin[0]) } else { margin.iter().find(|c| **c != 0.0) };
-            if first.is_none_or(|first| *first >= 0.0) { None } else { Some((margin[0] / (d * d), limit)) }
-        });
+        let negative = leg
+            .margins(leg.place(0.0, 0.0))
+            .filter_map(|(margin, limit)| {
+                let first = if self.rests {
+                    Some(&margin[0])
+                } else {
+                    margin.iter().find(|c| **c != 0.0)
+                };
+                if first.is_none_or(|first| *first >= 0.0) {
+                    None
+                } else {
+                    Some((margin[0] / (d * d), limit))
+                }
+            });
         Hold::of(negative, self.travel)
     }
 }
@@ -184,20 +225,37 @@ impl Incline {
 impl Leg {
     /// 2 [ℓ̂ (cos a − cos b) + T (m (b − a) + ℓ̂ (sin b − sin a))] for b = a + `by`.
     fn gain(&self, from: f64, by: f64) -> f64 {
-        self.law().gain(sincos(from + 0.5 * by), 2.0 * libm::sin(0.5 * by), by)
+        self.law()
+            .gain(sincos(from + 0.5 * by), 2.0 * libm::sin(0.5 * by), by)
     }
 
     /// The angle at the beginning is the sum of whole turns and a rest.
     fn new(limits: Limits, [turned, rest]: [f64; 2], kinetic: f64) -> Self {
         let angle = without_turns(rest);
-        let leg =
-            Self { limits, angle, turned: turned + (rest - angle), kinetic, reach: None, behind: Some(0.0) };
+        let leg = Self {
+            limits,
+            angle,
+            turned: turned + (rest - angle),
+            kinetic,
+            reach: None,
+            behind: Some(0.0),
+        };
         let behind = || {
-            let back = Self { limits: limits.reversed(), angle: -angle, ..leg };
-            back.turning_point().filter(|reach| reach.turns == 0.0).map(|reach| reach.rest)
+            let back = Self {
+                limits: limits.reversed(),
+                angle: -angle,
+                ..leg
+            };
+            back.turning_point()
+                .filter(|reach| reach.turns == 0.0)
+                .map(|reach| reach.rest)
         };
         let behind = if kinetic == 0.0 { Some(0.0) } else { behind() };
-        Self { reach: leg.turning_point(), behind, ..leg }
+        Self {
+            reach: leg.turning_point(),
+            behind,
+            ..leg
+        }
     }
 
     /// The law, with tan α positive downhill.
@@ -230,18 +288,24 @@ impl Leg {
 
     /// Half the slope of G.
     fn slope(&self, rest: f64) -> f64 {
-        let RollingLaw { offset, mass, tilt, .. } = *self.law();
+        let RollingLaw {
+            offset, mass, tilt, ..
+        } = *self.law();
         let (sin, cos) = sincos(self.angle + rest);
         offset * sin + tilt * (mass + offset * cos)
     }
 
     fn place(&self, turns: f64, rest: f64) -> Place {
         let left = |reach: Distance| TAU * (reach.turns - turns) + (reach.rest - rest);
-        Place { passed: Distance { turns, rest }, left: self.reach.map_or(f64::INFINITY, left) }
+        Place {
+            passed: Distance { turns, rest },
+            left: self.reach.map_or(f64::INFINITY, left),
+        }
     }
 
     fn denominator(&self, place: Place) -> f64 {
-        self.law().denominator_of(sincos(self.angle + place.passed.rest))
+        self.law()
+            .denominator_of(sincos(self.angle + place.passed.rest))
     }
 
     /// G, from the nearer end.
@@ -250,8 +314,16 @@ impl Leg {
     }
 
     /// G, and the sum of the sizes of its terms.
-    fn kinetic_and_terms(&self, Place { passed: Distance { turns, rest }, left }: Place) -> (f64, f64) {
-        let RollingLaw { offset, mass, tilt, .. } = *self.law();
+    fn kinetic_and_terms(
+        &self,
+        Place {
+            passed: Distance { turns, rest },
+            left,
+        }: Place,
+    ) -> (f64, f64) {
+        let RollingLaw {
+            offset, mass, tilt, ..
+        } = *self.law();
         let (begins, from, by, turns) = match self.reach {
             Some(reach) if left < TAU * turns + rest => {
                 let whole = (left / TAU).floor();
@@ -273,19 +345,31 @@ impl Leg {
         let d = self.law().denominator_of((sin, cos));
         // The angle itself is rounded, which tells next to the bottom of a light hoop.
         let of_angle = angle.abs() * (self.law().offset * sin).abs() / d;
-        ((d / kinetic).sqrt(), ROUNDING * (terms / kinetic + of_angle))
+        (
+            (d / kinetic).sqrt(),
+            ROUNDING * (terms / kinetic + of_angle),
+        )
     }
 
     /// The first zero of G ahead.
     fn turning_point(&self) -> Option<Distance> {
-        let Self { limits: Limits { law, .. }, angle, kinetic, .. } = *self;
+        let Self {
+            limits: Limits { law, .. },
+            angle,
+            kinetic,
+            ..
+        } = *self;
         let pull = law.tilt;
         let value = |turns: f64, rest: f64| kinetic + self.gain(angle, rest) + turns * self.fall();
         let root = |turns: f64, low: f64, high: f64| {
-            let rest = Bracket { low, high }
-                .iterate(high, |rest| Step::newton(rest, (value(turns, rest), 2.0 * self.slope(rest))));
+            let rest = Bracket { low, high }.iterate(high, |rest| {
+                Step::newton(rest, (value(turns, rest), 2.0 * self.slope(rest)))
+            });
             if rest < 0.0 {
-                Distance { turns: turns - 1.0, rest: rest + TAU }
+                Distance {
+                    turns: turns - 1.0,
+                    rest: rest + TAU,
+                }
             } else {
                 Distance { turns, rest }
             }
@@ -307,7 +391,10 @@ impl Leg {
         // At a turning point G first rises to its maximum.
         let low = if kinetic == 0.0 { highest } else { 0.0 };
         if low > lowest {
-            return Some(Distance { turns: 0.0, rest: 0.0 });
+            return Some(Distance {
+                turns: 0.0,
+                rest: 0.0,
+            });
         }
         if value(0.0, lowest) < 0.0 {
             return Some(root(0.0, low, lowest));
@@ -327,18 +414,28 @@ impl Leg {
 
     /// Time from the beginning to the turning point; infinite without one.
     fn whole(&self) -> f64 {
-        self.reach.map_or(f64::INFINITY, |passed| self.time(Place { passed, left: 0.0 }))
+        self.reach.map_or(f64::INFINITY, |passed| {
+            self.time(Place { passed, left: 0.0 })
+        })
     }
 
     /// Time from the beginning to a place.
     fn time(&self, place: Place) -> f64 {
         let turns = place.passed.turns;
         if turns < 3.0 {
-            let passed = Distance { turns: 0.0, rest: place.passed.total() };
+            let passed = Distance {
+                turns: 0.0,
+                rest: place.passed.total(),
+            };
             return self.time_between(0.0, Place { passed, ..place });
         }
-        // The first turn, whose kinetic energy may vanish, then turns that differ by the gain of a turn, then the rest.
-        let slowest = if self.law().tilt < 0.0 { turns - 1.0 } else { 1.0 };
+        // The first turn, whose kinetic energy may vanish, then turns that differ by the gain of a
+        // turn, then the rest.
+        let slowest = if self.law().tilt < 0.0 {
+            turns - 1.0
+        } else {
+            1.0
+        };
         let summed = integral(TAIL_TOLERANCE, [0.0, TAU], |rest| {
             let place = self.place(slowest, rest);
             let (slowness, rounding) = self.slowness(place);
@@ -357,7 +454,11 @@ impl Leg {
         let at_root = |s: f64, (slowness, rounding): (f64, f64)| (2.0 * s * slowness, rounding);
         // Next to a turning point the square root of the distance is the variable.
         let end = to.passed.rest + to.left;
-        let middle = if end.is_finite() { 0.5 * (from + end) } else { f64::INFINITY };
+        let middle = if end.is_finite() {
+            0.5 * (from + end)
+        } else {
+            f64::INFINITY
+        };
         let first_end = to.passed.rest.min(middle);
         let mut time = match self.behind {
             Some(behind) if turns == 0.0 && from == 0.0 && behind <= first_end => {
@@ -370,10 +471,19 @@ impl Leg {
         };
         if to.passed.rest > middle {
             let near = (end - middle).min(PI).max(to.left);
-            let back =
-                |left: f64| self.slowness(Place { passed: Distance { turns, rest: end - left }, left });
+            let back = |left: f64| {
+                self.slowness(Place {
+                    passed: Distance {
+                        turns,
+                        rest: end - left,
+                    },
+                    left,
+                })
+            };
             time += integral(TAIL_TOLERANCE, [middle, end - near], at);
-            time += integral(TAIL_TOLERANCE, [to.left.sqrt(), near.sqrt()], |s| at_root(s, back(s * s)));
+            time += integral(TAIL_TOLERANCE, [to.left.sqrt(), near.sqrt()], |s| {
+                at_root(s, back(s * s))
+            });
         }
         time
     }
@@ -390,20 +500,39 @@ impl Leg {
             (turns, beyond) = (beyond, 2.0 * beyond);
         }
         let turns = last_of(turns, beyond.min(most + 1.0), |turns| begins(turns) <= time);
-        // The variable p with the rest as a smooth function of it: its square after a turning point, the square from the far
-        // side before one, and the width times sin²(p/2) between two.
+        // The variable p with the rest as a smooth function of it: its square after a turning
+        // point, the square from the far side before one, and the width times sin²(p/2) between
+        // two.
         let begins_at_rest = self.kinetic == 0.0 && turns == 0.0;
-        let last = self.reach.filter(|reach| reach.turns <= turns).map(|reach| reach.rest);
+        let last = self
+            .reach
+            .filter(|reach| reach.turns <= turns)
+            .map(|reach| reach.rest);
         let place = |p: f64| match (begins_at_rest, last) {
             (true, Some(rest)) => {
                 let (sin, cos) = sincos(0.5 * p);
-                let passed = Distance { turns, rest: rest * sin * sin };
-                (Place { passed, left: rest * cos * cos }, rest * sin * cos)
+                let passed = Distance {
+                    turns,
+                    rest: rest * sin * sin,
+                };
+                (
+                    Place {
+                        passed,
+                        left: rest * cos * cos,
+                    },
+                    rest * sin * cos,
+                )
             }
             (false, Some(rest)) => {
                 let root = rest.sqrt() - p;
                 (
-                    Place { passed: Distance { turns, rest: rest - root * root }, left: root * root },
+                    Place {
+                        passed: Distance {
+                            turns,
+                            rest: rest - root * root,
+                        },
+                        left: root * root,
+                    },
                     2.0 * root,
                 )
             }
@@ -420,7 +549,11 @@ impl Leg {
             let (place, stretch) = place(p);
             let value = time - self.time(place);
             let rate = (self.kinetic_at(place) / self.denominator(place)).sqrt() / stretch;
-            Step { value, step: value * rate, last: f64::EPSILON * p.abs() }
+            Step {
+                value,
+                step: value * rate,
+                last: f64::EPSILON * p.abs(),
+            }
         });
         place(p).0
     }
@@ -428,18 +561,22 @@ impl Leg {
     /// The margins about a place, each with the limit that is reached when it becomes negative.
     fn margins(&self, place: Place) -> impl Iterator<Item = (Series, RollingLimit)> {
         let direction = sincos(self.angle + place.passed.rest);
-        self.limits.margins(direction, self.kinetic_at(place)).into_iter().flatten()
+        self.limits
+            .margins(direction, self.kinetic_at(place))
+            .into_iter()
+            .flatten()
     }
 
-    /// Whether no limit is reached within a distance of a place, as far as [`Limits::holds_about`] tells of it, or of its halves, `depth`
-    /// times.
+    /// Whether no limit is reached within a distance of a place, as far as [`Limits::holds_about`]
+    /// tells of it, or of its halves, `depth` times.
     fn holds_about(&self, turns: f64, rest: f64, reach: f64, depth: u32) -> bool {
         let kinetic = self.kinetic_at(self.place(turns, rest));
-        self.limits.holds_about(sincos(self.angle + rest), kinetic, reach)
+        self.limits
+            .holds_about(sincos(self.angle + rest), kinetic, reach)
             || (depth > 0
-                && [-0.5, 0.5]
-                    .into_iter()
-                    .all(|side| self.holds_about(turns, rest + side * reach, 0.5 * reach, depth - 1)))
+                && [-0.5, 0.5].into_iter().all(|side| {
+                    self.holds_about(turns, rest + side * reach, 0.5 * reach, depth - 1)
+                }))
     }
 
     /// The first crossing of a limit in a turn, between two rests.
@@ -452,7 +589,8 @@ impl Leg {
                 return None;
             }
             let margins = self.margins(self.place(turns, begin));
-            let crossings = margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
+            let crossings =
+                margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
             Some((self.place(turns, (begin + at).min(to)), limit))
         })
@@ -479,7 +617,9 @@ impl Leg {
             low = high;
         }
         let is_last = reach > 2.0 * TAU && reach <= self.room();
-        is_last.then(|| self.crossing(whole, [0.0, reach - TAU * whole])).flatten()
+        is_last
+            .then(|| self.crossing(whole, [0.0, reach - TAU * whole]))
+            .flatten()
     }
 }
 
@@ -503,8 +643,8 @@ fn sum_of_roots(g: f64, step: f64, count: f64) -> f64 {
     let odd = |x: f64| {
         let ratio = step / x;
         let square = ratio * ratio;
-        let series =
-            1.0 / 24.0 - square * (1.0 / 384.0 - square * (1.0 / 1024.0 - square * (143.0 / 163_840.0)));
+        let series = 1.0 / 24.0
+            - square * (1.0 / 384.0 - square * (1.0 / 1024.0 - square * (143.0 / 163_840.0)));
         ratio * series / root(x)
     };
     sum + odd(first) - odd(last)

@@ -1,4 +1,5 @@
-//! The limits of rolling on a slope: margins μs N ∓ F, linear in G, as power series that converge to rounding on an eighth of a half turn.
+//! The limits of rolling on a slope: margins μs N ∓ F, linear in G, as power series that converge
+//! to rounding on an eighth of a half turn.
 //!
 //! In the direction of motion, with T = ± tan α and G = D θ′²,
 //!
@@ -47,14 +48,23 @@ impl Limits {
     pub(crate) fn new(hoop: &Hoop, travel: f64) -> Self {
         let law = RollingLaw::of(hoop);
         Self {
-            law: RollingLaw { tilt: travel * law.tilt, ..law },
+            law: RollingLaw {
+                tilt: travel * law.tilt,
+                ..law
+            },
             mu: hoop.mu_s(),
             inertia: hoop.body().inertia_about_mass_centre(),
         }
     }
 
     pub(super) fn reversed(self) -> Self {
-        Self { law: RollingLaw { tilt: -self.law.tilt, ..self.law }, ..self }
+        Self {
+            law: RollingLaw {
+                tilt: -self.law.tilt,
+                ..self.law
+            },
+            ..self
+        }
     }
 
     fn terms(&self, direction: (f64, f64)) -> Terms {
@@ -85,10 +95,23 @@ impl Limits {
         })
     }
 
-    /// The margins of a heavy hoop about an angle with this sine and cosine, of a slip to each side as A + G B: A and B.
+    /// The margins of a heavy hoop about an angle with this sine and cosine, of a slip to each side
+    /// as A + G B: A and B.
     pub(crate) fn heavy(&self, direction: (f64, f64)) -> [[Series; 2]; 2] {
-        let RollingLaw { offset: l, tilt: pull, own, beyond_mass, .. } = self.law;
-        let Terms { sin, cos, over_bottom, d, carried } = self.terms(direction);
+        let RollingLaw {
+            offset: l,
+            tilt: pull,
+            own,
+            beyond_mass,
+            ..
+        } = self.law;
+        let Terms {
+            sin,
+            cos,
+            over_bottom,
+            d,
+            carried,
+        } = self.terms(direction);
         let square = product(&sin, &sin);
         let carried_square = product(&carried, &carried);
         let lever = product(&sin, &carried);
@@ -99,19 +122,28 @@ impl Limits {
         let held = product(&d, &weighed);
         let beyond = scaled(beyond_mass[1] + l * over_bottom, l, &cos);
         let [driven, loaded] = [product(&sin, &beyond), product(&lever, &d)];
-        let along: Series = core::array::from_fn(|n| l * l * square[n] + if n == 0 { own } else { 0.0 });
+        let along: Series =
+            core::array::from_fn(|n| l * l * square[n] + if n == 0 { own } else { 0.0 });
         let along = product(&d, &along);
         [-1.0, 1.0].map(|sign| {
             [
-                core::array::from_fn(|n| self.mu * held[n] + sign * (pull * along[n] - l * loaded[n])),
-                core::array::from_fn(|n| l * (sign * driven[n] - self.mu * (l * square[n] + c_d[n]))),
+                core::array::from_fn(|n| {
+                    self.mu * held[n] + sign * (pull * along[n] - l * loaded[n])
+                }),
+                core::array::from_fn(|n| {
+                    l * (sign * driven[n] - self.mu * (l * square[n] + c_d[n]))
+                }),
             ]
         })
     }
 
-    /// The margins about an angle with this sine and cosine, where G is `kinetic`, each with the limit that is reached when it becomes
-    /// negative.
-    pub(super) fn margins(&self, direction: (f64, f64), kinetic: f64) -> [Option<(Series, RollingLimit)>; 3] {
+    /// The margins about an angle with this sine and cosine, where G is `kinetic`, each with the
+    /// limit that is reached when it becomes negative.
+    pub(super) fn margins(
+        &self,
+        direction: (f64, f64),
+        kinetic: f64,
+    ) -> [Option<(Series, RollingLimit)>; 3] {
         let kinetic = self.kinetic(direction, kinetic);
         let [negative, positive] = Direction::ALL.map(RollingLimit::Friction);
         if self.inertia > 0.0 {
@@ -123,23 +155,42 @@ impl Limits {
         }
         // N D²/(1 + ℓ̂c) = D (1 + ℓ̂c − T ℓ̂ s) − G ℓ̂ (ℓ̂ + c); the force points at the particle.
         let (l, pull) = (self.law.offset, self.law.tilt);
-        let Terms { sin, cos, over_bottom, d, carried } = self.terms(direction);
+        let Terms {
+            sin,
+            cos,
+            over_bottom,
+            d,
+            carried,
+        } = self.terms(direction);
         let held: Series = core::array::from_fn(|n| carried[n] - pull * l * sin[n]);
         let arm = scaled((l - 1.0) + over_bottom, 1.0, &cos);
         let [normal, pulled] = [product(&d, &held), product(&kinetic, &arm)];
-        let cone =
-            |sign: f64| -> Series { core::array::from_fn(|n| self.mu * carried[n] + sign * l * sin[n]) };
+        let cone = |sign: f64| -> Series {
+            core::array::from_fn(|n| self.mu * carried[n] + sign * l * sin[n])
+        };
         [
-            Some((core::array::from_fn(|n| normal[n] - l * pulled[n]), RollingLimit::NormalForce)),
+            Some((
+                core::array::from_fn(|n| normal[n] - l * pulled[n]),
+                RollingLimit::NormalForce,
+            )),
             Some((cone(1.0), negative)),
             Some((cone(-1.0), positive)),
         ]
     }
 
-    /// Whether the margins of a heavy hoop are positive within a distance of an angle with this sine and cosine, where G is `kinetic`, by
-    /// their values there and bounds of their slopes, the sums of the sizes of all terms.
+    /// Whether the margins of a heavy hoop are positive within a distance of an angle with this
+    /// sine and cosine, where G is `kinetic`, by their values there and bounds of their slopes, the
+    /// sums of the sizes of all terms.
     pub(super) fn holds_about(&self, (sin, cos): (f64, f64), g: f64, reach: f64) -> bool {
-        let RollingLaw { offset: l, mass: m, tilt: pull, top, own, beyond_mass, .. } = self.law;
+        let RollingLaw {
+            offset: l,
+            mass: m,
+            tilt: pull,
+            top,
+            own,
+            beyond_mass,
+            ..
+        } = self.law;
         let mu = self.mu;
         if self.inertia == 0.0 {
             return false;
@@ -147,7 +198,8 @@ impl Limits {
         let d = self.law.denominator_of((sin, cos));
         let carried = m + l * cos;
         let arm = l * sin;
-        let normal = d * (own + carried * carried - pull * arm * carried) - g * l * (l * sin * sin + cos * d);
+        let normal = d * (own + carried * carried - pull * arm * carried)
+            - g * l * (l * sin * sin + cos * d);
         let beyond = beyond_mass[1] + l * above_bottom((sin, cos));
         let friction = arm * (g * beyond - carried * d) + pull * (own + arm * arm) * d;
         let [most, tilt] = [m + l, pull.abs()];

@@ -1,7 +1,8 @@
 //! Rolling (§2a, §3a): η′ = 0, held by static friction.
 //!
-//! θ′², θ″, N and F are functions of θ alone on an orbit, D(θ) (θ′² + 1) = K (docs/theory/rolling.md). [`orbit`] gives the time as
-//! an elliptic integral, and [`boundary`] the angle at which rolling ends as a root of a polynomial.
+//! θ′², θ″, N and F are functions of θ alone on an orbit, D(θ) (θ′² + 1) = K
+//! (docs/theory/rolling.md). [`orbit`] gives the time as an elliptic integral, and [`boundary`] the
+//! angle at which rolling ends as a root of a polynomial.
 
 mod boundary;
 mod grazing;
@@ -74,7 +75,10 @@ impl Rolling {
         let instant = Instant {
             mode: Mode::Rolling,
             direction: None,
-            accelerations: (self.law.theta_acceleration(state.theta, state.theta_rate), 0.0),
+            accelerations: (
+                self.law.theta_acceleration(state.theta, state.theta_rate),
+                0.0,
+            ),
             forces: (forces.normal, forces.friction),
             gap: (0.0, 0.0),
         };

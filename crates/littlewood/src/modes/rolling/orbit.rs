@@ -1,19 +1,21 @@
-//! The orbit of a rolling body: time as an elliptic integral of the angle, its inverse, and the end of rolling.
+//! The orbit of a rolling body: time as an elliptic integral of the angle, its inverse, and the end
+//! of rolling.
 //!
-//! Let z = −cos(ϑ/2) = k sin ψ, zero at the bottom, where ϑ is the angle in the direction of motion and
-//! k² = (K − D(π))/(4ℓ̂) in libration, k = 1 in rotation. With β = 4ℓ̂k² and κ = K − D(0), the energy over the top,
+//! Let z = −cos(ϑ/2) = k sin ψ, zero at the bottom, where ϑ is the angle in the direction of motion
+//! and k² = (K − D(π))/(4ℓ̂) in libration, k = 1 in rotation. With β = 4ℓ̂k² and κ = K − D(0), the
+//! energy over the top,
 //!
 //! ```text
 //! dτ = 2 sqrt(D / (|κ| + β cos²ψ)) dψ,     D = D(π) + β sin²ψ,
 //! τ(ψ) = 2 sqrt(D(π)/γ) [s R_F(c², q², p) + β s³/(3 D(π)) R_J(c², q², p, 1)],
 //! ```
 //!
-//! with s = sin ψ, c = cos ψ, γ = |κ| + β, q² = (|κ| + βc²)/γ, p = 1 + βs²/D(π): an integral of the third kind in
-//! Carlson's symmetric form (DLMF 19.25.14). Its two terms have the same sign, so nothing cancels. It holds
-//! for libration, rotation and the separatrix.
+//! with s = sin ψ, c = cos ψ, γ = |κ| + β, q² = (|κ| + βc²)/γ, p = 1 + βs²/D(π): an integral of the
+//! third kind in Carlson's symmetric form (DLMF 19.25.14). Its two terms have the same sign, so
+//! nothing cancels. It holds for libration, rotation and the separatrix.
 //!
-//! The time between two places on the same side of the bottom, however near to each other, is a sum of two terms of one sign, too, by the
-//! addition theorem (DLMF 19.11):
+//! The time between two places on the same side of the bottom, however near to each other, is a sum
+//! of two terms of one sign, too, by the addition theorem (DLMF 19.11):
 //!
 //! ```text
 //! τ(ψ1) − τ(ψ0) = τ(ψ3) + 2 arsinh(β s0 s1 s3 / sqrt(γ D(π))).
@@ -83,7 +85,10 @@ impl RollingOrbit {
     #[must_use]
     pub fn new(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
         let pace = hoop.pace();
-        Self { pace, ..Self::of(hoop, theta, theta_rate / pace) }
+        Self {
+            pace,
+            ..Self::of(hoop, theta, theta_rate / pace)
+        }
     }
 
     /// The orbit in units in which gravity normal to the plane is 1.
@@ -117,7 +122,11 @@ impl RollingOrbit {
             Kind::Rim(orbit) => orbit.end(),
             Kind::Incline(orbit) => orbit.end(),
         }?;
-        Some(RollingEnd { elapsed: end.elapsed / self.pace, theta_rate: end.theta_rate * self.pace, ..end })
+        Some(RollingEnd {
+            elapsed: end.elapsed / self.pace,
+            theta_rate: end.theta_rate * self.pace,
+            ..end
+        })
     }
 
     /// [`Self::end`] for a start with |F| = μs N after which static friction holds: the start is no end.
@@ -129,7 +138,8 @@ impl RollingOrbit {
         }
     }
 
-    /// Recurrence of the orbit while the limits of friction and of the normal force are not reached.
+    /// Recurrence of the orbit while the limits of friction and of the normal force are not
+    /// reached.
     pub fn recurrence(&self) -> Recurrence {
         let recurrence = match &self.kind {
             Kind::Elliptic(orbit) => orbit.recurrence(),
@@ -139,7 +149,8 @@ impl RollingOrbit {
         recurrence.at_pace(self.pace)
     }
 
-    /// Whether an unbalanced hoop leaves the bounds of θ on a slope: rolling then ends, if only beyond them.
+    /// Whether an unbalanced hoop leaves the bounds of θ on a slope: rolling then ends, if only
+    /// beyond them.
     pub(crate) fn leaves_bounds(&self) -> bool {
         match &self.kind {
             Kind::Incline(orbit) => orbit.leaves_bounds(),
@@ -159,10 +170,11 @@ impl RollingOrbit {
 impl Elliptic {
     fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
         // At a turning point gravity decides the direction of motion.
-        let travel = match Direction::of_sign(theta_rate).or_else(|| Direction::of_sign(libm::sin(theta))) {
-            Some(direction) => direction.sign(),
-            None => 1.0,
-        };
+        let travel =
+            match Direction::of_sign(theta_rate).or_else(|| Direction::of_sign(libm::sin(theta))) {
+                Some(direction) => direction.sign(),
+                None => 1.0,
+            };
         let (lap, z, y) = reduce(travel * theta, libm::sincos(0.5 * (travel * theta)));
         let four_l = 4.0 * law.offset;
         let denominator = law.bottom + four_l * z * z;
@@ -175,7 +187,10 @@ impl Elliptic {
         let over_top = kinetic - four_l * y * y;
         let over_bottom = kinetic + four_l * z * z;
         let rotates = over_top >= 0.0;
-        let motion = match (rotates, theta_rate == 0.0 && libm::sin(theta) * law.offset == 0.0) {
+        let motion = match (
+            rotates,
+            theta_rate == 0.0 && libm::sin(theta) * law.offset == 0.0,
+        ) {
             (_, true) => Swing::Rest,
             (true, false) => Swing::Rotation,
             (false, false) => Swing::Libration,
@@ -227,7 +242,10 @@ impl Elliptic {
     fn phase(&self, [z, y]: [f64; 2], kinetic: f64) -> Phase {
         match self.motion {
             Swing::Rest | Swing::Rotation => (z, y),
-            Swing::Libration => (self.phase_sine(z).clamp(-1.0, 1.0), (kinetic.max(0.0) / self.swing).sqrt()),
+            Swing::Libration => (
+                self.phase_sine(z).clamp(-1.0, 1.0),
+                (kinetic.max(0.0) / self.swing).sqrt(),
+            ),
         }
     }
 
@@ -241,7 +259,12 @@ impl Elliptic {
             Swing::Rest | Swing::Rotation => rise,
             Swing::Libration => 4.0 * self.law.offset * rise / self.swing,
         };
-        time_between(self.law.bottom, (self.excess, self.swing), [self.start_phase(), to], gain)
+        time_between(
+            self.law.bottom,
+            (self.excess, self.swing),
+            [self.start_phase(), to],
+            gain,
+        )
     }
 
     /// Time from a phase to the top or the turning point.
@@ -250,7 +273,12 @@ impl Elliptic {
             self.quarter - self.time_from_bottom(sine, cosine)
         } else {
             let arc = [(sine, cosine), (1.0, 0.0)];
-            time_between(self.law.bottom, (self.excess, self.swing), arc, cosine * cosine)
+            time_between(
+                self.law.bottom,
+                (self.excess, self.swing),
+                arc,
+                cosine * cosine,
+            )
         }
     }
 
@@ -284,12 +312,19 @@ impl Elliptic {
             let rate = ((self.excess + self.swing * cosine * cosine) / d).sqrt();
             (self.travel * theta, self.travel * rate)
         } else {
-            let back = if turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+            let back = if turns.rem_euclid(2.0) == 0.0 {
+                1.0
+            } else {
+                -1.0
+            };
             let four_l = 4.0 * self.law.offset;
             let z = back * sine * (self.swing / four_l).sqrt();
             let y = ((self.excess + self.swing * cosine * cosine) / four_l).sqrt();
             let rate = back * cosine * (self.swing / d).sqrt();
-            (self.travel * self.angle_of(self.lap, z, y), self.travel * rate)
+            (
+                self.travel * self.angle_of(self.lap, z, y),
+                self.travel * rate,
+            )
         }
     }
 
@@ -299,13 +334,27 @@ impl Elliptic {
             let (sine, cosine) = libm::sincos(psi);
             (sine, cosine.max(0.0))
         };
-        let guess = if self.quarter.is_finite() { local / self.quarter * FRAC_PI_2 } else { 0.0 };
-        direction(Bracket { low: -FRAC_PI_2, high: FRAC_PI_2 }.iterate(guess, |psi| {
-            let (sine, cosine) = direction(psi);
-            let value = local - self.time_from_bottom(sine, cosine);
-            let last = f64::EPSILON * psi.abs().max(f64::EPSILON);
-            Step { value, step: value / self.phase_slowness(sine, cosine), last }
-        }))
+        let guess = if self.quarter.is_finite() {
+            local / self.quarter * FRAC_PI_2
+        } else {
+            0.0
+        };
+        direction(
+            Bracket {
+                low: -FRAC_PI_2,
+                high: FRAC_PI_2,
+            }
+            .iterate(guess, |psi| {
+                let (sine, cosine) = direction(psi);
+                let value = local - self.time_from_bottom(sine, cosine);
+                let last = f64::EPSILON * psi.abs().max(f64::EPSILON);
+                Step {
+                    value,
+                    step: value / self.phase_slowness(sine, cosine),
+                    last,
+                }
+            }),
+        )
     }
 
     /// ϑ in turn `lap`, from z = −cos(ϑ/2) and y = sin(ϑ/2).
@@ -316,12 +365,12 @@ impl Elliptic {
     fn recurrence(&self) -> Recurrence {
         match self.motion {
             Swing::Rest => Recurrence::Rest,
-            Swing::Rotation if self.quarter.is_finite() => {
-                Recurrence::Rotation { period: 2.0 * self.quarter }
-            }
-            Swing::Rotation => {
-                Recurrence::Asymptotic { theta: self.travel * self.angle_of(self.lap, 1.0, 0.0) }
-            }
+            Swing::Rotation if self.quarter.is_finite() => Recurrence::Rotation {
+                period: 2.0 * self.quarter,
+            },
+            Swing::Rotation => Recurrence::Asymptotic {
+                theta: self.travel * self.angle_of(self.lap, 1.0, 0.0),
+            },
             Swing::Libration => {
                 let bottom = self.travel * self.angle_of(self.lap, 0.0, 1.0);
                 let amplitude = self.amplitude();
@@ -337,52 +386,115 @@ impl Elliptic {
     /// The arcs ahead, which together cover the orbit.
     fn arcs(&self) -> impl Iterator<Item = Arc> {
         let four_l = 4.0 * self.law.offset;
-        let here = Place { x: -self.z, y: self.y, kinetic: self.kinetic };
-        let bottom = Place { x: 0.0, y: 1.0, kinetic: self.kinetic + four_l * self.z * self.z };
+        let here = Place {
+            x: -self.z,
+            y: self.y,
+            kinetic: self.kinetic,
+        };
+        let bottom = Place {
+            x: 0.0,
+            y: 1.0,
+            kinetic: self.kinetic + four_l * self.z * self.z,
+        };
         let past_bottom = self.z >= 0.0;
         // From here to an end of the arc, and on from the bottom.
         let first = |to: Place, apart: f64| {
             let ahead = if past_bottom {
-                Arc { from: here, to, apart, pass: Pass::First }
+                Arc {
+                    from: here,
+                    to,
+                    apart,
+                    pass: Pass::First,
+                }
             } else {
-                Arc { from: bottom, to, apart: -to.x, pass: Pass::First }
+                Arc {
+                    from: bottom,
+                    to,
+                    apart: -to.x,
+                    pass: Pass::First,
+                }
             };
-            let down = Arc { from: here, to: bottom, apart: here.x, pass: Pass::First };
+            let down = Arc {
+                from: here,
+                to: bottom,
+                apart: here.x,
+                pass: Pass::First,
+            };
             [(!past_bottom).then_some(down), Some(ahead)]
         };
         let arcs = match self.motion {
             Swing::Rest => [None; 4],
             Swing::Rotation => {
-                let top = |x: f64| Place { x, y: 0.0, kinetic: self.excess };
+                let top = |x: f64| Place {
+                    x,
+                    y: 0.0,
+                    kinetic: self.excess,
+                };
                 let [a, b] = first(top(-1.0), self.y);
                 let again = |from, to, apart| {
-                    self.quarter.is_finite().then_some(Arc { from, to, apart, pass: Pass::NextTurn })
+                    self.quarter.is_finite().then_some(Arc {
+                        from,
+                        to,
+                        apart,
+                        pass: Pass::NextTurn,
+                    })
                 };
-                let down =
-                    if past_bottom { again(top(1.0), bottom, 1.0) } else { again(top(1.0), here, self.y) };
-                [a, b, down, if past_bottom { again(bottom, here, self.z) } else { None }]
+                let down = if past_bottom {
+                    again(top(1.0), bottom, 1.0)
+                } else {
+                    again(top(1.0), here, self.y)
+                };
+                [
+                    a,
+                    b,
+                    down,
+                    if past_bottom {
+                        again(bottom, here, self.z)
+                    } else {
+                        None
+                    },
+                ]
             }
             Swing::Libration => {
                 let (k, y) = ((self.swing / four_l).sqrt(), (self.excess / four_l).sqrt());
                 let turn = |x: f64| Place { x, y, kinetic: 0.0 };
-                let [a, b] = first(turn(-k), self.kinetic / (four_l * (k * self.y + y * self.z)));
-                let back = |from, to| Some(Arc { from, to, apart: k, pass: Pass::WayBack });
+                let [a, b] = first(
+                    turn(-k),
+                    self.kinetic / (four_l * (k * self.y + y * self.z)),
+                );
+                let back = |from, to| {
+                    Some(Arc {
+                        from,
+                        to,
+                        apart: k,
+                        pass: Pass::WayBack,
+                    })
+                };
                 [a, b, back(turn(-k), bottom), back(bottom, turn(k))]
             }
         };
-        arcs.into_iter().flatten().filter(|arc| arc.from.direction() != arc.to.direction())
+        arcs.into_iter()
+            .flatten()
+            .filter(|arc| arc.from.direction() != arc.to.direction())
     }
 
     fn end(&self, from_limit: bool) -> Option<RollingEnd> {
         self.arcs().enumerate().find_map(|(passed, arc)| {
-            let at_limit = (from_limit && passed == 0).then(|| self.limit_at_start(&arc)).flatten();
-            let crossings = self.boundary.on_arc(arc.from.direction(), arc.to.direction()).filter_map(
-                |(margin, limit)| {
-                    let margin = if at_limit == Some(limit) { margin.starting_at_zero() } else { margin };
+            let at_limit = (from_limit && passed == 0)
+                .then(|| self.limit_at_start(&arc))
+                .flatten();
+            let crossings = self
+                .boundary
+                .on_arc(arc.from.direction(), arc.to.direction())
+                .filter_map(|(margin, limit)| {
+                    let margin = if at_limit == Some(limit) {
+                        margin.starting_at_zero()
+                    } else {
+                        margin
+                    };
                     let bracket = margin.first_crossing()?;
                     Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
-                },
-            );
+                });
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
             Some(self.end_at(&arc, at, limit))
         })
@@ -394,7 +506,9 @@ impl Elliptic {
             .boundary
             .on_arc(arc.from.direction(), arc.to.direction())
             .map(|(margin, limit)| (start_value(&margin).abs(), limit));
-        margins.min_by(|a, b| a.0.total_cmp(&b.0)).map(|nearest| nearest.1)
+        margins
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|nearest| nearest.1)
     }
 
     fn end_at(&self, arc: &Arc, at: f64, limit: RollingLimit) -> RollingEnd {
@@ -414,8 +528,16 @@ impl Elliptic {
             Pass::First if arc.from.direction() == [-self.z, self.y] => {
                 (self.time_since_start(there, rise), self.lap, speed)
             }
-            Pass::First => (self.time_from_bottom(sine, cosine) - self.entered, self.lap, speed),
-            Pass::NextTurn => (next() + self.time_to_quarter((-sine, cosine)), self.lap + 1.0, speed),
+            Pass::First => (
+                self.time_from_bottom(sine, cosine) - self.entered,
+                self.lap,
+                speed,
+            ),
+            Pass::NextTurn => (
+                next() + self.time_to_quarter((-sine, cosine)),
+                self.lap + 1.0,
+                speed,
+            ),
             Pass::WayBack => (next() + self.time_to_quarter(there), self.lap, -speed),
         };
         RollingEnd {
@@ -427,29 +549,50 @@ impl Elliptic {
     }
 
     fn hold(&self) -> Hold {
-        let Some(arc) = self.arcs().next() else { return Hold::Holds };
+        let Some(arc) = self.arcs().next() else {
+            return Hold::Holds;
+        };
         let d = self.law.bottom + 4.0 * self.law.offset * self.z * self.z;
-        let margins = self.boundary.on_arc(arc.from.direction(), arc.to.direction());
+        let margins = self
+            .boundary
+            .on_arc(arc.from.direction(), arc.to.direction());
         let negative = margins.filter_map(|(margin, limit)| {
-            if margin.initial_sign() >= 0.0 { None } else { Some((start_value(&margin) / (d * d), limit)) }
+            if margin.initial_sign() >= 0.0 {
+                None
+            } else {
+                Some((start_value(&margin) / (d * d), limit))
+            }
         });
         Hold::of(negative, self.travel)
     }
 }
 
 /// τ(ψ) − τ(0) for ψ in [−π/2, π/2], from D(π), |κ| and β, and from sin ψ and cos ψ.
-pub(crate) fn time_from_bottom(bottom: f64, (excess, swing): (f64, f64), (sine, cosine): (f64, f64)) -> f64 {
+pub(crate) fn time_from_bottom(
+    bottom: f64,
+    (excess, swing): (f64, f64),
+    (sine, cosine): (f64, f64),
+) -> f64 {
     let gamma = excess + swing;
     let c2 = cosine * cosine;
     let q2 = (excess + swing * c2) / gamma;
     let lift = swing * sine * sine / bottom;
     let first = rf(c2, q2, 1.0 + lift);
-    let third = if lift == 0.0 { 0.0 } else { lift / 3.0 * rj(c2, q2, 1.0 + lift, 1.0) };
+    let third = if lift == 0.0 {
+        0.0
+    } else {
+        lift / 3.0 * rj(c2, q2, 1.0 + lift, 1.0)
+    };
     2.0 * (bottom / gamma).sqrt() * sine * (first + third)
 }
 
 /// τ(ψ1) − τ(ψ0) from sin²ψ1 − sin²ψ0, which may be known better than its terms.
-pub(crate) fn time_between(bottom: f64, orbit: (f64, f64), [from, to]: [Phase; 2], gain: f64) -> f64 {
+pub(crate) fn time_between(
+    bottom: f64,
+    orbit: (f64, f64),
+    [from, to]: [Phase; 2],
+    gain: f64,
+) -> f64 {
     if from.0 * to.0 <= 0.0 {
         return time_from_bottom(bottom, orbit, to) - time_from_bottom(bottom, orbit, from);
     }
@@ -458,7 +601,8 @@ pub(crate) fn time_between(bottom: f64, orbit: (f64, f64), [from, to]: [Phase; 2
     }
     // The time is odd in ψ.
     let sign = 1.0_f64.copysign(gain * to.0);
-    let [(s0, c0), (s1, c1)] = if gain < 0.0 { [to, from] } else { [from, to] }.map(|(s, c)| (s.abs(), c));
+    let [(s0, c0), (s1, c1)] =
+        if gain < 0.0 { [to, from] } else { [from, to] }.map(|(s, c)| (s.abs(), c));
     let (excess, swing) = orbit;
     let (at_bottom, at_quarter) = (excess + swing, bottom + swing);
     let kinetic = [c0, c1].map(|c| (excess + swing * c * c).sqrt());
@@ -507,12 +651,17 @@ struct Arc {
 }
 
 impl Arc {
-    /// Sine of the half angle that is passed at a barycentric coordinate, against the motion negative.
+    /// Sine of the half angle that is passed at a barycentric coordinate, against the motion
+    /// negative.
     fn passed(&self, at: f64) -> f64 {
         let along = self.from.x * self.to.x + self.from.y * self.to.y;
         let sine = at * self.apart;
         let passed = sine / libm::hypot(sine, 1.0 - at + at * along);
-        if self.pass == Pass::WayBack { -passed } else { passed }
+        if self.pass == Pass::WayBack {
+            -passed
+        } else {
+            passed
+        }
     }
 }
 
@@ -526,7 +675,11 @@ enum Pass {
 /// Turn number and (−cos, sin) of half an angle within the turn, sin ≥ 0, from its sine and cosine.
 pub(crate) fn reduce(angle: f64, (sin, cos): (f64, f64)) -> (f64, f64, f64) {
     let mut lap = (angle / TAU).floor();
-    let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+    let flip = if lap.rem_euclid(2.0) == 0.0 {
+        1.0
+    } else {
+        -1.0
+    };
     let (mut x, mut y) = (flip * cos, flip * sin);
     if y < 0.0 {
         // Rounding moved the angle across a multiple of 2π.

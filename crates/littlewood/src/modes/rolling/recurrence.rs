@@ -1,4 +1,5 @@
-//! Recurrence of endless motions, and the one endless motion that does not recur: a balanced hoop down a slope.
+//! Recurrence of endless motions, and the one endless motion that does not recur: a balanced hoop
+//! down a slope.
 
 use crate::model::{Detail, Dimension, named};
 
@@ -9,8 +10,13 @@ use crate::model::{Detail, Dimension, named};
 pub enum Recurrence {
     /// Rest in an equilibrium (for a homogeneous disc, anywhere).
     Rest,
-    /// Oscillation about the stable equilibrium, in one period from the smallest angle to the largest and back.
-    Libration { period: f64, theta_min: f64, theta_max: f64 },
+    /// Oscillation about the stable equilibrium, in one period from the smallest angle to the
+    /// largest and back.
+    Libration {
+        period: f64,
+        theta_min: f64,
+        theta_max: f64,
+    },
     /// Rotation over the top in one direction, a turn in a period.
     Rotation { period: f64 },
     /// Acceleration of a balanced hoop down a slope: x″ of the centre.
@@ -58,11 +64,21 @@ impl Recurrence {
     /// In units in which velocities are `pace` times as large.
     pub(crate) const fn at_pace(self, pace: f64) -> Self {
         match self {
-            Self::Libration { period, theta_min, theta_max } => {
-                Self::Libration { period: period / pace, theta_min, theta_max }
-            }
-            Self::Rotation { period } => Self::Rotation { period: period / pace },
-            Self::Downhill { acceleration } => Self::Downhill { acceleration: acceleration * (pace * pace) },
+            Self::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } => Self::Libration {
+                period: period / pace,
+                theta_min,
+                theta_max,
+            },
+            Self::Rotation { period } => Self::Rotation {
+                period: period / pace,
+            },
+            Self::Downhill { acceleration } => Self::Downhill {
+                acceleration: acceleration * (pace * pace),
+            },
             Self::Asymptotic { .. } | Self::Rest => self,
         }
     }
@@ -75,12 +91,22 @@ impl Recurrence {
             details.push(("period", Detail::Real(period, Dimension::Time)));
         }
         match *self {
-            Self::Libration { theta_min, theta_max, .. } => {
-                details.extend([("theta_min", angle(theta_min)), ("theta_max", angle(theta_max))]);
+            Self::Libration {
+                theta_min,
+                theta_max,
+                ..
+            } => {
+                details.extend([
+                    ("theta_min", angle(theta_min)),
+                    ("theta_max", angle(theta_max)),
+                ]);
             }
             Self::Asymptotic { theta } => details.push(("theta_limit", angle(theta))),
             Self::Downhill { acceleration } => {
-                details.push(("acceleration", Detail::Real(acceleration, Dimension::Acceleration)));
+                details.push((
+                    "acceleration",
+                    Detail::Real(acceleration, Dimension::Acceleration),
+                ));
             }
             Self::Rest | Self::Rotation { .. } => {}
         }

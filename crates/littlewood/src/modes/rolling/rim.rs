@@ -1,7 +1,9 @@
-//! Rolling of Littlewood's hoop, massless with the particle on the rim (§3a), in closed form (docs/theory/rolling.md).
+//! Rolling of Littlewood's hoop, massless with the particle on the rim (§3a), in closed form
+//! (docs/theory/rolling.md).
 //!
-//! D = 2(1 + cos θ) vanishes at θ = ±π, and Z = sin(θ/2) = a cosh(Δτ/2) + b sinh(Δτ/2), with a = Z0 and b = 2Z0′ = θ0′ cos(θ0/2). This is
-//! (3.3) without division by α: the α of (3.4) is a + b, for θ0′ of either sign.
+//! D = 2(1 + cos θ) vanishes at θ = ±π, and Z = sin(θ/2) = a cosh(Δτ/2) + b sinh(Δτ/2), with a = Z0
+//! and b = 2Z0′ = θ0′ cos(θ0/2). This is (3.3) without division by α: the α of (3.4) is a + b, for
+//! θ0′ of either sign.
 
 use core::f64::consts::TAU;
 
@@ -41,7 +43,10 @@ impl RimOrbit {
             return (TAU * self.lap, 0.0);
         }
         let growth = libm::exp(0.5 * elapsed);
-        let (out, back) = (0.5 * (self.a + self.b) * growth, 0.5 * (self.a - self.b) / growth);
+        let (out, back) = (
+            0.5 * (self.a + self.b) * growth,
+            0.5 * (self.a - self.b) / growth,
+        );
         self.angle(out + back, out - back)
     }
 
@@ -65,17 +70,25 @@ impl RimOrbit {
             (self.slip, RollingLimit::Friction(outward))
         };
         let z = outward.sign() * square.sqrt();
-        let twice_rate = outward.sign() * (square - self.a * self.a + self.b * self.b).max(0.0).sqrt();
+        let twice_rate =
+            outward.sign() * (square - self.a * self.a + self.b * self.b).max(0.0).sqrt();
         let elapsed = 2.0 * libm::log((z + twice_rate) / (self.a + self.b));
         let (theta, theta_rate) = self.angle(z, twice_rate);
-        Some(RollingEnd { elapsed: elapsed.max(0.0), theta, theta_rate, limit })
+        Some(RollingEnd {
+            elapsed: elapsed.max(0.0),
+            theta,
+            theta_rate,
+            limit,
+        })
     }
 
     pub(super) fn recurrence(&self) -> Recurrence {
         if self.a == 0.0 && self.b == 0.0 {
             Recurrence::Rest
         } else {
-            Recurrence::Asymptotic { theta: TAU * self.lap }
+            Recurrence::Asymptotic {
+                theta: TAU * self.lap,
+            }
         }
     }
 
@@ -90,7 +103,10 @@ impl RimOrbit {
             Hold::Holds
         } else {
             match Direction::of_sign(self.a).or_else(|| Direction::of_sign(self.b)) {
-                Some(direction) => Hold::Slips { direction, excess: -margin },
+                Some(direction) => Hold::Slips {
+                    direction,
+                    excess: -margin,
+                },
                 None => Hold::Holds,
             }
         }

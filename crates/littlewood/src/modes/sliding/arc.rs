@@ -22,19 +22,20 @@ const STEPS_BEFORE_DOUBLING: usize = 64;
 /// Cost of an attempted leap, in steps.
 const LEAP_COST_IN_STEPS: usize = 100;
 
-/// Least distance from P = 0 for the leading-order terms, if the slide offers one: a few √ε, so that distance and terms keep half of
-/// the digits.
+/// Least distance from P = 0 for the leading-order terms, if the slide offers one: a few √ε, so
+/// that distance and terms keep half of the digits.
 const DISTANCE_FOR_EXPANSION: f64 = 1e-7;
 
-/// Distance from the section below which an angle counts as on it; the leap then begins one turn later.
+/// Distance from the section below which an angle counts as on it; the leap then begins one turn
+/// later.
 const SECTION_TOLERANCE: f64 = 1e-9;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Entry {
     /// With η′ ≠ 0.
     Moving,
-    /// With η′ = 0 and this acceleration η″. It has the sign of the direction of slip, or vanishes on the static
-    /// limit with μs = μk, where η‴ decides. The zero of η′ at the start is no event.
+    /// With η′ = 0 and this acceleration η″. It has the sign of the direction of slip, or vanishes
+    /// on the static limit with μs = μk, where η‴ decides. The zero of η′ at the start is no event.
     FromRest { slip_acceleration: f64 },
 }
 
@@ -46,14 +47,15 @@ pub(crate) enum SlidingEnd {
     LiftOff(State),
     /// P = 0 with η′ ≠ 0 and unbounded N: sliding has no solution beyond.
     Singular(State),
-    /// The time scale falls below double precision: away from P = 0, or next to P = 0 where rounding decides the outcome.
+    /// The time scale falls below double precision: away from P = 0, or next to P = 0 where
+    /// rounding decides the outcome.
     Unresolved(State),
     /// The limit of steps or of turns; with an estimate of the time until η′ = 0.
     StepLimit { state: State, time_left: f64 },
     /// The time limit.
     TimeLimit(State),
-    /// No end: the slip does not decrease on average, and θ and θ′ repeat after a whole period without an event, or the hoop
-    /// is balanced.
+    /// No end: the slip does not decrease on average, and θ and θ′ repeat after a whole period
+    /// without an event, or the hoop is balanced.
     Endless(Recurrence),
 }
 
@@ -62,15 +64,18 @@ pub(crate) enum SlidingEnd {
 pub struct Sliding {
     law: SlidingLaw,
     direction: Direction,
-    /// The start without its whole turns: with them, each step would round the angle to the last digit of all turns.
+    /// The start without its whole turns: with them, each step would round the angle to the last
+    /// digit of all turns.
     start: State,
-    /// Whole turns of the start as an unevaluated sum, which restores its angle exactly; negative zeros leave every angle unchanged.
+    /// Whole turns of the start as an unevaluated sum, which restores its angle exactly; negative
+    /// zeros leave every angle unchanged.
     turns: [f64; 2],
     path: SlidePath,
     steps: Vec<Step>,
     leaps: Vec<Leap>,
     attempts: usize,
-    /// Time and angle of the turning points; recorded only while the slip does not decrease on average.
+    /// Time and angle of the turning points; recorded only while the slip does not decrease on
+    /// average.
     turnings: Vec<(f64, f64)>,
     cycle: Option<Cycle>,
 }
@@ -106,14 +111,28 @@ struct Step {
 
 impl Step {
     fn new(from: &SlidePoint, [theta, theta_rate, slip]: [Series; 3]) -> Self {
-        Self { begin: from.elapsed, turned: from.turned, theta, theta_rate, slip }
+        Self {
+            begin: from.elapsed,
+            turned: from.turned,
+            theta,
+            theta_rate,
+            slip,
+        }
     }
 
     /// The point of the slide at a time since the beginning of the step.
     fn at(&self, time: f64) -> SlidePoint {
-        let place = PhasePoint { theta: value(&self.theta, time), rate: value(&self.theta_rate, time) };
+        let place = PhasePoint {
+            theta: value(&self.theta, time),
+            rate: value(&self.theta_rate, time),
+        };
         let (elapsed, turned) = (self.begin + time, self.turned);
-        SlidePoint { elapsed, turned, place, slip: value(&self.slip, time) }
+        SlidePoint {
+            elapsed,
+            turned,
+            place,
+            slip: value(&self.slip, time),
+        }
     }
 }
 
@@ -164,7 +183,10 @@ impl Sliding {
             direction,
             start: State { theta, ..start },
             turns: [turns, rest].map(|part| if part == 0.0 { -0.0 } else { part }),
-            path: law.path([start.theta_rate, start.slip, start.x], libm::sincos(start.theta)),
+            path: law.path(
+                [start.theta_rate, start.slip, start.x],
+                libm::sincos(start.theta),
+            ),
             steps: Vec::new(),
             leaps: Vec::new(),
             attempts: 0,
@@ -181,8 +203,16 @@ impl Sliding {
     ) -> SlidingEnd {
         let sign = self.direction.sign();
         let start = self.start;
-        let place = PhasePoint { theta: start.theta, rate: start.theta_rate };
-        let mut here = SlidePoint { elapsed: 0.0, turned: -0.0, place, slip: start.slip };
+        let place = PhasePoint {
+            theta: start.theta,
+            rate: start.theta_rate,
+        };
+        let mut here = SlidePoint {
+            elapsed: 0.0,
+            turned: -0.0,
+            place,
+            slip: start.slip,
+        };
         loop {
             let mut series = SlideSeries::new(&self.law, here.place, here.slip);
             let mut known_roots = 0;
@@ -198,9 +228,17 @@ impl Sliding {
             } else {
                 series.reach(max_step(self.steps.len()))
             };
-            if self.work() >= most || self.leaps.last().is_some_and(|leap| leap.passed.is_longest()) {
+            if self.work() >= most
+                || self
+                    .leaps
+                    .last()
+                    .is_some_and(|leap| leap.passed.is_longest())
+            {
                 let state = self.state_from(here);
-                return SlidingEnd::StepLimit { state, time_left: self.time_left(&here) };
+                return SlidingEnd::StepLimit {
+                    state,
+                    time_left: self.time_left(&here),
+                };
             }
             if reach <= MIN_RELATIVE_STEP * (start.time + here.elapsed).abs().max(1.0) {
                 return if is_near_zero {
@@ -213,7 +251,10 @@ impl Sliding {
             let time_left = (series.slip[0] / series.slip[1]).abs();
             if !last && self.law.body.h == 0.0 && series.slip[1] != 0.0 && time_left > MAX_TIME {
                 // The slip of a balanced hoop, with very small friction.
-                return SlidingEnd::StepLimit { state: self.state_from(here), time_left };
+                return SlidingEnd::StepLimit {
+                    state: self.state_from(here),
+                    time_left,
+                };
             }
             let width = match allowed {
                 Some(allowed) if last => allowed - here.elapsed,
@@ -224,7 +265,10 @@ impl Sliding {
             if let Some((at, event)) = first_event(&series, sign, known_roots, width) {
                 let found = step.at(at);
                 return match event {
-                    Event::Rest => SlidingEnd::Rest(State { slip: 0.0, ..self.state_from(found) }),
+                    Event::Rest => SlidingEnd::Rest(State {
+                        slip: 0.0,
+                        ..self.state_from(found)
+                    }),
                     Event::LiftOff => SlidingEnd::LiftOff(self.state_from(found)),
                     Event::Singular => self.singular_end(found),
                 };
@@ -232,15 +276,18 @@ impl Sliding {
             let reached = self.with_energy(series.point(width));
             let next = self.here(here.elapsed + width, here.turned, reached);
             if self.law.body.h == 0.0 && self.law.body.tilt != 0.0 && sign * series.slip[1] >= 0.0 {
-                // The pull of the slope along the plane is at least the friction force, at all times.
+                // The pull of the slope along the plane is at least the friction force, at all
+                // times.
                 let acceleration = series.slip[1] - series.theta_rate[1];
                 return SlidingEnd::Endless(Recurrence::Downhill { acceleration });
             }
-            // On a level plane, and against the pull of a slope, only a slide without kinetic friction can last for ever.
+            // On a level plane, and against the pull of a slope, only a slide without kinetic
+            // friction can last for ever.
             if sign * self.law.drag() <= 0.0 {
                 if next.place.rate * here.place.rate < 0.0 {
                     let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
-                    self.turnings.push((here.elapsed + at, value(&series.theta, at)));
+                    self.turnings
+                        .push((here.elapsed + at, value(&series.theta, at)));
                 }
                 if let Some(recurrence) = self.recurrence(&series, &here, &next) {
                     return SlidingEnd::Endless(recurrence);
@@ -249,7 +296,9 @@ impl Sliding {
             if last {
                 return SlidingEnd::TimeLimit(self.state_from(next));
             }
-            here = self.leap(&mut search, &series, (here, next), allowed).unwrap_or(next);
+            here = self
+                .leap(&mut search, &series, (here, next), allowed)
+                .unwrap_or(next);
         }
     }
 
@@ -273,7 +322,13 @@ impl Sliding {
         let earlier = self.steps.iter().rev().take_while(same_turn);
         let earlier = earlier.clone().find(is_earlier).or(earlier.last());
         let earlier = earlier.map_or(here.place, |step| step.at(0.0).place);
-        let Some(Ending { fate, rate, ahead, later }) = approach.end(earlier) else {
+        let Some(Ending {
+            fate,
+            rate,
+            ahead,
+            later,
+        }) = approach.end(earlier)
+        else {
             return SlidingEnd::Unresolved(self.state_from(here));
         };
         let theta = theta + ahead;
@@ -283,15 +338,31 @@ impl Sliding {
             Fate::Jams | Fate::LiftsOff => approach.rest + rate * self.law.lever(sin, cos),
         };
         let elapsed = here.elapsed + later;
-        let end = SlidePoint { elapsed, place: PhasePoint { theta, rate }, slip, ..here };
+        let end = SlidePoint {
+            elapsed,
+            place: PhasePoint { theta, rate },
+            slip,
+            ..here
+        };
         // The steps before do not reach the end.
         let between = |[from, to]: [f64; 2]| -> Series {
-            let slope = if later > 0.0 { (to - from) / later } else { 0.0 };
+            let slope = if later > 0.0 {
+                (to - from) / later
+            } else {
+                0.0
+            };
             core::array::from_fn(|n| {
-                [if later > 0.0 { from } else { to }, slope].get(n).copied().unwrap_or(0.0)
+                [if later > 0.0 { from } else { to }, slope]
+                    .get(n)
+                    .copied()
+                    .unwrap_or(0.0)
             })
         };
-        let ends = [[here.place.theta, theta], [here.place.rate, rate], [here.slip, slip]];
+        let ends = [
+            [here.place.theta, theta],
+            [here.place.rate, rate],
+            [here.slip, slip],
+        ];
         self.steps.push(Step::new(&here, ends.map(between)));
         let state = self.state_from(end);
         match fate {
@@ -301,7 +372,8 @@ impl Sliding {
         }
     }
 
-    /// Leaps from a point between `here` and `next`, if turns or periods can be skipped there; returns the point after the leap.
+    /// Leaps from a point between `here` and `next`, if turns or periods can be skipped there;
+    /// returns the point after the leap.
     fn leap(
         &mut self,
         search: &mut LeapSearch,
@@ -340,7 +412,11 @@ impl Sliding {
                 return None;
             }
             let theta = value(&series.theta, at);
-            (begin, here.turned, Turns::periods(&self.law, theta, bounds(begin)))
+            (
+                begin,
+                here.turned,
+                Turns::periods(&self.law, theta, bounds(begin)),
+            )
         } else {
             let travel = here.place.rate.signum();
             let rate = here.place.rate.abs().max(next.place.rate.abs());
@@ -361,7 +437,11 @@ impl Sliding {
             let at = root(&gain, travel * ahead, -travel, width);
             let begin = here.elapsed + at;
             let turned = here.turned + here.place.theta + travel * ahead - section;
-            (begin, turned, Turns::new(&self.law, value(&series.theta_rate, at), bounds(begin)))
+            (
+                begin,
+                turned,
+                Turns::new(&self.law, value(&series.theta_rate, at), bounds(begin)),
+            )
         };
         self.attempts += 1;
         let Some(passed) = passed else {
@@ -370,20 +450,33 @@ impl Sliding {
         };
         *search = LeapSearch::default();
         let (duration, place, advance) = passed.begin(passed.count);
-        self.leaps.push(Leap { begin, turned, passed });
+        self.leaps.push(Leap {
+            begin,
+            turned,
+            passed,
+        });
         Some(self.here(begin + duration, turned + advance, place))
     }
 
     /// η′ − θ′ (1 + h c + μk σ h s) + (μk σ + tan α) τ at the start.
     fn integral(&self) -> f64 {
-        self.law.momentum_integral(&State { time: 0.0, ..self.start })
+        self.law.momentum_integral(&State {
+            time: 0.0,
+            ..self.start
+        })
     }
 
-    /// A place of a slide without kinetic friction with the rate from the energy D θ′²/2 + m h cos θ, D = Î + m h² sin²θ, where its terms
-    /// hardly cancel and the rounding of θ hardly changes them. The rate of a light hoop at the top is otherwise known to the rounding of its
-    /// energy at the bottom.
+    /// A place of a slide without kinetic friction with the rate from the energy D θ′²/2 + m h cos
+    /// θ, D = Î + m h² sin²θ, where its terms hardly cancel and the rounding of θ hardly changes
+    /// them. The rate of a light hoop at the top is otherwise known to the rounding of its energy
+    /// at the bottom.
     fn with_energy(&self, place: PhasePoint) -> PhasePoint {
-        let (Heavy { mass, h, inertia, .. }, from) = (self.law.body, self.start);
+        let (
+            Heavy {
+                mass, h, inertia, ..
+            },
+            from,
+        ) = (self.law.body, self.start);
         if self.law.friction != 0.0 {
             return place;
         }
@@ -396,19 +489,29 @@ impl Sliding {
             [place.theta + from.theta, place.theta - from.theta].map(|sum| libm::sin(0.5 * sum));
         let fallen = 2.0 * mass * h * mean * half;
         let energy = kinetic + fallen;
-        // The angle is rounded by ε|θ|/2, and the rate from the energy E by ε/4 times this over E: less than its own rounding where 4 E is larger.
+        // The angle is rounded by ε|θ|/2, and the rate from the energy E by ε/4 times this over E:
+        // less than its own rounding where 4 E is larger.
         let of_angle = mass * h * (libm::sin(place.theta) * place.theta).abs();
         if energy < 0.5 * (kinetic + fallen.abs()) || 4.0 * energy < of_angle {
             return place;
         }
-        PhasePoint { rate: (2.0 * energy / now).sqrt().copysign(place.rate), ..place }
+        PhasePoint {
+            rate: (2.0 * energy / now).sqrt().copysign(place.rate),
+            ..place
+        }
     }
 
     /// A point of the slide, with η′ from the first integral.
     fn here(&self, elapsed: f64, turned: f64, place: PhasePoint) -> SlidePoint {
         let (sin, cos) = libm::sincos(place.theta);
-        let slip = self.integral() + place.rate * self.law.lever(sin, cos) - self.law.drag() * elapsed;
-        SlidePoint { elapsed, turned, place, slip }
+        let slip =
+            self.integral() + place.rate * self.law.lever(sin, cos) - self.law.drag() * elapsed;
+        SlidePoint {
+            elapsed,
+            turned,
+            place,
+            slip,
+        }
     }
 
     /// Time until η′ = 0, extrapolated from the mean loss of η′ without its oscillating part.
@@ -417,14 +520,23 @@ impl Sliding {
             let (sin, cos) = libm::sincos(theta);
             self.direction.sign() * (slip - theta_rate * (self.law.lever(sin, cos) - 1.0))
         };
-        let State { theta, theta_rate, slip, .. } = self.start;
+        let State {
+            theta,
+            theta_rate,
+            slip,
+            ..
+        } = self.start;
         let now = steady(here.place.theta, here.place.rate, here.slip);
         let lost = steady(theta, theta_rate, slip) - now;
-        if lost > 0.0 { now.max(0.0) / lost * here.elapsed } else { f64::INFINITY }
+        if lost > 0.0 {
+            now.max(0.0) / lost * here.elapsed
+        } else {
+            f64::INFINITY
+        }
     }
 
-    /// The recurrence of a slide whose slip does not decrease, once a whole period has passed. Kinetic friction changes u from turn to
-    /// turn, but a slide that turns back retraces u(θ).
+    /// The recurrence of a slide whose slip does not decrease, once a whole period has passed.
+    /// Kinetic friction changes u from turn to turn, but a slide that turns back retraces u(θ).
     fn recurrence(
         &mut self,
         series: &SlideSeries,
@@ -438,14 +550,30 @@ impl Sliding {
         if self.law.friction == 0.0 && gained.abs() >= TAU {
             let advance = TAU.copysign(gained);
             let width = next.elapsed - here.elapsed;
-            let period =
-                here.elapsed + root(&series.theta, self.start.theta + advance, -gained.signum(), width);
-            self.cycle = Some(Cycle { from: 0.0, period, advance });
+            let period = here.elapsed
+                + root(
+                    &series.theta,
+                    self.start.theta + advance,
+                    -gained.signum(),
+                    width,
+                );
+            self.cycle = Some(Cycle {
+                from: 0.0,
+                period,
+                advance,
+            });
             return Some(Recurrence::Rotation { period });
         }
-        // The period is the time from the first to the third turning point; the start precedes them on the same orbit.
-        let &[(first, theta_first), (_, theta_second), (third, _)] = &self.turnings[..] else { return None };
-        self.cycle = Some(Cycle { from: first, period: third - first, advance: 0.0 });
+        // The period is the time from the first to the third turning point; the start precedes them
+        // on the same orbit.
+        let &[(first, theta_first), (_, theta_second), (third, _)] = &self.turnings[..] else {
+            return None;
+        };
+        self.cycle = Some(Cycle {
+            from: first,
+            period: third - first,
+            advance: 0.0,
+        });
         Some(Recurrence::Libration {
             period: third - first,
             theta_min: self.with_turns(theta_first.min(theta_second)),
@@ -460,10 +588,19 @@ impl Sliding {
 
     /// Smallest and largest angle at the start, at the last step and at the turning points.
     pub(crate) fn theta_range(&self) -> (f64, f64) {
-        let last = self.steps.last().map_or(self.start.theta, |step| step.turned + step.theta[0]);
-        let angles = self.turnings.iter().map(|turning| turning.1).chain([self.start.theta, last]);
+        let last = self
+            .steps
+            .last()
+            .map_or(self.start.theta, |step| step.turned + step.theta[0]);
+        let angles = self
+            .turnings
+            .iter()
+            .map(|turning| turning.1)
+            .chain([self.start.theta, last]);
         let angles = angles.map(|theta| self.with_turns(theta));
-        angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), theta| (min.min(theta), max.max(theta)))
+        angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), theta| {
+            (min.min(theta), max.max(theta))
+        })
     }
 
     /// Number of Taylor steps of the phase.
@@ -479,7 +616,11 @@ impl Sliding {
     /// State after the time `elapsed` since the phase began.
     pub fn state(&self, elapsed: f64) -> State {
         let (within, gained) = match self.cycle {
-            Some(Cycle { from, period, advance }) if elapsed > from => {
+            Some(Cycle {
+                from,
+                period,
+                advance,
+            }) if elapsed > from => {
                 let later = elapsed - from;
                 // Exact, so that the state is on the orbit however many periods have passed.
                 let rest = libm::fmod(later, period);
@@ -489,10 +630,17 @@ impl Sliding {
         };
         let after = self.steps.partition_point(|step| step.begin <= within);
         let Some(step) = self.steps.get(after.saturating_sub(1)) else {
-            return State { theta: self.with_turns(self.start.theta), ..self.start };
+            return State {
+                theta: self.with_turns(self.start.theta),
+                ..self.start
+            };
         };
         let leaps = self.leaps.partition_point(|leap| leap.begin <= within);
-        if let Some(Leap { begin, turned, passed }) = self.leaps[..leaps].last()
+        if let Some(Leap {
+            begin,
+            turned,
+            passed,
+        }) = self.leaps[..leaps].last()
             && *begin >= step.begin
         {
             let (place, advance) = passed.at(&self.law, within - begin);
@@ -509,7 +657,15 @@ impl Sliding {
         turns + (rest + theta)
     }
 
-    fn state_from(&self, SlidePoint { elapsed, turned, place, slip }: SlidePoint) -> State {
+    fn state_from(
+        &self,
+        SlidePoint {
+            elapsed,
+            turned,
+            place,
+            slip,
+        }: SlidePoint,
+    ) -> State {
         State {
             time: self.start.time + elapsed,
             theta: self.with_turns(turned + place.theta),
@@ -540,7 +696,12 @@ fn max_step(steps: usize) -> f64 {
 }
 
 /// The first of the three events within a step, if any.
-fn first_event(series: &SlideSeries, sign: f64, known_roots: usize, width: f64) -> Option<(f64, Event)> {
+fn first_event(
+    series: &SlideSeries,
+    sign: f64,
+    known_roots: usize,
+    width: f64,
+) -> Option<(f64, Event)> {
     let mut slip = [0.0; DEGREE + 1];
     for (deflated, c) in slip.iter_mut().zip(&series.slip[known_roots..]) {
         *deflated = sign * c;
@@ -548,7 +709,10 @@ fn first_event(series: &SlideSeries, sign: f64, known_roots: usize, width: f64) 
     let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
     let lift_off = crossing(&series.contact, width).map(|at| (at, Event::LiftOff));
     let singular = crossing(&series.solvability, width).map(|at| (at, Event::Singular));
-    [rest, lift_off, singular].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
+    [rest, lift_off, singular]
+        .into_iter()
+        .flatten()
+        .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 #[cfg(test)]
@@ -565,7 +729,10 @@ mod tests {
         let direction = Direction::of_sign(start.slip).unwrap();
         [0, usize::MAX].map(|next_attempt| {
             let mut slide = Sliding::new(law, start, direction);
-            let search = LeapSearch { next_attempt, ..LeapSearch::default() };
+            let search = LeapSearch {
+                next_attempt,
+                ..LeapSearch::default()
+            };
             let end = slide.follow(Entry::Moving, (allowed, 200_000), search);
             (slide, end)
         })
@@ -577,7 +744,9 @@ mod tests {
             SlidingEnd::LiftOff(state) => Some((1, state)),
             SlidingEnd::Singular(state) => Some((2, state)),
             SlidingEnd::TimeLimit(state) => Some((3, state)),
-            SlidingEnd::Unresolved(_) | SlidingEnd::StepLimit { .. } | SlidingEnd::Endless(_) => None,
+            SlidingEnd::Unresolved(_) | SlidingEnd::StepLimit { .. } | SlidingEnd::Endless(_) => {
+                None
+            }
         }
     }
 
@@ -585,14 +754,17 @@ mod tests {
     fn difference(a: &State, b: &State) -> f64 {
         let turned = [0.0, 0.0, 0.0, 0.0, a.theta.abs()];
         let parts = a.numbers().into_iter().zip(b.numbers()).zip(turned);
-        parts.map(|((a, b), turned)| (a - b).abs() / (1.0 + a.abs() + turned)).fold(0.0, f64::max)
+        parts
+            .map(|((a, b), turned)| (a - b).abs() / (1.0 + a.abs() + turned))
+            .fold(0.0, f64::max)
     }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(96))]
 
-        /// Each step has a relative error ε of the energy and of the rate. After n steps the error of the angle is up to n ε times
-        /// the total rotation. The states agree next to the beginnings and the ends of leaps, too.
+        /// Each step has a relative error ε of the energy and of the rate. After n steps the error
+        /// of the angle is up to n ε times the total rotation. The states agree next to the
+        /// beginnings and the ends of leaps, too.
         #[test]
         fn leaps_agree_with_steps(
             mass_ratio in 0.0..3.0_f64, offset in 0.02..1.0_f64, own in 0.05..3.0_f64,
@@ -616,7 +788,8 @@ mod tests {
             let steps = by_steps.steps() as f64;
             let fastest = by_steps.steps.iter().fold(0.0_f64, |most, step| most.max(step.theta_rate[0].abs()));
             let tolerance = f64::EPSILON * steps * (1.0 + fastest * end.time);
-            // Near the separatrix the period is sensitive to the energy; the tolerance allows for it by a perturbed start.
+            // Near the separatrix the period is sensitive to the energy; the tolerance allows for
+            // it by a perturbed start.
             let shaken = State { theta_rate: rate * (1.0 + f64::EPSILON * steps), ..start };
             let [(by_shaken, shaken), _] = both(law, shaken, allowed);
             let Some((_, shaken)) = end_state(&shaken) else { return Ok(()) };

@@ -1,4 +1,5 @@
-//! Leaps: many turns, or periods, of a slide in one step, whose sums and proofs docs/theory/many-turns.md derives.
+//! Leaps: many turns, or periods, of a slide in one step, whose sums and proofs
+//! docs/theory/many-turns.md derives.
 //!
 //! A polynomial p(x), x = 2 k/M − 1, through the times of M turns at Chebyshev nodes has the sum
 //!
@@ -21,7 +22,8 @@ use super::turn::{Turn, section};
 /// Least number of turns, or periods, of a leap; fewer are integrated step by step.
 pub(super) const MIN_LEAP_TURNS: f64 = 16.0;
 
-/// Largest number of turns, or periods, of a leap: the angle after so many has an error of 1e-6 of a turn.
+/// Largest number of turns, or periods, of a leap: the angle after so many has an error of 1e-6 of
+/// a turn.
 const MAX_LEAP_TURNS: f64 = 1e9;
 
 /// Largest number of turns whose times are summed one by one: half the nodes of a polynomial.
@@ -29,8 +31,8 @@ const MAX_SINGLY_SUMMED: usize = 8;
 
 const NODES: usize = 16;
 
-/// Largest ratio of min u between the turns of a stretch. The zero of u is then five half widths from the middle, and the
-/// interpolation error through 16 nodes is (5 + √24)^−16 = 9.9^−16.
+/// Largest ratio of min u between the turns of a stretch. The zero of u is then five half widths
+/// from the middle, and the interpolation error through 16 nodes is (5 + √24)^−16 = 9.9^−16.
 const MAX_ENERGY_RATIO: f64 = 1.5;
 
 /// Largest |κ| times the number of turns of a stretch: ε_k is then nearly quadratic in k.
@@ -73,7 +75,8 @@ impl LeapLimits {
         sticks.min(self.allowed)
     }
 
-    /// Whether σ η′ > 0, and the time is left, up to this time, if the oscillating part of σ η′ is at least `lowest`.
+    /// Whether σ η′ > 0, and the time is left, up to this time, if the oscillating part of σ η′ is
+    /// at least `lowest`.
     fn holds(&self, time: f64, lowest: f64) -> bool {
         // A slip that grows on average is least at the beginning.
         let lost = (self.drag * time).max(0.0);
@@ -90,11 +93,15 @@ struct Probe {
 }
 
 impl Probe {
-    /// The turn from a start with θ′ ≠ 0, or the swing from one with θ′ = 0; none if an event comes first.
+    /// The turn from a start with θ′ ≠ 0, or the swing from one with θ′ = 0; none if an event comes
+    /// first.
     fn new(law: &SlidingLaw, start: PhasePoint) -> Option<Self> {
         let travel = start.rate.signum();
         let end = start.theta + TAU.copysign(travel);
-        let mut probe = Self { time: 0.0, range: (f64::INFINITY, f64::NEG_INFINITY) };
+        let mut probe = Self {
+            time: 0.0,
+            range: (f64::INFINITY, f64::NEG_INFINITY),
+        };
         let mut here = start;
         for _ in 0..MAX_STEPS_PER_TURN {
             let (sin, cos) = libm::sincos(here.theta);
@@ -113,7 +120,8 @@ impl Probe {
                 (here.rate * next.rate < 0.0)
                     .then(|| root(&series.theta_rate, 0.0, here.rate.signum(), width))
             } else {
-                (travel * (next.theta - end) >= 0.0).then(|| root(&series.theta, end, -travel, width))
+                (travel * (next.theta - end) >= 0.0)
+                    .then(|| root(&series.theta, end, -travel, width))
             };
             probe.time += last.unwrap_or(width);
             if last.is_some() {
@@ -167,7 +175,8 @@ impl Stretch {
     }
 }
 
-/// Coefficients of D(x) − D(−1) from the values of p at the Chebyshev nodes of a stretch of `turns` turns.
+/// Coefficients of D(x) − D(−1) from the values of p at the Chebyshev nodes of a stretch of `turns`
+/// turns.
 fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
     // Coefficients of p in powers of x, by the recurrence of the Chebyshev polynomials.
     let mut powers = [0.0; NODES];
@@ -185,7 +194,11 @@ fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
         let mut next = [0.0; NODES];
         for k in 0..NODES {
             let raised = if k == 0 { 0.0 } else { this[k - 1] };
-            next[k] = if j == 0 { raised } else { 2.0 * raised - before[k] };
+            next[k] = if j == 0 {
+                raised
+            } else {
+                2.0 * raised - before[k]
+            };
         }
         (before, this) = (this, next);
     }
@@ -219,7 +232,10 @@ fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
 }
 
 fn in_travel_direction(law: &SlidingLaw, travel: f64) -> SlidingLaw {
-    SlidingLaw { friction: travel * law.friction, ..*law }
+    SlidingLaw {
+        friction: travel * law.friction,
+        ..*law
+    }
 }
 
 /// Angle of the section at which a leap can begin, up to whole turns.
@@ -245,7 +261,8 @@ pub(super) struct Turns {
 }
 
 impl Turns {
-    /// The turns from the section with the rate θ′ that are proved free of events; none if fewer than [`MIN_LEAP_TURNS`].
+    /// The turns from the section with the rate θ′ that are proved free of events; none if fewer
+    /// than [`MIN_LEAP_TURNS`].
     pub(super) fn new(law: &SlidingLaw, rate: f64, bounds: LeapLimits) -> Option<Self> {
         let travel = rate.signum();
         let ahead = in_travel_direction(law, travel);
@@ -255,12 +272,21 @@ impl Turns {
         let last = coarse.after(energy, most - 1.0);
         let turn = Turn::new(&ahead, Some((energy.min(last), energy.max(last))))?;
         let theta = section_of(law, travel);
-        let mut turns = Self { travel, theta, turn, energy, most, stretches: Vec::new(), count: 0.0 };
+        let mut turns = Self {
+            travel,
+            theta,
+            turn,
+            energy,
+            most,
+            stretches: Vec::new(),
+            count: 0.0,
+        };
         turns.count = turns.proved(law, bounds)?;
         Some(turns)
     }
 
-    /// The periods from a turning point that are proved free of events. The preceding swing had no event.
+    /// The periods from a turning point that are proved free of events. The preceding swing had no
+    /// event.
     pub(super) fn periods(law: &SlidingLaw, theta: f64, bounds: LeapLimits) -> Option<Self> {
         let swing = Probe::new(law, PhasePoint { theta, rate: 0.0 })?;
         let period = 2.0 * swing.time;
@@ -270,9 +296,25 @@ impl Turns {
         let is_proved =
             |count: &f64| *count >= MIN_LEAP_TURNS && bounds.holds((count + 1.0) * period, lowest);
         let count = [most, most - 1.0].into_iter().find(is_proved)?;
-        let times = Times::Equal { before: 0.0, each: period };
-        let stretches = vec![Stretch { first: 0.0, turns: count, begin: 0.0, times }];
-        Some(Self { travel: 0.0, theta, turn: Turn::still(1.0), energy: 0.0, most, stretches, count })
+        let times = Times::Equal {
+            before: 0.0,
+            each: period,
+        };
+        let stretches = vec![Stretch {
+            first: 0.0,
+            turns: count,
+            begin: 0.0,
+            times,
+        }];
+        Some(Self {
+            travel: 0.0,
+            theta,
+            turn: Turn::still(1.0),
+            energy: 0.0,
+            most,
+            stretches,
+            count,
+        })
     }
 
     /// Number of turns that are proved free of events.
@@ -282,12 +324,22 @@ impl Turns {
             let probe = Probe::new(law, turns.point(n))?;
             let quadrature = turns.turn.time(turns.energy_at(n));
             let same = (probe.time - quadrature).abs() <= MAX_TIME_MISMATCH * quadrature;
-            same.then_some(if side > 0.0 { probe.range.0 } else { -probe.range.1 })
+            same.then_some(if side > 0.0 {
+                probe.range.0
+            } else {
+                -probe.range.1
+            })
         };
-        // If the lever of θ′ can be negative, the oscillating part of the slip need not decrease from turn to turn.
+        // If the lever of θ′ can be negative, the oscillating part of the slip need not decrease
+        // from turn to turn.
         let f = law.friction;
-        let first = if law.body.h * (1.0 + f * f).sqrt() < 1.0 { f64::INFINITY } else { probe(self, 0.0)? };
-        // The minimum over the nodes exceeds the true minimum, by nearly the same amount in neighbouring turns.
+        let first = if law.body.h * (1.0 + f * f).sqrt() < 1.0 {
+            f64::INFINITY
+        } else {
+            probe(self, 0.0)?
+        };
+        // The minimum over the nodes exceeds the true minimum, by nearly the same amount in
+        // neighbouring turns.
         let mut excess = 0.0;
         for _ in 0..MAX_PROOFS {
             let n = self.last(bounds, first, excess);
@@ -308,14 +360,18 @@ impl Turns {
         None
     }
 
-    /// The last turn that ends with σ η′ > 0, from the minimum over the nodes less `excess`; −1 if the first does not.
+    /// The last turn that ends with σ η′ > 0, from the minimum over the nodes less `excess`; −1 if
+    /// the first does not.
     fn last(&mut self, bounds: LeapLimits, first: f64, excess: f64) -> f64 {
         let holds = |turns: &Self, n: f64| {
             let lowest = turns.turn.lowest_slip(turns.energy_at(n)) - excess;
             bounds.holds(turns.time(n + 1.0), lowest.min(first))
         };
         loop {
-            let summed = self.stretches.last().map_or(0.0, |last| last.first + last.turns);
+            let summed = self
+                .stretches
+                .last()
+                .map_or(0.0, |last| last.first + last.turns);
             let is_over = summed > 0.0 && !holds(self, summed.min(self.most) - 1.0);
             if is_over || summed >= self.most {
                 return last_of(-1.0, summed.min(self.most), |n| holds(self, n));
@@ -327,26 +383,48 @@ impl Turns {
     /// Adds a stretch, or some turns one by one, from turn `first`.
     fn extend(&mut self, first: f64) {
         let begin = self.time(first);
-        // The minimum of u lies at the end of a turn if u decreases, and at its beginning if u increases.
+        // The minimum of u lies at the end of a turn if u decreases, and at its beginning if u
+        // increases.
         let falls = self.turn.beta() < 0.0;
         let least = self.energy_at(if falls { first + 1.0 } else { first });
-        let then = if falls { least / MAX_ENERGY_RATIO } else { least * MAX_ENERGY_RATIO };
-        let smooth = self.turn.turns(least, then).min(MAX_GROWTH / self.turn.kappa().abs());
+        let then = if falls {
+            least / MAX_ENERGY_RATIO
+        } else {
+            least * MAX_ENERGY_RATIO
+        };
+        let smooth = self
+            .turn
+            .turns(least, then)
+            .min(MAX_GROWTH / self.turn.kappa().abs());
         let turns = smooth.min(self.most - first).floor();
         if turns > MAX_SINGLY_SUMMED as f64 {
             let values = core::array::from_fn(|k| {
                 let x = libm::cos(PI * (2 * k + 1) as f64 / (2 * NODES) as f64);
-                self.turn.time(self.energy_at(first + 0.5 * ((x + 1.0) * turns - 1.0)))
+                self.turn
+                    .time(self.energy_at(first + 0.5 * ((x + 1.0) * turns - 1.0)))
             });
             let times = Times::Smooth(sum_of_turns(&values, turns));
-            self.stretches.push(Stretch { first, turns, begin, times });
+            self.stretches.push(Stretch {
+                first,
+                turns,
+                begin,
+                times,
+            });
             return;
         }
         let mut before = 0.0;
-        for n in (0..MAX_SINGLY_SUMMED).map(|k| first + k as f64).take_while(|n| *n < self.most) {
+        for n in (0..MAX_SINGLY_SUMMED)
+            .map(|k| first + k as f64)
+            .take_while(|n| *n < self.most)
+        {
             let each = self.turn.time(self.energy_at(n));
             let times = Times::Equal { before, each };
-            self.stretches.push(Stretch { first: n, turns: 1.0, begin, times });
+            self.stretches.push(Stretch {
+                first: n,
+                turns: 1.0,
+                begin,
+                times,
+            });
             before += each;
         }
     }
@@ -357,16 +435,25 @@ impl Turns {
 
     /// Time at the beginning of turn `n`.
     fn time(&self, n: f64) -> f64 {
-        let index = self.stretches.partition_point(|stretch| stretch.first <= n).saturating_sub(1);
-        self.stretches.get(index).map_or(0.0, |stretch| stretch.time(n))
+        let index = self
+            .stretches
+            .partition_point(|stretch| stretch.first <= n)
+            .saturating_sub(1);
+        self.stretches
+            .get(index)
+            .map_or(0.0, |stretch| stretch.time(n))
     }
 
     /// Angle and rate at the beginning of turn `n`, without whole turns.
     fn point(&self, n: f64) -> PhasePoint {
-        PhasePoint { theta: self.theta, rate: self.travel * self.turn.rate(self.energy_at(n)) }
+        PhasePoint {
+            theta: self.theta,
+            rate: self.travel * self.turn.rate(self.energy_at(n)),
+        }
     }
 
-    /// Time, angle and rate at the beginning of turn `n`, and the change of θ over the whole turns before.
+    /// Time, angle and rate at the beginning of turn `n`, and the change of θ over the whole turns
+    /// before.
     pub(super) fn begin(&self, n: f64) -> (f64, PhasePoint, f64) {
         (self.time(n), self.point(n), self.travel * n * TAU)
     }
@@ -376,9 +463,11 @@ impl Turns {
         self.count >= MAX_LEAP_TURNS - 1.0
     }
 
-    /// Angle and rate after a time within the leap, and the change of θ over the whole turns before.
+    /// Angle and rate after a time within the leap, and the change of θ over the whole turns
+    /// before.
     pub(super) fn at(&self, law: &SlidingLaw, time: f64) -> (PhasePoint, f64) {
-        let (begin, mut here, gained) = self.begin(last_of(0.0, self.count, |n| self.time(n) <= time));
+        let (begin, mut here, gained) =
+            self.begin(last_of(0.0, self.count, |n| self.time(n) <= time));
         let mut left = time - begin;
         for _ in 0..MAX_STEPS_PER_TURN {
             let series = SlideSeries::new(law, here, 0.0);
@@ -393,9 +482,14 @@ impl Turns {
     }
 }
 
-/// Upper bound of the number of turns whose times can be summed; none if it is below [`MIN_LEAP_TURNS`].
+/// Upper bound of the number of turns whose times can be summed; none if it is below
+/// [`MIN_LEAP_TURNS`].
 fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) -> Option<f64> {
-    let LeapLimits { slip, drag, allowed } = bounds;
+    let LeapLimits {
+        slip,
+        drag,
+        allowed,
+    } = bounds;
     let (h, beta) = (law.body.h, turn.beta());
     // The first turn lifts off.
     if turn.load_at_top(h, energy) >= 1.0 {
@@ -405,8 +499,14 @@ fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) ->
         // The first turn is the fastest; half its time is below the time of any turn.
         let shortest = 0.5 * turn.time(energy);
         let most_slip = slip + turn.largest_slip(energy);
-        let sticks = if drag > 0.0 { most_slip / (drag * shortest) + 1.0 } else { f64::INFINITY };
-        turn.turns(energy, -2.0 * beta).min(sticks).min(allowed / shortest + 1.0)
+        let sticks = if drag > 0.0 {
+            most_slip / (drag * shortest) + 1.0
+        } else {
+            f64::INFINITY
+        };
+        turn.turns(energy, -2.0 * beta)
+            .min(sticks)
+            .min(allowed / shortest + 1.0)
     } else {
         turn.turns(energy, turn.lift_off_energy(h))
     };

@@ -1,4 +1,5 @@
-//! Sliding (§2b): η′ ≠ 0, kinetic friction F = −μk N σ with σ = sign(η′) (2.15). Two first integrals of the equations of
+//! Sliding (§2b): η′ ≠ 0, kinetic friction F = −μk N σ with σ = sign(η′) (2.15). Two first
+//! integrals of the equations of
 //! [`crate::theory::SlidingLaw`] reduce it to the single function θ(τ) (docs/theory/sliding.md).
 
 mod arc;
@@ -20,13 +21,14 @@ pub enum SlideLimit {
         /// The limit.
         slides: usize,
     },
-    /// The slides of more than 2,000 steps exceeded 100,000 steps in total. Or, with very small friction or a fast hoop, this slide
-    /// passed more turns than double precision resolves, or its duration is not representable.
+    /// The slides of more than 2,000 steps exceeded 100,000 steps in total. Or, with very small
+    /// friction or a fast hoop, this slide passed more turns than double precision resolves, or its
+    /// duration is not representable.
     One {
         /// Steps of this slide.
         steps: usize,
-        /// Time until η′ = 0, extrapolated from the mean loss of slip so far; infinite if the slip has not decreased, or if the time
-        /// is not representable.
+        /// Time until η′ = 0, extrapolated from the mean loss of slip so far; infinite if the slip
+        /// has not decreased, or if the time is not representable.
         time_left: f64,
     },
 }

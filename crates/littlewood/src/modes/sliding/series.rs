@@ -1,7 +1,8 @@
 //! Taylor series of a sliding motion about an instant.
 //!
-//! Automatic differentiation by recurrence: every product is a convolution of coefficients. The series are those of
-//! θ, θ′, η′ and of the two quantities whose signs limit sliding, w and P. They solve the equations of [`SlidingLaw`].
+//! Automatic differentiation by recurrence: every product is a convolution of coefficients. The
+//! series are those of θ, θ′, η′ and of the two quantities whose signs limit sliding, w and P. They
+//! solve the equations of [`SlidingLaw`].
 
 use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, convolve, value};
@@ -34,11 +35,26 @@ pub(crate) struct SlideSeries<T = f64> {
 
 impl<T: Number> SlideSeries<T> {
     /// Series about (θ, θ′, η′).
-    pub(crate) fn new(law: &SlidingLaw<T>, PhasePoint { theta, rate }: PhasePoint<T>, slip: T) -> Self {
-        let Heavy { mass: m, h, inertia, .. } = law.body;
+    pub(crate) fn new(
+        law: &SlidingLaw<T>,
+        PhasePoint { theta, rate }: PhasePoint<T>,
+        slip: T,
+    ) -> Self {
+        let Heavy {
+            mass: m,
+            h,
+            inertia,
+            ..
+        } = law.body;
         let friction = law.friction;
         let zero = [T::constant(0.0); DEGREE + 1];
-        let mut s = Self { theta: zero, theta_rate: zero, slip: zero, contact: zero, solvability: zero };
+        let mut s = Self {
+            theta: zero,
+            theta_rate: zero,
+            slip: zero,
+            contact: zero,
+            solvability: zero,
+        };
         let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
         let (mut lever, mut acceleration) = (zero, zero);
         // j θ_j: coefficients of dθ in sin θ = ∫ cos θ dθ and cos θ = −∫ sin θ dθ.
@@ -63,8 +79,14 @@ impl<T: Number> SlideSeries<T> {
                 s.theta[n] = s.theta_rate[n - 1] / order;
                 increment[n] = s.theta[n] * order;
             }
-            let [square, forth, back] =
-                convolve([(&s.theta_rate, &s.theta_rate), (&increment, &cos), (&increment, &sin)], n);
+            let [square, forth, back] = convolve(
+                [
+                    (&s.theta_rate, &s.theta_rate),
+                    (&increment, &cos),
+                    (&increment, &sin),
+                ],
+                n,
+            );
             u[n] = square;
             if n > 0 {
                 sin[n] = forth / order;
@@ -73,7 +95,8 @@ impl<T: Number> SlideSeries<T> {
             let constant = if n == 0 { 1.0 } else { 0.0 };
             q[n] = law.q(constant, sin[n], cos[n]);
             lever[n] = h * cos[n] + constant + friction * h * sin[n];
-            let [cos_u, sin_q, levered] = convolve([(&cos, &u), (&sin, &q), (&s.theta_rate, &lever)], n);
+            let [cos_u, sin_q, levered] =
+                convolve([(&cos, &u), (&sin, &q), (&s.theta_rate, &lever)], n);
             s.contact[n] = contact(constant, h, cos_u);
             s.solvability[n] = inertia * constant + m * h * sin_q;
             s.slip[n] = levered;
@@ -85,7 +108,8 @@ impl<T: Number> SlideSeries<T> {
             acceleration[n] = remainder / s.solvability[0];
             order += 1.0;
         }
-        // First integral of sliding: η′ = const − (μk σ + tan α) τ + θ′ (1 + h cos θ + μk σ h sin θ).
+        // First integral of sliding: η′ = const − (μk σ + tan α) τ + θ′ (1 + h cos θ + μk σ h sin
+        // θ).
         s.slip[0] = slip;
         s.slip[1] = s.slip[1] - law.drag();
         s
@@ -94,17 +118,30 @@ impl<T: Number> SlideSeries<T> {
     /// Angle and rate after a time.
     #[inline]
     pub(crate) fn point(&self, at: f64) -> PhasePoint<T> {
-        PhasePoint { theta: value(&self.theta, at), rate: value(&self.theta_rate, at) }
+        PhasePoint {
+            theta: value(&self.theta, at),
+            rate: value(&self.theta_rate, at),
+        }
     }
 }
 
 impl SlideSeries {
-    /// Step of a balanced hoop, ℓ = 0. Its accelerations are constant and the series finite, so one step covers the slide up to
-    /// η′ = 0, or one turn without friction.
+    /// Step of a balanced hoop, ℓ = 0. Its accelerations are constant and the series finite, so one
+    /// step covers the slide up to η′ = 0, or one turn without friction.
     pub(super) fn straight_reach(&self) -> f64 {
-        let time = |speed: f64, over: f64| if speed == 0.0 { 0.0 } else { over / speed.abs() };
+        let time = |speed: f64, over: f64| {
+            if speed == 0.0 {
+                0.0
+            } else {
+                over / speed.abs()
+            }
+        };
         let rest = time(self.slip[1], self.slip[0].abs());
-        let turn = if self.slip[1] == 0.0 { time(self.theta_rate[0], core::f64::consts::TAU) } else { 0.0 };
+        let turn = if self.slip[1] == 0.0 {
+            time(self.theta_rate[0], core::f64::consts::TAU)
+        } else {
+            0.0
+        };
         INITIAL_MAX_STEP.max(1.5 * rest.max(turn))
     }
 
@@ -113,20 +150,32 @@ impl SlideSeries {
     pub(super) fn reach(&self, longest: f64) -> f64 {
         let (rate, acceleration) = (self.theta_rate[0].abs(), self.theta_rate[1].abs());
         let mut reach = longest;
-        let all = [&self.theta_rate, &self.slip, &self.contact, &self.solvability];
+        let all = [
+            &self.theta_rate,
+            &self.slip,
+            &self.contact,
+            &self.solvability,
+        ];
         if all.iter().any(|series| !series[DEGREE].is_finite()) {
             // Coefficients grow like reach^−n, so overflow means a reach below 1e-13.
             return 0.0;
         }
         for order in [DEGREE - 1, DEGREE] {
-            let size = all.iter().fold(0.0_f64, |size, series| size.max(series[order].abs()));
+            let size = all
+                .iter()
+                .fold(0.0_f64, |size, series| size.max(series[order].abs()));
             if size > 0.0 && rate.max(acceleration) > 0.0 {
                 let of = |scale: f64, order: usize| {
                     libm::exp(libm::log(TRUNCATION_TOLERANCE * scale / size) / order as f64)
                 };
-                // θ′ grows to θ″ times the step, which dominates next to P = 0 and where a fast slip ends at once.
+                // θ′ grows to θ″ times the step, which dominates next to P = 0 and where a fast
+                // slip ends at once.
                 let grown = of(acceleration, order - 1);
-                let grown = if grown <= 1.0 { grown } else { of(acceleration, order) };
+                let grown = if grown <= 1.0 {
+                    grown
+                } else {
+                    of(acceleration, order)
+                };
                 reach = reach.min(of(rate, order).max(grown));
             }
         }

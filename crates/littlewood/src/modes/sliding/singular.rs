@@ -1,17 +1,19 @@
 //! The end of a slide next to P = 0, where the steps shrink to the resolution of the time.
 //!
-//! For σ = +1, sin θ > 0 and q = −Î/(m h sin θ) < 0 at P = 0. There the normal force grows without bound at a fixed angle, and θ′
-//! decreases. η′ decreases with θ′, since η′ − θ′ L + μk τ is constant, L = 1 + h (cos θ + μk sin θ) > 0. The limit of θ′ decides
-//! whether the slip or the normal force vanishes first:
+//! For σ = +1, sin θ > 0 and q = −Î/(m h sin θ) < 0 at P = 0. There the normal force grows without
+//! bound at a fixed angle, and θ′ decreases. η′ decreases with θ′, since η′ − θ′ L + μk τ is
+//! constant, L = 1 + h (cos θ + μk sin θ) > 0. The limit of θ′ decides whether the slip or the
+//! normal force vanishes first:
 //!
-//! - *From above*, θ′ < 0, w ~ C ξ^λ with the distance ξ and λ = 2 Î cos θ/(sin θ P_θ). If cos θ > 0, then λ > 0, and w vanishes with ξ
-//!   at θ′ = −1/√(h cos θ). If the first integral gives η′ < 0 there, the slip ends before. If η′ > 0, the slide jams for λ < 1 and
-//!   C > 0, and lifts off otherwise. If cos θ ≤ 0, then λ ≤ 0 and θ′ decreases without bound: the slip ends.
-//! - *From below*, θ′ > 0, the slide turns back before P = 0 (λ < −1 if cos θ > 0, and w ≥ 1 otherwise) and leaves with −θ′, unless the
-//!   slip ends before.
+//! - *From above*, θ′ < 0, w ~ C ξ^λ with the distance ξ and λ = 2 Î cos θ/(sin θ P_θ). If cos θ >
+//!   0, then λ > 0, and w vanishes with ξ at θ′ = −1/√(h cos θ). If the first integral gives η′ < 0
+//!   there, the slip ends before. If η′ > 0, the slide jams for λ < 1 and C > 0, and lifts off
+//!   otherwise. If cos θ ≤ 0, then λ ≤ 0 and θ′ decreases without bound: the slip ends.
+//! - *From below*, θ′ > 0, the slide turns back before P = 0 (λ < −1 if cos θ > 0, and w ≥ 1
+//!   otherwise) and leaves with −θ′, unless the slip ends before.
 //!
-//! Where the slip ends follows from ξ du/dξ = λ u − κ, κ = 2 Î/(h sin θ P_θ), λ = κ h cos θ, the equation of u = θ′² to leading order:
-//! the terms left out are smaller by ξ.
+//! Where the slip ends follows from ξ du/dξ = λ u − κ, κ = 2 Î/(h sin θ P_θ), λ = κ h cos θ, the
+//! equation of u = θ′² to leading order: the terms left out are smaller by ξ.
 
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
@@ -21,7 +23,8 @@ use super::series::PhasePoint;
 /// Relative rounding error of a sum of products and of sines: sixteen roundings of ε/2.
 const SUM_ERROR: f64 = 8.0 * f64::EPSILON;
 
-/// Largest number of Newton steps to the zero of P. They start next to it and converge quadratically.
+/// Largest number of Newton steps to the zero of P. They start next to it and converge
+/// quadratically.
 const MAX_NEWTON_STEPS: usize = 8;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,14 +42,20 @@ pub(super) struct Ending {
     pub(super) fate: Fate,
     /// The limit of θ′.
     pub(super) rate: f64,
-    /// The angle and the time from the approach to the end; zero where they are below the resolution of the time.
+    /// The angle and the time from the approach to the end; zero where they are below the
+    /// resolution of the time.
     pub(super) ahead: f64,
     pub(super) later: f64,
 }
 
 impl Ending {
     const fn here(fate: Fate, rate: f64) -> Self {
-        Self { fate, rate, ahead: 0.0, later: 0.0 }
+        Self {
+            fate,
+            rate,
+            ahead: 0.0,
+            later: 0.0,
+        }
     }
 }
 
@@ -75,7 +84,9 @@ struct Zero {
 
 impl Zero {
     fn near(law: &SlidingLaw, theta: f64) -> Option<Self> {
-        let Heavy { mass, h, inertia, .. } = law.body;
+        let Heavy {
+            mass, h, inertia, ..
+        } = law.body;
         let (sin, cos) = libm::sincos(theta);
         let reduced = libm::atan2(sin, cos);
         let at = |ahead: f64| {
@@ -83,10 +94,20 @@ impl Zero {
             let (q, turned) = (law.q(1.0, sin, cos), h * (cos + law.friction * sin));
             let slope = mass * h * (cos * q + sin * turned);
             let bend = mass * h * (sin * (h * (law.friction * cos - sin) - q) + 2.0 * cos * turned);
-            let size =
-                inertia + mass * h * sin.abs() * (h * sin.abs() + law.friction.abs() * (1.0 + h * cos));
+            let size = inertia
+                + mass * h * sin.abs() * (h * sin.abs() + law.friction.abs() * (1.0 + h * cos));
             let error = SUM_ERROR * (size / slope.abs() + reduced.abs());
-            (law.p(sin, q), Self { ahead, sin, cos, slope, bend, error })
+            (
+                law.p(sin, q),
+                Self {
+                    ahead,
+                    sin,
+                    cos,
+                    slope,
+                    bend,
+                    error,
+                },
+            )
         };
         let (mut p, mut zero) = at(0.0);
         for _ in 0..MAX_NEWTON_STEPS {
@@ -101,10 +122,15 @@ impl Zero {
 }
 
 impl Approach<'_> {
-    /// The end, from an earlier angle and rate at which the leading-order terms hold. None if rounding decides, or if P = 0 is not the
-    /// cause.
+    /// The end, from an earlier angle and rate at which the leading-order terms hold. None if
+    /// rounding decides, or if P = 0 is not the cause.
     pub(super) fn end(&self, earlier: PhasePoint) -> Option<Ending> {
-        let Self { law, place: PhasePoint { theta, rate }, rest, error } = *self;
+        let Self {
+            law,
+            place: PhasePoint { theta, rate },
+            rest,
+            error,
+        } = *self;
         let (h, sigma) = (law.body.h, law.friction.signum());
         let zero = Zero::near(law, theta).filter(|zero| zero.slope * rate < 0.0)?;
         let Zero { sin, cos, .. } = zero;
@@ -113,7 +139,11 @@ impl Approach<'_> {
         if is_from_above && cos <= 0.0 {
             return Some(self.rest(&zero));
         }
-        let last = if is_from_above { -sigma / (h * cos).sqrt() } else { -rate };
+        let last = if is_from_above {
+            -sigma / (h * cos).sqrt()
+        } else {
+            -rate
+        };
         let slip = sigma * (last * lever + rest);
         let tilt = if is_from_above { 0.5 * sin / cos } else { 0.0 };
         let by_angle = (last * (lever * tilt + h * (law.friction * cos - sin))).abs();
@@ -129,17 +159,30 @@ impl Approach<'_> {
 
     /// The end of the slip, where θ′ L = −(η′ − θ′ L).
     fn rest(&self, zero: &Zero) -> Ending {
-        let Self { law, place: PhasePoint { theta, rate }, rest, .. } = *self;
+        let Self {
+            law,
+            place: PhasePoint { theta, rate },
+            rest,
+            ..
+        } = *self;
         let scale = 2.0 * law.body.inertia / (law.body.h * zero.sin * zero.slope);
         let exponent = scale * law.body.h * zero.cos;
         // u after the distance has become e^y times that of the approach, and its inverse.
         let u_at = |y: f64| {
-            let lost = if exponent == 0.0 { y } else { libm::expm1(exponent * y) / exponent };
+            let lost = if exponent == 0.0 {
+                y
+            } else {
+                libm::expm1(exponent * y) / exponent
+            };
             rate * rate * libm::exp(exponent * y) - scale * lost
         };
         let y_of = |u: f64| {
             let (gained, slope) = (u - rate * rate, exponent * rate * rate - scale);
-            if exponent == 0.0 { gained / slope } else { libm::log1p(exponent * gained / slope) / exponent }
+            if exponent == 0.0 {
+                gained / slope
+            } else {
+                libm::log1p(exponent * gained / slope) / exponent
+            }
         };
         let mut end = Ending::here(Fate::Sticks, -rest / law.lever(zero.sin, zero.cos));
         // The lever changes by the distance, so that each round gains its digits.
@@ -152,11 +195,16 @@ impl Approach<'_> {
             end.ahead = -zero.ahead * libm::expm1(y);
             let (sin, cos) = libm::sincos(theta + end.ahead);
             end.rate = -rest / law.lever(sin, cos);
-            // Simpson's rule in the distance; a slide that turns back passes θ′ = 0, in a time that is not resolved.
+            // Simpson's rule in the distance; a slide that turns back passes θ′ = 0, in a time that
+            // is not resolved.
             let between = libm::log1p(0.5 * libm::expm1(y));
             let slowness = 1.0 / rate + 4.0 / u_at(between).sqrt().copysign(rate) + 1.0 / end.rate;
             let is_ahead = end.rate * rate > 0.0 && slowness.is_finite();
-            end.later = if is_ahead { end.ahead * slowness / 6.0 } else { 0.0 };
+            end.later = if is_ahead {
+                end.ahead * slowness / 6.0
+            } else {
+                0.0
+            };
         }
         end
     }
@@ -164,7 +212,13 @@ impl Approach<'_> {
     /// Jam or lift-off, from λ and C.
     fn without_force(&self, zero: &Zero, earlier: PhasePoint) -> Option<Fate> {
         let law = self.law;
-        let Zero { sin, cos, slope, bend, .. } = *zero;
+        let Zero {
+            sin,
+            cos,
+            slope,
+            bend,
+            ..
+        } = *zero;
         let exponent = 2.0 * law.body.inertia * cos / (sin * slope);
         let distance = (earlier.theta - self.place.theta - zero.ahead).abs();
         // The regular part of w, to first order.
@@ -172,7 +226,8 @@ impl Approach<'_> {
         let smooth = tangent / (1.0 - exponent);
         let force = law.contact(earlier.theta, earlier.rate);
         let next = distance * ((bend / slope).abs() + tangent + 1.0 / tangent);
-        let doubt = SUM_ERROR * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
+        let doubt =
+            SUM_ERROR * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
         if exponent >= 1.0 || force - smooth * distance < -doubt {
             Some(Fate::LiftsOff)
         } else {

@@ -1,11 +1,13 @@
-//! A slide over whole turns (docs/theory/many-turns.md): the linear map of the energy, and the time of a turn.
+//! A slide over whole turns (docs/theory/many-turns.md): the linear map of the energy, and the time
+//! of a turn.
 //!
-//! In the direction of travel, with f = μk σ and G = Î + m h² s², twice the energy relative to the mean drift is e = G u + 2 m h c =
-//! e₀(θ) + ε A(θ), where e₀ is the slide with u = 0 at the section θs at which turns are counted. A turn maps ε to α ε + β, with
-//! log α = κ = f ∮ 2 m Î (1 + h c) h c/(P G) dθ.
+//! In the direction of travel, with f = μk σ and G = Î + m h² s², twice the energy relative to the
+//! mean drift is e = G u + 2 m h c = e₀(θ) + ε A(θ), where e₀ is the slide with u = 0 at the
+//! section θs at which turns are counted. A turn maps ε to α ε + β, with log α = κ = f ∮ 2 m Î (1 +
+//! h c) h c/(P G) dθ.
 //!
-//! The section lies at the minimum of u in each turn: the unstable equilibrium of the slide, q = 0, or the minimum of |q|
-//! if q has no zero.
+//! The section lies at the minimum of u in each turn: the unstable equilibrium of the slide, q = 0,
+//! or the minimum of |q| if q has no zero.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -18,10 +20,12 @@ const MAX_HALVINGS: usize = 160;
 
 const INITIAL_PANELS: usize = 6;
 
-/// Largest tail of the coefficients of the linear map, relative to their largest value: the map is then exact to rounding.
+/// Largest tail of the coefficients of the linear map, relative to their largest value: the map is
+/// then exact to rounding.
 const MAP_TOLERANCE: f64 = 1e-14;
 
-/// Largest relative tail of 1/√u. The square root of the rounding suffices, since the rule is exact to twice the degree.
+/// Largest relative tail of 1/√u. The square root of the rounding suffices, since the rule is exact
+/// to twice the degree.
 const TIME_TOLERANCE: f64 = 1e-8;
 
 /// Angle of the section at which turns are counted, in the direction of travel, within (−π, π].
@@ -29,7 +33,11 @@ pub(super) fn section(law: &SlidingLaw) -> f64 {
     // q = h √(1 + f²) sin(θ − atan f) − f.
     let f = law.friction;
     let reach = law.body.h * (1.0 + f * f).sqrt();
-    let angle = if f.abs() < reach { libm::asin(f / reach) } else { FRAC_PI_2.copysign(f) };
+    let angle = if f.abs() < reach {
+        libm::asin(f / reach)
+    } else {
+        FRAC_PI_2.copysign(f)
+    };
     let section = libm::atan(f) + angle;
     if section > PI { section - TAU } else { section }
 }
@@ -82,32 +90,48 @@ struct Sample {
 impl Turn {
     /// A turn that changes nothing.
     pub(super) const fn still(section_inertia: f64) -> Self {
-        Self { kappa: 0.0, beta: 0.0, section_inertia, nodes: Vec::new(), top: (f64::NAN, f64::NAN) }
+        Self {
+            kappa: 0.0,
+            beta: 0.0,
+            section_inertia,
+            nodes: Vec::new(),
+            top: (f64::NAN, f64::NAN),
+        }
     }
 
-    /// The turn of a law in the direction of travel, accurate for times between two `energies`. None if P vanishes in the turn,
-    /// or if it needs too many panels.
+    /// The turn of a law in the direction of travel, accurate for times between two `energies`.
+    /// None if P vanishes in the turn, or if it needs too many panels.
     pub(super) fn new(law: &SlidingLaw, energies: Option<(f64, f64)>) -> Option<Self> {
         let rule = Rule::get();
-        let Heavy { mass, h, inertia, .. } = law.body;
+        let Heavy {
+            mass, h, inertia, ..
+        } = law.body;
         let f = law.friction;
         let start = section(law);
         let sin_start = libm::sin(start);
         let mut turn = Self::still(inertia + mass * h * h * (sin_start * sin_start));
         // A panel ends at the top. Panels are taken from the end of the list.
         let to_top = if start > 0.0 { TAU - start } else { -start };
-        let mut ends: Vec<f64> =
-            (0..=INITIAL_PANELS).map(|k| k as f64 / INITIAL_PANELS as f64 * TAU).chain([to_top]).collect();
+        let mut ends: Vec<f64> = (0..=INITIAL_PANELS)
+            .map(|k| k as f64 / INITIAL_PANELS as f64 * TAU)
+            .chain([to_top])
+            .collect();
         ends.sort_by(|a, b| b.total_cmp(a));
-        let mut pending: Vec<(f64, f64)> =
-            ends.windows(2).map(|pair| (pair[1], pair[0])).filter(|(a, b)| a < b).collect();
+        let mut pending: Vec<(f64, f64)> = ends
+            .windows(2)
+            .map(|pair| (pair[1], pair[0]))
+            .filter(|(a, b)| a < b)
+            .collect();
         // log A/f and the work −(e₀ − e₀(θs))/(f A) so far.
         let (mut growth, mut work) = (0.0, 0.0);
         // The largest values so far: near the bottom of a rim hoop both are small differences.
         let mut scale = (0.0_f64, 0.0_f64);
         let value = |lower: f64, inertia: f64, growth: f64, work: f64| {
             let gain = libm::exp(f * growth);
-            ((2.0 * mass * h * lower - f * gain * work) / inertia, gain / inertia)
+            (
+                (2.0 * mass * h * lower - f * gain * work) / inertia,
+                gain / inertia,
+            )
         };
         let mut halvings = 0;
         while let Some((left, right)) = pending.pop() {
@@ -122,10 +146,18 @@ impl Turn {
                 core::array::from_fn(|i| samples[i].work * libm::exp(-f * growth_to[i]));
             let work_to = rule.up_to(&works).map(|sum| work + half * sum);
             let values: [(f64, f64); NODES] = core::array::from_fn(|i| {
-                value(samples[i].lower, samples[i].inertia, growth_to[i], work_to[i])
+                value(
+                    samples[i].lower,
+                    samples[i].inertia,
+                    growth_to[i],
+                    work_to[i],
+                )
             });
             let plain_works = samples.map(|sample| sample.work);
-            scale = (scale.0.max(largest(&growths)), scale.1.max(largest(&plain_works)));
+            scale = (
+                scale.0.max(largest(&growths)),
+                scale.1.max(largest(&plain_works)),
+            );
             let is_resolved = |energy: f64| {
                 let slowness = values.map(|(base, gain)| 1.0 / (base + energy * gain).sqrt());
                 rule.tail(&slowness) < TIME_TOLERANCE * largest(&slowness)
@@ -143,7 +175,12 @@ impl Turn {
                 continue;
             }
             for (i, (base, gain)) in values.into_iter().enumerate() {
-                turn.nodes.push(Node { weight: half * rule.weights[i], base, gain, lever: samples[i].lever });
+                turn.nodes.push(Node {
+                    weight: half * rule.weights[i],
+                    base,
+                    gain,
+                    lever: samples[i].lever,
+                });
             }
             growth += half * rule.integral(&growths);
             work += half * rule.integral(&works);
@@ -196,7 +233,9 @@ impl Turn {
 
     /// Time of the turn that begins with ε.
     pub(super) fn time(&self, energy: f64) -> f64 {
-        self.nodes.iter().fold(0.0, |sum, node| sum + node.weight / node.rate(energy))
+        self.nodes
+            .iter()
+            .fold(0.0, |sum, node| sum + node.weight / node.rate(energy))
     }
 
     /// h u at the top of the turn that begins with ε; the slide stays in contact if it is below 1.
@@ -211,17 +250,25 @@ impl Turn {
 
     /// Largest magnitude, over the nodes, of the oscillating part of η′.
     pub(super) fn largest_slip(&self, energy: f64) -> f64 {
-        self.nodes.iter().fold(0.0, |largest, node| largest.max(node.lever.abs() * node.rate(energy)))
+        self.nodes.iter().fold(0.0, |largest, node| {
+            largest.max(node.lever.abs() * node.rate(energy))
+        })
     }
 
     /// Minimum, over the nodes, of the oscillating part of σ η′, σ θ′ (1 + h c + f h s).
     pub(super) fn lowest_slip(&self, energy: f64) -> f64 {
-        self.nodes.iter().fold(f64::INFINITY, |lowest, node| lowest.min(node.lever * node.rate(energy)))
+        self.nodes.iter().fold(f64::INFINITY, |lowest, node| {
+            lowest.min(node.lever * node.rate(energy))
+        })
     }
 }
 
 fn ahead(turns: f64) -> f64 {
-    if turns.is_nan() { f64::INFINITY } else { turns.max(0.0) }
+    if turns.is_nan() {
+        f64::INFINITY
+    } else {
+        turns.max(0.0)
+    }
 }
 
 /// cos θs − cos(θs + angle), without cancellation.
@@ -232,15 +279,30 @@ fn lower_by(start: f64, angle: f64) -> f64 {
 impl Sample {
     /// At an angle relative to the section; none if P ≤ 0 there.
     fn new(law: &SlidingLaw, start: f64, angle: f64) -> Option<Self> {
-        let Heavy { mass, h, inertia: own, .. } = law.body;
+        let Heavy {
+            mass,
+            h,
+            inertia: own,
+            ..
+        } = law.body;
         let (sin, cos) = libm::sincos(start + angle);
         let p = law.p(sin, law.q(1.0, sin, cos));
         let inertia = own + mass * h * h * (sin * sin);
         let push = 2.0 * mass * own * (1.0 + h * cos) / p;
         let load = h * cos / inertia;
         let lower = lower_by(start, angle);
-        let lever = if law.friction < 0.0 { -law.lever(sin, cos) } else { law.lever(sin, cos) };
+        let lever = if law.friction < 0.0 {
+            -law.lever(sin, cos)
+        } else {
+            law.lever(sin, cos)
+        };
         let work = push * (1.0 - 2.0 * mass * h * load * lower);
-        (p > 0.0).then_some(Self { lever, lower, inertia, growth: push * load, work })
+        (p > 0.0).then_some(Self {
+            lever,
+            lower,
+            inertia,
+            growth: push * load,
+            work,
+        })
     }
 }

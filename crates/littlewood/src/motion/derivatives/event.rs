@@ -56,14 +56,23 @@ impl Event {
         let u = at.rate * at.rate;
         let forces = || {
             let law = RollingLaw::of_body(&plane.body);
-            law.forces_at((sin, cos), [T::constant(1.0), u], law.denominator_of((sin, cos)))
+            law.forces_at(
+                (sin, cos),
+                [T::constant(1.0), u],
+                law.denominator_of((sin, cos)),
+            )
         };
         match (self, motion) {
             (Self::Slip, _) => mu_s * forces().normal - forces().friction.abs(),
             (Self::Unloaded, _) => forces().normal,
-            (Self::Landing, Motion::Flies { from, rise, lifts_off }) => {
-                plane.gap((from, *rise, *lifts_off), T::constant(elapsed)).0
-            }
+            (
+                Self::Landing,
+                Motion::Flies {
+                    from,
+                    rise,
+                    lifts_off,
+                },
+            ) => plane.gap((from, *rise, *lifts_off), T::constant(elapsed)).0,
             (Self::Rest | Self::Landing, _) => at.slip,
             (Self::LiftOff, _) => contact(1.0, plane.body.h, cos * u),
         }

@@ -1,7 +1,8 @@
 //! The flow of each mode over numbers that carry derivatives.
 //!
-//! Rolling and sliding follow Taylor series of their equations, the derivatives along with the state; the slip and the position of a slide
-//! follow from its first integrals. Glides and flights are in closed form.
+//! Rolling and sliding follow Taylor series of their equations, the derivatives along with the
+//! state; the slip and the position of a slide follow from its first integrals. Glides and flights
+//! are in closed form.
 
 use crate::math::number::{Dual, Number};
 use crate::math::series::{DEGREE, Series, convolve, value};
@@ -42,18 +43,27 @@ impl<T: Number> Point<T> {
 
 impl From<&State> for Point<f64> {
     fn from(state: &State) -> Self {
-        Self { theta: state.theta, rate: state.theta_rate, slip: state.slip, x: state.x }
+        Self {
+            theta: state.theta,
+            rate: state.theta_rate,
+            slip: state.slip,
+            x: state.x,
+        }
     }
 }
 
-/// A mode with its direction of slip, and the rate of the gap at the start of a flight; none at a lift-off, where the gap opens with the
-/// third power of the time.
+/// A mode with its direction of slip, and the rate of the gap at the start of a flight; none at a
+/// lift-off, where the gap opens with the third power of the time.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Motion<T> {
     Rolls,
     Slides(Direction),
     Glides,
-    Flies { from: Point<T>, rise: T, lifts_off: bool },
+    Flies {
+        from: Point<T>,
+        rise: T,
+        lifts_off: bool,
+    },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +85,11 @@ impl<T: Number> Plane<T> {
             Motion::Rolls => {
                 let law = RollingLaw::of_body(&self.body);
                 let one = T::constant(1.0);
-                let spin = law.acceleration((sin, cos), [one, rate * rate], law.denominator_of((sin, cos)));
+                let spin = law.acceleration(
+                    (sin, cos),
+                    [one, rate * rate],
+                    law.denominator_of((sin, cos)),
+                );
                 (spin, T::constant(0.0))
             }
             Motion::Slides(direction) => {
@@ -87,9 +101,17 @@ impl<T: Number> Plane<T> {
                 let one = T::constant(1.0);
                 gliding::accelerations([h, self.body.pull()], [one, rate * rate], (sin, cos))
             }
-            Motion::Flies { .. } => (T::constant(0.0), -(h * sin * rate * rate) - self.body.pull()),
+            Motion::Flies { .. } => (
+                T::constant(0.0),
+                -(h * sin * rate * rate) - self.body.pull(),
+            ),
         };
-        Point { theta: rate, rate: spin, slip: slips, x: slip - rate }
+        Point {
+            theta: rate,
+            rate: spin,
+            slip: slips,
+            x: slip - rate,
+        }
     }
 
     /// The gap of a flight after a time, and its rate.
@@ -100,7 +122,12 @@ impl<T: Number> Plane<T> {
         let sin = if from.rate.value() < 0.0 { -sin } else { sin };
         let turned = rate * elapsed;
         let phi = turned.value();
-        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(phi);
+        let TruncatedSeries {
+            sine,
+            versine,
+            odd,
+            even,
+        } = TruncatedSeries::new(phi);
         let [sine_of, versine_of, odd_of, even_of] = [
             turned.map(sine, 1.0 - versine),
             turned.map(versine, sine),
@@ -108,13 +135,25 @@ impl<T: Number> Plane<T> {
             turned.map(even, odd),
         ];
         if phi <= 1.0 {
-            // Without the difference of h cos θ θ′² and 1, which vanishes at a lift-off along with its derivatives.
-            let opening = if lifts_off { T::constant(0.0) } else { h * cos * rate * rate - T::constant(1.0) };
-            let gap = elapsed * (rise + opening * elapsed * 0.5) - h * (cos * even_of + sin * odd_of);
-            (gap, rise + opening * elapsed - h * rate * (cos * odd_of + sin * versine_of))
+            // Without the difference of h cos θ θ′² and 1, which vanishes at a lift-off along with
+            // its derivatives.
+            let opening = if lifts_off {
+                T::constant(0.0)
+            } else {
+                h * cos * rate * rate - T::constant(1.0)
+            };
+            let gap =
+                elapsed * (rise + opening * elapsed * 0.5) - h * (cos * even_of + sin * odd_of);
+            (
+                gap,
+                rise + opening * elapsed - h * rate * (cos * odd_of + sin * versine_of),
+            )
         } else {
             let gap = elapsed * (rise - elapsed * 0.5) + h * (cos * versine_of - sin * odd_of);
-            (gap, rise - elapsed + h * rate * (cos * sine_of - sin * versine_of))
+            (
+                gap,
+                rise - elapsed + h * rate * (cos * sine_of - sin * versine_of),
+            )
         }
     }
 }
@@ -169,14 +208,23 @@ impl<const K: usize> Plane<Dual<K>> {
                 in_steps(from, times, series, |elapsed, place| {
                     give(place.map(|PhasePoint { theta, rate }| {
                         let (end, time) = (theta.sincos(), Dual::constant(elapsed));
-                        let slip =
-                            from.slip - from.rate * lever(start) + rate * lever(end) - law.drag() * time;
-                        Point { theta, rate, slip, x: path.x(time, end) }
+                        let slip = from.slip - from.rate * lever(start) + rate * lever(end)
+                            - law.drag() * time;
+                        Point {
+                            theta,
+                            rate,
+                            slip,
+                            x: path.x(time, end),
+                        }
                     }));
                 });
             }
-            Motion::Glides => times.iter().for_each(|elapsed| give(self.glide(from, *elapsed))),
-            Motion::Flies { .. } => times.iter().for_each(|elapsed| give(Ok(self.fly(from, *elapsed)))),
+            Motion::Glides => times
+                .iter()
+                .for_each(|elapsed| give(self.glide(from, *elapsed))),
+            Motion::Flies { .. } => times
+                .iter()
+                .for_each(|elapsed| give(Ok(self.fly(from, *elapsed)))),
         }
     }
 
@@ -188,7 +236,12 @@ impl<const K: usize> Plane<Dual<K>> {
         let pulled = self.body.pull() * elapsed;
         let slip = vx - pulled + (h * cos + 1.0) * from.rate;
         let x = from.x - h * start.0 + (vx - pulled * 0.5) * elapsed + h * sin;
-        Point { theta, rate: from.rate, slip, x }
+        Point {
+            theta,
+            rate: from.rate,
+            slip,
+            x,
+        }
     }
 
     /// The free fall of the particle of a massless hoop.
@@ -206,7 +259,11 @@ impl<const K: usize> Plane<Dual<K>> {
         // The angle on the side of the vertical on which the particle is.
         let angle = libm::acos(cosine.value().clamp(-1.0, 1.0));
         let half_turn = core::f64::consts::PI;
-        let theta = if side > 0.0 { turns + angle } else { turns + half_turn - angle };
+        let theta = if side > 0.0 {
+            turns + angle
+        } else {
+            turns + half_turn - angle
+        };
         let theta = cosine.map(theta, -side / root);
         let (sine, _) = theta.sincos();
         let rate = (-rise + elapsed) / (h * sine);
@@ -214,12 +271,20 @@ impl<const K: usize> Plane<Dual<K>> {
         let pulled = self.body.pull() * elapsed;
         let slip = drift - pulled + rate * (h * cosine + 1.0);
         let x = from.x - h * sin + (drift - pulled * 0.5) * elapsed + h * sine;
-        Ok(Point { theta, rate, slip, x })
+        Ok(Point {
+            theta,
+            rate,
+            slip,
+            x,
+        })
     }
 }
 
 /// The Taylor series of rolling about an angle and a rate: those of θ and θ′.
-fn roll_series<T: Number>(law: &RollingLaw<T>, PhasePoint { theta, rate }: PhasePoint<T>) -> [Series<T>; 2] {
+fn roll_series<T: Number>(
+    law: &RollingLaw<T>,
+    PhasePoint { theta, rate }: PhasePoint<T>,
+) -> [Series<T>; 2] {
     let zero = [T::constant(0.0); DEGREE + 1];
     let (mut angle, mut spin) = (zero, zero);
     let (mut sin, mut cos, mut u, mut increment) = (zero, zero, zero, zero);
@@ -238,8 +303,11 @@ fn roll_series<T: Number>(law: &RollingLaw<T>, PhasePoint { theta, rate }: Phase
         let [square] = convolve([(&spin, &spin)], n);
         u[n] = square;
         let [sin_u] = convolve([(&sin, &u)], n);
-        denominator[n] =
-            if n == 0 { law.denominator_of((sin[0], cos[0])) } else { law.offset * 2.0 * cos[n] };
+        denominator[n] = if n == 0 {
+            law.denominator_of((sin[0], cos[0]))
+        } else {
+            law.offset * 2.0 * cos[n]
+        };
         let one = T::constant(if n == 0 { 1.0 } else { 0.0 });
         let mut remainder = law.drive(one, cos[n], sin[n] + sin_u);
         for j in 1..=n {
@@ -258,7 +326,10 @@ fn in_steps<const K: usize>(
     series: impl Fn(PhasePoint<Dual<K>>) -> [Series<Dual<K>>; 2],
     mut give: impl FnMut(f64, Result<PhasePoint<Dual<K>>, NoDerivative>),
 ) {
-    let mut place = PhasePoint { theta: from.theta, rate: from.rate };
+    let mut place = PhasePoint {
+        theta: from.theta,
+        rate: from.rate,
+    };
     let mut passed = 0.0;
     let mut times = times.iter().copied().peekable();
     while let Some(elapsed) = times.next_if(|elapsed| *elapsed <= 0.0) {
@@ -275,7 +346,10 @@ fn in_steps<const K: usize>(
             failed = NoDerivative::Singular;
             break;
         }
-        let at = |width| PhasePoint { theta: value(&theta, width), rate: value(&rate, width) };
+        let at = |width| PhasePoint {
+            theta: value(&theta, width),
+            rate: value(&rate, width),
+        };
         while let Some(elapsed) = times.next_if(|elapsed| elapsed - passed <= reach) {
             give(elapsed, Ok(at(elapsed - passed)));
         }
@@ -285,9 +359,11 @@ fn in_steps<const K: usize>(
     times.for_each(|elapsed| give(elapsed, Err(failed)));
 }
 
-/// The step on which a series and its derivatives converge to rounding, by the rule of [`SlideSeries::reach`].
+/// The step on which a series and its derivatives converge to rounding, by the rule of
+/// [`SlideSeries::reach`].
 fn reach<const K: usize>(rate: &Series<Dual<K>>) -> f64 {
-    let all = (0..=K).map(|k| -> Series { rate.map(|c| if k == K { c.value } else { c.parts[k] }) });
+    let all =
+        (0..=K).map(|k| -> Series { rate.map(|c| if k == K { c.value } else { c.parts[k] }) });
     all.map(|series| {
         if !series[DEGREE].is_finite() {
             return 0.0;
@@ -299,7 +375,11 @@ fn reach<const K: usize>(rate: &Series<Dual<K>>) -> f64 {
                 let reach = libm::pow(ratio, 1.0 / (order - from) as f64);
                 if from == 0 { reach } else { reach.min(1.0) }
             };
-            if series[order] == 0.0 { MAX_STEP } else { (0..LEADING).map(by).fold(0.0, f64::max) }
+            if series[order] == 0.0 {
+                MAX_STEP
+            } else {
+                (0..LEADING).map(by).fold(0.0, f64::max)
+            }
         };
         of(DEGREE - 1).min(of(DEGREE))
     })

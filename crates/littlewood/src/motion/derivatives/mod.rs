@@ -1,15 +1,18 @@
 //! Derivatives of a motion with respect to the quantities of its hoop, plane and start.
 //!
-//! With the state y, a quantity p, the flow of a phase and the condition g(y, p) = 0 of the event that ends it:
+//! With the state y, a quantity p, the flow of a phase and the condition g(y, p) = 0 of the event
+//! that ends it:
 //!
 //! ```text
 //! δτ = −δg/g′,     δy = δy(fixed τ) + y′ δτ     at the event,
 //! δy⁺ = ∂R/∂y δy + ∂R/∂p                       after an impact R,
 //! ```
 //!
-//! and the next phase begins with δy⁺ at the time τ + δτ (R. I. Leine and H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical
-//! Systems, Springer 2004). The equations of contact, of impacts and of bounces that settle are those of the simulation, over numbers that carry
-//! derivatives ([`crate::math::number`]); there is no difference quotient. Where a derivative does not exist, [`NoDerivative`] says why.
+//! and the next phase begins with δy⁺ at the time τ + δτ (R. I. Leine and H. Nijmeijer, Dynamics
+//! and Bifurcations of Non-Smooth Mechanical Systems, Springer 2004). The equations of contact, of
+//! impacts and of bounces that settle are those of the simulation, over numbers that carry
+//! derivatives ([`crate::math::number`]); there is no difference quotient. Where a derivative does
+//! not exist, [`NoDerivative`] says why.
 //!
 //! [`tangents`] passes from phase to phase, [`flow`] follows a phase, and [`event`] has the conditions g.
 
@@ -33,9 +36,11 @@ named! {
     pub enum NoDerivative, "reason",
     /// Sentence for tables and messages.
     pub label: &'static str {
-        /// The condition of the event vanishes along with its rate, but for the rounding of its terms.
+        /// The condition of the event vanishes along with its rate, but for the rounding of its
+        /// terms.
         Grazing = 0, "grazing" => "the event is touched, not crossed, but for rounding: its time has no derivative";
-        /// The motion begins differently on the two sides of the value. At an end of its range a quantity has the derivative from within.
+        /// The motion begins differently on the two sides of the value. At an end of its range a
+        /// quantity has the derivative from within.
         OneSided = 1, "one_sided" => "on the two sides of this value the motion begins differently";
         /// P = 0, or a rate or a force without bound.
         Singular = 2, "singular" => "the equations of motion are singular there";
@@ -54,10 +59,14 @@ pub struct NotDifferentiable {
 
 fn reason(quantity: Quantity) -> String {
     if quantity == Quantity::Restitution {
-        return "the motion ends at its first landing, without a coefficient of restitution".to_owned();
+        return "the motion ends at its first landing, without a coefficient of restitution"
+            .to_owned();
     }
     let known = Quantity::HOOP.into_iter().chain(Quantity::START);
-    format!("quantities of hoop and start are {}", Vec::from_iter(known.map(Quantity::name)).join(", "))
+    format!(
+        "quantities of hoop and start are {}",
+        Vec::from_iter(known.map(Quantity::name)).join(", ")
+    )
 }
 
 /// The derivatives of one transition with respect to one quantity.
@@ -74,10 +83,11 @@ pub struct EventDerivative {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct OutcomeDerivative {
-    /// Of the state of the outcome: of its last event, or at the time limit, or at the start of an endless phase.
+    /// Of the state of the outcome: of its last event, or at the time limit, or at the start of an
+    /// endless phase.
     pub state: State,
-    /// Of the recurrence of an endless motion: the derivatives of its numbers in their places; none for other outcomes, or where the
-    /// recurrence has no derivative.
+    /// Of the recurrence of an endless motion: the derivatives of its numbers in their places; none
+    /// for other outcomes, or where the recurrence has no derivative.
     pub recurrence: Option<Recurrence>,
 }
 
@@ -99,8 +109,8 @@ getters! {
     pub quantities: &[Quantity] = self.quantities.as_slice();
     /// For each transition its derivatives with respect to each quantity.
     pub transitions: &[Vec<Derivative<EventDerivative>>] = self.transitions.as_slice();
-    /// The derivatives of the summary: for each of [`SummaryColumn::reals`] those with respect to each quantity, NaN where the number
-    /// is absent.
+    /// The derivatives of the summary: for each of [`SummaryColumn::reals`] those with respect to
+    /// each quantity, NaN where the number is absent.
     pub summary: &[Vec<Derivative<f64>>] = self.summary.as_slice();
 }
 
@@ -112,7 +122,8 @@ impl Derivatives {
 }
 
 impl Trajectory {
-    /// The derivatives of each transition and of the outcome with respect to quantities of the hoop, the plane and the start.
+    /// The derivatives of each transition and of the outcome with respect to quantities of the
+    /// hoop, the plane and the start.
     ///
     /// ```
     /// use littlewood::cases::find_case;
@@ -127,7 +138,8 @@ impl Trajectory {
     /// ```
     ///
     /// # Errors
-    /// A quantity that is neither one of [`Quantity::HOOP`] nor of [`Quantity::START`], or the restitution of a motion without one.
+    /// A quantity that is neither one of [`Quantity::HOOP`] nor of [`Quantity::START`], or the
+    /// restitution of a motion without one.
     pub fn derivatives(&self, quantities: &[Quantity]) -> Result<Derivatives, NotDifferentiable> {
         let mut all = Derivatives {
             quantities: quantities.to_vec(),
@@ -138,11 +150,18 @@ impl Trajectory {
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
-        in_groups(quantities, &mut Events { motion: self, all: &mut all });
+        in_groups(
+            quantities,
+            &mut Events {
+                motion: self,
+                all: &mut all,
+            },
+        );
         Ok(all)
     }
 
-    /// The derivatives of the states at fixed times, in any order, with respect to each quantity; none outside the motion.
+    /// The derivatives of the states at fixed times, in any order, with respect to each quantity;
+    /// none outside the motion.
     ///
     /// # Errors
     /// As [`Trajectory::derivatives`].
@@ -154,19 +173,39 @@ impl Trajectory {
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
-        let is_within = |time: f64| time.is_finite() && time >= self.start.time && time <= self.end_time();
-        let mut found: Vec<_> = times.iter().map(|time| is_within(*time).then(Vec::new)).collect();
-        let mut order: Vec<usize> = (0..times.len()).filter(|place| found[*place].is_some()).collect();
+        let is_within =
+            |time: f64| time.is_finite() && time >= self.start.time && time <= self.end_time();
+        let mut found: Vec<_> = times
+            .iter()
+            .map(|time| is_within(*time).then(Vec::new))
+            .collect();
+        let mut order: Vec<usize> = (0..times.len())
+            .filter(|place| found[*place].is_some())
+            .collect();
         order.sort_by(|one, other| times[*one].total_cmp(&times[*other]));
-        let order = order.into_iter().map(|place| (times[place], place)).collect();
-        in_groups(quantities, &mut Instants { motion: self, order, found: &mut found });
+        let order = order
+            .into_iter()
+            .map(|place| (times[place], place))
+            .collect();
+        in_groups(
+            quantities,
+            &mut Instants {
+                motion: self,
+                order,
+                found: &mut found,
+            },
+        );
         Ok(found)
     }
 
     fn check_quantity(&self, quantity: Quantity) -> Result<(), NotDifferentiable> {
         let is_known = (Quantity::HOOP.contains(&quantity) || Quantity::START.contains(&quantity))
             && (quantity != Quantity::Restitution || self.hoop.restitution().is_some());
-        if is_known { Ok(()) } else { Err(NotDifferentiable { quantity }) }
+        if is_known {
+            Ok(())
+        } else {
+            Err(NotDifferentiable { quantity })
+        }
     }
 }
 
@@ -175,8 +214,8 @@ trait Group {
     fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize);
 }
 
-/// Four quantities at a time share the series of the state. Two or three take the code of four, with the last again: the page has no
-/// room for more.
+/// Four quantities at a time share the series of the state. Two or three take the code of four,
+/// with the last again: the page has no room for more.
 fn in_groups(quantities: &[Quantity], work: &mut impl Group) {
     for group in quantities.chunks(4) {
         match group {
@@ -199,28 +238,46 @@ struct Instants<'a> {
 
 impl Group for Instants<'_> {
     fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize) {
-        let Self { motion, order, found } = self;
+        let Self {
+            motion,
+            order,
+            found,
+        } = self;
         let mut walk = Tangents::new(motion, quantities);
         let mut failed = None;
         let mut rest = order.as_slice();
         for (number, phase) in motion.phases.iter().enumerate() {
-            let next = motion.phases.get(number + 1).map_or(f64::INFINITY, |next| next.start().time);
+            let next = motion
+                .phases
+                .get(number + 1)
+                .map_or(f64::INFINITY, |next| next.start().time);
             let (here, later) = rest.split_at(rest.partition_point(|(time, _)| *time < next));
             rest = later;
             let mut places = here.iter().map(|(_, place)| *place);
-            let mut give = |walk: &Tangents<'_, K>, at: Derivative<_>| {
-                let Some(states) = places.next().and_then(|place| found[place].as_mut()) else { return };
-                states.extend(quantities.iter().enumerate().take(asked).map(|(k, quantity)| {
-                    let at = walk.two_sided(*quantity, at);
-                    at.map(|at| State { time: 0.0, ..walk.state(&at, k) })
-                }));
-            };
+            let mut give =
+                |walk: &Tangents<'_, K>, at: Derivative<_>| {
+                    let Some(states) = places.next().and_then(|place| found[place].as_mut()) else {
+                        return;
+                    };
+                    states.extend(quantities.iter().enumerate().take(asked).map(
+                        |(k, quantity)| {
+                            let at = walk.two_sided(*quantity, at);
+                            at.map(|at| State {
+                                time: 0.0,
+                                ..walk.state(&at, k)
+                            })
+                        },
+                    ));
+                };
             if let Some(reason) = failed {
                 here.iter().for_each(|_| give(&walk, Err(reason)));
                 continue;
             }
             if !here.is_empty() {
-                let elapsed: Vec<f64> = here.iter().map(|(time, _)| motion.origin.elapsed(*time)).collect();
+                let elapsed: Vec<f64> = here
+                    .iter()
+                    .map(|(time, _)| motion.origin.elapsed(*time))
+                    .collect();
                 walk.at_times(phase, &elapsed, give);
             }
             if rest.is_empty() {
@@ -229,9 +286,9 @@ impl Group for Instants<'_> {
             failed = walk.pass(phase).err();
         }
         for (_, place) in rest {
-            found[*place]
-                .iter_mut()
-                .for_each(|states| states.extend(core::iter::repeat_n(Err(NoDerivative::Singular), asked)));
+            found[*place].iter_mut().for_each(|states| {
+                states.extend(core::iter::repeat_n(Err(NoDerivative::Singular), asked))
+            });
         }
     }
 }
@@ -262,7 +319,9 @@ impl Group for Events<'_> {
         }
         for (row, event) in all.transitions.iter_mut().zip(&passed) {
             for (k, quantity) in quantities.iter().enumerate().take(asked) {
-                let event = event.as_ref().ok_or(failed.unwrap_or(NoDerivative::Singular));
+                let event = event
+                    .as_ref()
+                    .ok_or(failed.unwrap_or(NoDerivative::Singular));
                 let derivative = event.map(|Passed { before, after, .. }| {
                     let [before, after] = [before, after].map(|at| walk.state(at, k));
                     EventDerivative { before, after }

@@ -11,7 +11,8 @@ use super::flow::Point;
 /// Derivatives of an integrand that has converged converge a little later.
 const TOLERANCE: f64 = 1e-2 * TAIL_TOLERANCE;
 
-/// The rounding of √(D/G), as a part of it, where G has begun with a value: that of its terms, and of D, whose angles are rounded themselves.
+/// The rounding of √(D/G), as a part of it, where G has begun with a value: that of its terms, and
+/// of D, whose angles are rounded themselves.
 fn rounding<const K: usize>(
     law: &RollingLaw<Dual<K>>,
     (from, by, begins): (Dual<K>, Dual<K>, f64),
@@ -37,7 +38,10 @@ pub(super) fn turning_point<const K: usize>(
     let (sin, cos) = at.sincos();
     let excess = energy - law.energy_of(Dual::constant(0.0), at, (sin, cos));
     let slope = -law.drive(Dual::constant(1.0), cos, sin).value;
-    Dual { value: theta, parts: excess.parts.map(|part| part / slope) }
+    Dual {
+        value: theta,
+        parts: excess.parts.map(|part| part / slope),
+    }
 }
 
 /// The time between two turning points and back: with G = D θ′² and θ = a + (b − a) sin²(ψ/2)
@@ -47,30 +51,46 @@ pub(super) fn turning_point<const K: usize>(
 /// ```
 ///
 /// whose integrand is smooth.
-pub(super) fn of_libration<const K: usize>(law: &RollingLaw<Dual<K>>, [a, b]: [Dual<K>; 2]) -> Dual<K> {
+pub(super) fn of_libration<const K: usize>(
+    law: &RollingLaw<Dual<K>>,
+    [a, b]: [Dual<K>; 2],
+) -> Dual<K> {
     let width = b - a;
     let integrand = |psi: f64| {
         let (sin, cos) = libm::sincos(0.5 * psi);
         let [passed, left] = [width * (sin * sin), width * (cos * cos)];
         // From the nearer of the two, next to which G vanishes.
-        let (begins, by) = if psi < 0.5 * PI { (a, passed) } else { (b, -left) };
+        let (begins, by) = if psi < 0.5 * PI {
+            (a, passed)
+        } else {
+            (b, -left)
+        };
         let half = by * 0.5;
         let gained = law.gain((begins + half).sincos(), half.sincos().0 * 2.0, by);
         let d = law.denominator_of((begins + by).sincos());
-        ((d * passed * left / gained).sqrt(), rounding(law, (begins, by, 0.0), (d, gained)))
+        (
+            (d * passed * left / gained).sqrt(),
+            rounding(law, (begins, by, 0.0), (d, gained)),
+        )
     };
     integral(TOLERANCE, [0.0, PI], integrand) * 2.0
 }
 
 /// The time of a turn on a level plane, ∫ √(D/G) dθ.
-pub(super) fn of_rotation<const K: usize>(law: &RollingLaw<Dual<K>>, from: &Point<Dual<K>>) -> Dual<K> {
+pub(super) fn of_rotation<const K: usize>(
+    law: &RollingLaw<Dual<K>>,
+    from: &Point<Dual<K>>,
+) -> Dual<K> {
     let start = law.denominator_of(from.theta.sincos()) * from.rate * from.rate;
     let integrand = |theta: f64| {
         let by = -from.theta + theta;
         let half = by * 0.5;
         let kinetic = start + law.gain((from.theta + half).sincos(), half.sincos().0 * 2.0, by);
         let d = law.denominator_of(Dual::constant(theta).sincos());
-        ((d / kinetic).sqrt(), rounding(law, (from.theta, by, start.value), (d, kinetic)))
+        (
+            (d / kinetic).sqrt(),
+            rounding(law, (from.theta, by, start.value), (d, kinetic)),
+        )
     };
     integral(TOLERANCE, [0.0, TAU], integrand)
 }

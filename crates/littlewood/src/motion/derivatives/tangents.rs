@@ -37,8 +37,14 @@ pub(super) struct Passed<const K: usize> {
 
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Repeats<const K: usize> {
-    Libration { period: Dual<K>, theta_min: Dual<K>, theta_max: Dual<K> },
-    Rotation { period: Dual<K> },
+    Libration {
+        period: Dual<K>,
+        theta_min: Dual<K>,
+        theta_max: Dual<K>,
+    },
+    Rotation {
+        period: Dual<K>,
+    },
 }
 
 impl<const K: usize> Repeats<K> {
@@ -51,21 +57,35 @@ impl<const K: usize> Repeats<K> {
     /// In the units of the results, from those of the solvers.
     fn at_pace(self, pace: Dual<K>) -> Self {
         match self {
-            Self::Libration { period, theta_min, theta_max } => {
-                Self::Libration { period: period / pace, theta_min, theta_max }
-            }
-            Self::Rotation { period } => Self::Rotation { period: period / pace },
+            Self::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } => Self::Libration {
+                period: period / pace,
+                theta_min,
+                theta_max,
+            },
+            Self::Rotation { period } => Self::Rotation {
+                period: period / pace,
+            },
         }
     }
 
     pub(super) fn part(self, k: usize) -> Recurrence {
         match self {
-            Self::Libration { period, theta_min, theta_max } => Recurrence::Libration {
+            Self::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } => Recurrence::Libration {
                 period: period.parts[k],
                 theta_min: theta_min.parts[k],
                 theta_max: theta_max.parts[k],
             },
-            Self::Rotation { period } => Recurrence::Rotation { period: period.parts[k] },
+            Self::Rotation { period } => Recurrence::Rotation {
+                period: period.parts[k],
+            },
         }
     }
 }
@@ -84,7 +104,8 @@ pub(super) struct Tangents<'a, const K: usize> {
     /// Rate of the gap after the last impact or at the start.
     pub(super) gap_rate: Dual<K>,
     pub(super) begun: Vec<Begun<K>>,
-    /// Time of the first jam without a motion before it: it ends no phase, and is not differentiated.
+    /// Time of the first jam without a motion before it: it ends no phase, and is not
+    /// differentiated.
     jam: Option<f64>,
 }
 
@@ -105,7 +126,13 @@ impl<'a, const K: usize> Tangents<'a, K> {
             slope,
         );
         let pace = slope.sincos().1.sqrt();
-        let State { theta_rate, slip, x, time, .. } = motion.start;
+        let State {
+            theta_rate,
+            slip,
+            x,
+            time,
+            ..
+        } = motion.start;
         let point = Point {
             theta: seed(Quantity::Theta, motion.relative.theta),
             rate: seed(Quantity::ThetaRate, theta_rate) / pace,
@@ -115,7 +142,10 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let rise = motion.phases.first().map_or(0.0, Phase::take_off_rate);
         Self {
             motion,
-            plane: Plane { body, mu_k: seed(Quantity::MuK, parameters.mu_k) },
+            plane: Plane {
+                body,
+                mu_k: seed(Quantity::MuK, parameters.mu_k),
+            },
             mu_s: seed(Quantity::MuS, parameters.mu_s),
             restitution: motion
                 .hoop
@@ -123,16 +153,32 @@ impl<'a, const K: usize> Tangents<'a, K> {
                 .map(|it| (seed(Quantity::Restitution, it.coefficient()), it.law())),
             pace,
             origin: [seed(Quantity::Time, time), seed(Quantity::X, x)],
-            now: Instant { elapsed: Dual::constant(0.0), point },
+            now: Instant {
+                elapsed: Dual::constant(0.0),
+                point,
+            },
             gap_rate: seed(Quantity::GapRate, rise) / pace,
             begun: Vec::new(),
-            jam: motion.transitions.iter().find(|it| it.from.is_none()).map(Transition::time),
+            jam: motion
+                .transitions
+                .iter()
+                .find(|it| it.from.is_none())
+                .map(Transition::time),
         }
     }
 
-    /// A derivative with respect to a quantity, if the motion does not differ on the two sides of its value.
-    pub(super) fn two_sided<T>(&self, quantity: Quantity, derivative: Derivative<T>) -> Derivative<T> {
-        if self.one_sided(quantity) { Err(NoDerivative::OneSided) } else { derivative }
+    /// A derivative with respect to a quantity, if the motion does not differ on the two sides of
+    /// its value.
+    pub(super) fn two_sided<T>(
+        &self,
+        quantity: Quantity,
+        derivative: Derivative<T>,
+    ) -> Derivative<T> {
+        if self.one_sided(quantity) {
+            Err(NoDerivative::OneSided)
+        } else {
+            derivative
+        }
     }
 
     fn one_sided(&self, quantity: Quantity) -> bool {
@@ -158,20 +204,42 @@ impl<'a, const K: usize> Tangents<'a, K> {
     pub(super) fn energy(&self, at: &Point<Dual<K>>, gap_rate: Dual<K>) -> Dual<K> {
         let Heavy { mass, tilt, .. } = self.plane.body;
         let numbers = [at.rate, at.slip, at.x];
-        let energy = energy_of(&self.plane.body, numbers, at.theta.sincos(), [Dual::constant(0.0), gap_rate]);
+        let energy = energy_of(
+            &self.plane.body,
+            numbers,
+            at.theta.sincos(),
+            [Dual::constant(0.0), gap_rate],
+        );
         self.difference(energy + mass * tilt * self.origin[1])
     }
 
     /// The numbers of a state in the units of the results, in the order of [`State::COLUMNS`].
     pub(super) fn numbers(&self, at: &Instant<K>) -> [Dual<K>; 5] {
-        let Point { theta, rate, slip, x } = at.point;
-        [self.time(at), theta, rate * self.pace, slip * self.pace, self.origin[1] + x]
+        let Point {
+            theta,
+            rate,
+            slip,
+            x,
+        } = at.point;
+        [
+            self.time(at),
+            theta,
+            rate * self.pace,
+            slip * self.pace,
+            self.origin[1] + x,
+        ]
     }
 
     /// The derivative of a state in the units of the results.
     pub(super) fn state(&self, at: &Instant<K>, k: usize) -> State {
         let [time, theta, theta_rate, slip, x] = self.numbers(at).map(|number| number.parts[k]);
-        State { time, theta, theta_rate, slip, x }
+        State {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        }
     }
 
     fn motion_of(&self, phase: &Phase) -> Motion<Dual<K>> {
@@ -182,7 +250,11 @@ impl<'a, const K: usize> Tangents<'a, K> {
             PhaseSolution::Flight(flight) => {
                 let rise = self.gap_rate.at(flight.take_off_rate());
                 let lifts_off = flight.lifts_off();
-                Motion::Flies { from: self.now.point, rise, lifts_off }
+                Motion::Flies {
+                    from: self.now.point,
+                    rise,
+                    lifts_off,
+                }
             }
         }
     }
@@ -199,7 +271,12 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// Moves a state to the instant at which a condition with these derivatives vanishes.
-    fn to_event(&self, motion: &Motion<Dual<K>>, at: &Point<Dual<K>>, by: [f64; K]) -> Point<Dual<K>> {
+    fn to_event(
+        &self,
+        motion: &Motion<Dual<K>>,
+        at: &Point<Dual<K>>,
+        by: [f64; K],
+    ) -> Point<Dual<K>> {
         let rates = self.plane.rates(motion, at);
         at.zip(rates, |number, rate| Dual {
             value: number.value,
@@ -218,21 +295,32 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let from = &self.now.point;
         let longest = times.last().copied().unwrap_or(0.0);
         let repeats = self.recurrence(phase, longest);
-        let Some(repeats) = repeats else { return self.plane.follow_to(motion, from, times, give) };
+        let Some(repeats) = repeats else {
+            return self.plane.follow_to(motion, from, times, give);
+        };
         let period = repeats.period();
         let turn = match repeats {
             Repeats::Libration { .. } => 0.0,
             Repeats::Rotation { .. } => TAU.copysign(from.rate.value),
         };
         // After whole periods the state is that of a time which differs from motion to motion.
-        for within in times.chunk_by(|a, b| (a / period.value).floor() == (b / period.value).floor()) {
+        for within in
+            times.chunk_by(|a, b| (a / period.value).floor() == (b / period.value).floor())
+        {
             let periods = (within[0] / period.value).floor();
-            let rest: Vec<f64> = within.iter().map(|time| (time - periods * period.value).max(0.0)).collect();
+            let rest: Vec<f64> = within
+                .iter()
+                .map(|time| (time - periods * period.value).max(0.0))
+                .collect();
             let later = period.parts.map(|part| -periods * part);
             self.plane.follow_to(motion, from, &rest, |point| {
                 give(point.map(|point| {
                     let moved = self.to_event(motion, &point, later);
-                    Point { theta: moved.theta + periods * turn, x: moved.x - periods * turn, ..moved }
+                    Point {
+                        theta: moved.theta + periods * turn,
+                        x: moved.x - periods * turn,
+                        ..moved
+                    }
                 }));
             });
         }
@@ -241,10 +329,17 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// Passes a phase and the event that ends it.
     pub(super) fn pass(&mut self, phase: &Phase) -> Derivative<Option<Passed<K>>> {
         self.begin(phase)?;
-        self.begun.push(Begun { at: self.now, gap_rate: self.gap_rate });
+        self.begun.push(Begun {
+            at: self.now,
+            gap_rate: self.gap_rate,
+        });
         let motion = self.motion_of(phase);
-        let Some(end) = phase.end else { return Ok(None) };
-        let Some(number) = phase.ended_by else { return Ok(None) };
+        let Some(end) = phase.end else {
+            return Ok(None);
+        };
+        let Some(number) = phase.ended_by else {
+            return Ok(None);
+        };
         let transition = &self.motion.transitions[number];
         let elapsed = end.time - phase.start.time;
         if transition.cause == Cause::Settle {
@@ -263,29 +358,46 @@ impl<'a, const K: usize> Tangents<'a, K> {
         for (part, later) in time.parts.iter_mut().zip(later) {
             *part += later;
         }
-        let mut before = Instant { elapsed: time, point: at };
+        let mut before = Instant {
+            elapsed: time,
+            point: at,
+        };
         if event == Event::Rest {
             before.point.slip = Dual::constant(0.0);
         }
         let (mut after, mut work) = (before, Dual::constant(0.0));
         if let Some(impact) = &transition.impact {
-            let Some(restitution) = self.restitution else { return Err(NoDerivative::Singular) };
+            let Some(restitution) = self.restitution else {
+                return Err(NoDerivative::Singular);
+            };
             let friction = [self.mu_s, self.plane.mu_k];
             let contact = Contact::of(&self.plane.body, friction, at.theta.sincos());
             let gap_rate = self
                 .gap_rate_at(&motion, (&point, elapsed), later)
                 .at(impact.before.gap_rate / self.pace.value);
-            let velocities = ContactVelocities { theta_rate: at.rate, slip: at.slip, gap_rate };
+            let velocities = ContactVelocities {
+                theta_rate: at.rate,
+                slip: at.slip,
+                gap_rate,
+            };
             let result = contact.impact(velocities, restitution);
             work = result.normal_work + result.friction_work;
             let result = result.after;
-            after.point = Point { rate: result.theta_rate, slip: result.slip, ..at };
+            after.point = Point {
+                rate: result.theta_rate,
+                slip: result.slip,
+                ..at
+            };
             self.gap_rate = result.gap_rate;
         } else {
             self.gap_rate = Dual::constant(0.0);
         }
         self.now = after;
-        Ok(Some(Passed { before, after, work }))
+        Ok(Some(Passed {
+            before,
+            after,
+            work,
+        }))
     }
 
     /// The derivatives of the time of an event, from the state at its time.
@@ -297,7 +409,8 @@ impl<'a, const K: usize> Tangents<'a, K> {
     ) -> Derivative<[f64; K]> {
         let condition = event.condition((&self.plane, self.mu_s), motion, (at, elapsed));
         let (rate, curvature) = self.rate_of(motion, event, (at, elapsed));
-        // To second order the condition falls below zero by as much: less than the rounding of what it is made of is a graze.
+        // To second order the condition falls below zero by as much: less than the rounding of what
+        // it is made of is a graze.
         let depth = rate * rate / (2.0 * curvature);
         let rounding = GRAZING * event.size((&self.plane, self.mu_s.value), motion, (at, elapsed));
         if depth <= rounding || depth.is_nan() {
@@ -313,15 +426,37 @@ impl<'a, const K: usize> Tangents<'a, K> {
         event: Event,
         (at, elapsed): (&Point<Dual<K>>, f64),
     ) -> (f64, f64) {
-        if let Motion::Flies { from, rise, lifts_off } = motion {
-            let (_, slope) = self.plane.gap((from, *rise, *lifts_off), Dual::constant(elapsed));
+        if let Motion::Flies {
+            from,
+            rise,
+            lifts_off,
+        } = motion
+        {
+            let (_, slope) = self
+                .plane
+                .gap((from, *rise, *lifts_off), Dual::constant(elapsed));
             let u = at.rate.value * at.rate.value;
             return (slope.value, 1.0 + self.plane.body.h.value * u);
         }
         let constant = |number: Dual<K>| Dual::<4>::constant(number.value);
-        let Heavy { mass, h, offset, inertia, tilt } = self.plane.body;
+        let Heavy {
+            mass,
+            h,
+            offset,
+            inertia,
+            tilt,
+        } = self.plane.body;
         let [mass, h, offset, inertia, tilt] = [mass, h, offset, inertia, tilt].map(constant);
-        let plane = Plane { body: Heavy { mass, h, offset, inertia, tilt }, mu_k: constant(self.plane.mu_k) };
+        let plane = Plane {
+            body: Heavy {
+                mass,
+                h,
+                offset,
+                inertia,
+                tilt,
+            },
+            mu_k: constant(self.plane.mu_k),
+        };
         let variable = |number: Dual<K>, place: usize| {
             let mut variable = constant(number);
             variable.parts[place] = 1.0;
@@ -334,11 +469,22 @@ impl<'a, const K: usize> Tangents<'a, K> {
             x: variable(at.x, 3),
         };
         let in_contact = Motion::Rolls;
-        let gradient = event.condition((&plane, constant(self.mu_s)), &in_contact, (&seeded, elapsed)).parts;
+        let gradient = event
+            .condition(
+                (&plane, constant(self.mu_s)),
+                &in_contact,
+                (&seeded, elapsed),
+            )
+            .parts;
         let rates = self.plane.rates(motion, at);
         let rates = [rates.theta, rates.rate, rates.slip, rates.x].map(Dual::value);
-        let terms = gradient.into_iter().zip(rates).map(|(slope, rate)| slope * rate);
-        let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()));
+        let terms = gradient
+            .into_iter()
+            .zip(rates)
+            .map(|(slope, rate)| slope * rate);
+        let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), term: f64| {
+            (sum + term, size + term.abs())
+        });
         (sum, size * (rates[0].abs() + rates[1].abs().sqrt()))
     }
 
@@ -349,8 +495,17 @@ impl<'a, const K: usize> Tangents<'a, K> {
         (at, elapsed): (&Point<Dual<K>>, f64),
         later: [f64; K],
     ) -> Dual<K> {
-        let Motion::Flies { from, rise, lifts_off } = motion else { return Dual::constant(0.0) };
-        let (_, mut rate) = self.plane.gap((from, *rise, *lifts_off), Dual::constant(elapsed));
+        let Motion::Flies {
+            from,
+            rise,
+            lifts_off,
+        } = motion
+        else {
+            return Dual::constant(0.0);
+        };
+        let (_, mut rate) = self
+            .plane
+            .gap((from, *rise, *lifts_off), Dual::constant(elapsed));
         let u = at.rate.value * at.rate.value;
         let fall = contact(1.0, self.plane.body.h.value, libm::cos(at.theta.value) * u);
         for (part, later) in rate.parts.iter_mut().zip(later) {
@@ -365,22 +520,51 @@ impl<'a, const K: usize> Tangents<'a, K> {
         };
         let from = self.now.point;
         let friction = [self.mu_s, self.plane.mu_k];
-        let start = ContactVelocities { theta_rate: from.rate, slip: from.slip, gap_rate: *rise };
-        let sum = Bounces::of(&self.plane.body, (friction, 1.0), (from.theta, from.rate), restitution)
-            .and_then(|bounces| bounces.sum(start, f64::INFINITY));
-        let Ok(settling) = sum else { return Err(NoDerivative::Singular) };
+        let start = ContactVelocities {
+            theta_rate: from.rate,
+            slip: from.slip,
+            gap_rate: *rise,
+        };
+        let sum = Bounces::of(
+            &self.plane.body,
+            (friction, 1.0),
+            (from.theta, from.rate),
+            restitution,
+        )
+        .and_then(|bounces| bounces.sum(start, f64::INFINITY));
+        let Ok(settling) = sum else {
+            return Err(NoDerivative::Singular);
+        };
         let elapsed = settling.duration;
-        let point = self.plane.follow(motion, &from, elapsed.value)?.zip(Point::from(end), Dual::at);
+        let point = self
+            .plane
+            .follow(motion, &from, elapsed.value)?
+            .zip(Point::from(end), Dual::at);
         let at = self.to_event(motion, &point, elapsed.parts);
-        let before = Instant { elapsed: (self.now.elapsed + elapsed).at(end.time), point: at };
+        let before = Instant {
+            elapsed: (self.now.elapsed + elapsed).at(end.time),
+            point: at,
+        };
         let work = settling.impact.normal_work + settling.impact.friction_work;
         let after = settling.impact.after;
-        let after = Instant { point: Point { rate: after.theta_rate, slip: after.slip, ..at }, ..before };
+        let after = Instant {
+            point: Point {
+                rate: after.theta_rate,
+                slip: after.slip,
+                ..at
+            },
+            ..before
+        };
         (self.now, self.gap_rate) = (after, Dual::constant(0.0));
-        Ok(Passed { before, after, work })
+        Ok(Passed {
+            before,
+            after,
+            work,
+        })
     }
 
-    /// The states within a phase at times that are the same for all motions, in the units of the results, and do not decrease.
+    /// The states within a phase at times that are the same for all motions, in the units of the
+    /// results, and do not decrease.
     pub(super) fn at_times(
         &mut self,
         phase: &Phase,
@@ -391,16 +575,23 @@ impl<'a, const K: usize> Tangents<'a, K> {
             return times.iter().for_each(|_| give(self, Err(reason)));
         }
         let motion = self.motion_of(phase);
-        let within: Vec<f64> = times.iter().map(|elapsed| (elapsed - phase.start.time).max(0.0)).collect();
+        let within: Vec<f64> = times
+            .iter()
+            .map(|elapsed| (elapsed - phase.start.time).max(0.0))
+            .collect();
         let [start, _] = self.origin;
         let mut times = times.iter();
         self.follow(phase, &motion, &within, |point| {
             let Some(elapsed) = times.next() else { return };
-            // A fixed time of the results is later or earlier in the time of the solvers, and since the start of the phase.
-            let fixed =
-                (Dual::constant(start.value) - start) * self.pace + self.pace / self.pace.value * *elapsed;
+            // A fixed time of the results is later or earlier in the time of the solvers, and since
+            // the start of the phase.
+            let fixed = (Dual::constant(start.value) - start) * self.pace
+                + self.pace / self.pace.value * *elapsed;
             let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
-            let moved = |point| Instant { elapsed: fixed, point: self.to_event(&motion, &point, later) };
+            let moved = |point| Instant {
+                elapsed: fixed,
+                point: self.to_event(&motion, &point, later),
+            };
             give(self, point.map(moved));
         });
     }
@@ -423,7 +614,13 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let last = self.motion.phases.last();
         // The state of these outcomes is that of an event, unless a limit cut a phase.
         let is_cut = last.is_some_and(|phase| phase.end.is_some() && phase.ended_by.is_none());
-        let at_event = || if is_cut { Err(NoDerivative::TooLong) } else { Ok((self.now, None)) };
+        let at_event = || {
+            if is_cut {
+                Err(NoDerivative::TooLong)
+            } else {
+                Ok((self.now, None))
+            }
+        };
         match outcome {
             Outcome::TimeLimit { state } => match last {
                 Some(phase) => Ok((self.at_time(phase, state.time)?, None)),
@@ -435,7 +632,9 @@ impl<'a, const K: usize> Tangents<'a, K> {
             }
             Outcome::RepeatsForever { since, .. } => {
                 let events = passed.iter().flatten().map(|passed| passed.after);
-                let first = events.into_iter().find(|event| event.elapsed.value == since.time);
+                let first = events
+                    .into_iter()
+                    .find(|event| event.elapsed.value == since.time);
                 first.map_or_else(at_event, |event| Ok((event, None)))
             }
             Outcome::SlidesForever { .. }
@@ -454,20 +653,32 @@ impl<'a, const K: usize> Tangents<'a, K> {
         }
     }
 
-    /// The numbers of the recurrence of a phase of rolling, in the units of the solvers; none if its period is longer than `most`.
+    /// The numbers of the recurrence of a phase of rolling, in the units of the solvers; none if
+    /// its period is longer than `most`.
     fn recurrence(&self, phase: &Phase, most: f64) -> Option<Repeats<K>> {
-        let PhaseSolution::Rolling(rolling) = &phase.solution else { return None };
+        let PhaseSolution::Rolling(rolling) = &phase.solution else {
+            return None;
+        };
         let law = RollingLaw::of_body(&self.plane.body);
         let from = &self.now.point;
         match rolling.orbit().recurrence() {
-            Recurrence::Libration { period, theta_min, theta_max } if period <= most => {
-                let ends = [theta_min, theta_max].map(|theta| period::turning_point(&law, from, theta));
+            Recurrence::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } if period <= most => {
+                let ends =
+                    [theta_min, theta_max].map(|theta| period::turning_point(&law, from, theta));
                 let period = period::of_libration(&law, ends).at(period);
-                Some(Repeats::Libration { period, theta_min: ends[0], theta_max: ends[1] })
+                Some(Repeats::Libration {
+                    period,
+                    theta_min: ends[0],
+                    theta_max: ends[1],
+                })
             }
-            Recurrence::Rotation { period } if period <= most => {
-                Some(Repeats::Rotation { period: period::of_rotation(&law, from).at(period) })
-            }
+            Recurrence::Rotation { period } if period <= most => Some(Repeats::Rotation {
+                period: period::of_rotation(&law, from).at(period),
+            }),
             Recurrence::Libration { .. }
             | Recurrence::Rotation { .. }
             | Recurrence::Rest
