@@ -16,6 +16,7 @@ mod documentation;
 mod engine;
 mod equations;
 mod errata;
+mod examples;
 mod extremes;
 mod flights;
 mod frictionless;
