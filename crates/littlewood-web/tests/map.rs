@@ -110,7 +110,11 @@ fn compared_with_the_program(name: &str, setup: Setup, side: usize) -> (usize, V
         (setup.start.theta, setup.start.theta_rate) = (theta, theta_rate);
         setup
     });
-    let limits = Limits::default();
+    // The class of bounces is known when the first one lands; downhill they may go on for ever.
+    let limits = match setup.hoop.restitution {
+        Some(_) => Limits::default().with_transitions(200),
+        None => Limits::default(),
+    };
     let program = Workers::new(None).unwrap().compute(points, limits).unwrap();
     let program: Vec<Class> = program
         .summaries()
