@@ -1,5 +1,10 @@
 // The page as a frame in another one.
 
+import { type ChildProcess, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync } from 'node:fs';
+import { createServer, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
 import { open, ready } from './lab';
@@ -81,6 +86,83 @@ test('the dialogue has the frame, and the frame shows the motion', async ({ page
   const frame = page.frameLocator('iframe');
   await expect(frame.locator('#mode')).toHaveText('gliding');
   await expect(frame.locator('#now')).toHaveText('τ = 2.000');
+});
+
+test('the dialogue says where the frame works', async ({ page, baseURL }) => {
+  await open(page, 'case=figure-7');
+  await page.locator('#open-share').click();
+  await expect(page.locator('#frame-note')).toContainText(
+    'the frame works in pages served from it, as http://localhost',
+  );
+  // The same files on a host of the web.
+  const web = await page.context().newPage();
+  await web.route('https://hoop.example/**', async (route) => {
+    const file = new URL(route.request().url()).pathname.slice(1);
+    await route.fulfill({ response: await route.fetch({ url: `${baseURL}${file}` }) });
+  });
+  await web.goto('https://hoop.example/#case=figure-7');
+  await ready(web);
+  await web.locator('#open-share').click();
+  await expect(web.locator('#frame-note')).toHaveText(
+    'Any page may have this frame; one with a content security policy must name hoop.example in its frame-src.',
+  );
+  expect(await web.locator('#frame-text').inputValue()).toContain('src="https://hoop.example/#');
+});
+
+const program = process.env.LITTLEWOOD ?? '';
+
+/** `littlewood lab`, and the address that it tells. */
+async function lab(): Promise<[ChildProcess, string]> {
+  const server = spawn(program, ['lab', '--no-open', '--page', 'dist'], {
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  const address = await new Promise<string>((resolve) => {
+    server.stdout!.on('data', (text: Buffer) => {
+      const found = /http:\S+/.exec(text.toString());
+      if (found) resolve(found[0]);
+    });
+  });
+  return [server, address];
+}
+
+test('pages of this machine may have the page of littlewood lab in a frame, and no others', async ({
+  page,
+}) => {
+  test.skip(!existsSync(program), 'LITTLEWOOD names no program');
+  const [server, address] = await lab();
+  let lectures: Server | undefined;
+  try {
+    const errors: string[] = [];
+    page.on('console', (it) => it.type() === 'error' && errors.push(it.text()));
+    await page.goto(`${address}#case=figure-7&at=2`);
+    await ready(page);
+    // The service worker that it is given ends itself.
+    const workers = (): Promise<number> =>
+      page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length);
+    await expect.poll(workers).toBe(0);
+    await page.locator('#open-share').click();
+    const text = await page.locator('#frame-text').inputValue();
+    expect(errors).toEqual([]);
+    const mode = page.frameLocator('iframe').locator('#mode');
+    lectures = createServer((request, response) => {
+      const found = request.url === '/' ? 200 : 204;
+      response.writeHead(found, { 'content-type': 'text/html' }).end(found === 200 ? text : '');
+    }).listen(0, '127.0.0.1');
+    await once(lectures, 'listening');
+    const { port } = lectures.address() as AddressInfo;
+    for (const host of ['127.0.0.1', 'localhost']) {
+      await page.goto(`http://${host}:${port}/`);
+      await expect(mode).toHaveText('gliding');
+    }
+    expect(errors).toEqual([]);
+    // Another name, though it leads to this machine, too.
+    await page.goto(`http://lecture.localhost:${port}/`);
+    await expect.poll(() => errors.join(' ')).toContain('frame-ancestors');
+    await expect(mode).toHaveCount(0);
+  } finally {
+    server.kill();
+    lectures?.close();
+  }
 });
 
 for (const theme of ['light', 'dark'] as const) {

@@ -20,11 +20,90 @@ async function svg(
 }
 
 test('the energy has one zero', async ({ page }) => {
+  // U of (2.8) is cos θ in contact, 0 at θ = π/2; T = D θ′²/2 = 8 with D = 4, θ′ = 2 (2.11).
   await open(page, 'case=figure-3-bounces&map=0');
-  // Kinetic 8, potential 1 over that of the lowest place: h (1 + cos θ) m, with m = 2, h = 1/2, θ =
-  // π/2.
-  await expect(page.locator('#energy-sum')).toHaveText('9 m₂gR');
-  await expect(page.locator('output[data-plot=energy]')).toHaveText('9.000');
+  await expect(page.locator('#energy-sum')).toHaveText('8 m₂gR');
+  await expect(page.locator('output[data-part=potential]')).toHaveText('0');
+  await expect(page.locator('output[data-part=kinetic]')).toHaveText('8');
+  await expect(page.locator('output[data-plot=energy]')).toHaveText('8.000');
+  // At θ = 2.5, θ′ = 0 it is cos 2.5 = −0.8011, on the bar and in the plot.
+  await open(page, 'case=figure-2-libration&restitution=0.5&map=0');
+  await expect(page.locator('#energy-sum')).toHaveText('−0.8011 m₂gR');
+  await expect(page.locator('output[data-part=potential]')).toHaveText('−0.8011');
+  await expect(page.locator('output[data-plot=energy]')).toHaveText('−0.801');
+});
+
+test('the bar of the energy ends each part at its place over the zero', async ({ page }) => {
+  await open(page, 'case=figure-3-bounces&map=0');
+  const [bar, zero, potential, kinetic] = await Promise.all(
+    ['#energy-bar', '.zero', '.part[data-energy=potential]', '.part[data-energy=kinetic]'].map(
+      async (it) => (await page.locator(it).boundingBox())!,
+    ),
+  );
+  // From −1 to 8: zero is a ninth from the left, where U = 0 ends at θ = π/2, and T fills the rest.
+  const part = (x: number): number => (x - bar!.x) / bar!.width;
+  expect(Math.abs(part(zero!.x) - 1 / 9)).toBeLessThan(0.005);
+  expect(Math.abs(part(potential!.x + potential!.width) - 1 / 9)).toBeLessThan(0.005);
+  expect(Math.abs(part(kinetic!.x + kinetic!.width) - 1)).toBeLessThan(0.005);
+});
+
+test('the friction that is needed is that of the instant, and events tell none that changes', async ({
+  page,
+}) => {
+  await open(page, 'case=rolls-forever&map=0');
+  const seen = new Set<string>();
+  for (let i = 0; i < 6; i++) {
+    // The plots are drawn in the next frame.
+    const [demand, text] = await page.evaluate(async () => {
+      for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+      const said = (it: string): string => document.querySelector(it)!.textContent;
+      return [Number(said('output[data-plot=demand]')), said('#friction')] as const;
+    });
+    if (demand > 0.001) {
+      const told = Number(/^Rolling needs \|F\|\/N = ([\d.]+) here; μₛ = 0\.5\.$/.exec(text)![1]);
+      expect(Math.abs(told - demand)).toBeLessThan(0.006 * demand + 0.0006);
+      seen.add(text);
+    }
+    for (let k = 0; k < 7; k++) await page.locator('#time').press('ArrowRight');
+  }
+  expect(seen.size).toBeGreaterThan(3);
+  await expect(page.locator('#sentence')).not.toContainText('coefficient');
+  // A slide needs none.
+  await open(page, 'case=figure-3&map=0&at=0.2');
+  await expect(page.locator('#friction')).toBeEmpty();
+});
+
+test('ticks of an axis differ', async ({ page }) => {
+  // What is written on each canvas since it was cleared, along the axis on its left.
+  await page.addInitScript(() => {
+    const { fillText, clearRect } = CanvasRenderingContext2D.prototype;
+    const written = new WeakMap<HTMLCanvasElement, string[]>();
+    CanvasRenderingContext2D.prototype.clearRect = function (...area) {
+      written.set(this.canvas, []);
+      clearRect.apply(this, area);
+    };
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+      if (this.textAlign === 'right') written.get(this.canvas)?.push(text);
+      fillText.call(this, text, ...place);
+    };
+    Object.assign(window, { written });
+  });
+  // A slip of a hundredth costs some 1e-4 of the energy, which is 4/3.
+  await open(page, 'case=rolls-forever&theta=0.8&theta_rate=0.5&slip=0.02&map=0');
+  const axes = await page
+    .locator('.chart canvas')
+    .evaluateAll((all) =>
+      all.map((it) =>
+        (window as unknown as { written: WeakMap<Element, string[]> }).written.get(it),
+      ),
+    );
+  expect(axes).toHaveLength(5);
+  for (const ticks of axes) {
+    expect(ticks!.length).toBeGreaterThan(1);
+    expect(new Set(ticks).size, ticks!.join(', ')).toBe(ticks!.length);
+  }
+  // A range that four digits do not resolve.
+  expect(Number(axes[4]!.at(-1)) - Number(axes[4]![0])).toBeLessThan(1e-3);
 });
 
 test('in SI units the axes of the hoop and of the plane are in metres and radians a second', async ({
@@ -101,6 +180,14 @@ test('rounding is not shown as physics', async ({ page }) => {
     const numbers = await page.locator('#impact-numbers td[data-value]').allTextContents();
     expect(numbers.filter((it) => /e[-−]/.test(it))).toEqual([]);
   }
+  // The smallest bounces have an impulse that is known, and take less than the energy is rounded
+  // by, 1e-15 of it.
+  await open(page, 'case=figure-3-bounces&map=0');
+  await page.locator('#last').click();
+  await expect(page.locator('#impact-place')).toContainText('all smaller ones together');
+  const number = (name: string) => page.locator(`#impact-numbers [data-quantity=${name}] td`);
+  await expect(number('normal_impulse')).toHaveText(/^1\.187\d*e−7$/);
+  await expect(number('energy_lost')).toHaveText('0');
 });
 
 test('a massless hoop keeps its start in sight', async ({ page }) => {

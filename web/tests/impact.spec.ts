@@ -223,7 +223,7 @@ test('the parts of the energy add up to that of the start at every time', async 
     await page.reload();
     await ready(page);
     const number = async (selector: string): Promise<number> =>
-      parseFloat((await page.locator(selector).innerText()).replace('−', '-'));
+      parseFloat((await page.locator(selector).innerText()).replaceAll('−', '-'));
     const start = await number('#energy-sum');
     for (let i = 0; i < 8; i++) {
       let sum = 0;

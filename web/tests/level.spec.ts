@@ -187,3 +187,62 @@ test('undo takes back one change, and reset all of them', async ({ page }) => {
   await page.getByRole('button', { name: 'Reset' }).click();
   await expect(page).toHaveURL(/case=slip-then-jump/);
 });
+
+/** Contrast of what is written or drawn on a control with what is behind it, as it is now. */
+function contrast(control: Element): number {
+  /** Red, green, blue and opacity, each from 0 to 1. */
+  const channels = (colour: string): number[] => {
+    const [red = 0, green = 0, blue = 0, alpha = 1] = colour.match(/[\d.]+/g)!.map(Number);
+    const most = colour.startsWith('rgb') ? 255 : 1;
+    return [red / most, green / most, blue / most, alpha];
+  };
+  const luminance = (colour: number[]): number => {
+    const [red, green, blue] = colour.map((it) =>
+      it <= 0.04045 ? it / 12.92 : ((it + 0.055) / 1.055) ** 2.4,
+    );
+    return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue!;
+  };
+  const over = (top: number[], below: number[]): number[] =>
+    below.map((it, i) => top[3]! * top[i]! + (1 - top[3]!) * it);
+  const behind = (element: Element | null): number[] => {
+    if (element === null) return [1, 1, 1];
+    const own = channels(getComputedStyle(element).backgroundColor);
+    return own[3] === 1 ? own.slice(0, 3) : over(own, behind(element.parentElement));
+  };
+  const ground = behind(control);
+  const [light = 0, dark = 0] = [ground, over(channels(getComputedStyle(control).color), ground)]
+    .map(luminance)
+    .sort((a, b) => b - a);
+  return (light + 0.05) / (dark + 0.05);
+}
+
+for (const theme of ['light', 'dark'] as const) {
+  test(`what is written on a control is read while it is hovered, focused or pressed, ${theme}`, async ({
+    page,
+  }) => {
+    for (const state of ['level=simple', 'level=full', 'lesson=hop', 'case=figure-3-bounces']) {
+      await open(page, `${state}&map=0&theme=${theme}`);
+      await page.reload();
+      await ready(page);
+      if (state !== 'level=full' && !state.startsWith('case')) {
+        await page.locator('#guesses button').first().click();
+        await page.locator('#play').click();
+      }
+      const controls = page.locator(
+        'button:visible:not(:disabled):not(.weight):not(.handle), select:visible, a:visible',
+      );
+      const count = await controls.count();
+      expect(count).toBeGreaterThan(5);
+      for (let i = 0; i < count; i++) {
+        const control = controls.nth(i);
+        const name = await control.evaluate((it) => it.outerHTML.slice(0, 120));
+        // What is off the screen until it is focused, and what a motion lays over another.
+        if (name.includes('"skip"') || name.includes('start-handle')) continue;
+        await control.hover({ force: true });
+        expect(await control.evaluate(contrast), `${name} hovered`).toBeGreaterThan(4.5);
+        await control.focus();
+        expect(await control.evaluate(contrast), `${name} focused`).toBeGreaterThan(4.5);
+      }
+    }
+  });
+}

@@ -60,7 +60,7 @@ test('a start dragged to that of figure 3 slides, rolls, slides and jumps', asyn
   });
   await expect(page.locator('#case')).toHaveValue('figure-3');
   await expect(page.locator('#sentence')).toHaveText(
-    'Slips: rolling would need a friction coefficient of 2; there is 0.5.',
+    'Slips: rolling would have needed a friction coefficient of 2; there is 0.5.',
   );
   expect(Math.abs((await endOf(page)) - FIGURE_3_LANDING.time)).toBeLessThan(1e-9);
 });

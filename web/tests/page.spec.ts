@@ -160,7 +160,7 @@ test('the numbers of an axis have the room that they need', async ({ page }) => 
     );
   const [, , normal, , energy] = widths as [number, number, number, number, number];
   expect(energy).toBeGreaterThan(normal);
-  expect(energy).toBeGreaterThanOrEqual(12 + 8 * 4);
+  expect(energy).toBeGreaterThanOrEqual(12 + 8 * 3);
 });
 
 test('with the colours of the system phases, energy and legends keep theirs', async ({ page }) => {

@@ -113,8 +113,19 @@ fn the_page_is_served_to_this_machine_alone() {
         written.starts_with("HTTP/1.1 405") && written.contains("Allow: GET, HEAD"),
         "{written}"
     );
-    // The story has an address without its ending; a script that stays in the browser is not
-    // served.
+    // Pages of this machine may have it in a frame, and no others.
+    assert!(
+        first.contains("frame-ancestors http://127.0.0.1:* http://localhost:*\r\n"),
+        "{first}"
+    );
+    // The script that would stay in the browser is one that ends itself.
+    let worker = get("GET", &ours, "/sw.js");
+    assert!(
+        worker.contains("Content-Type: text/javascript") && worker.contains(".unregister()"),
+        "{worker}"
+    );
+    assert!(!worker.contains("<!doctype html>"), "{worker}");
+    // The story has an address without its ending.
     for (path, status) in [
         ("/?x=1", 200),
         ("/story", 200),
@@ -128,7 +139,6 @@ fn the_page_is_served_to_this_machine_alone() {
         ("*", 404),
         ("/assets", 404),
         ("/assets/../../index.html", 404),
-        ("/sw.js", 404),
     ] {
         let answer = get("GET", &ours, path);
         assert!(

@@ -1,10 +1,10 @@
 //! A film: a motion, and how it is shown.
 
-use littlewood::Trajectory;
 use littlewood::si::Units;
+use littlewood::{Sample, Trajectory};
 use littlewood_style::{EnergyParts, Ledger};
 
-use crate::bar::{COLUMN, draw_bar};
+use crate::bar::{Bar, COLUMN, draw_bar};
 use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};
 use crate::camera::{Camera, EXAMINED, Framing, Window};
 use crate::canvas::Canvas;
@@ -51,23 +51,19 @@ pub struct Film<'a> {
     with: Option<With>,
 }
 
-/// The energy of a motion, and the largest sum of its parts that the bar has to show.
+/// The energy of a motion, and from where to where the bar has to show it.
 #[derive(Debug)]
 struct Energies {
     ledger: Ledger,
-    most: f64,
+    scale: [f64; 2],
 }
 
 impl Energies {
     fn new(trajectory: &Trajectory, end: f64) -> Option<Self> {
         let ledger = Ledger::new(trajectory)?;
-        // Newton's law can gain energy, and so does what goes down a slope.
-        let most = trajectory
-            .sample_evenly(EXAMINED, end)
-            .filter_map(|sample| ledger.parts(&sample, false))
-            .map(|parts| parts.start - parts.impacts.min(0.0) - parts.potential.min(0.0))
-            .fold(0.0, f64::max);
-        Some(Self { ledger, most })
+        let samples: Vec<Sample> = trajectory.sample_evenly(EXAMINED, end).collect();
+        let scale = ledger.scale(&samples);
+        Some(Self { ledger, scale })
     }
 }
 
@@ -354,8 +350,11 @@ impl<'a> Reel<'a> {
             draw_bar(
                 canvas,
                 [left + width, top, camera.floor()],
-                &parts,
-                energies.most,
+                &Bar {
+                    parts: &parts,
+                    scale: energies.scale,
+                    units: film.units.as_ref(),
+                },
                 unit,
             );
         }

@@ -89,18 +89,16 @@ impl Pane {
     ) -> Result<Self, DrawError> {
         let samples: Vec<Sample> = trajectory.sample_evenly(SAMPLES, schedule.end).collect();
         let times = [schedule.start, schedule.end.max(schedule.start + 1e-9)];
+        let ledger = Ledger::new(trajectory);
         let parts = |ledger: &Ledger| -> Vec<(f64, EnergyParts)> {
             let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
             samples.iter().filter_map(parts).collect()
         };
-        let energies = Ledger::new(trajectory)
-            .as_ref()
-            .map(parts)
-            .unwrap_or_default();
+        let energies = ledger.as_ref().map(parts).unwrap_or_default();
         let ranges = match with {
             With::Plane => [[-PI, PI], rates(&samples, trajectory)],
             With::Friction => [times, [0.0, most_demand(trajectory)]],
-            With::Energy => [times, [0.0, most_energy(&energies)]],
+            With::Energy => [times, range_of_energies(ledger.as_ref(), &samples)],
         };
         let mut pieces: Vec<Piece> = Vec::new();
         let mut begins = true;
@@ -365,13 +363,23 @@ impl Shown<'_> {
         self.friction().map(label).to_vec()
     }
 
-    /// The parts of the energy one upon the other.
+    /// The parts of the energy one upon the other, the potential energy up to its own value.
     fn bands(&self, strength: f64) -> Vec<Layer> {
-        let mut lower: Vec<[f64; 2]> = self.energies.iter().map(|(time, _)| [*time, 0.0]).collect();
+        let least = self.ranges[1][0];
+        let mut lower: Vec<[f64; 2]> = self
+            .energies
+            .iter()
+            .map(|(time, _)| [*time, least])
+            .collect();
         let mut layers = Vec::new();
         for part in EnergyPart::ALL {
             let above = |([time, below], (_, parts)): (&[f64; 2], &(f64, EnergyParts))| {
-                [*time, below + parts.part(part).max(0.0)]
+                let value = parts.part(part);
+                let height = match part {
+                    EnergyPart::Potential => value - least,
+                    EnergyPart::Kinetic | EnergyPart::Friction | EnergyPart::Impacts => value,
+                };
+                [*time, below + height.max(0.0)]
             };
             let upper: Vec<[f64; 2]> = lower.iter().zip(self.energies).map(above).collect();
             let area = lower.iter().chain(upper.iter().rev()).copied().collect();
@@ -391,13 +399,13 @@ impl Shown<'_> {
                 .to_vec(),
             With::Friction => Vec::new(),
             With::Energy => {
-                let most = self.ranges[1][1];
+                let [least, most] = self.ranges[1];
                 let is_seen = |part: &EnergyPart| {
                     self.energies
                         .iter()
-                        .map(|(_, parts)| parts.part(*part))
+                        .map(|(_, parts)| parts.part(*part).abs())
                         .fold(0.0, f64::max)
-                        > 1e-6 * most
+                        > 1e-6 * (most - least)
                 };
                 let key = |part: EnergyPart| (Mark::Fill(of_energy(part)), part.label().to_owned());
                 EnergyPart::ALL
@@ -467,19 +475,12 @@ fn most_demand(trajectory: &Trajectory) -> f64 {
     if most > 0.0 { 1.3 * most } else { 1.0 }
 }
 
-fn most_energy(energies: &[(f64, EnergyParts)]) -> f64 {
-    let sum = |parts: &EnergyParts| {
-        EnergyPart::ALL
-            .iter()
-            .map(|part| parts.part(*part).max(0.0))
-            .sum::<f64>()
-    };
-    let most = energies
-        .iter()
-        .map(|(_, parts)| sum(parts))
-        .filter(|sum| sum.is_finite())
-        .fold(0.0, f64::max);
-    if most > 0.0 { 1.05 * most } else { 1.0 }
+/// The scale of the energies of a motion with a little air above; of one that does not begin, or
+/// that does not move, something.
+fn range_of_energies(ledger: Option<&Ledger>, samples: &[Sample]) -> [f64; 2] {
+    let [low, high] = ledger.map_or([0.0; 2], |ledger| ledger.scale(samples));
+    let span = if high > low { high - low } else { 1.0 };
+    [low, low + 1.05 * span]
 }
 
 /// The range of rates of a motion: symmetric, with the curves of rolling in sight; rates that grow

@@ -71,10 +71,7 @@ fn the_parts_add_up_to_the_energy_at_the_start() {
                 "{} {index}: {sum} and {start}",
                 case.name
             );
-            // Down a slope the potential energy has no least value.
-            let falls = case.setup.hoop.slope != 0.0;
-            let is_positive = moving > -1e-12 && friction > -1e-12 && (potential > -1e-12 || falls);
-            assert!(is_positive, "{} {index}", case.name);
+            assert!(moving >= 0.0 && friction >= 0.0, "{} {index}", case.name);
             let time = film.schedule().time(index as u64);
             if let Some(wanted) = kinetic(&motion, time, 1e-5).filter(|wanted| *wanted < 1e3) {
                 assert!(
@@ -105,10 +102,7 @@ fn impacts_take_what_the_notes_say() {
         let film = film(&motion, &PACE);
         let last = energies(&film).pop().unwrap();
         assert!((last.impacts - lost).abs() < 1e-11, "{e}: {}", last.impacts);
-        assert!(
-            (last.start - 9.0).abs() < 1e-13,
-            "8 of Figure 3, and 1 from the bottom up"
-        );
+        assert!((last.start - 8.0).abs() < 1e-13, "E (2.8) of Figure 3");
         let first = energies(&film)[0];
         assert_eq!((first.friction, first.impacts), (0.0, 0.0));
     }

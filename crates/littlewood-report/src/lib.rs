@@ -36,7 +36,7 @@ pub mod sheet;
 mod subject;
 mod uncertainty;
 
-pub use impact::{jam_of, kinetic_energy};
+pub use impact::{ShownImpact, jam_of, kinetic_energy};
 pub use instants::{Instant, instants};
 pub use record::RESTITUTION_LAW;
 pub use sampling::Sampling;

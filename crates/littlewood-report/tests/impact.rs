@@ -6,9 +6,10 @@
 )]
 
 use littlewood::cases::find_case;
+use littlewood::impact::Impact;
 use littlewood::{Cause, Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory};
 use littlewood_report::scale::Scale;
-use littlewood_report::{Sampling, instants, kinetic_energy, sentence};
+use littlewood_report::{Sampling, ShownImpact, instants, kinetic_energy, sentence};
 
 const PLAIN: Scale<'_> = Scale::new(None);
 
@@ -68,6 +69,63 @@ fn an_impact_is_told_with_the_part_of_the_energy_that_is_gone() {
         let kinetic = kinetic_energy(motion.hoop(), theta, &impact.before).unwrap();
         assert!((kinetic - before_the_landing()).abs() < 1e-12);
     }
+}
+
+fn shown(motion: &Trajectory) -> impl Iterator<Item = (ShownImpact, Impact)> {
+    let events = motion.transitions().iter().enumerate();
+    events.filter_map(|(index, event)| {
+        let shown = ShownImpact::of(motion.hoop(), index, event)?;
+        Some((shown, event.impact?))
+    })
+}
+
+/// Without friction and with e = 1 nothing is lost, there is no J, and the slip is kept.
+#[test]
+fn what_is_rounding_is_shown_as_nothing() {
+    let mut impacts = 0;
+    for (i, law) in (0..120).zip(RestitutionLaw::ALL.into_iter().cycle()) {
+        let part = |k: i32| f64::from(i * k % 97) / 97.0;
+        let hoop = HoopParameters::thin(4.0 * part(31))
+            .with_offset(0.1 + 0.9 * part(57))
+            .with_inertia(0.2 + part(83))
+            .with_restitution(1.0, law);
+        let start = Start::at(6.0 * part(19), 4.0 - 8.0 * part(43)).with_gap_rate(part(71));
+        let limits = Limits::until(30.0).with_transitions(60);
+        let motion = Hoop::new(hoop).unwrap().simulate(start, limits).unwrap();
+        for (it, _) in shown(&motion) {
+            assert_eq!((it.energy_lost, it.impulse.friction), (0.0, 0.0), "{it:?}");
+            assert!(it.impulse.normal > 0.0);
+            impacts += 1;
+        }
+    }
+    assert!(impacts > 1000, "{impacts}");
+    let forever = find_case("bounces-forever").unwrap().simulate().unwrap();
+    for (it, _) in shown(&forever).take(100) {
+        assert_eq!(
+            (it.before.slip, it.after.slip, it.energy_lost),
+            (0.0, 0.0, 0.0)
+        );
+    }
+}
+
+/// The last of ever smaller bounces lose less than the energy is rounded by, which is about 1e-15
+/// of it; their impulses are small, but known.
+#[test]
+fn what_is_more_than_rounding_is_shown_as_it_is() {
+    let motion = bouncing("figure-3", 0.5, RestitutionLaw::Energetic);
+    let all: Vec<_> = shown(&motion).collect();
+    for (it, impact) in &all {
+        assert_eq!(it.impulse, impact.impulse);
+        assert_eq!((it.before, it.after), (impact.before, impact.after));
+        let lost = impact.energy_lost();
+        if lost > 1e-13 {
+            assert_eq!(it.energy_lost, lost);
+        } else if lost < 1e-15 {
+            assert_eq!(it.energy_lost, 0.0);
+        }
+    }
+    let (last, _) = all.last().unwrap();
+    assert!((1e-8..1e-6).contains(&last.impulse.normal) && last.energy_lost == 0.0);
 }
 
 #[test]

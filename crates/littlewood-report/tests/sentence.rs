@@ -2,7 +2,7 @@
 
 use littlewood::cases::{CASES, find_case};
 use littlewood::si::SiParameters;
-use littlewood::{Hoop, Limits, Start};
+use littlewood::{Hoop, Limits, Mode, Start};
 use littlewood_report::scale::Scale;
 use littlewood_report::sentence;
 
@@ -15,7 +15,7 @@ fn figure_3_begins_with_too_little_friction() {
     let motion = find_case("figure-3").unwrap().simulate().unwrap();
     assert_eq!(
         sentence::start(&motion, PLAIN),
-        "Slips: rolling would need a friction coefficient of 2; there is 0.5."
+        "Slips: rolling would have needed a friction coefficient of 2; there is 0.5."
     );
     let told: Vec<String> = (0..4)
         .map(|i| sentence::transition(&motion, i, PLAIN).unwrap())
@@ -76,11 +76,11 @@ fn what_a_start_says_is_what_the_equations_say_there() {
             PLAIN,
         )
     };
-    // At rest at the bottom F = 0. At θ = 0 it is left at once if h θ′² > 1, θ′ > √2.
     assert_eq!(
         first(core::f64::consts::PI, 0.0),
-        "Rolls: no friction is needed here."
+        "Rolls: static friction holds the contact point."
     );
+    // At θ = 0 it is left at once if h θ′² > 1, θ′ > √2.
     assert_eq!(
         first(0.0, 1.5),
         "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > 1."
@@ -98,6 +98,44 @@ fn what_a_start_says_is_what_the_equations_say_there() {
         sentence::outcome(&massless, PLAIN),
         "The particle reaches the ground; the model ends here. A rim without mass cannot be struck."
     );
+}
+
+/// Of Figure 2, m = 2, h = 1/2, D = 4 + 2 cos θ: θ″ = sin θ (1 + θ′²)/D (2.11), N = 2 − sin θ θ″ −
+/// cos θ θ′², F = sin θ θ′² − (2 + cos θ) θ″ (2.12).
+#[test]
+fn the_friction_that_is_needed_is_that_of_the_instant() {
+    let mut told = Vec::new();
+    for name in ["rolls-forever", "figure-3", "stick-slip-no-jump"] {
+        let motion = find_case(name).unwrap().simulate().unwrap();
+        for sample in motion.sample_evenly(60, motion.end_time().min(8.0)) {
+            let text = sentence::friction(motion.hoop(), &sample);
+            assert_eq!(text.is_some(), sample.mode == Mode::Rolling, "{name}");
+            let Some(text) = text else { continue };
+            let (theta, rate) = (sample.state.theta, sample.state.theta_rate);
+            let (sin, cos) = libm::sincos(theta);
+            let acceleration = sin * (1.0 + rate * rate) / (4.0 + 2.0 * cos);
+            let normal = 2.0 - sin * acceleration - cos * rate * rate;
+            let friction = sin * rate * rate - (2.0 + cos) * acceleration;
+            let needed = friction.abs() / normal;
+            if needed < 1e-12 {
+                assert_eq!(text, "Rolling needs no friction here.");
+                continue;
+            }
+            let number = text
+                .strip_prefix("Rolling needs |F|/N = ")
+                .and_then(|rest| rest.strip_suffix(" here; μₛ = 0.5."))
+                .unwrap_or_else(|| panic!("{text}"));
+            let number: f64 = number.replace('−', "-").parse().unwrap();
+            assert!(
+                (number - needed).abs() <= 0.00501 * needed + 1e-13,
+                "{text}, and it is {needed}"
+            );
+            told.push(text);
+        }
+    }
+    told.sort();
+    told.dedup();
+    assert!(told.len() > 60, "{}", told.len());
 }
 
 #[test]

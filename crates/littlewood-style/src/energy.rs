@@ -7,13 +7,14 @@ use crate::rgb::Rgb;
 use crate::theme::Theme;
 
 named! {
-    /// A part of the energy that a motion has had at its start. What is lost has the colour of what
-    /// takes it.
+    /// A part of the energy that a motion has had at its start, in the order in which they stand
+    /// one upon the other: the potential energy may be negative. What is lost has the colour of
+    /// what takes it.
     pub enum EnergyPart {
-        /// Kinetic.
-        Kinetic = "kinetic",
         /// Potential.
         Potential = "potential",
+        /// Kinetic.
+        Kinetic = "kinetic",
         /// Lost to friction in sliding.
         Friction = "lost_to_friction",
         /// Lost in impacts.
@@ -35,8 +36,8 @@ impl EnergyPart {
     /// Colour.
     pub const fn colour(self, theme: Theme) -> Rgb {
         match self {
-            Self::Kinetic => Accent::Violet.colour(theme),
-            Self::Potential => Accent::Teal.colour(theme),
+            Self::Kinetic => Accent::Teal.colour(theme),
+            Self::Potential => Accent::Violet.colour(theme),
             Self::Friction => Arrow::FrictionForce.colour(theme),
             Self::Impacts => Arrow::Impulse.colour(theme),
         }

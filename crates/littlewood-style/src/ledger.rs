@@ -4,14 +4,13 @@ use littlewood::{Hoop, Mode, Sample, Trajectory};
 
 use crate::energy::EnergyPart;
 
-/// The energy at the start by what it has become, over m2 g R; the potential energy is counted from
-/// its least value, on a slope from that where the motion begins, below which it may fall. The
-/// parts add up to the energy at the start.
+/// The energy at the start by what it has become, over m2 g R. The parts add up to it; one that is
+/// less than its own rounding is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyParts {
     /// Kinetic.
     pub kinetic: f64,
-    /// Potential.
+    /// Potential, U of (2.8): negative with the particle below C.
     pub potential: f64,
     /// Lost to friction in sliding.
     pub friction: f64,
@@ -37,8 +36,6 @@ impl EnergyParts {
 #[derive(Clone, Debug)]
 pub struct Ledger {
     hoop: Hoop,
-    /// Where the motion begins along the plane.
-    x: f64,
     start: f64,
     /// Time at the start of each phase, its energy then, and what had been lost to friction and in
     /// impacts.
@@ -66,9 +63,7 @@ impl Ledger {
         {
             impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
         }
-        let first = trajectory.phases().first()?.first();
-        let x = first.state.x;
-        let start = first.energy + impacts + reference(&hoop, x);
+        let start = trajectory.phases().first()?.first().energy + impacts;
         let mut phases = Vec::with_capacity(trajectory.phases().len());
         for phase in trajectory.phases() {
             phases.push(Entry {
@@ -85,7 +80,6 @@ impl Ledger {
         }
         Some(Self {
             hoop,
-            x,
             start,
             phases,
         })
@@ -101,39 +95,50 @@ impl Ledger {
                 entry.time <= time
             }
         });
-        let entry = self.phases.get(after.max(1) - 1)?;
-        let gap = if sample.gap.is_finite() {
-            sample.gap
-        } else {
-            0.0
-        };
-        let (sin, cos) = libm::sincos(sample.state.theta);
-        let (along, across) = libm::sincos(self.hoop.slope());
-        let hoop = &self.hoop;
-        let risen = hoop.mass() * along * (sample.state.x - self.x - hoop.h() * sin);
-        let potential = across * (hoop.offset() * (1.0 + cos) + hoop.mass() * gap) + risen;
+        let place = after.max(1) - 1;
+        let entry = self.phases.get(place)?;
+        let potential = sample.potential_energy(&self.hoop);
         let slides = match sample.mode {
             Mode::Sliding => (entry.energy - sample.energy).max(0.0),
             Mode::Rolling | Mode::Gliding | Mode::Flight => 0.0,
         };
         let (friction, impacts) = (entry.friction + slides, entry.impacts);
+        // A part is a sum of energies, and so is each of what it is the difference of; what is lost
+        // adds one for each phase and each impact before.
+        let size =
+            self.start.abs() + self.hoop.offset() + potential.abs() + friction + impacts.abs();
+        let rounding = 4.0 * f64::EPSILON * size;
+        let seen = |value: f64, count: usize| {
+            if value.abs() > count as f64 * rounding {
+                value
+            } else {
+                0.0
+            }
+        };
         // Where a particle of a massless hoop meets the plane its rate is infinite, but not its
         // energy.
-        let kinetic = Some(sample.energy + reference(hoop, self.x) - potential)
+        let kinetic = Some(sample.energy - potential)
             .filter(|kinetic| kinetic.is_finite())
             .unwrap_or(self.start - potential - friction - impacts);
         Some(EnergyParts {
-            kinetic,
-            potential,
-            friction,
-            impacts,
+            kinetic: seen(kinetic, 1),
+            potential: seen(potential, 1),
+            friction: seen(friction, 2 * place + 1),
+            impacts: seen(impacts, 2 * place + 1),
             start: self.start,
         })
     }
-}
 
-/// By how much the potential energy of a ledger exceeds that of a sample.
-fn reference(hoop: &Hoop, x: f64) -> f64 {
-    let (along, across) = libm::sincos(hoop.slope());
-    across * hoop.offset() - hoop.mass() * along * x
+    /// The scale of energies on which the parts of these samples have room one upon the other:
+    /// from the least potential energy, up to that of the start and what a law of impact has
+    /// gained. An energy stands on it at the same place as a part that ends there.
+    pub fn scale<'a>(&self, samples: impl IntoIterator<Item = &'a Sample>) -> [f64; 2] {
+        samples
+            .into_iter()
+            .filter_map(|sample| self.parts(sample, false))
+            .fold([self.start; 2], |[low, high], parts| {
+                let gained = (-parts.impacts).max(0.0);
+                [low.min(parts.potential), high.max(self.start + gained)]
+            })
+    }
 }

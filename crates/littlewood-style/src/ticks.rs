@@ -33,7 +33,10 @@ pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
             let label = if (1e-4..1e6).contains(&size) {
                 format!("{value:.digits$}")
             } else {
-                format!("{value:.1e}")
+                // As many digits as the step has.
+                let order = libm::floor(libm::log10(value.abs())) - decade;
+                let digits = (order + f64::from(extra)).max(1.0) as usize;
+                format!("{value:.digits$e}")
             };
             Tick {
                 value,

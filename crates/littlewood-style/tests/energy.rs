@@ -33,9 +33,7 @@ fn the_shares_add_up_to_the_energy_of_the_start() {
                 .filter_map(|it| it.impact)
                 .map(|impact| impact.energy_lost())
                 .sum();
-            let slope = motion.hoop().slope();
-            assert_eq!(case.setup.start.x, 0.0, "{}", case.name);
-            let total = first.first().energy + case.setup.hoop.offset * libm::cos(slope) + lost;
+            let total = first.first().energy + lost;
             let end = motion.end_time().min(20.0);
             for i in 0..=200 {
                 let time =
@@ -50,11 +48,7 @@ fn the_shares_add_up_to_the_energy_of_the_start() {
                         "{} at {time}",
                         case.name
                     );
-                    assert!(
-                        (energies.potential >= 0.0 || slope != 0.0) && energies.kinetic >= -1e-12,
-                        "{} at {time}",
-                        case.name
-                    );
+                    assert!(energies.kinetic >= 0.0, "{} at {time}", case.name);
                 }
             }
         }
@@ -74,4 +68,33 @@ fn figure_3_loses_in_its_first_impact_what_the_notes_say() {
     assert!((after.impacts - 3.362_443_419_227_28).abs() < 1e-12);
     assert!(before.friction > 0.0 && after.friction == before.friction);
     assert_eq!(motion.at(landing + 1e-9).unwrap().mode, Mode::Flight);
+}
+
+/// U of (2.8) is ℓ cos θ, from −1 with the particle below C of Figure 3 to 1 above it: the energy of
+/// its start, at θ = π/2 with θ′ = 2 and D = 4, is 8.
+#[test]
+fn the_energy_has_the_zero_of_the_paper() {
+    let case = littlewood::cases::find_case("figure-3-bounces").unwrap();
+    let motion = case.simulate().unwrap();
+    let first = at(&motion, 0.0).unwrap();
+    assert_eq!((first.potential, first.kinetic), (0.0, 8.0));
+    assert_eq!(first.start, motion.phases()[0].first().energy);
+    let samples: Vec<_> = motion.sample_evenly(2000, 6.0).collect();
+    let [low, high] = Ledger::new(&motion).unwrap().scale(&samples);
+    assert!((-1.0..-0.999).contains(&low), "{low}");
+    assert_eq!(high, 8.0);
+}
+
+/// Uphill by x the mass has risen by x sin α: on an incline U is m (y cos α + x sin α) of the mass
+/// centre, y from the height of C in contact.
+#[test]
+fn on_a_slope_what_rises_gains() {
+    let case = littlewood::cases::find_case("ramp-bounces").unwrap();
+    let motion = case.simulate().unwrap();
+    let (sin, cos) = libm::sincos(case.setup.hoop.slope);
+    for sample in motion.sample_evenly(300, 10.0) {
+        let wanted = 2.0 * (cos * (sample.mass_centre.y - 1.0) + sin * sample.mass_centre.x);
+        let parts = Ledger::new(&motion).unwrap().parts(&sample, false).unwrap();
+        assert!((parts.potential - wanted).abs() < 1e-13, "{parts:?}");
+    }
 }

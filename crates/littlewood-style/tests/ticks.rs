@@ -72,3 +72,24 @@ fn numbers_are_round() {
         ["0.0e0", "1.0e7", "2.0e7", "3.0e7"]
     );
 }
+
+#[test]
+fn ticks_that_differ_have_labels_that_differ() {
+    for (a, b) in [
+        (1_234_567.0, 1_234_571.0),
+        (1.337_012_3, 1.337_012_7),
+        (2e-6, 2.001e-6),
+        (-5e9, 7e9),
+        (1.0, 1.0 + 1e-12),
+    ] {
+        let ticks = round(a, b, 5);
+        let mut found = labels(&ticks);
+        assert!(found.len() > 1, "{found:?}");
+        for (tick, label) in ticks.iter().zip(&found) {
+            let read: f64 = label.replace('−', "-").parse().unwrap();
+            assert!((read - tick.value).abs() < 0.01 * (b - a), "{label}");
+        }
+        found.dedup();
+        assert_eq!(found.len(), ticks.len(), "{found:?}");
+    }
+}

@@ -39,8 +39,9 @@ impl MapSubject {
 
 /// A square map of one turn, −π < θ < π, and of −r < θ′ < r, row by row from the top.
 ///
-/// A level computes every `stride`-th start of every `stride`-th row, and none twice. Without slip
-/// the map is its own image under (θ, θ′) → (−θ, −θ′), bit for bit, and one half is enough.
+/// A level computes every `stride`-th start of every `stride`-th row, and none twice. One half is
+/// enough where the other is its mirror image
+/// ([`littlewood::tables::Setup::plane_is_its_mirror_image`]).
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct OutcomeMap {
@@ -77,7 +78,7 @@ impl OutcomeMap {
             limits: Limits::default().with_transitions(TRANSITIONS),
             side,
             cells: vec![subject.not_computed(); side * side],
-            symmetric: slip == 0.0 && side.is_multiple_of(2),
+            symmetric: side.is_multiple_of(2) && problem.setup().plane_is_its_mirror_image(),
         };
         // A motion that stays in contact has no more landings.
         if subject == MapSubject::Hops || map.has_long_motions() {

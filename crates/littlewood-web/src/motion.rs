@@ -1,11 +1,12 @@
 //! A simulated motion.
 
 use littlewood::cases::{NamedCase, find_case};
+use littlewood::impact::{ContactVelocities, Impulse};
 use littlewood::tables::SampleColumn;
 use littlewood::{Cause, Mode, OutcomeKind, Sample, Trajectory, Transition};
 use littlewood_report::scale::Scale;
 use littlewood_report::sheet::Table;
-use littlewood_report::{Sampling, Subject, csv, json as documents, page, sentence};
+use littlewood_report::{Sampling, ShownImpact, Subject, csv, json as documents, page, sentence};
 use littlewood_style::{EnergyPart, Ledger};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -15,6 +16,9 @@ use crate::prediction::Prediction;
 use crate::problem::Problem;
 use crate::refusal::Refusal;
 use crate::routh::Routh;
+
+/// Instants at which the energies of a motion are examined.
+const EXAMINED: usize = 1000;
 
 /// Transitions that are shown of bounces without end.
 const SHOWN: usize = 20;
@@ -94,6 +98,34 @@ impl Motion {
                 sentence::transition(&self.trajectory, index, self.scale()).unwrap_or_default()
             })
             .collect()
+    }
+
+    /// The friction that rolling needs at a time, in words; none in another mode.
+    pub fn friction(&self, time: f64) -> Option<String> {
+        sentence::friction(self.trajectory.hoop(), &self.trajectory.at(time)?)
+    }
+
+    /// The impact of a transition as it is shown: θ′, η′ and the rate of the gap before and after,
+    /// P, J, and the energy lost; none without an impact.
+    pub fn impact(&self, transition: usize) -> Option<Vec<f64>> {
+        let event = self.trajectory.transitions().get(transition)?;
+        let shown = ShownImpact::of(self.trajectory.hoop(), transition, event)?;
+        let velocities = |it: ContactVelocities| [it.theta_rate, it.slip, it.gap_rate];
+        let Impulse { normal, friction } = shown.impulse;
+        let numbers = [velocities(shown.before), velocities(shown.after)].concat();
+        Some([&numbers[..], &[normal, friction, shown.energy_lost]].concat())
+    }
+
+    /// The scale on which the parts of the energy have room, as far as the motion is shown: its
+    /// lower and its upper end, over m2 g R; empty where nothing moves.
+    #[wasm_bindgen(js_name = energyScale)]
+    pub fn energy_scale(&self) -> Vec<f64> {
+        let samples: Vec<Sample> = self
+            .trajectory
+            .sample_evenly(EXAMINED, self.horizon())
+            .collect();
+        let scale = |ledger: Ledger| ledger.scale(&samples).to_vec();
+        Ledger::new(&self.trajectory).map_or_else(Vec::new, scale)
     }
 
     /// The parts of the energy at a time, over m2 g R, in the order of `EnergyPart` of the style

@@ -2,29 +2,29 @@
 
 use core::f64::consts::PI;
 
-use littlewood::cases::find_case;
+use littlewood::cases::{CASES, find_case};
 use littlewood::tables::{Class, Quantity, Setup};
-use littlewood::{Cause, Engine, Hoop, HoopParameters, Limits, Mode, Start};
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start};
+use littlewood_sweep::Workers;
 use littlewood_web::hops::CLASSES;
 use littlewood_web::{MapSubject, OutcomeMap, Problem, class_of};
 
 /// Figure 2, with another friction, slip and coefficient of restitution.
 fn figure_2(friction: [f64; 2], start: Start, restitution: Option<f64>) -> Problem {
-    of_setup(
-        HoopParameters::thin(1.0).with_friction(friction[0], friction[1]),
-        start,
-        restitution,
-    )
+    let hoop = HoopParameters::thin(1.0).with_friction(friction[0], friction[1]);
+    let bouncing = restitution.map(|e| hoop.with_restitution(e, RestitutionLaw::Energetic));
+    of_setup(bouncing.unwrap_or(hoop), start)
 }
 
-fn of_setup(hoop: HoopParameters, start: Start, restitution: Option<f64>) -> Problem {
+fn of_setup(hoop: HoopParameters, start: Start) -> Problem {
     let setup = Setup::new(hoop, start);
     let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
     let numbers: Vec<f64> = quantities
         .filter(|it| *it != Quantity::Restitution)
         .filter_map(|it| setup.get(it))
         .collect();
-    Problem::dimensionless(&numbers, restitution, None, None).unwrap()
+    let law = hoop.restitution_law.map(|law| law.name().to_owned());
+    Problem::dimensionless(&numbers, hoop.restitution, law, None).unwrap()
 }
 
 fn plain() -> Problem {
@@ -48,19 +48,148 @@ fn start_of(cell: usize, side: usize) -> Start {
     Start::at(PI * centre(cell % side), -4.0 * centre(cell / side))
 }
 
-#[test]
-fn levels_end_with_every_start_and_the_folded_half_is_right() {
-    let mut map = OutcomeMap::new(&plain(), 4.0, 64, MapSubject::Outcome);
-    assert_eq!(map.rows(1), 32);
-    for stride in [8, 4, 2, 1] {
+/// Named cases, and what has no mirror image, no end, or no mass.
+fn planes() -> Vec<(String, Setup)> {
+    let named = CASES
+        .iter()
+        .map(|case| (case.name.to_owned(), case.setup))
+        .collect::<Vec<_>>();
+    let thin = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+    let massless = HoopParameters::thin(0.0).with_friction(0.5, 0.4);
+    let bouncing = |e, law| thin.with_restitution(e, law);
+    let [at, slips] = [Start::default(), Start::default().with_slip(0.5)];
+    let others = [
+        ("the slope of a defect", thin.with_slope(0.348), at),
+        ("downhill the other way", thin.with_slope(-0.348), at),
+        ("a slope that holds nothing", thin.with_slope(0.7), at),
+        ("a massless hoop on a slope", massless.with_slope(0.2), at),
+        (
+            "bounces on a slope",
+            bouncing(0.5, RestitutionLaw::Newton).with_slope(-0.2),
+            at,
+        ),
+        (
+            "Poisson's bounces",
+            bouncing(0.8, RestitutionLaw::Poisson),
+            at,
+        ),
+        ("slip", thin, slips),
+        ("slip the other way", thin, at.with_slip(-0.5)),
+        ("slip on a slope", thin.with_slope(0.1), slips),
+        ("slip of a massless hoop", massless, slips),
+        (
+            "bounces with slip",
+            bouncing(0.3, RestitutionLaw::Energetic),
+            slips,
+        ),
+        (
+            "thrown",
+            bouncing(0.3, RestitutionLaw::Energetic),
+            at.with_gap_rate(0.5),
+        ),
+        (
+            "P <= 0",
+            HoopParameters::thin(0.125).with_friction(0.75, 0.75),
+            at,
+        ),
+        ("little friction", thin.with_friction(0.05, 0.04), at),
+    ];
+    let others = others.map(|(name, hoop, start)| (name.to_owned(), Setup::new(hoop, start)));
+    [named, others.to_vec()].concat()
+}
+
+/// Classes of the page's map of a plane, level by level, that are not those that the program
+/// computes for the start that is shown, and how many cells were compared.
+fn compared_with_the_program(name: &str, setup: Setup, side: usize) -> (usize, Vec<String>) {
+    let problem = of_setup(setup.hoop, setup.start);
+    let points = (0..side * side).map(|cell| {
+        let mut setup = setup;
+        let Start {
+            theta, theta_rate, ..
+        } = start_of(cell, side);
+        (setup.start.theta, setup.start.theta_rate) = (theta, theta_rate);
+        setup
+    });
+    // The class of bounces is known when the first one lands; downhill they may go on for ever.
+    let limits = match setup.hoop.restitution {
+        Some(_) => Limits::default().with_transitions(200),
+        None => Limits::default(),
+    };
+    let program = Workers::new(None).unwrap().compute(points, limits).unwrap();
+    let program: Vec<Class> = program
+        .summaries()
+        .map(|summary| Class::of(&summary))
+        .collect();
+
+    let mut map = OutcomeMap::new(&problem, 4.0, side, MapSubject::Outcome);
+    let is_folded = map.rows(1) < side;
+    let (mut compared, mut wrong) = (0, Vec::new());
+    for stride in [16, 8, 4, 2, 1] {
         map.compute(stride, 0, map.rows(stride));
+        for (cell, code) in map.classes(stride).into_iter().enumerate() {
+            let (x, y) = (cell % side, cell / side);
+            // A level has every so-manieth start, counted from the corner of its half.
+            let shown = |i: usize, is_opposite: bool| match is_opposite {
+                true => side - 1 - (side - 1 - i) / stride * stride,
+                false => i / stride * stride,
+            };
+            let is_opposite = is_folded && y >= side / 2;
+            let of_program = program[shown(y, is_opposite) * side + shown(x, is_opposite)];
+            compared += 1;
+            // A motion that is followed only until it is known to stay in contact.
+            let is_in_contact = class(code) == Class::InContact && of_program.stays_in_contact();
+            if class(code) != of_program && !is_in_contact {
+                wrong.push(format!(
+                    "{name}, level {stride}, {:?}: {:?}, and {of_program:?} in the program",
+                    start_of(cell, side),
+                    class(code),
+                ));
+            }
+        }
     }
-    let engine = Engine::new(&Hoop::figure_2(0.5, 0.4).unwrap());
-    for (cell, code) in map.classes(1).into_iter().enumerate() {
-        let summary = engine
-            .summary(start_of(cell, 64), Limits::default().with_transitions(200))
-            .unwrap();
-        assert_eq!(class(code), Class::of(&summary), "{cell}");
+    (compared, wrong)
+}
+
+/// The page shows what `littlewood map` does.
+fn check_maps(side: usize) {
+    let mut all = Vec::new();
+    let mut cells = 0;
+    for (name, setup) in planes() {
+        let (compared, wrong) = compared_with_the_program(&name, setup, side);
+        println!("{name}: {} of {compared} cells differ", wrong.len());
+        cells += compared;
+        all.extend(wrong);
+    }
+    assert!(
+        all.is_empty(),
+        "{} of {cells} cells: {:#?}",
+        all.len(),
+        &all[..all.len().min(10)]
+    );
+}
+
+#[test]
+fn maps_are_those_of_the_program_cell_by_cell() {
+    check_maps(32);
+}
+
+#[test]
+#[ignore = "thorough"]
+fn finer_maps_are_those_of_the_program_cell_by_cell() {
+    check_maps(128);
+}
+
+#[test]
+fn half_a_map_is_computed_only_where_the_other_half_is_its_mirror_image() {
+    for (name, setup) in planes() {
+        let map = OutcomeMap::new(
+            &of_setup(setup.hoop, setup.start),
+            4.0,
+            32,
+            MapSubject::Outcome,
+        );
+        let is_level_without_slip = setup.hoop.slope == 0.0 && setup.start.slip == 0.0;
+        assert_eq!(map.rows(1) == 16, is_level_without_slip, "{name}");
     }
 }
 
@@ -79,7 +208,7 @@ fn long_motions_are_followed_until_they_cannot_lift_off() {
     ] {
         let hoop = Hoop::new(parameters).unwrap();
         let mut in_contact = 0;
-        let problem = of_setup(parameters, Start::default(), None);
+        let problem = of_setup(parameters, Start::default());
         for (cell, code) in codes(&problem, 4.0, 24, MapSubject::Outcome)
             .into_iter()
             .enumerate()
@@ -172,8 +301,10 @@ fn restitution_changes_the_outcome_only_where_it_jams() {
     let bouncing = figure_2([0.5, 0.4], Start::default(), Some(0.5));
     assert_eq!(outcomes(&bouncing), outcomes(&plain()));
     let Setup { hoop, start } = find_case("jam").unwrap().setup;
-    let with = outcomes(&of_setup(hoop, start, hoop.restitution));
-    let without = outcomes(&of_setup(hoop, start, None));
+    let with = outcomes(&of_setup(hoop, start));
+    let mut free = hoop;
+    (free.restitution, free.restitution_law) = (None, None);
+    let without = outcomes(&of_setup(free, start));
     let jams = with
         .iter()
         .zip(&without)

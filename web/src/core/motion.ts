@@ -142,7 +142,7 @@ interface Document {
     slip: number | null;
     to: string | null;
     cause: string;
-    impact?: ImpactDocument;
+    impact?: { case: string };
   }[];
   outcome: {
     kind: string;
@@ -152,15 +152,6 @@ interface Document {
     slip: number | null;
   };
   phases: { mode: string; start_time: number; duration: number | null }[];
-}
-
-interface ImpactDocument {
-  case: string;
-  normal_impulse: number;
-  friction_impulse: number;
-  energy_lost: number;
-  before: Velocities;
-  gap_rate: number;
 }
 
 /** Samples for the views: for a motion of few phases, and for each phase of one with many. */
@@ -173,9 +164,6 @@ const SEARCH = 40;
 
 /** Events of one instant that are told. */
 const MOST_TOGETHER = 3;
-
-/** A part of the energy of the start that is less than this is rounding. */
-export const ROUNDING = 1e-12;
 
 export class Motion {
   /** As far as the motion is shown. */
@@ -208,6 +196,7 @@ export class Motion {
       }));
     this.events = eventsOf(
       document,
+      core,
       core.startSentence(),
       core.transitionSentences(),
       this.outcomeSentence,
@@ -310,9 +299,15 @@ export class Motion {
     return first === null ? null : ENERGY_PARTS.reduce((sum, part) => sum + first[part], 0);
   }
 
-  /** The energy lost in an impact, negative where the law has gained some; a gain that is rounding is none. */
-  lostIn({ lost }: Impact): number {
-    return lost < 0 && -lost < ROUNDING * (this.energy ?? 0) ? 0 : lost;
+  /** The lower and the upper end of the scale on which the parts of the energy have room. */
+  get energyScale(): [number, number] {
+    const [low = 0, high = 0] = this.core.energyScale();
+    return [low, high];
+  }
+
+  /** The friction that rolling needs at a time; empty in another mode. */
+  friction(time: number): string {
+    return this.core.friction(Math.min(Math.max(time, this.begin), this.end)) ?? '';
   }
 
   /** Routh's diagram of an impact; none for many together. */
@@ -416,18 +411,35 @@ function isImpact(event: Event): event is ImpactEvent {
   return event.impact !== null && event.transition !== null;
 }
 
-function impactOf(it: ImpactDocument, { theta_rate, slip }: Event): Impact {
+/** An impact as it is shown, from its numbers in the order of the core. */
+function impactOf(name: string, numbers: Float64Array): Impact {
+  const velocities = ([
+    theta_rate = NaN,
+    slip = NaN,
+    gap_rate = NaN,
+  ]: Float64Array): Velocities => ({
+    theta_rate,
+    slip,
+    gap_rate,
+  });
+  const [normal = NaN, friction = NaN, lost = NaN] = numbers.subarray(6);
   return {
-    label: IMPACT_CASE_LABELS[named(IMPACT_CASES, it.case)],
-    before: it.before,
-    after: { theta_rate, slip, gap_rate: it.gap_rate },
-    normal: it.normal_impulse,
-    friction: it.friction_impulse,
-    lost: it.energy_lost,
+    label: IMPACT_CASE_LABELS[named(IMPACT_CASES, name)],
+    before: velocities(numbers.subarray(0, 3)),
+    after: velocities(numbers.subarray(3, 6)),
+    normal,
+    friction,
+    lost,
   };
 }
 
-function eventsOf(document: Document, first: string, others: string[], last: string): Event[] {
+function eventsOf(
+  document: Document,
+  core: CoreMotion,
+  first: string,
+  others: string[],
+  last: string,
+): Event[] {
   const { start, transitions, outcome } = document;
   const modeNamed = (name: string | null): Mode | null =>
     name === null ? null : named(MODES, name);
@@ -463,7 +475,10 @@ function eventsOf(document: Document, first: string, others: string[], last: str
       impact: null,
       transition: i,
     };
-    events.push(it.impact ? { ...event, impact: impactOf(it.impact, event) } : event);
+    const numbers = core.impact(i);
+    events.push(
+      it.impact && numbers ? { ...event, impact: impactOf(it.impact.case, numbers) } : event,
+    );
   });
   const kind = named(OUTCOMES, outcome.kind);
   const { label, forever, lastEvent } = OUTCOME_ROWS[kind];

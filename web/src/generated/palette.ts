@@ -56,8 +56,8 @@ export type ImpulseLine = (typeof IMPULSE_LINES)[number];
 
 /** Where the energy of the start is, in the order in which the core gives it. */
 export const ENERGY_PARTS = [
-  'kinetic',
   'potential',
+  'kinetic',
   'lost_to_friction',
   'lost_in_impacts',
 ] as const;
@@ -136,8 +136,8 @@ export const PALETTES = {
       kinetic_cone: '#9a1b6a',
     },
     energy: {
-      kinetic: '#693c99',
-      potential: '#08828e',
+      potential: '#693c99',
+      kinetic: '#08828e',
       lost_to_friction: '#9a1b6a',
       lost_in_impacts: '#d7263d',
     },
@@ -204,8 +204,8 @@ export const PALETTES = {
       kinetic_cone: '#fe79b7',
     },
     energy: {
-      kinetic: '#9a7fd1',
-      potential: '#35aab5',
+      potential: '#9a7fd1',
+      kinetic: '#35aab5',
       lost_to_friction: '#fe79b7',
       lost_in_impacts: '#ff4d4d',
     },
@@ -263,8 +263,8 @@ export const IMPULSE_LINE_ROWS = {
 
 /** In words. */
 export const ENERGY_LABELS = {
-  kinetic: 'kinetic',
   potential: 'potential',
+  kinetic: 'kinetic',
   lost_to_friction: 'lost to friction',
   lost_in_impacts: 'lost in impacts',
 } as const satisfies Record<EnergyPart, string>;

@@ -1,6 +1,5 @@
 // Where the energy of the start is at the cursor, as a bar.
 
-import { ROUNDING } from '../core/motion';
 import { brief, byId, make } from '../dom';
 import { ENERGY_LABELS, ENERGY_PARTS, type EnergyPart } from '../generated/palette';
 import { COLUMN_ROWS } from '../generated/tables';
@@ -17,17 +16,22 @@ export class EnergyBar {
   private readonly holder = byId('energy', HTMLElement);
   private readonly start = make('span', { class: 'start' });
   private readonly sum = make('output', { id: 'energy-sum' });
+  private readonly zero = make('span', { class: 'zero', title: 'zero of the energy' });
   private readonly parts: Part[] = ENERGY_PARTS.map((name) => ({
     name,
     bar: make('span', { class: 'part', 'data-energy': name }),
     text: make('span', {}, ENERGY_LABELS[name]),
     value: make('output', { 'data-part': name }),
   }));
-  /** What the whole bar stands for. */
-  private most = 1;
+  /** The energies at the ends of the bar. */
+  private scale: [number, number] = [0, 1];
 
   constructor(private readonly lab: Lab) {
-    byId('energy-bar', HTMLElement).append(...this.parts.map(({ bar }) => bar), this.start);
+    byId('energy-bar', HTMLElement).append(
+      ...this.parts.map(({ bar }) => bar),
+      this.zero,
+      this.start,
+    );
     byId('energy-legend', HTMLElement).append(
       ...this.parts.map(({ name, text, value }) =>
         make(
@@ -47,16 +51,22 @@ export class EnergyBar {
     const { motion, problem } = this.lab;
     this.holder.hidden = problem.restitution === undefined;
     if (this.holder.hidden) return;
+    const [low, high] = motion.energyScale;
+    this.scale = [low, high > low ? high : low + 1];
     const total = motion.energy ?? 0;
     // A law that gains energy needs more room than the start.
-    const gained = Math.max(
-      0,
-      ...motion.impacts.map(({ time }) => -(motion.energies(time)?.lost_in_impacts ?? 0)),
-    );
-    this.most = total + gained || 1;
-    this.start.hidden = gained < ROUNDING * total;
-    this.start.style.left = `${(100 * total) / this.most}%`;
+    this.start.hidden = this.place(total) >= 1;
+    this.start.style.left = `${100 * this.place(total)}%`;
+    const zero = this.place(0);
+    this.zero.hidden = zero < 0 || zero > 1;
+    this.zero.style.left = `${100 * zero}%`;
     this.showTime();
+  }
+
+  /** Where an energy stands on the bar, from 0 to 1. */
+  private place(energy: number): number {
+    const [low, high] = this.scale;
+    return (energy - low) / (high - low);
   }
 
   showTime(): void {
@@ -71,12 +81,17 @@ export class EnergyBar {
     } = this.lab;
     const energies = motion.energies(time);
     for (const { name, bar, text, value } of this.parts) {
-      const part = (energies?.[name] ?? 0) / this.most;
-      const energy = Math.abs(part) < ROUNDING ? 0 : part * this.most;
-      bar.style.width = `${Math.max(0, 100 * part)}%`;
-      text.textContent =
-        energy < 0 ? ENERGY_LABELS[name].replace('lost', 'gained') : ENERGY_LABELS[name];
-      value.textContent = energies === null ? '–' : brief(Math.abs(energy) * units.energy, 4);
+      const energy = energies?.[name] ?? 0;
+      // The potential energy reaches up to its own place; the others stand upon it.
+      const width = this.place(name === 'potential' ? energy : this.scale[0] + energy);
+      bar.style.width = `${Math.max(0, 100 * width)}%`;
+      // What is lost below zero is gained.
+      const isGained = energy < 0 && name.startsWith('lost');
+      text.textContent = isGained
+        ? ENERGY_LABELS[name].replace('lost', 'gained')
+        : ENERGY_LABELS[name];
+      value.textContent =
+        energies === null ? '–' : brief((isGained ? -energy : energy) * units.energy, 4);
     }
     const sum =
       energies === null

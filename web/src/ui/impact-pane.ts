@@ -1,6 +1,6 @@
 // The impact that is shown: what happens in it, Routh's diagram, and its numbers.
 
-import { type ImpactEvent, ROUNDING, type Routh, VELOCITIES } from '../core/motion';
+import { type ImpactEvent, type Routh, VELOCITIES } from '../core/motion';
 import { brief, byId, line, make } from '../dom';
 import { IMPULSE_LINE_ROWS, type ImpulseLine, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, IMPULSE_UNITS } from '../generated/tables';
@@ -10,11 +10,6 @@ import { drawRouth } from '../views/routh';
 
 /** The lines of the legend. */
 const LINES = ['sticking', 'greatest_compression'] as const satisfies readonly ImpulseLine[];
-
-/** A part of a vector; one that is rounding beside the whole is none. */
-function seen(part: number, whole: number): number {
-  return Math.abs(part) < ROUNDING * whole ? 0 : part;
-}
 
 export class ImpactPane {
   private readonly pane = byId('impact', HTMLElement);
@@ -105,7 +100,9 @@ export class ImpactPane {
     const place =
       shown === null
         ? ''
-        : `${impacts.indexOf(shown) + 1} of ${impacts.length}, ${signs[system]} = ${brief(
+        : `${impacts.indexOf(shown) + 1} of ${impacts.length}${
+            shown.name === 'settle' ? ', all smaller ones together' : ''
+          }, ${signs[system]} = ${brief(
             shown.time * units.time,
             6,
           )}${system === 'si' ? ` ${si}` : ''}`;
@@ -118,7 +115,6 @@ export class ImpactPane {
     const {
       shown,
       lab: {
-        motion,
         units,
         problem,
         state: {
@@ -130,14 +126,7 @@ export class ImpactPane {
       this.rows.replaceChildren();
       return;
     }
-    const { before, after, normal, friction, label } = shown.impact;
-    const lost = motion.lostIn(shown.impact);
-    const fastest = Math.max(
-      ...VELOCITIES.flatMap((name) => [Math.abs(before[name]), Math.abs(after[name])]).filter(
-        Number.isFinite,
-      ),
-    );
-    const least = ROUNDING * fastest;
+    const { before, after, normal, friction, lost, label } = shown.impact;
     const row = (name: string, sign: string, unit: string, ...values: number[]): HTMLElement =>
       make(
         'tr',
@@ -164,21 +153,11 @@ export class ImpactPane {
           name,
           COLUMN_ROWS[name].signs[system],
           COLUMN_ROWS[name].units[system],
-          ...[before[name], after[name]].map((it) => (Math.abs(it) < least ? 0 : it * units[name])),
+          ...[before[name], after[name]].map((it) => it * units[name]),
         ),
       ),
-      row(
-        'normal_impulse',
-        'P',
-        unit,
-        seen(normal, Math.hypot(normal, friction)) * problem.impulseUnit,
-      ),
-      row(
-        'friction_impulse',
-        'J',
-        unit,
-        seen(friction, Math.hypot(normal, friction)) * problem.impulseUnit,
-      ),
+      row('normal_impulse', 'P', unit, normal * problem.impulseUnit),
+      row('friction_impulse', 'J', unit, friction * problem.impulseUnit),
       row(
         'energy_lost',
         lost < 0 ? 'energy gained' : 'energy lost',
@@ -198,7 +177,7 @@ export class ImpactPane {
       shown,
       lab: { problem },
     } = this;
-    const [p = 0, j = 0] = this.routh.way.subarray(-2);
+    const { normal: p = 0, friction: j = 0 } = shown?.impact ?? {};
     Object.assign(this.sheet.canvas.dataset, { normal: String(p), friction: String(j) });
     this.sheet.canvas.setAttribute(
       'aria-label',

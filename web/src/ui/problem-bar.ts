@@ -1,7 +1,6 @@
 // Case, units and the massless hoop: what changes several numbers at once.
 
 import { inSystem } from '../core/fields';
-import { ROUNDING } from '../core/motion';
 import { byId, make } from '../dom';
 import {
   DIMENSIONLESS,
@@ -10,9 +9,11 @@ import {
   type Quantity,
 } from '../generated/tables';
 import type { Given, Lab } from '../state/lab';
-
 import { numberOf, type ProblemState, rateFor, rateOf } from '../state/state';
 import { parse } from '../state/url';
+
+/** By what part a number may differ that has gone to SI units and back. */
+const ROUNDING = 1e-12;
 
 export class ProblemBar {
   private readonly cases = byId('case', HTMLSelectElement);

@@ -12,6 +12,19 @@ function frameOf(address: string): string {
   return `<iframe src="${source}" title="Littlewood’s hoop" width="640" height="420" style="border: 0" allow="clipboard-write"></iframe>`;
 }
 
+/** What a page needs to have that frame: the hosts of a server for one's own machine are no address for others. */
+function frameNote(): string {
+  const { protocol, hostname, host } = location;
+  const isOnWeb = protocol === 'https:' || protocol === 'http:';
+  if (isOnWeb && !['127.0.0.1', 'localhost', '[::1]'].includes(hostname))
+    return `Any page may have this frame; one with a content security policy must name ${host} in its frame-src.`;
+  const onWeb =
+    'For a page on the web, put the folder web/dist on a static host and take the frame there.';
+  return isOnWeb
+    ? `This address is of your machine: the frame works in pages served from it, as http://localhost, while this server runs. ${onWeb}`
+    : `This page has no address for a frame. ${onWeb}`;
+}
+
 const VIEWS: readonly View[] = ['hoop', 'plane', 'plots', 'impact'];
 
 export class Share {
@@ -54,6 +67,7 @@ export class Share {
   private open(): void {
     byId('link-text', HTMLTextAreaElement).value = this.address();
     byId('frame-text', HTMLTextAreaElement).value = frameOf(this.address());
+    byId('frame-note', HTMLParagraphElement).textContent = frameNote();
     byId('shell-text', HTMLTextAreaElement).value = shellLine(this.lab.state.problem);
     byId('python-text', HTMLTextAreaElement).value = pythonLine(this.lab.state.problem);
     const { impact, motion } = this.lab;

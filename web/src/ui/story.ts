@@ -7,6 +7,8 @@ import type { Lab } from '../state/lab';
 export class Story {
   private readonly mode = byId('mode', HTMLSpanElement);
   private readonly sentence = byId('sentence', HTMLSpanElement);
+  /** Of the instant: not a part of what is read aloud at each event. */
+  private readonly friction = byId('friction', HTMLParagraphElement);
   private readonly numbers = byId('numbers', HTMLDetailsElement);
   private readonly numberText = byId('number-text', HTMLParagraphElement);
   /** The event whose sentence is shown. */
@@ -29,6 +31,7 @@ export class Story {
 
   showTime(): void {
     const { motion, time } = this.lab;
+    this.friction.textContent = motion.friction(time);
     const event = motion.eventAt(time);
     if (event === this.shown) return;
     this.shown = event;

@@ -3,6 +3,7 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { ColumnUnits, Motion, Samples } from '../core/motion';
+import { roundTicks, type Tick } from '../core/ticks';
 import { make as element } from '../dom';
 import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS, type SampleColumn, type System } from '../generated/tables';
@@ -20,6 +21,14 @@ export interface Subject {
 /** Pixels of an axis beside its numbers, and of one of their digits. */
 const AXIS = 12;
 const DIGIT = 8;
+
+/** Pixels between two ticks of that axis at least. */
+const SPACE = 28;
+
+/** Its ticks, with as many digits as tell them apart. */
+function ticksOf(least: number, most: number, { height }: uPlot.BBox): Tick[] {
+  return roundTicks(least, most, Math.max(2, Math.floor(height / uPlot.pxRatio / SPACE)));
+}
 
 /** What a motion is shown as. */
 export interface Shown {
@@ -50,23 +59,12 @@ const demand: Subject = {
     }),
 };
 
-/** The energy from the zero of the bar that divides it: its least potential energy. */
-const energy: Subject = {
-  ...column('energy'),
-  values: (samples, units, motion) => {
-    const zero = (motion.energy ?? 0) - (motion.energy === null ? 0 : motion.samples.energy[0]!);
-    return Array.from(samples.energy, (value) =>
-      Number.isFinite(value) ? (value + zero) * units.energy : null,
-    );
-  },
-};
-
 export const SUBJECTS: readonly Subject[] = [
   column('theta_rate'),
   column('slip'),
   column('normal'),
   demand,
-  energy,
+  column('energy'),
 ];
 
 /** What a subject of the pinned motion is at the times of another one; none after its end. */
@@ -151,11 +149,12 @@ export class Plots {
           { ...axis, size: 26, gap: 2, space: 50 },
           {
             ...axis,
+            splits: ({ bbox }, _, least, most) =>
+              ticksOf(least, most, bbox).map(({ value }) => value),
             size: (_, texts) => AXIS + DIGIT * Math.max(0, ...(texts ?? []).map((it) => it.length)),
             gap: 3,
-            space: 28,
-            values: (_, ticks) =>
-              ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')),
+            values: ({ bbox, scales: { y } }) =>
+              ticksOf(y?.min ?? 0, y?.max ?? 0, bbox).map(({ label }) => label),
           },
         ],
         series: [

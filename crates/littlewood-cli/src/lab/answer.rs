@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use super::assets::Asset;
 
-/// What the page may do: run its own code and WebAssembly, draw, and load from this server only.
-/// The page has the same line for other hosts, without `frame-ancestors`, which only a header can
-/// have.
+/// What the page may do: run its own code and WebAssembly, draw, and load from this server only;
+/// and be a frame in pages of this machine, on any port, and in no others. The page has the same
+/// line for other hosts, without `frame-ancestors`, which only a header can have.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
                       img-src 'self' data: blob:; media-src blob:; connect-src 'self'; worker-src 'self'; manifest-src 'self'; \
-                      base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+                      base-uri 'none'; form-action 'none'; frame-ancestors http://127.0.0.1:* http://localhost:*";
 
 const HEADERS: [(&str, &str); 6] = [
     ("Content-Security-Policy", POLICY),
@@ -61,6 +61,13 @@ const NO_FILE: Refusal = Refusal {
     status: 404,
     text: "404: there is no such file\n",
 };
+/// The service worker of this server. That of the page would stay in the browser, with its files,
+/// for every port that was ever taken; this one ends itself, and one that stayed from another server
+/// at the port.
+const WORKER: &str = "self.addEventListener('install', () => self.skipWaiting());
+self.addEventListener('activate', () => self.registration.unregister());
+";
+
 /// Of a request that is not HTTP/1.1.
 pub(super) const MALFORMED: Refusal = Refusal {
     status: 400,
@@ -111,10 +118,15 @@ pub(super) fn answer(
         Some(name) => name,
         None => "",
     };
-    // The service worker would stay in the browser, with its files, for every port that was ever
-    // taken. A page is found without its ending, too.
+    // A page is found without its ending, too.
     let file = find(name)
-        .filter(|_| name != "sw.js")
+        .map(|file| match name {
+            "sw.js" => Asset {
+                content: WORKER.as_bytes().into(),
+                ..file
+            },
+            _ => file,
+        })
         .or_else(|| find(&format!("{name}.html")));
     let Some(Asset { content, kind }) = file else {
         return NO_FILE.answer();

@@ -296,11 +296,7 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
-    let (along, across) = libm::sincos(hoop.slope());
-    let potential_of = |sample: &Sample| {
-        let above_centre = hoop.offset() * libm::cos(sample.state.theta) + hoop.mass() * sample.gap;
-        across * above_centre + along * (hoop.mass() * sample.mass_centre.x)
-    };
+    let potential_of = |sample: &Sample| sample.potential_energy(hoop);
     let total = history(&motion, "total energy", ENERGY, &|_, sample| {
         Some(sample.energy)
     });

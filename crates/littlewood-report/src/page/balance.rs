@@ -3,7 +3,6 @@
 use littlewood::tables::{Dimension, Quantity};
 use littlewood::{Phase, Trajectory};
 
-use super::ROUNDING;
 use crate::scale::Scale;
 
 /// Jumps told one by one.
@@ -66,6 +65,17 @@ pub(super) fn landings(trajectory: &Trajectory, scale: Scale<'_>) -> Option<Stri
     Some(format!("{}{stays}", summary.landings))
 }
 
+/// Rounding of what is lost in all: each phase and each impact adds a difference of two energies,
+/// which have terms of this size.
+fn rounding(trajectory: &Trajectory) -> f64 {
+    let phases = trajectory.phases();
+    let size = phases
+        .iter()
+        .map(|phase| phase.first().energy.abs() + 2.0 * trajectory.hoop().offset())
+        .fold(0.0, f64::max);
+    4.0 * f64::EPSILON * (2 * phases.len()) as f64 * size
+}
+
 /// The energy lost, and to what.
 pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String> {
     let lost = trajectory.energy_lost();
@@ -76,7 +86,7 @@ pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String
     let in_impacts = trajectory.impact_energy_lost();
     let in_sliding = lost - in_impacts;
     let part = |energy: f64, place: &str| {
-        (energy.abs() > ROUNDING).then(|| {
+        (energy.abs() > rounding(trajectory)).then(|| {
             let change = if energy > 0.0 { "lost" } else { "gained" };
             format!("{} {change} in {place}", show(energy.abs()))
         })

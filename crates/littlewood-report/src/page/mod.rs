@@ -24,10 +24,6 @@ use crate::{Instant, instants};
 const GAP: &str = "   ";
 const LINE: usize = 71;
 
-/// Smaller energies and slip velocities are rounding where an impact loses nothing, or nothing
-/// slips.
-const ROUNDING: f64 = 1e-13;
-
 /// The columns of a table of samples.
 const COLUMNS: [SampleColumn; 9] = [
     SampleColumn::Time,

@@ -1,12 +1,11 @@
 //! The table of the phases of a motion, with its impacts.
 
-use littlewood::impact::Impact;
 use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, Quantity};
 use littlewood::{Cause, Mode, OutcomeKind, Phase, State, Trajectory, Transition};
 
-use super::ROUNDING;
 use super::parts::{Part, parts};
+use crate::ShownImpact;
 use crate::number::column;
 use crate::scale::Scale;
 use crate::sheet::{Row, Table};
@@ -80,16 +79,6 @@ fn motion_of(phase: &Phase) -> String {
     format!("{}{mark}", phase.mode().with_arrow(phase.direction()))
 }
 
-/// Energy that an impact has lost.
-fn lost(impact: &Impact) -> f64 {
-    rounded(impact.energy_lost())
-}
-
-/// Zero instead of what is only rounding.
-fn rounded(value: f64) -> f64 {
-    if value.abs() > ROUNDING { value } else { 0.0 }
-}
-
 struct Rows<'a> {
     trajectory: &'a Trajectory,
     scale: Scale<'a>,
@@ -99,15 +88,14 @@ impl Rows<'_> {
     /// The rows of a part of the motion.
     fn of(&self, part: &Part<'_>) -> Vec<Row> {
         match part {
-            Part::Jam(jam) => self.impact(jam).into_iter().collect(),
+            Part::Jam(jam) => self.impact(0, jam).into_iter().collect(),
             Part::Phase(index, phase) => {
                 let end = self.trajectory.end_of(phase);
                 // The impacts of bounces that settle are all in one row.
                 let settles = end.is_some_and(|end| end.cause == Cause::Settle);
                 let impacts = end
-                    .and_then(|end| end.impact)
                     .filter(|_| settles)
-                    .map_or(0.0, |it| lost(&it));
+                    .map_or(0.0, |end| self.lost(*index, end));
                 let row = self.row(
                     Some(phase.mode()),
                     [(index + 1).to_string(), motion_of(phase)],
@@ -116,7 +104,9 @@ impl Rows<'_> {
                     phase.energy_lost() + impacts,
                     self.ends_by(phase),
                 );
-                let impact = end.filter(|_| !settles).and_then(|end| self.impact(end));
+                let impact = end
+                    .filter(|_| !settles)
+                    .and_then(|end| self.impact(*index, end));
                 [row].into_iter().chain(impact).collect()
             }
             Part::Bounces(range) => {
@@ -128,9 +118,10 @@ impl Rows<'_> {
                 let (Some(first), Some(last)) = (phases.first(), phases.last()) else {
                     return Vec::new();
                 };
-                let impacts = phases
-                    .iter()
-                    .filter_map(|phase| self.trajectory.end_of(phase)?.impact);
+                let impacts = range
+                    .clone()
+                    .zip(phases)
+                    .filter_map(|(index, phase)| Some((index, self.trajectory.end_of(phase)?)));
                 let row = self.row(
                     Some(first.mode()),
                     [
@@ -139,7 +130,7 @@ impl Rows<'_> {
                     ],
                     &first.start(),
                     last.end_time() - first.start().time,
-                    impacts.map(|impact| lost(&impact)).sum(),
+                    impacts.map(|(index, end)| self.lost(index, end)).sum(),
                     self.ends_by(last),
                 );
                 vec![Row {
@@ -158,8 +149,21 @@ impl Rows<'_> {
         }
     }
 
+    /// The impact that ends phase `index`, before which there are no more transitions than phases
+    /// and a jam.
+    fn shown(&self, index: usize, transition: &Transition) -> Option<ShownImpact> {
+        ShownImpact::of(self.trajectory.hoop(), index + 1, transition)
+    }
+
+    /// Energy that the impact at the end of phase `index` has lost.
+    fn lost(&self, index: usize, transition: &Transition) -> f64 {
+        self.shown(index, transition)
+            .map_or(0.0, |impact| impact.energy_lost)
+    }
+
     /// An impact, with the state before it: that after it is in the next row.
-    fn impact(&self, transition: &Transition) -> Option<Row> {
+    fn impact(&self, index: usize, transition: &Transition) -> Option<Row> {
+        let shown = self.shown(index, transition)?;
         let impact = transition.impact?;
         let name = if transition.cause == Cause::Jam {
             "jam"
@@ -168,7 +172,7 @@ impl Rows<'_> {
         };
         let labels = [String::new(), name.to_owned()];
         let before = State {
-            slip: rounded(transition.before.slip),
+            slip: shown.before.slip,
             ..transition.before
         };
         let mut row = self.row(
@@ -176,7 +180,7 @@ impl Rows<'_> {
             labels,
             &before,
             0.0,
-            lost(&impact),
+            shown.energy_lost,
             impact.case.label(),
         );
         if let Some(duration) = row.cells.get_mut(3) {

@@ -5,17 +5,9 @@ use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, Trajectory, Transition};
 
 use super::to_the;
-use crate::kinetic_energy;
 use crate::number::{brief, three};
 use crate::scale::Scale;
-
-/// Smaller parts of an energy are rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// Rounding of the slip in a flight, beside θ′ and the rate of the gap: it is a sum of four terms,
-/// none of which is more than twice these, and each bounce passes on what those before it have
-/// left.
-const SLIP_ROUNDING: f64 = 8.0 * f64::EPSILON;
+use crate::{ShownImpact, kinetic_energy};
 
 /// A landing with an impact.
 pub(super) fn landing(
@@ -26,19 +18,33 @@ pub(super) fn landing(
 ) -> String {
     format!(
         "Lands: {}.",
-        whole(course(impact, index), hoop, event, impact, scale)
+        whole(
+            course(hoop, index, event, impact),
+            hoop,
+            (index, event),
+            impact,
+            scale
+        )
     )
 }
 
 /// An impact without a collision.
-pub(super) fn jam(hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale<'_>) -> String {
+pub(super) fn jam(
+    hoop: &Hoop,
+    (index, event): (usize, &Transition),
+    impact: &Impact,
+    scale: Scale<'_>,
+) -> String {
     let why = match event.from {
         None => "no motion is consistent here",
         Some(_) => "the slide has reached P = 0",
     };
     let course =
         format!("{why}, and the plane ends the slip in an impact without a collision (Painlevé)");
-    format!("Jams: {}.", whole(course, hoop, event, impact, scale))
+    format!(
+        "Jams: {}.",
+        whole(course, hoop, (index, event), impact, scale)
+    )
 }
 
 /// The end of bounces, which is transition `index`.
@@ -64,20 +70,19 @@ pub(super) fn settling(
 fn whole(
     course: String,
     hoop: &Hoop,
-    event: &Transition,
+    (index, event): (usize, &Transition),
     impact: &Impact,
     scale: Scale<'_>,
 ) -> String {
-    let loss = loss(hoop, event.before.theta, impact)
+    let loss = loss(hoop, (index, event), impact)
         .map(|loss| format!("; {loss}"))
         .unwrap_or_default();
     format!("{course}{loss}{}", then(event, scale))
 }
 
 /// What the contact point does in transition `index`.
-fn course(impact: &Impact, index: usize) -> String {
-    let speed = impact.before.theta_rate.abs() + impact.before.gap_rate.abs();
-    let slips = impact.before.slip.abs() > SLIP_ROUNDING * (index + 1) as f64 * speed;
+fn course(hoop: &Hoop, index: usize, event: &Transition, impact: &Impact) -> String {
+    let slips = ShownImpact::of(hoop, index, event).is_some_and(|shown| shown.before.slip != 0.0);
     match impact.case {
         ImpactCase::None => "touches the plane without an impulse",
         ImpactCase::Slides => "slips throughout",
@@ -101,10 +106,11 @@ fn course(impact: &Impact, index: usize) -> String {
 }
 
 /// The part of the kinetic energy that is lost, or gained.
-fn loss(hoop: &Hoop, theta: f64, impact: &Impact) -> Option<String> {
-    let kinetic = kinetic_energy(hoop, theta, &impact.before).filter(|energy| *energy > 0.0)?;
-    let share = impact.energy_lost() / kinetic;
-    Some(if share.abs() < ROUNDING {
+fn loss(hoop: &Hoop, (index, event): (usize, &Transition), impact: &Impact) -> Option<String> {
+    let kinetic =
+        kinetic_energy(hoop, event.before.theta, &impact.before).filter(|energy| *energy > 0.0)?;
+    let share = ShownImpact::of(hoop, index, event)?.energy_lost / kinetic;
+    Some(if share == 0.0 {
         "none of its kinetic energy is lost".to_owned()
     } else if share < 0.0 {
         format!(

@@ -7,7 +7,7 @@ use core::f64::consts::TAU;
 use littlewood::modes::{PhaseSolution, Recurrence, SlideLimit};
 use littlewood::tables::Dimension;
 use littlewood::theory::{Candidates, ContactForces, RollingLaw};
-use littlewood::{Cause, Mode, Outcome, Phase, Trajectory, Transition};
+use littlewood::{Cause, Hoop, Mode, Outcome, Phase, Sample, Trajectory, Transition};
 
 use crate::number::{brief, three};
 use crate::scale::Scale;
@@ -47,7 +47,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         }
     }
     match phase.mode() {
-        Mode::Rolling => format!("Rolls: {}.", holds(&forces, mu_s)),
+        Mode::Rolling => format!("Rolls: {HOLDS}."),
         Mode::Sliding if state.slip != 0.0 => {
             format!("Slides: the contact point moves {}.", to_the(state.slip))
         }
@@ -78,10 +78,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
     let mu_s = trajectory.hoop().mu_s();
     Some(match event.cause {
         Cause::Slip => slip(event, mu_s),
-        Cause::Stick => format!(
-            "Sticks and rolls: the slip has died away, and {}.",
-            holds(&forces, mu_s)
-        ),
+        Cause::Stick => format!("Sticks and rolls: the slip has died away, and {HOLDS}."),
         Cause::Reversal if event.from == Some(Mode::Gliding) => {
             "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
         }
@@ -121,7 +118,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         }
         Cause::Settle => impact::settling(trajectory, index, event, scale),
         Cause::Jam => match &event.impact {
-            Some(impact) => impact::jam(hoop, event, impact, scale),
+            Some(impact) => impact::jam(hoop, (index, event), impact, scale),
             None => "Jams.".to_owned(),
         },
         Cause::Singularity => {
@@ -224,34 +221,35 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     }
 }
 
-/// Static friction suffices.
-fn holds(forces: &ContactForces, mu_s: f64) -> String {
-    if forces.demand() < FRICTIONLESS {
-        return "no friction is needed here".to_owned();
+/// Why a hoop rolls, in the sentence of the event that begins it: what it needs changes while it
+/// rolls ([`friction`]).
+const HOLDS: &str = "static friction holds the contact point";
+
+/// The friction that rolling needs at an instant, and that there is; none in another mode.
+pub fn friction(hoop: &Hoop, sample: &Sample) -> Option<String> {
+    if sample.mode != Mode::Rolling {
+        return None;
     }
-    format!(
-        "rolling needs a friction coefficient of {}; there is {}",
-        demand(forces),
-        brief(mu_s)
-    )
+    let demand = sample.friction.abs() / sample.normal;
+    Some(if demand < FRICTIONLESS {
+        "Rolling needs no friction here.".to_owned()
+    } else {
+        let [demand, mu_s] = [three(demand), hoop.mu_s()].map(brief);
+        format!("Rolling needs |F|/N = {demand} here; μₛ = {mu_s}.")
+    })
 }
 
-/// Static friction does not suffice.
+/// Static friction did not suffice.
 fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
     if forces.normal > 0.0 {
         format!(
-            "rolling would need a friction coefficient of {}; there is {}",
-            demand(forces),
+            "rolling would have needed a friction coefficient of {}; there is {}",
+            brief(short(forces.demand())),
             brief(mu_s)
         )
     } else {
         "to roll, the ground would have to pull it down, and it can only push".to_owned()
     }
-}
-
-/// |F|/N of rolling.
-fn demand(forces: &ContactForces) -> String {
-    brief(short(forces.demand()))
 }
 
 fn slip(event: &Transition, mu_s: f64) -> String {

@@ -24,6 +24,14 @@ impl Setup {
         Self { hoop, start }
     }
 
+    /// Whether the plane (θ, θ′) of starts with this hoop and the rest of this start is its own
+    /// mirror image: the motion from (−θ, −θ′) is then that from (θ, θ′) seen in a mirror, bit for
+    /// bit. A mirror turns a slope downhill the other way, and slip around.
+    #[must_use]
+    pub const fn plane_is_its_mirror_image(&self) -> bool {
+        self.hoop.slope == 0.0 && self.start.slip == 0.0
+    }
+
     /// The field of a quantity; `None` for a limit and for quantities in SI units.
     const fn field(&mut self, quantity: Quantity) -> Option<Field<'_>> {
         let Self { hoop, start } = self;

@@ -26,7 +26,7 @@ pub struct Sample {
     pub gap: f64,
     /// Rate of the gap; zero in contact.
     pub gap_rate: f64,
-    /// Total energy E = T + U over m2 g R (2.8); the potential energy is ℓ̂ cos θ + m gap.
+    /// Total energy E = T + U over m2 g R (2.8); U is [`Sample::potential_energy`].
     pub energy: f64,
     /// Geometric centre C.
     pub centre: Position,
@@ -34,6 +34,17 @@ pub struct Sample {
     pub mass_centre: Position,
     /// Particle, C + ℓ̂ e2.
     pub particle: Position,
+}
+
+impl Sample {
+    /// Potential energy U of (2.8), over m2 g R: zero with the particle at the height of C and the
+    /// rim at the plane, on a slope where x = 0. All energies have this zero.
+    #[must_use]
+    pub fn potential_energy(&self, hoop: &Hoop) -> f64 {
+        let (along, across) = libm::sincos(hoop.slope());
+        let above_centre = hoop.offset() * libm::cos(self.state.theta) + hoop.mass() * self.gap;
+        across * above_centre + along * (hoop.mass() * self.mass_centre.x)
+    }
 }
 
 /// A point of the plane of motion, in radii.
