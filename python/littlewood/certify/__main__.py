@@ -9,6 +9,7 @@ from typing import Any
 
 from ..plot import canvas, proof_chart
 from ..tables import QUANTITIES
+from ..terminal import forgive
 from . import Case, CaseError, NoCertificate, Proof, Refused, checker
 from .case import HOOP, HOOP_SI, LAWS, START
 
@@ -147,4 +148,5 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    forgive()
     sys.exit(main())
