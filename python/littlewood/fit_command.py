@@ -266,6 +266,9 @@ def _plane(options: argparse.Namespace) -> Plane | None:
 def _is_film(path: Path) -> bool:
     if path.suffix.lower() in _FILMS:
         return True
+    if not path.is_file():
+        # Who reads it says what it is.
+        return False
     with path.open("rb") as file:
         begin = file.read(4096)
     return b"\0" in begin and not begin.startswith((b"\xff\xfe", b"\xfe\xff", b"PK", b"\xd0\xcf"))
