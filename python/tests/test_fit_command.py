@@ -325,7 +325,10 @@ def test_a_report_with_all_doubts_names_them(motion):
 def test_a_report_prints_on_one_sheet_with_any_number_of_doubts(motion, tmp_path):
     time = np.linspace(0.0, 4.0, 120)
     seen = motion(time)
-    track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y)
+    clock = video.Clock(np.array([0.0, 0.1, 0.5]), 10.0, 240.0, 3, 1, False)
+    notes = (*clock.facts(120.0), *clock.doubts(120.0))
+    assert len(notes) == 4
+    track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y, notes=notes)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.fit_result.FitWarning)
         free = ("mu_s", "mu_k", "inertia", "restitution")
