@@ -6,6 +6,7 @@ from . import fit_command
 from ._core import run_program
 from .certify import __main__ as certify
 from .scoring import command as scoring
+from .terminal import forgive
 
 OF_THE_PACKAGE = {"certify": certify.main, "fit": fit_command.main, "score": scoring.main}
 """Commands that the package adds to those of the program."""
@@ -15,6 +16,7 @@ def main() -> int:
     """Run the command line with the arguments of the process, and return its exit code."""
     name, *rest = sys.argv[1:] or [""]
     if name in OF_THE_PACKAGE:
+        forgive()
         return OF_THE_PACKAGE[name](rest)
     return run_program(["littlewood", *sys.argv[1:]])
 

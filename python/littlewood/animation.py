@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .counts import checked_count
+from .elementwise import real
 from .extras import require
 from .plot.canvas import draw_hoop, draw_plane, level, on_sheet, seen_heights, sheet
 from .style import CURVE, INK, MODE_COLOURS
@@ -24,6 +28,12 @@ __all__ = ["Animation"]
 _MOST_FRAMES = 300_000
 # Seconds that √(R/g) takes by default: that of a hoop of about a metre.
 _SECONDS = math.sqrt(0.1)
+_GIF = ".gif"
+# What ffmpeg puts H.264 into, as Matplotlib calls it.
+_BY_FFMPEG = (".mp4", ".mov", ".mkv")
+# A GIF counts hundredths of a second, in 16 bits; programs show for a tenth what is to be shown for
+# less than two.
+_LEAST_DELAY, _MOST_DELAY = 2, 65_535
 
 
 class Animation:
@@ -47,7 +57,7 @@ class Animation:
             raise ValueError(f"there is no motion to show: {motion.outcome}")
         begin, end = motion.start.time, motion.shown_until
         self.motion = motion
-        self.seconds = (end - begin) * _SECONDS if seconds is None else float(seconds)
+        self.seconds = (end - begin) * _SECONDS if seconds is None else real(seconds, "seconds")
         if not (self.seconds > 0.0 and math.isfinite(self.seconds)):
             raise ValueError(f"seconds = {self.seconds} s must be a finite number greater than 0")
         self._times = np.linspace(begin, end, frames)
@@ -55,11 +65,6 @@ class Animation:
 
     def __repr__(self) -> str:
         return f"<Animation of {self.motion.sequence}, {len(self._times)} frames, {self.seconds:.3g} s>"
-
-    @property
-    def _rate(self) -> int:
-        # Frames a second, of which Matplotlib takes whole numbers.
-        return max(1, round(len(self._times) / self.seconds))
 
     @on_sheet
     def to_matplotlib(self) -> FuncAnimation:
@@ -69,6 +74,10 @@ class Animation:
         -------
         matplotlib.animation.FuncAnimation
         """
+        return self._drawn(range(len(self._times)))
+
+    def _drawn(self, shown: Sequence[int]) -> FuncAnimation:
+        """Return the animation of some of the frames."""
         agg = require("matplotlib.backends.backend_agg")
         animation = require("matplotlib.animation")
         samples, hoop = self._samples, self.motion.hoop
@@ -126,27 +135,109 @@ class Animation:
         video: FuncAnimation = animation.FuncAnimation(
             figure,
             show,
-            frames=len(self._times),
+            frames=shown,
             init_func=lambda: [],
-            interval=1000.0 * self.seconds / len(self._times),
+            interval=1000.0 * self.seconds / len(shown),
             blit=False,
         )
         return video
 
     def save(self, path: str | Path) -> None:
-        """Write a video.
+        """Write a video, which plays in the seconds that were asked for.
 
         Parameters
         ----------
         path : str or Path
-            A `.gif`, or a `.mp4` where ffmpeg is installed.
+            A `.gif`; a `.mp4`, `.mov` or `.mkv` where ffmpeg is installed. A GIF shows at most 50
+            frames a second: of more, some are left out, evenly.
+
+        Raises
+        ------
+        UnwritableVideoError
+            A ValueError: for another ending, a folder that is not there, without ffmpeg or where it
+            fails, and for frames that are shown for longer than a GIF can say.
         """
-        writer = "pillow" if Path(path).suffix.lower() == ".gif" else "ffmpeg"
-        self.to_matplotlib().save(str(path), writer=writer, fps=self._rate)
+        from .video.errors import UnwritableVideoError
+
+        ending = Path(path).suffix.lower()
+        if ending != _GIF and ending not in _BY_FFMPEG:
+            raise UnwritableVideoError(
+                str(path),
+                f"the ending {ending!r} must be one of {', '.join((_GIF, *_BY_FFMPEG))}; "
+                "a .gif needs no other program",
+            )
+        if not Path(path).parent.is_dir():
+            raise UnwritableVideoError(str(path), "there is no such folder")
+        if ending == _GIF:
+            self._save_gif(path)
+            return
+        if not require("matplotlib.animation").writers.is_available("ffmpeg"):
+            raise UnwritableVideoError(
+                str(path),
+                "a video needs ffmpeg, which is not found: install it (apt install ffmpeg, "
+                "brew install ffmpeg, winget install ffmpeg), or write a .gif",
+            )
+        # Its annotations have whole numbers; it hands over any.
+        rate: Any = len(self._times) / self.seconds
+        try:
+            self.to_matplotlib().save(str(path), writer="ffmpeg", fps=rate)
+        except subprocess.CalledProcessError as error:
+            said = str(error.stderr or "").strip()
+            words = said.splitlines()[-1:] or [f"exit code {error.returncode}"]
+            raise UnwritableVideoError(
+                str(path),
+                f"ffmpeg failed: {words[0]}; it must be able to write H.264 (libx264); "
+                "or write a .gif",
+            ) from None
+
+    def _save_gif(self, path: str | Path) -> None:
+        from .video.errors import UnwritableVideoError
+
+        delays = gif_delays(self.seconds, len(self._times))
+        if not delays or max(delays) > _MOST_DELAY:
+            least, most = _LEAST_DELAY / 50, _MOST_DELAY / 100 * len(self._times)
+            raise UnwritableVideoError(
+                str(path),
+                f"seconds = {self.seconds:g} s must be from {least:g} to {most:g} s "
+                f"for a GIF of {len(self._times)} frames",
+            )
+        shown = np.linspace(0, len(self._times) - 1, len(delays)).round().astype(int).tolist()
+
+        # That of Matplotlib has one delay for all frames, in whole milliseconds, of which Pillow
+        # keeps whole hundredths of a second.
+        class Writer(require("matplotlib.animation").PillowWriter):  # type: ignore[misc]
+            def finish(self) -> None:
+                first, *more = self._frames
+                first.save(
+                    self.outfile,
+                    save_all=True,
+                    append_images=more,
+                    duration=[10 * delay for delay in delays],
+                    loop=0,
+                )
+
+        on_sheet(self._drawn)(shown).save(str(path), writer=Writer())
 
     def _repr_html_(self) -> str:
         matplotlib = require("matplotlib")
+        # Pages count whole milliseconds, and Matplotlib rounds them down.
+        interval = max(1, round(1000.0 * self.seconds / len(self._times)))
         # Frames small enough that all of them go into the page.
         with matplotlib.rc_context({"animation.embed_limit": 60.0, "savefig.dpi": 72.0}):
-            html: str = self.to_matplotlib().to_jshtml(fps=self._rate, default_mode="once")
+            rate: Any = 1000.0 / (interval + 0.5)
+            html: str = self.to_matplotlib().to_jshtml(fps=rate, default_mode="once")
         return html
+
+
+def gif_delays(seconds: float, frames: int) -> list[int]:
+    """Return how long a GIF shows its frames, hundredths of a second, so that all take so many seconds.
+
+    Each is the whole number of hundredths up to which its end rounds, as in the films of the
+    program: no error adds up. There are fewer frames where each would be shown for less than two
+    hundredths, and none where there would not be two of them.
+    """
+    count = min(frames, math.floor(100.0 * seconds / _LEAST_DELAY + 1e-9))
+    if count < 2:
+        return []
+    ends = [math.floor(100.0 * seconds * k / count + 0.5) for k in range(count + 1)]
+    return [end - begin for begin, end in itertools.pairwise(ends)]

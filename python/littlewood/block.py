@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from .counts import checked_limits
-from .elementwise import flat
+from .elementwise import flat, real
 from .tables import AXES
 
 
@@ -28,7 +28,7 @@ class Limits(NamedTuple):
     ) -> Limits:
         """Refuse limits without meaning, before anything is computed."""
         transitions, slides = checked_limits(max_transitions, max_slides)
-        limits = cls(None if until is None else float(until), transitions, slides, proof)
+        limits = cls(None if until is None else real(until, "until"), transitions, slides, proof)
         if limits.until is not None:
             _core.check_until(limits.until)
         _core.check_proof(proof)

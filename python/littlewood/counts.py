@@ -10,13 +10,18 @@ from . import _core
 __all__ = ["checked_count", "checked_limits"]
 
 
-def checked_count(name: str, value: SupportsIndex, least: int, most: int) -> int:
+def checked_count(
+    name: str, value: SupportsIndex, least: int, most: int, hint: str | None = None
+) -> int:
     """Return a whole number; refuse one beyond its bounds, before anything is computed or allocated."""
-    count = operator.index(value)
+    try:
+        count = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {value!r} must be a whole number") from None
     if count < least:
         raise ValueError(f"{name} = {count} must not be less than {least}")
     if count > most:
-        raise ValueError(f"{name} = {count} must not exceed {most}")
+        raise ValueError(f"{name} = {count} must not exceed {most}" + (f"; {hint}" if hint else ""))
     return count
 
 

@@ -14,6 +14,7 @@ import numpy.typing as npt
 from .calibration import CALIBRATION, determined
 from .elementwise import Reals
 from .extras import require
+from .terminal import printable
 
 if TYPE_CHECKING:
     from .fit_problem import Problem
@@ -73,7 +74,7 @@ class Doubt:
     parameters: tuple[str, ...] = ()
 
     def __str__(self) -> str:
-        return f"{self.name}: {self.message}"
+        return printable(f"{self.name}: {self.message}")
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,9 @@ def reals(values: Any, name: str | None = None) -> Reals:
     owner = "" if name is None else f"{name} must hold real numbers: "
     if array.dtype.kind not in "biufO":
         raise TypeError(f"{owner}{array.dtype} is not a type of real numbers")
+    # NumPy would read the texts among objects as numbers.
+    if array.dtype.kind == "O" and any(isinstance(one, (str, bytes)) for one in array.flat):
+        raise TypeError(f"{owner}a text is not a real number")
     if np.ma.isMaskedArray(array):
         array = np.ma.filled(array.astype(np.float64), np.nan)
     try:
@@ -26,6 +29,19 @@ def reals(values: Any, name: str | None = None) -> Reals:
         raise TypeError(f"{owner}a number is beyond the range of doubles") from None
     except (TypeError, ValueError) as error:
         raise type(error)(f"{owner}{error}") from None
+
+
+def real(value: Any, name: str) -> float:
+    """Return a number; refuse texts, dates, complex numbers and arrays by the `name` of the argument."""
+    if isinstance(value, float):
+        return float(value)
+    try:
+        number = None if value is None else reals(value)
+    except (TypeError, ValueError):
+        number = None
+    if number is None or number.ndim > 0:
+        raise TypeError(f"{name} = {value!r} must be a real number")
+    return float(number)
 
 
 def flat(values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:

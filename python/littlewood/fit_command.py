@@ -266,6 +266,9 @@ def _plane(options: argparse.Namespace) -> Plane | None:
 def _is_film(path: Path) -> bool:
     if path.suffix.lower() in _FILMS:
         return True
+    if not path.is_file():
+        # Who reads it says what it is.
+        return False
     with path.open("rb") as file:
         begin = file.read(4096)
     return b"\0" in begin and not begin.startswith((b"\xff\xfe", b"\xfe\xff", b"PK", b"\xd0\xcf"))
@@ -325,31 +328,38 @@ def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, byte
 
     marker = options.marker or "red"
     video.tracking.colour_of(marker)
-    played = video.rate_of(path)
+    clock = video.clock_of(path)
     rate = options.rate
-    if rate is None:
+    if rate is None and clock.taken is None:
+        played = float(f"{clock.rate:.6g}")
         question = (
             "Frames a second at which the film was taken "
             f"(it is played at {played:g}; slow motion is taken faster)"
         )
-        options.rate = rate = _ask(question, "--rate", played)
+        rate = _ask(question, "--rate", played)
+    options.rate = clock.require_rate(rate)
+    for note in (*clock.facts(rate), *clock.doubts(rate)):
+        print(f"note: {note}", file=sys.stderr)
     hoop = _hoop_of(options)
     radius_m = hoop.require_units().length_m
     plane = _plane(options) or video.find_plane(
         path, radius_m, first=options.first, last=options.last
     )
     bar = _has_bar()
-    track = video.track_video(
-        path,
-        hoop,
-        plane=plane,
-        fps=rate,
-        marker=marker,
-        first=options.first,
-        last=options.last,
-        exposure_s=options.exposure_s,
-        progress=bar,
-    )
+    with warnings.catch_warnings():
+        # The notes have them.
+        warnings.simplefilter("ignore", video.VideoWarning)
+        track = video.track_video(
+            path,
+            hoop,
+            plane=plane,
+            fps=rate,
+            marker=marker,
+            first=options.first,
+            last=options.last,
+            exposure_s=options.exposure_s,
+            progress=bar,
+        )
     result = _fit(options, track, hoop, bar)
     picture = video.overlay_picture(path, result, plane=plane, fps=rate, track=track)
     cv2 = require("cv2")

@@ -95,7 +95,7 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
 </table>
 <div class="{"beside" if shown else ""}">
 {shown}
-<p class="small">{_facts(result)}</p>
+<p class="small">{" ".join((_facts(result), *map(escape, result.track.notes)))}</p>
 </div>
 {doubts or "<p>The fit has no doubts.</p>"}
 <h2>Track, fitted motion, residuals</h2>

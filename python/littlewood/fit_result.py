@@ -19,6 +19,7 @@ from .motion import State
 from .noise import Noise
 from .plot import canvas
 from .style import FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES
+from .terminal import printable
 from .track import Track
 from .track_file import COLUMN_OF
 from .trajectory import Trajectory
@@ -98,7 +99,7 @@ class Estimate:
         digits = 0
         if self.std_error > 0.0:
             digits = max(0, 1 - math.floor(math.log10(self.std_error)))
-        return f"{self.value:.{digits}f} ± {self.std_error:.{digits}f}"
+        return printable(f"{self.value:.{digits}f} ± {self.std_error:.{digits}f}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,7 +177,9 @@ class FitResult:
         }
         width = max(18, 2 + max(map(len, lines)))
         doubts = [f"{'doubt':<{width}}{doubt}" for doubt in self.doubts]
-        return "\n".join([*(f"{name:<{width}}{value}" for name, value in lines.items()), *doubts])
+        return printable(
+            "\n".join([*(f"{name:<{width}}{value}" for name, value in lines.items()), *doubts])
+        )
 
     def _repr_html_(self) -> str:
         rows = "".join(

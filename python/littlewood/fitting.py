@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from .calibration import checked
 from .doubts import Doubt, doubts_of_residuals
-from .elementwise import Reals
+from .elementwise import Reals, real
 from .extras import progress_bar
 from .fit_problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
 from .fit_result import Estimate, FitResult, FitWarning, IdentifiabilityWarning
@@ -192,7 +192,8 @@ def fit(
         raise ValueError(
             f"sigma has {', '.join(unknown)}, the track has {', '.join(track.channels)}"
         )
-    first = _first_guess(track, hoop.slope, dict(start or {}))
+    given = {name: real(value, f"start of {name}") for name, value in (start or {}).items()}
+    first = _first_guess(track, hoop.slope, given)
     names = [*(name for name in OF_HOOP if name in free), "start_theta", "start_theta_rate"]
     names += ["start_x"] if track.x is not None else []
     names += ["start_slip"] if slips_at_start else []
@@ -202,7 +203,7 @@ def fit(
             f"{measured} measurements are not enough for {len(names)} unknowns: {', '.join(names)}"
         )
     camera = checked(track.calibration if calibration is None else calibration, track.channels)
-    known = {name: Noise(float(value)) for name, value in (sigma or {}).items()}
+    known = {name: Noise(real(value, f"sigma of {name}")) for name, value in (sigma or {}).items()}
     noise = dict.fromkeys(track.channels, Noise(1.0)) | known
     problem = Problem(track, hoop, tuple(names), first, noise, slips_at_start)
     parts, best_of_part = (_PARTS, _BEST_OF_PART) if "restitution" in names else ((1.0,), _BEST)

@@ -8,6 +8,7 @@ from typing import Any
 
 from . import _core
 from .bouncing import BouncingOrbit
+from .elementwise import real
 from .frozen import Frozen
 from .html import hoop_html
 from .motion import Classification, Start
@@ -89,7 +90,7 @@ class Hoop:
         for name in HOOP:
             value = getattr(self, name)
             if value is not None or not QUANTITIES[name].is_optional:
-                object.__setattr__(self, name, float(value))
+                object.__setattr__(self, name, real(value, name))
         *_, law = _core.check_hoop(self._given)
         object.__setattr__(self, "restitution_law", law)
 
@@ -142,7 +143,7 @@ class Hoop:
         ParameterError
             For a value without physical meaning.
         """
-        given = {
+        given: dict[str, float | None] = {
             "disc_mass_kg": disc_mass_kg,
             "particle_mass_kg": particle_mass_kg,
             "radius_m": radius_m,
@@ -154,7 +155,11 @@ class Hoop:
             "slope": slope,
             "restitution": restitution,
         }
-        numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP], restitution_law)
+        checked = [
+            None if name == "restitution" and restitution is None else real(given[name], name)
+            for name in SI_HOOP
+        ]
+        numbers, units = _core.hoop_from_si(checked, restitution_law)
         most = disc_mass_kg * radius_m**2
         # The product may be rounded.
         if inertia_kg_m2 > most * (1.0 + 1e-12):
@@ -313,7 +318,9 @@ class Hoop:
             "time_s": time_s,
         }
         numbers, until = _core.start_from_si(
-            self.require_units().scales, [given[name] for name in SI_START], until_s
+            self.require_units().scales,
+            [real(given[name], "theta_rad" if name == "theta" else name) for name in SI_START],
+            None if until_s is None else real(until_s, "until_s"),
         )
         start = Start(**dict(zip(START, numbers, strict=True)))
         return Trajectory(self, start, until, max_transitions, max_slides, proof)
@@ -369,8 +376,9 @@ class Hoop:
         >>> {phase.mode for phase in motion.phases}
         {'flight'}
         """
-        found = _core.bouncing_orbit(self._given, float(angle))
-        return None if found is None else BouncingOrbit.of(float(angle), *found)
+        angle = real(angle, "angle")
+        found = _core.bouncing_orbit(self._given, angle)
+        return None if found is None else BouncingOrbit.of(angle, *found)
 
     def require_units(self) -> Units:
         """Return the units, or raise ValueError if the hoop has none."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, TypedDict
 
@@ -11,6 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from .block import Limits, compute
+from .counts import checked_count
 from .elementwise import flat
 from .extras import progress_bar, require
 from .hoop import Hoop
@@ -229,12 +229,8 @@ def _simulate(
 ) -> xarray.Dataset:
     names = checked_derivatives(derivatives, "restitution" in points.variables)
     limits = Limits.checked(until, max_transitions, max_slides, proof)
-    if threads is not None and operator.index(threads) < 1:
-        raise ValueError(f"threads = {threads} must not be less than 1")
-    if threads is not None and operator.index(threads) > _core.MOST_THREADS:
-        raise ValueError(
-            f"threads = {threads} must not exceed {_core.MOST_THREADS}; leave it out for all cores"
-        )
+    if threads is not None:
+        checked_count("threads", threads, 1, _core.MOST_THREADS, "leave it out for all cores")
     if chunks is not None:
         points = points.chunked(chunks)
     elif not points.is_lazy and points.count > _core.MOST_POINTS:

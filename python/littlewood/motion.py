@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from . import _core
+from .elementwise import real
 from .tables import FINAL_OUTCOMES, IMPACT_LABELS, OUTCOME_LABELS, START
+from .terminal import printable
 
 __all__ = [
     "EDGES",
@@ -68,7 +70,7 @@ class Start(State):
     @property
     def numbers(self) -> list[float]:
         """The numbers of a start, as the core takes them."""
-        return [float(getattr(self, name)) for name in START]
+        return [real(getattr(self, name), name) for name in START]
 
 
 @dataclass(frozen=True)
@@ -252,7 +254,7 @@ class Outcome:
         return period
 
     def __str__(self) -> str:
-        return self.sentence
+        return printable(self.sentence)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .elementwise import Reals
+from .terminal import printable
 
 __all__ = ["Noise", "Whitening", "estimate_noise"]
 
@@ -50,7 +51,7 @@ class Noise:
         slow = (
             f", of which {self.slow:.3g} changes in τ = {self.time:.2g}" if self.slow > 0.0 else ""
         )
-        return f"{self.sigma:.3g}{slow}"
+        return printable(f"{self.sigma:.3g}{slow}")
 
 
 class Whitening:

@@ -111,6 +111,7 @@ def is_lazy(data: Any) -> bool:
 
 def _real(name: str, value: Any) -> Any:
     if is_lazy(value):
+        reals(np.empty(0, value.dtype), name)
         return value.astype(np.float64)
     return reals(value, name)
 

@@ -13,6 +13,8 @@ __all__ = ["NUMBER", "TableFileError", "TextTable", "read_text_table"]
 
 _SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas"}
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
+# A million rows of a dozen cells.
+_MOST_BYTES = 1 << 28
 _MISSING = ("", "nan", "na")
 _KINOVEA = "#Kinovea Trajectory data export"
 # What the first bytes say of files that look like tables to their owners.
@@ -146,7 +148,7 @@ def read_text_table(path: str | Path) -> TextTable:
     names are understood.
     """
     file = str(path)
-    lines = _text(file, Path(path).read_bytes()).splitlines()
+    lines = _text(file, _content(path)).splitlines()
     if lines and lines[0].startswith(_KINOVEA):
         return _kinovea(file, lines)
     head = next(
@@ -188,6 +190,17 @@ def read_text_table(path: str | Path) -> TextTable:
     if not rows:
         raise TableFileError(file, "has no rows after its line of names", line=names_at + 1)
     return TextTable(file, names_at + 1, names, points, numbers, rows)
+
+
+def _content(path: str | Path) -> bytes:
+    """Return what is in a file; refuse what is none, and so need not end, before it is opened."""
+    if Path(path).exists() and not Path(path).is_file():
+        raise TableFileError(str(path), "is a folder, a pipe or a device, not a file")
+    with Path(path).open("rb") as file:
+        content = file.read(_MOST_BYTES + 1)
+    if len(content) > _MOST_BYTES:
+        raise TableFileError(str(path), f"has more than {_MOST_BYTES} bytes")
+    return content
 
 
 def _text(file: str, content: bytes) -> str:

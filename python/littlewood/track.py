@@ -62,6 +62,8 @@ class Track:
         instants.
     calibration : iterable of str, optional
         Constant errors of the camera that a fit estimates: names of :func:`fit`.
+    notes : iterable of str, optional
+        What is to be known of how it was measured, as sentences.
 
     Raises
     ------
@@ -78,6 +80,7 @@ class Track:
     exposure: float = 0.0
     calibration: tuple[str, ...] = ()
     level: bool = False
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         time = np.array(reals(self.time, "time"))
@@ -109,6 +112,7 @@ class Track:
             object.__setattr__(self, "errors", self._checked(self.errors))
         if not (self.exposure >= 0.0 and math.isfinite(self.exposure)):
             raise ValueError(f"exposure = {self.exposure} must be finite and not negative")
+        object.__setattr__(self, "notes", tuple(self.notes))
         object.__setattr__(self, "calibration", checked(self.calibration, self.channels))
 
     def _checked(self, errors: Mapping[str, npt.ArrayLike]) -> Mapping[str, Reals]:

@@ -13,13 +13,14 @@ import numpy.typing as npt
 
 from . import _core, derivatives
 from .counts import checked_count, checked_limits
-from .elementwise import flat, reals
+from .elementwise import flat, real, reals
 from .extras import require
 from .frozen import Frozen
 from .html import page_html
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition
 from .samples import Samples
 from .tables import CAUSES, IMPACT_CASES, MODES, SAMPLE_COLUMNS, SampleColumn
+from .terminal import printable
 from .variables import CONVENTIONS
 
 if TYPE_CHECKING:
@@ -65,6 +66,7 @@ class Trajectory:
         proof: str,
     ) -> None:
         counts = checked_limits(max_transitions, max_slides)
+        until = None if until is None else real(until, "until")
         self._hoop = hoop
         self._start = start
         self._until = until
@@ -254,6 +256,7 @@ class Trajectory:
         number = checked_count("count", count, *_core.SAMPLE_COUNTS)
         if until is None:
             until = self.shown_until
+        until = real(until, "until")
         if not (math.isfinite(until) and until >= self.start.time):
             bound = f"a finite number not less than time = {self.start.time} sqrt(R/g)"
             raise ValueError(f"until = {until} sqrt(R/g) must be {bound}")
@@ -545,7 +548,7 @@ class Trajectory:
         return f"<Trajectory {self.sequence or 'of no phase'}: {self.outcome.label}>"
 
     def __str__(self) -> str:
-        return self._core.text().rstrip()
+        return printable(self._core.text().rstrip())
 
     def _repr_html_(self) -> str:
         return page_html(self._core.blocks())

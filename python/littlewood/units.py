@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 from . import _core
+from .elementwise import real
 
 __all__ = ["Units"]
 
@@ -29,6 +30,10 @@ class Units:
     length_m: float
     time_s: float
     gravity_m_per_s2: float
+
+    def __post_init__(self) -> None:
+        for one in fields(self):
+            object.__setattr__(self, one.name, real(getattr(self, one.name), one.name))
 
     @property
     def scales(self) -> tuple[float, float, float]:

@@ -1,7 +1,10 @@
 """The package and the command line show the results of one core: they agree bit for bit."""
 
 import math
+import os
 import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -214,3 +217,68 @@ def test_the_program_knows_the_commands_of_the_package(command):
     one_line = re.sub(r"\n {4,}", " ", command("--help").stdout)
     named = re.findall(r"^  (\w+) .*\(in the Python package\)$", one_line, re.MULTILINE)
     assert sorted(named) == sorted(OF_THE_PACKAGE)
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii", "cp437", "utf-8"])
+def test_what_is_printed_fits_the_terminal(encoding):
+    code = """
+import littlewood as lw
+motion = lw.case("figure-3-bounces").simulate()
+for one in (motion, motion.outcome, lw.Noise(0.1, 0.2, 3.0), lw.fit_result.Doubt("held", "μₛ, Δτ ≤ 1, Î, Ŝ²")):
+    print(one)
+"""
+    environment = {**os.environ, "PYTHONIOENCODING": encoding}
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code], env=environment, capture_output=True, check=True
+    )
+    lines = done.stdout.decode(encoding).splitlines()
+    if encoding == "utf-8":
+        assert lines[0].startswith(
+            "Hoop     m₁/m₂ = 1   ℓ/R = 1   Izz/(m₂R²) = 1   μₛ = 0.5   μₖ = 0.4"
+        )
+        return
+    assert re.match(
+        r"Hoop     m1/m2 = 1 +l/R = 1 +Izz/\(m2R(²|\^2)\) = 1 +mu_s = 0.5 +mu_k = 0.4",
+        lines[0].replace("µ", "mu"),
+    )
+    head = next(k for k, line in enumerate(lines) if line.startswith(" #  motion"))
+    # The columns are where they were: numbers end below the end of their heading.
+    exact = str(lw.case("figure-3-bounces").simulate()).splitlines()
+    rows = [(lines[k], exact[k]) for k in (head, *range(head + 2, head + 10))]
+    for heading in ("duration", "lost"):
+        assert lines[head].index(heading) == exact[head].index(heading)
+    for plain, row in rows[1:]:
+        assert plain[-8:] == row[-8:] and len(plain) == len(row)
+    assert any("sliding <-        0   0.56411" in line for line in lines)
+    assert any(line.startswith("31  rolling") and " 6.92468 " in line for line in lines)
+    assert lines[-1].startswith("held: ") and "<= 1" in lines[-1].replace("≤", "<=")
+
+
+def test_commands_of_the_package_print_on_any_terminal():
+    for name in OF_THE_PACKAGE:
+        for encoding in ("cp1252", "ascii"):
+            done = subprocess.run(
+                [sys.executable, "-P", "-m", "littlewood", name, "--help"],
+                env={**os.environ, "PYTHONIOENCODING": encoding},
+                capture_output=True,
+                check=True,
+            )
+            assert done.stdout.decode(encoding).startswith("usage: ")
+    # The program writes UTF-8 whatever the locale is.
+    done = subprocess.run(
+        [sys.executable, "-P", "-m", "littlewood", "simulate", "figure-3"],
+        env={**os.environ, "PYTHONIOENCODING": "ascii", "LC_ALL": "C"},
+        capture_output=True,
+        check=True,
+    )
+    assert "θ′" in done.stdout.decode("utf-8")
+
+
+def test_every_letter_of_our_tables_has_a_plain_one():
+    texts = [text for one in lw.tables.QUANTITIES.values() for text in (one.help, one.symbol)]
+    texts += [
+        text for one in lw.tables.SAMPLE_COLUMNS.values() for text in (one.long_name, one.sign)
+    ]
+    texts += [str(lw.case(name).simulate(until=20.0)) for name in lw.CASES]
+    plain = "".join(texts).encode("ascii", "littlewood").decode("ascii")
+    assert plain.count("?") == "".join(texts).count("?")

@@ -7,6 +7,7 @@ import math
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import warnings
@@ -232,6 +233,48 @@ def written(path, frames):
     return path
 
 
+def with_capture_rate(path, rate):
+    """Say in a film, as telephones do, at which rate it was taken."""
+
+    def box(kind, *content):
+        inner = b"".join(content)
+        return struct.pack(">I4s", 8 + len(inner), kind) + inner
+
+    key = box(b"mdta", b"com.android.capture.fps")
+    value = box(b"data", struct.pack(">IIf", 23, 0, rate))
+    meta = box(
+        b"meta",
+        box(b"hdlr", bytes(8), b"mdta", bytes(13)),
+        box(b"keys", struct.pack(">II", 0, 1), key),
+        box(b"ilst", box(struct.pack(">I", 1), value)),
+    )
+    content = path.read_bytes()
+    # The movie is the last box.
+    begin = content.rindex(b"moov") - 4
+    path.write_bytes(content[:begin] + box(b"moov", content[begin + 8 :], meta))
+
+
+def test_the_rate_that_a_telephone_says_is_not_asked_for(film, tmp_path, capsys):
+    slow = tmp_path / "slow.mp4"
+    written(slow, video.frames(film))
+    with_capture_rate(slow, RATE)
+    out = tmp_path / "page.html"
+    free = ["--free", "mu_k", "--mu-s=0.5", "--inertia-kg-m2=0.021025", "--restitution=0.5"]
+    given = [str(slow), "--slope=0", *FLAGS, *free, f"--out={out}", "--last=60"]
+    assert main(given) == 0
+    said = capsys.readouterr()
+    note = "played at 30 a second and taken at 120, as the file says (com.android.capture.fps)."
+    assert note in said.err and note in out.read_text(encoding="utf-8")
+    value, error = estimates(said.out)["mu_k"]
+    assert abs(value - 0.4) < 4.0 * error < 0.04
+    # Another rate that is given counts, and is told.
+    assert main([*given, "--rate=118"]) == 0
+    assert "note: The film has 91 frames, played at 30 a second and taken at 118, as was said." in (
+        capsys.readouterr().err
+    )
+    assert "falls with" in refused(capsys, *given, "--last=90", "--rate=60")
+
+
 def test_films_that_cannot_be_used(film, motion, tmp_path, capsys):
     given = [f"--rate={RATE}", "--slope=0", *FLAGS]
     random = np.random.default_rng(1)
@@ -282,7 +325,10 @@ def test_a_report_with_all_doubts_names_them(motion):
 def test_a_report_prints_on_one_sheet_with_any_number_of_doubts(motion, tmp_path):
     time = np.linspace(0.0, 4.0, 120)
     seen = motion(time)
-    track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y)
+    clock = video.Clock(np.array([0.0, 0.1, 0.5]), 10.0, 240.0, 3, 1, False)
+    notes = (*clock.facts(120.0), *clock.doubts(120.0))
+    assert len(notes) == 4
+    track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y, notes=notes)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.fit_result.FitWarning)
         free = ("mu_s", "mu_k", "inertia", "restitution")

@@ -2,6 +2,8 @@
 
 import math
 import pickle
+from decimal import Decimal
+from fractions import Fraction
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,6 +12,7 @@ import xarray
 from conftest import flags
 
 import littlewood as lw
+from littlewood.tables import SI_START, START
 
 
 def pickled(motion):
@@ -93,6 +96,82 @@ def test_what_is_no_number_is_refused(hoop, motion, values):
     ):
         with pytest.raises(TypeError, match="is not a type of real numbers"):
             take(values)
+
+
+KNOWN = {
+    "disc_mass_kg": 0.25,
+    "particle_mass_kg": 0.25,
+    "radius_m": 0.3,
+    "offset_m": 0.27,
+    "inertia_kg_m2": 0.02,
+    "mu_s": 0.5,
+    "mu_k": 0.4,
+}
+
+
+@pytest.mark.parametrize("bad", ["1", b"1", None, 1j, [1.0], np.array(["1"])])
+def test_a_number_is_no_text(hoop, bad):
+    plain = {name: getattr(hoop, name) for name in ("mass_ratio", "offset", "inertia")}
+    plain |= {"mu_s": 0.5, "mu_k": 0.4}
+    si = lw.Hoop.from_si(**KNOWN)
+    motion = hoop.simulate(theta=1.5, theta_rate=2.0)
+    start = {"theta": 1.5, "theta_rate": 2.0}
+    start_si = {"theta_rad": 1.5, "theta_rate_rad_per_s": 9.0}
+    track = lw.Track(np.arange(30.0) / 10, theta=motion(np.arange(30.0) / 10).theta)
+    optional = {"until": None, "until_s": None, "seconds": None, "restitution": None}
+    calls = [
+        *((lw.Hoop, plain, name) for name in (*plain, "slope", "restitution")),
+        *((lw.Hoop.from_si, KNOWN, name) for name in (*KNOWN, "gravity_m_per_s2")),
+        *((hoop.simulate, start, name) for name in (*START, "until")),
+        *((si.simulate_si, start_si, name) for name in (*start_si, *SI_START[2:], "until_s")),
+        *((hoop.classify, start, name) for name in ("theta", "theta_rate", "slip", "gap_rate")),
+        (hoop.bouncing_orbit, {}, "angle"),
+        (lambda until: lw.simulate_many(hoop, **start, until=until), {}, "until"),
+        (lw.Units, dict.fromkeys(("length_m", "time_s", "gravity_m_per_s2"), 1.0), "mass_kg"),
+        (lambda until: motion.sample(5, until=until), {}, "until"),
+        (lambda seconds: motion.animate(seconds=seconds), {}, "seconds"),
+    ]
+    for call, given, name in calls:
+        if bad is None and name in optional:
+            continue
+        with pytest.raises(TypeError, match=f"^{name} = .* must be a real number"):
+            call(**{**given, name: bad})
+    if bad is not None:
+        with pytest.raises(TypeError, match=r"start of theta = .* must be a real number"):
+            lw.fit(track, hoop, start={"theta": bad})
+        with pytest.raises(TypeError, match=r"sigma of theta = .* must be a real number"):
+            lw.fit(track, hoop, sigma={"theta": bad})
+
+
+def test_a_count_is_no_text(hoop):
+    start = {"theta": 1.5, "theta_rate": 2.0}
+    motion = hoop.simulate(**start)
+    for name in ("max_transitions", "max_slides"):
+        with pytest.raises(TypeError, match=f"{name} = '9' must be a whole number"):
+            hoop.simulate(**start, **{name: "9"})
+    with pytest.raises(TypeError, match="threads = '2' must be a whole number"):
+        lw.simulate_many(hoop, **start, threads="2")
+    with pytest.raises(TypeError, match="frames = '9' must be a whole number"):
+        motion.animate(frames="9")
+
+
+def test_numbers_of_any_kind_are_taken(hoop):
+    start = hoop.simulate(theta=Fraction(3, 2), theta_rate=Decimal(2)).start
+    assert (
+        start.numbers == hoop.simulate(theta=np.float32(1.5), theta_rate=np.array(2)).start.numbers
+    )
+    assert start.numbers[:2] == [1.5, 2.0]
+
+
+def test_texts_among_objects_are_no_numbers(hoop):
+    objects = np.array(["1", "2"], dtype=object)
+    with pytest.raises(TypeError, match="theta must hold real numbers: a text is not"):
+        lw.simulate_many(hoop, theta=objects, theta_rate=1.0)
+    assert lw.simulate_many(hoop, theta=np.array([1, 2.5], dtype=object), theta_rate=1.0).start.size
+    array = pytest.importorskip("dask.array")
+    for values in (["1", "2"], np.array(["1"], dtype="U1")):
+        with pytest.raises(TypeError, match="theta must hold real numbers"):
+            lw.simulate_many(hoop, theta=array.from_array(np.array(values)), theta_rate=1.0)
 
 
 def test_masked_values_are_missing(hoop, motion):

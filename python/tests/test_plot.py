@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree
 
+import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from fontTools.pens.boundsPen import ControlBoundsPen
 from fontTools.ttLib import TTFont
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
+from PIL import Image
 
 import littlewood as lw
 from littlewood import _core, plot
@@ -234,6 +236,74 @@ def test_an_animation_shows_in_a_notebook(motion, tmp_path):
         motion.animate(frames=1)
     with pytest.raises(ValueError, match="seconds = -1"):
         motion.animate(seconds=-1)
+
+
+def shown_for(path):
+    """Delays of the frames of a GIF, hundredths of a second, by Pillow and by its bytes."""
+    with Image.open(path) as film:
+        delays = []
+        for k in range(film.n_frames):
+            film.seek(k)
+            delays.append(film.info["duration"] / 10)
+    # Graphic control extensions: introducer, label, size, flags, delay, transparent colour, end.
+    found = re.findall(rb"\x21\xf9\x04.(..).\x00", path.read_bytes(), re.DOTALL)
+    assert [int.from_bytes(delay, "little") for delay in found] == delays
+    return delays
+
+
+@pytest.mark.parametrize(
+    ("frames", "seconds", "shown"),
+    [(60, 1.0, 50), (20, 2.7, 20), (7, 0.5, 7), (30, 1.0, 30), (3, 0.05, 2), (150, None, 60)],
+)
+def test_a_gif_plays_in_the_seconds_that_were_asked_for(motion, tmp_path, frames, seconds, shown):
+    animation = motion.animate(frames=frames, seconds=seconds)
+    animation.save(tmp_path / "motion.gif")
+    delays = shown_for(tmp_path / "motion.gif")
+    # Programs show for a tenth of a second what is to be shown for less than two hundredths.
+    assert len(delays) == shown and min(delays) >= 2 and max(delays) - min(delays) <= 1
+    assert sum(delays) == pytest.approx(100 * animation.seconds, abs=0.5)
+    # No error adds up over the frames: each ends when it should.
+    ends = 100 * animation.seconds / shown * np.arange(1, shown + 1)
+    assert np.max(np.abs(np.cumsum(delays) - ends)) <= 0.5 + 1e-9
+
+
+def test_a_page_plays_in_the_seconds_that_were_asked_for(motion):
+    for frames, seconds, interval in ((6, 0.1, 17), (4, 6.0, 1500)):
+        page = motion.animate(frames=frames, seconds=seconds)._repr_html_()
+        assert re.search(r"new Animation\(frames, img_id, slider_id, (\S+),", page)[1] == (
+            f"{interval}.0"
+        )
+
+
+def test_a_film_that_cannot_be_written_is_refused(motion, tmp_path, monkeypatch):
+    animation = motion.animate(frames=3, seconds=0.3)
+
+    def refusal(path, animation=animation):
+        with pytest.raises(lw.video.UnwritableVideoError) as caught:
+            animation.save(path)
+        assert caught.value.path == str(path) and not Path(path).exists()
+        return str(caught.value)
+
+    endings = r"must be one of \.gif, \.mp4, \.mov, \.mkv; a \.gif needs no other program"
+    assert re.search(rf"the ending '\.xyz' {endings}", refusal(tmp_path / "a.xyz"))
+    assert re.search(rf"the ending '' {endings}", refusal(tmp_path / "film"))
+    assert "no such folder" in refusal(tmp_path / "nowhere" / "a.gif")
+    for seconds in (0.03, 1e5):
+        assert re.search(
+            r"must be from 0\.04 to 1966\.05 s for a GIF of 3 frames",
+            refusal(tmp_path / "a.gif", motion.animate(frames=3, seconds=seconds)),
+        )
+    program = tmp_path / "ffmpeg"
+    monkeypatch.setitem(matplotlib.rcParams, "animation.ffmpeg_path", str(program))
+    assert "needs ffmpeg, which is not found" in refusal(tmp_path / "a.mp4")
+    program.write_text("#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n", encoding="utf-8")
+    program.chmod(0o755)
+    assert "ffmpeg failed: Unknown encoder; it must" in refusal(tmp_path / "a.mp4")
+    # It is told the rate, whole or not.
+    said = tmp_path / "arguments"
+    program.write_text(f'#!/bin/sh\necho "$@" >{said}\ncat >/dev/null\n', encoding="utf-8")
+    motion.animate(frames=3, seconds=2.0).save(tmp_path / "a.mp4")
+    assert re.search(r"-framerate (\S+)", said.read_text(encoding="utf-8"))[1] == "1.5"
 
 
 def modes_drawn(axes, width):

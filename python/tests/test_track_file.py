@@ -1,12 +1,15 @@
 """Tracks in files: exports of trackers as they are, and what is refused."""
 
 import math
+import os
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import littlewood as lw
+from littlewood import fit_command
+from littlewood.certify import __main__ as certify
 from littlewood.track import TableFileError
 
 TRACKS = Path(__file__).parent / "tracks"
@@ -226,6 +229,42 @@ def test_files_that_are_no_text_are_refused(tmp_path, units, content, message):
     (tmp_path / "bad").write_bytes(content)
     with pytest.raises(TableFileError, match=message):
         lw.Track.from_csv(tmp_path / "bad", units)
+
+
+def test_what_need_not_end_is_refused(tmp_path, units, capsys):
+    pipe, huge, folder = tmp_path / "pipe.csv", tmp_path / "huge.csv", tmp_path / "folder.csv"
+    os.mkfifo(pipe)
+    folder.mkdir()
+    with huge.open("wb") as file:
+        # It takes no room on the disk.
+        file.truncate(1 << 36)
+    readers = [
+        lambda path: lw.Track.from_csv(path, units),
+        lambda path: lw.scoring.Record.from_csv(path, units),
+    ]
+    for read in readers:
+        for path in (Path("/dev/zero"), pipe, folder):
+            with pytest.raises(TableFileError, match="is a folder, a pipe or a device, not a file"):
+                read(path)
+        with pytest.raises(TableFileError, match="has more than 268435456 bytes"):
+            read(huge)
+    flags = [
+        "--disc-mass-kg=1",
+        "--particle-mass-kg=1",
+        "--radius-m=1",
+        "--offset-m=1",
+        "--slope=0",
+    ]
+    for command, path, said in (
+        (fit_command.main, pipe, "a pipe or a device"),
+        (fit_command.main, "/dev/zero", "a pipe or a device"),
+        (certify.main, pipe, "a pipe or a device"),
+        (certify.main, "/dev/zero", "a pipe or a device"),
+        (certify.main, huge, "has more than 268435456 bytes"),
+    ):
+        given = [str(path), *flags] if command is fit_command.main else [f"--check={path}"]
+        assert command(given) == 2
+        assert said in capsys.readouterr().err
 
 
 def test_errors_have_their_parts(tmp_path, units):

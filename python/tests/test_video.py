@@ -1,13 +1,17 @@
 import math
+import os
+import struct
 import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import littlewood as lw
 from littlewood import video
 from littlewood.calibration import CALIBRATION
+from littlewood.video.capture_rate import capture_rate
 from littlewood.video.synthetic import _instants
 
 RATE, EXPOSURE = 120.0, 1 / 400
@@ -272,8 +276,8 @@ def test_bad_films_are_refused(film, hoop, motion, tmp_path):
     assert (short.value.frames, short.value.least) == (5, 10)
     empty = tmp_path / "empty.avi"
     with video.files.FrameWriter(empty, (480, 270), 30.0) as writer:
-        for _ in range(12):
-            writer.write(np.full((270, 480, 3), 128, dtype=np.uint8))
+        for k in range(12):
+            writer.write(np.random.default_rng(k).integers(120, 136, (270, 480, 3), dtype=np.uint8))
     with pytest.raises(video.NoHoopError, match="found in 0 of 12 frames") as nothing:
         lw.track_video(empty, hoop, **given)
     assert nothing.value.found == 0
@@ -283,6 +287,11 @@ def test_bad_films_are_refused(film, hoop, motion, tmp_path):
         lw.track_video(path, hoop, marker="beige", **given)
     with pytest.raises(ValueError, match="is grey"):
         lw.track_video(path, hoop, marker=(9, 9, 9), **given)
+    for fps in (0.0, -30.0, math.nan, math.inf):
+        with pytest.raises(ValueError, match=r"fps = .* must be positive"):
+            lw.track_video(path, hoop, plane=plane, fps=fps)
+    with pytest.raises(TypeError, match="fps = '120' must be a real number"):
+        lw.track_video(path, hoop, plane=plane, fps="120")
     with pytest.raises(ValueError, match="from_si"):
         lw.track_video(
             path, lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4), **given
@@ -310,3 +319,267 @@ def test_bad_planes_and_cameras_are_refused():
 def test_codecs_are_those_that_are_written():
     assert video.codecs() == {".mp4": "mp4v", ".mov": "mp4v", ".avi": "MJPG"}
     assert Path("film.avi").suffix in video.codecs()
+
+
+FILMS = Path(__file__).parent / "films"
+
+
+def box(kind, *content):
+    """A box of MPEG-4: its length, its kind, what is in it."""
+    inner = b"".join(content)
+    return struct.pack(">I4s", 8 + len(inner), kind) + inner
+
+
+def changed(content, path, change):
+    """The boxes of a file of MPEG-4, of which that at a path is changed; lengths of those around it follow."""
+    out, begin = b"", 0
+    while begin < len(content):
+        length, kind = struct.unpack_from(">I4s", content, begin)
+        inner = content[begin + 8 : begin + length]
+        if kind == path[0]:
+            inner = change(inner) if len(path) == 1 else changed(inner, path[1:], change)
+        out += box(kind, inner)
+        begin += length
+    return out
+
+
+def with_steps(path, steps):
+    """Give the frames of an MPEG-4 these durations, in intervals of its own rate."""
+
+    def table(inner):
+        (tick,) = struct.unpack_from(">I", inner, 12)
+        rows = (struct.pack(">II", 1, step * tick) for step in steps)
+        return inner[:4] + struct.pack(">I", len(steps)) + b"".join(rows)
+
+    places = [b"moov", b"trak", b"mdia", b"minf", b"stbl", b"stts"]
+    content = changed(path.read_bytes(), places, table)
+    # The list of edits would end the film when it ended before.
+    path.write_bytes(changed(content, places[:2], lambda inner: inner.replace(b"edts", b"free", 1)))
+
+
+def with_key(path, kind, payload, of_user=False, name=b"com.android.capture.fps"):
+    """Add a key to the metadata of an MPEG-4, as telephones do, or among the data of its user."""
+    handler = box(b"hdlr", bytes(8), b"mdta", bytes(13))
+    keys = box(
+        b"keys", struct.pack(">II", 0, 2), box(b"mdta", b"com.android.version"), box(b"mdta", name)
+    )
+    values = box(
+        b"ilst",
+        box(struct.pack(">I", 1), box(b"data", struct.pack(">II", 1, 0), b"14")),
+        box(struct.pack(">I", 2), box(b"data", struct.pack(">II", kind, 0), payload)),
+    )
+    meta = box(b"meta", bytes(4) if of_user else b"", handler, keys, values)
+    more = box(b"udta", meta) if of_user else meta
+    path.write_bytes(changed(path.read_bytes(), [b"moov"], lambda inner: inner + more))
+
+
+def plain_film(path, count=24, rate=30.0):
+    """A film in which every frame differs."""
+    with video.files.FrameWriter(path, (64, 48), rate) as writer:
+        for k in range(count):
+            writer.write(np.full((48, 64, 3), 9 * k % 256, dtype=np.uint8))
+    return path
+
+
+def test_lost_frames_do_not_shift_the_motion(film, hoop, motion, tmp_path):
+    path, plane = film
+    # Ten frames of the flight are not there.
+    kept = [k for k in range(97) if not 60 <= k < 70]
+    lost = tmp_path / "lost.mp4"
+    with video.files.FrameWriter(lost, (480, 270)) as writer:
+        for frame in video.frames(path, kept):
+            writer.write(frame)
+    with_steps(lost, [*np.diff(kept).tolist(), 1])
+    with pytest.warns(
+        video.VideoWarning, match=r"1 gap, in which 10 frames are lost; the largest takes 0\.0917 s"
+    ):
+        track = lw.track_video(lost, hoop, plane=plane, fps=RATE)
+    np.testing.assert_allclose(
+        track.time * motion.hoop.units.time_s, np.array(kept) / RATE, atol=1e-12
+    )
+    assert any("10 frames are lost" in note for note in track.notes)
+    assert "played at 30 a second and taken at 120, as was said" in track.notes[0]
+    _, x, y = errors(motion, track)
+    assert np.max(np.abs(x)) < 0.005 and np.max(np.abs(y)) < 0.005
+    # By their numbers the last frames would be half a radius off.
+    by_number = lw.Track(np.arange(len(kept)) / RATE / motion.hoop.units.time_s, x=track.x)
+    assert np.max(np.abs(track.x - exact(motion, by_number)[1])) > 0.5
+    # A part of the film has the times of the whole.
+    with pytest.warns(video.VideoWarning):
+        part = lw.track_video(lost, hoop, plane=plane, fps=RATE, first=40, last=80)
+    np.testing.assert_array_equal(part.time, track.time[40:80])
+    # The simulation is drawn at those times, too.
+    drawn = tmp_path / "drawn.avi"
+    assert video.overlay_video(lost, motion, drawn, plane=plane, fps=RATE) == len(kept)
+    picture = list(video.frames(drawn))[-1].astype(int)
+    frame = list(video.frames(lost))[-1]
+    here = video.draw_motion(frame, motion, plane, track.time[-1])
+    there = video.draw_motion(frame, motion, plane, by_number.time[-1])
+    assert np.abs(picture - here).mean() < 0.5 * np.abs(picture - there).mean()
+
+
+@pytest.mark.parametrize(
+    ("steps", "lost", "gaps"),
+    [
+        ([1] * 24, 0, 0),
+        ([1, 2] * 12, 12, 12),
+        ([1] * 10 + [11] + [1] * 13, 10, 1),
+        ([2] * 5 + [1] * 19, 5, 5),
+    ],
+)
+def test_times_are_those_of_the_file(tmp_path, steps, lost, gaps):
+    path = plain_film(tmp_path / "film.mp4")
+    with_steps(path, steps)
+    clock = video.clock_of(path)
+    times = np.concatenate([[0], np.cumsum(steps)])[:24] / 30.0
+    np.testing.assert_allclose(clock.time_s, times, atol=1e-12)
+    # The duration of the last frame ends no interval.
+    assert clock.gaps == gaps - (steps[-1] > 1) and clock.lost == lost - (steps[-1] - 1)
+    if gaps < 12:
+        assert clock.rate == pytest.approx(30.0, rel=1e-12)
+    np.testing.assert_allclose(
+        clock.seconds(60.0), times * clock.rate / 60.0, rtol=1e-12, atol=1e-15
+    )
+    assert bool(clock.doubts(60.0)) == (clock.lost > 0)
+    assert video.rate_of(path) == clock.rate
+
+
+def test_uneven_frames_are_said(tmp_path):
+    path = plain_film(tmp_path / "film.mp4")
+    # From thirty frames a second to twenty-four, in ticks of a 120th.
+    with_steps(path, [4] * 12 + [5] * 12)
+    clock = video.clock_of(path)
+    assert not clock.is_even and clock.lost == 0
+    assert "not evenly spaced: 0.133 to 0.167 s" in clock.doubts(clock.rate)[0]
+
+
+def test_matroska_has_its_times_too():
+    # ffmpeg -f lavfi -i testsrc2=size=32x24:rate=30:duration=1 -c:v libvpx -b:v 10k
+    #   -vf "select='not(between(n,10,13))'" -fps_mode vfr lost.webm
+    clock = video.clock_of(FILMS / "lost.webm")
+    times = np.array([k for k in range(30) if not 10 <= k < 14]) / 30.0
+    # It counts milliseconds.
+    assert np.max(np.abs(clock.time_s - times)) <= 0.0005 + 1e-9
+    assert (clock.lost, clock.gaps, clock.is_even) == (4, 1, True)
+    assert clock.rate == pytest.approx(30.0, rel=0.001)
+
+
+@pytest.mark.parametrize("rate", [10, 24, 25, 30, 50, 60, 100])
+def test_the_rate_of_a_gif_is_that_at_which_it_plays(tmp_path, rate):
+    path = tmp_path / "film.gif"
+    frames = [Image.fromarray(np.full((8, 8), 4 * k, dtype=np.uint8)) for k in range(60)]
+    ends = np.floor(100.0 * np.arange(61) / rate + 0.5)
+    frames[0].save(
+        path, save_all=True, append_images=frames[1:], duration=(10 * np.diff(ends)).tolist()
+    )
+    # Each time is rounded to a hundredth of a second.
+    assert video.rate_of(path) == pytest.approx(rate, rel=0.006 * rate / 59)
+    clock = video.clock_of(path)
+    np.testing.assert_allclose(clock.time_s, ends[:-1] / 100.0, atol=1e-9)
+    assert clock.is_even and clock.lost == 0
+
+
+@pytest.mark.parametrize("of_user", [False, True])
+@pytest.mark.parametrize(
+    ("kind", "payload"),
+    [
+        (23, struct.pack(">f", 240.0)),
+        (24, struct.pack(">d", 240.0)),
+        (1, b"240.000000"),
+        (22, bytes([0, 240])),
+        (21, struct.pack(">i", 240)),
+    ],
+)
+def test_the_rate_of_slow_motion_is_in_its_file(tmp_path, kind, payload, of_user):
+    path = plain_film(tmp_path / "film.mp4")
+    assert video.clock_of(path).captured is None and video.clock_of(path).taken is None
+    with pytest.raises(
+        ValueError, match="fps is missing: the video is played at 30 frames a second"
+    ):
+        video.clock_of(path).seconds()
+    with_key(path, kind, payload, of_user)
+    clock = video.clock_of(path)
+    assert (clock.captured, clock.taken) == (240.0, pytest.approx(240.0))
+    np.testing.assert_allclose(clock.seconds(), np.arange(24) / 240.0, atol=1e-12)
+    assert "taken at 240, as the file says (com.android.capture.fps)" in clock.facts()[0]
+    assert clock.doubts() == [] and clock.doubts(240.0) == []
+    # Who says another rate is believed, and told.
+    np.testing.assert_allclose(clock.seconds(120.0), np.arange(24) / 120.0, atol=1e-12)
+    assert "was taken at 240 frames a second" in clock.doubts(120.0)[0]
+    assert "120 were given: those count" in clock.doubts(120.0)[0]
+
+
+def test_a_film_in_real_time_is_no_slow_motion(tmp_path):
+    for captured, taken in [(30.0, 25.0), (25.0, 25.0), (99.5, 100.0), (1.0, 1.0), (90.0, 90.0)]:
+        path = plain_film(tmp_path / "film.mp4", rate=25.0)
+        with_key(path, 23, struct.pack(">f", captured))
+        assert video.clock_of(path).taken == pytest.approx(taken)
+
+
+def test_metadata_that_nobody_understands_say_nothing(tmp_path):
+    path = plain_film(tmp_path / "film.mp4")
+    plain = path.read_bytes()
+    for kind, payload in [
+        (23, b"\0"),
+        (1, b"fast"),
+        (23, struct.pack(">f", math.nan)),
+        (99, b"240"),
+    ]:
+        path.write_bytes(plain)
+        with_key(path, kind, payload)
+        assert video.clock_of(path).captured is None
+    path.write_bytes(plain)
+    with_key(path, 1, b"240", name=b"com.android.capture.fp")
+    assert video.clock_of(path).captured is None
+    # Files that end anywhere, and boxes of any length.
+    path.write_bytes(plain)
+    with_key(path, 1, b"240")
+    whole = path.read_bytes()
+    random = np.random.default_rng(8)
+    begin = whole.index(b"moov") - 4
+    odd = tmp_path / "odd.mp4"
+    for _ in range(300):
+        content = bytearray(whole)
+        for at in random.integers(begin, len(whole), 3):
+            content[at] = random.integers(256)
+        odd.write_bytes(content[: random.integers(begin, len(whole) + 1)])
+        assert capture_rate(odd) in (None, 240.0) or capture_rate(odd) > 0.0
+    odd.write_bytes(box(b"moov") * 200_000)
+    assert capture_rate(odd) is None
+
+
+def test_a_telephone_says_the_rate_of_its_slow_motion(film, hoop, motion, tmp_path):
+    path, plane = film
+    slow = tmp_path / "slow.mp4"
+    with video.files.FrameWriter(slow, (480, 270)) as writer:
+        for frame in video.frames(path):
+            writer.write(frame)
+    with_key(slow, 23, struct.pack(">f", RATE))
+    track = lw.track_video(slow, hoop, plane=plane)
+    np.testing.assert_allclose(np.diff(track.time) * motion.hoop.units.time_s, 1 / RATE, rtol=1e-9)
+    assert "taken at 120, as the file says" in track.notes[0]
+    with pytest.warns(video.VideoWarning, match="at 120 frames a second .* 60 were given"):
+        other = lw.track_video(slow, hoop, plane=plane, fps=60.0)
+    np.testing.assert_allclose(other.time, 2.0 * track.time, rtol=1e-9)
+
+
+def test_an_interlaced_film_is_named(hoop):
+    # ffmpeg -f lavfi -i testsrc2=size=64x48:rate=25:duration=0.48 -c:v mpeg2video
+    #   -flags +ilme+ildct -field_order tt -q:v 20 interlaced.mpg
+    path = FILMS / "interlaced.mpg"
+    plane = video.Plane.from_ground_line((0.0, 40.0), (60.0, 40.0), 1.0)
+    for use in (
+        lambda: lw.track_video(path, hoop, plane=plane, fps=25.0),
+        lambda: video.find_plane(path, 0.3),
+    ):
+        with pytest.raises(video.NoPictureError, match=r"interlaced video.* -vf bwdif") as caught:
+            use()
+        assert isinstance(caught.value, video.UnreadableVideoError)
+        assert (caught.value.path, caught.value.frames) == (str(path), 12)
+
+
+def test_a_video_is_a_file(tmp_path):
+    os.mkfifo(tmp_path / "pipe.mp4")
+    for path in ("/dev/zero", tmp_path / "pipe.mp4", tmp_path):
+        with pytest.raises(video.UnreadableVideoError, match="a folder, a pipe or a device"):
+            video.rate_of(path)

@@ -5,7 +5,7 @@
 //! names.
 
 use std::borrow::Cow;
-use std::fs;
+use std::io::{self, ErrorKind};
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -14,6 +14,7 @@ use clap::ValueEnum;
 use littlewood::tables::{Group, Quantity};
 use littlewood::{Proof, RestitutionLaw};
 use littlewood_report::RESTITUTION_LAW;
+use littlewood_sweep::read_file;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -21,6 +22,9 @@ use crate::args::{Format, MAX_SLIDES, MAX_TRANSITIONS, SAMPLES};
 use crate::error::{Error, Excerpt};
 use crate::nearest;
 use crate::values::{Given, GivenLaw, Origin, si_name};
+
+/// Most bytes of a scenario. One with every key has less than two thousand.
+const MOST_BYTES: u64 = 1 << 20;
 
 #[derive(Debug)]
 pub(crate) struct Scenario {
@@ -48,9 +52,17 @@ pub(crate) struct Run {
 
 impl Scenario {
     pub(crate) fn read(path: &Path) -> Result<Self, Error> {
-        let text = fs::read_to_string(path).map_err(|source| Error::Unreadable {
+        let unreadable = |source| Error::Unreadable {
             path: path.to_owned(),
             source,
+        };
+        let bytes = read_file(path, MOST_BYTES).map_err(unreadable)?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let at = error.utf8_error().valid_up_to();
+            unreadable(io::Error::new(
+                ErrorKind::InvalidData,
+                format!("byte {at} is not UTF-8"),
+            ))
         })?;
         let source = Source {
             path: path.to_owned(),

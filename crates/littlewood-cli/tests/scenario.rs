@@ -420,3 +420,48 @@ fn a_scenario_that_cannot_be_read_is_refused() {
         2,
     );
 }
+
+/// What does not end, or keeps whoever opens it waiting, is refused before it is read.
+#[test]
+#[cfg(unix)]
+fn a_scenario_that_never_ends_is_refused() {
+    let (folder, path) = scenario("case = \"figure-3\"\n");
+    let fifo = folder.path().join("pipe.toml");
+    let made = std::process::Command::new("mkfifo").arg(&fifo).status();
+    assert!(made.expect("mkfifo").success());
+    for (path, reason) in [
+        (PathBuf::from("/dev/zero"), "it is a pipe or a device"),
+        (fifo, "it is a pipe or a device"),
+        (folder.path().to_owned(), "it is a folder"),
+    ] {
+        let path = path.to_str().expect("a path in UTF-8");
+        for command in ["simulate", "classify", "animate"] {
+            let mut arguments = vec![command, "--scenario", path];
+            if command == "animate" {
+                arguments.extend(["--out", "film.gif"]);
+            }
+            let message = complaint(&arguments, 2);
+            assert!(
+                message.contains(&format!("cannot read the scenario {path}: {reason}")),
+                "{message}"
+            );
+            assert!(message.contains("hint: --scenario takes the path of a TOML file"));
+        }
+    }
+    // A huge file, which takes no room on the disk.
+    let file = fs::OpenOptions::new().write(true).open(&path).unwrap();
+    file.set_len(1 << 40).unwrap();
+    let message = complaint(&["simulate", "--scenario", path.to_str().unwrap()], 2);
+    assert!(
+        message.contains("it has more than 1048576 bytes"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_scenario_that_is_no_text_is_refused_with_its_place() {
+    let (_folder, path) = scenario("");
+    fs::write(&path, b"# \xff").unwrap();
+    let message = complaint(&["simulate", "--scenario", path.to_str().unwrap()], 2);
+    assert!(message.contains("byte 2 is not UTF-8"), "{message}");
+}

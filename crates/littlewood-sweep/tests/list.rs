@@ -298,3 +298,25 @@ fn a_list_does_not_fit_a_grid() {
     assert!(matches!(error, SweepError::ListAsZarr { .. }), "{error}");
     assert!(!out.exists());
 }
+
+/// A pipe would wait for who writes into it, and a device need not end.
+#[test]
+#[cfg(unix)]
+fn a_list_is_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe.csv");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.unwrap().success());
+    let device = folder.path().join("device.csv");
+    std::os::unix::fs::symlink("/dev/zero", &device).unwrap();
+    for path in [pipe, device] {
+        let error = StartList::open(&path, figure_2()).unwrap_err();
+        assert!(matches!(error, ListError::Unreadable { .. }), "{error}");
+        assert!(
+            error
+                .to_string()
+                .ends_with("it is a pipe or a device, not a file"),
+            "{error}"
+        );
+    }
+}

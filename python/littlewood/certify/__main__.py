@@ -9,6 +9,7 @@ from typing import Any
 
 from ..plot import canvas, proof_chart
 from ..tables import QUANTITIES
+from ..terminal import forgive
 from . import Case, CaseError, NoCertificate, Proof, Refused, checker
 from .case import HOOP, HOOP_SI, LAWS, START
 
@@ -69,7 +70,7 @@ def parser() -> argparse.ArgumentParser:
 def case_of(given: argparse.Namespace) -> Case:
     """Return the case of the command line."""
     if given.case is not None:
-        found = checker.read(given.case.read_bytes())
+        found = checker.read_file(given.case)
         if not isinstance(found, dict):
             raise CaseError(f"{given.case} has no case")
         return Case.read(found.get("case", found))
@@ -126,9 +127,7 @@ def main(arguments: list[str] | None = None) -> int:
             canvas.format_of(given.picture)
         if given.check is not None and given.picture is None:
             return checker.main([str(given.check)])
-        certificate = (
-            _made(given) if given.check is None else checker.read(given.check.read_bytes())
-        )
+        certificate = _made(given) if given.check is None else checker.read_file(given.check)
         if given.picture is not None and (given.check is not None or certificate["certified"]):
             _draw(certificate, given)
     except Refused as refused:
@@ -147,4 +146,5 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    forgive()
     sys.exit(main())

@@ -33,7 +33,21 @@ from pathlib import Path
 from threading import RLock
 from typing import Any, TypeAlias, TypeVar
 
-__all__ = ["Refused", "Unreadable", "check", "digest", "intact", "read", "valid", "valid_case"]
+__all__ = [
+    "Refused",
+    "Unreadable",
+    "check",
+    "digest",
+    "intact",
+    "read",
+    "read_file",
+    "valid",
+    "valid_case",
+]
+
+
+MOST_BYTES = 1 << 28
+"""Most bytes of a file that is read."""
 
 
 class Refused(Exception):
@@ -41,7 +55,7 @@ class Refused(Exception):
 
 
 class Unreadable(Exception):
-    """What is no JSON."""
+    """What is no JSON, or no file."""
 
 
 class Inconclusive(Exception):
@@ -2333,6 +2347,17 @@ def _value(value: Any) -> str:
     return _shown(value)
 
 
+def read_file(path: Path) -> Any:
+    """Read a file of JSON; refuse what is no file, so that it ends, and one that is too long."""
+    if path.exists() and not path.is_file():
+        raise Unreadable("it is a folder, a pipe or a device, not a file")
+    with path.open("rb") as file:
+        text = file.read(MOST_BYTES + 1)
+    if len(text) > MOST_BYTES:
+        raise Unreadable(f"it has more than {MOST_BYTES} bytes")
+    return read(text)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Check files: 0; 1 if a certificate is refused; 2 if a file cannot be read."""
     parser = argparse.ArgumentParser(
@@ -2345,7 +2370,7 @@ def main(arguments: list[str] | None = None) -> int:
     for path in files:
         began = clock.perf_counter()
         try:
-            found = check(read(path.read_bytes()))
+            found = check(read_file(path))
         except Refused as refused:
             code = max(code, 1)
             print(f"{path}: refused: {refused}", file=sys.stderr, flush=True)

@@ -93,7 +93,7 @@ def _motion(text: str) -> tuple[Trajectory, list[tuple[str, float]] | None]:
     if not text.endswith(".json"):
         return (CASES[text].motion if text in CASES else _named(text)), None
     try:
-        certificate = checker.read(Path(text).read_bytes())
+        certificate = checker.read_file(Path(text))
         checker.intact(certificate)
     except (checker.Refused, checker.Unreadable) as error:
         raise ValueError(f"{text} is not a certificate: {error}") from None

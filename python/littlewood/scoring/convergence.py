@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..terminal import printable
 from .score import Score
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ class Convergence:
             f"{step:>12.3g}{one.largest_error:>16.2e}{len(one.missed):>8}{len(one.spurious):>10}"
             for step, one in zip(self.steps, self.scores, strict=True)
         ]
-        return "\n".join([*lines, f"order of convergence  {self.order:.2f}"])
+        return printable("\n".join([*lines, f"order of convergence  {self.order:.2f}"]))
 
 
 def convergence(scores: Sequence[Score], steps: Sequence[float] | None = None) -> Convergence:

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..elementwise import Reals
+from ..terminal import printable
 from .record import read_table
 
 if TYPE_CHECKING:
@@ -91,8 +92,13 @@ class GradientScore:
             f"{phase.relative:>10.1e}{phase.wrong_signs:>13.0%}"
             for phase in self.phases
         ]
-        return "\n".join(
-            [*lines, f"derivatives of x and theta with respect to {self.quantity} at fixed times"]
+        return printable(
+            "\n".join(
+                [
+                    *lines,
+                    f"derivatives of x and theta with respect to {self.quantity} at fixed times",
+                ]
+            )
         )
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..elementwise import Reals
+from ..terminal import printable
 from .doubts import doubts
 from .episodes import Event, Tolerances, read_events
 from .matching import is_same, match, may_show
@@ -197,7 +198,7 @@ class Score:
         return draw(self)
 
     def __str__(self) -> str:
-        return "\n".join(_lines(self))
+        return printable("\n".join(_lines(self)))
 
 
 def _lines(score: Score) -> list[str]:

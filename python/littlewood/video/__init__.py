@@ -7,16 +7,19 @@ OpenCV, the extra ``video``.
 """
 
 from .camera import Camera
+from .clock import Clock, clock_of, rate_of
 from .errors import (
     NoHoopError,
     NoMarkerError,
+    NoPictureError,
     TooFewFramesError,
     UnreadableVideoError,
     UnwritableVideoError,
     VideoError,
     VideoFileError,
+    VideoWarning,
 )
-from .files import codecs, frames, rate_of
+from .files import codecs, frames
 from .finder import Circle, Finder, Marker
 from .hoop_as_ruler import find_plane
 from .overlay import draw_motion, overlay_picture, overlay_video
@@ -28,17 +31,21 @@ from .tracking import finder_of, track_video
 __all__ = [
     "Camera",
     "Circle",
+    "Clock",
     "Finder",
     "Look",
     "Marker",
     "NoHoopError",
     "NoMarkerError",
+    "NoPictureError",
     "Plane",
     "TooFewFramesError",
     "UnreadableVideoError",
     "UnwritableVideoError",
     "VideoError",
     "VideoFileError",
+    "VideoWarning",
+    "clock_of",
     "codecs",
     "draw_motion",
     "find_plane",

@@ -5,11 +5,13 @@ from __future__ import annotations
 __all__ = [
     "NoHoopError",
     "NoMarkerError",
+    "NoPictureError",
     "TooFewFramesError",
     "UnreadableVideoError",
     "UnwritableVideoError",
     "VideoError",
     "VideoFileError",
+    "VideoWarning",
 ]
 
 
@@ -35,8 +37,31 @@ class UnreadableVideoError(VideoFileError):
     """A file that is missing, or that OpenCV cannot decode."""
 
 
+class NoPictureError(UnreadableVideoError):
+    """A video of which OpenCV gives one picture for all frames, as of an interlaced one.
+
+    Attributes
+    ----------
+    frames : int
+        How many frames were looked at.
+    """
+
+    def __init__(self, path: str, frames: int) -> None:
+        super().__init__(
+            path,
+            f"OpenCV gives the same picture for all of the {frames} frames that were looked at: it "
+            "cannot decode interlaced video, or nothing moves. If it is interlaced, convert it: "
+            "ffmpeg -i FILE -vf bwdif converted.mp4",
+        )
+        self.frames = frames
+
+
 class UnwritableVideoError(VideoFileError):
     """A file that cannot be written: an unknown ending, a codec that this OpenCV does not have, or a missing folder."""
+
+
+class VideoWarning(UserWarning):
+    """Times of a video that are odd: lost frames, uneven times, two rates that contradict each other."""
 
 
 class TooFewFramesError(VideoError):

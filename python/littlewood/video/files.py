@@ -13,7 +13,7 @@ import numpy.typing as npt
 from ..extras import require
 from .errors import UnreadableVideoError, UnwritableVideoError
 
-__all__ = ["Frame", "FrameWriter", "codecs", "count_of", "frames", "rate_of"]
+__all__ = ["Frame", "FrameWriter", "codecs", "frames", "open_video"]
 
 Frame = npt.NDArray[np.uint8]
 """A frame: rows, columns, and blue, green, red, as OpenCV has them."""
@@ -27,36 +27,20 @@ def codecs() -> dict[str, str]:
     return dict(_CODECS)
 
 
-def _open(path: str | Path) -> Any:
+def open_video(path: str | Path) -> Any:
+    """Open a video as OpenCV reads it; refuse what is no file, or none that it decodes."""
     cv2 = require("cv2")
-    if not Path(path).is_file():
+    if not Path(path).exists():
         raise UnreadableVideoError(str(path), "there is no such file")
+    if not Path(path).is_file():
+        raise UnreadableVideoError(str(path), "it is a folder, a pipe or a device, not a file")
     capture = cv2.VideoCapture(str(path))
     if not capture.isOpened():
-        raise UnreadableVideoError(str(path), "OpenCV cannot decode it: is it a video?")
+        raise UnreadableVideoError(
+            str(path),
+            "OpenCV cannot decode it: is it a video? If it is, convert it: ffmpeg -i FILE converted.mp4",
+        )
     return capture
-
-
-def rate_of(path: str | Path) -> float:
-    """Return the frames per second at which a file is played.
-
-    Slow motion is played slower than it was taken: the rate at which it was taken is not in the
-    file.
-    """
-    capture = _open(path)
-    rate = float(capture.get(require("cv2").CAP_PROP_FPS))
-    capture.release()
-    return rate
-
-
-def count_of(path: str | Path) -> int:
-    """Return how many frames a video has: counted, because files often state it wrongly."""
-    capture = _open(path)
-    count = 0
-    while capture.grab():
-        count += 1
-    capture.release()
-    return count
 
 
 def frames(path: str | Path, wanted: Collection[int] | None = None) -> Iterator[Frame]:
@@ -74,14 +58,18 @@ def frames(path: str | Path, wanted: Collection[int] | None = None) -> Iterator[
     UnreadableVideoError
         If there is no such file, or OpenCV cannot decode it.
     """
-    capture = _open(path)
+    capture = open_video(path)
     number = 0
     try:
         while capture.grab():
             if wanted is None or number in wanted:
                 found, frame = capture.retrieve()
-                if not found:
-                    return
+                if not found or frame is None:
+                    raise UnreadableVideoError(
+                        str(path),
+                        f"OpenCV cannot decode frame {number}; "
+                        "convert the video: ffmpeg -i FILE converted.mp4",
+                    )
                 yield frame
             number += 1
     finally:

@@ -13,6 +13,7 @@ from ..fit_result import FitResult
 from ..style import ACCENTS, MODE_COLOURS
 from ..track import Track
 from ..trajectory import Trajectory
+from .clock import clock_of
 from .errors import UnreadableVideoError
 from .files import Frame, FrameWriter, frames
 from .plane import Plane
@@ -105,7 +106,7 @@ def overlay_picture(
     fitted: FitResult | Trajectory,
     *,
     plane: Plane,
-    fps: float,
+    fps: float | None = None,
     track: Track | None = None,
     count: int = 5,
 ) -> Frame:
@@ -119,8 +120,8 @@ def overlay_picture(
         The motion; its time counts from the first frame of the video.
     plane : Plane
         The plane of the motion in a frame, whose floor is drawn, too.
-    fps : float
-        Rate at which the frames were taken.
+    fps : float, optional
+        Rate at which the frames were taken, as in :func:`littlewood.track_video`.
     track : Track, optional
         What was found: the centres and the markers of all frames are dots.
     count : int, optional
@@ -139,16 +140,21 @@ def overlay_picture(
     cv2 = require("cv2")
     motion = fitted.motion if isinstance(fitted, FitResult) else fitted
     r, time_s = motion.hoop.require_units().length_m, motion.hoop.require_units().time_s
-    first, end = motion.start.time * time_s * fps, motion.shown_until * time_s * fps
+    clock = clock_of(video)
+    # A millionth of an interval is rounding.
+    first, end = motion.start.time * time_s, motion.shown_until * time_s
     if track is not None:
-        end = min(end, float(track.time[-1]) * time_s * fps)
-    numbers = sorted(
-        {math.ceil(first - 1e-6), *np.linspace(first, end - 1e-6, count).astype(int).tolist()[1:]}
-    )
+        end = min(end, float(track.time[-1]) * time_s)
+    times = clock.seconds(fps)
+    early = 1e-6 / clock.require_rate(fps)
+    begin = int(np.searchsorted(times, first - early))
+    # The last frame before each instant.
+    instants = np.linspace(first, end - early, count)[1:]
+    numbers = sorted({begin, *(np.searchsorted(times, instants, "right") - 1).tolist()})
     some = list(frames(video, numbers))
     if not some:
         raise UnreadableVideoError(str(video), "it has no frame of the motion")
-    still, _ = median_and_noise(frames_all_over(video, 0, None))
+    still, _ = median_and_noise(frames_all_over(video, 0, None, clock))
     picture, farthest = still, np.zeros(still.shape[:2])
     for frame in some:
         # What differs most from the background is a hoop.
@@ -157,7 +163,8 @@ def overlay_picture(
         farthest = np.maximum(apart, farthest)
     drawn = np.ascontiguousarray(picture, dtype=np.uint8)
     for number in numbers:
-        _draw_hoop(drawn, motion, plane, number / fps / time_s)
+        if 0 <= number < times.size:
+            _draw_hoop(drawn, motion, plane, times[number] / time_s)
     style = {"lineType": cv2.LINE_AA, "shift": 4}
     x, _ = plane.to_metres([0.0, drawn.shape[1] - 1.0], plane.to_pixels([0.0, 0.0], [0.0, 0.0])[1])
     cv2.polylines(
@@ -189,7 +196,7 @@ def overlay_video(
     out: str | Path,
     *,
     plane: Plane,
-    fps: float,
+    fps: float | None = None,
 ) -> int:
     """Write a video with the simulated hoop drawn over the filmed one.
 
@@ -203,8 +210,8 @@ def overlay_video(
         The new file: `.mp4` (MPEG-4) or `.avi` (Motion JPEG).
     plane : Plane
         The plane of the motion in a frame.
-    fps : float
-        Rate at which the frames were taken.
+    fps : float, optional
+        Rate at which the frames were taken, as in :func:`littlewood.track_video`.
 
     Returns
     -------
@@ -220,12 +227,13 @@ def overlay_video(
     """
     motion = fitted.motion if isinstance(fitted, FitResult) else fitted
     time_s = motion.hoop.require_units().time_s
+    times = clock_of(video).seconds(fps)
     count, writer = 0, None
     try:
-        for frame in frames(video):
+        for frame, time in zip(frames(video), times, strict=False):
             if writer is None:
                 writer = FrameWriter(out, (frame.shape[1], frame.shape[0]))
-            writer.write(draw_motion(frame, motion, plane, count / fps / time_s))
+            writer.write(draw_motion(frame, motion, plane, time / time_s))
             count += 1
     finally:
         if writer is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,15 @@ from ..calibration import CALIBRATION
 from ..extras import progress_bar
 from ..hoop import Hoop
 from ..track import Track
-from .errors import NoHoopError, NoMarkerError, TooFewFramesError, UnreadableVideoError
-from .files import Frame, count_of, frames
+from .clock import Clock, clock_of
+from .errors import (
+    NoHoopError,
+    NoMarkerError,
+    NoPictureError,
+    TooFewFramesError,
+    VideoWarning,
+)
+from .files import Frame, frames
 from .finder import MARKERS, Finder
 from .plane import Plane
 
@@ -41,7 +49,7 @@ def track_video(
     hoop: Hoop,
     *,
     plane: Plane,
-    fps: float,
+    fps: float | None = None,
     marker: str | tuple[int, int, int] = "red",
     marker_offset: float | None = None,
     marker_angle: float = 0.0,
@@ -67,9 +75,10 @@ def track_video(
         the marker.
     plane : Plane
         Where the frame shows the plane of the motion.
-    fps : float
+    fps : float, optional
         Rate at which the frames were taken. In slow motion it is not the rate at which the file is
-        played.
+        played. By default what the file says of it (`com.android.capture.fps`); if it says nothing
+        it is required.
     marker : str or tuple of int, optional
         Colour of the marker: red, orange, yellow, green, blue, magenta, or red, green, blue from 0
         to 255.
@@ -93,14 +102,17 @@ def track_video(
     -------
     Track
         Dimensionless, with the standard errors of every frame, NaN where hoop or marker were not
-        found, and with constant errors of the camera for a fit to estimate.
+        found, and with constant errors of the camera for a fit to estimate. Its `notes` say what
+        was taken for the times.
 
     Raises
     ------
     ValueError
-        If the hoop has no units, or a rate, a colour or a range of frames makes no sense.
+        If the hoop has no units, a rate, a colour or a range of frames makes no sense, or nobody
+        says the rate.
     UnreadableVideoError
-        If the file is missing or cannot be decoded.
+        If the file is missing or cannot be decoded; as :class:`~littlewood.video.NoPictureError` if
+        all frames are the same, as those of an interlaced video are to OpenCV.
     TooFewFramesError
         If there are fewer than ten frames.
     NoHoopError
@@ -108,18 +120,24 @@ def track_video(
     NoMarkerError
         If the marker is found in fewer than half of the frames in which the hoop is.
 
+    Warns
+    -----
+    littlewood.video.VideoWarning
+        If frames are lost or not evenly spaced, or if the file says another rate than `fps`.
+
     Notes
     -----
-    The time of a frame is its number over the rate: that of the beginning of its exposure. What was found is the mean
-    over it.
+    The time of a frame is that which the file has for it, times the rate at which the file is played over `fps`: that
+    of the beginning of its exposure. What was found is the mean over it.
     """
     units = hoop.require_units()
-    if not (fps > 0.0 and math.isfinite(fps)):
-        raise ValueError(f"fps = {fps} must be positive")
     if first < 0 or (last is not None and last <= first):
         raise ValueError(f"empty frame range: {first} to {last}")
-    if exposure_s is not None and not 0.0 <= exposure_s * fps <= 1.0 + 1e-9:
-        raise ValueError(f"exposure_s = {exposure_s} must be from 0 to {1.0 / fps:.6g} s")
+    colour_of(marker)
+    clock = clock_of(path)
+    rate = clock.require_rate(fps)
+    if exposure_s is not None and not 0.0 <= exposure_s * rate <= 1.0 + 1e-9:
+        raise ValueError(f"exposure_s = {exposure_s} must be from 0 to {1.0 / rate:.6g} s")
     finder = finder_of(
         path,
         hoop,
@@ -129,8 +147,12 @@ def track_video(
         first=first,
         last=last,
         background=background,
+        clock=clock,
     )
-    numbers = range(first, count_of(path) if last is None else last)
+    doubts = clock.doubts(fps)
+    for doubt in doubts:
+        warnings.warn(doubt, VideoWarning, stacklevel=2)
+    numbers = range(first, clock.time_s.size if last is None else min(last, clock.time_s.size))
     rows = []
     with progress_bar(len(numbers), "frames", progress) as show:
         for number, frame in zip(numbers, frames(path, numbers), strict=False):
@@ -148,13 +170,14 @@ def track_video(
         raise NoMarkerError(count, marked, marker)
     length = units.length_m
     return Track(
-        found[:, 0] / fps / units.time_s,
+        clock.seconds(rate)[found[:, 0].astype(int)] / units.time_s,
         theta=theta,
         x=found[:, 1] / length,
         y=found[:, 2] / length,
         errors={"theta": found[:, 5], "x": found[:, 4] / length, "y": found[:, 4] / length},
         exposure=0.0 if exposure_s is None else exposure_s / units.time_s,
         calibration=tuple(name for name in CALIBRATION if name != "exposure" or exposure_s is None),
+        notes=(*clock.facts(fps), *doubts),
     )
 
 
@@ -191,15 +214,18 @@ def finder_of(
     first: int = 0,
     last: int | None = None,
     background: npt.ArrayLike | None = None,
+    clock: Clock | None = None,
 ) -> Finder:
     """Return the finder of the hoop in single frames, with the arguments of :func:`littlewood.track_video`.
+
+    `clock` is that of the video, where it is known.
 
     Returns
     -------
     Finder
     """
     colour = colour_of(marker)
-    some = frames_all_over(path, first, last)
+    some = frames_all_over(path, first, last, clock)
     still, noise = median_and_noise(some)
     if background is not None:
         given = np.asarray(background)
@@ -223,17 +249,20 @@ def colour_of(marker: str | tuple[int, int, int]) -> tuple[int, int, int]:
     return MARKERS[marker]
 
 
-def frames_all_over(path: str | Path, first: int, last: int | None) -> list[Frame]:
-    """Return frames all over a video."""
-    count = count_of(path)
-    if count == 0:
-        raise UnreadableVideoError(str(path), "it has no frames")
+def frames_all_over(
+    path: str | Path, first: int, last: int | None, clock: Clock | None = None
+) -> list[Frame]:
+    """Return frames all over a video; refuse one whose frames are all the same."""
+    # Counted, because files often state it wrongly.
+    count = (clock or clock_of(path)).time_s.size
     end = count if last is None else min(count, last)
     if end - first < LEAST_PICTURES:
         raise TooFewFramesError(max(0, end - first), LEAST_PICTURES)
-    return list(
-        frames(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist()))
-    )
+    wanted = set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist())
+    found = list(frames(path, wanted))
+    if all(np.array_equal(frame, found[0]) for frame in found[1:]):
+        raise NoPictureError(str(path), len(found))
+    return found
 
 
 def median_and_noise(some: list[Frame]) -> tuple[npt.NDArray[Any], float]:

@@ -6,6 +6,8 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use littlewood_sweep::read_file;
+
 mod embedded {
     include!(concat!(env!("OUT_DIR"), "/page.rs"));
 }
@@ -67,7 +69,7 @@ fn read_folder(
         if path.is_dir() {
             read_folder(&path, &format!("{name}/"), files)?;
         } else {
-            files.insert(name, fs::read(&path)?.into());
+            files.insert(name, read_file(&path, u64::MAX)?.into());
         }
     }
     Ok(())

@@ -15,6 +15,7 @@ use super::read::read_row_group;
 use super::table::{CHUNK_KEY, RUN_KEY, Table};
 use crate::columns::Columns;
 use crate::disk::{Disk, PARTS, UNFINISHED, with_ending};
+use crate::file::open_file;
 use crate::store::{Format as _, Header, StoreError};
 use crate::tally::Tally;
 
@@ -141,7 +142,7 @@ impl OneFile {
         let failed = StoreError::encoding(&name);
         let open = |chunk: usize| -> Result<(File, ParquetMetaData), StoreError> {
             let path = self.parts.join(self.table.path(chunk));
-            let file = File::open(&path).map_err(|source| StoreError::unreadable(&path, source))?;
+            let file = open_file(&path).map_err(|source| StoreError::unreadable(&path, source))?;
             let metadata = footer(&file).map_err(|error| StoreError::DamagedChunk {
                 path,
                 reason: error.to_string(),

@@ -11,6 +11,7 @@ use parquet::file::serialized_reader::SerializedFileReader;
 
 use super::column::{name_of_numbers, read as read_column};
 use crate::columns::{Column, Columns};
+use crate::file::open_file;
 use crate::store::StoreError;
 
 /// The results of a file with one chunk; none if it is not there.
@@ -33,7 +34,7 @@ pub(super) fn read_row_group(
     number: usize,
     derivatives: &[DerivativeColumn],
 ) -> Result<Columns, StoreError> {
-    let file = File::open(path).map_err(|source| StoreError::unreadable(path, source))?;
+    let file = open_file(path).map_err(|source| StoreError::unreadable(path, source))?;
     let damaged = |reason: String| StoreError::DamagedChunk {
         path: path.to_owned(),
         reason,

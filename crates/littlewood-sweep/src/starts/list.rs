@@ -1,6 +1,5 @@
 //! A list of starts in a file.
 
-use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +8,7 @@ use serde_json::{Value, json};
 
 use super::error::{ListError, unreadable};
 use super::rows::Rows;
+use crate::file::open_file;
 use crate::getters::getters;
 use crate::setup::quantities;
 
@@ -138,7 +138,7 @@ impl StartList {
 }
 
 fn checksum(path: &Path) -> Result<(u64, u32), ListError> {
-    let mut file = File::open(path).map_err(unreadable(path))?;
+    let mut file = open_file(path).map_err(unreadable(path))?;
     let mut buffer = vec![0; 1 << 16];
     let mut hasher = crc32fast::Hasher::new();
     let mut length = 0;

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use littlewood::tables::{Quantity, Setup};
 
 use super::error::{ListError, unreadable};
+use crate::file::open_file;
 use crate::setup::quantities;
 
 /// Longest line of a CSV file, in bytes. Ten numbers need less than three hundred.
@@ -35,7 +36,7 @@ impl Rows {
                 path: path.to_owned(),
             });
         }
-        let reader = BufReader::new(File::open(path).map_err(unreadable(path))?);
+        let reader = BufReader::new(open_file(path).map_err(unreadable(path))?);
         let columns = Vec::new();
         let mut rows = Self {
             path: path.to_owned(),

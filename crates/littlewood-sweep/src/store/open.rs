@@ -12,6 +12,7 @@ use super::error::StoreError;
 use super::format::{Format, Header};
 use super::manifest::{Checksum, Manifest};
 use crate::disk::UNFINISHED;
+use crate::file::read_file;
 
 /// The header of a store that may be resumed; none where a store may be begun.
 pub(super) fn check(
@@ -53,7 +54,7 @@ fn read_header(root: &Path, format: &dyn Format) -> Result<Option<Header>, Store
         Ok(_) => {}
     }
     let path = root.join(format.names().header);
-    match fs::read(&path) {
+    match read_file(&path, u64::MAX) {
         Ok(bytes) => {
             let header =
                 serde_json::from_slice(&bytes).map_err(|error| StoreError::DamagedMetadata {
@@ -111,7 +112,7 @@ pub(super) fn is_intact(
     let files: Result<Vec<Vec<u8>>, io::Error> = format
         .paths(number)
         .iter()
-        .map(|path| fs::read(root.join(path)))
+        .map(|path| read_file(&root.join(path), u64::MAX))
         .collect();
     files.is_ok_and(|files| Checksum::of(files.iter().map(Vec::as_slice)) == checksum)
 }
@@ -127,7 +128,8 @@ pub(crate) fn broken_chunks(
     count: usize,
 ) -> Result<BTreeSet<usize>, StoreError> {
     let path = root.join(format.names().manifest);
-    let text = fs::read(&path).map_err(|source| StoreError::unreadable(&path, source))?;
+    let text =
+        read_file(&path, u64::MAX).map_err(|source| StoreError::unreadable(&path, source))?;
     let manifest = Manifest::parse(&text, format.description().crc(), count)
         .map_err(|line| StoreError::DamagedManifest { path, line })?;
     let is_broken = |number: &usize| {

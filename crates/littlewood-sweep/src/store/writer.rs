@@ -1,6 +1,6 @@
 //! Writing a store: it begins or is resumed, chunks are added, it is completed.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -12,6 +12,7 @@ use super::manifest::{Checksum, Manifest, ManifestChunk};
 use super::open::{check, is_intact};
 use crate::compute::Workers;
 use crate::disk::Disk;
+use crate::file::read_file;
 use crate::tally::Tally;
 
 /// A store that is open for writing. No other process has it open at the same time.
@@ -100,7 +101,7 @@ impl<'a> Store<'a> {
         workers: &Workers,
     ) -> Result<(), StoreError> {
         let path = self.root.join(self.format.names().manifest);
-        let claimed = match fs::read(&path) {
+        let claimed = match read_file(&path, u64::MAX) {
             Ok(text) => Manifest::parse(&text, self.manifest.run, count).map_err(|line| {
                 StoreError::DamagedManifest {
                     path: path.clone(),
@@ -185,7 +186,7 @@ impl<'a> Store<'a> {
         ));
         files.push((self.format.names().header.into(), self.format.header(true)?));
         for (path, bytes) in files {
-            if fs::read(self.root.join(&path)).ok().as_deref() != Some(&bytes) {
+            if read_file(&self.root.join(&path), u64::MAX).ok().as_deref() != Some(&bytes) {
                 self.write(&path, &bytes)?;
             }
         }

@@ -12,6 +12,7 @@ use crate::axis::Axis;
 use crate::chunk::{Chunk, Chunks};
 use crate::columns::{Column, Columns};
 use crate::description::{Description, STORE_FORMAT};
+use crate::file::read_file;
 use crate::grid::Grid;
 use crate::store::{Format, Header, Names, StoreError, StoreFile};
 
@@ -192,7 +193,7 @@ impl Format for Layout {
         let mut columns = Vec::with_capacity(self.variables.len());
         for ((column, array), path) in self.variables.iter().zip(self.paths(chunk)) {
             let path = root.join(path);
-            let encoded = match std::fs::read(&path) {
+            let encoded = match read_file(&path, u64::MAX) {
                 Ok(bytes) => bytes,
                 Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
                 Err(source) => return Err(StoreError::unreadable(&path, source)),

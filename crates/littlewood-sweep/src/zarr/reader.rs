@@ -9,6 +9,7 @@ use super::layout::{Layout, METADATA};
 use crate::chunk::Chunks;
 use crate::columns::Columns;
 use crate::description::Description;
+use crate::file::read_file;
 use crate::getters::getters;
 use crate::grid::Grid;
 use crate::store::{Format as _, Header, StoreError, broken_chunks};
@@ -43,7 +44,8 @@ impl ZarrStore {
     /// understood.
     pub fn open(path: &Path) -> Result<Self, StoreError> {
         let file = path.join(METADATA);
-        let bytes = std::fs::read(&file).map_err(|source| StoreError::unreadable(&file, source))?;
+        let bytes =
+            read_file(&file, u64::MAX).map_err(|source| StoreError::unreadable(&file, source))?;
         let metadata: Value =
             serde_json::from_slice(&bytes).map_err(|error| StoreError::DamagedMetadata {
                 path: file.clone(),
