@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
-from .differentiable import Problem
+from .differentiable import FIRST_ONLY, Problem
 from .extras import require
 from .hoop import Hoop
 
@@ -18,7 +18,7 @@ def summary(
 ) -> Callable[[Mapping[str, Any]], dict[str, Any]]:
     """Return a function of quantities whose values are columns of a summary, with exact derivatives.
 
-    The function is a ``jax.custom_jvp``: ``jax.grad``, ``jax.jvp`` and the others take the
+    The function has a ``jax.custom_jvp``: ``jax.grad``, ``jax.jvp`` and the others take the
     derivatives of :func:`littlewood.simulate_many`, also through stick, slip, lift-off and impacts.
     It can be compiled (``jax.jit``) and mapped (``jax.vmap``); the motions are simulated on the
     host, many at once.
@@ -38,10 +38,21 @@ def summary(
     -------
     evaluate : callable
         It takes a dictionary of quantities, numbers or arrays that broadcast, and returns one of
-        the columns. What does not happen is NaN, and so is a derivative that does not exist.
+        the columns.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For a name that is unknown, or given both here and there, before anything is traced;
+        for a second derivative (``jax.hessian``), since only first ones exist.
 
     Notes
     -----
+    An event that does not happen has the value NaN and the derivative 0, whatever is computed from
+    it: in a batch, ``~jnp.isnan(value)`` is the mask of the starts that have one, and the others
+    do not touch the gradient. A derivative that does not exist of an event that happens, as where
+    the motion grazes, is NaN; ``jax.vmap`` of the gradient tells which start it is.
+
     JAX computes in single precision unless `jax_enable_x64` is set; the motions are followed in double precision.
 
     Examples
@@ -51,6 +62,17 @@ def summary(
     >>> hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
     >>> jump = littlewood.jax.summary(["lift_off_time"], hoop, theta=2.5, theta_rate=3.0)
     >>> slope = jax.grad(lambda mu_k: jump({"mu_k": mu_k})["lift_off_time"])(0.4)
+
+    The mean over those starts of a batch that lift off:
+
+    >>> import jax.numpy as jnp
+    >>> batch = littlewood.jax.summary(["lift_off_time"], hoop, theta=2.5)
+    >>> def mean(mu_k):
+    ...     time = batch({"theta_rate": jnp.array([0.1, 3.0]), "mu_k": mu_k})["lift_off_time"]
+    ...     happens = ~jnp.isnan(time)
+    ...     return jnp.where(happens, time, 0.0).sum() / happens.sum()
+    >>> bool(jax.grad(mean)(0.4) == slope)
+    True
     """
     jax = require("jax")
     jnp = require("jax.numpy")
@@ -72,22 +94,38 @@ def summary(
             )
         )
 
+    def numbers_and_slopes(values: Mapping[str, Any]) -> Any:
+        count = len(problem.columns) * (1 + len(values))
+        return on_host(problem.numbers_and_slopes, count, values)
+
+    def no_second_rule(primals: Any, tangents: Any) -> Any:
+        raise TypeError(FIRST_ONLY)
+
+    first_only = jax.custom_jvp(numbers_and_slopes)
+    first_only.defjvp(no_second_rule)
+
     def rule(primals: Any, tangents: Any) -> Any:
         (values,), (rates,) = primals, tangents
         names = sorted(values)
         count = len(problem.columns)
-        found = on_host(problem.numbers_and_slopes, count * (1 + len(names)), values)
+        found = first_only(values)
         summaries = dict(zip(problem.columns, found[:count], strict=True))
         changes = {}
         for place, column in enumerate(problem.columns):
             slopes = found[count + place * len(names) :][: len(names)]
-            changes[column] = sum(
-                slope * rates[name] for slope, name in zip(slopes, names, strict=True)
-            )
+            change = sum(slope * rates[name] for slope, name in zip(slopes, names, strict=True))
+            # Also where the program has made a rate of NaN out of the NaN of the column.
+            changes[column] = jnp.where(jnp.isnan(summaries[column]), 0.0, change)
         return summaries, changes
 
-    evaluate: Callable[[Mapping[str, Any]], dict[str, Any]] = jax.custom_jvp(numbers)
-    evaluate.defjvp(rule)  # type: ignore[attr-defined]
+    follow = jax.custom_jvp(numbers)
+    follow.defjvp(rule)
+
+    def evaluate(values: Mapping[str, Any]) -> dict[str, Any]:
+        problem.check(values)
+        found: dict[str, Any] = follow(values)
+        return found
+
     return evaluate
 
 

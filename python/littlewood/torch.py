@@ -31,7 +31,8 @@ def summary(
     -------
     evaluate : callable
         It takes a dictionary of quantities, tensors that broadcast, and returns one of the columns.
-        What does not happen is NaN, and so is a derivative that does not exist.
+        As in :func:`littlewood.jax.summary`, an event that does not happen has the value NaN and
+        the derivative 0: ``~value.isnan()`` is the mask of a batch.
 
     Examples
     --------
@@ -54,7 +55,7 @@ def summary(
             found = [
                 torch.from_numpy(array.copy()).to(values[0]) for array in compute(names, *arrays)
             ]
-            ctx.save_for_backward(*found[len(problem.columns) :])
+            ctx.save_for_backward(*found)
             # A column that is not used has no rate: its derivative, which may be NaN, then counts
             # for nothing.
             ctx.set_materialize_grads(False)
@@ -63,17 +64,23 @@ def summary(
         @staticmethod
         @torch.autograd.function.once_differentiable  # type: ignore[untyped-decorator]
         def backward(ctx: Any, *rates: Any) -> Any:
-            slopes = ctx.saved_tensors
+            columns, slopes = ctx.saved_tensors[: len(rates)], ctx.saved_tensors[len(rates) :]
             count = len(slopes) // len(rates)
 
             def of_quantity(place: int) -> Any:
-                pairs = zip(slopes[place::count], rates, strict=True)
-                terms = [slope * rate for slope, rate in pairs if rate is not None]
+                rows = zip(columns, slopes[place::count], rates, strict=True)
+                # Also where the program has made a rate of NaN out of the NaN of the column.
+                terms = [
+                    (slope * rate).masked_fill(column.isnan(), 0.0)
+                    for column, slope, rate in rows
+                    if rate is not None
+                ]
                 return sum(terms) if terms else None
 
             return (None, *(of_quantity(place) for place in range(count)))
 
     def evaluate(values: Mapping[str, Any]) -> dict[str, Any]:
+        problem.check(values)
         names = tuple(sorted(values))
         # Outside of the function, so that what is broadcast is summed again.
         tensors = torch.broadcast_tensors(*(values[name] for name in names))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import json
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -41,9 +42,11 @@ def checked_derivatives(names: Iterable[str], has_restitution: bool) -> tuple[st
     return names
 
 
-def _legend() -> dict[str, str]:
+def _legend() -> str:
+    """Return what the codes of phases mean, as JSON: no file format takes an attribute with parts."""
     letters = {str(code): f"{letter}: {meaning}" for code, letter, meaning in _core.PHASES}
-    return {"0": "end of the sequence", **letters}
+    legend = {"0": "end of the sequence", **letters}
+    return json.dumps(legend, ensure_ascii=False, separators=(",", ":"))
 
 
 def result_attributes(name: str) -> dict[str, Any]:
@@ -53,16 +56,21 @@ def result_attributes(name: str) -> dict[str, Any]:
         return {"long_name": long_name, "units": unit, "scale": scale}
     column = SUMMARY_COLUMNS[name]
     units = {"units": column.cf_unit, "scale": column.scale}
-    # Lists of plain numbers: a store holds them, as the command line writes them.
+
+    def flags(codes: Mapping[int, str]) -> dict[str, Any]:
+        # CF wants values of the type of the variable.
+        values = np.array(list(codes), dtype=column.dtype)
+        return {"flag_values": values, "flag_meanings": " ".join(codes.values())}
+
     of_kind: dict[str, dict[str, Any]] = {
-        "outcome": {"flag_values": list(OUTCOMES), "flag_meanings": " ".join(OUTCOMES.values())},
+        "outcome": flags(OUTCOMES),
         "sequence": {
             "encoding": _core.SEQUENCE_ENCODING,
             "version": _core.SEQUENCE_VERSION,
             "legend": _legend(),
         },
         "count": units,
-        "flag": {"flag_values": [0, 1], "flag_meanings": "no yes"},
+        "flag": flags({0: "no", 1: "yes"}),
         "real": units,
     }
     return {"long_name": column.long_name, **of_kind[column.kind]}

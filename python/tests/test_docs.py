@@ -7,6 +7,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import xarray
 
 from littlewood import laboratory
 
@@ -57,14 +58,16 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
 def test_the_page_on_sweeps_reads_a_store_of_the_program(binary, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     text = (PYTHON.parent / "docs" / "sweep.md").read_text(encoding="utf-8")
-    (block,) = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     axes = ["--x", "theta=-pi:pi:9", "--y", "theta_rate=-4:4:7"]
     subprocess.run(
         [binary, "map", "figure-3", *axes, "--until", "5", "--out", "plane.zarr"], check=True
     )
     names = {}
-    exec(compile(block, "sweep.md", "exec"), names)
+    for block in blocks:
+        exec(compile(block, "sweep.md", "exec"), names)
     assert names["plane"].outcome.shape == (9, 7)
+    assert xarray.load_dataset("plane.nc").outcome.attrs["flag_values"].dtype == np.uint8
 
 
 def test_links_lead_somewhere():

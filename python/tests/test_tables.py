@@ -104,7 +104,8 @@ def test_codes_of_types_of_rolling_are_places():
 
 def test_outcomes_have_their_codes_in_attributes():
     attributes = variables.result_attributes("outcome")
-    assert attributes["flag_values"] == list(lw.tables.OUTCOMES)
+    assert attributes["flag_values"].tolist() == list(lw.tables.OUTCOMES)
+    assert attributes["flag_values"].dtype == lw.tables.SUMMARY_COLUMNS["outcome"].dtype
     assert attributes["flag_meanings"].split() == list(lw.tables.OUTCOMES.values())
     assert set(lw.tables.OUTCOMES.values()) == set(tables.OUTCOME_LABELS)
 

@@ -271,7 +271,7 @@ function start(cases: NamedCase[]): void {
   if (location.hash.length > 1) read(location.hash);
   else level.first();
   origin = lab.state.problem;
-  host.ready();
+  host.ready(HAS_ADDRESS ? format(lab.state) : null);
   document.documentElement.dataset.ready = 'true';
   performance.mark('ready');
   if (HAS_ADDRESS && 'serviceWorker' in navigator && import.meta.env.PROD)

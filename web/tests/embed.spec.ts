@@ -202,3 +202,21 @@ test('a frame and the page around it tell each other of the state', async ({ pag
   await frame.locator('#time').press('Home');
   await expect.poll(heard).toContainEqual({ littlewood: { link: 'case=figure-7&embed=1' } });
 });
+
+test('a frame tells of what changes, not of what it was opened with', async ({ page, baseURL }) => {
+  await lecture(page, '<iframe id="frame" width="640" height="420"></iframe>');
+  await page.evaluate((src) => {
+    Object.assign(window, { heard: [] });
+    window.addEventListener('message', ({ data }) =>
+      (window as unknown as { heard: unknown[] }).heard.push(data),
+    );
+    document.querySelector('iframe')!.src = src;
+  }, `${baseURL}#case=figure-7&at=2&embed=1`);
+  const frame = page.frameLocator('#frame');
+  await expect(frame.locator('#now')).toHaveText('τ = 2.000');
+  await page.waitForTimeout(1000);
+  const heard = (): Promise<unknown[]> => page.evaluate('heard');
+  expect(await heard()).toEqual([{ littlewood: { ready: true } }]);
+  await frame.locator('#time').press('Home');
+  await expect.poll(heard).toContainEqual({ littlewood: { link: 'case=figure-7&embed=1' } });
+});

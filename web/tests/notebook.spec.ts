@@ -5,8 +5,11 @@ import { expect, type FrameLocator, type Page, test } from '@playwright/test';
 
 const MODULE = new URL('../../python/littlewood/laboratory.js', import.meta.url);
 
-/** A notebook with one cell: a model with a link and a height, and the widget of it. */
-async function notebook(page: Page, link: string): Promise<FrameLocator> {
+/**
+ * A notebook with one cell: a model with a link and a height, and the widget of it, which hears
+ * messages after some milliseconds.
+ */
+async function notebook(page: Page, link: string, delay = 0): Promise<FrameLocator> {
   expect(existsSync(MODULE), 'web/build.sh makes the module').toBe(true);
   const errors: string[] = [];
   page.on('pageerror', (error) => {
@@ -28,25 +31,34 @@ async function notebook(page: Page, link: string): Promise<FrameLocator> {
     throw new Error(`a request to ${route.request().url()}`);
   });
   await page.goto('http://127.0.0.1:1/notebook');
-  await page.evaluate(async (link) => {
-    const listeners = new Map<string, () => void>();
-    const traits: Record<string, unknown> = { link, height: 700 };
-    const model = {
-      get: (name: string) => traits[name],
-      set: (name: string, value: unknown) => {
-        traits[name] = value;
-        listeners.get(`change:${name}`)?.();
-      },
-      save_changes: () => undefined,
-      on: (name: string, listener: () => void) => listeners.set(name, listener),
-      off: (name: string) => listeners.delete(name),
-    };
-    Object.assign(window, { model });
-    const { default: widget } = (await import('/module.js' as string)) as {
-      default: { render(it: object): () => void };
-    };
-    Object.assign(window, { close: widget.render({ model, el: document.querySelector('#cell') }) });
-  }, link);
+  await page.evaluate(
+    async ({ link, delay }) => {
+      const listen = window.addEventListener.bind(window);
+      const late = (type: string, hear: (event: Event) => void): void =>
+        listen(type, (event) => void setTimeout(() => hear(event), delay));
+      if (delay > 0) Object.assign(window, { addEventListener: late });
+      const listeners = new Map<string, () => void>();
+      const traits: Record<string, unknown> = { link, height: 700 };
+      const model = {
+        get: (name: string) => traits[name],
+        set: (name: string, value: unknown) => {
+          traits[name] = value;
+          listeners.get(`change:${name}`)?.();
+        },
+        save_changes: () => undefined,
+        on: (name: string, listener: () => void) => listeners.set(name, listener),
+        off: (name: string) => listeners.delete(name),
+      };
+      Object.assign(window, { model });
+      const { default: widget } = (await import('/module.js' as string)) as {
+        default: { render(it: object): () => void };
+      };
+      Object.assign(window, {
+        close: widget.render({ model, el: document.querySelector('#cell') }),
+      });
+    },
+    { link, delay },
+  );
   const frame = page.frameLocator('iframe');
   await expect(frame.locator('html[data-ready=true]')).toBeAttached();
   return frame;
@@ -68,6 +80,24 @@ test('the widget shows the link of its model, and the model has the state of the
   await page.evaluate('model.set("height", 500)');
   expect((await page.locator('iframe').boundingBox())!.height).toBe(500);
 });
+
+for (const delay of [0, 1000, 5000]) {
+  test(`the motion of the model is kept where messages come after ${delay} ms`, async ({
+    page,
+  }) => {
+    const link = 'case=figure-7&at=0.7';
+    const frame = await notebook(page, link, delay);
+    // A guest who is faster than the host changes nothing of the model's, either.
+    if (delay > 0) await frame.locator('#time').press('End');
+    await expect(frame.locator('#case')).toHaveValue('figure-7');
+    await expect(frame.locator('#now')).toHaveText('τ = 0.700');
+    await page.waitForTimeout(delay + 500);
+    expect(await linkOf(page)).toBe(link);
+    // From then on both sides tell each other.
+    await frame.locator('#time').press('Home');
+    await expect.poll(() => linkOf(page)).toBe('case=figure-7');
+  });
+}
 
 test('what a frame of another page says is not for the model', async ({ page }) => {
   await notebook(page, 'case=figure-3');

@@ -14,6 +14,12 @@ use crate::schedule::Shown;
 /// Lines of ffmpeg's messages that are kept.
 const KEPT: usize = 4;
 
+/// Colours are coded by BT.709, and the file says so: of one that does not, players assume BT.709
+/// or BT.601 by the number of lines.
+const COLOURS: &str = "-vf scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,\
+    setparams=range=tv:color_primaries=bt709:color_trc=bt709:colorspace=bt709 \
+    -color_range tv -color_primaries bt709 -color_trc bt709 -colorspace bt709";
+
 /// What ffmpeg writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Video {
@@ -78,7 +84,8 @@ impl FfmpegFilm {
                 "-i",
                 "pipe:0",
             ])
-            .args(["-an", "-pix_fmt", "yuv420p"])
+            .arg("-an")
+            .args(COLOURS.split(' '))
             // The same bytes from one version of ffmpeg, whatever the number of cores.
             .args([
                 "-threads",

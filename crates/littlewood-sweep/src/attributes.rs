@@ -75,7 +75,7 @@ fn of_summary(column: SummaryColumn) -> Attributes {
             attributes_of([
                 ("encoding", PhaseSequence::ENCODING.into()),
                 ("version", PhaseSequence::VERSION.into()),
-                ("legend", legend.into()),
+                ("legend", Value::Object(legend).to_string().into()),
             ])
         }
         ColumnType::Count | ColumnType::Real => units(column.dimension()),

@@ -11,8 +11,8 @@ use crate::setup::{RESTITUTION_LAW, given};
 use crate::starts::StartList;
 
 /// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and
-/// no version, version 2 no columns of impacts.
-pub const STORE_FORMAT: u32 = 4;
+/// no version, version 2 no columns of impacts, version 4 NaN in tables and attributes with parts.
+pub const STORE_FORMAT: u32 = 5;
 
 const SPACING: &str = "spacing";
 

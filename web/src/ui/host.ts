@@ -2,7 +2,9 @@
 // for one.
 //
 // A message is `{ littlewood: { link: 'case=figure-3&at=1.2' } }` both ways, the link without `#`.
-// The first one says that the page is ready.
+// The first one says that the page is ready. What the page is opened with is no news; without an
+// address it is opened with nothing, and tells of nothing until it has shown the first link of its
+// host, however late that comes.
 
 /** Reads a message; none if it is not for us. */
 function linkOf(data: unknown): string | null {
@@ -13,6 +15,7 @@ function linkOf(data: unknown): string | null {
 }
 
 export class Host {
+  /** The link that both sides know; none before there is one. */
   private told: string | null = null;
 
   constructor(show: (link: string) => void) {
@@ -25,14 +28,15 @@ export class Host {
     });
   }
 
-  /** Says that messages are read from now on. */
-  ready(): void {
+  /** Says that messages are read from now on; `opened` is the link of the address, if there is one. */
+  ready(opened: string | null): void {
+    this.told = opened;
     this.post({ ready: true });
   }
 
   /** Tells of the state, unless it is what has been asked for, or told, last. */
   tell(link: string): void {
-    if (link === this.told) return;
+    if (this.told === null || link === this.told) return;
     this.told = link;
     this.post({ link });
   }

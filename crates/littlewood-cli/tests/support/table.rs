@@ -29,13 +29,12 @@ impl Table {
         self.0.iter().map(|row| field(row).expect(name)).collect()
     }
 
+    /// Those of a column of real numbers, NaN where it is null.
     pub(crate) fn reals(&self, name: &str) -> Vec<f64> {
-        self.column(name, |field| {
-            if let Field::Double(value) = field {
-                Some(*value)
-            } else {
-                None
-            }
+        self.column(name, |field| match field {
+            Field::Double(value) => Some(*value),
+            Field::Null => Some(f64::NAN),
+            _ => None,
         })
     }
 

@@ -2,101 +2,64 @@
 
 use std::collections::HashMap;
 use std::io::Write;
-use std::sync::Arc;
 
+use arrow_schema::{DataType as Arrow, Field};
 use littlewood::OutcomeKind;
 use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryValue};
-use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{
     BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type,
 };
 use parquet::errors::Result;
 use parquet::file::writer::SerializedRowGroupWriter;
-use parquet::schema::types::{Type, TypePtr};
 use serde_json::Value;
 
 use crate::attributes::{Attributes, of_axis, of_column, of_words};
 use crate::columns::{Column as Results, ColumnValues};
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Words,
-    Flag,
-    U8,
-    U32,
-    U64,
-    F64,
+/// A column as Arrow describes it, with its attributes. Real numbers can be null; nothing else can.
+fn field(name: &str, data_type: Arrow, attributes: Attributes) -> Field {
+    let text = |value| match value {
+        Value::String(text) => text,
+        other => other.to_string(),
+    };
+    let attributes = attributes
+        .into_iter()
+        .map(|(name, value)| (name, text(value)))
+        .collect();
+    let is_real = data_type == Arrow::Float64;
+    Field::new(name, data_type, is_real).with_metadata(attributes)
 }
 
-pub(super) struct Column {
-    pub(super) name: String,
-    pub(super) kind: Kind,
-    pub(super) attributes: Vec<(String, String)>,
+pub(super) fn of_quantity(quantity: Quantity) -> Field {
+    field(quantity.name(), Arrow::Float64, of_axis(quantity.into()))
 }
 
-impl Column {
-    fn new(name: &str, kind: Kind, attributes: Attributes) -> Self {
-        let text = |value| match value {
-            Value::String(text) => text,
-            other => other.to_string(),
-        };
-        let attributes = attributes
-            .into_iter()
-            .map(|(name, value)| (name, text(value)))
-            .collect();
-        Self {
-            name: name.to_owned(),
-            kind,
-            attributes,
+/// Those of a column of results: a code has its words before it.
+pub(super) fn of_results(column: Results) -> Vec<Field> {
+    let data_type = match column.column_type() {
+        ColumnType::Outcome => Arrow::UInt8,
+        ColumnType::Sequence => Arrow::UInt64,
+        ColumnType::Count => Arrow::UInt32,
+        ColumnType::Flag => Arrow::Boolean,
+        ColumnType::Real => Arrow::Float64,
+    };
+    let numbers = field(&name_of_numbers(column), data_type, of_column(column));
+    let words = match (column, column.column_type()) {
+        (Results::Summary(column), ColumnType::Outcome | ColumnType::Sequence) => {
+            let data_type = Arrow::Dictionary(Box::new(Arrow::Int32), Box::new(Arrow::Utf8));
+            Some(field(column.name(), data_type, of_words(column)))
         }
-    }
-
-    pub(super) fn of_quantity(quantity: Quantity) -> Self {
-        Self::new(quantity.name(), Kind::F64, of_axis(quantity.into()))
-    }
-
-    /// Those of a column of results: a code has its words before it.
-    pub(super) fn of_results(column: Results) -> Vec<Self> {
-        let kind = match column.column_type() {
-            ColumnType::Outcome => Kind::U8,
-            ColumnType::Sequence => Kind::U64,
-            ColumnType::Count => Kind::U32,
-            ColumnType::Flag => Kind::Flag,
-            ColumnType::Real => Kind::F64,
-        };
-        let numbers = Self::new(&name_of_numbers(column), kind, of_column(column));
-        let words = match (column, column.column_type()) {
-            (Results::Summary(column), ColumnType::Outcome | ColumnType::Sequence) => {
-                Some(Self::new(column.name(), Kind::Words, of_words(column)))
-            }
-            (
-                Results::Summary(_) | Results::Derivative(_),
-                ColumnType::Outcome
-                | ColumnType::Sequence
-                | ColumnType::Count
-                | ColumnType::Flag
-                | ColumnType::Real,
-            ) => None,
-        };
-        words.into_iter().chain([numbers]).collect()
-    }
-
-    pub(super) fn field(&self) -> Result<TypePtr> {
-        let (physical, logical) = match self.kind {
-            Kind::Words => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
-            Kind::Flag => (Physical::BOOLEAN, None),
-            Kind::U8 => (Physical::INT32, Some(LogicalType::integer(8, false))),
-            Kind::U32 => (Physical::INT32, Some(LogicalType::integer(32, false))),
-            Kind::U64 => (Physical::INT64, Some(LogicalType::integer(64, false))),
-            Kind::F64 => (Physical::DOUBLE, None),
-        };
-        Type::primitive_type_builder(&self.name, physical)
-            .with_repetition(Repetition::REQUIRED)
-            .with_logical_type(logical)
-            .build()
-            .map(Arc::new)
-    }
+        (
+            Results::Summary(_) | Results::Derivative(_),
+            ColumnType::Outcome
+            | ColumnType::Sequence
+            | ColumnType::Count
+            | ColumnType::Flag
+            | ColumnType::Real,
+        ) => None,
+    };
+    words.into_iter().chain([numbers]).collect()
 }
 
 /// The name under which a table has the numbers of a column.
@@ -110,11 +73,19 @@ pub(super) fn name_of_numbers(column: Results) -> String {
 pub(super) struct Writer<'a, 'b, W: Write>(pub(super) &'a mut SerializedRowGroupWriter<'b, W>);
 
 impl<W: Write + Send> Writer<'_, '_, W> {
+    /// Real numbers; NaN, which stands for what does not happen, is null: engines that sort NaN
+    /// above all numbers would count it as late.
     pub(super) fn reals(&mut self, values: &[f64]) -> Result<()> {
-        self.write::<DoubleType>(values)
+        let levels = each(values, |value| if value.is_nan() { NULL } else { PRESENT });
+        let present: Vec<f64> = values
+            .iter()
+            .copied()
+            .filter(|value| !value.is_nan())
+            .collect();
+        self.write::<DoubleType>(&present, Some(&levels))
     }
 
-    /// A column of results: all that [`Column::of_results`] has of it.
+    /// A column of results: all that [`of_results`] has of it.
     pub(super) fn results(&mut self, column: Results, values: &ColumnValues) -> Result<()> {
         match (column.column_type(), values) {
             (ColumnType::Outcome, ColumnValues::U8(codes)) => {
@@ -128,7 +99,7 @@ impl<W: Write + Send> Writer<'_, '_, W> {
                 self.words(codes, |bits| PhaseSequence::from_bits(bits).to_string())?;
             }
             (ColumnType::Flag, ColumnValues::U8(flags)) => {
-                return self.write::<BoolType>(&each(flags, |flag| flag != 0));
+                return self.write::<BoolType>(&each(flags, |flag| flag != 0), None);
             }
             (
                 _,
@@ -140,9 +111,13 @@ impl<W: Write + Send> Writer<'_, '_, W> {
         }
         // The file has the bits of a number, and its type says that they have no sign.
         match values {
-            ColumnValues::U8(values) => self.write::<Int32Type>(&each(values, i32::from)),
-            ColumnValues::U32(values) => self.write::<Int32Type>(&each(values, u32::cast_signed)),
-            ColumnValues::U64(values) => self.write::<Int64Type>(&each(values, u64::cast_signed)),
+            ColumnValues::U8(values) => self.write::<Int32Type>(&each(values, i32::from), None),
+            ColumnValues::U32(values) => {
+                self.write::<Int32Type>(&each(values, u32::cast_signed), None)
+            }
+            ColumnValues::U64(values) => {
+                self.write::<Int64Type>(&each(values, u64::cast_signed), None)
+            }
             ColumnValues::F64(values) => self.reals(values),
         }
     }
@@ -160,17 +135,23 @@ impl<W: Write + Send> Writer<'_, '_, W> {
                 .or_insert_with(|| ByteArray::from(text(code).into_bytes()))
                 .clone()
         };
-        self.write::<ByteArrayType>(&each(codes, word))
+        self.write::<ByteArrayType>(&each(codes, word), None)
     }
 
-    fn write<T: DataType>(&mut self, values: &[T::T]) -> Result<()> {
+    /// The values that are not null; `levels` say of each row of a column that can be null whether
+    /// it is.
+    fn write<T: DataType>(&mut self, values: &[T::T], levels: Option<&[i16]>) -> Result<()> {
         if let Some(mut column) = self.0.next_column()? {
-            column.typed::<T>().write_batch(values, None, None)?;
+            column.typed::<T>().write_batch(values, levels, None)?;
             column.close()?;
         }
         Ok(())
     }
 }
+
+/// Definition levels of a row.
+const NULL: i16 = 0;
+const PRESENT: i16 = 1;
 
 fn each<T: Copy, U>(values: &[T], to: impl FnMut(T) -> U) -> Vec<U> {
     values.iter().copied().map(to).collect()
@@ -201,7 +182,7 @@ pub(super) fn read(
             Ok(ColumnValues::U64(each(&all(reader)?, i64::cast_unsigned)))
         }
         (SummaryValue::F64(_), ColumnReader::DoubleColumnReader(reader)) => {
-            Ok(ColumnValues::F64(all(reader)?))
+            reals(reader).map(ColumnValues::F64)
         }
         (
             SummaryValue::U8(_)
@@ -224,4 +205,24 @@ fn all<T: DataType>(mut reader: ColumnReaderImpl<T>) -> core::result::Result<Vec
             return Ok(values);
         }
     }
+}
+
+/// All values of a column of real numbers, NaN where it is null.
+fn reals(mut reader: ColumnReaderImpl<DoubleType>) -> core::result::Result<Vec<f64>, String> {
+    let (mut levels, mut values) = (Vec::new(), Vec::new());
+    loop {
+        let (records, _, _) = reader
+            .read_records(BATCH, Some(&mut levels), None, &mut values)
+            .map_err(|error| error.to_string())?;
+        if records == 0 {
+            break;
+        }
+    }
+    let mut present = values.into_iter();
+    let value = |level| match level {
+        PRESENT => present.next().ok_or("a value is missing"),
+        _ => Ok(f64::NAN),
+    };
+    let rows: core::result::Result<_, _> = levels.into_iter().map(value).collect();
+    rows.map_err(str::to_owned)
 }

@@ -177,15 +177,16 @@ impl OneFile {
             let (file, metadata) = open(chunk)?;
             for (i, group) in metadata.row_groups().iter().enumerate() {
                 let mut copy = writer.next_row_group().map_err(&failed)?;
+                let column_index = metadata.column_index().and_then(|index| index.get(i));
+                let offset_index = metadata.offset_index().and_then(|index| index.get(i));
                 for (j, column) in group.columns().iter().enumerate() {
-                    let index = metadata.page_index();
                     let close = ColumnCloseResult {
                         bytes_written: u64::try_from(column.compressed_size()).unwrap_or_default(),
                         rows_written: u64::try_from(group.num_rows()).unwrap_or_default(),
                         metadata: column.clone(),
                         bloom_filter: None,
-                        column_index: index.and_then(|index| index.column_index(i, j)).cloned(),
-                        offset_index: index.and_then(|index| index.offset_index(i, j)).cloned(),
+                        column_index: column_index.and_then(|index| index.get(j)).cloned(),
+                        offset_index: offset_index.and_then(|index| index.get(j)).cloned(),
                     };
                     copy.append_column(&file, close).map_err(&failed)?;
                 }

@@ -16,10 +16,8 @@
 //! `list.parquet/*.parquet`. One file is easier to pass on: its row groups are the chunks, copied
 //! from a folder `list.parquet.parts` that is removed when the file is there.
 
-mod arrow;
 mod column;
 mod file;
-mod flatbuffer;
 mod read;
 mod table;
 

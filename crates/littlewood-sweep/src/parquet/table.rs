@@ -3,17 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use arrow_schema::{Field, Schema};
 use littlewood::tables::{DerivativeColumn, Quantity, Setup};
+use parquet::arrow::{ARROW_SCHEMA_META_KEY, ArrowSchemaConverter, encode_arrow_schema};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::errors::Result as Encoded;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::Type;
 use serde_json::{Value, json};
 
-use super::arrow;
-use super::column::{Column, Writer};
+use super::column::{Writer, of_quantity, of_results};
 use super::read::read_part;
 use crate::columns::{Column as Results, Columns};
 use crate::description::{Description, STORE_FORMAT};
@@ -35,9 +35,9 @@ pub(super) const CHUNK_KEY: &str = "littlewood_chunk";
 
 pub(crate) struct Table {
     description: Description,
-    columns: Vec<Column>,
-    /// The columns as Arrow describes them.
-    arrow_schema: String,
+    /// The columns as Arrow describes them. Parquet has no place for their attributes: Arrow's
+    /// readers find this description in the footer.
+    schema: Schema,
     digits: usize,
     quantities: Vec<Quantity>,
     pub(super) derivatives: Vec<DerivativeColumn>,
@@ -80,14 +80,12 @@ impl Table {
         derivatives: Vec<DerivativeColumn>,
     ) -> Self {
         let digits = chunks.saturating_sub(1).to_string().len().max(5);
-        let of_points = quantities.iter().copied().map(Column::of_quantity);
-        let results = Results::all(&derivatives).flat_map(Column::of_results);
-        let columns: Vec<Column> = of_points.chain(results).collect();
-        let arrow_schema = arrow::schema(&columns);
+        let of_points = quantities.iter().copied().map(of_quantity);
+        let results = Results::all(&derivatives).flat_map(of_results);
+        let schema = Schema::new(of_points.chain(results).collect::<Vec<Field>>());
         Self {
             description,
-            columns,
-            arrow_schema,
+            schema,
             digits,
             quantities,
             derivatives,
@@ -102,19 +100,12 @@ impl Table {
             .set_key_value_metadata(Some(vec![
                 entry(RUN_KEY, self.description.0.to_string()),
                 entry(CHUNK_KEY, chunk.to_string()),
-                entry(arrow::SCHEMA_KEY, self.arrow_schema.clone()),
+                entry(ARROW_SCHEMA_META_KEY, encode_arrow_schema(&self.schema)),
             ]))
             .build();
-        let fields = self
-            .columns
-            .iter()
-            .map(Column::field)
-            .collect::<Encoded<_>>()?;
-        let schema = Type::group_type_builder("schema")
-            .with_fields(fields)
-            .build()?;
-        let mut file =
-            SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
+        let schema = ArrowSchemaConverter::new().convert(&self.schema)?;
+        let root = schema.root_schema_ptr();
+        let mut file = SerializedFileWriter::new(Vec::new(), root, Arc::new(properties))?;
         let mut group = file.next_row_group()?;
         let mut writer = Writer(&mut group);
         for &quantity in &self.quantities {

@@ -29,12 +29,12 @@ impl Header {
             return None;
         }
         let complete = attributes.get("status")?.as_str()? == Self::status(true);
-        let (format, run) = (
-            attributes.get("format").cloned(),
-            attributes.get("run")?.clone(),
-        );
+        let run = match attributes.get("run")? {
+            Value::String(text) => serde_json::from_str(text).ok()?,
+            run => run.clone(),
+        };
         Some(Self {
-            format,
+            format: attributes.get("format").cloned(),
             run,
             complete,
         })

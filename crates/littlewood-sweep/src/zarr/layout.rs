@@ -123,7 +123,8 @@ impl Format for Layout {
                     "program": Header::PROGRAM,
                     "format": STORE_FORMAT,
                     "status": Header::status(complete),
-                    "run": self.description.0,
+                    // Text, as other formats (netCDF) have no attributes with parts.
+                    "run": self.description.0.to_string(),
                 },
                 "consolidated_metadata": {
                     "kind": "inline",

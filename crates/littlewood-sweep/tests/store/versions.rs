@@ -34,11 +34,16 @@ fn refused(result: Result<Report, SweepError>) -> ForeignVersion {
     }
 }
 
-/// Changes the attributes in which a store describes itself.
+/// Changes the attributes in which a store describes itself. Those of a group of Zarr have the run
+/// as text.
 fn edit(header: &Path, edit: impl Fn(&mut Value)) {
     let mut json: Value = serde_json::from_slice(&fs::read(header).unwrap()).unwrap();
     match json.get_mut("attributes") {
-        Some(attributes) => edit(attributes),
+        Some(attributes) => {
+            attributes["run"] = serde_json::from_str(attributes["run"].as_str().unwrap()).unwrap();
+            edit(attributes);
+            attributes["run"] = attributes["run"].to_string().into();
+        }
         None => edit(&mut json),
     }
     fs::write(header, serde_json::to_vec_pretty(&json).unwrap()).unwrap();
@@ -114,6 +119,38 @@ fn a_store_of_another_version_is_refused_with_both_versions() {
         );
         assert_same_tree(&whole, &path);
     });
+}
+
+/// Up to version 4 the run was an attribute with parts.
+#[test]
+fn a_zarr_store_of_version_4_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("plane.zarr");
+    let run = |options: &Options<'_>| {
+        sweep_grid(
+            &mixed(),
+            littlewood::Limits::until(1.0),
+            &[Target::Zarr(&path)],
+            None,
+            &workers(1),
+            options,
+        )
+    };
+    run(&options("zarr")).unwrap();
+    let header = path.join("zarr.json");
+    let mut json: Value = serde_json::from_slice(&fs::read(&header).unwrap()).unwrap();
+    let attributes = &mut json["attributes"];
+    attributes["format"] = json!(4);
+    attributes["run"] = serde_json::from_str(attributes["run"].as_str().unwrap()).unwrap();
+    attributes["run"]["format"] = json!(4);
+    fs::write(&header, serde_json::to_vec_pretty(&json).unwrap()).unwrap();
+    let before = tree(&path);
+    let version = refused(run(&Options {
+        resume: true,
+        ..options("zarr")
+    }));
+    assert_eq!((version.found, version.needed), (4, STORE_FORMAT));
+    assert_eq!(tree(&path), before);
 }
 
 #[test]

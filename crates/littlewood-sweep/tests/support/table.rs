@@ -86,9 +86,14 @@ impl Table {
             .collect()
     }
 
+    /// Those of a column of real numbers, NaN where it is null.
     pub(crate) fn reals(&self, name: &str) -> Vec<f64> {
         let real = |field: &Field| match field {
-            Field::Double(value) => *value,
+            Field::Double(value) => {
+                assert!(!value.is_nan(), "{name} has NaN where null is meant");
+                *value
+            }
+            Field::Null => f64::NAN,
             other => panic!("{name} has {other}"),
         };
         self.column(name).into_iter().map(real).collect()
