@@ -167,7 +167,7 @@ impl Problem {
                     done: done as u64,
                     total: SAMPLE as u64,
                 },
-            )
+            );
         };
         Uncertainty::new(&setup, self.limits, motion, given, progress)
             .map_err(Error::NotDifferentiable)

@@ -120,16 +120,16 @@ pub(crate) fn summaries<'py>(
     for (column, values) in columns.into_columns() {
         match values {
             ColumnValues::U8(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?
+                dict.set_item(column.to_string(), values.into_pyarray(py))?;
             }
             ColumnValues::U32(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?
+                dict.set_item(column.to_string(), values.into_pyarray(py))?;
             }
             ColumnValues::U64(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?
+                dict.set_item(column.to_string(), values.into_pyarray(py))?;
             }
             ColumnValues::F64(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?
+                dict.set_item(column.to_string(), values.into_pyarray(py))?;
             }
         }
     }

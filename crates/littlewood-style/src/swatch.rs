@@ -34,7 +34,7 @@ pub fn swatches(theme: Theme) -> Vec<Swatch> {
             group,
             name,
             colour,
-        })
+        });
     };
     for ink in Ink::ALL {
         add("ink", ink.name(), ink.colour(theme));

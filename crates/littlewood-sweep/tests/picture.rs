@@ -199,7 +199,7 @@ fn what_is_no_map_is_refused() {
         match picture {
             Ok(_) => assert!(is_number, "{column}"),
             Err(PictureError::NoNumber { column: refused }) => {
-                assert!(!is_number && refused == column)
+                assert!(!is_number && refused == column);
             }
             Err(error) => panic!("{error}"),
         }

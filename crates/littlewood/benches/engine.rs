@@ -180,7 +180,7 @@ fn regimes(criterion: &mut Criterion) {
                 .ok()
         };
         group.bench_function(name, |bencher| {
-            bencher.iter(|| hoops.iter().filter_map(summary).count())
+            bencher.iter(|| hoops.iter().filter_map(summary).count());
         });
     }
     group.finish();

@@ -27,7 +27,7 @@ fn derivatives(criterion: &mut Criterion) {
         let case = find_case(name).expect("a named case");
         let mut group = criterion.benchmark_group(format!("derivatives of {name}"));
         group.bench_function("motion", |bencher| {
-            bencher.iter(|| black_box(case).simulate())
+            bencher.iter(|| black_box(case).simulate());
         });
         let motion = case.simulate().expect("a motion");
         for quantities in [&[Quantity::MuK][..], &[Quantity::MuK, Quantity::Theta]] {

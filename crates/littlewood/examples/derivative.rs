@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A difference quotient agrees to its own accuracy.
     let last = derivatives.transitions().len() - 1;
     let exact = derivatives.transitions()[last][0]
-        .map_err(|reason| reason.label())?
+        .map_err(littlewood::derivatives::NoDerivative::label)?
         .before
         .time;
     let step = 1e-6;

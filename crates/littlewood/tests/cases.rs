@@ -162,7 +162,7 @@ fn types_one_two_three() {
         let friction_angle = 2.0 * 0.5_f64.atan();
         match kind {
             RollingType::I => {
-                assert!((rate.abs() - 1.0).abs() < 1e-15 && theta.abs() < friction_angle - 0.1)
+                assert!((rate.abs() - 1.0).abs() < 1e-15 && theta.abs() < friction_angle - 0.1);
             }
             RollingType::II => {
                 assert!(
@@ -171,7 +171,7 @@ fn types_one_two_three() {
                 );
             }
             RollingType::III => {
-                assert!(rate.abs() < 0.9 && (theta.abs() - friction_angle).abs() < 1e-15)
+                assert!(rate.abs() < 0.9 && (theta.abs() - friction_angle).abs() < 1e-15);
             }
         }
         assert_eq!(

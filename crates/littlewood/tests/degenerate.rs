@@ -57,9 +57,9 @@ fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
                 while holds.next_up() < slips {
                     let middle = 0.5 * (holds + slips);
                     if excess(middle) > 0.0 {
-                        slips = middle
+                        slips = middle;
                     } else {
-                        holds = middle
+                        holds = middle;
                     }
                 }
                 let limits = Limits::until(20.0).with_transitions(40);

@@ -152,7 +152,7 @@ pub(crate) fn check_phase(
                 );
             }
             PhaseSolution::Flight(_) => {
-                prop_assert_eq!(now.state.theta_rate, first.state.theta_rate)
+                prop_assert_eq!(now.state.theta_rate, first.state.theta_rate);
             }
         }
         before = now;
@@ -207,9 +207,9 @@ pub(crate) fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseErr
             for _ in 0..40 {
                 let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
                 if value(a) < value(b) {
-                    high = b
+                    high = b;
                 } else {
-                    low = a
+                    low = a;
                 }
             }
             let (name, least, rounding) =
@@ -251,7 +251,7 @@ pub(crate) fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), 
                 }
             }
             Cause::Stick | Cause::Reversal | Cause::Graze => {
-                prop_assert_eq!(transition.before.slip, 0.0)
+                prop_assert_eq!(transition.before.slip, 0.0);
             }
             Cause::LiftOff => {
                 let w = libm::cos(hoop.slope())

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &LabArgs) -> Result<(), Error> {
         .spawn(move || {
             http::serve(&listener, move |question| {
                 answer(question, port, |name| page.find(name))
-            })
+            });
         })
         .map_err(refused)?;
     let address = format!("http://127.0.0.1:{port}/");

@@ -119,9 +119,9 @@ impl Threshold {
                 return inside;
             }
             if is_within(half) {
-                inside = half
+                inside = half;
             } else {
-                outside = half
+                outside = half;
             }
         };
         // The least coefficient lies between two angles at which there may be solutions.

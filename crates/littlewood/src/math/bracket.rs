@@ -33,9 +33,9 @@ pub(crate) fn last_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) 
             break;
         }
         if holds(middle) {
-            low = middle
+            low = middle;
         } else {
-            high = middle
+            high = middle;
         }
     }
     low

@@ -279,9 +279,9 @@ impl Trajectory {
             while low < high {
                 let middle = usize::midpoint(low, high);
                 if grid(middle) < time {
-                    low = middle + 1
+                    low = middle + 1;
                 } else {
-                    high = middle
+                    high = middle;
                 }
             }
             low

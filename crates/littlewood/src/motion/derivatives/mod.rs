@@ -287,7 +287,7 @@ impl Group for Instants<'_> {
         }
         for (_, place) in rest {
             found[*place].iter_mut().for_each(|states| {
-                states.extend(core::iter::repeat_n(Err(NoDerivative::Singular), asked))
+                states.extend(core::iter::repeat_n(Err(NoDerivative::Singular), asked));
             });
         }
     }
