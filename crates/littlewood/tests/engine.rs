@@ -1173,9 +1173,9 @@ fn little_is_left_to_the_simulation() {
                     all += 1;
                 }
             }
-            let doubts = Vec::from_iter(engine.doubts());
-            let left: u64 = doubts.iter().map(|(_, count)| count).sum();
-            assert!(least * left < all, "of {all}: {doubts:?}");
+            let fallbacks = Vec::from_iter(engine.fallbacks());
+            let left: u64 = fallbacks.iter().map(|(_, count)| count).sum();
+            assert!(least * left < all, "of {all}: {fallbacks:?}");
         }
     }
 }

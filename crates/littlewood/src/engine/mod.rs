@@ -1,27 +1,27 @@
 //! A faster implementation of the same simulation, for many starts.
 //!
 //! The walk along the automaton is that of [`crate::walk`], as for [`Hoop::simulate`]; the phases
-//! are other solutions of the same equations ([`laws`]): slides are followed in the angle
+//! are other solutions of the same equations ([`model`]): slides are followed in the angle
 //! ([`slide`]), rolling along its orbit ([`roll`]). What depends on the hoop alone is kept, and
 //! chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to
-//! rounding is left to the solvers of the simulation, for a reason that is counted ([`Doubt`]).
+//! rounding is left to the solvers of the simulation, for a reason that is counted ([`Fallback`]).
 
 mod builder;
 mod chain;
-mod doubt;
-mod drift;
 mod duration;
+mod error_bound;
+mod fallback;
 mod interpolant;
 mod jump;
-mod laws;
+mod model;
 mod orbit;
-mod place;
-mod probe;
 mod quadrature;
 mod roll;
 mod slide;
 mod slope;
 mod solver;
+mod state;
+mod survey;
 
 use crate::ablation::{Part, is_on};
 use crate::mechanics::ContactProof;
@@ -30,9 +30,9 @@ use crate::motion::summary::{Summary, SummaryRecorder};
 use crate::walk::{Exact, Known, Origin, walk};
 
 pub use builder::{EngineBuilder, StartError};
-use chain::Chains;
-pub use doubt::Doubt;
-use laws::Laws;
+use chain::SlipMaps;
+pub use fallback::Fallback;
+use model::HoopModel;
 use solver::FastSolver;
 
 /// Motions of lighter hoops, by Î/m, are simulated: each time the particle passes the bottom,
@@ -75,10 +75,10 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 pub struct Engine {
     hoop: Hoop,
     /// None where motions are simulated.
-    laws: Option<Laws>,
+    model: Option<HoopModel>,
     /// For all directions of motion, or on a slope for each; none where slips are followed one by
     /// one.
-    chains: Option<Vec<Chains>>,
+    chains: Option<Vec<SlipMaps>>,
     /// Whether what is kept is used from the first phase of a motion on.
     is_prepared: bool,
     contact: ContactProof,
@@ -91,10 +91,10 @@ impl Engine {
         let engine = Self::for_few_starts(hoop);
         // Without kinetic friction slides come back to the limit of static friction exactly, which
         // the walk alone knows.
-        let laws = engine.laws.as_ref().filter(|_| hoop.mu_k() > 0.0);
-        let chains = laws.map(|laws| Chains::new(hoop, laws));
+        let model = engine.model.as_ref().filter(|_| hoop.mu_k() > 0.0);
+        let chains = model.map(|model| SlipMaps::new(hoop, model));
         Self {
-            is_prepared: engine.laws.is_some(),
+            is_prepared: engine.model.is_some(),
             chains,
             ..engine
         }
@@ -117,7 +117,7 @@ impl Engine {
         };
         Self {
             hoop: *hoop,
-            laws: Laws::new(hoop).filter(|laws| is_computed(laws.body)),
+            model: HoopModel::new(hoop).filter(|model| is_computed(model.body)),
             chains: None,
             is_prepared: false,
             contact: ContactProof::default(),
@@ -142,13 +142,13 @@ impl Engine {
 
     /// Whether motions are those of [`Hoop::simulate`] to the last bit.
     pub const fn is_exact(&self) -> bool {
-        self.laws.is_none()
+        self.model.is_none()
     }
 
-    /// How many phases, and whole motions ([`Doubt::Drift`]), were left to the solvers of the
+    /// How many phases, and whole motions ([`Fallback::Drift`]), were left to the solvers of the
     /// simulation so far, by the reason.
-    pub fn doubts(&self) -> impl Iterator<Item = (Doubt, u64)> {
-        self.laws.iter().flat_map(|laws| laws.tally.counts())
+    pub fn fallbacks(&self) -> impl Iterator<Item = (Fallback, u64)> {
+        self.model.iter().flat_map(|model| model.fallbacks.counts())
     }
 
     /// The summary of one motion: that of [`Hoop::simulate`], to rounding.
@@ -160,8 +160,8 @@ impl Engine {
         limits.check(&start)?;
         let (origin, state, limits) = Origin::of(&self.hoop, &start, limits);
         let recorder = SummaryRecorder::new(&self.hoop, origin);
-        Ok(match &self.laws {
-            Some(laws) => self.fast_summary(laws, (state, limits), recorder),
+        Ok(match &self.model {
+            Some(model) => self.fast_summary(model, (state, limits), recorder),
             None => self.exact_summary((state, limits), recorder),
         })
     }
@@ -178,14 +178,14 @@ impl Engine {
 
     fn fast_summary(
         &self,
-        laws: &Laws,
+        model: &HoopModel,
         (state, limits): ((State, f64), Limits),
         empty: SummaryRecorder<'_>,
     ) -> Summary {
         let chains = self.chains.as_deref();
         let chains =
             chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(&self.hoop, laws, &limits).with_chains(chains);
+        let solver = FastSolver::new(&self.hoop, model, &limits).with_chains(chains);
         let solver = if self.is_prepared {
             solver
         } else {
@@ -194,13 +194,13 @@ impl Engine {
         let mut recorder = empty;
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
         if solver.has_drifted() {
-            laws.tally.add(Doubt::Drift);
+            model.fallbacks.add(Fallback::Drift);
             return self.exact_summary((state, limits), empty);
         }
         recorder.finish(end.kind, end.state)
     }
 
-    fn known<'a>(&'a self, chains: Option<&'a [Chains]>) -> Known<'a> {
+    fn known<'a>(&'a self, chains: Option<&'a [SlipMaps]>) -> Known<'a> {
         Known {
             levels: chains.and_then(|chains| chains.first()?.levels()),
             contact: Some(&self.contact),
@@ -219,7 +219,7 @@ mod tests {
     /// is simulated for so many.
     fn passed_from(hoop: &Hoop, start: Start, transitions: usize) -> usize {
         let engine = Engine::new(hoop);
-        let (laws, chains) = engine.laws.as_ref().zip(engine.chains.as_deref()).unwrap();
+        let (model, chains) = engine.model.as_ref().zip(engine.chains.as_deref()).unwrap();
         let motion = hoop
             .simulate(start, Limits::default().with_transitions(transitions))
             .unwrap();
@@ -228,7 +228,7 @@ mod tests {
             .iter()
             .rfind(|one| one.cause == Cause::Slip)
             .unwrap();
-        let solver = FastSolver::new(hoop, laws, &Limits::default()).with_chains(Some(chains));
+        let solver = FastSolver::new(hoop, model, &Limits::default()).with_chains(Some(chains));
         let room = ChainBudget {
             transitions: 5_000,
             slides: f64::INFINITY,

@@ -40,7 +40,7 @@ pub(super) struct Orbit<'a> {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Pass {
+pub(super) enum OrbitPass {
     First,
     NextTurn,
     WayBack,
@@ -95,13 +95,13 @@ impl<'a> Orbit<'a> {
     }
 
     /// Time from the entry to a phase on an arc.
-    pub(super) fn time(&self, (sine, cosine): (f64, f64), pass: Pass) -> f64 {
+    pub(super) fn time(&self, (sine, cosine): (f64, f64), pass: OrbitPass) -> f64 {
         let orbit = (self.excess, self.swing);
         let (s0, c0) = self.entry();
         let (s1, c1) = match pass {
-            Pass::First => (sine, cosine),
-            Pass::NextTurn => (-sine, -cosine),
-            Pass::WayBack => (sine, -cosine),
+            OrbitPass::First => (sine, cosine),
+            OrbitPass::NextTurn => (-sine, -cosine),
+            OrbitPass::WayBack => (sine, -cosine),
         };
         let turned = libm::atan2(s1 * c0 - c1 * s0, c1 * c0 + s1 * s0);
         // Up to half a turn of the phase, give or take rounding.
@@ -117,9 +117,9 @@ impl<'a> Orbit<'a> {
         let half_period = || 2.0 * from_bottom((1.0, 0.0));
         let (entered, reached) = (from_bottom((s0, c0)), from_bottom((sine, cosine)));
         let elapsed = match pass {
-            Pass::First => reached - entered,
-            Pass::NextTurn => half_period() + reached - entered,
-            Pass::WayBack => half_period() - reached - entered,
+            OrbitPass::First => reached - entered,
+            OrbitPass::NextTurn => half_period() + reached - entered,
+            OrbitPass::WayBack => half_period() - reached - entered,
         };
         elapsed.max(0.0)
     }

@@ -8,8 +8,8 @@ use crate::math::bracket::Bracket;
 use crate::math::form::{Form, HalfAngle, on_arc};
 use crate::model::Direction;
 
-use super::doubt::Doubt;
-use super::orbit::{Orbit, Pass};
+use super::fallback::Fallback;
+use super::orbit::{Orbit, OrbitPass};
 
 /// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`, 1
 /// or −1.
@@ -49,7 +49,7 @@ pub(super) enum RollEnd {
 const OCTANTS: usize = 8;
 
 /// Directions of the half angle at the ends of the octants.
-const EDGES: [HalfAngle; OCTANTS + 1] = {
+const OCTANT_ENDS: [HalfAngle; OCTANTS + 1] = {
     const COS: f64 = 0.923_879_532_511_286_7;
     const SIN: f64 = 0.382_683_432_365_089_8;
     const BOTH: f64 = core::f64::consts::FRAC_1_SQRT_2;
@@ -84,10 +84,11 @@ const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
                 let axis = if factor < k { 1 } else { 0 };
                 let mut i = 6;
                 while i > 0 {
-                    form[i] = form[i] * EDGES[octant][axis] + form[i - 1] * EDGES[octant + 1][axis];
+                    form[i] = form[i] * OCTANT_ENDS[octant][axis]
+                        + form[i - 1] * OCTANT_ENDS[octant + 1][axis];
                     i -= 1;
                 }
-                form[0] *= EDGES[octant][axis];
+                form[0] *= OCTANT_ENDS[octant][axis];
                 factor += 1;
             }
             let mut i = 0;
@@ -139,14 +140,14 @@ pub(super) fn breaks(margins: &[(f64, f64); 2]) -> Option<Option<usize>> {
 }
 
 #[derive(Clone, Debug)]
-struct Octant {
+struct MarginTable {
     /// In its barycentric coordinates.
     margins: Margins,
     /// The constants K of the orbits that certainly hold everywhere on it.
     levels: (f64, f64),
 }
 
-impl Octant {
+impl MarginTable {
     fn new(parts: &Margins, octant: usize) -> Self {
         let powers = &POWERS[octant];
         let margins = parts.map(|parts| {
@@ -179,25 +180,25 @@ impl Octant {
     }
 
     /// The margin of a side on the orbit with a level, and what is known of it in this direction.
-    fn margin(&self, side: usize, level: f64, is_up: bool) -> (Form<7>, Known) {
+    fn margin(&self, side: usize, level: f64, is_up: bool) -> (Form<7>, MarginSigns) {
         let form = on_orbit(&self.margins[side], level);
         let mut passed = form.0;
         if !is_up {
             passed.reverse();
         }
-        (form, Known::of(&passed))
+        (form, MarginSigns::of(&passed))
     }
 }
 
 /// The octants of one hoop, made where orbits come, and the same whichever orbit that is.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Octants {
-    octants: [OnceLock<Box<Octant>>; OCTANTS],
+pub(super) struct MarginTables {
+    octants: [OnceLock<Box<MarginTable>>; OCTANTS],
     /// The levels of the orbits that certainly hold everywhere.
     levels: OnceLock<(f64, f64)>,
 }
 
-impl Octants {
+impl MarginTables {
     /// Whether the orbit with a level certainly holds everywhere.
     fn hold(&self, margins: &Margins, level: f64) -> bool {
         let (low, high) = *self.levels.get_or_init(|| {
@@ -209,14 +210,14 @@ impl Octants {
         level > low && level < high
     }
 
-    fn get(&self, margins: &Margins, number: usize) -> &Octant {
-        self.octants[number].get_or_init(|| Box::new(Octant::new(margins, number)))
+    fn get(&self, margins: &Margins, number: usize) -> &MarginTable {
+        self.octants[number].get_or_init(|| Box::new(MarginTable::new(margins, number)))
     }
 }
 
 /// What the signs of the Bernstein coefficients of a margin tell.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Known {
+pub(super) enum MarginSigns {
     /// It is positive.
     Holds,
     /// It falls through zero once.
@@ -224,7 +225,7 @@ pub(super) enum Known {
     Nothing,
 }
 
-impl Known {
+impl MarginSigns {
     /// From the coefficients in order of passage.
     pub(super) fn of(coefficients: &[f64]) -> Self {
         let (above, rest) =
@@ -250,13 +251,13 @@ fn cross([x0, y0]: HalfAngle, [x1, y1]: HalfAngle) -> f64 {
 
 /// Part of an orbit between two directions of the half angle.
 #[derive(Clone, Copy, Debug)]
-struct Arc {
+struct OrbitArc {
     from: HalfAngle,
     to: HalfAngle,
-    pass: Pass,
+    pass: OrbitPass,
 }
 
-impl Arc {
+impl OrbitArc {
     fn parts(self) -> impl Iterator<Item = (usize, Self)> {
         let Self { from, to, pass } = self;
         let is_up = cross(from, to) > 0.0;
@@ -264,14 +265,14 @@ impl Arc {
             let side = cross(*edge, from);
             side > 0.0 || (is_up && side == 0.0)
         };
-        let mut octant = EDGES[1..OCTANTS]
+        let mut octant = OCTANT_ENDS[1..OCTANTS]
             .iter()
             .filter(|edge| is_behind(edge))
             .count();
         let mut left = Some(from);
         core::iter::from_fn(move || {
             let from = left?;
-            let edge = EDGES[if is_up { octant + 1 } else { octant }];
+            let edge = OCTANT_ENDS[if is_up { octant + 1 } else { octant }];
             let ahead = cross(edge, to);
             let goes_on = if is_up {
                 ahead > 0.0 && octant + 1 < OCTANTS
@@ -312,8 +313,8 @@ pub(super) fn follow(
     orbit: &Orbit<'_>,
     margins: &Margins,
     on_limit: bool,
-    kept: Option<&Octants>,
-) -> Result<RollEnd, Doubt> {
+    kept: Option<&MarginTables>,
+) -> Result<RollEnd, Fallback> {
     let level = orbit.level();
     if let (Some(kept), false) = (kept, on_limit)
         && kept.hold(margins, level)
@@ -329,9 +330,9 @@ pub(super) fn follow(
     let limit = on_limit.then(|| usize::from(here[1].0.abs() < here[0].0.abs()));
     // So close to the limit, rounding would decide whether the hoop slips at once.
     if breaks(&limit.map_or(here, |side| [here[1 - side]; 2])) != Some(None) {
-        return Err(Doubt::FrictionLimit);
+        return Err(Fallback::FrictionLimit);
     }
-    let slip_on = |arc: &Arc, starts_at_zero: Option<usize>, holds: &dyn Fn(usize) -> bool| {
+    let slip_on = |arc: &OrbitArc, starts_at_zero: Option<usize>, holds: &dyn Fn(usize) -> bool| {
         let mut first: Option<(f64, usize)> = None;
         for (side, parts) in margins.iter().enumerate() {
             if holds(side) {
@@ -365,7 +366,7 @@ pub(super) fn follow(
         }
         return Ok(RollEnd::Never);
     };
-    for (passed, (number, arc)) in arcs(orbit).flat_map(Arc::parts).enumerate() {
+    for (passed, (number, arc)) in arcs(orbit).flat_map(OrbitArc::parts).enumerate() {
         let octant = kept.get(margins, number);
         if octant.holds(level) {
             continue;
@@ -374,12 +375,12 @@ pub(super) fn follow(
         let starts_at_zero = limit.filter(|_| passed == 0);
         let known = [0, 1].map(|side| octant.margin(side, level, is_up));
         let falling = match &known {
-            [(form, Known::Falls), (_, Known::Holds)] => Some((form, 0)),
-            [(_, Known::Holds), (form, Known::Falls)] => Some((form, 1)),
+            [(form, MarginSigns::Falls), (_, MarginSigns::Holds)] => Some((form, 0)),
+            [(_, MarginSigns::Holds), (form, MarginSigns::Falls)] => Some((form, 1)),
             _ => None,
         };
         // The margin is positive where the arc begins: it falls ahead.
-        let (begin, end) = (EDGES[number], EDGES[number + 1]);
+        let (begin, end) = (OCTANT_ENDS[number], OCTANT_ENDS[number + 1]);
         if let (Some((form, side)), None, true) = (
             falling,
             starts_at_zero,
@@ -397,11 +398,11 @@ pub(super) fn follow(
                     form.value_and_slope([t, 1.0 - t], [1.0, -1.0])
                 }
             });
-            return slip(orbit, &Arc { from, to, ..arc }, at, side);
+            return slip(orbit, &OrbitArc { from, to, ..arc }, at, side);
         }
-        if let Some((at, side)) =
-            slip_on(&arc, starts_at_zero, &|side| known[side].1 == Known::Holds)
-        {
+        if let Some((at, side)) = slip_on(&arc, starts_at_zero, &|side| {
+            known[side].1 == MarginSigns::Holds
+        }) {
             return slip(orbit, &arc, at, side);
         }
     }
@@ -409,11 +410,11 @@ pub(super) fn follow(
 }
 
 /// The arcs that lie ahead, until every point of the orbit has been passed.
-fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
+fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = OrbitArc> {
     let here = [-orbit.z, orbit.y];
     let bottom = [0.0, 1.0];
     let past_bottom = orbit.z >= 0.0;
-    let arc = |from, to, pass| Arc { from, to, pass };
+    let arc = |from, to, pass| OrbitArc { from, to, pass };
     let farthest = if orbit.rotates {
         [-1.0, 0.0]
     } else {
@@ -423,27 +424,27 @@ fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
             (orbit.excess / four_l).sqrt(),
         ]
     };
-    let first = (!past_bottom).then(|| arc(here, bottom, Pass::First));
+    let first = (!past_bottom).then(|| arc(here, bottom, OrbitPass::First));
     let second = arc(
         if past_bottom { here } else { bottom },
         farthest,
-        Pass::First,
+        OrbitPass::First,
     );
     let (third, fourth) = if orbit.rotates {
         let third = arc(
             [1.0, 0.0],
             if past_bottom { bottom } else { here },
-            Pass::NextTurn,
+            OrbitPass::NextTurn,
         );
         (
             third,
-            past_bottom.then(|| arc(bottom, here, Pass::NextTurn)),
+            past_bottom.then(|| arc(bottom, here, OrbitPass::NextTurn)),
         )
     } else {
         let [x, y] = farthest;
         (
-            arc(farthest, bottom, Pass::WayBack),
-            Some(arc(bottom, [-x, y], Pass::WayBack)),
+            arc(farthest, bottom, OrbitPass::WayBack),
+            Some(arc(bottom, [-x, y], OrbitPass::WayBack)),
         )
     };
     [first, Some(second), Some(third), fourth]
@@ -452,7 +453,7 @@ fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
         .filter(|arc| arc.from != arc.to)
 }
 
-fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, Doubt> {
+fn slip(orbit: &Orbit<'_>, arc: &OrbitArc, at: f64, side: usize) -> Result<RollEnd, Fallback> {
     let [x, y] = on_arc(arc.from, arc.to, at);
     let z = -x;
     let four_l = 4.0 * orbit.law.offset;
@@ -465,12 +466,12 @@ fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, D
     };
     let rate = (kinetic / d).sqrt();
     if rate < MIN_RATE {
-        return Err(Doubt::Standstill);
+        return Err(Fallback::Standstill);
     }
     let (lap, rate) = match arc.pass {
-        Pass::First => (orbit.lap, rate),
-        Pass::NextTurn => (orbit.lap + 1.0, rate),
-        Pass::WayBack => (orbit.lap, -rate),
+        OrbitPass::First => (orbit.lap, rate),
+        OrbitPass::NextTurn => (orbit.lap + 1.0, rate),
+        OrbitPass::WayBack => (orbit.lap, -rate),
     };
     let angle = 2.0 * libm::atan2(y, -z);
     Ok(RollEnd::Slip {
@@ -530,7 +531,7 @@ mod tests {
                     x: 0.0,
                 };
                 let expected = Rolling::new(&hoop, start).orbit().end_from_limit();
-                let octants = Octants::default();
+                let octants = MarginTables::default();
                 for kept in [None, Some(&octants)] {
                     let found = follow(&orbit, &margins, true, kept);
                     match (found, expected) {
@@ -579,25 +580,26 @@ mod tests {
             (at(0.66), at(0.1), vec![5, 4, 3, 2, 1, 0]),
             (at(0.3), at(0.35), vec![2]),
             (at(0.35), at(0.3), vec![2]),
-            (EDGES[0], EDGES[4], vec![0, 1, 2, 3]),
-            (EDGES[4], EDGES[8], vec![4, 5, 6, 7]),
-            (EDGES[4], EDGES[2], vec![3, 2]),
-            ([-1.0, 0.0], EDGES[4], vec![7, 6, 5, 4]),
+            (OCTANT_ENDS[0], OCTANT_ENDS[4], vec![0, 1, 2, 3]),
+            (OCTANT_ENDS[4], OCTANT_ENDS[8], vec![4, 5, 6, 7]),
+            (OCTANT_ENDS[4], OCTANT_ENDS[2], vec![3, 2]),
+            ([-1.0, 0.0], OCTANT_ENDS[4], vec![7, 6, 5, 4]),
         ] {
-            let parts: Vec<(usize, Arc)> = Arc {
+            let parts: Vec<(usize, OrbitArc)> = OrbitArc {
                 from,
                 to,
-                pass: Pass::First,
+                pass: OrbitPass::First,
             }
             .parts()
             .collect();
             assert_eq!(parts.iter().map(|part| part.0).collect::<Vec<_>>(), octants);
             assert_eq!((parts[0].1.from, parts[parts.len() - 1].1.to), (from, to));
             assert!(parts.windows(2).all(|pair| pair[0].1.to == pair[1].1.from));
-            for (octant, Arc { from, to, .. }) in parts {
+            for (octant, OrbitArc { from, to, .. }) in parts {
                 let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
                 assert!(
-                    cross(EDGES[octant], middle) > 0.0 && cross(middle, EDGES[octant + 1]) > 0.0
+                    cross(OCTANT_ENDS[octant], middle) > 0.0
+                        && cross(middle, OCTANT_ENDS[octant + 1]) > 0.0
                 );
             }
         }

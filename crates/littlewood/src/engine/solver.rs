@@ -1,4 +1,4 @@
-//! Phases from [`Laws`] where these resolve them to rounding, and solved exactly elsewhere.
+//! Phases from [`HoopModel`] where these resolve them to rounding, and solved exactly elsewhere.
 
 use core::cell::Cell;
 
@@ -13,19 +13,19 @@ use crate::walk::{
     SolvedBy, Solver, next_motion,
 };
 
-use super::chain::{Chains, Follow, Passage, SlipPoint};
-use super::doubt::Doubt;
-use super::drift::Drift;
+use super::chain::{LinkSolver, SlipMapValue, SlipMaps, SlipPoint};
+use super::error_bound::Drift;
+use super::fallback::Fallback;
 use super::jump;
-use super::laws::Laws;
+use super::model::HoopModel;
 use super::orbit::Reached;
-use super::place::Place;
 use super::roll::{RollEnd, direction_of};
 use super::slide::SlideEnd;
+use super::state::EngineState;
 
 /// Phases that are computed before cells are kept for a hoop that is not prepared: few motions have
 /// more, and those go on for long.
-const PHASES_WITHOUT_CELLS: u32 = 4;
+const PHASES_BEFORE_CACHING: u32 = 4;
 
 /// A slide from the static limit with equal coefficients, where η″ vanishes, too.
 const ON_LIMIT: Entry = Entry::FromRest {
@@ -35,12 +35,12 @@ const ON_LIMIT: Entry = Entry::FromRest {
 #[derive(Clone, Debug)]
 pub(super) struct FastSolver<'a> {
     hoop: &'a Hoop,
-    laws: &'a Laws,
-    /// Chains of slips, if they are passed by whole links.
-    chains: Option<&'a [Chains]>,
+    model: &'a HoopModel,
+    /// SlipMaps of slips, if they are passed by whole links.
+    chains: Option<&'a [SlipMaps]>,
     exact: Exact<'a>,
     /// Phases that are computed before what is kept is used.
-    phases_without: Cell<u32>,
+    phases_before_caching: Cell<u32>,
     drift: Drift,
 }
 
@@ -53,7 +53,7 @@ const EQUILIBRIUM_TOLERANCE_ON_SLOPES: f64 = 1e-3;
 
 /// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays
 /// so close to rest at the bottom, that rounding tells whether it passes, or which way it goes.
-fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
+fn is_next_to_equilibrium(body: &Heavy, place: &EngineState) -> bool {
     let energy = FrictionlessIntegrals::new(body, &place.state, place.direction).energy;
     let over_bottom = energy + 2.0 * body.offset;
     let tolerance = if body.tilt == 0.0 {
@@ -67,12 +67,12 @@ fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
 
 /// How a motion ended, as far as a summary tells.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Verdict {
+pub(super) struct FastOutcome {
     pub(super) kind: OutcomeKind,
     pub(super) state: State,
 }
 
-impl From<Outcome> for Verdict {
+impl From<Outcome> for FastOutcome {
     fn from(outcome: Outcome) -> Self {
         Self {
             kind: outcome.kind(),
@@ -87,20 +87,20 @@ impl Solution for Option<Flight> {
     }
 }
 
-type Ended = Ending<Place, Verdict>;
+type Ended = Ending<EngineState, FastOutcome>;
 
 impl<'a> FastSolver<'a> {
-    pub(super) fn new(hoop: &'a Hoop, laws: &'a Laws, limits: &Limits) -> Self {
+    pub(super) fn new(hoop: &'a Hoop, model: &'a HoopModel, limits: &Limits) -> Self {
         let (exact, drift) = (
             Exact::new(hoop, limits),
-            Drift::new(&laws.body, hoop.mu_s()),
+            Drift::new(&model.body, hoop.mu_s()),
         );
         Self {
             hoop,
-            laws,
+            model,
             chains: None,
             exact,
-            phases_without: Cell::new(0),
+            phases_before_caching: Cell::new(0),
             drift,
         }
     }
@@ -109,19 +109,19 @@ impl<'a> FastSolver<'a> {
     /// depends on the motion alone, so that it has the same bits wherever it is computed.
     pub(super) fn for_few_starts(self) -> Self {
         Self {
-            phases_without: Cell::new(PHASES_WITHOUT_CELLS),
+            phases_before_caching: Cell::new(PHASES_BEFORE_CACHING),
             ..self
         }
     }
 
-    pub(super) fn with_chains(self, chains: Option<&'a [Chains]>) -> Self {
+    pub(super) fn with_chains(self, chains: Option<&'a [SlipMaps]>) -> Self {
         Self { chains, ..self }
     }
 
     /// With a phase that begins: whether it uses what is kept.
     fn is_long(&self) -> bool {
-        let left = self.phases_without.get();
-        self.phases_without.set(left.saturating_sub(1));
+        let left = self.phases_before_caching.get();
+        self.phases_before_caching.set(left.saturating_sub(1));
         left == 0 && is_on(Part::KeptCells)
     }
 
@@ -142,7 +142,7 @@ impl<'a> FastSolver<'a> {
                 cause,
                 arrival,
             } => Ending::Event {
-                place: Place::new(place),
+                place: EngineState::new(place),
                 cause,
                 arrival,
             },
@@ -166,8 +166,8 @@ impl<'a> FastSolver<'a> {
         }
     }
 
-    fn contact(&self, place: &Place) -> f64 {
-        contact(1.0, self.laws.body.h, place.direction.1 * place.u())
+    fn contact(&self, place: &EngineState) -> f64 {
+        contact(1.0, self.model.body.h, place.direction.1 * place.u())
     }
 
     /// The evidence from the forces, where it is clear on which side of every limit they are. A
@@ -176,10 +176,10 @@ impl<'a> FastSolver<'a> {
     #[inline(always)]
     fn clear_evidence(
         &self,
-        place: &Place,
+        place: &EngineState,
         arrival: Arrival,
     ) -> Option<Evidence<impl Fn(Direction) -> f64>> {
-        let Place {
+        let EngineState {
             state,
             direction: (sin, cos),
             ..
@@ -187,7 +187,7 @@ impl<'a> FastSolver<'a> {
         let w = self.contact(place);
         let Heavy {
             mass, h, inertia, ..
-        } = self.laws.body;
+        } = self.model.body;
         let drift = &self.drift;
         if !drift.is_clear(w, 1.0 + h * place.u()) {
             return None;
@@ -198,10 +198,10 @@ impl<'a> FastSolver<'a> {
             None => self.clear_rest(place, w, arrival)?,
         };
         let solvability = move |direction| {
-            let law = self.laws.sliding(direction);
+            let law = self.model.sliding(direction);
             law.p(sin, law.q(1.0, sin, cos))
         };
-        if !self.laws.is_solvable {
+        if !self.model.is_solvable {
             let size = inertia + mass * h * (1.0 + self.hoop.mu_k());
             let [negative, positive] = Direction::ALL.map(solvability);
             if !(drift.is_clear(negative, size)
@@ -223,8 +223,8 @@ impl<'a> FastSolver<'a> {
 
     /// The same at η′ = 0.
     #[inline(always)]
-    fn clear_rest(&self, place: &Place, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
-        let law = &self.laws.rolling;
+    fn clear_rest(&self, place: &EngineState, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
+        let law = &self.model.rolling;
         let u = place.u();
         let denominator = law.denominator_of(place.direction);
         let forces = law.forces_at(place.direction, [1.0, u], denominator);
@@ -275,7 +275,7 @@ impl<'a> FastSolver<'a> {
 
     /// A phase that is cut at a state by the limit of time.
     const fn cut(end: State) -> Ended {
-        let verdict = Verdict {
+        let verdict = FastOutcome {
             kind: OutcomeKind::TimeLimit,
             state: end,
         };
@@ -287,9 +287,9 @@ impl<'a> FastSolver<'a> {
     }
 
     /// Where rolling from a place has led at the limit of time.
-    fn rolled(&self, place: &Place) -> Option<State> {
+    fn rolled(&self, place: &EngineState) -> Option<State> {
         let (state, travel) = (place.state, place.travel());
-        let Reached { theta, theta_rate } = self.laws.rolled(place, self.until() - state.time)?;
+        let Reached { theta, theta_rate } = self.model.rolled(place, self.until() - state.time)?;
         let theta = travel * theta;
         let x = state.x - (theta - state.theta);
         Some(State {
@@ -333,14 +333,14 @@ const fn seen_direction(direction: Direction, frame: f64) -> Direction {
     }
 }
 
-impl Follow for FastSolver<'_> {
+impl LinkSolver for FastSolver<'_> {
     fn link(
         &self,
-        chains: &Chains,
+        chains: &SlipMaps,
         slip: SlipPoint,
         theta_rate: f64,
     ) -> Option<(State, Direction, f64, PhaseSequence)> {
-        let solver = Self::new(self.hoop, self.laws, &Limits::default());
+        let solver = Self::new(self.hoop, self.model, &Limits::default());
         let frame = chains.frame();
         let state = seen(
             &State {
@@ -352,7 +352,7 @@ impl Follow for FastSolver<'_> {
             },
             frame,
         );
-        let place = Place::new(state);
+        let place = EngineState::new(state);
         let mut phases = PhaseSequence::default();
         let tell = |mode, direction| {
             phases.push(mode, direction);
@@ -381,9 +381,9 @@ impl Follow for FastSolver<'_> {
 }
 
 impl Solver for FastSolver<'_> {
-    type Place = Place;
+    type Place = EngineState;
     type Solution = Option<Flight>;
-    type Verdict = Verdict;
+    type Verdict = FastOutcome;
 
     fn hoop(&self) -> &Hoop {
         self.hoop
@@ -393,46 +393,46 @@ impl Solver for FastSolver<'_> {
         self.exact.until()
     }
 
-    fn place(&self, state: State) -> Place {
-        Place::new(state)
+    fn place(&self, state: State) -> EngineState {
+        EngineState::new(state)
     }
 
-    fn state(place: &Place) -> State {
+    fn state(place: &EngineState) -> State {
         place.state
     }
 
     #[inline(always)]
-    fn decide(&self, place: &Place, arrival: Arrival) -> Next {
+    fn decide(&self, place: &EngineState, arrival: Arrival) -> Next {
         if arrival == Arrival::LiftOff {
             // What the slide has found is not computed again.
             return next_motion(self.hoop, &place.state, arrival);
         }
         match self.clear_evidence(place, arrival) {
-            Some(evidence) => weigh(self.hoop, &self.laws.body, &place.state, &evidence),
+            Some(evidence) => weigh(self.hoop, &self.model.body, &place.state, &evidence),
             None => next_motion(self.hoop, &place.state, arrival),
         }
     }
 
     #[inline(always)]
-    fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
+    fn roll(&self, place: &EngineState, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = place.travel();
-        let left_to_the_simulation = |doubt: Doubt| {
-            self.laws.tally.add(doubt);
+        let left_to_the_simulation = |doubt: Fallback| {
+            self.model.fallbacks.add(doubt);
             Self::take(self.exact.roll(&state, on_limit))
         };
         if self.drift.is_far(state.theta) {
-            return left_to_the_simulation(Doubt::Far);
+            return left_to_the_simulation(Fallback::Far);
         }
         let is_long = self.is_long();
-        if self.laws.leaves_rolling(is_long) {
+        if self.model.leaves_rolling(is_long) {
             return Self::take(self.exact.roll(&state, on_limit));
         }
-        let ending: Ended = match self.laws.roll(place, on_limit, is_long) {
+        let ending: Ended = match self.model.roll(place, on_limit, is_long) {
             Ok(RollEnd::Never) => Ending::Motion {
                 event: None,
                 end: None,
-                verdict: Verdict {
+                verdict: FastOutcome {
                     kind: OutcomeKind::RollsForever,
                     state,
                 },
@@ -456,7 +456,7 @@ impl Solver for FastSolver<'_> {
                 let limit = RollingLimit::Friction(towards);
                 self.computed(&end);
                 Ending::Event {
-                    place: Place {
+                    place: EngineState {
                         state: end,
                         direction: (travel * sin, cos),
                     },
@@ -466,7 +466,7 @@ impl Solver for FastSolver<'_> {
             }
             Ok(RollEnd::Slip { .. }) => match self.rolled(place) {
                 Some(end) => Self::cut(end),
-                None => return left_to_the_simulation(Doubt::Separatrix),
+                None => return left_to_the_simulation(Fallback::Separatrix),
             },
             Err(doubt) => return left_to_the_simulation(doubt),
         };
@@ -480,14 +480,14 @@ impl Solver for FastSolver<'_> {
     #[inline(always)]
     fn slide(
         &self,
-        place: &Place,
+        place: &EngineState,
         body: &Heavy,
         direction: Direction,
         entry: Entry,
     ) -> SolvedBy<Self> {
         let state = place.state;
         let is_conservative = self.hoop.mu_k() == 0.0;
-        let for_ever = Verdict {
+        let for_ever = FastOutcome {
             kind: OutcomeKind::SlidesForever,
             state,
         };
@@ -503,8 +503,8 @@ impl Solver for FastSolver<'_> {
                 ending,
             }
         };
-        let left_to_the_simulation = |doubt: Doubt| {
-            self.laws.tally.add(doubt);
+        let left_to_the_simulation = |doubt: Fallback| {
+            self.model.fallbacks.add(doubt);
             // As the simulation has it, but for the last digits of an acceleration from which it
             // begins.
             let solved = self.exact.slide(&state, body, direction, entry);
@@ -514,23 +514,23 @@ impl Solver for FastSolver<'_> {
             Self::take(solved)
         };
         if self.drift.is_far(state.theta) {
-            return left_to_the_simulation(Doubt::Far);
+            return left_to_the_simulation(Fallback::Far);
         }
         if entry != Entry::Moving
             && !self
                 .drift
                 .is_known(self.contact(place), 1.0 + body.h * place.u())
         {
-            return left_to_the_simulation(Doubt::Cancelled);
+            return left_to_the_simulation(Fallback::Cancelled);
         }
         if is_conservative && is_next_to_equilibrium(body, place) {
-            return left_to_the_simulation(Doubt::Separatrix);
+            return left_to_the_simulation(Fallback::Separatrix);
         }
         let allowed = self.until() - state.time;
         let from_limit = entry == ON_LIMIT;
         let (event, is_cut) =
             match self
-                .laws
+                .model
                 .slide(place, direction, from_limit, allowed, self.is_long())
             {
                 Ok(SlideEnd::Event(event)) => (event, false),
@@ -538,7 +538,7 @@ impl Solver for FastSolver<'_> {
                 Ok(SlideEnd::Never) => return never(),
                 Err(doubt) => return left_to_the_simulation(doubt),
             };
-        let law = self.laws.sliding(direction);
+        let law = self.model.sliding(direction);
         let here = event.direction;
         let end = State {
             time: if is_cut {
@@ -577,7 +577,7 @@ impl Solver for FastSolver<'_> {
         } else {
             (Cause::Stick, Arrival::Open)
         };
-        let place = Place {
+        let place = EngineState {
             state: end,
             direction: here,
         };
@@ -593,7 +593,7 @@ impl Solver for FastSolver<'_> {
     }
 
     #[inline(always)]
-    fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
+    fn fly(&self, place: &EngineState, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let state = place.state;
         // Whatever follows from a state of the simulation goes on as there.
         if self.drift.is_none() && self.hoop.restitution().is_some() {
@@ -648,20 +648,20 @@ impl Solver for FastSolver<'_> {
         }
     }
 
-    fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
+    fn settle(&self, place: &EngineState, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
         Self::take(self.exact.settle(&place.state, body, settling))
     }
 
-    fn glide(&self, place: &Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
+    fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
         Self::take(self.exact.glide(&place.state, body, entry))
     }
 
     fn pass_links(
         &self,
-        place: &Place,
+        place: &EngineState,
         direction: Direction,
         room: &ChainBudget<'_>,
-    ) -> Option<ChainSegment<Place>> {
+    ) -> Option<ChainSegment<EngineState>> {
         let (state, travel) = (place.state, place.travel());
         let chains = if travel < 0.0 {
             self.chains?.last()
@@ -671,14 +671,14 @@ impl Solver for FastSolver<'_> {
         let frame = chains.frame();
         let start = seen(&state, frame);
         let point = chains.point(&start, seen_direction(direction, frame))?;
-        let after = |passage: &Passage| {
+        let after = |passage: &SlipMapValue| {
             let (slip, rate) = chains.slip(passage.end)?;
             Some((
                 slip,
                 seen(&passage.state_after(&start, (slip.angle, rate)), frame),
             ))
         };
-        let has_room = |passage: &Passage| {
+        let has_room = |passage: &SlipMapValue| {
             passage.route.transitions <= room.transitions
                 && passage.slid <= room.slides
                 && self.is_in_time(&state, passage.elapsed)
@@ -695,7 +695,7 @@ impl Solver for FastSolver<'_> {
             )
         };
         let (slip, end) = after(&passage)?;
-        let place = Place::new(end);
+        let place = EngineState::new(end);
         let towards = direction_of(slip.side, place.travel());
         self.computed(&end);
         Some(ChainSegment {

@@ -2,11 +2,11 @@
 
 use crate::math::bracket::Bracket;
 
-use super::limit::{SlipCurves, SlipPoint};
+use super::slip_curves::{SlipCurves, SlipPoint};
 
 /// A slip on one of the curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) struct Point {
+pub(in crate::engine) struct CurvePoint {
     pub(super) part: usize,
     pub(super) at: f64,
 }
@@ -22,7 +22,7 @@ enum Coordinate {
 }
 
 #[derive(Clone, Debug)]
-struct Part {
+struct CurvePart {
     side: usize,
     /// Angles between which the level is monotone.
     piece: (f64, f64),
@@ -35,7 +35,7 @@ struct Part {
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
     slips: SlipCurves,
-    parts: Vec<Part>,
+    parts: Vec<CurvePart>,
 }
 
 /// Largest amplification of the rounding of levels that polynomials are made for: next to an
@@ -91,7 +91,7 @@ impl Curves {
                             }
                         };
                         let (one, other) = (at(angles.0), at(angles.1));
-                        Part {
+                        CurvePart {
                             side,
                             piece,
                             coordinate,
@@ -111,7 +111,7 @@ impl Curves {
     }
 
     /// The angle of a slip at a rate, on a part on which rates rise or fall.
-    fn angle_at(&self, part: &Part, rate: f64) -> f64 {
+    fn angle_at(&self, part: &CurvePart, rate: f64) -> f64 {
         let (low, high) = part.angles;
         let [first, last] =
             [low, high].map(|angle| self.slips.limit(part.side, angle).unwrap_or(0.0));
@@ -122,8 +122,8 @@ impl Curves {
         })
     }
 
-    pub(super) fn point(&self, slip: SlipPoint, theta_rate: f64) -> Option<Point> {
-        let holds = |part: &Part| {
+    pub(super) fn point(&self, slip: SlipPoint, theta_rate: f64) -> Option<CurvePoint> {
+        let holds = |part: &CurvePart| {
             part.side == slip.side && part.angles.0 <= slip.angle && slip.angle <= part.angles.1
         };
         let index = self.parts.iter().position(holds)?;
@@ -134,7 +134,7 @@ impl Curves {
                 .inverse(self.slips.level(theta_rate * theta_rate, slip.angle)),
             Coordinate::Rate => theta_rate.abs(),
         };
-        Some(Point { part: index, at })
+        Some(CurvePoint { part: index, at })
     }
 
     /// More halvings than of other parts, and where chains end on it.
@@ -162,7 +162,7 @@ impl Curves {
     }
 
     /// The slip at a point, and |θ′|; none where no orbit has it.
-    pub(super) fn slip(&self, point: Point) -> Option<(SlipPoint, f64)> {
+    pub(super) fn slip(&self, point: CurvePoint) -> Option<(SlipPoint, f64)> {
         let part = &self.parts[point.part];
         let side = part.side;
         let (angle, u) = match part.coordinate {

@@ -7,7 +7,7 @@ use crate::walk::PhaseSequence;
 
 use super::super::interpolant::{Basis, Interpolant, NODES, Tolerance};
 use super::curve::Curves;
-use super::passage::{Passage, Route};
+use super::value::{Itinerary, SlipMapValue};
 
 /// Polynomials have converged when their last coefficients are below this part of the largest
 /// value, times what rounding in a link is amplified by.
@@ -18,7 +18,7 @@ pub(super) const TOLERANCE: f64 = 2e-15;
 /// than finer pieces would take.
 pub(super) const MAX_HALVINGS: u32 = 12;
 
-/// Part of the tolerance to which the level of an orbit is known: a few units in its last place.
+/// CurvePart of the tolerance to which the level of an orbit is known: a few units in its last place.
 const LEVEL_ROUNDING: f64 = 0.25;
 
 /// Halvings after which an interval without links at its ends and its middle is taken to have none.
@@ -31,22 +31,22 @@ const LENGTH_TOLERANCE: f64 = 1e-9;
 const MAX_MISS: f64 = 8.0;
 
 #[derive(Clone, Debug)]
-pub(super) struct Found {
-    route: Route,
+pub(super) struct FittedMap {
+    route: Itinerary,
     pub(super) phases: PhaseSequence,
     numbers: Interpolant<4>,
 }
 
-impl Found {
+impl FittedMap {
     #[inline]
-    pub(super) fn from(&self, at: f64) -> Passage {
-        Passage::with_numbers(self.route, self.numbers.at(at))
+    pub(super) fn from(&self, at: f64) -> SlipMapValue {
+        SlipMapValue::with_numbers(self.route, self.numbers.at(at))
     }
 }
 
 #[derive(Clone, Debug)]
 enum Fit {
-    Found(Box<Found>),
+    Found(Box<FittedMap>),
     Divided(Box<[Tree; 2]>),
     Nothing,
 }
@@ -61,7 +61,7 @@ pub(super) struct Tree {
     fit: OnceLock<Fit>,
 }
 
-pub(super) struct Making<'a> {
+pub(super) struct FitContext<'a> {
     pub(super) basis: &'a Basis,
     pub(super) curves: &'a Curves,
     /// To which part of a value the polynomials tell it.
@@ -71,7 +71,7 @@ pub(super) struct Making<'a> {
     /// intervals.
     pub(super) end: Option<f64>,
     /// The links from a coordinate.
-    pub(super) value: &'a dyn Fn(f64) -> Option<(Passage, PhaseSequence)>,
+    pub(super) value: &'a dyn Fn(f64) -> Option<(SlipMapValue, PhaseSequence)>,
 }
 
 impl Tree {
@@ -85,7 +85,7 @@ impl Tree {
         }
     }
 
-    pub(super) fn find(&self, at: f64, making: &Making<'_>) -> Option<&Found> {
+    pub(super) fn find(&self, at: f64, making: &FitContext<'_>) -> Option<&FittedMap> {
         let mut node = Some(self).filter(|root| root.left <= at && at <= root.right)?;
         loop {
             match node.fit.get_or_init(|| fit(node, making)) {
@@ -104,9 +104,9 @@ fn fit(
         halvings,
         ..
     }: &Tree,
-    making: &Making<'_>,
+    making: &FitContext<'_>,
 ) -> Fit {
-    let Making {
+    let FitContext {
         basis,
         curves,
         tolerance,
@@ -136,7 +136,7 @@ fn fit(
         };
     };
     let (route, phases) = (first.0.route, first.1);
-    let same = |(passage, other): &(Passage, PhaseSequence)| {
+    let same = |(passage, other): &(SlipMapValue, PhaseSequence)| {
         (passage.route == route && *other == phases).then(|| passage.numbers())
     };
     if same(second).is_none() || same(last).is_none() {
@@ -194,7 +194,7 @@ fn fit(
             return divided();
         }
     }
-    Fit::Found(Box::new(Found {
+    Fit::Found(Box::new(FittedMap {
         route,
         phases,
         numbers: interpolant,

@@ -6,18 +6,18 @@
 //! belongs to the slide ([`cell`]). The time is a Gauss sum of dϑ/√u, and η′ follows from it by the
 //! first integral of sliding.
 
-mod cell;
-mod follow;
-mod piece;
+mod regular;
+mod segment;
 mod series;
-mod step;
-mod turn;
+mod solve;
+mod table;
+mod turning;
 
 use core::f64::consts::TAU;
 
-pub(super) use cell::Cells;
-pub(super) use follow::{Frame, follow};
-pub(super) use piece::Waypoint;
+pub(super) use segment::SlidePoint;
+pub(super) use solve::{MotionFrame, follow};
+pub(super) use table::SlideTables;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SlideEvent {

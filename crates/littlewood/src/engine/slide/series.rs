@@ -87,9 +87,9 @@ fn power(x: f64, mut exponent: usize) -> f64 {
     result
 }
 
-/// Signs of a function on an interval, in order.
+/// SignPattern of a function on an interval, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Signs {
+pub(super) enum SignPattern {
     Positive,
     Negative,
     /// From positive to negative.
@@ -99,7 +99,7 @@ pub(super) enum Signs {
     Unknown,
 }
 
-impl Signs {
+impl SignPattern {
     pub(super) const fn reversed(self) -> Self {
         match self {
             Self::Falling => Self::Rising,
@@ -310,7 +310,12 @@ impl Expansion {
     /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where
     /// its sign is not known, about a change of sign. Where η″ = 0 at t = 0 (`from_zero`), the
     /// signs behind that, which are those of η″/t. None where P is not known to be positive.
-    pub(super) fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<(Signs, f64)> {
+    pub(super) fn signs(
+        &self,
+        u: &Series,
+        width: f64,
+        from_zero: bool,
+    ) -> Option<(SignPattern, f64)> {
         let least = least(self.polynomials.p(width));
         if least <= 0.0 {
             return None;
@@ -321,7 +326,7 @@ impl Expansion {
             low.rotate_left(1);
             low[SIGN_DEGREE] = 0.0;
         }
-        Some((pattern(&bernstein(low), band), 2.0 * band / least))
+        Some((sign_pattern(&bernstein(low), band), 2.0 * band / least))
     }
 }
 
@@ -386,8 +391,8 @@ pub(super) fn from_both_sides<const N: usize>(mut c: [f64; N]) -> [f64; N] {
     scaled(c, 2.0)
 }
 
-/// Signs of a function whose Bernstein coefficients are known to `band`.
-pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
+/// SignPattern of a function whose Bernstein coefficients are known to `band`.
+pub(super) fn sign_pattern(coefficients: &Low, band: f64) -> SignPattern {
     let least = coefficients
         .iter()
         .fold(f64::INFINITY, |least, b| least.min(*b));
@@ -395,16 +400,16 @@ pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
         .iter()
         .fold(f64::NEG_INFINITY, |largest, b| largest.max(*b));
     if least > band {
-        return Signs::Positive;
+        return SignPattern::Positive;
     }
     if largest < -band {
-        return Signs::Negative;
+        return SignPattern::Negative;
     }
     let (first, last) = (coefficients[0], coefficients[SIGN_DEGREE]);
     let is_first = |b: f64| if first > 0.0 { b > band } else { b < -band };
     let is_last = |b: f64| if last > 0.0 { b > band } else { b < -band };
     if !is_first(first) || !is_last(last) {
-        return Signs::Unknown;
+        return SignPattern::Unknown;
     }
     let begin = coefficients.iter().take_while(|b| is_first(**b)).count();
     // What is not known lies between.
@@ -415,12 +420,12 @@ pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
         .count();
     let between = &coefficients[begin..coefficients.len() - end];
     if (first > 0.0) == (last > 0.0) || between.iter().any(|b| b.abs() > band) {
-        return Signs::Unknown;
+        return SignPattern::Unknown;
     }
     if first > 0.0 {
-        Signs::Falling
+        SignPattern::Falling
     } else {
-        Signs::Rising
+        SignPattern::Rising
     }
 }
 
@@ -429,9 +434,9 @@ mod tests {
     use super::*;
     use crate::model::{Body, Direction, Hoop};
 
-    /// The pattern of coefficients that are these multiples of the band.
-    fn seen(coefficients: [f64; SIGN_DEGREE + 1]) -> Signs {
-        pattern(&coefficients.map(|b| 1e-3 * b), 1e-3)
+    /// The sign_pattern of coefficients that are these multiples of the band.
+    fn seen(coefficients: [f64; SIGN_DEGREE + 1]) -> SignPattern {
+        sign_pattern(&coefficients.map(|b| 1e-3 * b), 1e-3)
     }
 
     /// Near rest, where u is small and hardly changes, too.
@@ -479,7 +484,10 @@ mod tests {
     #[test]
     fn signs_are_told_only_where_they_are_clear() {
         let [up, down] = [[5.0; SIGN_DEGREE + 1], [-5.0; SIGN_DEGREE + 1]];
-        assert_eq!((seen(up), seen(down)), (Signs::Positive, Signs::Negative));
+        assert_eq!(
+            (seen(up), seen(down)),
+            (SignPattern::Positive, SignPattern::Negative)
+        );
         for at in 1..SIGN_DEGREE {
             // What is doubtful between two signs may be the change; what is clear is another
             // change.
@@ -489,11 +497,11 @@ mod tests {
                 seen(coefficients)
             };
             for doubtful in [0.9, 0.0, -0.9] {
-                assert_eq!(with(up, doubtful), Signs::Falling, "{at} {doubtful}");
-                assert_eq!(with(down, doubtful), Signs::Rising, "{at} {doubtful}");
+                assert_eq!(with(up, doubtful), SignPattern::Falling, "{at} {doubtful}");
+                assert_eq!(with(down, doubtful), SignPattern::Rising, "{at} {doubtful}");
                 let mut touched = up;
                 touched[at] = doubtful;
-                assert_eq!(seen(touched), Signs::Unknown, "{at} {doubtful}");
+                assert_eq!(seen(touched), SignPattern::Unknown, "{at} {doubtful}");
             }
             let twice = |mut coefficients: [f64; SIGN_DEGREE + 1]| {
                 coefficients[at] = -coefficients[at];
@@ -501,16 +509,16 @@ mod tests {
                 seen(coefficients)
             };
             let expected = if at == SIGN_DEGREE - 1 {
-                [Signs::Falling, Signs::Rising]
+                [SignPattern::Falling, SignPattern::Rising]
             } else {
-                [Signs::Unknown; 2]
+                [SignPattern::Unknown; 2]
             };
             assert_eq!([twice(up), twice(down)], expected, "{at}");
         }
         for end in [0, SIGN_DEGREE] {
             let mut doubtful = up;
             doubtful[end] = 0.9;
-            assert_eq!(seen(doubtful), Signs::Unknown, "{end}");
+            assert_eq!(seen(doubtful), SignPattern::Unknown, "{end}");
         }
     }
 }

@@ -4,7 +4,7 @@
 //! γ(φ), with a function γ of the body and the slope, and one number g of the orbit. The first to
 //! vanish of the two margins of static friction ([`Limits`]) and G decides what happens.
 
-mod tile;
+mod table;
 
 use core::f64::consts::TAU;
 use std::sync::OnceLock;
@@ -16,11 +16,13 @@ use crate::mechanics::RollingLaw;
 use crate::model::Hoop;
 use crate::modes::rolling::Limits;
 
-use super::doubt::Doubt;
+use super::fallback::Fallback;
 use super::orbit::Reached;
-use super::place::Place;
 use super::roll::{MIN_RATE, RollEnd, breaks};
-use tile::{About, MAX_BEND, TILES, Tile, WIDTH, rotated, separatrix_distance, swing};
+use super::state::EngineState;
+use table::{
+    LocalExpansion, MAX_BEND, RollTable, TABLES, WIDTH, rotated, separatrix_distance, swing,
+};
 
 /// An orbit of more turns is left to the exact solver, which finds the turn of a slip by bisection.
 const MAX_TURNS: usize = 32;
@@ -39,17 +41,17 @@ const MAX_STEPS: u32 = 12;
 /// Rolling in one direction of motion: what is kept of it, made where orbits come, and the same
 /// whichever orbit that is.
 #[derive(Clone, Debug)]
-pub(super) struct Ramp {
+pub(super) struct SlopeTables {
     limits: Limits,
-    tiles: [OnceLock<Box<Tile>>; TILES],
+    tiles: [OnceLock<Box<RollTable>>; TABLES],
 }
 
-impl Ramp {
+impl SlopeTables {
     /// In the direction `travel`.
     pub(super) fn new(hoop: &Hoop, travel: f64) -> Self {
         Self {
             limits: Limits::new(hoop, travel),
-            tiles: [const { OnceLock::new() }; TILES],
+            tiles: [const { OnceLock::new() }; TABLES],
         }
     }
 
@@ -57,15 +59,15 @@ impl Ramp {
         &self.limits.law
     }
 
-    fn tile(&self, number: usize) -> &Tile {
-        let number = number % TILES;
-        self.tiles[number].get_or_init(|| Box::new(Tile::new(&self.limits, number)))
+    fn tile(&self, number: usize) -> &RollTable {
+        let number = number % TABLES;
+        self.tiles[number].get_or_init(|| Box::new(RollTable::new(&self.limits, number)))
     }
 }
 
 /// A part of an orbit in one direction of motion.
 struct Leg<'a> {
-    ramp: &'a Ramp,
+    ramp: &'a SlopeTables,
     /// −1 where the motion began the other way, and the angle at the beginning in the frame of this
     /// one.
     sign: f64,
@@ -78,11 +80,11 @@ struct Leg<'a> {
     past_turn: Option<f64>,
     /// G about the beginning, or that turning point: next to it G is less than the last digits of
     /// `level`.
-    origin: About,
+    origin: LocalExpansion,
 }
 
 #[derive(Clone, Copy)]
-struct Spot {
+struct TablePoint {
     /// So many tiles behind the first.
     tiles: usize,
     at: f64,
@@ -91,25 +93,25 @@ struct Spot {
 }
 
 enum LegEnd {
-    Slip { spot: Spot, side: usize },
-    Turn(Spot),
+    Slip { spot: TablePoint, side: usize },
+    Turn(TablePoint),
 }
 
 impl<'a> Leg<'a> {
     /// From an angle with this sine and cosine, at which G is `kinetic`, or a turning point is so
     /// far behind.
     fn enter(
-        (ramp, sign): (&'a Ramp, f64),
+        (ramp, sign): (&'a SlopeTables, f64),
         (theta, direction): (f64, (f64, f64)),
         kinetic: f64,
         past_turn: Option<f64>,
     ) -> Self {
         let rest = without_turns(theta);
         let rest = if rest < 0.0 { rest + TAU } else { rest };
-        let tile = ((rest / WIDTH) as usize).min(TILES - 1);
+        let tile = ((rest / WIDTH) as usize).min(TABLES - 1);
         let from = (rest - WIDTH * tile as f64).clamp(0.0, WIDTH);
         let (g, past) = past_turn.map_or((kinetic, 0.0), |distance| (0.0, distance));
-        let origin = About::new(ramp.law(), rotated(direction, -past), g);
+        let origin = LocalExpansion::new(ramp.law(), rotated(direction, -past), g);
         let level = g - ramp.tile(tile).about.gain(from - past);
         Self {
             ramp,
@@ -124,10 +126,10 @@ impl<'a> Leg<'a> {
     }
 
     /// From the end of this one at a turning point, the other way.
-    fn back<'b>(&self, spot: Spot, ramp: &'b Ramp) -> Leg<'b> {
-        let tile = TILES - 1 - (self.tile + spot.tiles) % TILES;
+    fn back<'b>(&self, spot: TablePoint, ramp: &'b SlopeTables) -> Leg<'b> {
+        let tile = TABLES - 1 - (self.tile + spot.tiles) % TABLES;
         let (from, first) = (WIDTH - spot.at, ramp.tile(tile));
-        let origin = About::new(ramp.law(), rotated(first.direction, from), 0.0);
+        let origin = LocalExpansion::new(ramp.law(), rotated(first.direction, from), 0.0);
         let (sign, theta) = (-self.sign, -self.angle(&spot));
         let (level, past_turn) = (-first.about.gain(from), Some(0.0));
         Leg {
@@ -142,40 +144,40 @@ impl<'a> Leg<'a> {
         }
     }
 
-    fn angle(&self, spot: &Spot) -> f64 {
+    fn angle(&self, spot: &TablePoint) -> f64 {
         self.theta + self.distance(spot)
     }
 
-    fn tile_of(&self, spot: &Spot) -> &'a Tile {
+    fn tile_of(&self, spot: &TablePoint) -> &'a RollTable {
         self.ramp.tile(self.tile + spot.tiles)
     }
 
-    fn beginning(&self) -> Spot {
-        Spot {
+    fn beginning(&self) -> TablePoint {
+        TablePoint {
             tiles: 0,
             at: self.from,
             level: self.level,
         }
     }
 
-    fn about(&self, spot: &Spot) -> About {
+    fn about(&self, spot: &TablePoint) -> LocalExpansion {
         self.about_on(self.tile_of(spot), spot, spot.at)
     }
 
     /// G and D about a place on the tile of a spot.
-    fn about_on(&self, tile: &Tile, spot: &Spot, at: f64) -> About {
+    fn about_on(&self, tile: &RollTable, spot: &TablePoint, at: f64) -> LocalExpansion {
         let distance = WIDTH * spot.tiles as f64 + (at - self.from) + self.past_turn.unwrap_or(0.0);
         let g = if distance <= MAX_BEND {
             self.origin.g + self.origin.gain(distance)
         } else {
             spot.level + tile.about.gain(at)
         };
-        About::new(self.ramp.law(), rotated(tile.direction, at), g)
+        LocalExpansion::new(self.ramp.law(), rotated(tile.direction, at), g)
     }
 
     /// The time between two places on the tile of a spot, or over the whole; none where it comes
     /// too close to a turning point.
-    fn time_on(&self, tile: &Tile, spot: &Spot, [from, to]: [f64; 2]) -> Option<f64> {
+    fn time_on(&self, tile: &RollTable, spot: &TablePoint, [from, to]: [f64; 2]) -> Option<f64> {
         let is_whole = from == 0.0 && to == WIDTH && spot.level > tile.smooth;
         if is_whole {
             Some(tile.time(spot.level))
@@ -186,8 +188,8 @@ impl<'a> Leg<'a> {
 
     fn time_of_parts(
         &self,
-        tile: &Tile,
-        spot: &Spot,
+        tile: &RollTable,
+        spot: &TablePoint,
         [from, to]: [f64; 2],
         halvings: u32,
     ) -> Option<f64> {
@@ -201,18 +203,18 @@ impl<'a> Leg<'a> {
         Some(first + self.time_of_parts(tile, spot, [middle, to], halvings)?)
     }
 
-    fn distance(&self, spot: &Spot) -> f64 {
+    fn distance(&self, spot: &TablePoint) -> f64 {
         WIDTH * spot.tiles as f64 + (spot.at - self.from)
     }
 
     /// Whether it may turn at a spot: on neither side of the separatrix by rounding.
-    fn turns_clearly(&self, spot: &Spot) -> bool {
+    fn turns_clearly(&self, spot: &TablePoint) -> bool {
         let slope = self.about(spot).slope;
         let law = self.ramp.law();
         slope * slope > swing(law) * separatrix_distance(law)
     }
 
-    fn holds(&self, spot: &Spot) -> bool {
+    fn holds(&self, spot: &TablePoint) -> bool {
         let here = self.tile_of(spot).margins.each_ref().map(|margin| {
             let size = margin.size(spot.level);
             (value(&margin.on_orbit(spot.level), spot.at), size)
@@ -220,16 +222,16 @@ impl<'a> Leg<'a> {
         breaks(&here) == Some(None)
     }
 
-    fn end(&self) -> Result<LegEnd, Doubt> {
+    fn end(&self) -> Result<LegEnd, Fallback> {
         let beginning = self.beginning();
         if !self.holds(&beginning) {
-            return Err(Doubt::FrictionLimit);
+            return Err(Fallback::FrictionLimit);
         }
         if self.past_turn.is_some() && !self.turns_clearly(&beginning) {
-            return Err(Doubt::Separatrix);
+            return Err(Fallback::Separatrix);
         }
         let mut spot = beginning;
-        while spot.tiles <= MAX_TURNS * TILES {
+        while spot.tiles <= MAX_TURNS * TABLES {
             let tile = self.tile_of(&spot);
             let starts_at_zero = self.past_turn.is_some() && spot.tiles == 0;
             let passes =
@@ -237,21 +239,21 @@ impl<'a> Leg<'a> {
             if !passes && let Some(end) = self.end_on(tile, spot, starts_at_zero)? {
                 return Ok(end);
             }
-            spot = Spot {
+            spot = TablePoint {
                 tiles: spot.tiles + 1,
                 at: 0.0,
                 level: spot.level + tile.gain,
             };
         }
-        Err(Doubt::TooLong)
+        Err(Fallback::TooLong)
     }
 
     fn end_on(
         &self,
-        tile: &Tile,
-        spot: Spot,
+        tile: &RollTable,
+        spot: TablePoint,
         starts_at_zero: bool,
-    ) -> Result<Option<LegEnd>, Doubt> {
+    ) -> Result<Option<LegEnd>, Fallback> {
         let level = spot.level;
         let turn = tile.kinetic.crossing(level, (spot.at, starts_at_zero));
         let [negative, positive] = tile
@@ -268,20 +270,20 @@ impl<'a> Leg<'a> {
         {
             self.check_top(tile, &spot, at, starts_at_zero)?;
             return Ok(Some(LegEnd::Slip {
-                spot: Spot { at, ..spot },
+                spot: TablePoint { at, ..spot },
                 side,
             }));
         }
         if let Some(at) = turn {
-            let spot = Spot { at, ..spot };
+            let spot = TablePoint { at, ..spot };
             if !self.turns_clearly(&spot) {
-                return Err(Doubt::Separatrix);
+                return Err(Fallback::Separatrix);
             }
             // Where it slips just so, or not, next to the turning point.
             return if self.holds(&spot) {
                 Ok(Some(LegEnd::Turn(spot)))
             } else {
-                Err(Doubt::FrictionLimit)
+                Err(Fallback::FrictionLimit)
             };
         }
         self.check_top(tile, &spot, WIDTH, starts_at_zero)?;
@@ -291,11 +293,11 @@ impl<'a> Leg<'a> {
     /// Whether it clearly passes the top, if that is on a tile between a place and another.
     fn check_top(
         &self,
-        tile: &Tile,
-        spot: &Spot,
+        tile: &RollTable,
+        spot: &TablePoint,
         to: f64,
         starts_at_zero: bool,
-    ) -> Result<(), Doubt> {
+    ) -> Result<(), Fallback> {
         let rises = |at: f64| value_and_slope(&tile.kinetic.taylor[0], at).1 > 0.0;
         if starts_at_zero || rises(spot.at) || !rises(to) {
             return Ok(());
@@ -309,12 +311,12 @@ impl<'a> Leg<'a> {
         if least > separatrix_distance(self.ramp.law()) {
             Ok(())
         } else {
-            Err(Doubt::Separatrix)
+            Err(Fallback::Separatrix)
         }
     }
 
     /// The time to a spot, perhaps a turning point. None where it takes too many nodes.
-    fn time(&self, spot: &Spot, is_turn: bool) -> Option<f64> {
+    fn time(&self, spot: &TablePoint, is_turn: bool) -> Option<f64> {
         let mut sum = 0.0;
         self.pieces(spot, is_turn, |piece| {
             sum += piece.time?;
@@ -326,14 +328,14 @@ impl<'a> Leg<'a> {
     /// Passes its pieces up to a spot, until one is the last that is wanted.
     fn pieces(
         &self,
-        spot: &Spot,
+        spot: &TablePoint,
         is_turn: bool,
-        mut pass: impl FnMut(Piece) -> Option<bool>,
+        mut pass: impl FnMut(TimedSegment) -> Option<bool>,
     ) -> Option<()> {
         // Distances from a turning point behind the beginning.
         let past = self.past_turn.unwrap_or(0.0);
         let length = past + self.distance(spot);
-        let behind = Spot {
+        let behind = TablePoint {
             at: self.from - past,
             ..self.beginning()
         };
@@ -351,10 +353,10 @@ impl<'a> Leg<'a> {
             reach
         };
         let reach = [reach[0].max(past), reach[1].min(length - past)];
-        let time_of = |turn: Option<(About, f64)>, [from, to]: [f64; 2]| {
+        let time_of = |turn: Option<(LocalExpansion, f64)>, [from, to]: [f64; 2]| {
             turn.map(|(about, side)| {
                 let time = about.time_from_turn(to, side) - about.time_from_turn(from, side);
-                Piece {
+                TimedSegment {
                     time: Some(time),
                     on: None,
                 }
@@ -373,14 +375,14 @@ impl<'a> Leg<'a> {
             let to = (spot.at - reach[1] + WIDTH * (spot.tiles - here.tiles) as f64).min(WIDTH);
             if from < to {
                 let time = self.time_on(tile, &here, [from, to]);
-                if pass(Piece {
+                if pass(TimedSegment {
                     time,
                     on: Some((here, [from, to])),
                 })? {
                     return Some(());
                 }
             }
-            here = Spot {
+            here = TablePoint {
                 tiles: here.tiles + 1,
                 at: 0.0,
                 level: here.level + tile.gain,
@@ -393,7 +395,7 @@ impl<'a> Leg<'a> {
     }
 
     /// What is at a spot, in the frame in which the motion began: θ, θ′, and sine and cosine of θ.
-    fn at(&self, spot: &Spot) -> (Reached, (f64, f64)) {
+    fn at(&self, spot: &TablePoint) -> (Reached, (f64, f64)) {
         let about = self.about(spot);
         let rate = (about.g.max(0.0) / about.d).sqrt();
         let (sin, cos) = rotated(self.tile_of(spot).direction, spot.at);
@@ -405,12 +407,12 @@ impl<'a> Leg<'a> {
     }
 
     /// The slip at a spot, so long after the motion began as the leg does.
-    fn slip(&self, (spot, side): (&Spot, usize), before: f64) -> Result<RollEnd, Doubt> {
+    fn slip(&self, (spot, side): (&TablePoint, usize), before: f64) -> Result<RollEnd, Fallback> {
         let (Reached { theta, theta_rate }, direction) = self.at(spot);
         if theta_rate.abs() < MIN_RATE {
-            return Err(Doubt::Standstill);
+            return Err(Fallback::Standstill);
         }
-        let elapsed = before + self.time(spot, false).ok_or(Doubt::Separatrix)?;
+        let elapsed = before + self.time(spot, false).ok_or(Fallback::Separatrix)?;
         let side = if self.sign < 0.0 { 1 - side } else { side };
         Ok(RollEnd::Slip {
             elapsed,
@@ -422,7 +424,7 @@ impl<'a> Leg<'a> {
     }
 
     /// Where it is after a time, on the way to a spot.
-    fn after(&self, time: f64, spot: &Spot, is_turn: bool) -> Option<Spot> {
+    fn after(&self, time: f64, spot: &TablePoint, is_turn: bool) -> Option<TablePoint> {
         let (mut left, mut found) = (time, None);
         self.pieces(spot, is_turn, |piece| {
             let here = piece.time?;
@@ -441,7 +443,7 @@ impl<'a> Leg<'a> {
             let step = (left - self.time_on(tile, &spot, [from, at])?) / about.slowness(0.0)[0];
             at = (at + step).clamp(from, to);
             if step.abs() < MAX_LAST_STEP {
-                return Some(Spot { at, ..spot });
+                return Some(TablePoint { at, ..spot });
             }
         }
         None
@@ -449,22 +451,22 @@ impl<'a> Leg<'a> {
 }
 
 /// A piece of a leg, on a tile or next to a turning point.
-struct Piece {
+struct TimedSegment {
     time: Option<f64>,
-    on: Option<(Spot, [f64; 2])>,
+    on: Option<(TablePoint, [f64; 2])>,
 }
 
 /// The legs of an orbit from a place, of which the first may be none, seen in the frame of motion.
 struct Orbit<'a> {
     first: Leg<'a>,
     /// Of the second leg.
-    back: &'a Ramp,
+    back: &'a SlopeTables,
     /// The distance from the place to the first leg, and the time, both small.
     before: (f64, f64),
 }
 
 impl<'a> Orbit<'a> {
-    fn enter(ramps: &'a [Ramp; 2], place: &Place) -> Self {
+    fn enter(ramps: &'a [SlopeTables; 2], place: &EngineState) -> Self {
         let (travel, u) = (place.travel(), place.u());
         let [ahead, back] = if travel < 0.0 {
             [&ramps[1], &ramps[0]]
@@ -474,7 +476,7 @@ impl<'a> Orbit<'a> {
         let theta = travel * place.state.theta;
         let direction = (travel * place.direction.0, place.direction.1);
         let kinetic = ahead.law().denominator_of(direction) * u;
-        let about = About::new(ahead.law(), direction, 0.0);
+        let about = LocalExpansion::new(ahead.law(), direction, 0.0);
         // Next to a turning point the distance from it has all digits.
         let side = if about.slope < 0.0 { 1.0 } else { -1.0 };
         let reach = MAX_PART_BESIDE_TURN * about.reach_of_turn();
@@ -502,7 +504,7 @@ impl<'a> Orbit<'a> {
 }
 
 /// Follows the rolling that begins at a place, and holds there.
-pub(super) fn follow(ramps: &[Ramp; 2], place: &Place) -> Result<RollEnd, Doubt> {
+pub(super) fn follow(ramps: &[SlopeTables; 2], place: &EngineState) -> Result<RollEnd, Fallback> {
     let Orbit {
         first,
         back,
@@ -511,7 +513,7 @@ pub(super) fn follow(ramps: &[Ramp; 2], place: &Place) -> Result<RollEnd, Doubt>
     let turn = match first.end()? {
         // It would have slipped on the way to the turning point.
         LegEnd::Slip { spot, .. } if distance > 0.0 && first.distance(&spot) <= distance => {
-            return Err(Doubt::Standstill);
+            return Err(Fallback::Standstill);
         }
         LegEnd::Slip { spot, side } => return first.slip((&spot, side), before),
         LegEnd::Turn(spot) => spot,
@@ -519,7 +521,7 @@ pub(super) fn follow(ramps: &[Ramp; 2], place: &Place) -> Result<RollEnd, Doubt>
     let back = first.back(turn, back);
     match back.end()? {
         LegEnd::Slip { spot, side } => {
-            let outward = first.time(&turn, true).ok_or(Doubt::Separatrix)?;
+            let outward = first.time(&turn, true).ok_or(Fallback::Separatrix)?;
             back.slip((&spot, side), before + outward)
         }
         LegEnd::Turn(_) => Ok(RollEnd::Never),
@@ -527,7 +529,7 @@ pub(super) fn follow(ramps: &[Ramp; 2], place: &Place) -> Result<RollEnd, Doubt>
 }
 
 /// Where rolling from a place is after a time, before its slip.
-pub(super) fn after(ramps: &[Ramp; 2], place: &Place, time: f64) -> Option<Reached> {
+pub(super) fn after(ramps: &[SlopeTables; 2], place: &EngineState, time: f64) -> Option<Reached> {
     let Orbit {
         first,
         back,
@@ -561,8 +563,8 @@ mod tests {
     use crate::model::{HoopParameters, State};
     use crate::modes::{Rolling, RollingLimit};
 
-    fn ramps(hoop: &Hoop) -> [Ramp; 2] {
-        [1.0, -1.0].map(|travel| Ramp::new(hoop, travel))
+    fn ramps(hoop: &Hoop) -> [SlopeTables; 2] {
+        [1.0, -1.0].map(|travel| SlopeTables::new(hoop, travel))
     }
 
     fn at(theta: f64, theta_rate: f64) -> State {
@@ -601,7 +603,7 @@ mod tests {
         ) {
             let hoop = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia);
             let hoop = Hoop::new(hoop.with_friction(mu_s, mu_s).with_slope(slope)).unwrap();
-            let (ramps, place) = (ramps(&hoop), Place::new(at(theta, theta_rate)));
+            let (ramps, place) = (ramps(&hoop), EngineState::new(at(theta, theta_rate)));
             let Ok(RollEnd::Slip { elapsed, theta, theta_rate, side, direction: (sin, cos) }) = follow(&ramps, &place) else {
                 return Ok(());
             };
@@ -632,7 +634,8 @@ mod tests {
             let ramps = ramps(&figure_2(slope));
             let (mut all, mut slips, mut found, mut left) = (0, 0, 0, 0);
             for (i, j) in (0..40).flat_map(|i| (0..40).map(move |j| (i, j))) {
-                let place = Place::new(at(0.16 * f64::from(i) - 3.1, 0.1 * f64::from(j) - 2.0));
+                let place =
+                    EngineState::new(at(0.16 * f64::from(i) - 3.1, 0.1 * f64::from(j) - 2.0));
                 match follow(&ramps, &place) {
                     Ok(RollEnd::Slip { elapsed, .. }) => {
                         slips += 1;
@@ -640,7 +643,7 @@ mod tests {
                     }
                     Ok(RollEnd::Never) => {}
                     // Where it does not roll.
-                    Err(Doubt::FrictionLimit) => continue,
+                    Err(Fallback::FrictionLimit) => continue,
                     Err(_) => left += 1,
                 }
                 all += 1;

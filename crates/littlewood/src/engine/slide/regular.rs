@@ -4,18 +4,18 @@ use crate::engine::quadrature::{
     MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT,
 };
 
-use crate::engine::doubt::Doubt;
+use crate::engine::fallback::Fallback;
 
 use crate::mechanics::SlidingLaw;
 
-use super::piece::{LawAt, Piece};
-use super::series::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes, value};
+use super::segment::{LawAt, SlideSegment};
+use super::series::{DEGREE, Expansion, Series, SignPattern, scaled, sum_of_sizes, value};
 
 /// Up to this multiple of a step u has no zero: the terms of its series are at most the part
-/// [`Step::MAX_TERMS`] of the first, but for a linear term that makes it grow by at most
+/// [`RegularSegment::MAX_TERM_RATIO`] of the first, but for a linear term that makes it grow by at most
 /// `MAX_GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities lie
 /// outside the ellipse about the step with the half axes 1.3 and 1.2, r = 5 and r⁻²⁴ = 2e-17.
-const CLEAR_MULTIPLE: f64 = 1.8;
+const ELLIPSE_FACTOR: f64 = 1.8;
 const MAX_GROWTH: f64 = 0.9;
 
 /// Powers of the Gauss nodes on [0, 1], by power.
@@ -35,14 +35,14 @@ const POWERS: [[f64; NODES]; DEGREE + 1] = {
 
 /// A step, with the coordinate t = z/width up to 1, in the frame of motion.
 #[derive(Clone, Debug)]
-pub(super) struct Step {
+pub(super) struct RegularSegment {
     /// z at the end.
     pub(super) width: f64,
     /// With coefficients that tell up to the degree, which is even.
     pub(super) u: Series,
     pub(super) degree: usize,
-    /// Signs of σ η″ on the step, behind its beginning.
-    pub(super) signs: Signs,
+    /// SignPattern of σ η″ on the step, behind its beginning.
+    pub(super) signs: SignPattern,
     /// Largest |η″| where its sign is not known, about a change of sign.
     pub(super) doubt: f64,
     /// sin ϑ and cos ϑ at t = 0.
@@ -55,9 +55,9 @@ pub(super) struct Step {
     pub(super) exit: Option<(f64, LawAt)>,
 }
 
-impl Step {
+impl RegularSegment {
     /// The part of u that the terms behind the first may be.
-    pub(super) const MAX_TERMS: f64 = 0.9;
+    pub(super) const MAX_TERM_RATIO: f64 = 0.9;
 
     /// The step from an angle with this sine and cosine, where η″ = 0 if it is `from_zero`. `reach`
     /// is the width on which the series has converged.
@@ -66,28 +66,28 @@ impl Step {
         direction: (f64, f64),
         reach: f64,
         from_zero: bool,
-    ) -> Result<Self, Doubt> {
+    ) -> Result<Self, Fallback> {
         let [u0, slope, ..] = expansion.u;
         let width = if slope > 0.0 {
             expansion.smooth(
                 (0, 2),
-                (reach.min(MAX_GROWTH * u0 / slope), CLEAR_MULTIPLE),
-                Self::MAX_TERMS,
+                (reach.min(MAX_GROWTH * u0 / slope), ELLIPSE_FACTOR),
+                Self::MAX_TERM_RATIO,
             )
         } else {
-            expansion.smooth((0, 1), (reach, CLEAR_MULTIPLE), Self::MAX_TERMS)
+            expansion.smooth((0, 1), (reach, ELLIPSE_FACTOR), Self::MAX_TERM_RATIO)
         };
-        let width = width.ok_or(Doubt::TurningPoint)?;
+        let width = width.ok_or(Fallback::TurningPoint)?;
         let on = |width: f64| {
             let u = scaled(expansion.u, width);
             expansion
                 .signs(&u, width, from_zero)
                 .map(|(signs, doubt)| (width, u, signs, doubt))
         };
-        let mut step = on(width).ok_or(Doubt::Pole)?;
+        let mut step = on(width).ok_or(Fallback::Pole)?;
         // Where η″ vanishes at the end of a step, or twice on it, half of the step has its signs.
-        if step.2 == Signs::Unknown {
-            step = on(0.5 * width).ok_or(Doubt::Pole)?;
+        if step.2 == SignPattern::Unknown {
+            step = on(0.5 * width).ok_or(Fallback::Pole)?;
         }
         let (width, u, signs, doubt) = step;
         Ok(Self {
@@ -104,20 +104,20 @@ impl Step {
     }
 
     /// Whether u has no zero near the step between two t by the sizes of its terms: on the same
-    /// ellipse about the step all but the first are at most the part [`Step::MAX_TERMS`] of that.
+    /// ellipse about the step all but the first are at most the part [`RegularSegment::MAX_TERM_RATIO`] of that.
     pub(super) fn is_clear(u: &[f64], (from, to): (f64, f64)) -> bool {
         let far = Self::far(from, to);
-        far * sum_of_sizes(&u[1..], far) <= Self::MAX_TERMS * u[0]
+        far * sum_of_sizes(&u[1..], far) <= Self::MAX_TERM_RATIO * u[0]
     }
 
     /// Whether its first two coefficients allow that.
     pub(super) fn is_nearly_even(u0: f64, slope: f64, (from, to): (f64, f64)) -> bool {
-        Self::far(from, to) * slope.abs() <= Self::MAX_TERMS * u0
+        Self::far(from, to) * slope.abs() <= Self::MAX_TERM_RATIO * u0
     }
 
     /// Largest |t| on the ellipse about the step between two t.
     pub(super) fn far(from: f64, to: f64) -> f64 {
-        0.5 * (from + to).abs() + (CLEAR_MULTIPLE - 0.5) * (to - from)
+        0.5 * (from + to).abs() + (ELLIPSE_FACTOR - 0.5) * (to - from)
     }
 
     fn whole_time(&self) -> f64 {
@@ -159,7 +159,7 @@ pub(super) fn rotated((sin, cos): (f64, f64), z: f64) -> (f64, f64) {
     )
 }
 
-impl Piece for Step {
+impl SlideSegment for RegularSegment {
     #[inline]
     fn u(&self, t: f64) -> f64 {
         match self.exit {

@@ -5,12 +5,12 @@ use crate::model::State;
 
 /// A state with the sine and cosine of its angle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct EngineState {
     pub(super) state: State,
     pub(super) direction: (f64, f64),
 }
 
-impl Place {
+impl EngineState {
     pub(super) fn new(state: State) -> Self {
         Self {
             state,

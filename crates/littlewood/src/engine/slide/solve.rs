@@ -8,19 +8,19 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::engine::doubt::Doubt;
+use crate::engine::fallback::Fallback;
 use crate::mechanics::{SlidingLaw, contact};
 
-use super::cell::{Cells, HALVINGS, TILES, Tile, edge_near};
-use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint, size_of_slip};
-use super::series::{Expansion, Signs};
-use super::step::{Step, rotated};
-use super::turn::Turn;
+use super::regular::{RegularSegment, rotated};
+use super::segment::{SIGN_TOLERANCE, SegmentContext, SlidePoint, SlideSegment, slip_scale};
+use super::series::{Expansion, SignPattern};
+use super::table::{AngleInterval, HALVINGS, INTERVALS, SlideTables, edge_angle_near};
+use super::turning::TurningSegment;
 use super::{SlideEnd, SlideEvent};
 
 /// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole
 /// turns.
-const MAX_PIECES: usize = 512;
+const MAX_SEGMENTS: usize = 512;
 
 /// A slide over more turns than this is left to the exact solver.
 const MAX_TURNS: f64 = 16.0;
@@ -48,7 +48,7 @@ const MIN_DOUBLING_DISTANCE: f64 = 0.25;
 
 /// How a slide is seen: perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Frame<'a> {
+pub(in crate::engine) struct MotionFrame<'a> {
     /// The laws for σ = −1 and σ = +1, as they are and mirrored.
     pub(in crate::engine) laws: &'a [[SlidingLaw; 2]; 2],
     /// −1 where the frame is mirrored.
@@ -59,7 +59,7 @@ pub(in crate::engine) struct Frame<'a> {
     pub(in crate::engine) integral: f64,
 }
 
-impl Frame<'_> {
+impl MotionFrame<'_> {
     fn mirrored(self) -> Self {
         let Self {
             laws,
@@ -86,8 +86,8 @@ impl Frame<'_> {
         self.sigma * self.law().drag() * elapsed
     }
 
-    const fn way<'b, P: Piece>(&'b self, piece: &'b P) -> Way<'b, P> {
-        Way {
+    const fn way<'b, P: SlideSegment>(&'b self, piece: &'b P) -> SegmentContext<'b, P> {
+        SegmentContext {
             law: self.law(),
             piece,
             sigma: self.sigma,
@@ -113,15 +113,15 @@ enum End {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Passed {
+struct SegmentResult {
     end: End,
-    at: Waypoint,
+    at: SlidePoint,
     /// The least η′ behind the beginning.
     least: f64,
 }
 
-impl Passed {
-    const fn to(end: End, at: Waypoint) -> Self {
+impl SegmentResult {
+    const fn to(end: End, at: SlidePoint) -> Self {
         Self {
             end,
             at,
@@ -132,7 +132,7 @@ impl Passed {
 
 /// A place to which periodic slides come back.
 #[derive(Clone, Copy, Debug)]
-struct Mark {
+struct PeriodStart {
     sign: f64,
     theta: f64,
     elapsed: f64,
@@ -143,30 +143,30 @@ struct Mark {
 }
 
 struct Slide<'a> {
-    frame: Frame<'a>,
-    here: Waypoint,
+    frame: MotionFrame<'a>,
+    here: SlidePoint,
     /// The edge of tiles at which it is.
     edge: Option<usize>,
     is_behind_turn: bool,
     /// Turning points so far.
     turns: f64,
-    mark: Option<Mark>,
+    mark: Option<PeriodStart>,
     /// The least η′ since the mark.
     least: f64,
     pieces: usize,
     allowed: f64,
-    cells: Option<&'a Cells>,
+    cells: Option<&'a SlideTables>,
 }
 
 /// Follows a slide from a place to its event, or to where it is after the time that is `allowed`;
 /// `from_limit` where η′ = η″ = 0 at the place. `cells` are those that are kept.
 pub(in crate::engine) fn follow(
-    frame: Frame<'_>,
-    here: Waypoint,
+    frame: MotionFrame<'_>,
+    here: SlidePoint,
     from_limit: bool,
     allowed: f64,
-    cells: Option<&Cells>,
-) -> Result<SlideEnd, Doubt> {
+    cells: Option<&SlideTables>,
+) -> Result<SlideEnd, Fallback> {
     let mut slide = Slide {
         frame,
         here,
@@ -187,18 +187,18 @@ pub(in crate::engine) fn follow(
             return Ok(end);
         }
     }
-    while slide.pieces < MAX_PIECES {
+    while slide.pieces < MAX_SEGMENTS {
         slide.pieces += 1;
         if let Some(end) = slide.pass_piece()? {
             return Ok(end);
         }
     }
-    Err(Doubt::TooLong)
+    Err(Fallback::TooLong)
 }
 
 impl<'a> Slide<'a> {
     /// Passes the next piece: a step in a cell, a turn, or a step by a new series.
-    fn pass_piece(&mut self) -> Result<Option<SlideEnd>, Doubt> {
+    fn pass_piece(&mut self) -> Result<Option<SlideEnd>, Fallback> {
         if let Some(cells) = self.cells {
             if let Some(end) = self.cross_tiles(cells)? {
                 return Ok(Some(end));
@@ -223,7 +223,7 @@ impl<'a> Slide<'a> {
     }
 
     /// Passes a step in a cell. None where no cell has one.
-    fn in_cell(&mut self, cells: &'a Cells) -> Option<Result<Option<SlideEnd>, Doubt>> {
+    fn in_cell(&mut self, cells: &'a SlideTables) -> Option<Result<Option<SlideEnd>, Fallback>> {
         let Self { frame, here, .. } = *self;
         let ((sin, cos), law) = (here.direction, frame.law());
         // du/dz: where u is steep tiles must be narrow, or there is none.
@@ -231,7 +231,7 @@ impl<'a> Slide<'a> {
         let halvings = (0..=HALVINGS)
             .find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= here.u * (1_u32 << k) as f64)?;
         let mut tiles =
-            (halvings..=HALVINGS).flat_map(|halvings| Tile::about(frame.theta, halvings));
+            (halvings..=HALVINGS).flat_map(|halvings| AngleInterval::about(frame.theta, halvings));
         let (tile, (place, step)) =
             tiles.find_map(|tile| Some((tile, cells.get(law, frame.sigma, tile)?.step(&here)?)))?;
         let edge = step.exit.is_some().then(|| tile.exit());
@@ -240,12 +240,12 @@ impl<'a> Slide<'a> {
 
     /// Crosses whole tiles up to the first with an event, or up to a place where no tile can be
     /// crossed.
-    fn cross_tiles(&mut self, cells: &'a Cells) -> Result<Option<SlideEnd>, Doubt> {
+    fn cross_tiles(&mut self, cells: &'a SlideTables) -> Result<Option<SlideEnd>, Fallback> {
         let Self { frame, allowed, .. } = *self;
         let law = frame.law();
         let mut halvings = 0;
         while let Some(edge) = self.edge
-            && self.pieces < MAX_PIECES
+            && self.pieces < MAX_SEGMENTS
             && let Some((tile, cell, level, u)) =
                 cells.crossing((law, frame.sigma), (edge, halvings), self.here.u)
         {
@@ -254,7 +254,7 @@ impl<'a> Slide<'a> {
             let time = cell.time(level);
             let elapsed = here.elapsed + time;
             let exit = cell.law_at_exit();
-            let at = Waypoint {
+            let at = SlidePoint {
                 z: 1.0,
                 u,
                 elapsed,
@@ -265,20 +265,20 @@ impl<'a> Slide<'a> {
             let h = law.body.h;
             // The top is an edge.
             let stays = contact(1.0, h, exit.direction.1 * u) > SIGN_TOLERANCE * (1.0 + h * u);
-            let slips = |slip: f64, u: f64| slip > SIGN_TOLERANCE * size_of_slip(u, frame.integral);
+            let slips = |slip: f64, u: f64| slip > SIGN_TOLERANCE * slip_scale(u, frame.integral);
             let at_ends = here.slip.min(at.slip);
             let (signs, doubt) = cell.signs(level);
             // η′ is monotone, has a maximum, or a minimum that is no less.
             let least = match signs {
-                Signs::Positive | Signs::Negative => Some(at_ends),
-                Signs::Falling => (at.slip > doubt * time).then_some(at_ends),
-                Signs::Rising if here.slip_acceleration > doubt => Some(at_ends),
-                Signs::Rising => {
+                SignPattern::Positive | SignPattern::Negative => Some(at_ends),
+                SignPattern::Falling => (at.slip > doubt * time).then_some(at_ends),
+                SignPattern::Rising if here.slip_acceleration > doubt => Some(at_ends),
+                SignPattern::Rising => {
                     let least = here.slip + time * cell.least_slip_acceleration(level);
                     // On a tile that is crossed u is less than twice that in its middle.
                     slips(least, 2.0 * level).then_some(least.min(at_ends))
                 }
-                Signs::Unknown => None,
+                SignPattern::Unknown => None,
             };
             let next = Some(tile.exit());
             let end = if let Some(least) = least
@@ -308,15 +308,15 @@ impl<'a> Slide<'a> {
         &mut self,
         expansion: &Expansion,
         from_limit: bool,
-    ) -> Result<Option<SlideEnd>, Doubt> {
-        let step = Step::new(
+    ) -> Result<Option<SlideEnd>, Fallback> {
+        let step = RegularSegment::new(
             expansion,
             self.here.direction,
             expansion.reach(0),
             from_limit,
         )?;
         self.pass_step(
-            &Waypoint {
+            &SlidePoint {
                 z: 0.0,
                 ..self.here
             },
@@ -328,10 +328,10 @@ impl<'a> Slide<'a> {
     /// Passes a step from a place in it, at whose end the slide is at an edge, or not.
     fn pass_step(
         &mut self,
-        place: &Waypoint,
-        step: &Step,
+        place: &SlidePoint,
+        step: &RegularSegment,
         edge: Option<usize>,
-    ) -> Result<Option<SlideEnd>, Doubt> {
+    ) -> Result<Option<SlideEnd>, Fallback> {
         let frame = self.frame;
         let way = frame.way(step);
         let passed = self.cut(&way, place, over_step(&way, place, step)?);
@@ -339,7 +339,7 @@ impl<'a> Slide<'a> {
         if passed.end == End::Open {
             (self.edge, self.here, self.is_behind_turn) = (edge, at, false);
             self.frame.theta = match edge {
-                Some(edge) => edge_near(edge, frame.theta),
+                Some(edge) => edge_angle_near(edge, frame.theta),
                 None => frame.theta + step.turned(place.z, at.z),
             };
             return self.go_on(passed.least, edge.is_some());
@@ -351,17 +351,17 @@ impl<'a> Slide<'a> {
     /// Passes a turn, in the frame before the turning point, from a place in it.
     fn pass_turn(
         &mut self,
-        before: Frame<'a>,
-        place: &Waypoint,
-        turn: &Turn,
-    ) -> Result<Option<SlideEnd>, Doubt> {
+        before: MotionFrame<'a>,
+        place: &SlidePoint,
+        turn: &TurningSegment,
+    ) -> Result<Option<SlideEnd>, Fallback> {
         // Towards larger angles, and back.
         let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
         let passes_top = (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to);
         // Behind its linear term u changes by less than half over the turn: w ≥ 1 − h u.
         let held = 2.0 * before.law().body.h * turn.u(1.0) < 1.0;
         if passes_top && !held {
-            return Err(Doubt::TurningPoint);
+            return Err(Fallback::TurningPoint);
         }
         let way = before.way(turn);
         let passed = self.cut(&way, place, over_turn(&way, place, held)?);
@@ -369,14 +369,14 @@ impl<'a> Slide<'a> {
         if place.z < 0.0 && at.z > 0.0 {
             self.turns += 1.0;
         }
-        self.frame = Frame {
+        self.frame = MotionFrame {
             theta: before.theta + turn.turned_by(at.z),
             ..before
         };
         if passed.end == End::Open {
             self.frame = self.frame.mirrored();
             (self.edge, self.is_behind_turn) = (None, true);
-            self.here = Waypoint {
+            self.here = SlidePoint {
                 direction: mirrored(at.direction),
                 ..at
             };
@@ -386,15 +386,20 @@ impl<'a> Slide<'a> {
     }
 
     /// What was passed from a place on, cut at the limit of time.
-    fn cut<P: Piece>(&self, way: &Way<'_, P>, place: &Waypoint, passed: Passed) -> Passed {
+    fn cut<P: SlideSegment>(
+        &self,
+        way: &SegmentContext<'_, P>,
+        place: &SlidePoint,
+        passed: SegmentResult,
+    ) -> SegmentResult {
         if passed.at.elapsed <= self.allowed {
             return passed;
         }
-        Passed::to(End::Cut, way.at_time(place, &passed.at, self.allowed))
+        SegmentResult::to(End::Cut, way.at_time(place, &passed.at, self.allowed))
     }
 
-    fn ended(&self, passed: &Passed, rate: f64) -> SlideEnd {
-        let Passed { end, at, .. } = passed;
+    fn ended(&self, passed: &SegmentResult, rate: f64) -> SlideEnd {
+        let SegmentResult { end, at, .. } = passed;
         let event = SlideEvent {
             elapsed: at.elapsed,
             theta: self.frame.theta,
@@ -418,20 +423,20 @@ impl<'a> Slide<'a> {
 
     /// Goes on behind a piece on which η′ was at least this, and passes whole periods where it is
     /// at a place to which it comes back.
-    fn go_on(&mut self, least: f64, comes_back: bool) -> Result<Option<SlideEnd>, Doubt> {
+    fn go_on(&mut self, least: f64, comes_back: bool) -> Result<Option<SlideEnd>, Fallback> {
         self.least = self.least.min(least);
         if !comes_back {
             return Ok(None);
         }
-        let Frame { sign, theta, .. } = self.frame;
-        let here = Mark {
+        let MotionFrame { sign, theta, .. } = self.frame;
+        let here = PeriodStart {
             sign,
             theta,
             elapsed: self.here.elapsed,
             turns: self.turns,
             piece: self.pieces,
         };
-        let set = |slide: &mut Self, mark: Mark| {
+        let set = |slide: &mut Self, mark: PeriodStart| {
             (slide.mark, slide.least) = (Some(mark), slide.here.slip);
         };
         let Some(mark) = self.mark else {
@@ -448,7 +453,7 @@ impl<'a> Slide<'a> {
             && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
         if !(is_same && (turns != 0.0 || self.turns >= mark.turns + 2.0)) {
             // Where the first piece began the slide may never be again.
-            if here.piece > 2 * mark.piece + TILES {
+            if here.piece > 2 * mark.piece + INTERVALS {
                 set(self, here);
             }
             return Ok(None);
@@ -468,7 +473,7 @@ impl<'a> Slide<'a> {
                 return Ok(Some(SlideEnd::Never));
             }
             if allowed > MAX_PERIODS {
-                return Err(Doubt::TooLong);
+                return Err(Fallback::TooLong);
             }
             // What is left is no less than nothing, whatever rounding does.
             let whole = allowed.floor();
@@ -477,15 +482,15 @@ impl<'a> Slide<'a> {
         } else if turns != 0.0 {
             // With friction turns differ, and one without loss tells nothing of the next.
             if periods > MAX_TURNS {
-                return Err(Doubt::TooLong);
+                return Err(Fallback::TooLong);
             }
         } else if periods > MAX_PERIODS {
-            return Err(Doubt::TooLong);
+            return Err(Fallback::TooLong);
         } else if periods > MIN_PERIODS_TO_SKIP {
             // The last ones, in which rounding might tell, are followed.
             self.pass_periods(periods.floor() - 2.0, period, 0.0);
         }
-        let mark = Mark {
+        let mark = PeriodStart {
             elapsed: self.here.elapsed,
             theta: self.frame.theta,
             turns: self.turns,
@@ -509,7 +514,11 @@ impl<'a> Slide<'a> {
 }
 
 /// Passes a step to its end, or to the event before.
-fn over_step(way: &Way<'_, Step>, here: &Waypoint, step: &Step) -> Result<Passed, Doubt> {
+fn over_step(
+    way: &SegmentContext<'_, RegularSegment>,
+    here: &SlidePoint,
+    step: &RegularSegment,
+) -> Result<SegmentResult, Fallback> {
     let signs = (step.signs, step.doubt);
     let end = step.end;
     if !passes_top(here.direction.0, step.direction(end).0) {
@@ -519,7 +528,7 @@ fn over_step(way: &Way<'_, Step>, here: &Waypoint, step: &Step) -> Result<Passed
     let (h, u) = (way.law.body.h, step.u(top));
     let w = contact(1.0, h, u);
     if w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
-        return Err(Doubt::Contact);
+        return Err(Fallback::Contact);
     }
     if w < 0.0 {
         pass(way, (here, top), false, signs)
@@ -536,35 +545,41 @@ fn passes_top(from: f64, to: f64) -> bool {
 
 /// Passes a turn from a place to y = 1, or to the event before. `held` says that the normal force
 /// cannot vanish.
-fn over_turn(way: &Way<'_, Turn>, here: &Waypoint, held: bool) -> Result<Passed, Doubt> {
-    let Turn { signs, doubt, .. } = *way.piece;
+fn over_turn(
+    way: &SegmentContext<'_, TurningSegment>,
+    here: &SlidePoint,
+    held: bool,
+) -> Result<SegmentResult, Fallback> {
+    let TurningSegment { signs, doubt, .. } = *way.piece;
     match signs {
         // Towards the turning point, where u = 0, the signs come in the opposite order.
-        Signs::Rising | Signs::Falling if here.z < 0.0 => {
+        SignPattern::Rising | SignPattern::Falling if here.z < 0.0 => {
             let middle = pass(way, (here, 0.0), true, (signs.reversed(), doubt))?;
             if middle.end != End::Open {
                 return Ok(middle);
             }
             let passed = pass(way, (&middle.at, 1.0), held, (signs, doubt))?;
-            Ok(Passed {
+            Ok(SegmentResult {
                 least: passed.least.min(middle.least),
                 ..passed
             })
         }
-        Signs::Rising | Signs::Falling | Signs::Positive | Signs::Negative | Signs::Unknown => {
-            pass(way, (here, 1.0), held, (signs, doubt))
-        }
+        SignPattern::Rising
+        | SignPattern::Falling
+        | SignPattern::Positive
+        | SignPattern::Negative
+        | SignPattern::Unknown => pass(way, (here, 1.0), held, (signs, doubt)),
     }
 }
 
 /// Passes a piece from a place to another, or to the event before. `held` says that the normal
 /// force cannot vanish.
-fn pass<P: Piece>(
-    way: &Way<'_, P>,
-    (here, to): (&Waypoint, f64),
+fn pass<P: SlideSegment>(
+    way: &SegmentContext<'_, P>,
+    (here, to): (&SlidePoint, f64),
     held: bool,
-    (signs, doubt): (Signs, f64),
-) -> Result<Passed, Doubt> {
+    (signs, doubt): (SignPattern, f64),
+) -> Result<SegmentResult, Fallback> {
     let (h, u) = (way.law.body.h, way.piece.u(to));
     let w = if held {
         1.0
@@ -572,7 +587,7 @@ fn pass<P: Piece>(
         contact(1.0, h, way.piece.direction(to).1 * u)
     };
     if !held && w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
-        return Err(Doubt::Contact);
+        return Err(Fallback::Contact);
     }
     let lifts_off = w < 0.0;
     let there = if lifts_off {
@@ -581,46 +596,51 @@ fn pass<P: Piece>(
         way.at(here, to)
     };
     // Where the piece ends just at a zero of η′, which may be a touch, rounding would decide.
-    if there.slip.abs() <= SIGN_TOLERANCE * way.size_of_slip(&there) {
-        return Err(Doubt::Slip);
+    if there.slip.abs() <= SIGN_TOLERANCE * way.slip_scale(&there) {
+        return Err(Fallback::Slip);
     }
     let from_rest = here.slip <= 0.0;
     // The change may lie behind.
     let signs = match signs {
-        Signs::Rising if here.slip_acceleration > doubt => Signs::Positive,
-        Signs::Falling if here.slip_acceleration < -doubt => Signs::Negative,
+        SignPattern::Rising if here.slip_acceleration > doubt => SignPattern::Positive,
+        SignPattern::Falling if here.slip_acceleration < -doubt => SignPattern::Negative,
         signs => signs,
     };
-    let passed = Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there);
-    let rest = |before: &Waypoint| Ok(Passed::to(End::Rest, way.rest(here, before)?));
+    let passed = SegmentResult::to(if lifts_off { End::LiftOff } else { End::Open }, there);
+    let rest = |before: &SlidePoint| Ok(SegmentResult::to(End::Rest, way.rest(here, before)?));
     match signs {
-        Signs::Unknown => Err(Doubt::SlipShape),
+        SignPattern::Unknown => Err(Fallback::SlipShape),
         // η′ must rise from zero.
-        Signs::Negative | Signs::Rising if from_rest => Err(Doubt::Slip),
-        Signs::Falling if from_rest && here.slip_acceleration < 0.0 => Err(Doubt::Slip),
-        Signs::Positive | Signs::Negative | Signs::Falling | Signs::Rising if there.slip <= 0.0 => {
+        SignPattern::Negative | SignPattern::Rising if from_rest => Err(Fallback::Slip),
+        SignPattern::Falling if from_rest && here.slip_acceleration < 0.0 => Err(Fallback::Slip),
+        SignPattern::Positive
+        | SignPattern::Negative
+        | SignPattern::Falling
+        | SignPattern::Rising
+            if there.slip <= 0.0 =>
+        {
             rest(&there)
         }
         // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no
         // more than this.
-        Signs::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => {
-            Err(Doubt::SlipShape)
+        SignPattern::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => {
+            Err(Fallback::SlipShape)
         }
-        Signs::Positive | Signs::Negative | Signs::Falling => Ok(passed),
-        Signs::Rising => {
+        SignPattern::Positive | SignPattern::Negative | SignPattern::Falling => Ok(passed),
+        SignPattern::Rising => {
             let Some(least) = way.least(here, &there) else {
                 return Ok(passed);
             };
             let uncertain =
-                doubt * (there.elapsed - here.elapsed) + SIGN_TOLERANCE * way.size_of_slip(&least);
+                doubt * (there.elapsed - here.elapsed) + SIGN_TOLERANCE * way.slip_scale(&least);
             // Where it hardly vanishes, or hardly does not, rounding would decide.
             if least.slip.abs() <= uncertain {
-                return Err(Doubt::Slip);
+                return Err(Fallback::Slip);
             }
             if least.slip < 0.0 {
                 rest(&least)
             } else {
-                Ok(Passed {
+                Ok(SegmentResult {
                     least: least.slip,
                     ..passed
                 })
@@ -632,10 +652,10 @@ fn pass<P: Piece>(
 /// The turn about the turning point next to the centre of an expansion, ahead or behind, if it is
 /// near; with the frame before it, whose angle is that of the turning point, and the place in it.
 fn turn_about<'a>(
-    frame: &Frame<'a>,
-    here: &Waypoint,
+    frame: &MotionFrame<'a>,
+    here: &SlidePoint,
     expansion: &Expansion,
-) -> Option<(Frame<'a>, Waypoint, Turn)> {
+) -> Option<(MotionFrame<'a>, SlidePoint, TurningSegment)> {
     let reach = expansion.reach(0);
     if here.u > MAX_TURN_DISTANCE * reach * expansion.u[1].abs() {
         return None;
@@ -648,7 +668,7 @@ fn turn_about<'a>(
         (frame.mirrored(), mirrored(here.direction))
     };
     let (behind, there) = (frame.mirrored(), mirrored(rotated(direction, distance)));
-    let turn = Turn::new(
+    let turn = TurningSegment::new(
         &Expansion::new(behind.law(), behind.sigma, there, 0.0),
         there,
     )?;
@@ -659,13 +679,13 @@ fn turn_about<'a>(
     } else {
         (part.sqrt(), MAX_PART_BEHIND_TURN)
     };
-    let frame = Frame {
+    let frame = MotionFrame {
         theta: frame.theta + 2.0 * libm::atan(distance),
         ..frame
     };
     (part < farthest).then_some((
         frame,
-        Waypoint {
+        SlidePoint {
             z,
             direction,
             ..*here

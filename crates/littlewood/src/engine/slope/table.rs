@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use crate::engine::orbit::MIN_SEPARATRIX_DISTANCE;
 use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
-use crate::engine::roll::{Known, holds};
+use crate::engine::roll::{MarginSigns, holds};
 use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::math::series::{DEGREE, Series, convolve, crossing, shifted, value};
@@ -13,8 +13,8 @@ use crate::mechanics::RollingLaw;
 use crate::modes::rolling::Limits;
 
 /// Tiles of a turn, and the angle of one.
-pub(super) const TILES: usize = 16;
-pub(super) const WIDTH: f64 = TAU / TILES as f64;
+pub(super) const TABLES: usize = 16;
+pub(super) const WIDTH: f64 = TAU / TABLES as f64;
 
 /// G and D change by at most this part of themselves on the ellipse about a panel with the half
 /// axes 1.76 and 1.45 times its own: the Gauss sum with 16 nodes is then exact to rounding, r = 3.2
@@ -86,10 +86,10 @@ impl Linear {
         )
     }
 
-    fn known(&self, level: f64) -> Known {
+    fn known(&self, level: f64) -> MarginSigns {
         let [a, b] = &self.bernstein;
         let on_orbit: Series = core::array::from_fn(|k| a[k] + level * b[k]);
-        Known::of(&on_orbit)
+        MarginSigns::of(&on_orbit)
     }
 
     pub(super) fn on_orbit(&self, level: f64) -> Series {
@@ -105,15 +105,15 @@ impl Linear {
     pub(super) fn crossing(&self, level: f64, (from, starts_at_zero): (f64, bool)) -> Option<f64> {
         let on_orbit = self.on_orbit(level);
         match self.known(level) {
-            Known::Holds => None,
-            Known::Falls if !starts_at_zero => {
+            MarginSigns::Holds => None,
+            MarginSigns::Falls if !starts_at_zero => {
                 let bracket = Bracket {
                     low: from,
                     high: WIDTH,
                 };
                 Some(bracket.refine_from_secant(|at| value_and_slope(&on_orbit, at)))
             }
-            Known::Falls | Known::Nothing => {
+            MarginSigns::Falls | MarginSigns::Nothing => {
                 let mut ahead = shifted(on_orbit, from);
                 if starts_at_zero {
                     ahead[0] = 0.0;
@@ -126,7 +126,7 @@ impl Linear {
 
 /// G and D about an angle, as functions of the distance φ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct About {
+pub(super) struct LocalExpansion {
     /// G = g + slope φ + g_sine (sin φ − φ) + g_versine (1 − cos φ).
     pub(super) g: f64,
     pub(super) slope: f64,
@@ -141,7 +141,7 @@ pub(super) struct About {
     d_bend: f64,
 }
 
-impl About {
+impl LocalExpansion {
     pub(super) fn new(law: &RollingLaw, (sin, cos): (f64, f64), g: f64) -> Self {
         let RollingLaw {
             offset, mass, tilt, ..
@@ -201,7 +201,7 @@ impl About {
         half * sum
     }
 
-    /// About a turning point: how far from it, in a direction, time is a Gauss sum in the square
+    /// LocalExpansion a turning point: how far from it, in a direction, time is a Gauss sum in the square
     /// root of the distance.
     pub(super) fn reach_of_turn(&self) -> f64 {
         let of_g = MAX_CHANGE * self.slope.abs() / self.g_bend;
@@ -251,10 +251,10 @@ impl About {
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Tile {
+pub(super) struct RollTable {
     /// At its beginning.
     pub(super) direction: (f64, f64),
-    pub(super) about: About,
+    pub(super) about: LocalExpansion,
     /// The margins of slips to the two sides, and G.
     pub(super) margins: [Linear; 2],
     pub(super) kinetic: Linear,
@@ -268,7 +268,7 @@ pub(super) struct Tile {
     nodes: [[f64; 2 * PAIRS]; 2],
 }
 
-impl Tile {
+impl RollTable {
     pub(super) fn new(limits: &Limits, number: usize) -> Self {
         let law = &limits.law;
         let direction = sincos(WIDTH * number as f64);
@@ -281,13 +281,13 @@ impl Tile {
             gains,
             core::array::from_fn(|n| if n == 0 { 1.0 } else { 0.0 }),
         ]);
-        let about = About::new(law, direction, 0.0);
+        let about = LocalExpansion::new(law, direction, 0.0);
         let half = 0.5 * WIDTH;
-        let middle = About::new(law, rotated(direction, half), about.gain(half));
+        let middle = LocalExpansion::new(law, rotated(direction, half), about.gain(half));
         // Of which g is_smooth would hold.
         let reach = ELLIPSE * half;
         let smooth = reach * (middle.slope.abs() + reach * middle.g_bend) / MAX_CHANGE - middle.g;
-        let smooth = if (About {
+        let smooth = if (LocalExpansion {
             g: f64::INFINITY,
             ..middle
         })

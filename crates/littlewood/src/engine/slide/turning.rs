@@ -7,39 +7,40 @@
 
 use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 
-use super::piece::Piece;
-use super::series::{DEGREE, Expansion, Series, Signs, scaled, value};
-use super::step::rotated;
+use super::regular::rotated;
+use super::segment::SlideSegment;
+use super::series::{DEGREE, Expansion, Series, SignPattern, scaled, value};
 
 /// Up to this multiple of the width v has no zero: the terms of its series are at most the part
-/// `MAX_TERMS` of the first. The Gauss sum of 1/√v in y is then exact to rounding: r = 2.9 and
+/// `MAX_TERM_RATIO` of the first. The Gauss sum of 1/√v in y is then exact to rounding: r = 2.9 and
 /// r⁻³² = 1e-15 at least.
-const CLEAR_MULTIPLE: f64 = 2.8;
-const MAX_TERMS: f64 = 0.9;
+const ELLIPSE_FACTOR: f64 = 2.8;
+const MAX_TERM_RATIO: f64 = 0.9;
 
 /// A turn, with the coordinate y from −1 to 1, in the frame of motion before the turning point.
 #[derive(Clone, Debug)]
-pub(super) struct Turn {
+pub(super) struct TurningSegment {
     /// z at y = ± 1.
     pub(super) width: f64,
     /// u/width in powers of y², without its factor y².
     v: Series,
-    /// Signs of σ η″ by the distance from the turning point.
-    pub(super) signs: Signs,
+    /// SignPattern of σ η″ by the distance from the turning point.
+    pub(super) signs: SignPattern,
     /// Largest |η″| where its sign is not known, about a change of sign.
     pub(super) doubt: f64,
     /// sin ϑ and cos ϑ at the turning point.
     direction: (f64, f64),
 }
 
-impl Turn {
+impl TurningSegment {
     /// From the expansion about the turning point in the frame of motion behind it, the sine and
     /// cosine of whose angle these are.
     pub(super) fn new(expansion: &Expansion, (sin, cos): (f64, f64)) -> Option<Self> {
         if expansion.u[1] <= 0.0 {
             return None;
         }
-        let width = expansion.smooth((1, 2), (expansion.reach(1), CLEAR_MULTIPLE), MAX_TERMS)?;
+        let width =
+            expansion.smooth((1, 2), (expansion.reach(1), ELLIPSE_FACTOR), MAX_TERM_RATIO)?;
         let u = scaled(expansion.u, width);
         let (signs, doubt) = expansion.signs(&u, width, false)?;
         let mut v = [0.0; DEGREE + 1];
@@ -66,7 +67,7 @@ impl Turn {
     }
 }
 
-impl Piece for Turn {
+impl SlideSegment for TurningSegment {
     fn u(&self, y: f64) -> f64 {
         let square = y * y;
         self.width * square * value(&self.v, square)

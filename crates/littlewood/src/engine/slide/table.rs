@@ -13,29 +13,29 @@ use crate::engine::quadrature::{
 use crate::math::trig::sincos;
 use crate::mechanics::SlidingLaw;
 
-use super::piece::{LawAt, Waypoint};
+use super::regular::{RegularSegment, rotated};
+use super::segment::{LawAt, SlidePoint};
 use super::series::{
-    CONVERGENCE, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern,
-    reach, scaled, sum_of_sizes, value,
+    CONVERGENCE, Low, Polynomials, Series, SignPattern, bernstein, from_both_sides, least, reach,
+    scaled, sign_pattern, sum_of_sizes, value,
 };
-use super::step::{Step, rotated};
 
 /// The number of coarsest tiles in a turn.
-pub(super) const TILES: usize = 16;
+pub(super) const INTERVALS: usize = 16;
 
 /// How often a tile may be halved where its series do not reach over it, or u changes too much on
 /// it.
 pub(super) const HALVINGS: usize = 5;
 
 /// The finest tiles of a turn. Angles at which tiles begin are counted in these.
-const EDGES: usize = TILES << HALVINGS;
+const EDGE_COUNT: usize = INTERVALS << HALVINGS;
 
 /// A step in a cell is not shorter, in t.
 const MIN_STEP: f64 = 1e-9;
 
 /// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
 #[derive(Clone, Debug)]
-pub(super) struct Cell {
+pub(super) struct SlideTable {
     /// sin ϑ and cos ϑ at the centre.
     direction: (f64, f64),
     /// z at the end: twice as far from the centre as the tile, or as far as the series reach.
@@ -64,15 +64,15 @@ pub(super) struct Cell {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Tile {
+pub(super) struct AngleInterval {
     pub(super) halvings: usize,
-    /// Of TILES · 2^halvings, from the top.
+    /// Of INTERVALS · 2^halvings, from the top.
     number: usize,
 }
 
-impl Tile {
+impl AngleInterval {
     const fn count(self) -> usize {
-        TILES << self.halvings
+        INTERVALS << self.halvings
     }
 
     pub(super) fn angle(self) -> f64 {
@@ -92,7 +92,7 @@ impl Tile {
 
     /// The edge at its end.
     pub(super) const fn exit(self) -> usize {
-        ((self.number + 1) << (HALVINGS - self.halvings)) % EDGES
+        ((self.number + 1) << (HALVINGS - self.halvings)) % EDGE_COUNT
     }
 
     /// The tile whose centre is the next ahead of an angle, and the one before.
@@ -107,26 +107,31 @@ impl Tile {
 }
 
 /// The angle of an edge, next to another angle.
-pub(super) fn edge_near(edge: usize, theta: f64) -> f64 {
-    let angle = edge as f64 * (TAU / EDGES as f64);
+pub(super) fn edge_angle_near(edge: usize, theta: f64) -> f64 {
+    let angle = edge as f64 * (TAU / EDGE_COUNT as f64);
     angle + TAU * ((theta - angle) / TAU + 0.5).floor()
 }
 
-type Kept = [OnceLock<Option<Box<Cell>>>];
+type Kept = [OnceLock<Option<Box<SlideTable>>>];
 
 /// The cells of one hoop, made where slides come, and the same whichever slide that is.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct Cells([[OnceLock<Box<Kept>>; HALVINGS + 1]; 4]);
+pub(in crate::engine) struct SlideTables([[OnceLock<Box<Kept>>; HALVINGS + 1]; 4]);
 
-impl Cells {
+impl SlideTables {
     /// The cell of a tile for the direction `sigma` of slip in the frame of motion, if there is
     /// one. On a slope the mirrored frame has its own.
-    pub(super) fn get(&self, law: &SlidingLaw, sigma: f64, tile: Tile) -> Option<&Cell> {
+    pub(super) fn get(
+        &self,
+        law: &SlidingLaw,
+        sigma: f64,
+        tile: AngleInterval,
+    ) -> Option<&SlideTable> {
         let which = usize::from(sigma > 0.0) + 2 * usize::from(law.body.tilt > 0.0);
         let cells = &self.0[which][tile.halvings];
         let cells = cells.get_or_init(|| (0..tile.count()).map(|_| OnceLock::new()).collect());
         cells[tile.number]
-            .get_or_init(|| Cell::new(law, sigma, tile).map(Box::new))
+            .get_or_init(|| SlideTable::new(law, sigma, tile).map(Box::new))
             .as_deref()
     }
 
@@ -137,9 +142,9 @@ impl Cells {
         (law, sigma): (&SlidingLaw, f64),
         (edge, halvings): (usize, usize),
         u: f64,
-    ) -> Option<(Tile, &Cell, f64, f64)> {
+    ) -> Option<(AngleInterval, &SlideTable, f64, f64)> {
         (halvings..=HALVINGS).find_map(|halvings| {
-            let tile = Tile::at(edge, halvings)?;
+            let tile = AngleInterval::at(edge, halvings)?;
             let cell = self.get(law, sigma, tile)?;
             let (level, end) = cell.crossing(u)?;
             Some((tile, cell, level, end))
@@ -161,10 +166,10 @@ fn degree_of(series: [&Series; 2], t: f64) -> usize {
     degrees[0].max(degrees[1]).next_multiple_of(2)
 }
 
-impl Cell {
+impl SlideTable {
     /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not
     /// known to be positive, and where the series do not reach over the tile.
-    fn new(law: &SlidingLaw, sigma: f64, tile: Tile) -> Option<Self> {
+    fn new(law: &SlidingLaw, sigma: f64, tile: AngleInterval) -> Option<Self> {
         let angle = tile.angle();
         let direction = sincos((tile.number as f64 + 0.5) * angle);
         let polynomials = Polynomials::new(law, sigma, direction);
@@ -188,7 +193,7 @@ impl Cell {
         let end = half / width;
         let degrees = (degree_of([&p, &h], 1.0), degree_of([&p, &h], end));
         let [entry, exit] = [at(-end), at(end)];
-        let far = Step::far(-end, end);
+        let far = RegularSegment::far(-end, end);
         let [p_terms, h_terms] = [&p, &h].map(|series| far * sum_of_sizes(&series[1..], far));
         let nodes = NODE.map(|node| at(end * node));
         let weight = |j: usize| {
@@ -230,7 +235,8 @@ impl Cell {
     /// where u is not known to stay away from zero.
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
-        let is_clear = self.terms.0 + level * self.terms.1 <= Step::MAX_TERMS * level;
+        let is_clear =
+            self.terms.0 + level * self.terms.1 <= RegularSegment::MAX_TERM_RATIO * level;
         (level > 0.0 && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
     }
 
@@ -252,11 +258,11 @@ impl Cell {
     /// beginning.
     pub(super) fn whole_step(
         &self,
-        here: &Waypoint,
+        here: &SlidePoint,
         level: f64,
         time: f64,
-    ) -> Option<(Waypoint, Step)> {
-        let place = Waypoint {
+    ) -> Option<(SlidePoint, RegularSegment)> {
+        let place = SlidePoint {
             z: -self.end,
             ..*here
         };
@@ -274,7 +280,7 @@ impl Cell {
     /// The step of a slide with this direction and u to the end of the tile, or half as far, and
     /// its place there. None at other places, where u is not known to stay away from zero, and
     /// where η″ may change its sign twice.
-    pub(super) fn step(&self, here: &Waypoint) -> Option<(Waypoint, Step)> {
+    pub(super) fn step(&self, here: &SlidePoint) -> Option<(SlidePoint, RegularSegment)> {
         let z = self.place(here.direction);
         if !(z >= -1.0 && z < self.end - MIN_STEP) {
             return None;
@@ -288,15 +294,15 @@ impl Cell {
         let level = (here.u - at_place(&self.p)) / at_place(&self.h);
         let slope = self.p[1] + level * self.h[1];
         // What fails mostly does so by the slope.
-        let nearly_even = |end: &f64| Step::is_nearly_even(level, slope, (z, *end));
+        let nearly_even = |end: &f64| RegularSegment::is_nearly_even(level, slope, (z, *end));
         let u: Series = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
-        let clear = |end: &f64| Step::is_clear(&u[..=degree], (z, *end));
+        let clear = |end: &f64| RegularSegment::is_clear(&u[..=degree], (z, *end));
         let end = [self.end, 0.5 * (z + self.end)]
             .into_iter()
             .filter(nearly_even)
             .find(clear)?;
         Some((
-            Waypoint { z, ..*here },
+            SlidePoint { z, ..*here },
             self.step_at((level, u), degree, (end, None))?,
         ))
     }
@@ -311,9 +317,9 @@ impl Cell {
     }
 
     /// The signs of σ η″ of a slide on the cell, and the largest |η″| where its sign is not known.
-    pub(super) fn signs(&self, level: f64) -> (Signs, f64) {
+    pub(super) fn signs(&self, level: f64) -> (SignPattern, f64) {
         let (coefficients, band) = self.coefficients(level);
-        (pattern(&coefficients, band), 2.0 * band / self.least)
+        (sign_pattern(&coefficients, band), 2.0 * band / self.least)
     }
 
     /// A lower bound of σ η″ of a slide on the cell, at most zero.
@@ -327,10 +333,10 @@ impl Cell {
         (level, u): (f64, Series),
         degree: usize,
         (end, known): (f64, Option<(f64, f64)>),
-    ) -> Option<Step> {
+    ) -> Option<RegularSegment> {
         let (signs, doubt) = self.signs(level);
         let is_whole = end == self.end;
-        (signs != Signs::Unknown).then(|| Step {
+        (signs != SignPattern::Unknown).then(|| RegularSegment {
             width: self.width,
             u,
             degree,
@@ -350,7 +356,7 @@ mod tests {
     use crate::model::{Body, Direction, Hoop, HoopParameters};
 
     /// All cells of a hoop whose tiles are halved so often, with their laws and signs.
-    fn cells(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, Tile, Cell)> {
+    fn cells(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, AngleInterval, SlideTable)> {
         let Body::Heavy(body) = hoop.body() else {
             unreachable!("it has mass")
         };
@@ -362,9 +368,11 @@ mod tests {
         });
         laws.into_iter()
             .flat_map(|(law, sigma)| {
-                (0..TILES << halvings)
-                    .map(move |number| Tile { halvings, number })
-                    .filter_map(move |tile| Some((law, sigma, tile, Cell::new(&law, sigma, tile)?)))
+                (0..INTERVALS << halvings)
+                    .map(move |number| AngleInterval { halvings, number })
+                    .filter_map(move |tile| {
+                        Some((law, sigma, tile, SlideTable::new(&law, sigma, tile)?))
+                    })
             })
             .collect()
     }
@@ -410,18 +418,21 @@ mod tests {
     #[test]
     fn angles_lie_between_the_centres_about_them() {
         for halvings in 0..=HALVINGS {
-            let tile = |number| Tile { halvings, number };
-            let count = TILES << halvings;
+            let tile = |number| AngleInterval { halvings, number };
+            let count = INTERVALS << halvings;
             for turns in [-3.0, 0.0, 7.0] {
                 for number in 0..count {
                     let theta = TAU * (turns + (number as f64 + 0.8) / count as f64);
                     assert_eq!(
-                        Tile::about(theta, halvings),
+                        AngleInterval::about(theta, halvings),
                         [tile((number + 1) % count), tile(number)]
                     );
                 }
             }
-            assert_eq!(Tile::about(0.0, halvings), [tile(0), tile(count - 1)]);
+            assert_eq!(
+                AngleInterval::about(0.0, halvings),
+                [tile(0), tile(count - 1)]
+            );
         }
     }
 

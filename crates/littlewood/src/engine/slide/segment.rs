@@ -1,6 +1,6 @@
 //! A piece of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
-use crate::engine::doubt::Doubt;
+use crate::engine::fallback::Fallback;
 use crate::math::bracket::{Bracket, Step, last_digit};
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
@@ -41,10 +41,10 @@ const MINIMUM_TOLERANCE: f64 = 1e-7;
 pub(super) const SIGN_TOLERANCE: f64 = 1e-9;
 
 /// Where η″ vanishes at an end of a way its sign is told so far inside, as a part of the way.
-const INSET: f64 = 1e-6;
+const ENDPOINT_OFFSET: f64 = 1e-6;
 
 /// A part of a slide on which u is known as a function of a coordinate z, which grows with time.
-pub(super) trait Piece {
+pub(super) trait SlideSegment {
     fn u(&self, z: f64) -> f64;
     /// θ′ at z, from u there.
     fn rate(&self, z: f64, u: f64) -> f64;
@@ -87,7 +87,7 @@ impl LawAt {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Waypoint {
+pub(in crate::engine) struct SlidePoint {
     pub(in crate::engine) z: f64,
     pub(in crate::engine) u: f64,
     pub(in crate::engine) elapsed: f64,
@@ -99,12 +99,12 @@ pub(in crate::engine) struct Waypoint {
 }
 
 /// The size of the terms of η′ where u is this, in the first integral with this constant.
-pub(super) fn size_of_slip(u: f64, integral: f64) -> f64 {
+pub(super) fn slip_scale(u: f64, integral: f64) -> f64 {
     1.0 + u.sqrt() + integral.abs()
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Way<'a, P> {
+pub(super) struct SegmentContext<'a, P> {
     pub(super) law: &'a SlidingLaw,
     pub(super) piece: &'a P,
     /// Sign of η′.
@@ -113,15 +113,15 @@ pub(super) struct Way<'a, P> {
     pub(super) integral: f64,
 }
 
-impl<P: Piece> Way<'_, P> {
+impl<P: SlideSegment> SegmentContext<'_, P> {
     /// The size of the terms of η′ at a waypoint, in the first integral.
-    pub(super) fn size_of_slip(&self, at: &Waypoint) -> f64 {
-        size_of_slip(at.u, self.integral)
+    pub(super) fn slip_scale(&self, at: &SlidePoint) -> f64 {
+        slip_scale(at.u, self.integral)
     }
 
     /// Everything at z, from the way since `here`.
     #[inline]
-    pub(super) fn at(&self, here: &Waypoint, z: f64) -> Waypoint {
+    pub(super) fn at(&self, here: &SlidePoint, z: f64) -> SlidePoint {
         self.waypoint(
             z,
             self.piece.u(z),
@@ -130,7 +130,7 @@ impl<P: Piece> Way<'_, P> {
     }
 
     /// The same a short step away; none if it is longer.
-    fn beside(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
+    fn beside(&self, here: &SlidePoint, z: f64) -> Option<SlidePoint> {
         let (middle, u) = (0.5 * (here.z + z), self.piece.u(z));
         let (first, last) = (
             self.piece.slowness(here.z, here.u),
@@ -147,9 +147,9 @@ impl<P: Piece> Way<'_, P> {
 
     /// Everything at z, where u and the time are known.
     #[inline]
-    pub(super) fn waypoint(&self, z: f64, u: f64, elapsed: f64) -> Waypoint {
+    pub(super) fn waypoint(&self, z: f64, u: f64, elapsed: f64) -> SlidePoint {
         let (there, rate) = (self.piece.law_at(self.law, z), self.piece.rate(z, u));
-        Waypoint {
+        SlidePoint {
             z,
             u,
             elapsed,
@@ -166,7 +166,7 @@ impl<P: Piece> Way<'_, P> {
     }
 
     /// Where w = 1 − h cos ϑ u falls through zero between `here` and `end`, where it is given.
-    pub(super) fn lift_off(&self, here: &Waypoint, (end, w_end): (f64, f64)) -> Waypoint {
+    pub(super) fn lift_off(&self, here: &SlidePoint, (end, w_end): (f64, f64)) -> SlidePoint {
         let h = self.law.body.h;
         let w_here = contact(1.0, h, here.direction.1 * here.u);
         let guess = here.z + (end - here.z) * w_here / (w_here - w_end);
@@ -191,14 +191,14 @@ impl<P: Piece> Way<'_, P> {
 
     /// Where η′ is least between two waypoints, between which η″ changes its sign at most once;
     /// none where it is so at one of them.
-    pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
+    pub(super) fn least(&self, here: &SlidePoint, there: &SlidePoint) -> Option<SlidePoint> {
         // Falls where η″ rises, as a bracket has it.
         let falling = |z: f64| -self.slip_acceleration(z);
-        let inside = |at: &Waypoint, other: &Waypoint| {
+        let inside = |at: &SlidePoint, other: &SlidePoint| {
             if at.slip_acceleration.abs() > SIGN_TOLERANCE * (1.0 + at.u) {
                 return (at.z, -at.slip_acceleration);
             }
-            let z = at.z + INSET * (other.z - at.z);
+            let z = at.z + ENDPOINT_OFFSET * (other.z - at.z);
             (z, falling(z))
         };
         let ((low, at_low), (high, at_high)) = (inside(here, there), inside(there, here));
@@ -236,7 +236,12 @@ impl<P: Piece> Way<'_, P> {
     }
 
     /// Where the slide is at a time between those of two waypoints.
-    pub(super) fn at_time(&self, here: &Waypoint, there: &Waypoint, elapsed: f64) -> Waypoint {
+    pub(super) fn at_time(
+        &self,
+        here: &SlidePoint,
+        there: &SlidePoint,
+        elapsed: f64,
+    ) -> SlidePoint {
         let (low, high) = (here.z, there.z);
         let guess = low + (elapsed - here.elapsed) / (there.elapsed - here.elapsed) * (high - low);
         let z = Bracket { low, high }.iterate(guess, |z| {
@@ -254,9 +259,13 @@ impl<P: Piece> Way<'_, P> {
 
     /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method
     /// with the exact time.
-    pub(super) fn rest(&self, here: &Waypoint, there: &Waypoint) -> Result<Waypoint, Doubt> {
+    pub(super) fn rest(
+        &self,
+        here: &SlidePoint,
+        there: &SlidePoint,
+    ) -> Result<SlidePoint, Fallback> {
         let span = there.z - here.z;
-        let slope = |at: &Waypoint| at.slip_acceleration * self.piece.slowness(at.z, at.u);
+        let slope = |at: &SlidePoint| at.slip_acceleration * self.piece.slowness(at.z, at.u);
         let part = cubic_root(
             here.slip,
             slope(here) * span,
@@ -287,9 +296,9 @@ impl<P: Piece> Way<'_, P> {
         let Heavy { mass, inertia, .. } = self.law.body;
         let amplified = (AMPLIFICATION_PART * (mass / inertia).sqrt()).max(1.0);
         if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * amplified * (1.0 + at.u.sqrt()) {
-            return Err(Doubt::SlowStop);
+            return Err(Fallback::SlowStop);
         }
-        Ok(Waypoint { slip: 0.0, ..at })
+        Ok(SlidePoint { slip: 0.0, ..at })
     }
 }
 

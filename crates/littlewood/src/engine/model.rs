@@ -5,15 +5,15 @@ use crate::mechanics::{RollingLaw, SlidingLaw};
 use crate::model::{Body, Direction, Heavy, Hoop};
 use crate::modes::rolling::margin_forms;
 
-use super::doubt::{Doubt, Tally};
+use super::fallback::{Fallback, FallbackCounts};
 use super::orbit::{Orbit, Reached};
-use super::place::Place;
-use super::roll::{self, Margins, Octants, RollEnd};
-use super::slide::{self, Cells, Frame, SlideEnd, Waypoint};
-use super::slope::{self, Ramp};
+use super::roll::{self, MarginTables, Margins, RollEnd};
+use super::slide::{self, MotionFrame, SlideEnd, SlidePoint, SlideTables};
+use super::slope::{self, SlopeTables};
+use super::state::EngineState;
 
 #[derive(Clone, Debug)]
-pub(super) struct Laws {
+pub(super) struct HoopModel {
     pub(super) body: Heavy,
     /// For σ = −1 and σ = +1, as they are and mirrored.
     sliding: [[SlidingLaw; 2]; 2],
@@ -22,14 +22,14 @@ pub(super) struct Laws {
     /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
     pub(super) is_solvable: bool,
     /// What has been computed of slides and of rolling, to be kept.
-    cells: Cells,
-    octants: Octants,
+    cells: SlideTables,
+    octants: MarginTables,
     /// Rolling to positive and to negative angles on a slope.
-    ramps: Option<Box<[Ramp; 2]>>,
-    pub(super) tally: Tally,
+    ramps: Option<Box<[SlopeTables; 2]>>,
+    pub(super) fallbacks: FallbackCounts,
 }
 
-impl Laws {
+impl HoopModel {
     /// None of a massless hoop.
     pub(super) fn new(hoop: &Hoop) -> Option<Self> {
         let Body::Heavy(body) = hoop.body() else {
@@ -43,11 +43,11 @@ impl Laws {
             rolling: RollingLaw::of(hoop),
             margins: margin_forms(hoop, 1.0)?,
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
-            cells: Cells::default(),
-            octants: Octants::default(),
+            cells: SlideTables::default(),
+            octants: MarginTables::default(),
             ramps: (hoop.slope() != 0.0)
-                .then(|| Box::new([1.0, -1.0].map(|travel| Ramp::new(hoop, travel)))),
-            tally: Tally::default(),
+                .then(|| Box::new([1.0, -1.0].map(|travel| SlopeTables::new(hoop, travel)))),
+            fallbacks: FallbackCounts::default(),
         })
     }
 
@@ -59,30 +59,30 @@ impl Laws {
     }
 
     /// The orbit of rolling through a place, in the direction of motion.
-    fn orbit(&self, place: &Place) -> Result<Orbit<'_>, Doubt> {
+    fn orbit(&self, place: &EngineState) -> Result<Orbit<'_>, Fallback> {
         let (state, travel) = (place.state, place.travel());
         Orbit::enter(
             &self.rolling,
             travel * state.theta,
             travel * state.theta_rate,
         )
-        .ok_or(Doubt::Separatrix)
+        .ok_or(Fallback::Separatrix)
     }
 
     /// The end of the rolling that begins at a place, in the direction of motion, on the limit of
     /// static friction or not; by what is kept, if the motion is long.
     pub(super) fn roll(
         &self,
-        place: &Place,
+        place: &EngineState,
         on_limit: bool,
         is_long: bool,
-    ) -> Result<RollEnd, Doubt> {
+    ) -> Result<RollEnd, Fallback> {
         if let Some(ramps) = &self.ramps {
             return slope::follow(ramps, place);
         }
         if place.state.theta_rate == 0.0 {
             // Gravity decides where it goes.
-            return Err(Doubt::Standstill);
+            return Err(Fallback::Standstill);
         }
         roll::follow(
             &self.orbit(place)?,
@@ -93,7 +93,7 @@ impl Laws {
     }
 
     /// Where rolling from a place, to a slip, is after a time.
-    pub(super) fn rolled(&self, place: &Place, time: f64) -> Option<Reached> {
+    pub(super) fn rolled(&self, place: &EngineState, time: f64) -> Option<Reached> {
         match &self.ramps {
             Some(ramps) => slope::after(ramps, place, time),
             None => self.orbit(place).ok()?.after(time),
@@ -110,26 +110,26 @@ impl Laws {
     /// `from_limit` where η′ = η″ = 0 at the start.
     pub(super) fn slide(
         &self,
-        place: &Place,
+        place: &EngineState,
         direction: Direction,
         from_limit: bool,
         allowed: f64,
         is_long: bool,
-    ) -> Result<SlideEnd, Doubt> {
+    ) -> Result<SlideEnd, Fallback> {
         let (state, sign) = (place.state, place.travel());
         let (sin, cos) = place.direction;
         let law = self.sliding(direction);
         let u = place.u();
         let (alpha, beta) = law.slip_acceleration(sin, cos);
         let sigma = direction.sign();
-        let frame = Frame {
+        let frame = MotionFrame {
             laws: &self.sliding,
             sign,
             theta: sign * state.theta,
             sigma: sign * sigma,
             integral: sign * (state.slip - state.theta_rate * law.lever(sin, cos)),
         };
-        let here = Waypoint {
+        let here = SlidePoint {
             z: 0.0,
             u,
             elapsed: 0.0,
