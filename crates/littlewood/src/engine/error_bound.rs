@@ -4,9 +4,7 @@
 //! A decision by a number that is nearer to zero than that may be another one in the simulation.
 //! Such a motion is simulated.
 
-use core::cell::Cell;
-
-use crate::math::trig::sincos;
+use crate::math::trig::{Angle, sincos};
 use crate::model::{Heavy, State};
 use crate::modes::Flight;
 
@@ -22,16 +20,22 @@ const PHASE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 const AMPLIFICATION_PART: f64 = 0.1;
 
 /// A state that is known to no more than this is lost: impacts and slides decide by numbers that
-/// are not looked at. Chosen: there is no bound on how near to zero these are.
-const MAX_DRIFT: f64 = 1e-4;
+/// are not compared with the error. That these are larger is an assumption, which the documentation
+/// of [`crate::Engine`] states.
+const MAX_ERROR: f64 = 1e-4;
 
 /// Beyond this angle phases are those of the simulation: whole turns of it are not taken off to the
 /// last digits.
 const MAX_ANGLE: f64 = 1e5;
 
-/// How far a motion has drifted from the simulation.
-#[derive(Clone, Debug)]
-pub(super) struct Drift {
+/// Whether phases from an angle are solved by the simulation.
+pub(super) const fn is_out_of_range(theta: f64) -> bool {
+    theta.abs() > MAX_ANGLE
+}
+
+/// How the errors of a hoop grow.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ErrorModel {
     h: f64,
     phase: f64,
     /// Where 1 − h cos θ θ′² is a smaller part of its terms, the rounding of N, times the
@@ -41,21 +45,186 @@ pub(super) struct Drift {
     impact: f64,
     /// |tan α|: by how much slip changes in flight, over time.
     pull: f64,
-    lost: Cell<Lost>,
-    is_told: Cell<bool>,
 }
 
-/// Bounds on the differences of a state from that of the simulation: zero where it is the same to
-/// the last bit.
-#[derive(Clone, Copy, Debug, Default)]
-struct Lost {
+/// Bounds on the difference of a state from that of the simulation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StateError {
     theta: f64,
     /// Of θ′ and η′, as a part of 1 + |θ′|.
     rate: f64,
     gap_rate: f64,
 }
 
-impl Drift {
+/// What is known of a motion's difference from the simulation.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum ErrorBound {
+    /// The state is equal to the last bit.
+    Exact,
+    Within(StateError),
+    /// A decision may have been another one, or the error is too large.
+    Lost,
+}
+
+/// A number by whose sign a motion is decided.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DecisiveNumber {
+    pub(super) value: f64,
+    /// The size of its terms.
+    pub(super) scale: f64,
+}
+
+impl StateError {
+    const NONE: Self = Self {
+        theta: 0.0,
+        rate: 0.0,
+        gap_rate: 0.0,
+    };
+}
+
+impl ErrorBound {
+    pub(super) const fn is_exact(&self) -> bool {
+        matches!(self, Self::Exact)
+    }
+
+    pub(super) const fn is_lost(&self) -> bool {
+        matches!(self, Self::Lost)
+    }
+
+    fn max(&self) -> f64 {
+        match self {
+            // A lost motion is discarded, whatever it decides.
+            Self::Exact | Self::Lost => 0.0,
+            Self::Within(error) => error.theta.max(error.rate),
+        }
+    }
+
+    /// Whether the sign of a number is certain. If it is not, and the state is not that of the
+    /// simulation, the motion is lost.
+    #[inline(always)]
+    pub(super) fn sign_is_certain(&mut self, number: DecisiveNumber) -> bool {
+        self.exceeds(number, SIGN_ROUNDING * number.scale)
+    }
+
+    /// The same with a bound on the rounding of the number.
+    #[inline(always)]
+    fn exceeds(&mut self, number: DecisiveNumber, rounding: f64) -> bool {
+        let error = self.max();
+        let is_certain = number.value.abs() > rounding + 2.0 * error * number.scale;
+        if !is_certain && error > 0.0 {
+            *self = Self::Lost;
+        }
+        is_certain
+    }
+
+    /// Whether 1 − h cos θ θ′² is far enough from zero to compare forces.
+    #[inline(always)]
+    pub(super) fn resolves_forces(
+        &mut self,
+        model: &ErrorModel,
+        contact_margin: DecisiveNumber,
+    ) -> bool {
+        self.exceeds(contact_margin, model.contact * contact_margin.scale)
+    }
+
+    /// Adds the error of one phase in contact, or several, that lead to an angle. Friction makes
+    /// motions in contact forget, and amplifies nothing.
+    #[inline(always)]
+    pub(super) fn add_phase(&mut self, model: &ErrorModel, theta: f64) {
+        if self.is_lost() {
+            return;
+        }
+        let error = self.max().max(model.phase + f64::EPSILON * theta.abs());
+        *self = Self::Within(StateError {
+            theta: error,
+            rate: error,
+            gap_rate: 0.0,
+        });
+    }
+
+    /// Adds the error of a flight and of the impact behind it: how its end moves with the angle and
+    /// the rates of its start.
+    pub(super) fn add_flight(
+        &mut self,
+        model: &ErrorModel,
+        flight: &Flight,
+        start: &State,
+        angle: Angle,
+        restitution: f64,
+    ) {
+        let error = match self {
+            Self::Lost => return,
+            Self::Exact => StateError::NONE,
+            Self::Within(error) => *error,
+        };
+        let ErrorModel { h, .. } = *model;
+        let Angle { sin, cos } = angle;
+        let (time, turns) = (flight.duration(), start.theta_rate);
+        let (end_sin, end_cos) = sincos(flight.state(time).theta);
+        let closes = flight.landing_rate();
+        let scale = 1.0 + turns.abs();
+        let (risen, falls) = (h * (end_sin - sin), h * end_cos * (turns * turns) - 1.0);
+        // What the gap, its rate, and the angle at a time change by, with the angle, the rate, and
+        // the rate of the gap at the start.
+        let changes = [
+            Change {
+                error: error.theta,
+                gap: risen - h * cos * turns * time,
+                gap_rate: h * turns * (end_cos - cos),
+                angle: 1.0,
+            },
+            Change {
+                error: error.rate * scale,
+                gap: risen * time,
+                gap_rate: risen + h * end_cos * turns * time,
+                angle: time,
+            },
+            Change {
+                error: error.gap_rate,
+                gap: time,
+                gap_rate: 1.0,
+                angle: 0.0,
+            },
+        ];
+        // The gap closes later by −gap/closing rate; angle and rate change until then.
+        let (mut turned, mut closing, mut late) = (0.0, 0.0, 0.0);
+        for change in changes {
+            let later = -change.gap / closes;
+            turned += change.error * (change.angle + turns * later).abs();
+            closing += change.error * (change.gap_rate + falls * later).abs();
+            late += change.error * later.abs();
+        }
+        let rounding = model.phase + f64::EPSILON * flight.state(time).theta.abs();
+        let error = StateError {
+            theta: turned + rounding,
+            // Impulses are as large as the closing rate, or as the slip that they stop, and change
+            // with the angle by as much.
+            rate: error.rate
+                + (model.impact * (closing + (closes.abs() + start.slip.abs()) * turned)
+                    + model.pull * late)
+                    / scale
+                + rounding,
+            gap_rate: restitution * closing + closes.abs() * turned + rounding * scale,
+        };
+        // NaN is lost, too.
+        let is_within = error.theta < MAX_ERROR && error.rate < MAX_ERROR;
+        *self = if is_within {
+            Self::Within(error)
+        } else {
+            Self::Lost
+        };
+    }
+}
+
+/// What the end of a flight changes by with a number of its start that has this error.
+struct Change {
+    error: f64,
+    gap: f64,
+    gap_rate: f64,
+    angle: f64,
+}
+
+impl ErrorModel {
     pub(super) fn new(body: &Heavy, mu_s: f64) -> Self {
         let amplification = (body.mass / body.inertia).sqrt();
         let phase = PHASE_ROUNDING * (AMPLIFICATION_PART * amplification).max(1.0);
@@ -65,126 +234,6 @@ impl Drift {
             contact: phase * (1.0 + mu_s),
             impact: 1.0 + amplification,
             pull: body.tilt.abs(),
-            lost: Cell::default(),
-            is_told: Cell::new(false),
-        }
-    }
-
-    /// Whether a decision may be another one.
-    pub(super) const fn is_told(&self) -> bool {
-        self.is_told.get()
-    }
-
-    fn largest(&self) -> f64 {
-        let Lost { theta, rate, .. } = self.lost.get();
-        theta.max(rate)
-    }
-
-    /// Whether the state is that of the simulation to the last bit.
-    pub(super) fn is_none(&self) -> bool {
-        self.largest() == 0.0
-    }
-
-    /// Whether the phase from an angle is solved as in the simulation.
-    pub(super) const fn is_far(&self, theta: f64) -> bool {
-        theta.abs() > MAX_ANGLE
-    }
-
-    /// Whether 1 − h cos θ θ′², with terms of this size, is far enough from zero to compare forces.
-    #[inline(always)]
-    pub(super) fn is_known(&self, number: f64, size: f64) -> bool {
-        self.exceeds(number, self.contact * size, size)
-    }
-
-    /// Whether the sign of a number with terms of this size is known.
-    #[inline(always)]
-    pub(super) fn is_clear(&self, number: f64, size: f64) -> bool {
-        self.exceeds(number, SIGN_ROUNDING * size, size)
-    }
-
-    /// Whether a number with terms of this size is larger than a bound and what is lost.
-    #[inline(always)]
-    fn exceeds(&self, number: f64, bound: f64, size: f64) -> bool {
-        let lost = self.largest();
-        let is_clear = number.abs() > bound + 2.0 * lost * size;
-        if !is_clear && lost > 0.0 {
-            self.is_told.set(true);
-        }
-        is_clear
-    }
-
-    /// Takes note of a phase in contact, or several, that lead to an angle. Friction makes motions
-    /// in contact forget, and amplifies nothing.
-    #[inline(always)]
-    pub(super) fn add_phase(&self, theta: f64) {
-        let lost = self.largest().max(self.phase + f64::EPSILON * theta.abs());
-        self.lost.set(Lost {
-            theta: lost,
-            rate: lost,
-            gap_rate: 0.0,
-        });
-    }
-
-    /// Takes note of a flight and of the impact behind it: how its end moves with the angle and the
-    /// rates of its start.
-    pub(super) fn add_flight(
-        &self,
-        flight: &Flight,
-        start: &State,
-        (sin, cos): (f64, f64),
-        coefficient: f64,
-    ) {
-        let Lost {
-            theta,
-            rate,
-            gap_rate,
-        } = self.lost.get();
-        let (h, time, turns) = (self.h, flight.duration(), start.theta_rate);
-        let (end_sin, end_cos) = sincos(flight.state(time).theta);
-        let closes = flight.landing_rate();
-        let scale = 1.0 + turns.abs();
-        let (risen, falls) = (h * (end_sin - sin), h * end_cos * (turns * turns) - 1.0);
-        // What the gap, its rate, and the angle at a time change by, with the angle, the rate, and
-        // the rate of the gap at the start.
-        let changes = [
-            (
-                theta,
-                [
-                    risen - h * cos * turns * time,
-                    h * turns * (end_cos - cos),
-                    1.0,
-                ],
-            ),
-            (
-                rate * scale,
-                [risen * time, risen + h * end_cos * turns * time, time],
-            ),
-            (gap_rate, [time, 1.0, 0.0]),
-        ];
-        let (mut turned, mut closing, mut late) = (0.0, 0.0, 0.0);
-        for (lost, [gap, rate, angle]) in changes {
-            let later = -gap / closes;
-            turned += lost * (angle + turns * later).abs();
-            closing += lost * (rate + falls * later).abs();
-            late += lost * later.abs();
-        }
-        let rounding = self.phase + f64::EPSILON * flight.state(time).theta.abs();
-        let lost = Lost {
-            theta: turned + rounding,
-            // Impulses are as large as the closing rate, or as the slip that they stop, and change
-            // with the angle by as much.
-            rate: rate
-                + (self.impact * (closing + (closes.abs() + start.slip.abs()) * turned)
-                    + self.pull * late)
-                    / scale
-                + rounding,
-            gap_rate: coefficient * closing + closes.abs() * turned + rounding * scale,
-        };
-        self.lost.set(lost);
-        // No number is not known either.
-        let is_known = lost.theta < MAX_DRIFT && lost.rate < MAX_DRIFT;
-        if !is_known {
-            self.is_told.set(true);
         }
     }
 }

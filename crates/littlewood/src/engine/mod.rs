@@ -61,6 +61,15 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 /// [`Hoop::simulate`]. Times, states and energies may differ from it in their last digits, and so
 /// between an engine for many starts and one for few.
 ///
+/// This rests on an assumption about rounding. Each decision is the sign of a computed number. The
+/// engine simulates a motion whenever such a number is closer to zero than a bound on its rounding,
+/// and these bounds are derived from the sizes of its terms, but for two: a slide that passes
+/// within 10⁻⁹ of the end of contact or slip, relative to the terms, is solved by the simulation;
+/// and after landings the numbers that decide an impact are taken to be larger than the accumulated
+/// error of the state, which is at most 10⁻⁴. The tests compare hundreds of thousands of motions
+/// with their simulations; no proof excludes a motion that violates this.
+/// [`EngineBuilder::interpolate_slips`] promises less.
+///
 /// ```
 /// use littlewood::{Engine, Hoop, Limits, Start};
 ///
@@ -78,8 +87,8 @@ pub struct Engine {
     model: Option<HoopModel>,
     /// For all directions of motion, or on a slope for each; none where slips are followed one by
     /// one.
-    chains: Option<Vec<SlipMaps>>,
-    /// Whether what is kept is used from the first phase of a motion on.
+    slip_maps: Option<Vec<SlipMaps>>,
+    /// Whether tables are used from the first phase of a motion on.
     is_prepared: bool,
     contact: ContactProof,
 }
@@ -89,14 +98,19 @@ impl Engine {
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let engine = Self::for_few_starts(hoop);
-        // Without kinetic friction slides come back to the limit of static friction exactly, which
-        // the walk alone knows.
-        let model = engine.model.as_ref().filter(|_| hoop.mu_k() > 0.0);
-        let chains = model.map(|model| SlipMaps::new(hoop, model));
         Self {
             is_prepared: engine.model.is_some(),
-            chains,
             ..engine
+        }
+    }
+
+    fn with_slip_maps(self) -> Self {
+        // Without kinetic friction slides come back to the limit of static friction exactly, which
+        // the walk decides by symmetry.
+        let model = self.model.as_ref().filter(|_| self.hoop.mu_k() > 0.0);
+        Self {
+            slip_maps: model.map(|model| SlipMaps::new(&self.hoop, model)),
+            ..self
         }
     }
 
@@ -118,7 +132,7 @@ impl Engine {
         Self {
             hoop: *hoop,
             model: HoopModel::new(hoop).filter(|model| is_computed(model.body)),
-            chains: None,
+            slip_maps: None,
             is_prepared: false,
             contact: ContactProof::default(),
         }
@@ -134,10 +148,9 @@ impl Engine {
         self.is_prepared
     }
 
-    /// Whether chains of slips out of rolling are passed at once, thousands of them in the time of
-    /// some twenty phases.
-    pub const fn passes_chains(&self) -> bool {
-        self.chains.is_some()
+    /// Whether chains of slips are interpolated ([`EngineBuilder::interpolate_slips`]).
+    pub const fn interpolates_slips(&self) -> bool {
+        self.slip_maps.is_some()
     }
 
     /// Whether motions are those of [`Hoop::simulate`] to the last bit.
@@ -182,27 +195,32 @@ impl Engine {
         (state, limits): ((State, f64), Limits),
         empty: SummaryRecorder<'_>,
     ) -> Summary {
-        let chains = self.chains.as_deref();
-        let chains =
-            chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(&self.hoop, model, &limits).with_chains(chains);
+        let slip_maps = self.slip_maps.as_deref();
+        let slip_maps = slip_maps
+            .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
+        let solver = FastSolver::new(&self.hoop, model, &limits).with_slip_maps(slip_maps);
         let solver = if self.is_prepared {
             solver
         } else {
             solver.for_few_starts()
         };
         let mut recorder = empty;
-        let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
-        if solver.has_drifted() {
+        let end = walk(
+            &solver,
+            state,
+            (&limits, self.known(slip_maps)),
+            &mut recorder,
+        );
+        if solver.is_lost() {
             model.fallbacks.add(Fallback::Drift);
             return self.exact_summary((state, limits), empty);
         }
         recorder.finish(end.kind, end.state)
     }
 
-    fn known<'a>(&'a self, chains: Option<&'a [SlipMaps]>) -> Known<'a> {
+    fn known<'a>(&'a self, slip_maps: Option<&'a [SlipMaps]>) -> Known<'a> {
         Known {
-            levels: chains.and_then(|chains| chains.first()?.levels()),
+            levels: slip_maps.and_then(|maps| maps.first()?.levels()),
             contact: Some(&self.contact),
         }
     }
@@ -218,8 +236,12 @@ mod tests {
     /// How many transitions are passed at once from the last slip of the motion from a start that
     /// is simulated for so many.
     fn passed_from(hoop: &Hoop, start: Start, transitions: usize) -> usize {
-        let engine = Engine::new(hoop);
-        let (model, chains) = engine.model.as_ref().zip(engine.chains.as_deref()).unwrap();
+        let engine = Engine::builder(hoop).interpolate_slips().build();
+        let (model, maps) = engine
+            .model
+            .as_ref()
+            .zip(engine.slip_maps.as_deref())
+            .unwrap();
         let motion = hoop
             .simulate(start, Limits::default().with_transitions(transitions))
             .unwrap();
@@ -228,7 +250,7 @@ mod tests {
             .iter()
             .rfind(|one| one.cause == Cause::Slip)
             .unwrap();
-        let solver = FastSolver::new(hoop, model, &Limits::default()).with_chains(Some(chains));
+        let solver = FastSolver::new(hoop, model, &Limits::default()).with_slip_maps(Some(maps));
         let room = ChainBudget {
             transitions: 5_000,
             slides: f64::INFINITY,

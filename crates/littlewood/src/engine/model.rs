@@ -1,14 +1,14 @@
-//! The equations of one hoop, and its phases from them.
+//! The equations and tables of one hoop, and its phases from them.
 
 use crate::mechanics::solvability::is_solvable;
 use crate::mechanics::{RollingLaw, SlidingLaw};
 use crate::model::{Body, Direction, Heavy, Hoop};
-use crate::modes::rolling::margin_forms;
+use crate::modes::rolling::HalfAngleOrbit;
 
 use super::fallback::{Fallback, FallbackCounts};
-use super::orbit::{Orbit, Reached};
-use super::roll::{self, MarginTables, Margins, RollEnd};
-use super::slide::{self, MotionFrame, SlideEnd, SlidePoint, SlideTables};
+use super::orbit::OrbitPoint;
+use super::roll::{self, MarginTables, Margins, RollEnd, margins_of};
+use super::slide::{MotionFrame, SlideEnd, SlidePoint, SlideProblem, SlideTables, solve_slide};
 use super::slope::{self, SlopeTables};
 use super::state::EngineState;
 
@@ -21,12 +21,20 @@ pub(super) struct HoopModel {
     pub(super) margins: Margins,
     /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
     pub(super) is_solvable: bool,
-    /// What has been computed of slides and of rolling, to be kept.
-    cells: SlideTables,
-    octants: MarginTables,
+    slide_tables: SlideTables,
+    margin_tables: MarginTables,
     /// Rolling to positive and to negative angles on a slope.
-    ramps: Option<Box<[SlopeTables; 2]>>,
+    slope_tables: Option<Box<[SlopeTables; 2]>>,
     pub(super) fallbacks: FallbackCounts,
+}
+
+/// How a slide begins, and for how long it is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlideStart {
+    pub(super) slip: Direction,
+    /// Whether η′ = η″ = 0.
+    pub(super) from_limit: bool,
+    pub(super) time_left: f64,
 }
 
 impl HoopModel {
@@ -41,12 +49,12 @@ impl HoopModel {
                 Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction))
             }),
             rolling: RollingLaw::of(hoop),
-            margins: margin_forms(hoop, 1.0)?,
+            margins: margins_of(hoop, 1.0)?,
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
-            cells: SlideTables::default(),
-            octants: MarginTables::default(),
-            ramps: (hoop.slope() != 0.0)
-                .then(|| Box::new([1.0, -1.0].map(|travel| SlopeTables::new(hoop, travel)))),
+            slide_tables: SlideTables::default(),
+            margin_tables: MarginTables::default(),
+            slope_tables: (hoop.slope() != 0.0)
+                .then(|| Box::new([1.0, -1.0].map(|heading| SlopeTables::new(hoop, heading)))),
             fallbacks: FallbackCounts::default(),
         })
     }
@@ -58,95 +66,90 @@ impl HoopModel {
         }
     }
 
-    /// The orbit of rolling through a place, in the direction of motion.
-    fn orbit(&self, place: &EngineState) -> Result<Orbit<'_>, Fallback> {
-        let (state, travel) = (place.state, place.travel());
-        Orbit::enter(
+    /// The orbit of rolling through a state, in the direction of motion.
+    fn orbit(&self, start: &EngineState) -> Result<HalfAngleOrbit, Fallback> {
+        let (state, heading) = (start.state, start.heading());
+        HalfAngleOrbit::enter(
             &self.rolling,
-            travel * state.theta,
-            travel * state.theta_rate,
+            heading * state.theta,
+            heading * state.theta_rate,
         )
         .ok_or(Fallback::Separatrix)
     }
 
-    /// The end of the rolling that begins at a place, in the direction of motion, on the limit of
-    /// static friction or not; by what is kept, if the motion is long.
+    /// The end of the rolling that begins at a state, in the direction of motion, on the limit of
+    /// static friction or not.
     pub(super) fn roll(
         &self,
-        place: &EngineState,
+        start: &EngineState,
         on_limit: bool,
-        is_long: bool,
+        uses_tables: bool,
     ) -> Result<RollEnd, Fallback> {
-        if let Some(ramps) = &self.ramps {
-            return slope::follow(ramps, place);
+        if let Some(tables) = &self.slope_tables {
+            return slope::solve_roll(tables, start);
         }
-        if place.state.theta_rate == 0.0 {
+        if start.state.theta_rate == 0.0 {
             // Gravity decides where it goes.
             return Err(Fallback::Standstill);
         }
-        roll::follow(
-            &self.orbit(place)?,
+        roll::solve_roll(
+            &self.orbit(start)?,
             &self.margins,
             on_limit,
-            is_long.then_some(&self.octants),
+            uses_tables.then_some(&self.margin_tables),
         )
     }
 
-    /// Where rolling from a place, to a slip, is after a time.
-    pub(super) fn rolled(&self, place: &EngineState, time: f64) -> Option<Reached> {
-        match &self.ramps {
-            Some(ramps) => slope::after(ramps, place, time),
-            None => self.orbit(place).ok()?.after(time),
+    /// Where rolling from a state, before its slip, is after a time.
+    pub(super) fn rolled(&self, start: &EngineState, time: f64) -> Option<OrbitPoint> {
+        match &self.slope_tables {
+            Some(tables) => slope::after(tables, start, time),
+            None => self.orbit(start).ok()?.after(time),
         }
     }
 
-    /// Whether rolling is left to the simulation: on a slope what is kept is not worth making for
-    /// few phases.
-    pub(super) const fn leaves_rolling(&self, is_long: bool) -> bool {
-        self.ramps.is_some() && !is_long
+    /// Whether rolling is left to the simulation: on a slope tables are not worth making for few
+    /// phases.
+    pub(super) const fn leaves_rolling(&self, uses_tables: bool) -> bool {
+        self.slope_tables.is_some() && !uses_tables
     }
 
-    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`;
-    /// `from_limit` where η′ = η″ = 0 at the start.
+    /// The end of the slide that begins at a state, or where it is at the time limit.
     pub(super) fn slide(
         &self,
-        place: &EngineState,
-        direction: Direction,
-        from_limit: bool,
-        allowed: f64,
-        is_long: bool,
+        start: &EngineState,
+        slide: SlideStart,
+        uses_tables: bool,
     ) -> Result<SlideEnd, Fallback> {
-        let (state, sign) = (place.state, place.travel());
-        let (sin, cos) = place.direction;
-        let law = self.sliding(direction);
-        let u = place.u();
-        let (alpha, beta) = law.slip_acceleration(sin, cos);
-        let sigma = direction.sign();
-        let frame = MotionFrame {
-            laws: &self.sliding,
-            sign,
-            theta: sign * state.theta,
-            sigma: sign * sigma,
-            integral: sign * (state.slip - state.theta_rate * law.lever(sin, cos)),
-        };
-        let here = SlidePoint {
-            z: 0.0,
-            u,
-            elapsed: 0.0,
-            slip: sigma * state.slip,
-            slip_acceleration: if from_limit {
-                0.0
-            } else {
-                sigma * (alpha + beta * u)
+        let (state, angle, mirror) = (start.state, start.angle, start.heading());
+        let law = self.sliding(slide.slip);
+        let u = start.u();
+        let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
+        let sigma = slide.slip.sign();
+        let slip_coefficient = law.lever(angle.sin, angle.cos);
+        solve_slide(SlideProblem {
+            frame: MotionFrame {
+                laws: &self.sliding,
+                mirror,
+                theta: mirror * state.theta,
+                sigma: mirror * sigma,
+                integral: mirror * (state.slip - state.theta_rate * slip_coefficient),
             },
-            direction: (sign * sin, cos),
-        };
-        slide::follow(
-            frame,
-            here,
-            from_limit,
-            allowed,
-            is_long.then_some(&self.cells),
-        )
+            start: SlidePoint {
+                z: 0.0,
+                u,
+                elapsed: 0.0,
+                slip: sigma * state.slip,
+                slip_acceleration: if slide.from_limit {
+                    0.0
+                } else {
+                    sigma * (alpha + beta * u)
+                },
+                angle: angle.mirrored_by(mirror),
+            },
+            from_limit: slide.from_limit,
+            time_left: slide.time_left,
+            tables: uses_tables.then_some(&self.slide_tables),
+        })
     }
 }

@@ -12,12 +12,11 @@ mod value;
 
 use crate::model::{Direction, Heavy, Hoop, State};
 use crate::modes::Levels;
-use crate::modes::rolling::margin_forms;
 use crate::walk::PhaseSequence;
 
 use super::interpolant::Basis;
 use super::model::HoopModel;
-use super::roll::Margins;
+use super::roll::{Margins, margins_of};
 use curve::{CurvePoint, Curves};
 use tree::{FitContext, FittedMap, Tree};
 
@@ -27,7 +26,7 @@ pub(super) use value::SlipMapValue;
 /// Powers of two: most limits of transitions are below 2^14.
 const LEVELS: usize = 14;
 
-/// Successes on a level after which a higher one is tried that has failed.
+/// Successes on a exponent after which a higher one is tried that has failed.
 const SUCCESSES_BEFORE_RETRY: usize = 2;
 
 pub(super) trait LinkSolver {
@@ -37,7 +36,7 @@ pub(super) trait LinkSolver {
     /// end, or it may be known there that it slips for ever.
     fn link(
         &self,
-        chains: &SlipMaps,
+        maps: &SlipMaps,
         slip: SlipPoint,
         theta_rate: f64,
     ) -> Option<(State, Direction, f64, PhaseSequence)>;
@@ -55,7 +54,7 @@ pub(super) struct SlipMaps {
     /// With μs = μk, towards which orbits slips lead.
     grazing: Option<Levels>,
     /// On a slope, the direction of motion in which all slips are.
-    travel: Option<f64>,
+    heading: Option<f64>,
 }
 
 impl SlipMaps {
@@ -68,44 +67,44 @@ impl SlipMaps {
             &[Some(1.0), Some(-1.0)]
         };
         let margins =
-            |travel: &Option<f64>| Some((*travel, margin_forms(hoop, travel.unwrap_or(1.0))?));
+            |heading: &Option<f64>| Some((*heading, margins_of(hoop, heading.unwrap_or(1.0))?));
         travels
             .iter()
             .filter_map(margins)
-            .map(|(travel, margins)| Self::of(hoop, model, (travel, margins)))
+            .map(|(heading, margins)| Self::of(hoop, model, (heading, margins)))
             .collect()
     }
 
-    fn of(hoop: &Hoop, model: &HoopModel, (travel, margins): (Option<f64>, Margins)) -> Self {
+    fn of(hoop: &Hoop, model: &HoopModel, (heading, margins): (Option<f64>, Margins)) -> Self {
         let Heavy { mass, inertia, .. } = model.body;
         let curves = Curves::new(SlipCurves::new(margins, model.rolling));
-        let level = curves
+        let exponent = curves
             .bounds()
             .map(|(left, right)| Tree::new(left, right, 0))
             .collect();
         Self {
             curves,
             basis: Basis::new(),
-            levels: vec![level; LEVELS],
+            levels: vec![exponent; LEVELS],
             noise: (mass / inertia).sqrt().max(1.0),
             grazing: if hoop.mu_s() == hoop.mu_k() && hoop.slope() == 0.0 {
                 Levels::new(hoop)
             } else {
                 None
             },
-            travel,
+            heading,
         }
     }
 
-    /// The frame in which a state is seen: 1, or −1 where that is mirrored.
-    pub(super) fn frame(&self) -> f64 {
-        self.travel.unwrap_or(1.0)
+    /// −1 if the frame of the maps is mirrored, else 1.
+    pub(super) fn mirror(&self) -> f64 {
+        self.heading.unwrap_or(1.0)
     }
 
     /// The point of the curves at which a slip in this direction begins. On a slope each direction
     /// of motion has its own curves; for a state that moves the other way the result is `None`.
     pub(super) fn point(&self, state: &State, direction: Direction) -> Option<CurvePoint> {
-        if self.travel.is_some() && state.theta_rate < 0.0 {
+        if self.heading.is_some() && state.theta_rate < 0.0 {
             return None;
         }
         self.curves
@@ -180,14 +179,14 @@ impl SlipMaps {
         has_room: impl Fn(&SlipMapValue) -> bool,
     ) -> Option<SlipMapValue> {
         let mut total: Option<SlipMapValue> = None;
-        let mut level = 0;
-        // Links passed on this level since it was found to be the highest: enough of them, and a
+        let mut exponent = 0;
+        // Links passed on this exponent since it was found to be the highest: enough of them, and a
         // higher one is tried again.
         let mut passed = SUCCESSES_BEFORE_RETRY;
         loop {
             let here = total.map_or(point, |passage| passage.end);
             let next = self
-                .found(level, here, follow)
+                .found(exponent, here, follow)
                 .map(|found| found.from(here.at))
                 .map(|next| total.map_or(next, |total| total.then(&next)))
                 .filter(&has_room);
@@ -195,23 +194,23 @@ impl SlipMaps {
                 Some(passage) => {
                     total = Some(passage);
                     passed += 1;
-                    if passed >= SUCCESSES_BEFORE_RETRY && level + 1 < LEVELS {
-                        level += 1;
+                    if passed >= SUCCESSES_BEFORE_RETRY && exponent + 1 < LEVELS {
+                        exponent += 1;
                     }
                 }
-                None if level == 0 => return total,
+                None if exponent == 0 => return total,
                 None => {
-                    level -= 1;
+                    exponent -= 1;
                     passed = 0;
                 }
             }
         }
     }
 
-    /// The piece of a level that holds a slip.
+    /// The piece of a exponent that holds a slip.
     fn found(
         &self,
-        level: usize,
+        exponent: usize,
         point: CurvePoint,
         follow: &impl LinkSolver,
     ) -> Option<&FittedMap> {
@@ -219,22 +218,22 @@ impl SlipMaps {
         let making = FitContext {
             basis: &self.basis,
             curves: &self.curves,
-            tolerance: tree::TOLERANCE * self.noise * (1_u64 << level) as f64,
+            tolerance: tree::TOLERANCE * self.noise * (1_u64 << exponent) as f64,
             halvings: tree::MAX_HALVINGS + (self.noise as u32).ilog2() + more,
             end,
-            value: &|at| self.value(level, CurvePoint { at, ..point }, follow),
+            value: &|at| self.value(exponent, CurvePoint { at, ..point }, follow),
         };
-        self.levels[level][point.part].find(point.at, &making)
+        self.levels[exponent][point.part].find(point.at, &making)
     }
 
-    /// What a piece of a level is made from.
+    /// What a piece of a exponent is made from.
     fn value(
         &self,
-        level: usize,
+        exponent: usize,
         point: CurvePoint,
         follow: &impl LinkSolver,
     ) -> Option<(SlipMapValue, PhaseSequence)> {
-        let Some(below) = level.checked_sub(1) else {
+        let Some(below) = exponent.checked_sub(1) else {
             let (slip, rate) = self.curves.slip(point)?;
             let (end, direction, slid, phases) = follow.link(self, slip, rate)?;
             return Some((

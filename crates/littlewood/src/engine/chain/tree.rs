@@ -85,11 +85,11 @@ impl Tree {
         }
     }
 
-    pub(super) fn find(&self, at: f64, making: &FitContext<'_>) -> Option<&FittedMap> {
+    pub(super) fn find(&self, at: f64, context: &FitContext<'_>) -> Option<&FittedMap> {
         let mut node = Some(self).filter(|root| root.left <= at && at <= root.right)?;
         loop {
-            match node.fit.get_or_init(|| fit(node, making)) {
-                Fit::Found(found) => return Some(found),
+            match node.fit.get_or_init(|| fit(node, context)) {
+                Fit::Found(fitted) => return Some(fitted),
                 Fit::Nothing => return None,
                 Fit::Divided(halves) => node = &halves[usize::from(at > halves[0].right)],
             }
@@ -104,7 +104,7 @@ fn fit(
         halvings,
         ..
     }: &Tree,
-    making: &FitContext<'_>,
+    context: &FitContext<'_>,
 ) -> Fit {
     let FitContext {
         basis,
@@ -113,7 +113,7 @@ fn fit(
         halvings: most,
         end,
         value,
-    } = making;
+    } = context;
     let middle = 0.5 * (left + right);
     let divided = || {
         if halvings < *most {
@@ -146,7 +146,7 @@ fn fit(
     let mut numbers = [[0.0; 4]; NODES];
     for (at, numbers) in nodes.iter().zip(&mut numbers) {
         match value(*at).as_ref().and_then(same) {
-            Some(found) => *numbers = found,
+            Some(fitted) => *numbers = fitted,
             None => return divided(),
         }
     }

@@ -25,8 +25,8 @@ pub(in crate::engine) struct Itinerary {
     /// CurvePart of the curves on which the slip at the end is.
     part: usize,
     /// −1 if the hoop travels back at the end.
-    pub(super) travel: f64,
-    /// Turns: the angle at the end is travel (angle + 2π turns).
+    pub(super) heading: f64,
+    /// Turns: the angle at the end is heading (angle + 2π turns).
     turns: f64,
     pub(in crate::engine) transitions: u32,
     /// Digest of the phases: those of one link themselves.
@@ -46,11 +46,11 @@ const fn mixed(first: u64, second: u64) -> u64 {
 impl SlipMapValue {
     /// The link that led to a state at a slip, travelling to positive angles from x = 0 at τ = 0.
     pub(super) fn to(state: &State, end: CurvePoint, slid: f64, phases: PhaseSequence) -> Self {
-        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let turns = (travel * state.theta / TAU).floor();
+        let heading = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let turns = (heading * state.theta / TAU).floor();
         let route = Itinerary {
             part: end.part,
-            travel,
+            heading,
             turns,
             transitions: phases.len(),
             digest: phases.bits(),
@@ -86,7 +86,7 @@ impl SlipMapValue {
     }
 
     pub(super) fn is_back(&self) -> bool {
-        self.route.travel < 0.0
+        self.route.heading < 0.0
     }
 
     pub(super) fn then(&self, next: &Self) -> Self {
@@ -94,12 +94,12 @@ impl SlipMapValue {
         Self {
             end: next.end,
             elapsed: self.elapsed + next.elapsed,
-            moved: self.moved + first.travel * next.moved,
+            moved: self.moved + first.heading * next.moved,
             slid: self.slid + next.slid,
             route: Itinerary {
                 part: second.part,
-                travel: first.travel * second.travel,
-                turns: second.turns + second.travel * first.turns,
+                heading: first.heading * second.heading,
+                turns: second.turns + second.heading * first.turns,
                 transitions: first.transitions.saturating_add(second.transitions),
                 digest: mixed(first.digest, second.digest),
             },
@@ -108,18 +108,18 @@ impl SlipMapValue {
 
     /// The state at the end of a passage from a slip at a state, with the angle, reduced to a turn
     /// in the frame of motion, and |θ′| there.
-    pub(in crate::engine) fn state_after(&self, start: &State, (angle, rate): (f64, f64)) -> State {
+    pub(in crate::engine) fn state_after(&self, start: &State, angle: f64, rate: f64) -> State {
         let sign = if start.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let turns = (sign * start.theta / TAU).floor();
         let Itinerary {
-            travel,
+            heading,
             turns: gained,
             ..
         } = self.route;
         State {
             time: start.time + self.elapsed,
-            theta: sign * (travel * (angle + TAU * gained) + TAU * turns),
-            theta_rate: sign * travel * rate,
+            theta: sign * (heading * (angle + TAU * gained) + TAU * turns),
+            theta_rate: sign * heading * rate,
             slip: 0.0,
             x: start.x + sign * self.moved,
         }

@@ -1,20 +1,22 @@
-//! A step of a slide on which θ′ keeps its sign.
+//! A segment of a slide on which θ′ keeps its sign.
 
+use crate::engine::fallback::Fallback;
 use crate::engine::quadrature::{
     MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT,
 };
-
-use crate::engine::fallback::Fallback;
-
+use crate::math::trig::Angle;
 use crate::mechanics::SlidingLaw;
 
-use super::segment::{LawAt, SlideSegment};
-use super::series::{DEGREE, Expansion, Series, SignPattern, scaled, sum_of_sizes, value};
+use super::segment::{LocalCoefficients, SlideSegment};
+use super::series::{
+    DEGREE, Expansion, Series, SignPattern, SlipSigns, TermBound, scaled, sum_of_sizes, value,
+};
 
-/// Up to this multiple of a step u has no zero: the terms of its series are at most the part
-/// [`RegularSegment::MAX_TERM_RATIO`] of the first, but for a linear term that makes it grow by at most
-/// `MAX_GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities lie
-/// outside the ellipse about the step with the half axes 1.3 and 1.2, r = 5 and r⁻²⁴ = 2e-17.
+/// Up to this multiple of a segment u has no zero: the terms of its series are at most the part
+/// [`RegularSegment::MAX_TERM_RATIO`] of the first, but for a linear term that makes it grow by at
+/// most `MAX_GROWTH` on the segment. The Gauss sum of 1/√u is then exact to rounding: its
+/// singularities lie outside the ellipse about the segment with the half axes 1.3 and 1.2, r = 5
+/// and r⁻²⁴ = 2e-17.
 const ELLIPSE_FACTOR: f64 = 1.8;
 const MAX_GROWTH: f64 = 0.9;
 
@@ -33,91 +35,120 @@ const POWERS: [[f64; NODES]; DEGREE + 1] = {
     table
 };
 
-/// A step, with the coordinate t = z/width up to 1, in the frame of motion.
+/// A segment with the coordinate t = z/width up to 1, in the frame of motion.
 #[derive(Clone, Debug)]
 pub(super) struct RegularSegment {
-    /// z at the end.
+    /// z at t = 1.
     pub(super) width: f64,
-    /// With coefficients that tell up to the degree, which is even.
+    /// u in powers of t, truncated at `degree`, which is even.
     pub(super) u: Series,
     pub(super) degree: usize,
-    /// SignPattern of σ η″ on the step, behind its beginning.
-    pub(super) signs: SignPattern,
-    /// Largest |η″| where its sign is not known, about a change of sign.
-    pub(super) doubt: f64,
-    /// sin ϑ and cos ϑ at t = 0.
-    pub(super) direction: (f64, f64),
-    /// t at its end: 1, or at the end of a tile.
+    /// On the segment without its start.
+    pub(super) signs: SlipSigns,
+    /// At t = 0.
+    pub(super) angle: Angle,
+    /// t at the end: 1, or at the end of an interval of the grid.
     pub(super) end: f64,
-    /// The time from this t to the end, where it is known.
-    pub(super) known: Option<(f64, f64)>,
-    /// u and the law at the end, where that is the end of a tile.
-    pub(super) exit: Option<(f64, LawAt)>,
+    /// Set if it crosses a whole interval.
+    pub(super) known_time: Option<KnownTime>,
+    /// Set if it ends at the end of an interval.
+    pub(super) exit: Option<SegmentExit>,
+}
+
+/// The time from a coordinate to the end of a segment.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct KnownTime {
+    pub(super) from: f64,
+    pub(super) time: f64,
+}
+
+/// What a table holds for the end of an interval.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SegmentExit {
+    pub(super) u: f64,
+    pub(super) coefficients: LocalCoefficients,
+}
+
+/// The coordinates between which a segment lies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub(super) start: f64,
+    pub(super) end: f64,
+}
+
+impl Span {
+    /// Largest |t| on the ellipse about it.
+    pub(super) fn ellipse_radius(self) -> f64 {
+        0.5 * (self.start + self.end).abs() + (ELLIPSE_FACTOR - 0.5) * (self.end - self.start)
+    }
 }
 
 impl RegularSegment {
-    /// The part of u that the terms behind the first may be.
+    /// The largest sum of the other terms of u, as a part of the first.
     pub(super) const MAX_TERM_RATIO: f64 = 0.9;
 
-    /// The step from an angle with this sine and cosine, where η″ = 0 if it is `from_zero`. `reach`
-    /// is the width on which the series has converged.
+    /// The widest segment from an angle on which the series of u has converged; `from_zero` if
+    /// η″ = 0 at its start.
     pub(super) fn new(
         expansion: &Expansion,
-        direction: (f64, f64),
-        reach: f64,
+        angle: Angle,
         from_zero: bool,
     ) -> Result<Self, Fallback> {
         let [u0, slope, ..] = expansion.u;
-        let width = if slope > 0.0 {
-            expansion.smooth(
-                (0, 2),
-                (reach.min(MAX_GROWTH * u0 / slope), ELLIPSE_FACTOR),
-                Self::MAX_TERM_RATIO,
-            )
+        let convergence_radius = expansion.convergence_radius(0);
+        let bound = TermBound {
+            lead: 0,
+            first: 1,
+            max_width: convergence_radius,
+            stretch: ELLIPSE_FACTOR,
+            max_ratio: Self::MAX_TERM_RATIO,
+        };
+        // A rising linear term moves no zero onto the segment: it is bounded on the segment alone.
+        let bound = if slope > 0.0 {
+            TermBound {
+                first: 2,
+                max_width: convergence_radius.min(MAX_GROWTH * u0 / slope),
+                ..bound
+            }
         } else {
-            expansion.smooth((0, 1), (reach, ELLIPSE_FACTOR), Self::MAX_TERM_RATIO)
+            bound
         };
-        let width = width.ok_or(Fallback::TurningPoint)?;
-        let on = |width: f64| {
+        let width = expansion.smooth(bound).ok_or(Fallback::TurningPoint)?;
+        let with_width = |width: f64| {
             let u = scaled(expansion.u, width);
-            expansion
+            let signs = expansion
                 .signs(&u, width, from_zero)
-                .map(|(signs, doubt)| (width, u, signs, doubt))
+                .ok_or(Fallback::Pole)?;
+            Ok(Self {
+                width,
+                u,
+                degree: DEGREE,
+                signs,
+                angle,
+                end: 1.0,
+                known_time: None,
+                exit: None,
+            })
         };
-        let mut step = on(width).ok_or(Fallback::Pole)?;
-        // Where η″ vanishes at the end of a step, or twice on it, half of the step has its signs.
-        if step.2 == SignPattern::Unknown {
-            step = on(0.5 * width).ok_or(Fallback::Pole)?;
+        let segment = with_width(width)?;
+        // Where η″ vanishes at the end of a segment, or twice on it, half of it has its signs.
+        if segment.signs.pattern == SignPattern::Unknown {
+            with_width(0.5 * width)
+        } else {
+            Ok(segment)
         }
-        let (width, u, signs, doubt) = step;
-        Ok(Self {
-            width,
-            u,
-            degree: DEGREE,
-            signs,
-            doubt,
-            direction,
-            end: 1.0,
-            known: None,
-            exit: None,
-        })
     }
 
-    /// Whether u has no zero near the step between two t by the sizes of its terms: on the same
-    /// ellipse about the step all but the first are at most the part [`RegularSegment::MAX_TERM_RATIO`] of that.
-    pub(super) fn is_clear(u: &[f64], (from, to): (f64, f64)) -> bool {
-        let far = Self::far(from, to);
-        far * sum_of_sizes(&u[1..], far) <= Self::MAX_TERM_RATIO * u[0]
+    /// Whether u has no zero near a segment by the sizes of its terms: on the ellipse about it all
+    /// but the first are at most the part [`RegularSegment::MAX_TERM_RATIO`] of that.
+    pub(super) fn is_zero_free(u: &[f64], span: Span) -> bool {
+        let radius = span.ellipse_radius();
+        radius * sum_of_sizes(&u[1..], radius) <= Self::MAX_TERM_RATIO * u[0]
     }
 
-    /// Whether its first two coefficients allow that.
-    pub(super) fn is_nearly_even(u0: f64, slope: f64, (from, to): (f64, f64)) -> bool {
-        Self::far(from, to) * slope.abs() <= Self::MAX_TERM_RATIO * u0
-    }
-
-    /// Largest |t| on the ellipse about the step between two t.
-    pub(super) fn far(from: f64, to: f64) -> f64 {
-        0.5 * (from + to).abs() + (ELLIPSE_FACTOR - 0.5) * (to - from)
+    /// Whether the linear term alone allows [`RegularSegment::is_zero_free`].
+    pub(super) fn may_be_zero_free(u0: f64, slope: f64, span: Span) -> bool {
+        span.ellipse_radius() * slope.abs() <= Self::MAX_TERM_RATIO * u0
     }
 
     fn whole_time(&self) -> f64 {
@@ -137,72 +168,60 @@ impl RegularSegment {
 
     /// t at the top, if that is near.
     pub(super) fn top(&self) -> f64 {
-        let (sin, cos) = self.direction;
-        -sin / ((1.0 + cos) * self.width)
+        -self.angle.sin / ((1.0 + self.angle.cos) * self.width)
     }
 
-    pub(super) fn turned(&self, from: f64, to: f64) -> f64 {
-        let (from, to) = (self.width * from, self.width * to);
+    /// The angle between two coordinates.
+    pub(super) fn delta_theta(&self, span: Span) -> f64 {
+        let (from, to) = (self.width * span.start, self.width * span.end);
         2.0 * libm::atan((to - from) / (1.0 + from * to))
     }
-}
-
-/// sin and cos of an angle from those of another, and the tangent of half the difference.
-#[inline]
-pub(super) fn rotated((sin, cos): (f64, f64), z: f64) -> (f64, f64) {
-    let square = z * z;
-    let inverse = 1.0 / (1.0 + square);
-    let (turn_sin, turn_cos) = (2.0 * z * inverse, (1.0 - square) * inverse);
-    (
-        sin * turn_cos + cos * turn_sin,
-        cos * turn_cos - sin * turn_sin,
-    )
 }
 
 impl SlideSegment for RegularSegment {
     #[inline]
     fn u(&self, t: f64) -> f64 {
         match self.exit {
-            Some((u, _)) if t == self.end => u,
+            Some(exit) if t == self.end => exit.u,
             _ => value(&self.u[..=self.degree], t),
         }
     }
 
-    fn rate(&self, _: f64, u: f64) -> f64 {
+    fn theta_rate(&self, _: f64, u: f64) -> f64 {
         u.sqrt()
     }
 
     #[inline]
-    fn direction(&self, t: f64) -> (f64, f64) {
+    fn angle(&self, t: f64) -> Angle {
         match &self.exit {
-            Some((_, there)) if t == self.end => there.direction,
-            _ => rotated(self.direction, self.width * t),
+            Some(exit) if t == self.end => exit.coefficients.angle,
+            _ => self.angle.plus(Angle::of_half_tangent(self.width * t)),
         }
     }
 
     #[inline]
-    fn law_at(&self, law: &SlidingLaw, t: f64) -> LawAt {
+    fn coefficients(&self, law: &SlidingLaw, t: f64) -> LocalCoefficients {
         match self.exit {
-            Some((_, there)) if t == self.end => there,
-            _ => LawAt::new(law, self.direction(t)),
+            Some(exit) if t == self.end => exit.coefficients,
+            _ => LocalCoefficients::new(law, self.angle(t)),
         }
     }
 
-    fn turning(&self, t: f64) -> f64 {
+    fn theta_slope(&self, t: f64) -> f64 {
         let z = self.width * t;
         2.0 * self.width / (1.0 + z * z)
     }
 
-    fn slowness(&self, t: f64, u: f64) -> f64 {
-        self.turning(t) / u.sqrt()
+    fn time_slope(&self, t: f64, u: f64) -> f64 {
+        self.theta_slope(t) / u.sqrt()
     }
 
     fn time(&self, from: f64, to: f64) -> f64 {
-        if let Some((_, time)) = self
-            .known
-            .filter(|(begin, _)| from == *begin && to == self.end)
+        if let Some(known) = self.known_time
+            && from == known.from
+            && to == self.end
         {
-            return time;
+            return known.time;
         }
         if from == 0.0 && to == 1.0 && self.degree == DEGREE {
             return self.whole_time();

@@ -1,7 +1,8 @@
-//! A piece of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
+//! A segment of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
 use crate::engine::fallback::Fallback;
 use crate::math::bracket::{Bracket, Step, last_digit};
+use crate::math::trig::Angle;
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
 
@@ -13,14 +14,14 @@ const MIN_SLIP_ACCELERATION: f64 = 2e-3;
 /// as a part of that.
 const AMPLIFICATION_PART: f64 = 0.1;
 
-/// Newton's method for a place at a time ends with a shorter step: its error is of the second
+/// Newton's method for the point at a time ends with a shorter step: its error is of the second
 /// order.
 const MAX_LAST_STEP: f64 = 1e-8;
 
-/// The same for the place at which η′ vanishes.
+/// The same for the point at which η′ vanishes.
 const MAX_LAST_STEP_TO_REST: f64 = 1e-7;
 
-/// The same for the place at which the normal force vanishes.
+/// The same for the point at which the normal force vanishes.
 const MAX_LAST_STEP_TO_LIFT_OFF: f64 = 1e-9;
 
 /// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more
@@ -31,55 +32,54 @@ const MAX_SIMPSON_STEP: f64 = 1e-3;
 /// part: Newton's method takes it for fixed.
 const MAX_TIME_ERROR: f64 = 1e-14;
 
-/// The place of a minimum of η′ is known to this: the value to the second order.
+/// The point of a minimum of η′ is known to this: the value to the second order.
 const MINIMUM_TOLERANCE: f64 = 1e-7;
 
 /// A number within this part of its terms of zero may have either sign in the simulation: rounding,
-/// as much as passages of the bottom of a light hoop and a small P amplify it. Chosen: with 1e-12 a
-/// fast motion of the tests that lifts off, with m̂1 = Î = 0.007 and μs = 25, ends elsewhere by
-/// 7e-8 of its angle.
+/// as much as passages of the bottom of a light hoop and a small P amplify it. It is part of the
+/// assumption that the documentation of [`crate::Engine`] states.
 pub(super) const SIGN_TOLERANCE: f64 = 1e-9;
 
-/// Where η″ vanishes at an end of a way its sign is told so far inside, as a part of the way.
+/// Where η″ vanishes at an end of a segment its sign is evaluated so far inside, as a part of the
+/// segment.
 const ENDPOINT_OFFSET: f64 = 1e-6;
 
 /// A part of a slide on which u is known as a function of a coordinate z, which grows with time.
 pub(super) trait SlideSegment {
     fn u(&self, z: f64) -> f64;
     /// θ′ at z, from u there.
-    fn rate(&self, z: f64, u: f64) -> f64;
-    /// sin ϑ and cos ϑ at z.
-    fn direction(&self, z: f64) -> (f64, f64);
+    fn theta_rate(&self, z: f64, u: f64) -> f64;
+    fn angle(&self, z: f64) -> Angle;
     /// dϑ/dz.
-    fn turning(&self, z: f64) -> f64;
+    fn theta_slope(&self, z: f64) -> f64;
     /// dτ/dz at z, from u there.
-    fn slowness(&self, z: f64, u: f64) -> f64;
-    /// Time from one place to another.
+    fn time_slope(&self, z: f64, u: f64) -> f64;
+    /// Time from one coordinate to another.
     fn time(&self, from: f64, to: f64) -> f64;
     #[inline]
-    fn law_at(&self, law: &SlidingLaw, z: f64) -> LawAt {
-        LawAt::new(law, self.direction(z))
+    fn coefficients(&self, law: &SlidingLaw, z: f64) -> LocalCoefficients {
+        LocalCoefficients::new(law, self.angle(z))
     }
 }
 
+/// The equations of a slide at an angle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LawAt {
-    /// sin ϑ and cos ϑ.
-    pub(super) direction: (f64, f64),
-    /// 1 + h cos ϑ + μk σ h sin ϑ.
-    pub(super) lever: f64,
+pub(super) struct LocalCoefficients {
+    pub(super) angle: Angle,
+    /// 1 + h cos ϑ + μk σ h sin ϑ, the coefficient of θ′ in the first integral.
+    pub(super) slip_coefficient: f64,
     /// η″ = α + β u.
     pub(super) alpha: f64,
     pub(super) beta: f64,
 }
 
-impl LawAt {
+impl LocalCoefficients {
     #[inline]
-    pub(super) fn new(law: &SlidingLaw, (sin, cos): (f64, f64)) -> Self {
-        let (alpha, beta) = law.slip_acceleration(sin, cos);
+    pub(super) fn new(law: &SlidingLaw, angle: Angle) -> Self {
+        let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
         Self {
-            direction: (sin, cos),
-            lever: law.lever(sin, cos),
+            angle,
+            slip_coefficient: law.lever(angle.sin, angle.cos),
             alpha,
             beta,
         }
@@ -88,14 +88,14 @@ impl LawAt {
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::engine) struct SlidePoint {
+    /// The coordinate on its segment.
     pub(in crate::engine) z: f64,
     pub(in crate::engine) u: f64,
     pub(in crate::engine) elapsed: f64,
     /// σ η′ and σ η″.
     pub(in crate::engine) slip: f64,
     pub(in crate::engine) slip_acceleration: f64,
-    /// sin ϑ and cos ϑ.
-    pub(in crate::engine) direction: (f64, f64),
+    pub(in crate::engine) angle: Angle,
 }
 
 /// The size of the terms of η′ where u is this, in the first integral with this constant.
@@ -103,225 +103,265 @@ pub(super) fn slip_scale(u: f64, integral: f64) -> f64 {
     1.0 + u.sqrt() + integral.abs()
 }
 
+/// A segment, and the slide that passes it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SegmentContext<'a, P> {
+pub(super) struct SegmentContext<'a, S> {
     pub(super) law: &'a SlidingLaw,
-    pub(super) piece: &'a P,
+    pub(super) segment: &'a S,
     /// Sign of η′.
     pub(super) sigma: f64,
     /// The constant of the first integral, η′ − θ′ (1 + h cos ϑ + μk σ h sin ϑ) + (μk σ + tan α) τ.
     pub(super) integral: f64,
 }
 
-impl<P: SlideSegment> SegmentContext<'_, P> {
-    /// The size of the terms of η′ at a waypoint, in the first integral.
-    pub(super) fn slip_scale(&self, at: &SlidePoint) -> f64 {
-        slip_scale(at.u, self.integral)
+/// A coordinate and a value there.
+struct Sample {
+    z: f64,
+    value: f64,
+}
+
+impl<S: SlideSegment> SegmentContext<'_, S> {
+    /// The size of the terms of η′ at a point, in the first integral.
+    pub(super) fn slip_scale(&self, point: &SlidePoint) -> f64 {
+        slip_scale(point.u, self.integral)
     }
 
-    /// Everything at z, from the way since `here`.
+    /// w = 1 − h cos ϑ u.
+    pub(super) fn contact_margin(&self, angle: Angle, u: f64) -> f64 {
+        contact(1.0, self.law.body.h, angle.cos * u)
+    }
+
+    /// The point at z, behind `start`.
     #[inline]
-    pub(super) fn at(&self, here: &SlidePoint, z: f64) -> SlidePoint {
-        self.waypoint(
-            z,
-            self.piece.u(z),
-            here.elapsed + self.piece.time(here.z, z),
-        )
+    pub(super) fn point(&self, start: &SlidePoint, z: f64) -> SlidePoint {
+        let elapsed = start.elapsed + self.segment.time(start.z, z);
+        self.point_at(z, self.segment.u(z), elapsed)
     }
 
     /// The same a short step away; none if it is longer.
-    fn beside(&self, here: &SlidePoint, z: f64) -> Option<SlidePoint> {
-        let (middle, u) = (0.5 * (here.z + z), self.piece.u(z));
+    fn point_beside(&self, start: &SlidePoint, z: f64) -> Option<SlidePoint> {
+        let (middle, u) = (0.5 * (start.z + z), self.segment.u(z));
         let (first, last) = (
-            self.piece.slowness(here.z, here.u),
-            self.piece.slowness(z, u),
+            self.segment.time_slope(start.z, start.u),
+            self.segment.time_slope(z, u),
         );
-        if !((z - here.z).abs() <= MAX_SIMPSON_STEP
+        if !((z - start.z).abs() <= MAX_SIMPSON_STEP
             && (last - first).abs() <= MAX_SIMPSON_STEP * first.abs())
         {
             return None;
         }
-        let sum = first + 4.0 * self.piece.slowness(middle, self.piece.u(middle)) + last;
-        Some(self.waypoint(z, u, here.elapsed + (z - here.z) / 6.0 * sum))
+        let sum = first + 4.0 * self.segment.time_slope(middle, self.segment.u(middle)) + last;
+        Some(self.point_at(z, u, start.elapsed + (z - start.z) / 6.0 * sum))
     }
 
-    /// Everything at z, where u and the time are known.
+    /// The point at z, where u and the time are known.
     #[inline]
-    pub(super) fn waypoint(&self, z: f64, u: f64, elapsed: f64) -> SlidePoint {
-        let (there, rate) = (self.piece.law_at(self.law, z), self.piece.rate(z, u));
+    pub(super) fn point_at(&self, z: f64, u: f64, elapsed: f64) -> SlidePoint {
+        let local = self.segment.coefficients(self.law, z);
+        let rate = self.segment.theta_rate(z, u);
         SlidePoint {
             z,
             u,
             elapsed,
-            slip: self.sigma * (self.integral + rate * there.lever - self.law.drag() * elapsed),
-            slip_acceleration: self.sigma * (there.alpha + there.beta * u),
-            direction: there.direction,
+            slip: self.sigma
+                * (self.integral + rate * local.slip_coefficient - self.law.drag() * elapsed),
+            slip_acceleration: self.sigma * (local.alpha + local.beta * u),
+            angle: local.angle,
         }
     }
 
     /// σ η″.
     fn slip_acceleration(&self, z: f64) -> f64 {
-        let there = self.piece.law_at(self.law, z);
-        self.sigma * (there.alpha + there.beta * self.piece.u(z))
+        let local = self.segment.coefficients(self.law, z);
+        self.sigma * (local.alpha + local.beta * self.segment.u(z))
     }
 
-    /// Where w = 1 − h cos ϑ u falls through zero between `here` and `end`, where it is given.
-    pub(super) fn lift_off(&self, here: &SlidePoint, (end, w_end): (f64, f64)) -> SlidePoint {
+    /// Where w falls through zero between `start` and `end`, where it is `w_end`.
+    pub(super) fn lift_off(&self, start: &SlidePoint, end: f64, w_end: f64) -> SlidePoint {
         let h = self.law.body.h;
-        let w_here = contact(1.0, h, here.direction.1 * here.u);
-        let guess = here.z + (end - here.z) * w_here / (w_here - w_end);
+        let w_start = self.contact_margin(start.angle, start.u);
+        let guess = start.z + (end - start.z) * w_start / (w_start - w_end);
         let z = Bracket {
-            low: here.z,
+            low: start.z,
             high: end,
         }
         .iterate(guess, |z| {
-            let (sin, cos) = self.piece.direction(z);
-            let u = self.piece.u(z);
+            let Angle { sin, cos } = self.segment.angle(z);
+            let u = self.segment.u(z);
             let value = contact(1.0, h, cos * u);
-            let slope =
-                self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
+            // dw/dϑ = h sin ϑ u − h cos ϑ du/dϑ with du/dϑ = a w.
+            let slope = self.segment.theta_slope(z)
+                * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
             Step {
                 value,
                 step: -value / slope,
                 last: MAX_LAST_STEP_TO_LIFT_OFF,
             }
         });
-        self.at(here, z)
+        self.point(start, z)
     }
 
-    /// Where η′ is least between two waypoints, between which η″ changes its sign at most once;
-    /// none where it is so at one of them.
-    pub(super) fn least(&self, here: &SlidePoint, there: &SlidePoint) -> Option<SlidePoint> {
+    /// Where η′ is least between two points, between which η″ changes its sign at most once; none
+    /// where it is so at one of them.
+    pub(super) fn min_slip(&self, start: &SlidePoint, end: &SlidePoint) -> Option<SlidePoint> {
         // Falls where η″ rises, as a bracket has it.
         let falling = |z: f64| -self.slip_acceleration(z);
-        let inside = |at: &SlidePoint, other: &SlidePoint| {
-            if at.slip_acceleration.abs() > SIGN_TOLERANCE * (1.0 + at.u) {
-                return (at.z, -at.slip_acceleration);
+        // At a zero of η″ rounding would decide whether the minimum is this end.
+        let inside = |point: &SlidePoint, other: &SlidePoint| {
+            if point.slip_acceleration.abs() > SIGN_TOLERANCE * (1.0 + point.u) {
+                return Sample {
+                    z: point.z,
+                    value: -point.slip_acceleration,
+                };
             }
-            let z = at.z + ENDPOINT_OFFSET * (other.z - at.z);
-            (z, falling(z))
+            let z = point.z + ENDPOINT_OFFSET * (other.z - point.z);
+            Sample {
+                z,
+                value: falling(z),
+            }
         };
-        let ((low, at_low), (high, at_high)) = (inside(here, there), inside(there, here));
-        if at_low < 0.0 || at_high > 0.0 {
+        let (low, high) = (inside(start, end), inside(end, start));
+        if low.value < 0.0 || high.value > 0.0 {
             return None;
         }
-        let mut before = (high, at_high);
-        let secant = (low * at_high - high * at_low) / (at_high - at_low);
-        let z = Bracket { low, high }.iterate(secant, |z| {
+        let secant = (low.z * high.value - high.z * low.value) / (high.value - low.value);
+        let bracket = Bracket {
+            low: low.z,
+            high: high.z,
+        };
+        let mut before = high;
+        let z = bracket.iterate(secant, |z| {
             let value = falling(z);
-            let step = value * (before.0 - z) / (value - before.1);
-            before = (z, value);
+            let step = value * (before.z - z) / (value - before.value);
+            before = Sample { z, value };
             Step {
                 value,
                 step,
                 last: MINIMUM_TOLERANCE,
             }
         });
-        Some(self.at(here, z))
+        Some(self.point(start, z))
     }
 
-    /// The longest step from z that may be the last of Newton's method, of which the error of the
-    /// time is of the second order.
-    fn last_step(&self, z: f64, u: f64, step: f64, longest: f64) -> f64 {
-        if step.abs() >= longest {
+    /// The longest step from z, at most `max_step`, that may be the last of Newton's method, of
+    /// which the error of the time is of the second order.
+    fn last_step(&self, z: f64, u: f64, step: f64, max_step: f64) -> f64 {
+        if step.abs() >= max_step {
             return last_digit(z);
         }
-        let (here, there) = (
-            self.piece.slowness(z, u),
-            self.piece.slowness(z + step, self.piece.u(z + step)),
+        let (start, end) = (
+            self.segment.time_slope(z, u),
+            self.segment.time_slope(z + step, self.segment.u(z + step)),
         );
         let is_last =
-            (0.5 * step * (here + there) * (there - here)).abs() < MAX_TIME_ERROR * here.abs();
-        if is_last { longest } else { last_digit(z) }
+            (0.5 * step * (start + end) * (end - start)).abs() < MAX_TIME_ERROR * start.abs();
+        if is_last { max_step } else { last_digit(z) }
     }
 
-    /// Where the slide is at a time between those of two waypoints.
-    pub(super) fn at_time(
-        &self,
-        here: &SlidePoint,
-        there: &SlidePoint,
-        elapsed: f64,
-    ) -> SlidePoint {
-        let (low, high) = (here.z, there.z);
-        let guess = low + (elapsed - here.elapsed) / (there.elapsed - here.elapsed) * (high - low);
+    /// Where the slide is at a time between those of two points.
+    pub(super) fn at_time(&self, start: &SlidePoint, end: &SlidePoint, elapsed: f64) -> SlidePoint {
+        let (low, high) = (start.z, end.z);
+        let guess = low + (elapsed - start.elapsed) / (end.elapsed - start.elapsed) * (high - low);
         let z = Bracket { low, high }.iterate(guess, |z| {
-            let u = self.piece.u(z);
-            let value = elapsed - (here.elapsed + self.piece.time(here.z, z));
-            let step = value / self.piece.slowness(z, u);
+            let u = self.segment.u(z);
+            let value = elapsed - (start.elapsed + self.segment.time(start.z, z));
+            let step = value / self.segment.time_slope(z, u);
             Step {
                 value,
                 step,
                 last: self.last_step(z, u, step, MAX_LAST_STEP),
             }
         });
-        self.waypoint(z, self.piece.u(z), elapsed)
+        self.point_at(z, self.segment.u(z), elapsed)
     }
 
-    /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method
+    /// Where η′ falls through zero between two points: a cubic for a guess, then Newton's method
     /// with the exact time.
     pub(super) fn rest(
         &self,
-        here: &SlidePoint,
-        there: &SlidePoint,
+        start: &SlidePoint,
+        end: &SlidePoint,
     ) -> Result<SlidePoint, Fallback> {
-        let span = there.z - here.z;
-        let slope = |at: &SlidePoint| at.slip_acceleration * self.piece.slowness(at.z, at.u);
-        let part = cubic_root(
-            here.slip,
-            slope(here) * span,
-            there.slip,
-            slope(there) * span,
-        );
-        let mut near = *here;
+        let width = end.z - start.z;
+        let slope = |point: &SlidePoint| {
+            point.slip_acceleration * self.segment.time_slope(point.z, point.u)
+        };
+        let part = Cubic {
+            start: start.slip,
+            start_slope: slope(start) * width,
+            end: end.slip,
+            end_slope: slope(end) * width,
+        }
+        .root();
+        // A Gauss sum gives the time from the start. From a point close by Simpson's rule gives it
+        // as well, at a quarter of the cost.
+        let mut near = *start;
         let mut evaluate = |z: f64| {
-            self.beside(&near, z).unwrap_or_else(|| {
-                near = self.at(here, z);
+            self.point_beside(&near, z).unwrap_or_else(|| {
+                near = self.point(start, z);
                 near
             })
         };
         let z = Bracket {
-            low: here.z,
-            high: there.z,
+            low: start.z,
+            high: end.z,
         }
-        .iterate(here.z + part * span, |z| {
-            let at = evaluate(z);
-            let step = -at.slip / slope(&at);
+        .iterate(start.z + part * width, |z| {
+            let point = evaluate(z);
+            let step = -point.slip / slope(&point);
             Step {
-                value: at.slip,
+                value: point.slip,
                 step,
-                last: self.last_step(z, at.u, step, MAX_LAST_STEP_TO_REST),
+                last: self.last_step(z, point.u, step, MAX_LAST_STEP_TO_REST),
             }
         });
-        let at = evaluate(z);
+        let point = evaluate(z);
         let Heavy { mass, inertia, .. } = self.law.body;
         let amplified = (AMPLIFICATION_PART * (mass / inertia).sqrt()).max(1.0);
-        if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * amplified * (1.0 + at.u.sqrt()) {
+        if point.slip_acceleration.abs()
+            < MIN_SLIP_ACCELERATION * amplified * (1.0 + point.u.sqrt())
+        {
             return Err(Fallback::SlowStop);
         }
-        Ok(SlidePoint { slip: 0.0, ..at })
+        Ok(SlidePoint { slip: 0.0, ..point })
     }
 }
 
-/// Root in (0, 1] of the cubic with these values and slopes at 0 and 1, the value at 1 not
-/// positive.
-fn cubic_root(start: f64, start_slope: f64, end: f64, end_slope: f64) -> f64 {
-    let c2 = 3.0 * (end - start) - 2.0 * start_slope - end_slope;
-    let c3 = 2.0 * (start - end) + start_slope + end_slope;
-    let mut s = 1.0;
-    for _ in 0..8 {
-        let value = start + s * (start_slope + s * (c2 + s * c3));
-        let slope = start_slope + s * (2.0 * c2 + 3.0 * s * c3);
-        if slope >= 0.0 {
-            break;
+/// The cubic on [0, 1] with these values and slopes at its ends.
+struct Cubic {
+    start: f64,
+    start_slope: f64,
+    end: f64,
+    end_slope: f64,
+}
+
+impl Cubic {
+    /// Its root in (0, 1], roughly, where the value at 1 is not positive.
+    fn root(&self) -> f64 {
+        let Self {
+            start,
+            start_slope,
+            end,
+            end_slope,
+        } = *self;
+        let c2 = 3.0 * (end - start) - 2.0 * start_slope - end_slope;
+        let c3 = 2.0 * (start - end) + start_slope + end_slope;
+        let mut s = 1.0;
+        for _ in 0..8 {
+            let value = start + s * (start_slope + s * (c2 + s * c3));
+            let slope = start_slope + s * (2.0 * c2 + 3.0 * s * c3);
+            if slope >= 0.0 {
+                break;
+            }
+            let next: f64 = s - value / slope;
+            if !(next > 0.0 && next <= 1.0) {
+                break;
+            }
+            if (next - s).abs() < 1e-6 {
+                return next;
+            }
+            s = next;
         }
-        let next: f64 = s - value / slope;
-        if !(next > 0.0 && next <= 1.0) {
-            break;
-        }
-        if (next - s).abs() < 1e-6 {
-            return next;
-        }
-        s = next;
+        s
     }
-    s
 }

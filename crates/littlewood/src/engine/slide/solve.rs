@@ -1,25 +1,28 @@
-//! A slide, followed piece by piece to its event (docs/engine.md), in the frame of motion, ϑ
+//! A slide, followed segment by segment to its event (docs/engine.md), in the frame of motion, ϑ
 //! growing.
 //!
-//! 1 − h cos ϑ u falls through zero only where sin ϑ < 0: its sign at the end of a piece, or at the
-//! top, tells whether it has. The signs of η″ tell whether η′ is monotone, or has one extremum. In
-//! a libration, and without kinetic friction, θ′² is periodic in time: periods without an event are
-//! passed at once.
+//! 1 − h cos ϑ u falls through zero only where sin ϑ < 0: its sign at the end of a segment, or at
+//! the top, decides whether it has. The signs of η″ decide whether η′ is monotone, or has one
+//! extremum. In a libration, and without kinetic friction, θ′² is periodic in time: periods without
+//! an event are skipped.
 
 use core::f64::consts::{PI, TAU};
 
 use crate::engine::fallback::Fallback;
+use crate::math::trig::Angle;
 use crate::mechanics::{SlidingLaw, contact};
 
-use super::regular::{RegularSegment, rotated};
+use super::regular::{RegularSegment, Span};
 use super::segment::{SIGN_TOLERANCE, SegmentContext, SlidePoint, SlideSegment, slip_scale};
-use super::series::{Expansion, SignPattern};
-use super::table::{AngleInterval, HALVINGS, INTERVALS, SlideTables, edge_angle_near};
+use super::series::{Expansion, SignPattern, SlipSigns};
+use super::table::{
+    AngleInterval, Crossing, Edge, HALVINGS, INTERVALS, SlideTables, edge_angle_near,
+};
 use super::turning::TurningSegment;
 use super::{SlideEnd, SlideEvent};
 
-/// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole
-/// turns.
+/// Most segments: a slide over more than some 16 turns is left to the exact solver, which sums
+/// whole turns.
 const MAX_SEGMENTS: usize = 512;
 
 /// A slide over more turns than this is left to the exact solver.
@@ -31,28 +34,28 @@ const MAX_PERIODS: f64 = 64.0;
 /// Fewer periods are followed one by one.
 const MIN_PERIODS_TO_SKIP: f64 = 3.0;
 
-/// A place is the same after a period if its angle is the same to this.
+/// A point is the same after a period if its angle is the same to this.
 const PERIOD_TOLERANCE: f64 = 1e-12;
 
 /// A turning point nearer than this part of the width on which u has converged is the centre of the
-/// next piece.
+/// next segment.
 const MAX_TURN_DISTANCE: f64 = 0.7;
 
-/// A turning point behind is the centre of the next piece if it is nearer than this part of the
-/// piece.
+/// A turning point behind is the centre of the next segment if it is nearer than this part of the
+/// segment.
 const MAX_PART_BEHIND_TURN: f64 = 0.5;
 
-/// A tile holds no slide whose u changes by more than itself over this z, its halves none for which
-/// that is half as much, and so on.
+/// An interval has no table for slides whose u would double within this z; each halving of the
+/// interval doubles the slope that is allowed.
 const MIN_DOUBLING_DISTANCE: f64 = 0.25;
 
-/// How a slide is seen: perhaps mirrored.
+/// The frame in which the angle of a slide grows, perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::engine) struct MotionFrame<'a> {
-    /// The laws for σ = −1 and σ = +1, as they are and mirrored.
+    /// The equations for σ = −1 and σ = +1, as they are and mirrored.
     pub(in crate::engine) laws: &'a [[SlidingLaw; 2]; 2],
     /// −1 where the frame is mirrored.
-    pub(in crate::engine) sign: f64,
+    pub(in crate::engine) mirror: f64,
     pub(in crate::engine) theta: f64,
     /// Sign of η′.
     pub(in crate::engine) sigma: f64,
@@ -61,135 +64,155 @@ pub(in crate::engine) struct MotionFrame<'a> {
 
 impl MotionFrame<'_> {
     fn mirrored(self) -> Self {
-        let Self {
-            laws,
-            sign,
-            theta,
-            sigma,
-            integral,
-        } = self;
         Self {
-            laws,
-            sign: -sign,
-            theta: -theta,
-            sigma: -sigma,
-            integral: -integral,
+            laws: self.laws,
+            mirror: -self.mirror,
+            theta: -self.theta,
+            sigma: -self.sigma,
+            integral: -self.integral,
         }
     }
 
     const fn law(&self) -> &SlidingLaw {
-        &self.laws[if self.sign < 0.0 { 1 } else { 0 }][if self.sigma > 0.0 { 1 } else { 0 }]
+        &self.laws[if self.mirror < 0.0 { 1 } else { 0 }][if self.sigma > 0.0 { 1 } else { 0 }]
     }
 
-    /// What η′ loses in a time, but for what it has back after a period.
-    fn loss(&self, elapsed: f64) -> f64 {
+    /// By how much σ η′ is smaller at the same angle after this time.
+    fn slip_loss(&self, elapsed: f64) -> f64 {
         self.sigma * self.law().drag() * elapsed
     }
 
-    const fn way<'b, P: SlideSegment>(&'b self, piece: &'b P) -> SegmentContext<'b, P> {
+    const fn context<'b, S: SlideSegment>(&'b self, segment: &'b S) -> SegmentContext<'b, S> {
         SegmentContext {
             law: self.law(),
-            piece,
+            segment,
             sigma: self.sigma,
             integral: self.integral,
         }
     }
 }
 
-fn mirrored((sin, cos): (f64, f64)) -> (f64, f64) {
-    (-sin, cos)
+/// One slide.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::engine) struct SlideProblem<'a> {
+    pub(in crate::engine) frame: MotionFrame<'a>,
+    pub(in crate::engine) start: SlidePoint,
+    /// Whether η′ = η″ = 0 at the start.
+    pub(in crate::engine) from_limit: bool,
+    pub(in crate::engine) time_left: f64,
+    /// The tables of the hoop, if they are used.
+    pub(in crate::engine) tables: Option<&'a SlideTables>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum End {
-    /// The slide goes on.
+enum SegmentEnd {
+    /// The slide continues.
     Open,
     /// η′ = 0.
     Rest,
     /// w = 0.
     LiftOff,
-    /// By a limit of time.
+    /// By the time limit.
     Cut,
 }
 
+/// How far a segment was followed.
 #[derive(Clone, Copy, Debug)]
 struct SegmentResult {
-    end: End,
-    at: SlidePoint,
-    /// The least η′ behind the beginning.
-    least: f64,
+    end: SegmentEnd,
+    point: SlidePoint,
+    /// The least η′ behind the start.
+    min_slip: f64,
 }
 
 impl SegmentResult {
-    const fn to(end: End, at: SlidePoint) -> Self {
+    const fn to(end: SegmentEnd, point: SlidePoint) -> Self {
         Self {
             end,
-            at,
-            least: at.slip,
+            point,
+            min_slip: point.slip,
         }
     }
 }
 
-/// A place to which periodic slides come back.
+/// A point to which periodic slides come back.
 #[derive(Clone, Copy, Debug)]
 struct PeriodStart {
-    sign: f64,
+    mirror: f64,
     theta: f64,
     elapsed: f64,
     /// Turning points before it.
-    turns: f64,
-    /// Number of the piece that ended there.
-    piece: usize,
+    turning_points: f64,
+    /// Number of the segment that ended there.
+    segment: usize,
+}
+
+/// A period of a slide.
+struct Period {
+    duration: f64,
+    /// 2π times the turns of a rotation; 0 of a libration.
+    delta_theta: f64,
+}
+
+/// A segment about a turning point, the frame before it, whose angle is that of the turning point,
+/// and the point in it at which the slide is.
+struct TurningEntry<'a> {
+    frame: MotionFrame<'a>,
+    start: SlidePoint,
+    segment: TurningSegment,
 }
 
 struct Slide<'a> {
     frame: MotionFrame<'a>,
-    here: SlidePoint,
-    /// The edge of tiles at which it is.
+    point: SlidePoint,
+    /// The edge of the grid at which it is.
     edge: Option<usize>,
     is_behind_turn: bool,
     /// Turning points so far.
-    turns: f64,
-    mark: Option<PeriodStart>,
-    /// The least η′ since the mark.
-    least: f64,
-    pieces: usize,
-    allowed: f64,
-    cells: Option<&'a SlideTables>,
+    turning_points: f64,
+    period_start: Option<PeriodStart>,
+    /// The least η′ since the start of the period.
+    min_slip: f64,
+    segments: usize,
+    time_left: f64,
+    tables: Option<&'a SlideTables>,
 }
 
-/// Follows a slide from a place to its event, or to where it is after the time that is `allowed`;
-/// `from_limit` where η′ = η″ = 0 at the place. `cells` are those that are kept.
-pub(in crate::engine) fn follow(
-    frame: MotionFrame<'_>,
-    here: SlidePoint,
-    from_limit: bool,
-    allowed: f64,
-    cells: Option<&SlideTables>,
-) -> Result<SlideEnd, Fallback> {
+/// The end of a slide; none while it continues.
+type Advance = Result<Option<SlideEnd>, Fallback>;
+
+/// Follows a slide to its event, or to the time limit.
+pub(in crate::engine) fn solve_slide(problem: SlideProblem<'_>) -> Result<SlideEnd, Fallback> {
+    let SlideProblem {
+        frame,
+        start,
+        from_limit,
+        time_left,
+        tables,
+    } = problem;
     let mut slide = Slide {
         frame,
-        here,
+        point: start,
         edge: None,
         is_behind_turn: false,
-        turns: 0.0,
-        mark: None,
-        least: here.slip,
-        pieces: 0,
-        allowed,
-        cells,
+        turning_points: 0.0,
+        period_start: None,
+        min_slip: start.slip,
+        segments: 0,
+        time_left,
+        tables,
     };
     if from_limit {
-        // Its signs are known, however short a turning point makes the step.
-        let expansion =
-            Expansion::new(slide.frame.law(), slide.frame.sigma, here.direction, here.u);
-        if let Some(end) = slide.own_step(&expansion, true)? {
+        // At η′ = η″ = 0 a table cannot tell whether η′ rises; a series about this point can, since
+        // the factor z of η″ divides out.
+        let expansion = Expansion::new(frame.law(), frame.sigma, start.angle, start.u);
+        if let Some(end) = slide.advance_by_series(&expansion, true)? {
             return Ok(end);
         }
     }
-    while slide.pieces < MAX_SEGMENTS {
-        slide.pieces += 1;
-        if let Some(end) = slide.pass_piece()? {
+    while slide.segments < MAX_SEGMENTS {
+        slide.segments += 1;
+        if let Some(end) = slide.advance()? {
             return Ok(end);
         }
     }
@@ -197,499 +220,561 @@ pub(in crate::engine) fn follow(
 }
 
 impl<'a> Slide<'a> {
-    /// Passes the next piece: a step in a cell, a turn, or a step by a new series.
-    fn pass_piece(&mut self) -> Result<Option<SlideEnd>, Fallback> {
-        if let Some(cells) = self.cells {
-            if let Some(end) = self.cross_tiles(cells)? {
+    /// Follows the next segment: by tables where there are any, about a turning point next to one,
+    /// and by a new series elsewhere.
+    fn advance(&mut self) -> Advance {
+        if let Some(tables) = self.tables {
+            if let Some(end) = self.skip_intervals(tables)? {
                 return Ok(Some(end));
             }
-            if let Some(end) = self.in_cell(cells) {
+            if let Some(end) = self.advance_in_table(tables) {
                 return end;
             }
         }
-        let Self { frame, here, .. } = *self;
-        let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
-        // The turn that is behind has led as far as it does.
+        let Self { frame, point, .. } = *self;
+        let expansion = Expansion::new(frame.law(), frame.sigma, point.angle, point.u);
+        // The segment about the turning point behind has led as far as it does.
         let is_done = self.is_behind_turn && expansion.u[1] > 0.0;
-        let turn = if is_done {
+        let turning = if is_done {
             None
         } else {
-            turn_about(&frame, &here, &expansion)
+            turning_segment_near(&frame, &point, &expansion)
         };
-        match turn {
-            Some((before, place, turn)) => self.pass_turn(before, &place, &turn),
-            None => self.own_step(&expansion, false),
+        match turning {
+            Some(entry) => self.follow_turning(&entry),
+            None => self.advance_by_series(&expansion, false),
         }
     }
 
-    /// Passes a step in a cell. None where no cell has one.
-    fn in_cell(&mut self, cells: &'a SlideTables) -> Option<Result<Option<SlideEnd>, Fallback>> {
-        let Self { frame, here, .. } = *self;
-        let ((sin, cos), law) = (here.direction, frame.law());
-        // du/dz: where u is steep tiles must be narrow, or there is none.
-        let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
-        let halvings = (0..=HALVINGS)
-            .find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= here.u * (1_u32 << k) as f64)?;
-        let mut tiles =
-            (halvings..=HALVINGS).flat_map(|halvings| AngleInterval::about(frame.theta, halvings));
-        let (tile, (place, step)) =
-            tiles.find_map(|tile| Some((tile, cells.get(law, frame.sigma, tile)?.step(&here)?)))?;
-        let edge = step.exit.is_some().then(|| tile.exit());
-        Some(self.pass_step(&place, &step, edge))
+    /// Follows a segment of a table. None where no table has one.
+    fn advance_in_table(&mut self, tables: &'a SlideTables) -> Option<Advance> {
+        let Self { frame, point, .. } = *self;
+        let (Angle { sin, cos }, law) = (point.angle, frame.law());
+        // du/dz: where u is steep intervals must be narrow, or there is none.
+        let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * point.u);
+        let min_halvings = (0..=HALVINGS)
+            .find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= point.u * (1_u32 << k) as f64)?;
+        let mut intervals = (min_halvings..=HALVINGS)
+            .flat_map(|halvings| AngleInterval::about(frame.theta, halvings));
+        let (interval, found) = intervals.find_map(|interval| {
+            let table = tables.get(law, frame.sigma, interval)?;
+            Some((interval, table.enter(&point)?))
+        })?;
+        let edge = found.segment.exit.is_some().then(|| interval.exit());
+        Some(self.follow_regular(&found.start, &found.segment, edge))
     }
 
-    /// Crosses whole tiles up to the first with an event, or up to a place where no tile can be
-    /// crossed.
-    fn cross_tiles(&mut self, cells: &'a SlideTables) -> Result<Option<SlideEnd>, Fallback> {
-        let Self { frame, allowed, .. } = *self;
-        let law = frame.law();
-        let mut halvings = 0;
-        while let Some(edge) = self.edge
-            && self.pieces < MAX_SEGMENTS
-            && let Some((tile, cell, level, u)) =
-                cells.crossing((law, frame.sigma), (edge, halvings), self.here.u)
+    /// Crosses whole intervals up to the first with an event, or up to an edge from which no
+    /// interval can be crossed.
+    ///
+    /// On an interval every slide is u = p + u_c h. u at the entry gives u_c, hence u at the exit;
+    /// one Gauss sum gives the time, and the momentum integral the slip.
+    fn skip_intervals(&mut self, tables: &'a SlideTables) -> Advance {
+        let frame = self.frame;
+        let mut min_halvings = 0;
+        while let Some(index) = self.edge
+            && self.segments < MAX_SEGMENTS
+            && let Some(crossing) = tables.crossing(
+                frame.law(),
+                frame.sigma,
+                Edge {
+                    index,
+                    min_halvings,
+                },
+                self.point.u,
+            )
         {
-            halvings = tile.halvings.saturating_sub(1);
-            let here = &self.here;
-            let time = cell.time(level);
-            let elapsed = here.elapsed + time;
-            let exit = cell.law_at_exit();
-            let at = SlidePoint {
-                z: 1.0,
-                u,
-                elapsed,
-                slip: frame.sigma * (frame.integral + u.sqrt() * exit.lever - law.drag() * elapsed),
-                slip_acceleration: frame.sigma * (exit.alpha + exit.beta * u),
-                direction: exit.direction,
-            };
-            let h = law.body.h;
-            // The top is an edge.
-            let stays = contact(1.0, h, exit.direction.1 * u) > SIGN_TOLERANCE * (1.0 + h * u);
-            let slips = |slip: f64, u: f64| slip > SIGN_TOLERANCE * slip_scale(u, frame.integral);
-            let at_ends = here.slip.min(at.slip);
-            let (signs, doubt) = cell.signs(level);
-            // η′ is monotone, has a maximum, or a minimum that is no less.
-            let least = match signs {
-                SignPattern::Positive | SignPattern::Negative => Some(at_ends),
-                SignPattern::Falling => (at.slip > doubt * time).then_some(at_ends),
-                SignPattern::Rising if here.slip_acceleration > doubt => Some(at_ends),
-                SignPattern::Rising => {
-                    let least = here.slip + time * cell.least_slip_acceleration(level);
-                    // On a tile that is crossed u is less than twice that in its middle.
-                    slips(least, 2.0 * level).then_some(least.min(at_ends))
-                }
-                SignPattern::Unknown => None,
-            };
-            let next = Some(tile.exit());
-            let end = if let Some(least) = least
-                && stays
-                && slips(at.slip, u)
-                && elapsed <= allowed
-            {
-                self.frame.theta += tile.angle();
-                (self.edge, self.here) = (next, at);
-                self.go_on(least, true)?
+            let Crossing {
+                interval,
+                table,
+                u_centre,
+                ..
+            } = crossing;
+            // Where an interval was too wide for this slide the next one probably is, too.
+            min_halvings = interval.halvings.saturating_sub(1);
+            let time = table.time(u_centre);
+            let exit = exit_point(&frame, &crossing, self.point.elapsed + time);
+            let next = Some(interval.exit());
+            let end = if let Some(min_slip) = self.min_slip_without_event(&crossing, time, &exit) {
+                self.frame.theta += interval.width();
+                (self.edge, self.point) = (next, exit);
+                self.skip_if_periodic(min_slip, true)?
             } else {
-                let Some((place, step)) = cell.whole_step(here, level, time) else {
+                // An event may lie on this interval: it is searched.
+                let Some(whole) = table.whole_interval(&self.point, u_centre, time) else {
                     break;
                 };
-                self.pass_step(&place, &step, next)?
+                self.follow_regular(&whole.start, &whole.segment, next)?
             };
             if end.is_some() {
                 return Ok(end);
             }
-            self.pieces += 1;
+            self.segments += 1;
         }
         Ok(None)
     }
 
-    /// A step until its series ends.
-    fn own_step(
-        &mut self,
-        expansion: &Expansion,
-        from_limit: bool,
-    ) -> Result<Option<SlideEnd>, Fallback> {
-        let step = RegularSegment::new(
-            expansion,
-            self.here.direction,
-            expansion.reach(0),
-            from_limit,
-        )?;
-        self.pass_step(
-            &SlidePoint {
-                z: 0.0,
-                ..self.here
-            },
-            &step,
-            None,
-        )
+    /// A lower bound of η′ on an interval without an event; none where there may be one.
+    fn min_slip_without_event(
+        &self,
+        crossing: &Crossing<'_>,
+        time: f64,
+        exit: &SlidePoint,
+    ) -> Option<f64> {
+        let Self { frame, point, .. } = self;
+        let h = frame.law().body.h;
+        // w can cross zero only before the top, which is an edge: its sign at the exit decides.
+        let stays = contact(1.0, h, exit.angle.cos * exit.u) > SIGN_TOLERANCE * (1.0 + h * exit.u);
+        let slips = |slip: f64, u: f64| slip > SIGN_TOLERANCE * slip_scale(u, frame.integral);
+        let at_ends = point.slip.min(exit.slip);
+        let SlipSigns {
+            pattern,
+            sign_uncertainty,
+        } = crossing.table.signs(crossing.u_centre);
+        // η′ is monotone, has a maximum, or a minimum that is no less.
+        let min_slip = match pattern {
+            SignPattern::Positive | SignPattern::Negative => at_ends,
+            SignPattern::Falling if exit.slip > sign_uncertainty * time => at_ends,
+            SignPattern::Rising if point.slip_acceleration > sign_uncertainty => at_ends,
+            SignPattern::Rising => {
+                let bound =
+                    point.slip + time * crossing.table.min_slip_acceleration(crossing.u_centre);
+                // On an interval that is crossed u is less than twice that in its middle.
+                if !slips(bound, 2.0 * crossing.u_centre) {
+                    return None;
+                }
+                bound.min(at_ends)
+            }
+            SignPattern::Falling | SignPattern::Unknown => return None,
+        };
+        let is_free = stays && slips(exit.slip, exit.u) && exit.elapsed <= self.time_left;
+        is_free.then_some(min_slip)
     }
 
-    /// Passes a step from a place in it, at whose end the slide is at an edge, or not.
-    fn pass_step(
+    /// Follows a segment until its series ends.
+    fn advance_by_series(&mut self, expansion: &Expansion, from_limit: bool) -> Advance {
+        let segment = RegularSegment::new(expansion, self.point.angle, from_limit)?;
+        let start = SlidePoint {
+            z: 0.0,
+            ..self.point
+        };
+        self.follow_regular(&start, &segment, None)
+    }
+
+    /// Follows a segment from a point on it; `edge` is the edge at its end, if there is one.
+    fn follow_regular(
         &mut self,
-        place: &SlidePoint,
-        step: &RegularSegment,
+        start: &SlidePoint,
+        segment: &RegularSegment,
         edge: Option<usize>,
-    ) -> Result<Option<SlideEnd>, Fallback> {
+    ) -> Advance {
         let frame = self.frame;
-        let way = frame.way(step);
-        let passed = self.cut(&way, place, over_step(&way, place, step)?);
-        let at = passed.at;
-        if passed.end == End::Open {
-            (self.edge, self.here, self.is_behind_turn) = (edge, at, false);
+        let context = frame.context(segment);
+        let result = self.cut(&context, start, find_event_on_regular(&context, start)?);
+        let point = result.point;
+        let delta_theta = || {
+            segment.delta_theta(Span {
+                start: start.z,
+                end: point.z,
+            })
+        };
+        if result.end == SegmentEnd::Open {
+            (self.edge, self.point, self.is_behind_turn) = (edge, point, false);
             self.frame.theta = match edge {
                 Some(edge) => edge_angle_near(edge, frame.theta),
-                None => frame.theta + step.turned(place.z, at.z),
+                None => frame.theta + delta_theta(),
             };
-            return self.go_on(passed.least, edge.is_some());
+            return self.skip_if_periodic(result.min_slip, edge.is_some());
         }
-        self.frame.theta += step.turned(place.z, at.z);
-        Ok(Some(self.ended(&passed, step.rate(at.z, at.u))))
+        self.frame.theta += delta_theta();
+        Ok(Some(
+            self.end(&result, segment.theta_rate(point.z, point.u)),
+        ))
     }
 
-    /// Passes a turn, in the frame before the turning point, from a place in it.
-    fn pass_turn(
-        &mut self,
-        before: MotionFrame<'a>,
-        place: &SlidePoint,
-        turn: &TurningSegment,
-    ) -> Result<Option<SlideEnd>, Fallback> {
-        // Towards larger angles, and back.
-        let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
-        let passes_top = (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to);
-        // Behind its linear term u changes by less than half over the turn: w ≥ 1 − h u.
-        let held = 2.0 * before.law().body.h * turn.u(1.0) < 1.0;
-        if passes_top && !held {
+    /// Follows a segment about a turning point.
+    fn follow_turning(&mut self, entry: &TurningEntry<'a>) -> Advance {
+        let TurningEntry {
+            frame,
+            start,
+            segment,
+        } = entry;
+        // The top may lie on the way towards the turning point, or on the way back.
+        let sine = |y: f64| segment.angle(y).sin;
+        let (from, middle, to) = (sine(start.z), sine(0.0), sine(1.0));
+        let passes_top = (start.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to);
+        // Behind its linear term u changes by less than half over the segment: w ≥ 1 − h u.
+        let stays = 2.0 * frame.law().body.h * segment.u(1.0) < 1.0;
+        if passes_top && !stays {
             return Err(Fallback::TurningPoint);
         }
-        let way = before.way(turn);
-        let passed = self.cut(&way, place, over_turn(&way, place, held)?);
-        let at = passed.at;
-        if place.z < 0.0 && at.z > 0.0 {
-            self.turns += 1.0;
+        let context = frame.context(segment);
+        let found = find_event_on_turning(&context, start, stays)?;
+        let result = self.cut(&context, start, found);
+        let point = result.point;
+        if start.z < 0.0 && point.z > 0.0 {
+            self.turning_points += 1.0;
         }
         self.frame = MotionFrame {
-            theta: before.theta + turn.turned_by(at.z),
-            ..before
+            theta: frame.theta + segment.delta_theta(point.z),
+            ..*frame
         };
-        if passed.end == End::Open {
+        if result.end == SegmentEnd::Open {
             self.frame = self.frame.mirrored();
             (self.edge, self.is_behind_turn) = (None, true);
-            self.here = SlidePoint {
-                direction: mirrored(at.direction),
-                ..at
+            self.point = SlidePoint {
+                angle: point.angle.mirrored(),
+                ..point
             };
-            return self.go_on(passed.least, true);
+            return self.skip_if_periodic(result.min_slip, true);
         }
-        Ok(Some(self.ended(&passed, turn.rate(at.z, at.u))))
+        Ok(Some(
+            self.end(&result, segment.theta_rate(point.z, point.u)),
+        ))
     }
 
-    /// What was passed from a place on, cut at the limit of time.
-    fn cut<P: SlideSegment>(
+    /// A result, cut at the time limit.
+    fn cut<S: SlideSegment>(
         &self,
-        way: &SegmentContext<'_, P>,
-        place: &SlidePoint,
-        passed: SegmentResult,
+        context: &SegmentContext<'_, S>,
+        start: &SlidePoint,
+        result: SegmentResult,
     ) -> SegmentResult {
-        if passed.at.elapsed <= self.allowed {
-            return passed;
+        if result.point.elapsed <= self.time_left {
+            return result;
         }
-        SegmentResult::to(End::Cut, way.at_time(place, &passed.at, self.allowed))
+        let point = context.at_time(start, &result.point, self.time_left);
+        SegmentResult::to(SegmentEnd::Cut, point)
     }
 
-    fn ended(&self, passed: &SegmentResult, rate: f64) -> SlideEnd {
-        let SegmentResult { end, at, .. } = passed;
+    fn end(&self, result: &SegmentResult, theta_rate: f64) -> SlideEnd {
+        let SegmentResult { end, point, .. } = result;
         let event = SlideEvent {
-            elapsed: at.elapsed,
+            elapsed: point.elapsed,
             theta: self.frame.theta,
-            theta_rate: rate,
-            slip: if *end == End::Rest {
+            theta_rate,
+            slip: if *end == SegmentEnd::Rest {
                 0.0
             } else {
-                self.frame.sigma * at.slip
+                self.frame.sigma * point.slip
             },
-            direction: at.direction,
-            lifts_off: *end == End::LiftOff,
-            turns: self.turns,
+            angle: point.angle,
+            lifts_off: *end == SegmentEnd::LiftOff,
+            turning_points: self.turning_points,
         };
-        let event = event.mirrored(self.frame.sign);
-        if *end == End::Cut {
+        let event = event.mirrored_by(self.frame.mirror);
+        if *end == SegmentEnd::Cut {
             SlideEnd::Cut(event)
         } else {
             SlideEnd::Event(event)
         }
     }
 
-    /// Goes on behind a piece on which η′ was at least this, and passes whole periods where it is
-    /// at a place to which it comes back.
-    fn go_on(&mut self, least: f64, comes_back: bool) -> Result<Option<SlideEnd>, Fallback> {
-        self.least = self.least.min(least);
+    /// Skips whole periods behind a segment on which η′ was at least `min_slip`; `comes_back` if it
+    /// ends at a point to which a periodic slide comes back.
+    ///
+    /// In libration (friction retraces u), or without friction, u repeats. At the same angle and
+    /// heading one period later only the slip differs, by −drag · T, so that ⌊least slip/loss⌋
+    /// periods are free of events. Rotation with friction changes u every turn, and is followed.
+    fn skip_if_periodic(&mut self, min_slip: f64, comes_back: bool) -> Advance {
+        self.min_slip = self.min_slip.min(min_slip);
         if !comes_back {
             return Ok(None);
         }
-        let MotionFrame { sign, theta, .. } = self.frame;
-        let here = PeriodStart {
-            sign,
-            theta,
-            elapsed: self.here.elapsed,
-            turns: self.turns,
-            piece: self.pieces,
-        };
-        let set = |slide: &mut Self, mark: PeriodStart| {
-            (slide.mark, slide.least) = (Some(mark), slide.here.slip);
-        };
-        let Some(mark) = self.mark else {
-            set(self, here);
+        let Some(start) = self.period_start else {
+            self.start_period();
             return Ok(None);
         };
-        let turned = theta - mark.theta;
+        let Some(period) = self.period_since(&start) else {
+            // Where the first segment began the slide may never be again.
+            if self.segments > 2 * start.segment + INTERVALS {
+                self.start_period();
+            }
+            return Ok(None);
+        };
+        let end = self.skip(&period)?;
+        if end.is_none() {
+            self.start_period();
+        }
+        Ok(end)
+    }
+
+    fn start_period(&mut self) {
+        self.period_start = Some(PeriodStart {
+            mirror: self.frame.mirror,
+            theta: self.frame.theta,
+            elapsed: self.point.elapsed,
+            turning_points: self.turning_points,
+            segment: self.segments,
+        });
+        self.min_slip = self.point.slip;
+    }
+
+    /// The period that ends here; none if it does not.
+    fn period_since(&self, start: &PeriodStart) -> Option<Period> {
+        let MotionFrame { mirror, theta, .. } = self.frame;
+        let turned = theta - start.theta;
         let turns = if turned.abs() < PI {
             0.0
         } else {
             (turned / TAU).round()
         };
-        let is_same = sign == mark.sign
+        let is_same = mirror == start.mirror
             && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
-        if !(is_same && (turns != 0.0 || self.turns >= mark.turns + 2.0)) {
-            // Where the first piece began the slide may never be again.
-            if here.piece > 2 * mark.piece + INTERVALS {
-                set(self, here);
-            }
-            return Ok(None);
-        }
-        let period = here.elapsed - mark.elapsed;
+        let is_later = turns != 0.0 || self.turning_points >= start.turning_points + 2.0;
+        (is_same && is_later).then(|| Period {
+            duration: self.point.elapsed - start.elapsed,
+            delta_theta: TAU * turns,
+        })
+    }
+
+    /// Skips as many periods as are certainly free of events.
+    fn skip(&mut self, period: &Period) -> Advance {
+        let elapsed = self.point.elapsed;
         let law = self.frame.law();
-        let loss = self.frame.loss(period);
-        let allowed = (self.allowed - here.elapsed) / period;
+        let loss = self.frame.slip_loss(period.duration);
+        let is_rotation = period.delta_theta != 0.0;
+        let periods_left = (self.time_left - elapsed) / period.duration;
         // In the frame in which η′ < 0 they are followed one by one.
         let periods = if self.frame.sigma > 0.0 {
-            (self.least / loss).min(allowed)
+            (self.min_slip / loss).min(periods_left)
         } else {
             0.0
         };
-        if loss <= 0.0 && (turns == 0.0 || law.friction == 0.0) {
-            if allowed == f64::INFINITY {
+        if loss <= 0.0 && (!is_rotation || law.friction == 0.0) {
+            // η′ is no less after each period: there is no event at all.
+            if periods_left == f64::INFINITY {
                 return Ok(Some(SlideEnd::Never));
             }
-            if allowed > MAX_PERIODS {
+            if periods_left > MAX_PERIODS {
                 return Err(Fallback::TooLong);
             }
-            // What is left is no less than nothing, whatever rounding does.
-            let whole = allowed.floor();
-            let late = here.elapsed + whole * period > self.allowed;
-            self.pass_periods(if late { whole - 1.0 } else { whole }, period, TAU * turns);
-        } else if turns != 0.0 {
-            // With friction turns differ, and one without loss tells nothing of the next.
+            // The time left must not become negative by rounding.
+            let whole = periods_left.floor();
+            let is_late = elapsed + whole * period.duration > self.time_left;
+            self.skip_periods(if is_late { whole - 1.0 } else { whole }, period);
+        } else if is_rotation {
+            // With friction turns differ, and one without loss says nothing about the next.
             if periods > MAX_TURNS {
                 return Err(Fallback::TooLong);
             }
         } else if periods > MAX_PERIODS {
             return Err(Fallback::TooLong);
         } else if periods > MIN_PERIODS_TO_SKIP {
-            // The last ones, in which rounding might tell, are followed.
-            self.pass_periods(periods.floor() - 2.0, period, 0.0);
+            // Rounding might decide in the last ones: they are followed.
+            self.skip_periods(periods.floor() - 2.0, period);
         }
-        let mark = PeriodStart {
-            elapsed: self.here.elapsed,
-            theta: self.frame.theta,
-            turns: self.turns,
-            ..here
-        };
-        set(self, mark);
         Ok(None)
     }
 
-    /// Passes so many whole periods, each of which lasts so long and takes the angle so far.
-    fn pass_periods(&mut self, periods: f64, period: f64, advance: f64) {
-        let elapsed = periods * period;
-        self.here.elapsed += elapsed;
-        self.here.slip -= self.frame.loss(elapsed);
-        self.frame.theta += periods * advance;
-        // Of a libration; the turns of a rotation have none.
-        if self.turns > 0.0 {
-            self.turns += 2.0 * periods;
+    fn skip_periods(&mut self, periods: f64, period: &Period) {
+        let elapsed = periods * period.duration;
+        self.point.elapsed += elapsed;
+        self.point.slip -= self.frame.slip_loss(elapsed);
+        self.frame.theta += periods * period.delta_theta;
+        // A libration has two turning points in each period, a rotation none.
+        if self.turning_points > 0.0 {
+            self.turning_points += 2.0 * periods;
         }
     }
 }
 
-/// Passes a step to its end, or to the event before.
-fn over_step(
-    way: &SegmentContext<'_, RegularSegment>,
-    here: &SlidePoint,
-    step: &RegularSegment,
-) -> Result<SegmentResult, Fallback> {
-    let signs = (step.signs, step.doubt);
-    let end = step.end;
-    if !passes_top(here.direction.0, step.direction(end).0) {
-        return pass(way, (here, end), false, signs);
+/// The point at the end of an interval.
+fn exit_point(frame: &MotionFrame<'_>, crossing: &Crossing<'_>, elapsed: f64) -> SlidePoint {
+    let (exit, u) = (crossing.table.exit_coefficients(), crossing.u_exit);
+    SlidePoint {
+        z: 1.0,
+        u,
+        elapsed,
+        slip: frame.sigma
+            * (frame.integral + u.sqrt() * exit.slip_coefficient - frame.law().drag() * elapsed),
+        slip_acceleration: frame.sigma * (exit.alpha + exit.beta * u),
+        angle: exit.angle,
     }
-    let top = step.top().clamp(here.z, end);
-    let (h, u) = (way.law.body.h, step.u(top));
+}
+
+/// The first event on a segment from a point on it, or its end.
+fn find_event_on_regular(
+    context: &SegmentContext<'_, RegularSegment>,
+    start: &SlidePoint,
+) -> Result<SegmentResult, Fallback> {
+    let segment = context.segment;
+    let (signs, end) = (segment.signs, segment.end);
+    if !passes_top(start.angle.sin, segment.angle(end).sin) {
+        return find_event(context, start, end, false, signs);
+    }
+    // Behind the top w rises: its sign at the top decides.
+    let top = segment.top().clamp(start.z, end);
+    let (h, u) = (context.law.body.h, segment.u(top));
     let w = contact(1.0, h, u);
     if w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
         return Err(Fallback::Contact);
     }
     if w < 0.0 {
-        pass(way, (here, top), false, signs)
+        find_event(context, start, top, false, signs)
     } else {
-        pass(way, (here, end), true, signs)
+        find_event(context, start, end, true, signs)
     }
 }
 
-/// Whether a slide that turns towards larger angles, from a place with this sin ϑ to another less
+/// Whether a slide that turns towards larger angles, from a point with this sin ϑ to another less
 /// than half a turn ahead, passes the top.
 fn passes_top(from: f64, to: f64) -> bool {
     from < 0.0 && to >= 0.0
 }
 
-/// Passes a turn from a place to y = 1, or to the event before. `held` says that the normal force
-/// cannot vanish.
-fn over_turn(
-    way: &SegmentContext<'_, TurningSegment>,
-    here: &SlidePoint,
-    held: bool,
+/// The first event on a segment from a point on it, or its end at y = 1. `stays` if the normal
+/// force cannot vanish.
+fn find_event_on_turning(
+    context: &SegmentContext<'_, TurningSegment>,
+    start: &SlidePoint,
+    stays: bool,
 ) -> Result<SegmentResult, Fallback> {
-    let TurningSegment { signs, doubt, .. } = *way.piece;
-    match signs {
+    let signs = context.segment.signs;
+    match signs.pattern {
         // Towards the turning point, where u = 0, the signs come in the opposite order.
-        SignPattern::Rising | SignPattern::Falling if here.z < 0.0 => {
-            let middle = pass(way, (here, 0.0), true, (signs.reversed(), doubt))?;
-            if middle.end != End::Open {
+        SignPattern::Rising | SignPattern::Falling if start.z < 0.0 => {
+            let reversed = SlipSigns {
+                pattern: signs.pattern.reversed(),
+                ..signs
+            };
+            let middle = find_event(context, start, 0.0, true, reversed)?;
+            if middle.end != SegmentEnd::Open {
                 return Ok(middle);
             }
-            let passed = pass(way, (&middle.at, 1.0), held, (signs, doubt))?;
+            let result = find_event(context, &middle.point, 1.0, stays, signs)?;
             Ok(SegmentResult {
-                least: passed.least.min(middle.least),
-                ..passed
+                min_slip: result.min_slip.min(middle.min_slip),
+                ..result
             })
         }
         SignPattern::Rising
         | SignPattern::Falling
         | SignPattern::Positive
         | SignPattern::Negative
-        | SignPattern::Unknown => pass(way, (here, 1.0), held, (signs, doubt)),
+        | SignPattern::Unknown => find_event(context, start, 1.0, stays, signs),
     }
 }
 
-/// Passes a piece from a place to another, or to the event before. `held` says that the normal
-/// force cannot vanish.
-fn pass<P: SlideSegment>(
-    way: &SegmentContext<'_, P>,
-    (here, to): (&SlidePoint, f64),
-    held: bool,
-    (signs, doubt): (SignPattern, f64),
+/// The first event on a segment from a point to the coordinate `to`, or the point there. `stays` if
+/// the normal force cannot vanish.
+fn find_event<S: SlideSegment>(
+    context: &SegmentContext<'_, S>,
+    start: &SlidePoint,
+    to: f64,
+    stays: bool,
+    signs: SlipSigns,
 ) -> Result<SegmentResult, Fallback> {
-    let (h, u) = (way.law.body.h, way.piece.u(to));
-    let w = if held {
+    let (h, u) = (context.law.body.h, context.segment.u(to));
+    let w = if stays {
         1.0
     } else {
-        contact(1.0, h, way.piece.direction(to).1 * u)
+        context.contact_margin(context.segment.angle(to), u)
     };
-    if !held && w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
+    if !stays && w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
         return Err(Fallback::Contact);
     }
     let lifts_off = w < 0.0;
-    let there = if lifts_off {
-        way.lift_off(here, (to, w))
+    let end = if lifts_off {
+        context.lift_off(start, to, w)
     } else {
-        way.at(here, to)
+        context.point(start, to)
     };
-    // Where the piece ends just at a zero of η′, which may be a touch, rounding would decide.
-    if there.slip.abs() <= SIGN_TOLERANCE * way.slip_scale(&there) {
+    // Where the segment ends just at a zero of η′, which may be a touch, rounding would decide.
+    if end.slip.abs() <= SIGN_TOLERANCE * context.slip_scale(&end) {
         return Err(Fallback::Slip);
     }
-    let from_rest = here.slip <= 0.0;
-    // The change may lie behind.
-    let signs = match signs {
-        SignPattern::Rising if here.slip_acceleration > doubt => SignPattern::Positive,
-        SignPattern::Falling if here.slip_acceleration < -doubt => SignPattern::Negative,
-        signs => signs,
+    let result = SegmentResult::to(
+        if lifts_off {
+            SegmentEnd::LiftOff
+        } else {
+            SegmentEnd::Open
+        },
+        end,
+    );
+    let rest = |before: &SlidePoint| {
+        let point = context.rest(start, before)?;
+        Ok(SegmentResult::to(SegmentEnd::Rest, point))
     };
-    let passed = SegmentResult::to(if lifts_off { End::LiftOff } else { End::Open }, there);
-    let rest = |before: &SlidePoint| Ok(SegmentResult::to(End::Rest, way.rest(here, before)?));
-    match signs {
+    let from_rest = start.slip <= 0.0;
+    let sign_uncertainty = signs.sign_uncertainty;
+    match signs.pattern_behind(start.slip_acceleration) {
         SignPattern::Unknown => Err(Fallback::SlipShape),
         // η′ must rise from zero.
         SignPattern::Negative | SignPattern::Rising if from_rest => Err(Fallback::Slip),
-        SignPattern::Falling if from_rest && here.slip_acceleration < 0.0 => Err(Fallback::Slip),
+        SignPattern::Falling if from_rest && start.slip_acceleration < 0.0 => Err(Fallback::Slip),
         SignPattern::Positive
         | SignPattern::Negative
         | SignPattern::Falling
         | SignPattern::Rising
-            if there.slip <= 0.0 =>
+            if end.slip <= 0.0 =>
         {
-            rest(&there)
+            rest(&end)
         }
         // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no
         // more than this.
-        SignPattern::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => {
+        SignPattern::Falling if end.slip <= sign_uncertainty * (end.elapsed - start.elapsed) => {
             Err(Fallback::SlipShape)
         }
-        SignPattern::Positive | SignPattern::Negative | SignPattern::Falling => Ok(passed),
+        SignPattern::Positive | SignPattern::Negative | SignPattern::Falling => Ok(result),
         SignPattern::Rising => {
-            let Some(least) = way.least(here, &there) else {
-                return Ok(passed);
+            let Some(min) = context.min_slip(start, &end) else {
+                return Ok(result);
             };
-            let uncertain =
-                doubt * (there.elapsed - here.elapsed) + SIGN_TOLERANCE * way.slip_scale(&least);
-            // Where it hardly vanishes, or hardly does not, rounding would decide.
-            if least.slip.abs() <= uncertain {
+            let uncertain = sign_uncertainty * (end.elapsed - start.elapsed)
+                + SIGN_TOLERANCE * context.slip_scale(&min);
+            // At a near-tangent zero rounding would decide.
+            if min.slip.abs() <= uncertain {
                 return Err(Fallback::Slip);
             }
-            if least.slip < 0.0 {
-                rest(&least)
+            if min.slip < 0.0 {
+                rest(&min)
             } else {
                 Ok(SegmentResult {
-                    least: least.slip,
-                    ..passed
+                    min_slip: min.slip,
+                    ..result
                 })
             }
         }
     }
 }
 
-/// The turn about the turning point next to the centre of an expansion, ahead or behind, if it is
-/// near; with the frame before it, whose angle is that of the turning point, and the place in it.
-fn turn_about<'a>(
+/// The segment about the turning point next to the centre of an expansion, ahead or behind, if that
+/// is near.
+fn turning_segment_near<'a>(
     frame: &MotionFrame<'a>,
-    here: &SlidePoint,
+    point: &SlidePoint,
     expansion: &Expansion,
-) -> Option<(MotionFrame<'a>, SlidePoint, TurningSegment)> {
-    let reach = expansion.reach(0);
-    if here.u > MAX_TURN_DISTANCE * reach * expansion.u[1].abs() {
+) -> Option<TurningEntry<'a>> {
+    let convergence_radius = expansion.convergence_radius(0);
+    if point.u > MAX_TURN_DISTANCE * convergence_radius * expansion.u[1].abs() {
         return None;
     }
-    let distance = expansion.zero(reach)?.abs();
+    let distance = expansion.zero(convergence_radius)?.abs();
     let is_ahead = expansion.u[1] < 0.0;
-    let (frame, direction) = if is_ahead {
-        (*frame, here.direction)
+    // Behind a turning point, the frame before it is mirrored.
+    let (frame, angle) = if is_ahead {
+        (*frame, point.angle)
     } else {
-        (frame.mirrored(), mirrored(here.direction))
+        (frame.mirrored(), point.angle.mirrored())
     };
-    let (behind, there) = (frame.mirrored(), mirrored(rotated(direction, distance)));
-    let turn = TurningSegment::new(
-        &Expansion::new(behind.law(), behind.sigma, there, 0.0),
-        there,
-    )?;
-    let part = distance / turn.width;
-    // Behind the turning point a step leads farther than the rest of the turn.
-    let (z, farthest) = if is_ahead {
+    let behind = frame.mirrored();
+    let turning_angle = angle.plus(Angle::of_half_tangent(distance)).mirrored();
+    let expansion = Expansion::new(behind.law(), behind.sigma, turning_angle, 0.0);
+    let segment = TurningSegment::new(&expansion, turning_angle)?;
+    let part = distance / segment.width;
+    // Behind the turning point a regular segment leads farther than the rest of this one.
+    let (z, max_part) = if is_ahead {
         (-part.sqrt(), 1.0)
     } else {
         (part.sqrt(), MAX_PART_BEHIND_TURN)
     };
-    let frame = MotionFrame {
-        theta: frame.theta + 2.0 * libm::atan(distance),
-        ..frame
-    };
-    (part < farthest).then_some((
-        frame,
-        SlidePoint {
-            z,
-            direction,
-            ..*here
+    (part < max_part).then_some(TurningEntry {
+        frame: MotionFrame {
+            theta: frame.theta + 2.0 * libm::atan(distance),
+            ..frame
         },
-        turn,
-    ))
+        start: SlidePoint { z, angle, ..*point },
+        segment,
+    })
 }

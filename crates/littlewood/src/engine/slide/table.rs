@@ -1,8 +1,8 @@
 //! All slides of a body in one direction about an angle.
 //!
-//! There every slide is u = p + u_c h, with two series and one number u_c that belongs to the
-//! slide. They reach to both sides, twice as far as the series of one slide from where it begins,
-//! and serve every slide of a motion that comes there.
+//! There every slide is u = p + u_c h, with two series and the number u_c that belongs to the
+//! slide, u at the centre. The series reach to both sides, twice as far as the series of one slide
+//! from where it begins, and serve every slide of a motion that comes there.
 
 use core::f64::consts::TAU;
 use std::sync::OnceLock;
@@ -10,59 +10,82 @@ use std::sync::OnceLock;
 use crate::engine::quadrature::{
     MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT,
 };
-use crate::math::trig::sincos;
+use crate::math::trig::Angle;
 use crate::mechanics::SlidingLaw;
 
-use super::regular::{RegularSegment, rotated};
-use super::segment::{LawAt, SlidePoint};
+use super::regular::{KnownTime, RegularSegment, SegmentExit, Span};
+use super::segment::{LocalCoefficients, SlidePoint};
 use super::series::{
-    CONVERGENCE, Low, Polynomials, Series, SignPattern, bernstein, from_both_sides, least, reach,
-    scaled, sign_pattern, sum_of_sizes, value,
+    CONVERGENCE, InitialValue, Polynomials, Series, SignPattern, SlipSigns, TruncatedPolynomial,
+    bernstein, convergence_radius, from_both_sides, min_value, scaled, sum_of_sizes, value,
 };
 
-/// The number of coarsest tiles in a turn.
+/// The number of coarsest intervals in a turn.
 pub(super) const INTERVALS: usize = 16;
 
-/// How often a tile may be halved where its series do not reach over it, or u changes too much on
-/// it.
+/// How often an interval may be halved where its series do not reach over it, or u changes too much
+/// on it.
 pub(super) const HALVINGS: usize = 5;
 
-/// The finest tiles of a turn. Angles at which tiles begin are counted in these.
+/// The finest intervals of a turn. Angles at which intervals begin are counted in these.
 const EDGE_COUNT: usize = INTERVALS << HALVINGS;
 
-/// A step in a cell is not shorter, in t.
-const MIN_STEP: f64 = 1e-9;
+/// A segment in a table is not shorter, in t.
+const MIN_LENGTH: f64 = 1e-9;
+
+/// A number of each slide on a table that is linear in u_c: p + u_c h.
+#[derive(Clone, Copy, Debug)]
+struct Linear {
+    p: f64,
+    h: f64,
+}
+
+impl Linear {
+    #[inline(always)]
+    fn at(self, u_centre: f64) -> f64 {
+        self.p + u_centre * self.h
+    }
+}
+
+/// The same at the Gauss nodes of an interval, and the weight of 1/√u in the time.
+#[derive(Clone, Debug)]
+struct Nodes {
+    p: [f64; NODES],
+    h: [f64; NODES],
+    weight: [f64; NODES],
+}
 
 /// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
 #[derive(Clone, Debug)]
 pub(super) struct SlideTable {
-    /// sin ϑ and cos ϑ at the centre.
-    direction: (f64, f64),
-    /// z at the end: twice as far from the centre as the tile, or as far as the series reach.
+    /// At the centre.
+    angle: Angle,
+    /// z at t = 1: twice as far from the centre as the end of the interval, or as far as the series
+    /// converge.
     width: f64,
-    /// u = p + u_c h, truncated at the first of these degrees, which are even, and on the tile at
-    /// the second.
     p: Series,
     h: Series,
-    degrees: (usize, usize),
-    /// The Bernstein coefficients of n³ P σ η″ = a + u_c b, and what each leaves out.
-    a: (Low, f64),
-    b: (Low, f64),
+    /// The even degree at which these are truncated, and the one that suffices on the interval.
+    degree: usize,
+    interval_degree: usize,
+    /// n³ P σ η″ = a + u_c b in Bernstein form.
+    a: TruncatedPolynomial,
+    b: TruncatedPolynomial,
     /// P is nowhere less.
-    least: f64,
-    /// t at the end of its tile.
+    min_p: f64,
+    /// t at the end of the interval.
     end: f64,
-    /// p and h at the ends of its tile.
-    entry: (f64, f64),
-    exit: (f64, f64),
-    law_at_exit: LawAt,
-    /// p, h, and the weight of 1/√u in the time, at the Gauss nodes of its tile.
-    nodes: [[f64; NODES]; 3],
-    /// Sums of the sizes of the terms of p and h, from the linear ones on, up to the ellipse on
-    /// which u has no zero if they are small.
-    terms: (f64, f64),
+    /// u at the ends of the interval.
+    entry: Linear,
+    exit: Linear,
+    exit_coefficients: LocalCoefficients,
+    nodes: Nodes,
+    /// Sum of the sizes of the terms of u, from the linear one on, up to the ellipse on which u has
+    /// no zero if they are small.
+    terms: Linear,
 }
 
+/// An interval of the angle grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct AngleInterval {
     pub(super) halvings: usize,
@@ -75,11 +98,11 @@ impl AngleInterval {
         INTERVALS << self.halvings
     }
 
-    pub(super) fn angle(self) -> f64 {
+    pub(super) fn width(self) -> f64 {
         TAU / self.count() as f64
     }
 
-    /// The tile that begins at an edge, halved so often, if there is one.
+    /// The interval that begins at an edge, halved so often, if there is one.
     pub(super) const fn at(edge: usize, halvings: usize) -> Option<Self> {
         let shift = HALVINGS - halvings;
         let number = edge >> shift;
@@ -95,257 +118,296 @@ impl AngleInterval {
         ((self.number + 1) << (HALVINGS - self.halvings)) % EDGE_COUNT
     }
 
-    /// The tile whose centre is the next ahead of an angle, and the one before.
+    /// The interval whose centre is the next ahead of an angle, and the one before.
     pub(super) fn about(theta: f64, halvings: usize) -> [Self; 2] {
-        let tile = |number| Self { halvings, number };
-        let count = tile(0).count();
-        let place = theta * (count as f64 / TAU) - 0.5;
-        let turns = (place / count as f64).floor();
-        let before = (place - count as f64 * turns) as usize % count;
-        [tile((before + 1) % count), tile(before)]
+        let interval = |number| Self { halvings, number };
+        let count = interval(0).count();
+        let position = theta * (count as f64 / TAU) - 0.5;
+        let turns = (position / count as f64).floor();
+        let before = (position - count as f64 * turns) as usize % count;
+        [interval((before + 1) % count), interval(before)]
     }
 }
 
-/// The angle of an edge, next to another angle.
+/// The angle of an edge, in the turn of another angle.
 pub(super) fn edge_angle_near(edge: usize, theta: f64) -> f64 {
     let angle = edge as f64 * (TAU / EDGE_COUNT as f64);
     angle + TAU * ((theta - angle) / TAU + 0.5).floor()
 }
 
-type Kept = [OnceLock<Option<Box<SlideTable>>>];
+type LazyTables = [OnceLock<Option<Box<SlideTable>>>];
 
-/// The cells of one hoop, made where slides come, and the same whichever slide that is.
+/// The tables of one hoop, made when a slide first needs them, and the same whichever slide that
+/// is.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct SlideTables([[OnceLock<Box<Kept>>; HALVINGS + 1]; 4]);
+pub(in crate::engine) struct SlideTables([[OnceLock<Box<LazyTables>>; HALVINGS + 1]; 4]);
+
+/// An edge of the grid, and the coarsest interval that a slide may cross from it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) index: usize,
+    pub(super) min_halvings: usize,
+}
+
+/// A slide across one interval.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing<'a> {
+    pub(super) interval: AngleInterval,
+    pub(super) table: &'a SlideTable,
+    pub(super) u_centre: f64,
+    pub(super) u_exit: f64,
+}
+
+/// A segment from a table, and the point at which the slide enters it.
+pub(super) struct TableSegment {
+    pub(super) start: SlidePoint,
+    pub(super) segment: RegularSegment,
+}
 
 impl SlideTables {
-    /// The cell of a tile for the direction `sigma` of slip in the frame of motion, if there is
-    /// one. On a slope the mirrored frame has its own.
+    /// The table of an interval for the direction `sigma` of slip in the frame of motion, if there
+    /// is one. On a slope the mirrored frame has its own.
     pub(super) fn get(
         &self,
         law: &SlidingLaw,
         sigma: f64,
-        tile: AngleInterval,
+        interval: AngleInterval,
     ) -> Option<&SlideTable> {
         let which = usize::from(sigma > 0.0) + 2 * usize::from(law.body.tilt > 0.0);
-        let cells = &self.0[which][tile.halvings];
-        let cells = cells.get_or_init(|| (0..tile.count()).map(|_| OnceLock::new()).collect());
-        cells[tile.number]
-            .get_or_init(|| SlideTable::new(law, sigma, tile).map(Box::new))
+        let tables = &self.0[which][interval.halvings];
+        let tables =
+            tables.get_or_init(|| (0..interval.count()).map(|_| OnceLock::new()).collect());
+        tables[interval.number]
+            .get_or_init(|| SlideTable::new(law, sigma, interval).map(Box::new))
             .as_deref()
     }
 
-    /// The coarsest tile from an edge, halved at least so often, that a slide with this u crosses;
-    /// with its cell, u_c, and u at its end.
+    /// The crossing, by a slide with this u, of the coarsest interval from an edge that it crosses.
     pub(super) fn crossing(
         &self,
-        (law, sigma): (&SlidingLaw, f64),
-        (edge, halvings): (usize, usize),
+        law: &SlidingLaw,
+        sigma: f64,
+        edge: Edge,
         u: f64,
-    ) -> Option<(AngleInterval, &SlideTable, f64, f64)> {
-        (halvings..=HALVINGS).find_map(|halvings| {
-            let tile = AngleInterval::at(edge, halvings)?;
-            let cell = self.get(law, sigma, tile)?;
-            let (level, end) = cell.crossing(u)?;
-            Some((tile, cell, level, end))
+    ) -> Option<Crossing<'_>> {
+        (edge.min_halvings..=HALVINGS).find_map(|halvings| {
+            let interval = AngleInterval::at(edge.index, halvings)?;
+            let table = self.get(law, sigma, interval)?;
+            let u_centre = table.u_centre_from_entry(u)?;
+            Some(Crossing {
+                interval,
+                table,
+                u_centre,
+                u_exit: table.exit.at(u_centre),
+            })
         })
     }
 }
 
-fn largest(series: &Series) -> f64 {
-    series.iter().fold(0.0, |largest, c| largest.max(c.abs()))
+fn max_size(series: &Series) -> f64 {
+    series.iter().fold(0.0, |max, c| max.max(c.abs()))
 }
 
-/// The even degree at which two series are truncated up to this t.
-fn degree_of(series: [&Series; 2], t: f64) -> usize {
-    let degrees = series.map(|series| {
+/// The even degree at which two series may be truncated up to this t.
+fn common_degree(p: &Series, h: &Series, t: f64) -> usize {
+    let degree = |series: &Series| {
         let terms = scaled(*series, t);
-        let least = CONVERGENCE * largest(&terms);
-        terms.iter().rposition(|c| c.abs() > least).unwrap_or(0)
-    });
-    degrees[0].max(degrees[1]).next_multiple_of(2)
+        let min_size = CONVERGENCE * max_size(&terms);
+        terms.iter().rposition(|c| c.abs() > min_size).unwrap_or(0)
+    };
+    degree(p).max(degree(h)).next_multiple_of(2)
 }
 
 impl SlideTable {
     /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not
-    /// known to be positive, and where the series do not reach over the tile.
-    fn new(law: &SlidingLaw, sigma: f64, tile: AngleInterval) -> Option<Self> {
-        let angle = tile.angle();
-        let direction = sincos((tile.number as f64 + 0.5) * angle);
-        let polynomials = Polynomials::new(law, sigma, direction);
-        let [p, h] = polynomials.solutions([0.0, 1.0], [1.0, 0.0]);
-        // z at the end of the tile; u changes no more than the Gauss sum of the time allows up to
-        // twice the angle.
-        let [half, widest] = [0.25, 0.5].map(|part| libm::tan(part * angle));
-        let size = largest(&scaled(p, widest));
-        let width = reach(&p, 0, size).min(reach(&h, 0, 1.0)).min(widest);
+    /// known to be positive, and where the series do not reach over the interval.
+    fn new(law: &SlidingLaw, sigma: f64, interval: AngleInterval) -> Option<Self> {
+        let angle = Angle::of((interval.number as f64 + 0.5) * interval.width());
+        let polynomials = Polynomials::new(law, sigma, angle);
+        // p with the drive and p = 0 at the centre, h without it and h = 1.
+        let [p, h] = polynomials.solutions([
+            InitialValue { u: 0.0, drive: 1.0 },
+            InitialValue { u: 1.0, drive: 0.0 },
+        ]);
+        // z at the end of the interval; u changes no more than the Gauss sum of the time allows up
+        // to twice the angle.
+        let [half, max_width] = [0.25, 0.5].map(|part| libm::tan(part * interval.width()));
+        let size = max_size(&scaled(p, max_width));
+        let width = convergence_radius(&p, 0, size)
+            .min(convergence_radius(&h, 0, 1.0))
+            .min(max_width);
         let [p, h] = [p, h].map(|series| scaled(series, width));
-        let least = least(from_both_sides(polynomials.p(width)));
-        if !(least > 0.0 && width > half) {
+        let min_p = min_value(from_both_sides(polynomials.p(width)));
+        if !(min_p > 0.0 && width > half) {
             return None;
         }
-        let signs = |u: &Series, part_of_a: f64| {
-            let (low, band) = polynomials.slip_acceleration(u, width, part_of_a);
-            (bernstein(from_both_sides(low)), band)
+        let slip_acceleration = |u: &Series, part_of_a: f64| {
+            let sum = polynomials.slip_acceleration(u, width, part_of_a);
+            TruncatedPolynomial {
+                low: bernstein(from_both_sides(sum.low)),
+                ..sum
+            }
         };
-        let (a, b) = (signs(&p, 1.0), signs(&h, 0.0));
-        let at = |t: f64| [&p, &h].map(|series| value(series, t));
+        let at = |t: f64| Linear {
+            p: value(&p, t),
+            h: value(&h, t),
+        };
         let end = half / width;
-        let degrees = (degree_of([&p, &h], 1.0), degree_of([&p, &h], end));
-        let [entry, exit] = [at(-end), at(end)];
-        let far = RegularSegment::far(-end, end);
-        let [p_terms, h_terms] = [&p, &h].map(|series| far * sum_of_sizes(&series[1..], far));
+        let radius = Span { start: -end, end }.ellipse_radius();
+        let terms = |series: &Series| radius * sum_of_sizes(&series[1..], radius);
         let nodes = NODE.map(|node| at(end * node));
         let weight = |j: usize| {
             let z = half * NODE[j];
             2.0 * half * WEIGHT[j] / (1.0 + z * z)
         };
         Some(Self {
-            direction,
+            angle,
             width,
-            degrees,
-            least,
+            degree: common_degree(&p, &h, 1.0),
+            interval_degree: common_degree(&p, &h, end),
+            a: slip_acceleration(&p, 1.0),
+            b: slip_acceleration(&h, 0.0),
+            min_p,
             end,
-            entry: (entry[0], entry[1]),
-            exit: (exit[0], exit[1]),
-            law_at_exit: LawAt::new(law, rotated(direction, half)),
-            nodes: [
-                nodes.map(|node| node[0]),
-                nodes.map(|node| node[1]),
-                core::array::from_fn(weight),
-            ],
-            terms: (p_terms, h_terms),
+            entry: at(-end),
+            exit: at(end),
+            exit_coefficients: LocalCoefficients::new(
+                law,
+                angle.plus(Angle::of_half_tangent(half)),
+            ),
+            nodes: Nodes {
+                p: nodes.map(|node| node.p),
+                h: nodes.map(|node| node.h),
+                weight: core::array::from_fn(weight),
+            },
+            terms: Linear {
+                p: terms(&p),
+                h: terms(&h),
+            },
             p,
             h,
-            a,
-            b,
         })
     }
 
-    fn place(&self, (sin, cos): (f64, f64)) -> f64 {
-        let (middle_sin, middle_cos) = self.direction;
-        let (turn_sin, turn_cos) = (
-            sin * middle_cos - cos * middle_sin,
-            cos * middle_cos + sin * middle_sin,
-        );
-        turn_sin / ((1.0 + turn_cos) * self.width)
+    /// t at an angle.
+    fn coordinate(&self, angle: Angle) -> f64 {
+        let turned = angle.minus(self.angle);
+        turned.sin / ((1.0 + turned.cos) * self.width)
     }
 
-    /// Of a slide with this u at the beginning of the tile: u_c, and u at the end of the tile. None
-    /// where u is not known to stay away from zero.
-    pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
-        let level = (u - self.entry.0) / self.entry.1;
-        let is_clear =
-            self.terms.0 + level * self.terms.1 <= RegularSegment::MAX_TERM_RATIO * level;
-        (level > 0.0 && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
+    /// u_c of a slide with this u at the beginning of the interval. None where u is not known to
+    /// stay away from zero.
+    fn u_centre_from_entry(&self, u: f64) -> Option<f64> {
+        let u_centre = (u - self.entry.p) / self.entry.h;
+        let is_zero_free = self.terms.at(u_centre) <= RegularSegment::MAX_TERM_RATIO * u_centre;
+        (u_centre > 0.0 && is_zero_free).then_some(u_centre)
     }
 
-    /// The time from the beginning of the tile to its end.
-    pub(super) fn time(&self, level: f64) -> f64 {
-        let [p, h, weight] = &self.nodes;
+    /// The time from the beginning of the interval to its end.
+    pub(super) fn time(&self, u_centre: f64) -> f64 {
+        let Nodes { p, h, weight } = &self.nodes;
         let mut sum = 0.0;
         for j in 0..NODES {
-            sum += weight[j] / (p[j] + level * h[j]).sqrt();
+            sum += weight[j] / (p[j] + u_centre * h[j]).sqrt();
         }
         sum
     }
 
-    pub(super) const fn law_at_exit(&self) -> &LawAt {
-        &self.law_at_exit
+    pub(super) const fn exit_coefficients(&self) -> &LocalCoefficients {
+        &self.exit_coefficients
     }
 
-    /// The step over the whole tile of a slide that crosses it in this time, and its place at the
-    /// beginning.
-    pub(super) fn whole_step(
+    /// The whole interval, for a slide that crosses it in this time. None where η″ may change its
+    /// sign twice.
+    pub(super) fn whole_interval(
         &self,
-        here: &SlidePoint,
-        level: f64,
+        start: &SlidePoint,
+        u_centre: f64,
         time: f64,
-    ) -> Option<(SlidePoint, RegularSegment)> {
-        let place = SlidePoint {
-            z: -self.end,
-            ..*here
-        };
-        let u = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
-        Some((
-            place,
-            self.step_at(
-                (level, u),
-                self.degrees.1,
-                (self.end, Some((place.z, time))),
-            )?,
-        ))
+    ) -> Option<TableSegment> {
+        let from = -self.end;
+        let segment = self.segment(u_centre, self.u(u_centre), self.interval_degree, self.end)?;
+        Some(TableSegment {
+            start: SlidePoint { z: from, ..*start },
+            segment: RegularSegment {
+                known_time: Some(KnownTime { from, time }),
+                ..segment
+            },
+        })
     }
 
-    /// The step of a slide with this direction and u to the end of the tile, or half as far, and
-    /// its place there. None at other places, where u is not known to stay away from zero, and
-    /// where η″ may change its sign twice.
-    pub(super) fn step(&self, here: &SlidePoint) -> Option<(SlidePoint, RegularSegment)> {
-        let z = self.place(here.direction);
-        if !(z >= -1.0 && z < self.end - MIN_STEP) {
+    /// The segment of a slide from a point to the end of the interval, or half as far. None if the
+    /// point lies elsewhere, where u is not known to stay away from zero, and where η″ may change
+    /// its sign twice.
+    pub(super) fn enter(&self, point: &SlidePoint) -> Option<TableSegment> {
+        let z = self.coordinate(point.angle);
+        if !(z >= -1.0 && z < self.end - MIN_LENGTH) {
             return None;
         }
         let degree = if z >= -self.end {
-            self.degrees.1
+            self.interval_degree
         } else {
-            self.degrees.0
+            self.degree
         };
-        let at_place = |series: &Series| value(&series[..=degree], z);
-        let level = (here.u - at_place(&self.p)) / at_place(&self.h);
-        let slope = self.p[1] + level * self.h[1];
-        // What fails mostly does so by the slope.
-        let nearly_even = |end: &f64| RegularSegment::is_nearly_even(level, slope, (z, *end));
-        let u: Series = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
-        let clear = |end: &f64| RegularSegment::is_clear(&u[..=degree], (z, *end));
+        let at_point = |series: &Series| value(&series[..=degree], z);
+        let u_centre = (point.u - at_point(&self.p)) / at_point(&self.h);
+        let slope = self.p[1] + u_centre * self.h[1];
+        let span = |end: f64| Span { start: z, end };
+        // Most intervals that fail do so by the slope, which costs one product.
+        let may_be_zero_free =
+            |end: &f64| RegularSegment::may_be_zero_free(u_centre, slope, span(*end));
+        let u = self.u(u_centre);
+        let is_zero_free = |end: &f64| RegularSegment::is_zero_free(&u[..=degree], span(*end));
         let end = [self.end, 0.5 * (z + self.end)]
             .into_iter()
-            .filter(nearly_even)
-            .find(clear)?;
-        Some((
-            SlidePoint { z, ..*here },
-            self.step_at((level, u), degree, (end, None))?,
-        ))
+            .filter(may_be_zero_free)
+            .find(is_zero_free)?;
+        Some(TableSegment {
+            start: SlidePoint { z, ..*point },
+            segment: self.segment(u_centre, u, degree, end)?,
+        })
     }
 
-    /// The Bernstein coefficients of n³ P σ η″ of a slide, and what they leave out.
-    fn coefficients(&self, level: f64) -> (Low, f64) {
+    /// u of a slide in powers of t.
+    fn u(&self, u_centre: f64) -> Series {
+        core::array::from_fn(|k| self.p[k] + u_centre * self.h[k])
+    }
+
+    /// n³ P σ η″ of a slide in Bernstein form.
+    fn slip_acceleration(&self, u_centre: f64) -> TruncatedPolynomial {
         let (a, b) = (&self.a, &self.b);
-        (
-            core::array::from_fn(|k| a.0[k] + level * b.0[k]),
-            a.1 + level.abs() * b.1,
-        )
+        TruncatedPolynomial {
+            low: core::array::from_fn(|k| a.low[k] + u_centre * b.low[k]),
+            remainder: a.remainder + u_centre.abs() * b.remainder,
+        }
     }
 
-    /// The signs of σ η″ of a slide on the cell, and the largest |η″| where its sign is not known.
-    pub(super) fn signs(&self, level: f64) -> (SignPattern, f64) {
-        let (coefficients, band) = self.coefficients(level);
-        (sign_pattern(&coefficients, band), 2.0 * band / self.least)
+    /// The signs of σ η″ of a slide on the table.
+    pub(super) fn signs(&self, u_centre: f64) -> SlipSigns {
+        self.slip_acceleration(u_centre).slip_signs(self.min_p)
     }
 
-    /// A lower bound of σ η″ of a slide on the cell, at most zero.
-    pub(super) fn least_slip_acceleration(&self, level: f64) -> f64 {
-        let (coefficients, band) = self.coefficients(level);
-        (coefficients.into_iter().fold(0.0, f64::min) - band) / self.least
+    /// A lower bound of σ η″ of a slide on the table, at most zero.
+    pub(super) fn min_slip_acceleration(&self, u_centre: f64) -> f64 {
+        let TruncatedPolynomial { low, remainder } = self.slip_acceleration(u_centre);
+        (low.into_iter().fold(0.0, f64::min) - remainder) / self.min_p
     }
 
-    fn step_at(
-        &self,
-        (level, u): (f64, Series),
-        degree: usize,
-        (end, known): (f64, Option<(f64, f64)>),
-    ) -> Option<RegularSegment> {
-        let (signs, doubt) = self.signs(level);
+    fn segment(&self, u_centre: f64, u: Series, degree: usize, end: f64) -> Option<RegularSegment> {
+        let signs = self.signs(u_centre);
         let is_whole = end == self.end;
-        (signs != SignPattern::Unknown).then(|| RegularSegment {
+        (signs.pattern != SignPattern::Unknown).then(|| RegularSegment {
             width: self.width,
             u,
             degree,
             signs,
-            doubt,
-            direction: self.direction,
+            angle: self.angle,
             end,
-            known,
-            exit: is_whole.then_some((self.exit.0 + level * self.exit.1, self.law_at_exit)),
+            known_time: None,
+            exit: is_whole.then_some(SegmentExit {
+                u: self.exit.at(u_centre),
+                coefficients: self.exit_coefficients,
+            }),
         })
     }
 }
@@ -355,8 +417,8 @@ mod tests {
     use super::*;
     use crate::model::{Body, Direction, Hoop, HoopParameters};
 
-    /// All cells of a hoop whose tiles are halved so often, with their laws and signs.
-    fn cells(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, AngleInterval, SlideTable)> {
+    /// All tables of a hoop whose intervals are halved so often, with their laws and signs.
+    fn tables(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, AngleInterval, SlideTable)> {
         let Body::Heavy(body) = hoop.body() else {
             unreachable!("it has mass")
         };
@@ -370,8 +432,13 @@ mod tests {
             .flat_map(|(law, sigma)| {
                 (0..INTERVALS << halvings)
                     .map(move |number| AngleInterval { halvings, number })
-                    .filter_map(move |tile| {
-                        Some((law, sigma, tile, SlideTable::new(&law, sigma, tile)?))
+                    .filter_map(move |interval| {
+                        Some((
+                            law,
+                            sigma,
+                            interval,
+                            SlideTable::new(&law, sigma, interval)?,
+                        ))
                     })
             })
             .collect()
@@ -379,7 +446,7 @@ mod tests {
 
     /// Also of light hoops, and next to zeros of P, where p and h change most.
     #[test]
-    fn u_is_positive_where_a_tile_is_crossed() {
+    fn u_is_positive_where_an_interval_is_crossed() {
         let mut crossings = 0;
         for (mass_ratio, inertia, mu) in [
             (1.0, 1.0, 0.4),
@@ -391,22 +458,23 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu, mu);
             let hoop = Hoop::new(hoop).unwrap();
-            for (_, sigma, tile, cell) in (0..=HALVINGS).flat_map(|halvings| cells(&hoop, halvings))
+            for (_, sigma, interval, table) in
+                (0..=HALVINGS).flat_map(|halvings| tables(&hoop, halvings))
             {
                 for exponent in -24..=24 {
                     let u = libm::pow(10.0, 0.25 * f64::from(exponent));
-                    let Some((level, end)) = cell.crossing(u) else {
+                    let Some(u_centre) = table.u_centre_from_entry(u) else {
                         continue;
                     };
-                    let [p, h, _] = &cell.nodes;
-                    let least = p
+                    let Nodes { p, h, .. } = &table.nodes;
+                    let min_u = p
                         .iter()
                         .zip(h)
-                        .map(|(p, h)| p + level * h)
-                        .fold(end, f64::min);
+                        .map(|(p, h)| p + u_centre * h)
+                        .fold(table.exit.at(u_centre), f64::min);
                     assert!(
-                        least > 0.0,
-                        "{mass_ratio} {inertia}: {sigma} {tile:?} {u}: {least}"
+                        min_u > 0.0,
+                        "{mass_ratio} {inertia}: {sigma} {interval:?} {u}: {min_u}"
                     );
                     crossings += 1;
                 }
@@ -418,40 +486,41 @@ mod tests {
     #[test]
     fn angles_lie_between_the_centres_about_them() {
         for halvings in 0..=HALVINGS {
-            let tile = |number| AngleInterval { halvings, number };
+            let interval = |number| AngleInterval { halvings, number };
             let count = INTERVALS << halvings;
             for turns in [-3.0, 0.0, 7.0] {
                 for number in 0..count {
                     let theta = TAU * (turns + (number as f64 + 0.8) / count as f64);
                     assert_eq!(
                         AngleInterval::about(theta, halvings),
-                        [tile((number + 1) % count), tile(number)]
+                        [interval((number + 1) % count), interval(number)]
                     );
                 }
             }
             assert_eq!(
                 AngleInterval::about(0.0, halvings),
-                [tile(0), tile(count - 1)]
+                [interval(0), interval(count - 1)]
             );
         }
     }
 
-    /// Where η″ rises through zero it is nowhere less than what is told of it.
+    /// Where η″ rises through zero it is nowhere less than the bound.
     #[test]
-    fn slip_accelerations_are_no_less_than_the_least() {
+    fn slip_accelerations_are_no_less_than_their_bound() {
         let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
         let mut falls = 0;
-        for (law, sigma, tile, cell) in cells(&hoop, 0) {
-            for level in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {
-                let least = cell.least_slip_acceleration(level);
-                let seen = (-20..=20).map(|k| {
+        for (law, sigma, interval, table) in tables(&hoop, 0) {
+            for u_centre in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {
+                let bound = table.min_slip_acceleration(u_centre);
+                let values = (-20..=20).map(|k| {
                     let t = 0.05 * f64::from(k);
-                    let (sin, cos) = rotated(cell.direction, cell.width * t);
+                    let Angle { sin, cos } =
+                        table.angle.plus(Angle::of_half_tangent(table.width * t));
                     let (alpha, beta) = law.slip_acceleration(sin, cos);
-                    sigma * (alpha + beta * (value(&cell.p, t) + level * value(&cell.h, t)))
+                    sigma * (alpha + beta * (value(&table.p, t) + u_centre * value(&table.h, t)))
                 });
-                let lowest = seen.fold(0.0, f64::min);
-                assert!(lowest >= least, "{tile:?} {level}: {lowest} {least}");
+                let lowest = values.fold(0.0, f64::min);
+                assert!(lowest >= bound, "{interval:?} {u_centre}: {lowest} {bound}");
                 falls += u32::from(lowest < 0.0);
             }
         }
