@@ -95,16 +95,9 @@ impl HalfAngleOrbit {
     /// The point at a phase, up to a period behind the start.
     fn point(&self, phase: Angle) -> OrbitPoint {
         let (four_l, energy) = (self.four_l, &self.energy);
-        let (position, twice_kinetic) = if !self.rotates {
-            let twice_kinetic = energy.beta * (phase.cos * phase.cos);
-            let position = ReducedAngle {
-                z: phase.sin * (energy.beta / four_l).sqrt(),
-                y: ((twice_kinetic + energy.separatrix_gap) / four_l).sqrt(),
-                ..self.start
-            };
-            (position, twice_kinetic)
-        } else {
-            let twice_kinetic = energy.separatrix_gap + four_l * (phase.cos * phase.cos);
+        let cos_squared = phase.cos * phase.cos;
+        let (position, twice_kinetic) = if self.rotates {
+            // Behind the top the half angle is that of the next turn.
             let position = if phase.cos < 0.0 {
                 ReducedAngle {
                     turn: self.start.turn + 1.0,
@@ -117,6 +110,14 @@ impl HalfAngleOrbit {
                     y: phase.cos,
                     ..self.start
                 }
+            };
+            (position, energy.separatrix_gap + four_l * cos_squared)
+        } else {
+            let twice_kinetic = energy.beta * cos_squared;
+            let position = ReducedAngle {
+                z: phase.sin * (energy.beta / four_l).sqrt(),
+                y: ((twice_kinetic + energy.separatrix_gap) / four_l).sqrt(),
+                ..self.start
             };
             (position, twice_kinetic)
         };

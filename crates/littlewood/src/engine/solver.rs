@@ -306,6 +306,34 @@ impl<'a> FastSolver<'a> {
         }
     }
 
+    const fn slides_forever(start: State, end: Option<State>) -> Ended {
+        Ending::Motion {
+            event: None,
+            end,
+            verdict: FastOutcome {
+                kind: OutcomeKind::SlidesForever,
+                state: start,
+            },
+        }
+    }
+
+    /// The end of a slide from a place by an event.
+    fn slide_event(&self, place: &EngineState, direction: Direction, event: &SlideEvent) -> Ended {
+        let (cause, arrival) = if event.lifts_off {
+            (Cause::LiftOff, Arrival::LiftOff)
+        } else {
+            (Cause::Stick, Arrival::Open)
+        };
+        Ending::Event {
+            place: EngineState {
+                state: self.slide_end(place, direction, event, false),
+                angle: event.angle,
+            },
+            cause,
+            arrival,
+        }
+    }
+
     /// The state at an event of a slide from a place, or at the time limit.
     fn slide_end(
         &self,
@@ -513,22 +541,6 @@ impl Solver for FastSolver<'_> {
     ) -> SolvedBy<Self> {
         let state = place.state;
         let is_conservative = self.hoop.mu_k() == 0.0;
-        let for_ever = FastOutcome {
-            kind: OutcomeKind::SlidesForever,
-            state,
-        };
-        let never = || {
-            let ending = Ending::Motion {
-                event: None,
-                end: None,
-                verdict: for_ever,
-            };
-            Solved {
-                solution: None,
-                direction: Some(direction),
-                ending,
-            }
-        };
         let left_to_the_simulation = |reason: Fallback| {
             self.model.fallbacks.add(reason);
             // As the simulation has it, but for the last digits of an acceleration from which it
@@ -558,48 +570,25 @@ impl Solver for FastSolver<'_> {
             from_limit: entry == ON_LIMIT,
             time_left: self.until() - state.time,
         };
-        let (event, is_cut) = match self.model.slide(place, begin, self.uses_tables()) {
-            Ok(SlideEnd::Event(event)) => (event, false),
-            Ok(SlideEnd::Cut(event)) => (event, true),
-            Ok(SlideEnd::Never) => return never(),
-            Err(reason) => return left_to_the_simulation(reason),
-        };
-        let end = self.slide_end(place, direction, &event, is_cut);
-        if is_cut {
-            let never_stops = direction.sign() * self.model.sliding(direction).drag() <= 0.0;
-            let repeats = never_stops && event.is_behind_a_period(state.theta, is_conservative);
-            let ending = if repeats {
-                Ending::Motion {
-                    event: None,
-                    end: Some(end),
-                    verdict: for_ever,
+        let ending = match self.model.slide(place, begin, self.uses_tables()) {
+            Ok(SlideEnd::Event(event)) => self.slide_event(place, direction, &event),
+            Ok(SlideEnd::Cut(event)) => {
+                let end = self.slide_end(place, direction, &event, true);
+                // η′ has not fallen over a whole period: there is no event at all.
+                let never_stops = direction.sign() * self.model.sliding(direction).drag() <= 0.0;
+                if never_stops && event.is_behind_a_period(state.theta, is_conservative) {
+                    Self::slides_forever(state, Some(end))
+                } else {
+                    Self::cut(end)
                 }
-            } else {
-                Self::cut(end)
-            };
-            return Solved {
-                solution: None,
-                direction: Some(direction),
-                ending,
-            };
-        }
-        let (cause, arrival) = if event.lifts_off {
-            (Cause::LiftOff, Arrival::LiftOff)
-        } else {
-            (Cause::Stick, Arrival::Open)
-        };
-        let place = EngineState {
-            state: end,
-            angle: event.angle,
+            }
+            Ok(SlideEnd::Never) => Self::slides_forever(state, None),
+            Err(reason) => return left_to_the_simulation(reason),
         };
         Solved {
             solution: None,
             direction: Some(direction),
-            ending: Ending::Event {
-                place,
-                cause,
-                arrival,
-            },
+            ending,
         }
     }
 

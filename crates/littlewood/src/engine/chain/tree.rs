@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use crate::walk::PhaseSequence;
 
 use super::super::interpolant::{Basis, Interpolant, NODES, Tolerance};
-use super::curve::Curves;
+use super::curve::{CurvePoint, Curves};
 use super::value::{Itinerary, SlipMapValue};
 
 /// Polynomials have converged when their last coefficients are below this part of the largest
@@ -97,22 +97,18 @@ impl Tree {
     }
 }
 
-fn fit(
-    &Tree {
+fn fit(tree: &Tree, context: &FitContext<'_>) -> Fit {
+    let Tree {
         left,
         right,
         halvings,
         ..
-    }: &Tree,
-    context: &FitContext<'_>,
-) -> Fit {
+    } = *tree;
     let FitContext {
-        basis,
-        curves,
-        tolerance,
         halvings: most,
         end,
         value,
+        ..
     } = context;
     let middle = 0.5 * (left + right);
     let divided = || {
@@ -142,17 +138,19 @@ fn fit(
     if same(second).is_none() || same(last).is_none() {
         return divided();
     }
-    let nodes = basis.nodes(left, right);
-    let mut numbers = [[0.0; 4]; NODES];
-    for (at, numbers) in nodes.iter().zip(&mut numbers) {
-        match value(*at).as_ref().and_then(same) {
-            Some(fitted) => *numbers = fitted,
-            None => return divided(),
-        }
+    match interpolate(tree, context, first, &last.0) {
+        Some(fitted) => Fit::Found(Box::new(fitted)),
+        None => divided(),
     }
+}
+
+/// The tolerances of the numbers of links that end between two points.
+fn tolerances(context: &FitContext<'_>, first: &CurvePoint, last: &CurvePoint) -> [Tolerance; 4] {
+    let FitContext {
+        curves, tolerance, ..
+    } = context;
     // The rounding of the level of an orbit decides where and when it slips, and how far the hoop
     // has come.
-    let (first, last) = (&first.0.end, &last.0.end);
     let least = LEVEL_ROUNDING * tolerance * curves.amplification(last.part, (first.at, last.at));
     let relative = Tolerance {
         relative: *tolerance,
@@ -167,10 +165,34 @@ fn fit(
         relative: LENGTH_TOLERANCE,
         least: LENGTH_TOLERANCE,
     };
-    let tolerances = [relative, relative, moved, counted];
-    let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else {
-        return divided();
+    [relative, relative, moved, counted]
+}
+
+/// Polynomials through links from the nodes of an interval with the phases of the first, if they
+/// agree with the links from between the nodes.
+fn interpolate(
+    tree: &Tree,
+    context: &FitContext<'_>,
+    first: &(SlipMapValue, PhaseSequence),
+    last: &SlipMapValue,
+) -> Option<FittedMap> {
+    let Tree { left, right, .. } = *tree;
+    let FitContext { basis, value, .. } = context;
+    let (first, phases) = (&first.0, first.1);
+    let route = first.route;
+    let same = |(passage, other): &(SlipMapValue, PhaseSequence)| {
+        (passage.route == route && *other == phases).then(|| passage.numbers())
     };
+    let nodes = basis.nodes(left, right);
+    let mut numbers = [[0.0; 4]; NODES];
+    for (at, numbers) in nodes.iter().zip(&mut numbers) {
+        match value(*at).as_ref().and_then(same) {
+            Some(fitted) => *numbers = fitted,
+            None => return None,
+        }
+    }
+    let tolerances = tolerances(context, &first.end, &last.end);
+    let interpolant = basis.through(left, right, &numbers, &tolerances)?;
     let agrees = |at: f64, expected: [f64; 4]| {
         let values = interpolant
             .at(at)
@@ -191,12 +213,12 @@ fn fit(
             .and_then(same)
             .is_some_and(|expected| agrees(at, expected))
         {
-            return divided();
+            return None;
         }
     }
-    Fit::Found(Box::new(FittedMap {
+    Some(FittedMap {
         route,
         phases,
         numbers: interpolant,
-    }))
+    })
 }

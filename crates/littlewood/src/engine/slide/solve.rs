@@ -522,7 +522,7 @@ impl<'a> Slide<'a> {
         let is_same = mirror == start.mirror
             && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
         let is_later = turns != 0.0 || self.turning_points >= start.turning_points + 2.0;
-        (is_same && is_later).then(|| Period {
+        (is_same && is_later).then_some(Period {
             duration: self.point.elapsed - start.elapsed,
             delta_theta: TAU * turns,
         })
@@ -692,6 +692,17 @@ fn find_event<S: SlideSegment>(
         },
         end,
     );
+    find_rest(context, start, signs, result)
+}
+
+/// The end of slip before the end of a segment that was found without it, or that end.
+fn find_rest<S: SlideSegment>(
+    context: &SegmentContext<'_, S>,
+    start: &SlidePoint,
+    signs: SlipSigns,
+    result: SegmentResult,
+) -> Result<SegmentResult, Fallback> {
+    let end = result.point;
     let rest = |before: &SlidePoint| {
         let point = context.rest(start, before)?;
         Ok(SegmentResult::to(SegmentEnd::Rest, point))
