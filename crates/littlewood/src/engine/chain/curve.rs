@@ -158,7 +158,7 @@ impl Curves {
     /// By how much a coordinate moves, between two of a part, where the level of the orbit moves by
     /// a part of itself, over that part: what rounding of the level is amplified by. Orbits that
     /// graze the limit of friction slip at very different angles.
-    pub(super) fn amplification(&self, part: usize, (from, to): (f64, f64)) -> f64 {
+    pub(super) fn amplification(&self, part: usize, from: f64, to: f64) -> f64 {
         let part = &self.parts[part];
         let moves = |angles: [f64; 2]| {
             let [first, last] = angles.map(|angle| self.slips.inverse_level(part.slip, angle));

@@ -71,11 +71,11 @@ impl SlipMaps {
         travels
             .iter()
             .filter_map(margins)
-            .map(|(heading, margins)| Self::of(hoop, model, (heading, margins)))
+            .map(|(heading, margins)| Self::of(hoop, model, heading, margins))
             .collect()
     }
 
-    fn of(hoop: &Hoop, model: &HoopModel, (heading, margins): (Option<f64>, Margins)) -> Self {
+    fn of(hoop: &Hoop, model: &HoopModel, heading: Option<f64>, margins: Margins) -> Self {
         let Heavy { mass, inertia, .. } = model.body;
         let curves = Curves::new(SlipCurves::new(margins, model.rolling));
         let exponent = curves

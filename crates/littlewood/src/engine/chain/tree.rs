@@ -151,7 +151,7 @@ fn tolerances(context: &FitContext<'_>, first: &CurvePoint, last: &CurvePoint) -
     } = context;
     // The rounding of the level of an orbit decides where and when it slips, and how far the hoop
     // has come.
-    let least = LEVEL_ROUNDING * tolerance * curves.amplification(last.part, (first.at, last.at));
+    let least = LEVEL_ROUNDING * tolerance * curves.amplification(last.part, first.at, last.at);
     let relative = Tolerance {
         relative: *tolerance,
         least,
