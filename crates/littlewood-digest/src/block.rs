@@ -149,7 +149,7 @@ fn tabulated(hash: &mut Hash, index: u32) {
     let Ok(hoop) = Hoop::new(setup.hoop) else {
         return;
     };
-    let engine = Engine::new(&hoop);
+    let engine = Engine::builder(&hoop).interpolate_slips().build();
     for (other, _) in setups(index).take(STARTS) {
         let Start {
             theta,

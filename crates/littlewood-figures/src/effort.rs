@@ -64,7 +64,7 @@ impl Effort {
         let nearly_equal = apart > 0.0 && apart < NEARLY_EQUAL * hoop.mu_s();
         if hoop.mu_k() < LITTLE_FRICTION {
             Self::Slow
-        } else if engine.passes_chains() && !nearly_equal && !bounces && long - rolls <= FEW {
+        } else if engine.interpolates_slips() && !nearly_equal && !bounces && long - rolls <= FEW {
             Self::Chains
         } else {
             Self::Long

@@ -381,7 +381,11 @@ impl Job<'_> {
         let builder = match Hoop::new(point.hoop) {
             Ok(hoop) => {
                 let starts = self.starts_of_a_hoop.unwrap_or(group.len() as u64);
-                Some(Engine::builder(&hoop).expected_starts(starts))
+                Some(
+                    Engine::builder(&hoop)
+                        .expected_starts(starts)
+                        .interpolate_slips(),
+                )
             }
             Err(error) if error.is_contradiction() => None,
             Err(error) => return Err(Halt::Refused(Refused { index, error })),

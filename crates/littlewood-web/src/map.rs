@@ -67,11 +67,11 @@ impl OutcomeMap {
         let Start { slip, gap_rate, .. } = problem.start;
         let mut map = Self {
             subject,
-            engine: Engine::new(&problem.hoop),
+            engine: map_engine(&problem.hoop),
             until_landing: problem
                 .hoop
                 .restitution()
-                .map(|_| Engine::new(&without_restitution(&problem.hoop))),
+                .map(|_| map_engine(&without_restitution(&problem.hoop))),
             slip,
             gap_rate,
             rate,
@@ -198,6 +198,11 @@ impl OutcomeMap {
     }
 }
 
+/// Maps need the speed of interpolated slips.
+fn map_engine(hoop: &Hoop) -> Engine {
+    Engine::builder(hoop).interpolate_slips().build()
+}
+
 /// The class of the motion of a problem ([`Class`]), followed until it leaves the plane or is
 /// proved not to.
 #[wasm_bindgen(js_name = classOf)]
@@ -205,7 +210,7 @@ pub fn class_of(problem: &Problem) -> u8 {
     let limits = Limits::default()
         .with_transitions(TRANSITIONS)
         .with_proof(Proof::Contact);
-    let summary = Engine::new(&problem.hoop).summary(problem.start, limits);
+    let summary = map_engine(&problem.hoop).summary(problem.start, limits);
     summary
         .map_or(Class::Invalid, |summary| Class::of(&summary))
         .code()

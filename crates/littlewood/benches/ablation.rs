@@ -40,7 +40,7 @@ impl Regime {
 
     fn engine(&self) -> Engine {
         let hoop = Hoop::new(self.hoop).expect("a hoop");
-        Engine::new(&match self.restitution {
+        Engine::builder(&match self.restitution {
             Some(e) => {
                 let restitution =
                     Restitution::new(e, RestitutionLaw::Energetic).expect("a coefficient");
@@ -48,6 +48,8 @@ impl Regime {
             }
             None => hoop,
         })
+        .interpolate_slips()
+        .build()
     }
 
     /// A grid that is as dense over the plane however many starts there are.

@@ -170,9 +170,9 @@ pub mod impact {
 pub mod many {
     //! Many starts: an [`Engine`](crate::Engine) computes a summary in about a microsecond.
     //!
-    //! [`Engine::new`](crate::Engine::new) is for many starts of a hoop: it keeps series of slides, and passes chains of slips at once.
-    //! [`Engine::builder`](crate::Engine::builder) is for as many as are expected: with few, only long motions keep series. An engine leaves a phase that it does not resolve to rounding to the solvers of the simulation;
-    //! [`Engine::doubts`](crate::Engine::doubts) counts the reasons.
+    //! [`Engine::new`](crate::Engine::new) is for many starts of a hoop: it keeps series of slides.
+    //! [`Engine::builder`](crate::Engine::builder) is for as many as are expected: with few, only long motions keep series, and with [`interpolate_slips`](EngineBuilder::interpolate_slips) chains of slips are interpolated, with a weaker promise. An engine leaves a phase that it does not resolve to rounding to the solvers of the simulation;
+    //! [`Engine::fallbacks`](crate::Engine::fallbacks) counts the reasons.
     //!
     //! ```
     //! use littlewood::{Engine, Hoop, Limits, OutcomeKind, Start};
@@ -187,7 +187,7 @@ pub mod many {
     //! # Ok::<(), Box<dyn std::error::Error>>(())
     //! ```
 
-    pub use crate::engine::{Doubt, EngineBuilder, StartError};
+    pub use crate::engine::{EngineBuilder, Fallback, StartError};
 }
 
 pub mod derivatives {

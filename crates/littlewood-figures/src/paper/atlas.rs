@@ -83,7 +83,7 @@ fn choose(
         .collect();
     let start =
         |&[i, j]: &[usize; 2]| Start::at(along(window.x, i, columns), along(window.y, j, rows));
-    let engine = Engine::new(&input.hoop);
+    let engine = Engine::builder(&input.hoop).interpolate_slips().build();
     let limits = Effort::of(&input.hoop, input.limits, &engine).cut(input.limits, &engine);
     let points = places
         .iter()

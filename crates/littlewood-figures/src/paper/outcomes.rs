@@ -53,7 +53,7 @@ struct Plan {
 
 impl Plan {
     fn new(input: &FigureInput) -> Self {
-        let engine = Engine::new(&input.hoop);
+        let engine = Engine::builder(&input.hoop).interpolate_slips().build();
         let effort = Effort::of(&input.hoop, input.limits, &engine);
         let limits = effort.cut(input.limits, &engine);
         // Boundaries run through so many cells at most, and are located less closely where motions

@@ -5,7 +5,8 @@
 //! bottom on others. The variable is t = tan(ψ − ψm) about the middle of a panel, so that a node
 //! costs a square root and a division.
 
-use crate::math::trig::sincos;
+use crate::math::trig::Angle;
+use crate::modes::rolling::OrbitEnergy;
 
 use super::quadrature::{LONG_NODE, LONG_WEIGHT, NODE, WEIGHT};
 
@@ -22,23 +23,24 @@ const LONG_PANEL: f64 = 0.66;
 /// Most nodes; beyond, elliptic integrals are cheaper.
 const MAX_NODES: f64 = 128.0;
 
-/// Time on the orbit with D(π), |κ(0)| and β, from where ψ has this sine and cosine on, over an arc
-/// of ψ. None where it comes so close to a singularity, next to the separatrix or to the bottom of
-/// a light hoop, that it would take too many nodes.
-pub(super) fn duration(
-    bottom: f64,
-    (excess, swing): (f64, f64),
-    from: (f64, f64),
-    arc: f64,
-) -> Option<f64> {
+/// Time on an orbit from a phase on, over an arc of ψ. None where it comes so close to a
+/// singularity, next to the separatrix or to the bottom of a light hoop, that it would take too many
+/// nodes.
+pub(super) fn duration(energy: &OrbitEnergy, from: Angle, arc: f64) -> Option<f64> {
+    let OrbitEnergy {
+        bottom,
+        separatrix_gap,
+        beta,
+    } = *energy;
     // D vanishes at the tangent ± i √(D(π)/(D(π) + β)) from the bottom, κ likewise from the top.
-    let least = bottom.min(excess);
-    let clear = (least / (least + swing)).sqrt();
+    let min = bottom.min(separatrix_gap);
+    let distance = (min / (min + beta)).sqrt();
     // tan H ≤ t for H = t − t³/3.
     let panels = |part: f64| {
-        let t = part * clear;
+        let t = part * distance;
         (arc / (2.0 * (t - t * t * t / 3.0))).ceil().max(1.0)
     };
+    // Eight nodes on narrow panels, or sixteen on wide ones, whichever are fewer.
     let (short, long) = (panels(SHORT_PANEL), panels(LONG_PANEL));
     let is_short = short <= 2.0 * long;
     let count = if is_short { short } else { long };
@@ -46,48 +48,41 @@ pub(super) fn duration(
     if nodes > MAX_NODES {
         return None;
     }
-    let (sin, cos) = sincos(0.5 * arc / count);
-    let half = sin / cos;
-    // From the end of a panel to its middle, and on to the next.
-    let turned = |(s, c): (f64, f64)| (s * cos + c * sin, c * cos - s * sin);
-    let mut here = from;
+    let half_panel = Angle::of(0.5 * arc / count);
+    let half = half_panel.sin / half_panel.cos;
+    let mut phase = from;
     let mut sum = 0.0;
     let mut panel = 0.0;
     while panel < count {
-        let middle = turned(here);
-        let orbit = Panel {
-            bottom,
-            excess,
-            swing,
+        // From the end of a panel to its middle, and on to the next.
+        let middle = phase.plus(half_panel);
+        let on_panel = Panel {
+            energy: *energy,
             middle,
             half,
         };
         sum += if is_short {
-            orbit.sum(&SHORT_NODE, &SHORT_WEIGHT)
+            on_panel.sum(&SHORT_NODE, &SHORT_WEIGHT)
         } else {
-            orbit.sum(&LONG_NODE, &LONG_WEIGHT)
+            on_panel.sum(&LONG_NODE, &LONG_WEIGHT)
         };
-        here = turned(middle);
+        phase = middle.plus(half_panel);
         panel += 1.0;
     }
     Some(2.0 * half * sum)
 }
 
-/// dτ/dψ where ψ has this sine and cosine.
-pub(super) fn slowness(
-    bottom: f64,
-    (excess, swing): (f64, f64),
-    (sine, cosine): (f64, f64),
-) -> f64 {
-    2.0 * ((bottom + swing * (sine * sine)) / (excess + swing * (cosine * cosine))).sqrt()
+/// dτ/dψ at a phase.
+pub(super) fn slowness(energy: &OrbitEnergy, phase: Angle) -> f64 {
+    let d = energy.bottom + energy.beta * (phase.sin * phase.sin);
+    let twice_kinetic = energy.separatrix_gap + energy.beta * (phase.cos * phase.cos);
+    2.0 * (d / twice_kinetic).sqrt()
 }
 
 struct Panel {
-    bottom: f64,
-    excess: f64,
-    swing: f64,
-    /// sin ψ and cos ψ at its middle.
-    middle: (f64, f64),
+    energy: OrbitEnergy,
+    /// ψ at its middle.
+    middle: Angle,
     /// t at its end.
     half: f64,
 }
@@ -96,16 +91,22 @@ impl Panel {
     /// The Gauss sum of half the slowness, over half the width, from the positive nodes.
     #[inline(always)]
     fn sum<const N: usize>(&self, nodes: &[f64; N], weights: &[f64; N]) -> f64 {
-        let (s, c) = self.middle;
+        let OrbitEnergy {
+            bottom,
+            separatrix_gap,
+            beta,
+        } = self.energy;
+        let Angle { sin, cos } = self.middle;
         let mut sum = 0.0;
         for j in 0..N {
             let t = self.half * nodes[j];
             let n = 1.0 + t * t;
+            // sin and cos of ψ times √n.
             let slowness = |t: f64| {
-                let (sine, cosine) = (s + c * t, c - s * t);
-                let d = self.bottom * n + self.swing * (sine * sine);
-                let kinetic = self.excess * n + self.swing * (cosine * cosine);
-                (d / (kinetic * (n * n))).sqrt()
+                let (sine, cosine) = (sin + cos * t, cos - sin * t);
+                let d = bottom * n + beta * (sine * sine);
+                let twice_kinetic = separatrix_gap * n + beta * (cosine * cosine);
+                (d / (twice_kinetic * (n * n))).sqrt()
             };
             sum += weights[j] * (slowness(t) + slowness(-t));
         }
@@ -120,7 +121,11 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::modes::rolling::{time_between, time_from_bottom};
+
+    fn angle(phase: f64) -> Angle {
+        let (sin, cos) = libm::sincos(phase);
+        Angle { sin, cos }
+    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
@@ -128,19 +133,19 @@ mod tests {
         #[test]
         fn a_gauss_sum_is_the_elliptic_integral(
             bottom in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
-            excess in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
-            swing in 0.01..10.0_f64,
+            separatrix_gap in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
+            beta in 0.01..10.0_f64,
             from in -FRAC_PI_2..FRAC_PI_2,
             arc in prop_oneof![0.0..PI, 0.0..1e-3_f64],
         ) {
-            let orbit = (excess, swing);
-            let Some(found) = duration(bottom, orbit, libm::sincos(from), arc) else { return Ok(()) };
+            let orbit = OrbitEnergy { bottom, separatrix_gap, beta };
+            let Some(found) = duration(&orbit, angle(from), arc) else { return Ok(()) };
             // Beyond the top a swing of π is a half period.
             let to_place = |phase: f64| {
                 let turns = ((phase + FRAC_PI_2) / PI).floor();
-                let half_period = 2.0 * time_from_bottom(bottom, orbit, (1.0, 0.0));
-                let (sine, cosine) = libm::sincos(phase - PI * turns);
-                turns * half_period + time_from_bottom(bottom, orbit, (sine, cosine.max(0.0)))
+                let half_period = 2.0 * orbit.time_from_bottom(angle(FRAC_PI_2));
+                let Angle { sin, cos } = angle(phase - PI * turns);
+                turns * half_period + orbit.time_from_bottom(Angle { sin, cos: cos.max(0.0) })
             };
             let (begin, end) = (to_place(from), to_place(from + arc));
             let size = begin.abs() + end.abs();
@@ -155,22 +160,23 @@ mod tests {
         #[test]
         fn a_short_arc_has_all_digits(
             bottom in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
-            excess in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
-            swing in 0.01..10.0_f64,
+            separatrix_gap in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
+            beta in 0.01..10.0_f64,
             from in 0.01..FRAC_PI_2,
             exponent in -15.0..-0.3_f64,
             is_before_bottom in any::<bool>(),
         ) {
-            let orbit = (excess, swing);
+            let orbit = OrbitEnergy { bottom, separatrix_gap, beta };
             let arc = libm::exp10(exponent).min(FRAC_PI_2 - from);
-            let ((s0, c0), (sin, cos)) = (libm::sincos(from), libm::sincos(arc));
-            let (s1, c1) = (s0 * cos + c0 * sin, (c0 * cos - s0 * sin).max(0.0));
-            let gain = sin * (s0 * c1 + c0 * s1);
-            let Some(expected) = duration(bottom, orbit, (s0, c0), arc) else { return Ok(()) };
+            let (start, turned) = (angle(from), angle(arc));
+            let Angle { sin, cos } = start.plus(turned);
+            let end = Angle { sin, cos: cos.max(0.0) };
+            let gain = turned.sin * (start.sin * end.cos + start.cos * end.sin);
+            let Some(expected) = duration(&orbit, start, arc) else { return Ok(()) };
             let found = if is_before_bottom {
-                time_between(bottom, orbit, [(-s1, c1), (-s0, c0)], -gain)
+                orbit.time_between(end.mirrored(), start.mirrored(), -gain)
             } else {
-                time_between(bottom, orbit, [(s0, c0), (s1, c1)], gain)
+                orbit.time_between(start, end, gain)
             };
             prop_assert!((found - expected).abs() <= 2e-14 * expected, "{found} {expected}");
         }
@@ -178,8 +184,14 @@ mod tests {
 
     #[test]
     fn next_to_a_singularity_there_is_no_sum() {
-        assert!(duration(1.0, (1e-9, 1.0), (0.0, 1.0), FRAC_PI_2).is_none());
-        assert!(duration(1e-9, (1.0, 1.0), (0.0, 1.0), FRAC_PI_2).is_none());
-        assert_eq!(duration(1.0, (1.0, 1.0), (0.0, 1.0), 0.0), Some(0.0));
+        let orbit = |bottom, separatrix_gap| OrbitEnergy {
+            bottom,
+            separatrix_gap,
+            beta: 1.0,
+        };
+        let from = angle(0.0);
+        assert!(duration(&orbit(1.0, 1e-9), from, FRAC_PI_2).is_none());
+        assert!(duration(&orbit(1e-9, 1.0), from, FRAC_PI_2).is_none());
+        assert_eq!(duration(&orbit(1.0, 1.0), from, 0.0), Some(0.0));
     }
 }

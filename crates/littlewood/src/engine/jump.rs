@@ -5,7 +5,7 @@
 use std::sync::LazyLock;
 
 use crate::ablation::{Part, is_on};
-use crate::math::trig::without_turns;
+use crate::math::trig::{Angle, without_turns};
 use crate::model::{Heavy, State};
 use crate::modes::flight::sine_follows_from_rate;
 use crate::modes::{Flight, TakeOff};
@@ -66,14 +66,14 @@ static JUMPS: LazyLock<Option<Vec<Interpolant<2>>>> = LazyLock::new(|| {
 /// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the
 /// lift-off in the direction of rotation, its sine and cosine, and what rounding has left of h cos
 /// θ θ′² − 1. None where it has to be solved.
-pub(super) fn angles(theta: f64, (sin, cos): (f64, f64), opening: f64) -> Option<[f64; 2]> {
+pub(super) fn angles(theta: f64, lift_off: Angle, opening: f64) -> Option<[f64; 2]> {
     if theta.abs() > MAX_ANGLE || !is_on(Part::Jumps) {
         return None;
     }
     let angle = -without_turns(theta);
-    let told = sine_follows_from_rate(theta, (sin, cos));
-    from_table(if told {
-        angle - opening * cos / sin
+    let sine_is_better = sine_follows_from_rate(theta, lift_off.pair());
+    from_table(if sine_is_better {
+        angle - opening * lift_off.cos / lift_off.sin
     } else {
         angle
     })

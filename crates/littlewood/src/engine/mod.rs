@@ -1,27 +1,27 @@
 //! A faster implementation of the same simulation, for many starts.
 //!
 //! The walk along the automaton is that of [`crate::walk`], as for [`Hoop::simulate`]; the phases
-//! are other solutions of the same equations ([`laws`]): slides are followed in the angle
+//! are other solutions of the same equations ([`model`]): slides are followed in the angle
 //! ([`slide`]), rolling along its orbit ([`roll`]). What depends on the hoop alone is kept, and
 //! chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to
-//! rounding is left to the solvers of the simulation, for a reason that is counted ([`Doubt`]).
+//! rounding is left to the solvers of the simulation, for a reason that is counted ([`Fallback`]).
 
 mod builder;
 mod chain;
-mod doubt;
-mod drift;
 mod duration;
+mod error_bound;
+mod fallback;
 mod interpolant;
 mod jump;
-mod laws;
+mod model;
 mod orbit;
-mod place;
-mod probe;
 mod quadrature;
 mod roll;
 mod slide;
 mod slope;
 mod solver;
+mod state;
+mod survey;
 
 use crate::ablation::{Part, is_on};
 use crate::mechanics::ContactProof;
@@ -30,9 +30,9 @@ use crate::motion::summary::{Summary, SummaryRecorder};
 use crate::walk::{Exact, Known, Origin, walk};
 
 pub use builder::{EngineBuilder, StartError};
-use chain::Chains;
-pub use doubt::Doubt;
-use laws::Laws;
+use chain::SlipMaps;
+pub use fallback::Fallback;
+use model::HoopModel;
 use solver::FastSolver;
 
 /// Motions of lighter hoops, by Î/m, are simulated: each time the particle passes the bottom,
@@ -61,6 +61,15 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 /// [`Hoop::simulate`]. Times, states and energies may differ from it in their last digits, and so
 /// between an engine for many starts and one for few.
 ///
+/// This rests on an assumption about rounding. Each decision is the sign of a computed number. The
+/// engine simulates a motion whenever such a number is closer to zero than a bound on its rounding,
+/// and these bounds are derived from the sizes of its terms, but for two: a slide that passes
+/// within 10⁻⁹ of the end of contact or slip, relative to the terms, is solved by the simulation;
+/// and after landings the numbers that decide an impact are taken to be larger than the accumulated
+/// error of the state, which is at most 10⁻⁴. The tests compare hundreds of thousands of motions
+/// with their simulations; no proof excludes a motion that violates this.
+/// [`EngineBuilder::interpolate_slips`] promises less.
+///
 /// ```
 /// use littlewood::{Engine, Hoop, Limits, Start};
 ///
@@ -75,11 +84,11 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 pub struct Engine {
     hoop: Hoop,
     /// None where motions are simulated.
-    laws: Option<Laws>,
+    model: Option<HoopModel>,
     /// For all directions of motion, or on a slope for each; none where slips are followed one by
     /// one.
-    chains: Option<Vec<Chains>>,
-    /// Whether what is kept is used from the first phase of a motion on.
+    slip_maps: Option<Vec<SlipMaps>>,
+    /// Whether tables are used from the first phase of a motion on.
     is_prepared: bool,
     contact: ContactProof,
 }
@@ -89,14 +98,19 @@ impl Engine {
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let engine = Self::for_few_starts(hoop);
-        // Without kinetic friction slides come back to the limit of static friction exactly, which
-        // the walk alone knows.
-        let laws = engine.laws.as_ref().filter(|_| hoop.mu_k() > 0.0);
-        let chains = laws.map(|laws| Chains::new(hoop, laws));
         Self {
-            is_prepared: engine.laws.is_some(),
-            chains,
+            is_prepared: engine.model.is_some(),
             ..engine
+        }
+    }
+
+    fn with_slip_maps(self) -> Self {
+        // Without kinetic friction slides come back to the limit of static friction exactly, which
+        // the walk decides by symmetry.
+        let model = self.model.as_ref().filter(|_| self.hoop.mu_k() > 0.0);
+        Self {
+            slip_maps: model.map(|model| SlipMaps::new(&self.hoop, model)),
+            ..self
         }
     }
 
@@ -117,8 +131,8 @@ impl Engine {
         };
         Self {
             hoop: *hoop,
-            laws: Laws::new(hoop).filter(|laws| is_computed(laws.body)),
-            chains: None,
+            model: HoopModel::new(hoop).filter(|model| is_computed(model.body)),
+            slip_maps: None,
             is_prepared: false,
             contact: ContactProof::default(),
         }
@@ -134,21 +148,20 @@ impl Engine {
         self.is_prepared
     }
 
-    /// Whether chains of slips out of rolling are passed at once, thousands of them in the time of
-    /// some twenty phases.
-    pub const fn passes_chains(&self) -> bool {
-        self.chains.is_some()
+    /// Whether chains of slips are interpolated ([`EngineBuilder::interpolate_slips`]).
+    pub const fn interpolates_slips(&self) -> bool {
+        self.slip_maps.is_some()
     }
 
     /// Whether motions are those of [`Hoop::simulate`] to the last bit.
     pub const fn is_exact(&self) -> bool {
-        self.laws.is_none()
+        self.model.is_none()
     }
 
-    /// How many phases, and whole motions ([`Doubt::Drift`]), were left to the solvers of the
+    /// How many phases, and whole motions ([`Fallback::Drift`]), were left to the solvers of the
     /// simulation so far, by the reason.
-    pub fn doubts(&self) -> impl Iterator<Item = (Doubt, u64)> {
-        self.laws.iter().flat_map(|laws| laws.tally.counts())
+    pub fn fallbacks(&self) -> impl Iterator<Item = (Fallback, u64)> {
+        self.model.iter().flat_map(|model| model.fallbacks.counts())
     }
 
     /// The summary of one motion: that of [`Hoop::simulate`], to rounding.
@@ -160,8 +173,8 @@ impl Engine {
         limits.check(&start)?;
         let (origin, state, limits) = Origin::of(&self.hoop, &start, limits);
         let recorder = SummaryRecorder::new(&self.hoop, origin);
-        Ok(match &self.laws {
-            Some(laws) => self.fast_summary(laws, (state, limits), recorder),
+        Ok(match &self.model {
+            Some(model) => self.fast_summary(model, (state, limits), recorder),
             None => self.exact_summary((state, limits), recorder),
         })
     }
@@ -178,31 +191,36 @@ impl Engine {
 
     fn fast_summary(
         &self,
-        laws: &Laws,
+        model: &HoopModel,
         (state, limits): ((State, f64), Limits),
         empty: SummaryRecorder<'_>,
     ) -> Summary {
-        let chains = self.chains.as_deref();
-        let chains =
-            chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(&self.hoop, laws, &limits).with_chains(chains);
+        let slip_maps = self.slip_maps.as_deref();
+        let slip_maps = slip_maps
+            .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
+        let solver = FastSolver::new(&self.hoop, model, &limits).with_slip_maps(slip_maps);
         let solver = if self.is_prepared {
             solver
         } else {
             solver.for_few_starts()
         };
         let mut recorder = empty;
-        let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
-        if solver.has_drifted() {
-            laws.tally.add(Doubt::Drift);
+        let end = walk(
+            &solver,
+            state,
+            (&limits, self.known(slip_maps)),
+            &mut recorder,
+        );
+        if solver.is_lost() {
+            model.fallbacks.add(Fallback::Drift);
             return self.exact_summary((state, limits), empty);
         }
         recorder.finish(end.kind, end.state)
     }
 
-    fn known<'a>(&'a self, chains: Option<&'a [Chains]>) -> Known<'a> {
+    fn known<'a>(&'a self, slip_maps: Option<&'a [SlipMaps]>) -> Known<'a> {
         Known {
-            levels: chains.and_then(|chains| chains.first()?.levels()),
+            levels: slip_maps.and_then(|maps| maps.first()?.levels()),
             contact: Some(&self.contact),
         }
     }
@@ -218,8 +236,12 @@ mod tests {
     /// How many transitions are passed at once from the last slip of the motion from a start that
     /// is simulated for so many.
     fn passed_from(hoop: &Hoop, start: Start, transitions: usize) -> usize {
-        let engine = Engine::new(hoop);
-        let (laws, chains) = engine.laws.as_ref().zip(engine.chains.as_deref()).unwrap();
+        let engine = Engine::builder(hoop).interpolate_slips().build();
+        let (model, maps) = engine
+            .model
+            .as_ref()
+            .zip(engine.slip_maps.as_deref())
+            .unwrap();
         let motion = hoop
             .simulate(start, Limits::default().with_transitions(transitions))
             .unwrap();
@@ -228,7 +250,7 @@ mod tests {
             .iter()
             .rfind(|one| one.cause == Cause::Slip)
             .unwrap();
-        let solver = FastSolver::new(hoop, laws, &Limits::default()).with_chains(Some(chains));
+        let solver = FastSolver::new(hoop, model, &Limits::default()).with_slip_maps(Some(maps));
         let room = ChainBudget {
             transitions: 5_000,
             slides: f64::INFINITY,

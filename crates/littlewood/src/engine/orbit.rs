@@ -1,14 +1,12 @@
-//! An orbit of rolling, entered at a state: when it is where, and where it is when.
+//! The time on an orbit of rolling, and the point after a time.
 //!
-//! Everything is seen in the direction of motion. The phase ψ is half the angle from the bottom on
-//! orbits over the top, and that of the swing on others; the time is the Gauss sum of [`duration`],
-//! or, where that would be long, the elliptic integral.
+//! The time is the Gauss sum of [`duration`], or, where that would be long, the elliptic integral.
 
 use core::f64::consts::TAU;
 
-use crate::math::trig::sincos;
+use crate::math::trig::Angle;
 use crate::mechanics::RollingLaw;
-use crate::modes::rolling::{reduce, time_from_bottom};
+use crate::modes::rolling::{HalfAngleOrbit, OrbitPass, ReducedAngle};
 
 use super::duration::{duration, slowness};
 
@@ -23,162 +21,114 @@ const MAX_LAST_STEP: f64 = 1e-9;
 /// It takes four steps or five.
 const MAX_STEPS: usize = 12;
 
-/// An orbit entered at a state: z = −cos ϑ/2 and y = sin ϑ/2 ≥ 0 there.
+/// A point of an orbit, in the direction of motion at its start.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Orbit<'a> {
-    pub(super) law: &'a RollingLaw,
-    pub(super) rotates: bool,
-    pub(super) lap: f64,
-    pub(super) z: f64,
-    pub(super) y: f64,
-    /// D ϑ′².
-    pub(super) kinetic: f64,
-    /// |K − D(0)|.
-    pub(super) excess: f64,
-    /// 4ℓ̂ over the top, and the energy over the bottom on others.
-    pub(super) swing: f64,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Pass {
-    First,
-    NextTurn,
-    WayBack,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Reached {
+pub(super) struct OrbitPoint {
     pub(super) theta: f64,
     pub(super) theta_rate: f64,
 }
 
-impl<'a> Orbit<'a> {
+impl HalfAngleOrbit {
     /// The orbit through an angle at a positive rate. None next to the separatrix.
-    pub(super) fn enter(law: &'a RollingLaw, theta: f64, theta_rate: f64) -> Option<Self> {
-        let (lap, z, y) = reduce(theta, sincos(0.5 * theta));
-        let four_l = 4.0 * law.offset;
-        let kinetic = (law.bottom + four_l * z * z) * theta_rate * theta_rate;
-        let over_top = kinetic - four_l * y * y;
-        let over_bottom = kinetic + four_l * z * z;
-        let rotates = over_top > 0.0;
-        let swing = if rotates { four_l } else { over_bottom };
-        let is_clear = over_top.abs() > MIN_SEPARATRIX_DISTANCE * (law.bottom + over_bottom);
-        is_clear.then_some(Self {
-            law,
-            rotates,
-            lap,
-            z,
-            y,
-            kinetic,
-            excess: over_top.abs(),
-            swing,
-        })
+    pub(super) fn enter(law: &RollingLaw, theta: f64, theta_rate: f64) -> Option<Self> {
+        let orbit = Self::new(law, theta, Angle::of(0.5 * theta), theta_rate);
+        let k = orbit.energy.bottom + orbit.orbit_level();
+        (orbit.energy.separatrix_gap > MIN_SEPARATRIX_DISTANCE * k).then_some(orbit)
     }
 
-    /// The level K − D(π), twice the energy over the bottom.
-    pub(super) fn level(&self) -> f64 {
-        self.kinetic + 4.0 * self.law.offset * self.z * self.z
-    }
-
-    /// Sine and cosine of the phase at a point, by z, y, and D ϑ′² there.
-    pub(super) fn phase(&self, z: f64, y: f64, kinetic: f64) -> (f64, f64) {
-        if self.rotates {
-            (z, y)
-        } else {
-            let sine = z * (4.0 * self.law.offset / self.swing).sqrt();
-            (sine.clamp(-1.0, 1.0), (kinetic / self.swing).sqrt())
-        }
-    }
-
-    fn entry(&self) -> (f64, f64) {
-        self.phase(self.z, self.y, self.kinetic)
-    }
-
-    /// Time from the entry to a phase on an arc.
-    pub(super) fn time(&self, (sine, cosine): (f64, f64), pass: Pass) -> f64 {
-        let orbit = (self.excess, self.swing);
-        let (s0, c0) = self.entry();
-        let (s1, c1) = match pass {
-            Pass::First => (sine, cosine),
-            Pass::NextTurn => (-sine, -cosine),
-            Pass::WayBack => (sine, -cosine),
+    /// Time from the start to a phase on an arc.
+    pub(super) fn time(&self, phase: Angle, pass: OrbitPass) -> f64 {
+        let start = self.start_phase();
+        let end = match pass {
+            OrbitPass::First => phase,
+            OrbitPass::NextTurn => Angle {
+                sin: -phase.sin,
+                cos: -phase.cos,
+            },
+            OrbitPass::WayBack => Angle {
+                cos: -phase.cos,
+                ..phase
+            },
         };
-        let turned = libm::atan2(s1 * c0 - c1 * s0, c1 * c0 + s1 * s0);
+        let turned = end.minus(start);
+        let turned = libm::atan2(turned.sin, turned.cos);
         // Up to half a turn of the phase, give or take rounding.
         let arc = if turned < -1.0 {
             turned + TAU
         } else {
             turned.max(0.0)
         };
-        if let Some(time) = duration(self.law.bottom, orbit, (s0, c0), arc) {
+        if let Some(time) = duration(&self.energy, start, arc) {
             return time;
         }
-        let from_bottom = |phase| time_from_bottom(self.law.bottom, orbit, phase);
-        let half_period = || 2.0 * from_bottom((1.0, 0.0));
-        let (entered, reached) = (from_bottom((s0, c0)), from_bottom((sine, cosine)));
+        let from_bottom = |phase| self.energy.time_from_bottom(phase);
+        let half_period = || 2.0 * from_bottom(Angle { sin: 1.0, cos: 0.0 });
+        let (started, reached) = (from_bottom(start), from_bottom(phase));
         let elapsed = match pass {
-            Pass::First => reached - entered,
-            Pass::NextTurn => half_period() + reached - entered,
-            Pass::WayBack => half_period() - reached - entered,
+            OrbitPass::First => reached - started,
+            OrbitPass::NextTurn => half_period() + reached - started,
+            OrbitPass::WayBack => half_period() - reached - started,
         };
         elapsed.max(0.0)
     }
 
-    /// Where it is after a time, less than a period: Newton's method for the phase, each step of
+    /// The point after a time, less than a period: Newton's method for the phase, each step of
     /// which adds its own time. None where the sum would be long.
-    pub(super) fn after(&self, time: f64) -> Option<Reached> {
-        let orbit = (self.excess, self.swing);
-        let (mut here, mut left) = (self.entry(), time);
+    pub(super) fn after(&self, time: f64) -> Option<OrbitPoint> {
+        let (mut phase, mut time_left) = (self.start_phase(), time);
         for _ in 0..MAX_STEPS {
-            let arc = left / slowness(self.law.bottom, orbit, here);
-            let (sin, cos) = sincos(arc);
-            let there = (here.0 * cos + here.1 * sin, here.1 * cos - here.0 * sin);
+            let arc = time_left / slowness(&self.energy, phase);
+            let end = phase.plus(Angle::of(arc));
             if arc.abs() < MAX_LAST_STEP {
-                return Some(self.at(there));
+                return Some(self.point(end));
             }
-            left -= if arc > 0.0 {
-                duration(self.law.bottom, orbit, here, arc)?
+            time_left -= if arc > 0.0 {
+                duration(&self.energy, phase, arc)?
             } else {
-                -duration(self.law.bottom, orbit, there, -arc)?
+                -duration(&self.energy, end, -arc)?
             };
-            here = there;
+            phase = end;
         }
         None
     }
 
-    /// Where it is at a phase, up to a period behind the entry.
-    fn at(&self, (sine, cosine): (f64, f64)) -> Reached {
-        let four_l = 4.0 * self.law.offset;
-        let (lap, z, y, kinetic) = if !self.rotates {
-            let kinetic = self.swing * (cosine * cosine);
-            (
-                self.lap,
-                sine * (self.swing / four_l).sqrt(),
-                ((kinetic + self.excess) / four_l).sqrt(),
-                kinetic,
-            )
-        } else if cosine < 0.0 {
-            (
-                self.lap + 1.0,
-                -sine,
-                -cosine,
-                self.excess + four_l * (cosine * cosine),
-            )
+    /// The point at a phase, up to a period behind the start.
+    fn point(&self, phase: Angle) -> OrbitPoint {
+        let (four_l, energy) = (self.four_l, &self.energy);
+        let cos_squared = phase.cos * phase.cos;
+        let (position, twice_kinetic) = if self.rotates {
+            // Behind the top the half angle is that of the next turn.
+            let position = if phase.cos < 0.0 {
+                ReducedAngle {
+                    turn: self.start.turn + 1.0,
+                    z: -phase.sin,
+                    y: -phase.cos,
+                }
+            } else {
+                ReducedAngle {
+                    z: phase.sin,
+                    y: phase.cos,
+                    ..self.start
+                }
+            };
+            (position, energy.separatrix_gap + four_l * cos_squared)
         } else {
-            (
-                self.lap,
-                sine,
-                cosine,
-                self.excess + four_l * (cosine * cosine),
-            )
+            let twice_kinetic = energy.beta * cos_squared;
+            let position = ReducedAngle {
+                z: phase.sin * (energy.beta / four_l).sqrt(),
+                y: ((twice_kinetic + energy.separatrix_gap) / four_l).sqrt(),
+                ..self.start
+            };
+            (position, twice_kinetic)
         };
-        let rate = (kinetic / (self.law.bottom + four_l * z * z)).sqrt();
-        Reached {
-            theta: TAU * lap + 2.0 * libm::atan2(y, -z),
+        let d = energy.bottom + four_l * position.z * position.z;
+        let rate = (twice_kinetic / d).sqrt();
+        OrbitPoint {
+            theta: position.angle(),
             theta_rate: if self.rotates {
                 rate
             } else {
-                rate.copysign(cosine)
+                rate.copysign(phase.cos)
             },
         }
     }
@@ -210,13 +160,13 @@ mod tests {
             let start = State { time: 0.0, theta, theta_rate, slip: 0.0, x: 0.0 };
             let rolling = Rolling::new(&hoop, start);
             let Some(period) = rolling.orbit().recurrence().period() else { return Ok(()) };
-            let Some(orbit) = Orbit::enter(&law, theta, theta_rate) else { return Ok(()) };
+            let Some(orbit) = HalfAngleOrbit::enter(&law, theta, theta_rate) else { return Ok(()) };
             let Some(found) = orbit.after(part * period) else { return Ok(()) };
             let expected = rolling.state(part * period);
             // A change of the constant K by its last digits moves the orbit by so much, next to the
             // separatrix most.
-            let k = law.bottom + orbit.level();
-            let conditioning = k / orbit.excess.min(law.bottom);
+            let k = law.bottom + orbit.orbit_level();
+            let conditioning = k / orbit.energy.separatrix_gap.min(law.bottom);
             let allowed = 1e-14 * conditioning * (1.0 + period * (1.0 + expected.theta_rate.abs()));
             prop_assert!((found.theta - expected.theta).abs() <= allowed, "{found:?} {expected:?} {allowed:e}");
             let allowed = allowed * (1.0 + expected.theta_rate * expected.theta_rate) * k / law.bottom;
@@ -231,7 +181,7 @@ mod tests {
         let (mut all, mut found) = (0, 0);
         for (i, j) in (0..40).flat_map(|i| (1..40).map(move |j| (i, j))) {
             let (theta, theta_rate) = (0.16 * f64::from(i) - 3.1, 0.1 * f64::from(j));
-            let Some(orbit) = Orbit::enter(&law, theta, theta_rate) else {
+            let Some(orbit) = HalfAngleOrbit::enter(&law, theta, theta_rate) else {
                 continue;
             };
             for time in [1e-9, 0.3, 2.0] {

@@ -1,28 +1,19 @@
 //! Rolling along one orbit, to its slip, in the direction of motion (docs/engine.md): a zero of the
 //! forms of [`crate::modes::rolling`] on the arcs ahead, isolated in Bernstein form.
 
-use core::f64::consts::TAU;
 use std::sync::OnceLock;
 
 use crate::math::bracket::Bracket;
 use crate::math::form::{Form, HalfAngle, on_arc};
-use crate::model::Direction;
+use crate::math::trig::Angle;
+use crate::model::{Direction, Hoop};
+use crate::modes::rolling::{HalfAngleOrbit, OrbitPass, ReducedAngle, margin_forms};
 
-use super::doubt::Doubt;
-use super::orbit::{Orbit, Pass};
+use super::fallback::Fallback;
 
-/// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`, 1
-/// or −1.
-pub(super) fn side_of(direction: Direction, travel: f64) -> usize {
-    usize::from((direction == Direction::Positive) == travel.is_sign_positive())
-}
-
-pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
-    if (side == 1) == travel.is_sign_positive() {
-        Direction::Positive
-    } else {
-        Direction::Negative
-    }
+/// A direction of slip in a frame that is mirrored for −1.
+pub(super) const fn mirrored_slip(slip: Direction, mirror: f64) -> Direction {
+    if mirror < 0.0 { slip.reversed() } else { slip }
 }
 
 /// A margin within this part of its terms of zero is solved exactly.
@@ -34,22 +25,25 @@ pub(super) const MIN_RATE: f64 = 4e-3;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
-    /// Slips at the angle, in the frame of motion, to a side.
-    Slip {
-        elapsed: f64,
-        theta: f64,
-        theta_rate: f64,
-        side: usize,
-        direction: (f64, f64),
-    },
+    Slip(RollSlip),
     /// Never slips.
     Never,
+}
+
+/// The end of rolling by a slip, in the direction of motion at its start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RollSlip {
+    pub(super) elapsed: f64,
+    pub(super) theta: f64,
+    pub(super) theta_rate: f64,
+    pub(super) slip: Direction,
+    pub(super) angle: Angle,
 }
 
 const OCTANTS: usize = 8;
 
 /// Directions of the half angle at the ends of the octants.
-const EDGES: [HalfAngle; OCTANTS + 1] = {
+const OCTANT_ENDS: [HalfAngle; OCTANTS + 1] = {
     const COS: f64 = 0.923_879_532_511_286_7;
     const SIN: f64 = 0.382_683_432_365_089_8;
     const BOTH: f64 = core::f64::consts::FRAC_1_SQRT_2;
@@ -66,8 +60,35 @@ const EDGES: [HalfAngle; OCTANTS + 1] = {
     ]
 };
 
-/// The margins of one body as A + L B with the level L = K − D(π), side by side.
-pub(super) type Margins = [[Form<7>; 2]; 2];
+/// The margin of static friction of one body as a + L b, with the level L = K − D(π) of an orbit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MarginForm {
+    pub(super) a: Form<7>,
+    pub(super) b: Form<7>,
+}
+
+impl MarginForm {
+    fn on_orbit(&self, orbit_level: f64) -> Form<7> {
+        Form(core::array::from_fn(|i| {
+            self.a.0[i] + orbit_level * self.b.0[i]
+        }))
+    }
+
+    fn at(&self, half: HalfAngle, orbit_level: f64) -> RoundedNumber {
+        RoundedNumber {
+            value: self.a.value(half) + orbit_level * self.b.value(half),
+            scale: self.a.size(half) + orbit_level * self.b.size(half),
+        }
+    }
+}
+
+/// The margins of the two directions of slip in the frame of motion, by [`Direction::index`].
+pub(super) type Margins = [MarginForm; 2];
+
+/// The margins of a hoop that moves in a direction; none of a massless one.
+pub(super) fn margins_of(hoop: &Hoop, heading: f64) -> Option<Margins> {
+    Some(margin_forms(hoop, heading)?.map(|[a, b]| MarginForm { a, b }))
+}
 
 /// The forms X^(6−k) Y^k in the barycentric coordinates of each octant, by the power of these, then
 /// by k.
@@ -84,10 +105,11 @@ const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
                 let axis = if factor < k { 1 } else { 0 };
                 let mut i = 6;
                 while i > 0 {
-                    form[i] = form[i] * EDGES[octant][axis] + form[i - 1] * EDGES[octant + 1][axis];
+                    form[i] = form[i] * OCTANT_ENDS[octant][axis]
+                        + form[i - 1] * OCTANT_ENDS[octant + 1][axis];
                     i -= 1;
                 }
-                form[0] *= EDGES[octant][axis];
+                form[0] *= OCTANT_ENDS[octant][axis];
                 factor += 1;
             }
             let mut i = 0;
@@ -102,129 +124,174 @@ const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
     table
 };
 
-/// The levels L ≥ `least` for which all sums A + L B are positive, narrowed by what is in doubt,
-/// from A and B with the sizes of their terms.
-pub(super) fn holds(least: f64, sums: impl IntoIterator<Item = [(f64, f64); 2]>) -> (f64, f64) {
-    let mut bounds = (least, f64::INFINITY);
-    for [(a, a_size), (b, b_size)] in sums {
-        let level = -a / b;
-        let doubt = 4.0 * MARGIN_TOLERANCE * (a_size + level.abs() * b_size) / b.abs();
-        if b > 0.0 {
-            bounds.0 = f64::max(bounds.0, level + doubt);
-        } else if b < 0.0 {
-            bounds.1 = f64::min(bounds.1, level - doubt);
-        } else if a <= MARGIN_TOLERANCE * a_size {
-            bounds.1 = f64::NEG_INFINITY;
-        }
-    }
-    bounds
+/// A number, and the sum of the sizes of its terms, which bounds its rounding.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RoundedNumber {
+    pub(super) value: f64,
+    pub(super) scale: f64,
 }
 
-/// Which of two margins is negative, if one is, from them with the sizes of their terms. None where
-/// one is in doubt, or both are negative.
-pub(super) fn breaks(margins: &[(f64, f64); 2]) -> Option<Option<usize>> {
-    let mut broken = None;
-    for (side, (margin, size)) in margins.iter().enumerate() {
-        if margin.abs() <= MARGIN_TOLERANCE * size {
-            return None;
-        }
-        if *margin < 0.0 {
-            if broken.is_some() {
-                return None;
+impl RoundedNumber {
+    pub(super) fn is_clearly_positive(&self) -> bool {
+        self.value > MARGIN_TOLERANCE * self.scale
+    }
+}
+
+/// A number a + L b of each orbit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LinearNumber {
+    pub(super) a: RoundedNumber,
+    pub(super) b: RoundedNumber,
+}
+
+/// An open range of the constant of orbits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct OrbitRange {
+    pub(super) min: f64,
+    pub(super) max: f64,
+}
+
+impl OrbitRange {
+    /// The constants above `min` for which all numbers are positive, narrowed by their rounding.
+    pub(super) fn of_positive(min: f64, numbers: impl IntoIterator<Item = LinearNumber>) -> Self {
+        let mut range = Self {
+            min,
+            max: f64::INFINITY,
+        };
+        for LinearNumber { a, b } in numbers {
+            let zero = -a.value / b.value;
+            let rounding =
+                4.0 * MARGIN_TOLERANCE * (a.scale + zero.abs() * b.scale) / b.value.abs();
+            if b.value > 0.0 {
+                range.min = f64::max(range.min, zero + rounding);
+            } else if b.value < 0.0 {
+                range.max = f64::min(range.max, zero - rounding);
+            } else if a.value <= MARGIN_TOLERANCE * a.scale {
+                range.max = f64::NEG_INFINITY;
             }
-            broken = Some(side);
+        }
+        range
+    }
+
+    pub(super) fn contains(&self, constant: f64) -> bool {
+        constant > self.min && constant < self.max
+    }
+
+    #[must_use]
+    pub(super) const fn intersection(self, other: Self) -> Self {
+        Self {
+            min: self.min.max(other.min),
+            max: self.max.min(other.max),
         }
     }
-    Some(broken)
 }
 
+/// The margins on one octant of the half angle.
 #[derive(Clone, Debug)]
-struct Octant {
+struct MarginTable {
     /// In its barycentric coordinates.
     margins: Margins,
-    /// The constants K of the orbits that certainly hold everywhere on it.
-    levels: (f64, f64),
+    /// Orbits that certainly hold everywhere on it.
+    holding: OrbitRange,
 }
 
-impl Octant {
-    fn new(parts: &Margins, octant: usize) -> Self {
+/// A margin on an orbit over an octant.
+struct TabulatedMargin {
+    form: Form<7>,
+    signs: MarginSigns,
+}
+
+impl MarginTable {
+    fn new(margins: &Margins, octant: usize) -> Self {
         let powers = &POWERS[octant];
-        let margins = parts.map(|parts| {
-            parts.map(|Form(part)| {
-                Form(powers.map(|powers| powers.iter().zip(part).map(|(power, c)| power * c).sum()))
+        let transformed = |form: &Form<7>| {
+            Form(powers.map(|powers| powers.iter().zip(form.0).map(|(power, c)| power * c).sum()))
+        };
+        let scales = |form: &Form<7>| {
+            powers.map(|powers| {
+                let terms = powers
+                    .iter()
+                    .zip(form.0)
+                    .map(|(power, c)| (power * c).abs());
+                terms.sum::<f64>()
             })
-        });
-        let sizes = parts.map(|parts| {
-            parts.map(|Form(part)| {
-                powers.map(|powers| {
-                    powers
-                        .iter()
-                        .zip(part)
-                        .map(|(power, c)| (power * c).abs())
-                        .sum::<f64>()
-                })
+        };
+        let numbers = margins.iter().flat_map(|margin| {
+            let (a, b) = (transformed(&margin.a), transformed(&margin.b));
+            let (a_scales, b_scales) = (scales(&margin.a), scales(&margin.b));
+            (0..7).map(move |k| LinearNumber {
+                a: RoundedNumber {
+                    value: a.0[k],
+                    scale: a_scales[k],
+                },
+                b: RoundedNumber {
+                    value: b.0[k],
+                    scale: b_scales[k],
+                },
             })
-        });
-        let sums = margins.iter().zip(&sizes).flat_map(|(forms, sizes)| {
-            (0..7).map(move |k| [0, 1].map(|part: usize| (forms[part].0[k], sizes[part][k])))
         });
         Self {
-            levels: holds(0.0, sums),
-            margins,
+            holding: OrbitRange::of_positive(0.0, numbers),
+            margins: margins.each_ref().map(|margin| MarginForm {
+                a: transformed(&margin.a),
+                b: transformed(&margin.b),
+            }),
         }
     }
 
-    fn holds(&self, level: f64) -> bool {
-        level > self.levels.0 && level < self.levels.1
-    }
-
-    /// The margin of a side on the orbit with a level, and what is known of it in this direction.
-    fn margin(&self, side: usize, level: f64, is_up: bool) -> (Form<7>, Known) {
-        let form = on_orbit(&self.margins[side], level);
-        let mut passed = form.0;
+    /// The margin of a direction of slip; `is_up` if the half angle grows.
+    fn margin(&self, slip: Direction, orbit_level: f64, is_up: bool) -> TabulatedMargin {
+        let form = self.margins[slip.index()].on_orbit(orbit_level);
+        let mut in_order = form.0;
         if !is_up {
-            passed.reverse();
+            in_order.reverse();
         }
-        (form, Known::of(&passed))
+        TabulatedMargin {
+            form,
+            signs: MarginSigns::of(&in_order),
+        }
     }
 }
 
-/// The octants of one hoop, made where orbits come, and the same whichever orbit that is.
+/// The tables of one hoop, made when an orbit first needs them, and the same whichever orbit that
+/// is.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Octants {
-    octants: [OnceLock<Box<Octant>>; OCTANTS],
-    /// The levels of the orbits that certainly hold everywhere.
-    levels: OnceLock<(f64, f64)>,
+pub(super) struct MarginTables {
+    octants: [OnceLock<Box<MarginTable>>; OCTANTS],
+    /// Orbits that certainly hold everywhere.
+    holding: OnceLock<OrbitRange>,
 }
 
-impl Octants {
+impl MarginTables {
     /// Whether the orbit with a level certainly holds everywhere.
-    fn hold(&self, margins: &Margins, level: f64) -> bool {
-        let (low, high) = *self.levels.get_or_init(|| {
-            let levels = (0..OCTANTS).map(|number| self.get(margins, number).levels);
-            levels.fold((0.0, f64::INFINITY), |all, one| {
-                (all.0.max(one.0), all.1.min(one.1))
-            })
+    fn hold(&self, margins: &Margins, orbit_level: f64) -> bool {
+        let holding = self.holding.get_or_init(|| {
+            let ranges = (0..OCTANTS).map(|number| self.get(margins, number).holding);
+            let all = OrbitRange {
+                min: 0.0,
+                max: f64::INFINITY,
+            };
+            ranges.fold(all, OrbitRange::intersection)
         });
-        level > low && level < high
+        holding.contains(orbit_level)
     }
 
-    fn get(&self, margins: &Margins, number: usize) -> &Octant {
-        self.octants[number].get_or_init(|| Box::new(Octant::new(margins, number)))
+    fn get(&self, margins: &Margins, number: usize) -> &MarginTable {
+        self.octants[number].get_or_init(|| Box::new(MarginTable::new(margins, number)))
     }
 }
 
-/// What the signs of the Bernstein coefficients of a margin tell.
+/// The signs of the Bernstein coefficients of a margin.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Known {
-    /// It is positive.
+pub(super) enum MarginSigns {
+    /// All positive: so is the margin.
     Holds,
-    /// It falls through zero once.
+    /// One change: the margin falls through zero once.
     Falls,
-    Nothing,
+    Unclear,
 }
 
-impl Known {
+impl MarginSigns {
     /// From the coefficients in order of passage.
     pub(super) fn of(coefficients: &[f64]) -> Self {
         let (above, rest) =
@@ -234,252 +301,325 @@ impl Known {
             Some(last) if !above.is_empty() && *last < 0.0 && rest.iter().all(|c| *c <= 0.0) => {
                 Self::Falls
             }
-            Some(_) => Self::Nothing,
+            Some(_) => Self::Unclear,
         }
     }
 }
 
-fn on_orbit([a, b]: &[Form<7>; 2], level: f64) -> Form<7> {
-    Form(core::array::from_fn(|i| a.0[i] + level * b.0[i]))
-}
-
 /// Positive where the second direction lies ahead of the first.
-fn cross([x0, y0]: HalfAngle, [x1, y1]: HalfAngle) -> f64 {
-    x0 * y1 - y0 * x1
+fn cross(first: HalfAngle, second: HalfAngle) -> f64 {
+    first[0] * second[1] - first[1] * second[0]
 }
 
 /// Part of an orbit between two directions of the half angle.
 #[derive(Clone, Copy, Debug)]
-struct Arc {
+struct OrbitArc {
     from: HalfAngle,
     to: HalfAngle,
-    pass: Pass,
+    pass: OrbitPass,
 }
 
-impl Arc {
-    fn parts(self) -> impl Iterator<Item = (usize, Self)> {
+/// The part of an arc on one octant.
+#[derive(Clone, Copy, Debug)]
+struct OctantArc {
+    octant: usize,
+    arc: OrbitArc,
+}
+
+impl OrbitArc {
+    /// Whether the half angle grows.
+    fn is_up(&self) -> bool {
+        cross(self.from, self.to) > 0.0
+    }
+
+    fn parts(self) -> impl Iterator<Item = OctantArc> {
         let Self { from, to, pass } = self;
-        let is_up = cross(from, to) > 0.0;
+        let is_up = self.is_up();
         let is_behind = |edge: &HalfAngle| {
             let side = cross(*edge, from);
             side > 0.0 || (is_up && side == 0.0)
         };
-        let mut octant = EDGES[1..OCTANTS]
+        let mut octant = OCTANT_ENDS[1..OCTANTS]
             .iter()
             .filter(|edge| is_behind(edge))
             .count();
-        let mut left = Some(from);
+        let mut next = Some(from);
         core::iter::from_fn(move || {
-            let from = left?;
-            let edge = EDGES[if is_up { octant + 1 } else { octant }];
+            let from = next?;
+            let edge = OCTANT_ENDS[if is_up { octant + 1 } else { octant }];
             let ahead = cross(edge, to);
-            let goes_on = if is_up {
+            let continues = if is_up {
                 ahead > 0.0 && octant + 1 < OCTANTS
             } else {
                 ahead < 0.0 && octant > 0
             };
-            let number = octant;
-            if goes_on {
-                left = Some(edge);
-                octant = if is_up { octant + 1 } else { octant - 1 };
-            } else {
-                left = None;
-            }
-            Some((
-                number,
-                Self {
+            let part = OctantArc {
+                octant,
+                arc: Self {
                     from,
-                    to: if goes_on { edge } else { to },
+                    to: if continues { edge } else { to },
                     pass,
                 },
-            ))
+            };
+            next = continues.then_some(edge);
+            if continues {
+                octant = if is_up { octant + 1 } else { octant - 1 };
+            }
+            Some(part)
         })
     }
 }
 
-/// The first of two crossings, the second of a side.
-fn earlier(first: Option<(f64, usize)>, at: Option<f64>, side: usize) -> Option<(f64, usize)> {
-    match (first, at) {
-        (Some((before, _)), Some(at)) if at >= before => first,
-        (_, Some(at)) => Some((at, side)),
-        (_, None) => first,
-    }
+/// The first zero of a margin on an arc.
+#[derive(Clone, Copy, Debug)]
+struct MarginZero {
+    /// The barycentric coordinate.
+    at: f64,
+    slip: Direction,
+}
+
+/// One orbit.
+struct RollProblem<'a> {
+    orbit: &'a HalfAngleOrbit,
+    orbit_level: f64,
+    margins: &'a Margins,
+    /// The direction of slip whose margin is zero at the start, where static friction holds behind.
+    limit: Option<Direction>,
 }
 
 /// Follows an orbit on which rolling holds where it is entered, perhaps just so (`on_limit`).
-/// `kept` are the octants of long motions.
-pub(super) fn follow(
-    orbit: &Orbit<'_>,
+/// `tables` are used by long motions.
+pub(super) fn solve_roll(
+    orbit: &HalfAngleOrbit,
     margins: &Margins,
     on_limit: bool,
-    kept: Option<&Octants>,
-) -> Result<RollEnd, Doubt> {
-    let level = orbit.level();
-    if let (Some(kept), false) = (kept, on_limit)
-        && kept.hold(margins, level)
+    tables: Option<&MarginTables>,
+) -> Result<RollEnd, Fallback> {
+    let orbit_level = orbit.orbit_level();
+    if let (Some(tables), false) = (tables, on_limit)
+        && tables.hold(margins, orbit_level)
     {
         return Ok(RollEnd::Never);
     }
-    let here = margins.map(|parts| {
-        let direction = [-orbit.z, orbit.y];
-        let [a, b] = parts.map(|part| part.value(direction));
-        let [a_size, b_size] = parts.map(|part| part.size(direction));
-        (a + level * b, a_size + level * b_size)
+    let half = [-orbit.start.z, orbit.start.y];
+    let [negative, positive] = margins
+        .each_ref()
+        .map(|margin| margin.at(half, orbit_level));
+    let limit = on_limit.then(|| {
+        if positive.value.abs() < negative.value.abs() {
+            Direction::Positive
+        } else {
+            Direction::Negative
+        }
     });
-    let limit = on_limit.then(|| usize::from(here[1].0.abs() < here[0].0.abs()));
     // So close to the limit, rounding would decide whether the hoop slips at once.
-    if breaks(&limit.map_or(here, |side| [here[1 - side]; 2])) != Some(None) {
-        return Err(Doubt::FrictionLimit);
+    let holds = match limit {
+        None => negative.is_clearly_positive() && positive.is_clearly_positive(),
+        Some(Direction::Negative) => positive.is_clearly_positive(),
+        Some(Direction::Positive) => negative.is_clearly_positive(),
+    };
+    if !holds {
+        return Err(Fallback::FrictionLimit);
     }
-    let slip_on = |arc: &Arc, starts_at_zero: Option<usize>, holds: &dyn Fn(usize) -> bool| {
-        let mut first: Option<(f64, usize)> = None;
-        for (side, parts) in margins.iter().enumerate() {
-            if holds(side) {
+    let problem = RollProblem {
+        orbit,
+        orbit_level,
+        margins,
+        limit,
+    };
+    match tables {
+        Some(tables) => problem.solve_by_tables(tables),
+        None => problem.solve(),
+    }
+}
+
+impl RollProblem<'_> {
+    /// Isolates the zeros of both margins on each arc.
+    fn solve(&self) -> Result<RollEnd, Fallback> {
+        for (number, arc) in arcs(self.orbit).enumerate() {
+            let limit = self.limit.filter(|_| number == 0);
+            if let Some(zero) = self.first_zero(&arc, limit, |_| false) {
+                return self.slip(&arc, zero);
+            }
+        }
+        Ok(RollEnd::Never)
+    }
+
+    /// The same by octants: most orbits certainly hold on an octant, or have one margin there with
+    /// one sign change, which needs no isolation.
+    fn solve_by_tables(&self, tables: &MarginTables) -> Result<RollEnd, Fallback> {
+        for (number, OctantArc { octant, arc }) in
+            arcs(self.orbit).flat_map(OrbitArc::parts).enumerate()
+        {
+            let table = tables.get(self.margins, octant);
+            if table.holding.contains(self.orbit_level) {
                 continue;
             }
-            let margin = on_orbit(parts, level).restricted(arc.from, arc.to);
-            if starts_at_zero == Some(side) {
+            let is_up = arc.is_up();
+            let limit = self.limit.filter(|_| number == 0);
+            let known = Direction::ALL.map(|slip| table.margin(slip, self.orbit_level, is_up));
+            let falling = match &known {
+                [falls, holds] if is_only_fall(falls, holds) => Some((Direction::Negative, falls)),
+                [holds, falls] if is_only_fall(falls, holds) => Some((Direction::Positive, falls)),
+                [_, _] => None,
+            };
+            let (begin, end) = (OCTANT_ENDS[octant], OCTANT_ENDS[octant + 1]);
+            let (first, last) = if is_up { (begin, end) } else { (end, begin) };
+            // The margin is positive where the arc begins. If the arc leads to the end of the
+            // octant, the fall lies ahead.
+            if let Some((slip, falls)) = falling
+                && limit.is_none()
+                && arc.to == last
+            {
+                let whole = OrbitArc {
+                    from: first,
+                    to: last,
+                    ..arc
+                };
+                return self.slip(
+                    &whole,
+                    MarginZero {
+                        at: falls.zero(is_up),
+                        slip,
+                    },
+                );
+            }
+            let holds = |slip: Direction| known[slip.index()].signs == MarginSigns::Holds;
+            if let Some(zero) = self.first_zero(&arc, limit, holds) {
+                return self.slip(&arc, zero);
+            }
+        }
+        Ok(RollEnd::Never)
+    }
+
+    /// The first zero on an arc of the margins that may not hold; `limit` is the one that is zero
+    /// at its start.
+    fn first_zero(
+        &self,
+        arc: &OrbitArc,
+        limit: Option<Direction>,
+        holds: impl Fn(Direction) -> bool,
+    ) -> Option<MarginZero> {
+        let mut first: Option<MarginZero> = None;
+        for slip in Direction::ALL {
+            if holds(slip) {
+                continue;
+            }
+            let margin = self.margins[slip.index()]
+                .on_orbit(self.orbit_level)
+                .restricted(arc.from, arc.to);
+            let at = if limit == Some(slip) {
                 let margin = margin.bernstein().starting_at_zero();
-                let at = margin
+                margin
                     .first_crossing()
-                    .map(|bracket| bracket.refine(|t| margin.value_and_slope(t)));
-                first = earlier(first, at, side);
-                continue;
-            }
-            // No crossing without a change of sign.
-            if margin.0.iter().all(|c| *c > 0.0) {
-                continue;
-            }
-            let at = margin.bernstein().first_crossing().map(|bracket| {
-                bracket.refine_from_secant(|t| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]))
-            });
-            first = earlier(first, at, side);
+                    .map(|bracket| bracket.refine(|t| margin.value_and_slope(t)))
+            } else if margin.0.iter().all(|c| *c > 0.0) {
+                // No zero without a change of sign.
+                None
+            } else {
+                margin.bernstein().first_crossing().map(|bracket| {
+                    bracket
+                        .refine_from_secant(|t| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]))
+                })
+            };
+            first = match (first, at) {
+                (Some(before), Some(at)) if at >= before.at => first,
+                (_, Some(at)) => Some(MarginZero { at, slip }),
+                (_, None) => first,
+            };
         }
         first
-    };
-    let Some(kept) = kept else {
-        for (number, arc) in arcs(orbit).enumerate() {
-            if let Some((at, side)) = slip_on(&arc, limit.filter(|_| number == 0), &|_| false) {
-                return slip(orbit, &arc, at, side);
-            }
-        }
-        return Ok(RollEnd::Never);
-    };
-    for (passed, (number, arc)) in arcs(orbit).flat_map(Arc::parts).enumerate() {
-        let octant = kept.get(margins, number);
-        if octant.holds(level) {
-            continue;
-        }
-        let is_up = cross(arc.from, arc.to) > 0.0;
-        let starts_at_zero = limit.filter(|_| passed == 0);
-        let known = [0, 1].map(|side| octant.margin(side, level, is_up));
-        let falling = match &known {
-            [(form, Known::Falls), (_, Known::Holds)] => Some((form, 0)),
-            [(_, Known::Holds), (form, Known::Falls)] => Some((form, 1)),
-            _ => None,
-        };
-        // The margin is positive where the arc begins: it falls ahead.
-        let (begin, end) = (EDGES[number], EDGES[number + 1]);
-        if let (Some((form, side)), None, true) = (
-            falling,
-            starts_at_zero,
-            arc.to == if is_up { end } else { begin },
-        ) {
-            let (from, to) = if is_up { (begin, end) } else { (end, begin) };
-            let at = Bracket {
-                low: 0.0,
-                high: 1.0,
-            }
-            .refine_from_secant(|t| {
-                if is_up {
-                    form.value_and_slope([1.0 - t, t], [-1.0, 1.0])
-                } else {
-                    form.value_and_slope([t, 1.0 - t], [1.0, -1.0])
-                }
-            });
-            return slip(orbit, &Arc { from, to, ..arc }, at, side);
-        }
-        if let Some((at, side)) =
-            slip_on(&arc, starts_at_zero, &|side| known[side].1 == Known::Holds)
-        {
-            return slip(orbit, &arc, at, side);
-        }
     }
-    Ok(RollEnd::Never)
+
+    fn slip(&self, arc: &OrbitArc, zero: MarginZero) -> Result<RollEnd, Fallback> {
+        let orbit = self.orbit;
+        let [x, y] = on_arc(arc.from, arc.to, zero.at);
+        let z = -x;
+        let four_l = orbit.four_l;
+        let d = orbit.energy.bottom + four_l * z * z;
+        // K − D changes by 4ℓ̂ (z0² − z²).
+        let twice_kinetic = if orbit.rotates {
+            orbit.energy.separatrix_gap + four_l * y * y
+        } else {
+            let start = orbit.start.z;
+            (orbit.twice_kinetic + four_l * (start - z) * (start + z)).max(0.0)
+        };
+        let rate = (twice_kinetic / d).sqrt();
+        if rate < MIN_RATE {
+            return Err(Fallback::Standstill);
+        }
+        let start_turn = orbit.start.turn;
+        let (turn, theta_rate) = match arc.pass {
+            OrbitPass::First => (start_turn, rate),
+            OrbitPass::NextTurn => (start_turn + 1.0, rate),
+            OrbitPass::WayBack => (start_turn, -rate),
+        };
+        Ok(RollEnd::Slip(RollSlip {
+            elapsed: orbit.time(orbit.phase(z, y, twice_kinetic), arc.pass),
+            theta: ReducedAngle { turn, z, y }.angle(),
+            theta_rate,
+            slip: zero.slip,
+            // Twice the half angle.
+            angle: Angle {
+                sin: -2.0 * y * z,
+                cos: z * z - y * y,
+            },
+        }))
+    }
+}
+
+fn is_only_fall(falls: &TabulatedMargin, holds: &TabulatedMargin) -> bool {
+    falls.signs == MarginSigns::Falls && holds.signs == MarginSigns::Holds
+}
+
+impl TabulatedMargin {
+    /// The barycentric coordinate of its one zero, from the end that is passed first.
+    fn zero(&self, is_up: bool) -> f64 {
+        Bracket {
+            low: 0.0,
+            high: 1.0,
+        }
+        .refine_from_secant(|t| {
+            if is_up {
+                self.form.value_and_slope([1.0 - t, t], [-1.0, 1.0])
+            } else {
+                self.form.value_and_slope([t, 1.0 - t], [1.0, -1.0])
+            }
+        })
+    }
 }
 
 /// The arcs that lie ahead, until every point of the orbit has been passed.
-fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
-    let here = [-orbit.z, orbit.y];
+fn arcs(orbit: &HalfAngleOrbit) -> impl Iterator<Item = OrbitArc> {
+    let start = [-orbit.start.z, orbit.start.y];
     let bottom = [0.0, 1.0];
-    let past_bottom = orbit.z >= 0.0;
-    let arc = |from, to, pass| Arc { from, to, pass };
+    let past_bottom = orbit.start.z >= 0.0;
+    let arc = |from, to, pass| OrbitArc { from, to, pass };
+    // The top, or the turning point.
     let farthest = if orbit.rotates {
         [-1.0, 0.0]
     } else {
-        let four_l = 4.0 * orbit.law.offset;
         [
-            -(orbit.swing / four_l).sqrt(),
-            (orbit.excess / four_l).sqrt(),
+            -(orbit.energy.beta / orbit.four_l).sqrt(),
+            (orbit.energy.separatrix_gap / orbit.four_l).sqrt(),
         ]
     };
-    let first = (!past_bottom).then(|| arc(here, bottom, Pass::First));
-    let second = arc(
-        if past_bottom { here } else { bottom },
-        farthest,
-        Pass::First,
-    );
+    let first = (!past_bottom).then(|| arc(start, bottom, OrbitPass::First));
+    let from = if past_bottom { start } else { bottom };
+    let second = arc(from, farthest, OrbitPass::First);
     let (third, fourth) = if orbit.rotates {
-        let third = arc(
-            [1.0, 0.0],
-            if past_bottom { bottom } else { here },
-            Pass::NextTurn,
-        );
-        (
-            third,
-            past_bottom.then(|| arc(bottom, here, Pass::NextTurn)),
-        )
+        let to = if past_bottom { bottom } else { start };
+        let fourth = past_bottom.then(|| arc(bottom, start, OrbitPass::NextTurn));
+        (arc([1.0, 0.0], to, OrbitPass::NextTurn), fourth)
     } else {
-        let [x, y] = farthest;
-        (
-            arc(farthest, bottom, Pass::WayBack),
-            Some(arc(bottom, [-x, y], Pass::WayBack)),
-        )
+        let mirrored = [-farthest[0], farthest[1]];
+        let fourth = Some(arc(bottom, mirrored, OrbitPass::WayBack));
+        (arc(farthest, bottom, OrbitPass::WayBack), fourth)
     };
     [first, Some(second), Some(third), fourth]
         .into_iter()
         .flatten()
         .filter(|arc| arc.from != arc.to)
-}
-
-fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, Doubt> {
-    let [x, y] = on_arc(arc.from, arc.to, at);
-    let z = -x;
-    let four_l = 4.0 * orbit.law.offset;
-    let d = orbit.law.bottom + four_l * z * z;
-    // K − D changes by 4ℓ̂ (z0² − z²).
-    let kinetic = if orbit.rotates {
-        orbit.excess + four_l * y * y
-    } else {
-        (orbit.kinetic + four_l * (orbit.z - z) * (orbit.z + z)).max(0.0)
-    };
-    let rate = (kinetic / d).sqrt();
-    if rate < MIN_RATE {
-        return Err(Doubt::Standstill);
-    }
-    let (lap, rate) = match arc.pass {
-        Pass::First => (orbit.lap, rate),
-        Pass::NextTurn => (orbit.lap + 1.0, rate),
-        Pass::WayBack => (orbit.lap, -rate),
-    };
-    let angle = 2.0 * libm::atan2(y, -z);
-    Ok(RollEnd::Slip {
-        elapsed: orbit.time(orbit.phase(z, y, kinetic), arc.pass),
-        theta: TAU * lap + angle,
-        theta_rate: rate,
-        side,
-        direction: (-2.0 * y * z, z * z - y * y),
-    })
 }
 
 #[cfg(test)]
@@ -489,7 +629,6 @@ mod tests {
     use crate::mechanics::RollingLaw;
     use crate::model::{Hoop, HoopParameters, State};
     use crate::modes::Rolling;
-    use crate::modes::rolling::margin_forms;
 
     fn half_angle(theta: f64) -> HalfAngle {
         let (y, x) = libm::sincos(0.5 * theta);
@@ -507,18 +646,20 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu_s, 0.0);
             let hoop = Hoop::new(hoop).unwrap();
-            let (margins, law) = (margin_forms(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
+            let (margins, law) = (margins_of(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
             let curve = SlipCurves::new(margins, law);
-            for (step, side) in (0..300).flat_map(|step| [0, 1].map(|side| (step, side))) {
+            for (step, slip) in (0..300).flat_map(|step| Direction::ALL.map(|slip| (step, slip))) {
                 let theta = 0.021 * f64::from(step) - 3.1;
-                let Some(u) = curve.limit(side, theta).filter(|u| *u > 1e-2) else {
+                let Some(u) = curve.slip_rate_squared(slip, theta).filter(|u| *u > 1e-2) else {
                     continue;
                 };
                 let rate = u.sqrt();
-                let Some(orbit) = Orbit::enter(&law, theta, rate) else {
+                let Some(orbit) = HalfAngleOrbit::enter(&law, theta, rate) else {
                     continue;
                 };
-                let ahead = on_orbit(&margins[side], orbit.level()).value(half_angle(theta + 1e-4));
+                let ahead = margins[slip.index()]
+                    .on_orbit(orbit.orbit_level())
+                    .value(half_angle(theta + 1e-4));
                 if ahead < 1e-9 {
                     continue;
                 }
@@ -530,17 +671,17 @@ mod tests {
                     x: 0.0,
                 };
                 let expected = Rolling::new(&hoop, start).orbit().end_from_limit();
-                let octants = Octants::default();
-                for kept in [None, Some(&octants)] {
-                    let found = follow(&orbit, &margins, true, kept);
+                let tables = MarginTables::default();
+                for tables in [None, Some(&tables)] {
+                    let found = solve_roll(&orbit, &margins, true, tables);
                     match (found, expected) {
                         (
-                            Ok(RollEnd::Slip {
+                            Ok(RollEnd::Slip(RollSlip {
                                 elapsed,
                                 theta,
                                 theta_rate,
                                 ..
-                            }),
+                            })),
                             Some(end),
                         ) => {
                             for (found, expected) in [
@@ -579,70 +720,93 @@ mod tests {
             (at(0.66), at(0.1), vec![5, 4, 3, 2, 1, 0]),
             (at(0.3), at(0.35), vec![2]),
             (at(0.35), at(0.3), vec![2]),
-            (EDGES[0], EDGES[4], vec![0, 1, 2, 3]),
-            (EDGES[4], EDGES[8], vec![4, 5, 6, 7]),
-            (EDGES[4], EDGES[2], vec![3, 2]),
-            ([-1.0, 0.0], EDGES[4], vec![7, 6, 5, 4]),
+            (OCTANT_ENDS[0], OCTANT_ENDS[4], vec![0, 1, 2, 3]),
+            (OCTANT_ENDS[4], OCTANT_ENDS[8], vec![4, 5, 6, 7]),
+            (OCTANT_ENDS[4], OCTANT_ENDS[2], vec![3, 2]),
+            ([-1.0, 0.0], OCTANT_ENDS[4], vec![7, 6, 5, 4]),
         ] {
-            let parts: Vec<(usize, Arc)> = Arc {
+            let parts: Vec<OctantArc> = OrbitArc {
                 from,
                 to,
-                pass: Pass::First,
+                pass: OrbitPass::First,
             }
             .parts()
             .collect();
-            assert_eq!(parts.iter().map(|part| part.0).collect::<Vec<_>>(), octants);
-            assert_eq!((parts[0].1.from, parts[parts.len() - 1].1.to), (from, to));
-            assert!(parts.windows(2).all(|pair| pair[0].1.to == pair[1].1.from));
-            for (octant, Arc { from, to, .. }) in parts {
+            assert_eq!(
+                parts.iter().map(|part| part.octant).collect::<Vec<_>>(),
+                octants
+            );
+            assert_eq!(
+                (parts[0].arc.from, parts[parts.len() - 1].arc.to),
+                (from, to)
+            );
+            assert!(
+                parts
+                    .windows(2)
+                    .all(|pair| pair[0].arc.to == pair[1].arc.from)
+            );
+            for OctantArc {
+                octant,
+                arc: OrbitArc { from, to, .. },
+            } in parts
+            {
                 let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
                 assert!(
-                    cross(EDGES[octant], middle) > 0.0 && cross(middle, EDGES[octant + 1]) > 0.0
+                    cross(OCTANT_ENDS[octant], middle) > 0.0
+                        && cross(middle, OCTANT_ENDS[octant + 1]) > 0.0
                 );
             }
         }
     }
 
     #[test]
-    fn the_margin_that_is_negative_is_told_where_it_is_clear() {
-        // 1 − L and 3 + L, with levels next to the zero of the first.
-        let margins = |level: f64| [(1.0 - level, 1.0 + level), (3.0 + level, 3.0 + level)];
-        for (level, broken) in [
-            (0.5, Some(None)),
-            (1.0 - 1e-11, Some(None)),
-            (1.0 - 1e-12, None),
-            (1.0 + 1e-12, None),
-            (1.0 + 1e-11, Some(Some(0))),
-            (2.0, Some(Some(0))),
+    fn a_margin_next_to_zero_is_not_clearly_positive() {
+        // 1 − L, with levels next to its zero.
+        for (orbit_level, expected) in [
+            (0.5, true),
+            (1.0 - 1e-11, true),
+            (1.0 - 1e-12, false),
+            (1.0 + 1e-12, false),
+            (2.0, false),
+            (f64::NAN, false),
         ] {
-            let [first, second] = margins(level);
-            assert_eq!(breaks(&[first, second]), broken, "{level}");
-            let swapped = broken.map(|broken| broken.map(|side: usize| 1 - side));
-            assert_eq!(breaks(&[second, first]), swapped, "{level}");
+            let margin = RoundedNumber {
+                value: 1.0 - orbit_level,
+                scale: 1.0 + orbit_level,
+            };
+            assert_eq!(margin.is_clearly_positive(), expected, "{orbit_level}");
         }
-        assert_eq!(breaks(&[(-1.0, 3.0), (-1.0, 3.0)]), None, "both");
     }
 
     #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
         let of = |margins: [[f64; 2]; 2]| {
-            holds(
-                0.0,
-                margins.map(|parts| parts.map(|part| (part, part.abs()))),
-            )
+            let exact = |value: f64| RoundedNumber {
+                value,
+                scale: value.abs(),
+            };
+            let numbers = margins.map(|[a, b]| LinearNumber {
+                a: exact(a),
+                b: exact(b),
+            });
+            OrbitRange::of_positive(0.0, numbers)
         };
         // Margins L − 2 and 6 − 2 L, both positive for 2 < L < 3.
-        let (least, most) = of([[-2.0, 1.0], [6.0, -2.0]]);
+        let OrbitRange { min, max } = of([[-2.0, 1.0], [6.0, -2.0]]);
         assert!(
-            least > 2.0 * (1.0 + MARGIN_TOLERANCE) && least < 2.0 + 1e-10,
-            "{least:e}"
+            min > 2.0 * (1.0 + MARGIN_TOLERANCE) && min < 2.0 + 1e-10,
+            "{min:e}"
         );
         assert!(
-            most < 3.0 * (1.0 - MARGIN_TOLERANCE) && most > 3.0 - 1e-10,
-            "{most:e}"
+            max < 3.0 * (1.0 - MARGIN_TOLERANCE) && max > 3.0 - 1e-10,
+            "{max:e}"
         );
         // A margin that no orbit changes.
-        assert_eq!(of([[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
-        assert_eq!(of([[1.0, 0.0], [-1.0, 0.0]]).1, f64::NEG_INFINITY);
+        let all = OrbitRange {
+            min: 0.0,
+            max: f64::INFINITY,
+        };
+        assert_eq!(of([[1.0, 0.0], [1.0, 0.0]]), all);
+        assert_eq!(of([[1.0, 0.0], [-1.0, 0.0]]).max, f64::NEG_INFINITY);
     }
 }

@@ -1,8 +1,9 @@
-//! Phases from [`Laws`] where these resolve them to rounding, and solved exactly elsewhere.
+//! Phases from [`HoopModel`] where these resolve them to rounding, and solved exactly elsewhere.
 
 use core::cell::Cell;
 
 use crate::ablation::{Part, is_on};
+use crate::math::trig::Angle;
 use crate::mechanics::{FrictionlessIntegrals, Settling, contact};
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
 use crate::modes::{Entry, Flight, GlideEntry, Hold, RollingLimit, TakeOff};
@@ -13,19 +14,19 @@ use crate::walk::{
     SolvedBy, Solver, next_motion,
 };
 
-use super::chain::{Chains, Follow, Passage, SlipPoint};
-use super::doubt::Doubt;
-use super::drift::Drift;
+use super::chain::{LinkSolver, SlipMapValue, SlipMaps, SlipPoint};
+use super::error_bound::{DecisiveNumber, ErrorBound, ErrorModel, is_out_of_range};
+use super::fallback::Fallback;
 use super::jump;
-use super::laws::Laws;
-use super::orbit::Reached;
-use super::place::Place;
-use super::roll::{RollEnd, direction_of};
-use super::slide::SlideEnd;
+use super::model::{HoopModel, SlideStart};
+use super::orbit::OrbitPoint;
+use super::roll::{RollEnd, RollSlip, mirrored_slip};
+use super::slide::{SlideEnd, SlideEvent};
+use super::state::{EngineState, mirrored_by};
 
 /// Phases that are computed before cells are kept for a hoop that is not prepared: few motions have
 /// more, and those go on for long.
-const PHASES_WITHOUT_CELLS: u32 = 4;
+const PHASES_BEFORE_CACHING: u32 = 4;
 
 /// A slide from the static limit with equal coefficients, where η″ vanishes, too.
 const ON_LIMIT: Entry = Entry::FromRest {
@@ -35,13 +36,15 @@ const ON_LIMIT: Entry = Entry::FromRest {
 #[derive(Clone, Debug)]
 pub(super) struct FastSolver<'a> {
     hoop: &'a Hoop,
-    laws: &'a Laws,
-    /// Chains of slips, if they are passed by whole links.
-    chains: Option<&'a [Chains]>,
+    model: &'a HoopModel,
+    /// SlipMaps of slips, if they are passed by whole links.
+    slip_maps: Option<&'a [SlipMaps]>,
     exact: Exact<'a>,
-    /// Phases that are computed before what is kept is used.
-    phases_without: Cell<u32>,
-    drift: Drift,
+    /// Phases that are computed before tables are used.
+    phases_before_caching: Cell<u32>,
+    error_model: ErrorModel,
+    /// In a cell, since [`Solver`] has no state but this and the count of phases.
+    error: Cell<ErrorBound>,
 }
 
 /// Equilibria of a slide without kinetic friction are nearer than this part of its energy.
@@ -53,8 +56,8 @@ const EQUILIBRIUM_TOLERANCE_ON_SLOPES: f64 = 1e-3;
 
 /// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays
 /// so close to rest at the bottom, that rounding tells whether it passes, or which way it goes.
-fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
-    let energy = FrictionlessIntegrals::new(body, &place.state, place.direction).energy;
+fn is_next_to_equilibrium(body: &Heavy, place: &EngineState) -> bool {
+    let energy = FrictionlessIntegrals::new(body, &place.state, place.angle.pair()).energy;
     let over_bottom = energy + 2.0 * body.offset;
     let tolerance = if body.tilt == 0.0 {
         EQUILIBRIUM_TOLERANCE
@@ -67,12 +70,12 @@ fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
 
 /// How a motion ended, as far as a summary tells.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Verdict {
+pub(super) struct FastOutcome {
     pub(super) kind: OutcomeKind,
     pub(super) state: State,
 }
 
-impl From<Outcome> for Verdict {
+impl From<Outcome> for FastOutcome {
     fn from(outcome: Outcome) -> Self {
         Self {
             kind: outcome.kind(),
@@ -87,21 +90,18 @@ impl Solution for Option<Flight> {
     }
 }
 
-type Ended = Ending<Place, Verdict>;
+type Ended = Ending<EngineState, FastOutcome>;
 
 impl<'a> FastSolver<'a> {
-    pub(super) fn new(hoop: &'a Hoop, laws: &'a Laws, limits: &Limits) -> Self {
-        let (exact, drift) = (
-            Exact::new(hoop, limits),
-            Drift::new(&laws.body, hoop.mu_s()),
-        );
+    pub(super) fn new(hoop: &'a Hoop, model: &'a HoopModel, limits: &Limits) -> Self {
         Self {
             hoop,
-            laws,
-            chains: None,
-            exact,
-            phases_without: Cell::new(0),
-            drift,
+            model,
+            slip_maps: None,
+            exact: Exact::new(hoop, limits),
+            phases_before_caching: Cell::new(0),
+            error_model: ErrorModel::new(&model.body, hoop.mu_s()),
+            error: Cell::new(ErrorBound::Exact),
         }
     }
 
@@ -109,25 +109,51 @@ impl<'a> FastSolver<'a> {
     /// depends on the motion alone, so that it has the same bits wherever it is computed.
     pub(super) fn for_few_starts(self) -> Self {
         Self {
-            phases_without: Cell::new(PHASES_WITHOUT_CELLS),
+            phases_before_caching: Cell::new(PHASES_BEFORE_CACHING),
             ..self
         }
     }
 
-    pub(super) fn with_chains(self, chains: Option<&'a [Chains]>) -> Self {
-        Self { chains, ..self }
+    pub(super) fn with_slip_maps(self, slip_maps: Option<&'a [SlipMaps]>) -> Self {
+        Self { slip_maps, ..self }
     }
 
-    /// With a phase that begins: whether it uses what is kept.
-    fn is_long(&self) -> bool {
-        let left = self.phases_without.get();
-        self.phases_without.set(left.saturating_sub(1));
+    /// Counts a phase; returns whether it uses tables.
+    fn uses_tables(&self) -> bool {
+        let left = self.phases_before_caching.get();
+        self.phases_before_caching.set(left.saturating_sub(1));
         left == 0 && is_on(Part::KeptCells)
     }
 
-    /// Whether rounding may have decided on what follows otherwise than in the simulation.
-    pub(super) const fn has_drifted(&self) -> bool {
-        self.drift.is_told()
+    /// Whether the simulation may have decided otherwise.
+    pub(super) const fn is_lost(&self) -> bool {
+        self.error.get().is_lost()
+    }
+
+    fn with_error<T>(&self, change: impl FnOnce(&mut ErrorBound) -> T) -> T {
+        let mut error = self.error.get();
+        let result = change(&mut error);
+        self.error.set(error);
+        result
+    }
+
+    fn add_phase_error(&self, end: &State) {
+        self.with_error(|error| error.add_phase(&self.error_model, end.theta));
+    }
+
+    /// Whether the sign of a number is certain.
+    #[inline(always)]
+    fn sign_is_certain(&self, value: f64, scale: f64) -> bool {
+        self.with_error(|error| error.sign_is_certain(DecisiveNumber { value, scale }))
+    }
+
+    #[inline(always)]
+    fn resolves_forces(&self, contact_margin: f64, scale: f64) -> bool {
+        let margin = DecisiveNumber {
+            value: contact_margin,
+            scale,
+        };
+        self.with_error(|error| error.resolves_forces(&self.error_model, margin))
     }
 
     fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
@@ -135,14 +161,14 @@ impl<'a> FastSolver<'a> {
     }
 
     /// Converts a phase that was solved exactly.
-    fn take(solved: SolvedBy<Exact<'_>>) -> SolvedBy<Self> {
+    fn from_exact(solved: SolvedBy<Exact<'_>>) -> SolvedBy<Self> {
         let ending = match solved.ending {
             Ending::Event {
                 place,
                 cause,
                 arrival,
             } => Ending::Event {
-                place: Place::new(place),
+                place: EngineState::new(place),
                 cause,
                 arrival,
             },
@@ -166,8 +192,8 @@ impl<'a> FastSolver<'a> {
         }
     }
 
-    fn contact(&self, place: &Place) -> f64 {
-        contact(1.0, self.laws.body.h, place.direction.1 * place.u())
+    fn contact_margin(&self, place: &EngineState) -> f64 {
+        contact(1.0, self.model.body.h, place.angle.cos * place.u())
     }
 
     /// The evidence from the forces, where it is clear on which side of every limit they are. A
@@ -176,36 +202,34 @@ impl<'a> FastSolver<'a> {
     #[inline(always)]
     fn clear_evidence(
         &self,
-        place: &Place,
+        place: &EngineState,
         arrival: Arrival,
     ) -> Option<Evidence<impl Fn(Direction) -> f64>> {
-        let Place {
+        let EngineState {
             state,
-            direction: (sin, cos),
-            ..
+            angle: Angle { sin, cos },
         } = *place;
-        let w = self.contact(place);
+        let w = self.contact_margin(place);
         let Heavy {
             mass, h, inertia, ..
-        } = self.laws.body;
-        let drift = &self.drift;
-        if !drift.is_clear(w, 1.0 + h * place.u()) {
+        } = self.model.body;
+        if !self.sign_is_certain(w, 1.0 + h * place.u()) {
             return None;
         }
         let slip = match Direction::of_sign(state.slip) {
             Some(direction) => SlipEvidence::Moving(direction),
-            None if !drift.is_known(w, 1.0 + h * place.u()) => return None,
+            None if !self.resolves_forces(w, 1.0 + h * place.u()) => return None,
             None => self.clear_rest(place, w, arrival)?,
         };
         let solvability = move |direction| {
-            let law = self.laws.sliding(direction);
+            let law = self.model.sliding(direction);
             law.p(sin, law.q(1.0, sin, cos))
         };
-        if !self.laws.is_solvable {
+        if !self.model.is_solvable {
             let size = inertia + mass * h * (1.0 + self.hoop.mu_k());
             let [negative, positive] = Direction::ALL.map(solvability);
-            if !(drift.is_clear(negative, size)
-                && drift.is_clear(positive, size)
+            if !(self.sign_is_certain(negative, size)
+                && self.sign_is_certain(positive, size)
                 && negative.min(positive) > 0.0)
             {
                 return None;
@@ -223,11 +247,11 @@ impl<'a> FastSolver<'a> {
 
     /// The same at η′ = 0.
     #[inline(always)]
-    fn clear_rest(&self, place: &Place, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
-        let law = &self.laws.rolling;
+    fn clear_rest(&self, place: &EngineState, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
+        let law = &self.model.rolling;
         let u = place.u();
-        let denominator = law.denominator_of(place.direction);
-        let forces = law.forces_at(place.direction, [1.0, u], denominator);
+        let denominator = law.denominator_of(place.angle.pair());
+        let forces = law.forces_at(place.angle.pair(), [1.0, u], denominator);
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
         let size = law.mass * (1.0 + u + law.tilt.abs()) * (1.0 + self.hoop.mu_s());
         let hold = match arrival {
@@ -236,7 +260,9 @@ impl<'a> FastSolver<'a> {
                 direction,
                 excess: 0.0,
             },
-            Arrival::Open if self.drift.is_clear(excess, size) && place.state.theta_rate != 0.0 => {
+            Arrival::Open
+                if self.sign_is_certain(excess, size) && place.state.theta_rate != 0.0 =>
+            {
                 if excess < 0.0 {
                     Hold::Holds
                 } else {
@@ -267,15 +293,9 @@ impl<'a> FastSolver<'a> {
         })
     }
 
-    /// Takes note of a phase that was computed here, to a state.
-    #[inline(always)]
-    fn computed(&self, end: &State) {
-        self.drift.add_phase(end.theta);
-    }
-
     /// A phase that is cut at a state by the limit of time.
     const fn cut(end: State) -> Ended {
-        let verdict = Verdict {
+        let verdict = FastOutcome {
             kind: OutcomeKind::TimeLimit,
             state: end,
         };
@@ -286,63 +306,119 @@ impl<'a> FastSolver<'a> {
         }
     }
 
+    const fn slides_forever(start: State, end: Option<State>) -> Ended {
+        Ending::Motion {
+            event: None,
+            end,
+            verdict: FastOutcome {
+                kind: OutcomeKind::SlidesForever,
+                state: start,
+            },
+        }
+    }
+
+    /// The end of a slide from a place by an event.
+    fn slide_event(&self, place: &EngineState, direction: Direction, event: &SlideEvent) -> Ended {
+        let (cause, arrival) = if event.lifts_off {
+            (Cause::LiftOff, Arrival::LiftOff)
+        } else {
+            (Cause::Stick, Arrival::Open)
+        };
+        Ending::Event {
+            place: EngineState {
+                state: self.slide_end(place, direction, event, false),
+                angle: event.angle,
+            },
+            cause,
+            arrival,
+        }
+    }
+
+    /// The state at an event of a slide from a place, or at the time limit.
+    fn slide_end(
+        &self,
+        place: &EngineState,
+        direction: Direction,
+        event: &SlideEvent,
+        is_cut: bool,
+    ) -> State {
+        let state = place.state;
+        let law = self.model.sliding(direction);
+        let path = law.path([state.theta_rate, state.slip, state.x], place.angle.pair());
+        let end = State {
+            time: if is_cut {
+                self.until()
+            } else {
+                state.time + event.elapsed
+            },
+            theta: event.theta,
+            theta_rate: event.theta_rate,
+            slip: event.slip,
+            x: path.x(event.elapsed, event.angle.pair()),
+        };
+        self.add_phase_error(&end);
+        end
+    }
+
+    /// The end of rolling from a place by a slip.
+    fn slipped(&self, place: &EngineState, slip: &RollSlip) -> Ended {
+        let (state, heading) = (place.state, place.heading());
+        let theta = heading * slip.theta;
+        let end = State {
+            time: state.time + slip.elapsed,
+            theta,
+            theta_rate: heading * slip.theta_rate,
+            slip: 0.0,
+            x: state.x - (theta - state.theta),
+        };
+        let limit = RollingLimit::Friction(mirrored_slip(slip.slip, heading));
+        self.add_phase_error(&end);
+        Ending::Event {
+            place: EngineState {
+                state: end,
+                angle: slip.angle.mirrored_by(heading),
+            },
+            cause: limit.cause(),
+            arrival: Arrival::RollingLimit(limit),
+        }
+    }
+
+    /// The end of a motion that is lost: it is simulated instead, whatever follows here.
+    const fn give_up(state: State) -> SolvedBy<Self> {
+        Solved {
+            solution: None,
+            direction: None,
+            ending: Self::cut(state),
+        }
+    }
+
     /// Where rolling from a place has led at the limit of time.
-    fn rolled(&self, place: &Place) -> Option<State> {
-        let (state, travel) = (place.state, place.travel());
-        let Reached { theta, theta_rate } = self.laws.rolled(place, self.until() - state.time)?;
-        let theta = travel * theta;
+    fn rolled(&self, place: &EngineState) -> Option<State> {
+        let (state, heading) = (place.state, place.heading());
+        let OrbitPoint { theta, theta_rate } =
+            self.model.rolled(place, self.until() - state.time)?;
+        let theta = heading * theta;
         let x = state.x - (theta - state.theta);
         Some(State {
             time: self.until(),
             theta,
-            theta_rate: travel * theta_rate,
+            theta_rate: heading * theta_rate,
             slip: 0.0,
             x,
         })
     }
 }
 
-/// A state in a frame that is mirrored for −1.
-fn seen(state: &State, frame: f64) -> State {
-    let State {
-        time,
-        theta,
-        theta_rate,
-        slip,
-        x,
-    } = *state;
-    if frame < 0.0 {
-        State {
-            time,
-            theta: -theta,
-            theta_rate: -theta_rate,
-            slip: -slip,
-            x: -x,
-        }
-    } else {
-        *state
-    }
-}
-
-/// A direction in such a frame.
-const fn seen_direction(direction: Direction, frame: f64) -> Direction {
-    if frame < 0.0 {
-        direction.reversed()
-    } else {
-        direction
-    }
-}
-
-impl Follow for FastSolver<'_> {
+impl LinkSolver for FastSolver<'_> {
     fn link(
         &self,
-        chains: &Chains,
+        maps: &SlipMaps,
         slip: SlipPoint,
         theta_rate: f64,
     ) -> Option<(State, Direction, f64, PhaseSequence)> {
-        let solver = Self::new(self.hoop, self.laws, &Limits::default());
-        let frame = chains.frame();
-        let state = seen(
+        let solver = Self::new(self.hoop, self.model, &Limits::default());
+        let mirror = maps.mirror();
+        let state = mirrored_by(
             &State {
                 time: 0.0,
                 theta: slip.angle,
@@ -350,30 +426,30 @@ impl Follow for FastSolver<'_> {
                 slip: 0.0,
                 x: 0.0,
             },
-            frame,
+            mirror,
         );
-        let place = Place::new(state);
+        let place = EngineState::new(state);
         let mut phases = PhaseSequence::default();
-        let tell = |mode, direction| {
+        let accept = |mode, direction| {
             phases.push(mode, direction);
             !phases.is_truncated()
         };
         let (end, direction, slid) =
-            next_slip(&solver, place, direction_of(slip.side, frame), tell)?;
-        if solver.has_drifted() {
+            next_slip(&solver, place, mirrored_slip(slip.slip, mirror), accept)?;
+        if solver.is_lost() {
             return None;
         }
-        if chains.is_last(self.hoop, &state, &end, phases) {
+        if maps.is_last(self.hoop, &state, &end, phases) {
             return None;
         }
-        let phases = if frame < 0.0 {
+        let phases = if mirror < 0.0 {
             phases.mirrored()
         } else {
             phases
         };
         Some((
-            seen(&end, frame),
-            seen_direction(direction, frame),
+            mirrored_by(&end, mirror),
+            mirrored_slip(direction, mirror),
             slid,
             phases,
         ))
@@ -381,9 +457,9 @@ impl Follow for FastSolver<'_> {
 }
 
 impl Solver for FastSolver<'_> {
-    type Place = Place;
+    type Place = EngineState;
     type Solution = Option<Flight>;
-    type Verdict = Verdict;
+    type Verdict = FastOutcome;
 
     fn hoop(&self) -> &Hoop {
         self.hoop
@@ -393,82 +469,60 @@ impl Solver for FastSolver<'_> {
         self.exact.until()
     }
 
-    fn place(&self, state: State) -> Place {
-        Place::new(state)
+    fn place(&self, state: State) -> EngineState {
+        EngineState::new(state)
     }
 
-    fn state(place: &Place) -> State {
+    fn state(place: &EngineState) -> State {
         place.state
     }
 
     #[inline(always)]
-    fn decide(&self, place: &Place, arrival: Arrival) -> Next {
+    fn decide(&self, place: &EngineState, arrival: Arrival) -> Next {
         if arrival == Arrival::LiftOff {
             // What the slide has found is not computed again.
             return next_motion(self.hoop, &place.state, arrival);
         }
         match self.clear_evidence(place, arrival) {
-            Some(evidence) => weigh(self.hoop, &self.laws.body, &place.state, &evidence),
+            Some(evidence) => weigh(self.hoop, &self.model.body, &place.state, &evidence),
             None => next_motion(self.hoop, &place.state, arrival),
         }
     }
 
     #[inline(always)]
-    fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
+    fn roll(&self, place: &EngineState, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
-        let travel = place.travel();
-        let left_to_the_simulation = |doubt: Doubt| {
-            self.laws.tally.add(doubt);
-            Self::take(self.exact.roll(&state, on_limit))
+        let left_to_the_simulation = |reason: Fallback| {
+            self.model.fallbacks.add(reason);
+            Self::from_exact(self.exact.roll(&state, on_limit))
         };
-        if self.drift.is_far(state.theta) {
-            return left_to_the_simulation(Doubt::Far);
+        if self.is_lost() {
+            return Self::give_up(state);
         }
-        let is_long = self.is_long();
-        if self.laws.leaves_rolling(is_long) {
-            return Self::take(self.exact.roll(&state, on_limit));
+        if is_out_of_range(state.theta) {
+            return left_to_the_simulation(Fallback::Far);
         }
-        let ending: Ended = match self.laws.roll(place, on_limit, is_long) {
+        let uses_tables = self.uses_tables();
+        if self.model.leaves_rolling(uses_tables) {
+            return Self::from_exact(self.exact.roll(&state, on_limit));
+        }
+        let ending: Ended = match self.model.roll(place, on_limit, uses_tables) {
             Ok(RollEnd::Never) => Ending::Motion {
                 event: None,
                 end: None,
-                verdict: Verdict {
+                verdict: FastOutcome {
                     kind: OutcomeKind::RollsForever,
                     state,
                 },
             },
-            Ok(RollEnd::Slip {
-                elapsed,
-                theta,
-                theta_rate,
-                side,
-                direction: (sin, cos),
-            }) if self.is_in_time(&state, elapsed) => {
-                let theta = travel * theta;
-                let towards = direction_of(side, travel);
-                let end = State {
-                    time: state.time + elapsed,
-                    theta,
-                    theta_rate: travel * theta_rate,
-                    slip: 0.0,
-                    x: state.x - (theta - state.theta),
-                };
-                let limit = RollingLimit::Friction(towards);
-                self.computed(&end);
-                Ending::Event {
-                    place: Place {
-                        state: end,
-                        direction: (travel * sin, cos),
-                    },
-                    cause: limit.cause(),
-                    arrival: Arrival::RollingLimit(limit),
-                }
+            Ok(RollEnd::Slip(slip)) if self.is_in_time(&state, slip.elapsed) => {
+                self.slipped(place, &slip)
             }
-            Ok(RollEnd::Slip { .. }) => match self.rolled(place) {
+            Ok(RollEnd::Slip(_)) => match self.rolled(place) {
                 Some(end) => Self::cut(end),
-                None => return left_to_the_simulation(Doubt::Separatrix),
+                None => return left_to_the_simulation(Fallback::Separatrix),
             },
-            Err(doubt) => return left_to_the_simulation(doubt),
+            Err(reason) => return left_to_the_simulation(reason),
         };
         Solved {
             solution: None,
@@ -480,155 +534,104 @@ impl Solver for FastSolver<'_> {
     #[inline(always)]
     fn slide(
         &self,
-        place: &Place,
+        place: &EngineState,
         body: &Heavy,
         direction: Direction,
         entry: Entry,
     ) -> SolvedBy<Self> {
         let state = place.state;
         let is_conservative = self.hoop.mu_k() == 0.0;
-        let for_ever = Verdict {
-            kind: OutcomeKind::SlidesForever,
-            state,
-        };
-        let never = || {
-            let ending = Ending::Motion {
-                event: None,
-                end: None,
-                verdict: for_ever,
-            };
-            Solved {
-                solution: None,
-                direction: Some(direction),
-                ending,
-            }
-        };
-        let left_to_the_simulation = |doubt: Doubt| {
-            self.laws.tally.add(doubt);
+        let left_to_the_simulation = |reason: Fallback| {
+            self.model.fallbacks.add(reason);
             // As the simulation has it, but for the last digits of an acceleration from which it
             // begins.
             let solved = self.exact.slide(&state, body, direction, entry);
             if entry != Entry::Moving && entry != ON_LIMIT {
-                self.drift.add_phase(state.theta);
+                self.add_phase_error(&state);
             }
-            Self::take(solved)
+            Self::from_exact(solved)
         };
-        if self.drift.is_far(state.theta) {
-            return left_to_the_simulation(Doubt::Far);
+        if self.is_lost() {
+            return Self::give_up(state);
+        }
+        if is_out_of_range(state.theta) {
+            return left_to_the_simulation(Fallback::Far);
         }
         if entry != Entry::Moving
-            && !self
-                .drift
-                .is_known(self.contact(place), 1.0 + body.h * place.u())
+            && !self.resolves_forces(self.contact_margin(place), 1.0 + body.h * place.u())
         {
-            return left_to_the_simulation(Doubt::Cancelled);
+            return left_to_the_simulation(Fallback::Cancelled);
         }
         if is_conservative && is_next_to_equilibrium(body, place) {
-            return left_to_the_simulation(Doubt::Separatrix);
+            return left_to_the_simulation(Fallback::Separatrix);
         }
-        let allowed = self.until() - state.time;
-        let from_limit = entry == ON_LIMIT;
-        let (event, is_cut) =
-            match self
-                .laws
-                .slide(place, direction, from_limit, allowed, self.is_long())
-            {
-                Ok(SlideEnd::Event(event)) => (event, false),
-                Ok(SlideEnd::Cut(event)) => (event, true),
-                Ok(SlideEnd::Never) => return never(),
-                Err(doubt) => return left_to_the_simulation(doubt),
-            };
-        let law = self.laws.sliding(direction);
-        let here = event.direction;
-        let end = State {
-            time: if is_cut {
-                self.until()
-            } else {
-                state.time + event.elapsed
-            },
-            theta: event.theta,
-            theta_rate: event.theta_rate,
-            slip: event.slip,
-            x: law
-                .path([state.theta_rate, state.slip, state.x], place.direction)
-                .x(event.elapsed, here),
+        let begin = SlideStart {
+            slip: direction,
+            from_limit: entry == ON_LIMIT,
+            time_left: self.until() - state.time,
         };
-        self.computed(&end);
-        if is_cut {
-            let goes_on = direction.sign() * law.drag() <= 0.0;
-            let repeats = goes_on && event.is_behind_a_period(state.theta, is_conservative);
-            let ending = if repeats {
-                Ending::Motion {
-                    event: None,
-                    end: Some(end),
-                    verdict: for_ever,
+        let ending = match self.model.slide(place, begin, self.uses_tables()) {
+            Ok(SlideEnd::Event(event)) => self.slide_event(place, direction, &event),
+            Ok(SlideEnd::Cut(event)) => {
+                let end = self.slide_end(place, direction, &event, true);
+                // η′ has not fallen over a whole period: there is no event at all.
+                let never_stops = direction.sign() * self.model.sliding(direction).drag() <= 0.0;
+                if never_stops && event.is_behind_a_period(state.theta, is_conservative) {
+                    Self::slides_forever(state, Some(end))
+                } else {
+                    Self::cut(end)
                 }
-            } else {
-                Self::cut(end)
-            };
-            return Solved {
-                solution: None,
-                direction: Some(direction),
-                ending,
-            };
-        }
-        let (cause, arrival) = if event.lifts_off {
-            (Cause::LiftOff, Arrival::LiftOff)
-        } else {
-            (Cause::Stick, Arrival::Open)
-        };
-        let place = Place {
-            state: end,
-            direction: here,
+            }
+            Ok(SlideEnd::Never) => Self::slides_forever(state, None),
+            Err(reason) => return left_to_the_simulation(reason),
         };
         Solved {
             solution: None,
             direction: Some(direction),
-            ending: Ending::Event {
-                place,
-                cause,
-                arrival,
-            },
+            ending,
         }
     }
 
     #[inline(always)]
-    fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
+    fn fly(&self, place: &EngineState, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let state = place.state;
+        if self.is_lost() {
+            return Self::give_up(state);
+        }
         // Whatever follows from a state of the simulation goes on as there.
-        if self.drift.is_none() && self.hoop.restitution().is_some() {
-            return Self::take(self.exact.fly(&state, body, take_off));
+        if self.error.get().is_exact() && self.hoop.restitution().is_some() {
+            return Self::from_exact(self.exact.fly(&state, body, take_off));
         }
         let flight = match take_off {
             TakeOff::Grazing => {
-                let (travel, (sin, cos)) = (place.travel(), place.direction);
+                let heading = place.heading();
                 match jump::angles(
-                    travel * state.theta,
-                    (travel * sin, cos),
-                    -self.contact(place),
+                    heading * state.theta,
+                    place.angle.mirrored_by(heading),
+                    -self.contact_margin(place),
                 ) {
                     Some(angles) => {
-                        Flight::with_angles(body, state, take_off, place.direction, angles)
+                        Flight::with_angles(body, state, take_off, place.angle.pair(), angles)
                     }
-                    None => Flight::from_direction(body, state, take_off, place.direction),
+                    None => Flight::from_direction(body, state, take_off, place.angle.pair()),
                 }
             }
             // So close to w = 0 the exact rules have decided, with their own cosine.
             TakeOff::Unloaded
-                if !self
-                    .drift
-                    .is_clear(self.contact(place), 1.0 + body.h * place.u()) =>
+                if !self.sign_is_certain(self.contact_margin(place), 1.0 + body.h * place.u()) =>
             {
                 Flight::new(body, state, take_off)
             }
             TakeOff::Unloaded | TakeOff::Rising { .. } => {
-                Flight::from_direction(body, state, take_off, place.direction)
+                Flight::from_direction(body, state, take_off, place.angle.pair())
             }
         };
         let duration = flight.duration();
         if let Some(restitution) = self.hoop.restitution() {
-            self.drift
-                .add_flight(&flight, &state, place.direction, restitution.coefficient());
+            let coefficient = restitution.coefficient();
+            self.with_error(|error| {
+                error.add_flight(&self.error_model, &flight, &state, place.angle, coefficient);
+            });
         }
         let ending = if self.is_in_time(&state, duration) {
             Ending::Landing {
@@ -648,37 +651,37 @@ impl Solver for FastSolver<'_> {
         }
     }
 
-    fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
-        Self::take(self.exact.settle(&place.state, body, settling))
+    fn settle(&self, place: &EngineState, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
+        Self::from_exact(self.exact.settle(&place.state, body, settling))
     }
 
-    fn glide(&self, place: &Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
-        Self::take(self.exact.glide(&place.state, body, entry))
+    fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
+        Self::from_exact(self.exact.glide(&place.state, body, entry))
     }
 
     fn pass_links(
         &self,
-        place: &Place,
+        place: &EngineState,
         direction: Direction,
         room: &ChainBudget<'_>,
-    ) -> Option<ChainSegment<Place>> {
-        let (state, travel) = (place.state, place.travel());
-        let chains = if travel < 0.0 {
-            self.chains?.last()
+    ) -> Option<ChainSegment<EngineState>> {
+        let (state, heading) = (place.state, place.heading());
+        let maps = if heading < 0.0 {
+            self.slip_maps?.last()
         } else {
-            self.chains?.first()
+            self.slip_maps?.first()
         }?;
-        let frame = chains.frame();
-        let start = seen(&state, frame);
-        let point = chains.point(&start, seen_direction(direction, frame))?;
-        let after = |passage: &Passage| {
-            let (slip, rate) = chains.slip(passage.end)?;
+        let mirror = maps.mirror();
+        let start = mirrored_by(&state, mirror);
+        let point = maps.point(&start, mirrored_slip(direction, mirror))?;
+        let after = |passage: &SlipMapValue| {
+            let (slip, rate) = maps.slip(passage.end)?;
             Some((
                 slip,
-                seen(&passage.state_after(&start, (slip.angle, rate)), frame),
+                mirrored_by(&passage.state_after(&start, slip.angle, rate), mirror),
             ))
         };
-        let has_room = |passage: &Passage| {
+        let has_room = |passage: &SlipMapValue| {
             passage.route.transitions <= room.transitions
                 && passage.slid <= room.slides
                 && self.is_in_time(&state, passage.elapsed)
@@ -687,23 +690,20 @@ impl Solver for FastSolver<'_> {
                     .is_none_or(|open| after(passage).is_some_and(|(_, state)| open(&state)))
         };
         let (passage, phases) = if room.record_phases {
-            chains.links(point, self, has_room)?
+            maps.links(point, self, has_room)?
         } else {
-            (
-                chains.pass(point, self, has_room)?,
-                PhaseSequence::default(),
-            )
+            (maps.pass(point, self, has_room)?, PhaseSequence::default())
         };
         let (slip, end) = after(&passage)?;
-        let place = Place::new(end);
-        let towards = direction_of(slip.side, place.travel());
-        self.computed(&end);
+        let place = EngineState::new(end);
+        let towards = mirrored_slip(slip.slip, place.heading());
+        self.add_phase_error(&end);
         Some(ChainSegment {
             place,
             direction: towards,
             transitions: passage.route.transitions,
             slid: passage.slid,
-            phases: if travel < 0.0 {
+            phases: if heading < 0.0 {
                 phases.mirrored()
             } else {
                 phases

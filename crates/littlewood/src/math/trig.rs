@@ -132,6 +132,73 @@ fn core_sincos(r: f64, rest: f64) -> (f64, f64) {
     )
 }
 
+/// An angle by its sine and cosine, which solvers compute once and pass on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Angle {
+    pub(crate) sin: f64,
+    pub(crate) cos: f64,
+}
+
+impl Angle {
+    pub(crate) fn of(theta: f64) -> Self {
+        let (sin, cos) = sincos(theta);
+        Self { sin, cos }
+    }
+
+    /// For functions that take a pair.
+    pub(crate) const fn pair(self) -> (f64, f64) {
+        (self.sin, self.cos)
+    }
+
+    /// The angle −θ.
+    #[must_use]
+    pub(crate) const fn mirrored(self) -> Self {
+        Self {
+            sin: -self.sin,
+            ..self
+        }
+    }
+
+    /// The angle in a frame that is mirrored for −1.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) const fn mirrored_by(self, mirror: f64) -> Self {
+        Self {
+            sin: mirror * self.sin,
+            ..self
+        }
+    }
+
+    #[inline(always)]
+    #[must_use]
+    pub(crate) const fn plus(self, other: Self) -> Self {
+        Self {
+            sin: self.sin * other.cos + self.cos * other.sin,
+            cos: self.cos * other.cos - self.sin * other.sin,
+        }
+    }
+
+    #[inline(always)]
+    #[must_use]
+    pub(crate) const fn minus(self, other: Self) -> Self {
+        Self {
+            sin: self.sin * other.cos - self.cos * other.sin,
+            cos: self.cos * other.cos + self.sin * other.sin,
+        }
+    }
+
+    /// The angle 2 atan z.
+    #[inline(always)]
+    pub(crate) const fn of_half_tangent(z: f64) -> Self {
+        let square = z * z;
+        let inverse = 1.0 / (1.0 + square);
+        Self {
+            sin: 2.0 * z * inverse,
+            cos: (1.0 - square) * inverse,
+        }
+    }
+}
+
 /// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: ratios of successive terms in
 /// `TruncatedSeries`.
 const TERM_RATIOS: [(f64, f64); 9] = {
@@ -227,6 +294,23 @@ mod tests {
     #[test]
     fn nan_and_infinity_give_nan() {
         assert!(sincos(f64::NAN).0.is_nan() && sincos(f64::INFINITY).1.is_nan());
+    }
+
+    #[test]
+    fn angles_add_and_subtract() {
+        for (a, b) in [(0.3, 1.1), (-2.0, 0.4), (3.0, 3.1), (1e-9, -0.7)] {
+            for (found, expected) in [
+                (Angle::of(a).plus(Angle::of(b)), a + b),
+                (Angle::of(a).minus(Angle::of(b)), a - b),
+                (Angle::of(a).mirrored(), -a),
+                (Angle::of(a).mirrored_by(-1.0), -a),
+                (Angle::of_half_tangent(libm::tan(0.5 * a)), a),
+            ] {
+                let (sin, cos) = libm::sincos(expected);
+                assert!((found.sin - sin).abs() < 4.0 * f64::EPSILON, "{a} {b}");
+                assert!((found.cos - cos).abs() < 4.0 * f64::EPSILON, "{a} {b}");
+            }
+        }
     }
 
     /// θ − 2πk from 60 digits of π (mpmath).

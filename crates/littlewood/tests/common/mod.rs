@@ -30,10 +30,11 @@ fn offset() -> impl Strategy<Value = f64> {
     prop_oneof![3 => Just(1.0), 3 => 0.05..1.0_f64, 1 => 0.0..1e-6_f64, 1 => (1.0 - 1e-9)..1.0_f64]
 }
 
-/// The engine for many starts of a hoop, and that for one.
-pub(crate) fn engines(hoop: &Hoop) -> [Engine; 2] {
+/// The engine for many starts of a hoop, the same with interpolated slips, and that for one.
+pub(crate) fn engines(hoop: &Hoop) -> [Engine; 3] {
     [
         Engine::new(hoop),
+        Engine::builder(hoop).interpolate_slips().build(),
         Engine::builder(hoop).expected_starts(1).build(),
     ]
 }

@@ -1,12 +1,13 @@
 //! The curves on which rolling slips, |F| = μs N, and coordinates on them.
 
 use crate::math::bracket::Bracket;
+use crate::model::Direction;
 
-use super::limit::{SlipCurves, SlipPoint};
+use super::slip_curves::{SlipCurves, SlipPoint};
 
 /// A slip on one of the curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) struct Point {
+pub(in crate::engine) struct CurvePoint {
     pub(super) part: usize,
     pub(super) at: f64,
 }
@@ -22,10 +23,10 @@ enum Coordinate {
 }
 
 #[derive(Clone, Debug)]
-struct Part {
-    side: usize,
+struct CurvePart {
+    slip: Direction,
     /// Angles between which the level is monotone.
-    piece: (f64, f64),
+    piece: Bracket,
     coordinate: Coordinate,
     angles: (f64, f64),
     bounds: (f64, f64),
@@ -35,7 +36,7 @@ struct Part {
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
     slips: SlipCurves,
-    parts: Vec<Part>,
+    parts: Vec<CurvePart>,
 }
 
 /// Largest amplification of the rounding of levels that polynomials are made for: next to an
@@ -52,7 +53,7 @@ const POLE_TOLERANCE: f64 = 1e-9;
 impl Curves {
     pub(super) fn new(slips: SlipCurves) -> Self {
         let mut parts = Vec::new();
-        for side in [0, 1] {
+        for side in Direction::ALL {
             let (rests, extrema) = slips.rests_and_extrema(side);
             for piece in slips.slips(side) {
                 let inside = |cuts: &[f64]| -> Vec<f64> {
@@ -70,7 +71,10 @@ impl Curves {
                 }
                 for pair in ends.windows(2) {
                     let middle = 0.5 * (pair[0] + pair[1]);
-                    if !slips.limit(side, middle).is_some_and(|u| u > 0.0) {
+                    if !slips
+                        .slip_rate_squared(side, middle)
+                        .is_some_and(|u| u > 0.0)
+                    {
                         continue;
                     }
                     let slowest = POLE_TOLERANCE * slips.inverse_level(side, middle).abs();
@@ -86,14 +90,17 @@ impl Curves {
                         let at = |angle: f64| match coordinate {
                             Coordinate::Angle => angle,
                             Coordinate::InverseLevel => slips.inverse_level(side, angle).max(0.0),
-                            Coordinate::Rate => {
-                                slips.limit(side, angle).map_or(0.0, |u| u.max(0.0).sqrt())
-                            }
+                            Coordinate::Rate => slips
+                                .slip_rate_squared(side, angle)
+                                .map_or(0.0, |u| u.max(0.0).sqrt()),
                         };
                         let (one, other) = (at(angles.0), at(angles.1));
-                        Part {
-                            side,
-                            piece,
+                        CurvePart {
+                            slip: side,
+                            piece: Bracket {
+                                low: piece.0,
+                                high: piece.1,
+                            },
                             coordinate,
                             angles,
                             bounds: (one.min(other), one.max(other)),
@@ -111,20 +118,23 @@ impl Curves {
     }
 
     /// The angle of a slip at a rate, on a part on which rates rise or fall.
-    fn angle_at(&self, part: &Part, rate: f64) -> f64 {
+    fn angle_at(&self, part: &CurvePart, rate: f64) -> f64 {
         let (low, high) = part.angles;
-        let [first, last] =
-            [low, high].map(|angle| self.slips.limit(part.side, angle).unwrap_or(0.0));
+        let [first, last] = [low, high].map(|angle| {
+            self.slips
+                .slip_rate_squared(part.slip, angle)
+                .unwrap_or(0.0)
+        });
         let falls = if first > last { 1.0 } else { -1.0 };
         Bracket { low, high }.refine(|angle| {
-            let (u, slope) = self.slips.limit_and_slope(part.side, angle);
+            let (u, slope) = self.slips.slip_rate_squared_and_slope(part.slip, angle);
             (falls * (u - rate * rate), falls * slope)
         })
     }
 
-    pub(super) fn point(&self, slip: SlipPoint, theta_rate: f64) -> Option<Point> {
-        let holds = |part: &Part| {
-            part.side == slip.side && part.angles.0 <= slip.angle && slip.angle <= part.angles.1
+    pub(super) fn point(&self, slip: SlipPoint, theta_rate: f64) -> Option<CurvePoint> {
+        let holds = |part: &CurvePart| {
+            part.slip == slip.slip && part.angles.0 <= slip.angle && slip.angle <= part.angles.1
         };
         let index = self.parts.iter().position(holds)?;
         let at = match self.parts[index].coordinate {
@@ -134,7 +144,7 @@ impl Curves {
                 .inverse(self.slips.level(theta_rate * theta_rate, slip.angle)),
             Coordinate::Rate => theta_rate.abs(),
         };
-        Some(Point { part: index, at })
+        Some(CurvePoint { part: index, at })
     }
 
     /// More halvings than of other parts, and where chains end on it.
@@ -148,10 +158,10 @@ impl Curves {
     /// By how much a coordinate moves, between two of a part, where the level of the orbit moves by
     /// a part of itself, over that part: what rounding of the level is amplified by. Orbits that
     /// graze the limit of friction slip at very different angles.
-    pub(super) fn amplification(&self, part: usize, (from, to): (f64, f64)) -> f64 {
+    pub(super) fn amplification(&self, part: usize, from: f64, to: f64) -> f64 {
         let part = &self.parts[part];
         let moves = |angles: [f64; 2]| {
-            let [first, last] = angles.map(|angle| self.slips.inverse_level(part.side, angle));
+            let [first, last] = angles.map(|angle| self.slips.inverse_level(part.slip, angle));
             (first * (to - from) / (last - first)).abs()
         };
         match part.coordinate {
@@ -162,11 +172,11 @@ impl Curves {
     }
 
     /// The slip at a point, and |θ′|; none where no orbit has it.
-    pub(super) fn slip(&self, point: Point) -> Option<(SlipPoint, f64)> {
+    pub(super) fn slip(&self, point: CurvePoint) -> Option<(SlipPoint, f64)> {
         let part = &self.parts[point.part];
-        let side = part.side;
+        let side = part.slip;
         let (angle, u) = match part.coordinate {
-            Coordinate::Angle => (point.at, self.slips.limit(side, point.at)?),
+            Coordinate::Angle => (point.at, self.slips.slip_rate_squared(side, point.at)?),
             Coordinate::InverseLevel => {
                 let level = self.slips.level_of(point.at);
                 let angle = self.slips.slip_on(part.piece, side, level)?;
@@ -174,12 +184,12 @@ impl Curves {
             }
             Coordinate::Rate => {
                 let slip = SlipPoint {
-                    side,
+                    slip: side,
                     angle: self.angle_at(part, point.at),
                 };
                 return (point.at > 0.0).then_some((slip, point.at));
             }
         };
-        (u > 0.0 && u.is_finite()).then(|| (SlipPoint { side, angle }, u.sqrt()))
+        (u > 0.0 && u.is_finite()).then(|| (SlipPoint { slip: side, angle }, u.sqrt()))
     }
 }

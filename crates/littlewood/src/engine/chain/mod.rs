@@ -1,4 +1,4 @@
-//! Chains of slips (docs/engine.md): whole powers of the map from one slip out of rolling to the
+//! SlipMaps of slips (docs/engine.md): whole powers of the map from one slip out of rolling to the
 //! next, a *link*.
 //!
 //! The map of 2^k links is that of 2^(k−1) links, twice; its polynomials go through these values at
@@ -6,38 +6,37 @@
 //! motion first needs them, and are the same whichever motion that is.
 
 mod curve;
-mod limit;
-mod passage;
+mod slip_curves;
 mod tree;
+mod value;
 
 use crate::model::{Direction, Heavy, Hoop, State};
 use crate::modes::Levels;
-use crate::modes::rolling::margin_forms;
 use crate::walk::PhaseSequence;
 
 use super::interpolant::Basis;
-use super::laws::Laws;
-use super::roll::Margins;
-use curve::{Curves, Point};
-use tree::{Found, Making, Tree};
+use super::model::HoopModel;
+use super::roll::{Margins, margins_of};
+use curve::{CurvePoint, Curves};
+use tree::{FitContext, FittedMap, Tree};
 
-pub(super) use limit::{SlipCurves, SlipPoint};
-pub(super) use passage::Passage;
+pub(super) use slip_curves::{SlipCurves, SlipPoint};
+pub(super) use value::SlipMapValue;
 
 /// Powers of two: most limits of transitions are below 2^14.
 const LEVELS: usize = 14;
 
-/// Successes on a level after which a higher one is tried that has failed.
+/// Successes on a exponent after which a higher one is tried that has failed.
 const SUCCESSES_BEFORE_RETRY: usize = 2;
 
-pub(super) trait Follow {
+pub(super) trait LinkSolver {
     /// The state at the end of the link that begins at a slip with this rate, travelling to
     /// positive angles from x = 0 at τ = 0 in the frame of the chains, with the direction of the
     /// slip there, the length of the slides, and the phases; none where the motion comes to another
     /// end, or it may be known there that it slips for ever.
     fn link(
         &self,
-        chains: &Chains,
+        maps: &SlipMaps,
         slip: SlipPoint,
         theta_rate: f64,
     ) -> Option<(State, Direction, f64, PhaseSequence)>;
@@ -45,7 +44,7 @@ pub(super) trait Follow {
 
 /// The maps from slip to slip of one body.
 #[derive(Clone, Debug)]
-pub(super) struct Chains {
+pub(super) struct SlipMaps {
     curves: Curves,
     basis: Basis,
     /// By the power of two, and the part of the curves at which the links begin.
@@ -55,57 +54,57 @@ pub(super) struct Chains {
     /// With μs = μk, towards which orbits slips lead.
     grazing: Option<Levels>,
     /// On a slope, the direction of motion in which all slips are.
-    travel: Option<f64>,
+    heading: Option<f64>,
 }
 
-impl Chains {
+impl SlipMaps {
     /// Of a hoop with these equations: for all slips, or on a slope for those in each direction of
     /// motion. Nothing is computed yet.
-    pub(super) fn new(hoop: &Hoop, laws: &Laws) -> Vec<Self> {
+    pub(super) fn new(hoop: &Hoop, model: &HoopModel) -> Vec<Self> {
         let travels: &[Option<f64>] = if hoop.slope() == 0.0 {
             &[None]
         } else {
             &[Some(1.0), Some(-1.0)]
         };
         let margins =
-            |travel: &Option<f64>| Some((*travel, margin_forms(hoop, travel.unwrap_or(1.0))?));
+            |heading: &Option<f64>| Some((*heading, margins_of(hoop, heading.unwrap_or(1.0))?));
         travels
             .iter()
             .filter_map(margins)
-            .map(|(travel, margins)| Self::of(hoop, laws, (travel, margins)))
+            .map(|(heading, margins)| Self::of(hoop, model, heading, margins))
             .collect()
     }
 
-    fn of(hoop: &Hoop, laws: &Laws, (travel, margins): (Option<f64>, Margins)) -> Self {
-        let Heavy { mass, inertia, .. } = laws.body;
-        let curves = Curves::new(SlipCurves::new(margins, laws.rolling));
-        let level = curves
+    fn of(hoop: &Hoop, model: &HoopModel, heading: Option<f64>, margins: Margins) -> Self {
+        let Heavy { mass, inertia, .. } = model.body;
+        let curves = Curves::new(SlipCurves::new(margins, model.rolling));
+        let exponent = curves
             .bounds()
             .map(|(left, right)| Tree::new(left, right, 0))
             .collect();
         Self {
             curves,
             basis: Basis::new(),
-            levels: vec![level; LEVELS],
+            levels: vec![exponent; LEVELS],
             noise: (mass / inertia).sqrt().max(1.0),
             grazing: if hoop.mu_s() == hoop.mu_k() && hoop.slope() == 0.0 {
                 Levels::new(hoop)
             } else {
                 None
             },
-            travel,
+            heading,
         }
     }
 
-    /// The frame in which a state is seen: 1, or −1 where that is mirrored.
-    pub(super) fn frame(&self) -> f64 {
-        self.travel.unwrap_or(1.0)
+    /// −1 if the frame of the maps is mirrored, else 1.
+    pub(super) fn mirror(&self) -> f64 {
+        self.heading.unwrap_or(1.0)
     }
 
     /// The point of the curves at which a slip in this direction begins. On a slope each direction
     /// of motion has its own curves; for a state that moves the other way the result is `None`.
-    pub(super) fn point(&self, state: &State, direction: Direction) -> Option<Point> {
-        if self.travel.is_some() && state.theta_rate < 0.0 {
+    pub(super) fn point(&self, state: &State, direction: Direction) -> Option<CurvePoint> {
+        if self.heading.is_some() && state.theta_rate < 0.0 {
             return None;
         }
         self.curves
@@ -113,7 +112,7 @@ impl Chains {
     }
 
     /// The slip at a point, and |θ′|.
-    pub(super) fn slip(&self, point: Point) -> Option<(SlipPoint, f64)> {
+    pub(super) fn slip(&self, point: CurvePoint) -> Option<(SlipPoint, f64)> {
         self.curves.slip(point)
     }
 
@@ -142,11 +141,11 @@ impl Chains {
     /// phases of.
     pub(super) fn links(
         &self,
-        point: Point,
-        follow: &impl Follow,
-        has_room: impl Fn(&Passage) -> bool,
-    ) -> Option<(Passage, PhaseSequence)> {
-        let mut passed: Option<(Passage, PhaseSequence)> = None;
+        point: CurvePoint,
+        follow: &impl LinkSolver,
+        has_room: impl Fn(&SlipMapValue) -> bool,
+    ) -> Option<(SlipMapValue, PhaseSequence)> {
+        let mut passed: Option<(SlipMapValue, PhaseSequence)> = None;
         loop {
             let here = passed.map_or(point, |(total, _)| total.end);
             let Some(found) = self.found(0, here, follow) else {
@@ -175,19 +174,19 @@ impl Chains {
     /// As many links from a slip as a motion has room for.
     pub(super) fn pass(
         &self,
-        point: Point,
-        follow: &impl Follow,
-        has_room: impl Fn(&Passage) -> bool,
-    ) -> Option<Passage> {
-        let mut total: Option<Passage> = None;
-        let mut level = 0;
-        // Links passed on this level since it was found to be the highest: enough of them, and a
+        point: CurvePoint,
+        follow: &impl LinkSolver,
+        has_room: impl Fn(&SlipMapValue) -> bool,
+    ) -> Option<SlipMapValue> {
+        let mut total: Option<SlipMapValue> = None;
+        let mut exponent = 0;
+        // Links passed on this exponent since it was found to be the highest: enough of them, and a
         // higher one is tried again.
         let mut passed = SUCCESSES_BEFORE_RETRY;
         loop {
             let here = total.map_or(point, |passage| passage.end);
             let next = self
-                .found(level, here, follow)
+                .found(exponent, here, follow)
                 .map(|found| found.from(here.at))
                 .map(|next| total.map_or(next, |total| total.then(&next)))
                 .filter(&has_room);
@@ -195,45 +194,50 @@ impl Chains {
                 Some(passage) => {
                     total = Some(passage);
                     passed += 1;
-                    if passed >= SUCCESSES_BEFORE_RETRY && level + 1 < LEVELS {
-                        level += 1;
+                    if passed >= SUCCESSES_BEFORE_RETRY && exponent + 1 < LEVELS {
+                        exponent += 1;
                     }
                 }
-                None if level == 0 => return total,
+                None if exponent == 0 => return total,
                 None => {
-                    level -= 1;
+                    exponent -= 1;
                     passed = 0;
                 }
             }
         }
     }
 
-    /// The piece of a level that holds a slip.
-    fn found(&self, level: usize, point: Point, follow: &impl Follow) -> Option<&Found> {
+    /// The piece of a exponent that holds a slip.
+    fn found(
+        &self,
+        exponent: usize,
+        point: CurvePoint,
+        follow: &impl LinkSolver,
+    ) -> Option<&FittedMap> {
         let (more, end) = self.curves.more_halvings(point.part);
-        let making = Making {
+        let making = FitContext {
             basis: &self.basis,
             curves: &self.curves,
-            tolerance: tree::TOLERANCE * self.noise * (1_u64 << level) as f64,
+            tolerance: tree::TOLERANCE * self.noise * (1_u64 << exponent) as f64,
             halvings: tree::MAX_HALVINGS + (self.noise as u32).ilog2() + more,
             end,
-            value: &|at| self.value(level, Point { at, ..point }, follow),
+            value: &|at| self.value(exponent, CurvePoint { at, ..point }, follow),
         };
-        self.levels[level][point.part].find(point.at, &making)
+        self.levels[exponent][point.part].find(point.at, &making)
     }
 
-    /// What a piece of a level is made from.
+    /// What a piece of a exponent is made from.
     fn value(
         &self,
-        level: usize,
-        point: Point,
-        follow: &impl Follow,
-    ) -> Option<(Passage, PhaseSequence)> {
-        let Some(below) = level.checked_sub(1) else {
+        exponent: usize,
+        point: CurvePoint,
+        follow: &impl LinkSolver,
+    ) -> Option<(SlipMapValue, PhaseSequence)> {
+        let Some(below) = exponent.checked_sub(1) else {
             let (slip, rate) = self.curves.slip(point)?;
             let (end, direction, slid, phases) = follow.link(self, slip, rate)?;
             return Some((
-                Passage::to(&end, self.point(&end, direction)?, slid, phases),
+                SlipMapValue::to(&end, self.point(&end, direction)?, slid, phases),
                 phases,
             ));
         };

@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use crate::walk::PhaseSequence;
 
 use super::super::interpolant::{Basis, Interpolant, NODES, Tolerance};
-use super::curve::Curves;
-use super::passage::{Passage, Route};
+use super::curve::{CurvePoint, Curves};
+use super::value::{Itinerary, SlipMapValue};
 
 /// Polynomials have converged when their last coefficients are below this part of the largest
 /// value, times what rounding in a link is amplified by.
@@ -18,7 +18,7 @@ pub(super) const TOLERANCE: f64 = 2e-15;
 /// than finer pieces would take.
 pub(super) const MAX_HALVINGS: u32 = 12;
 
-/// Part of the tolerance to which the level of an orbit is known: a few units in its last place.
+/// CurvePart of the tolerance to which the level of an orbit is known: a few units in its last place.
 const LEVEL_ROUNDING: f64 = 0.25;
 
 /// Halvings after which an interval without links at its ends and its middle is taken to have none.
@@ -31,22 +31,22 @@ const LENGTH_TOLERANCE: f64 = 1e-9;
 const MAX_MISS: f64 = 8.0;
 
 #[derive(Clone, Debug)]
-pub(super) struct Found {
-    route: Route,
+pub(super) struct FittedMap {
+    route: Itinerary,
     pub(super) phases: PhaseSequence,
     numbers: Interpolant<4>,
 }
 
-impl Found {
+impl FittedMap {
     #[inline]
-    pub(super) fn from(&self, at: f64) -> Passage {
-        Passage::with_numbers(self.route, self.numbers.at(at))
+    pub(super) fn from(&self, at: f64) -> SlipMapValue {
+        SlipMapValue::with_numbers(self.route, self.numbers.at(at))
     }
 }
 
 #[derive(Clone, Debug)]
 enum Fit {
-    Found(Box<Found>),
+    Found(Box<FittedMap>),
     Divided(Box<[Tree; 2]>),
     Nothing,
 }
@@ -61,7 +61,7 @@ pub(super) struct Tree {
     fit: OnceLock<Fit>,
 }
 
-pub(super) struct Making<'a> {
+pub(super) struct FitContext<'a> {
     pub(super) basis: &'a Basis,
     pub(super) curves: &'a Curves,
     /// To which part of a value the polynomials tell it.
@@ -71,7 +71,7 @@ pub(super) struct Making<'a> {
     /// intervals.
     pub(super) end: Option<f64>,
     /// The links from a coordinate.
-    pub(super) value: &'a dyn Fn(f64) -> Option<(Passage, PhaseSequence)>,
+    pub(super) value: &'a dyn Fn(f64) -> Option<(SlipMapValue, PhaseSequence)>,
 }
 
 impl Tree {
@@ -85,11 +85,11 @@ impl Tree {
         }
     }
 
-    pub(super) fn find(&self, at: f64, making: &Making<'_>) -> Option<&Found> {
+    pub(super) fn find(&self, at: f64, context: &FitContext<'_>) -> Option<&FittedMap> {
         let mut node = Some(self).filter(|root| root.left <= at && at <= root.right)?;
         loop {
-            match node.fit.get_or_init(|| fit(node, making)) {
-                Fit::Found(found) => return Some(found),
+            match node.fit.get_or_init(|| fit(node, context)) {
+                Fit::Found(fitted) => return Some(fitted),
                 Fit::Nothing => return None,
                 Fit::Divided(halves) => node = &halves[usize::from(at > halves[0].right)],
             }
@@ -97,23 +97,19 @@ impl Tree {
     }
 }
 
-fn fit(
-    &Tree {
+fn fit(tree: &Tree, context: &FitContext<'_>) -> Fit {
+    let Tree {
         left,
         right,
         halvings,
         ..
-    }: &Tree,
-    making: &Making<'_>,
-) -> Fit {
-    let Making {
-        basis,
-        curves,
-        tolerance,
+    } = *tree;
+    let FitContext {
         halvings: most,
         end,
         value,
-    } = making;
+        ..
+    } = context;
     let middle = 0.5 * (left + right);
     let divided = || {
         if halvings < *most {
@@ -136,24 +132,26 @@ fn fit(
         };
     };
     let (route, phases) = (first.0.route, first.1);
-    let same = |(passage, other): &(Passage, PhaseSequence)| {
+    let same = |(passage, other): &(SlipMapValue, PhaseSequence)| {
         (passage.route == route && *other == phases).then(|| passage.numbers())
     };
     if same(second).is_none() || same(last).is_none() {
         return divided();
     }
-    let nodes = basis.nodes(left, right);
-    let mut numbers = [[0.0; 4]; NODES];
-    for (at, numbers) in nodes.iter().zip(&mut numbers) {
-        match value(*at).as_ref().and_then(same) {
-            Some(found) => *numbers = found,
-            None => return divided(),
-        }
+    match interpolate(tree, context, first, &last.0) {
+        Some(fitted) => Fit::Found(Box::new(fitted)),
+        None => divided(),
     }
+}
+
+/// The tolerances of the numbers of links that end between two points.
+fn tolerances(context: &FitContext<'_>, first: &CurvePoint, last: &CurvePoint) -> [Tolerance; 4] {
+    let FitContext {
+        curves, tolerance, ..
+    } = context;
     // The rounding of the level of an orbit decides where and when it slips, and how far the hoop
     // has come.
-    let (first, last) = (&first.0.end, &last.0.end);
-    let least = LEVEL_ROUNDING * tolerance * curves.amplification(last.part, (first.at, last.at));
+    let least = LEVEL_ROUNDING * tolerance * curves.amplification(last.part, first.at, last.at);
     let relative = Tolerance {
         relative: *tolerance,
         least,
@@ -167,10 +165,34 @@ fn fit(
         relative: LENGTH_TOLERANCE,
         least: LENGTH_TOLERANCE,
     };
-    let tolerances = [relative, relative, moved, counted];
-    let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else {
-        return divided();
+    [relative, relative, moved, counted]
+}
+
+/// Polynomials through links from the nodes of an interval with the phases of the first, if they
+/// agree with the links from between the nodes.
+fn interpolate(
+    tree: &Tree,
+    context: &FitContext<'_>,
+    first: &(SlipMapValue, PhaseSequence),
+    last: &SlipMapValue,
+) -> Option<FittedMap> {
+    let Tree { left, right, .. } = *tree;
+    let FitContext { basis, value, .. } = context;
+    let (first, phases) = (&first.0, first.1);
+    let route = first.route;
+    let same = |(passage, other): &(SlipMapValue, PhaseSequence)| {
+        (passage.route == route && *other == phases).then(|| passage.numbers())
     };
+    let nodes = basis.nodes(left, right);
+    let mut numbers = [[0.0; 4]; NODES];
+    for (at, numbers) in nodes.iter().zip(&mut numbers) {
+        match value(*at).as_ref().and_then(same) {
+            Some(fitted) => *numbers = fitted,
+            None => return None,
+        }
+    }
+    let tolerances = tolerances(context, &first.end, &last.end);
+    let interpolant = basis.through(left, right, &numbers, &tolerances)?;
     let agrees = |at: f64, expected: [f64; 4]| {
         let values = interpolant
             .at(at)
@@ -191,12 +213,12 @@ fn fit(
             .and_then(same)
             .is_some_and(|expected| agrees(at, expected))
         {
-            return divided();
+            return None;
         }
     }
-    Fit::Found(Box::new(Found {
+    Some(FittedMap {
         route,
         phases,
         numbers: interpolant,
-    }))
+    })
 }

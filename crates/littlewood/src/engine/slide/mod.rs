@@ -3,21 +3,23 @@
 //! u = θ′² obeys the linear equation du/dϑ = a(ϑ) (1 − h cos ϑ u), a = 2 m q/P, whatever the
 //! motion. About any angle a slide is therefore a power series ([`series`]); about a fixed angle
 //! all slides are u = p + u_c h, with two series that belong to the body and one number u_c that
-//! belongs to the slide ([`cell`]). The time is a Gauss sum of dϑ/√u, and η′ follows from it by the
-//! first integral of sliding.
+//! belongs to the slide ([`table`]). The time is a Gauss sum of dϑ/√u, and η′ follows from it by
+//! the first integral of sliding.
 
-mod cell;
-mod follow;
-mod piece;
+mod regular;
+mod segment;
 mod series;
-mod step;
-mod turn;
+mod solve;
+mod table;
+mod turning;
 
 use core::f64::consts::TAU;
 
-pub(super) use cell::Cells;
-pub(super) use follow::{Frame, follow};
-pub(super) use piece::Waypoint;
+use crate::math::trig::Angle;
+
+pub(super) use segment::SlidePoint;
+pub(super) use solve::{MotionFrame, SlideProblem, solve_slide};
+pub(super) use table::SlideTables;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SlideEvent {
@@ -25,14 +27,13 @@ pub(super) struct SlideEvent {
     pub(super) theta: f64,
     pub(super) theta_rate: f64,
     pub(super) slip: f64,
-    /// sin ϑ and cos ϑ.
-    pub(super) direction: (f64, f64),
+    pub(super) angle: Angle,
     pub(super) lifts_off: bool,
     /// How many turning points are on the way.
-    pub(super) turns: f64,
+    pub(super) turning_points: f64,
 }
 
-/// Where a slide ends, or is cut by a limit of time.
+/// Where a slide ends, or is cut by a time limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SlideEnd {
     Event(SlideEvent),
@@ -46,20 +47,19 @@ impl SlideEvent {
     /// Whether a whole period has passed since the start: the way from the first turning point to
     /// the third, or, if energy is conserved, a turn.
     pub(super) fn is_behind_a_period(&self, start: f64, is_conservative: bool) -> bool {
-        let has_turned = is_conservative && (self.theta - start).abs() >= TAU;
-        has_turned || self.turns >= 3.0
+        let is_behind_a_turn = is_conservative && (self.theta - start).abs() >= TAU;
+        is_behind_a_turn || self.turning_points >= 3.0
     }
 
     /// The same in the frame that is mirrored for −1.
     #[inline]
-    fn mirrored(self, sign: f64) -> Self {
-        let (sin, cos) = self.direction;
+    fn mirrored_by(self, mirror: f64) -> Self {
         Self {
-            theta: sign * self.theta,
-            theta_rate: sign * self.theta_rate,
+            theta: mirror * self.theta,
+            theta_rate: mirror * self.theta_rate,
             // Adding zero makes −0 a 0.
-            slip: sign * self.slip + 0.0,
-            direction: (sign * sin, cos),
+            slip: mirror * self.slip + 0.0,
+            angle: self.angle.mirrored_by(mirror),
             ..self
         }
     }

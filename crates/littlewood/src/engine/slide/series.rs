@@ -6,6 +6,7 @@
 //! converges up to the nearest zero of P, or to z = ± i.
 
 use crate::math::series::product;
+use crate::math::trig::Angle;
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
 
@@ -17,8 +18,8 @@ const TERMS: usize = 6;
 /// Part of the first coefficient that the last of a series may be.
 pub(super) const CONVERGENCE: f64 = f64::EPSILON / 16.0;
 
-/// A width that is tried is so much less than the parabola leads to: where the sum is one, rounding
-/// would tell.
+/// A trial width is so much less than the parabola gives: where the terms are a parabola, rounding
+/// would decide whether it is too wide.
 const WIDTH_MARGIN: f64 = 0.98;
 
 /// Degree of the polynomials whose sign is examined; what they leave out is bounded.
@@ -29,6 +30,14 @@ pub(super) type Series = [f64; DEGREE + 1];
 
 /// The lowest of them.
 pub(super) type Low = [f64; SIGN_DEGREE + 1];
+
+/// A polynomial whose terms above [`SIGN_DEGREE`] are only bounded.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TruncatedPolynomial {
+    pub(super) low: Low,
+    /// The other terms are nowhere larger.
+    pub(super) remainder: f64,
+}
 
 const RECIPROCALS: Series = {
     let mut table = [0.0; DEGREE + 1];
@@ -89,7 +98,7 @@ fn power(x: f64, mut exponent: usize) -> f64 {
 
 /// Signs of a function on an interval, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Signs {
+pub(super) enum SignPattern {
     Positive,
     Negative,
     /// From positive to negative.
@@ -99,7 +108,31 @@ pub(super) enum Signs {
     Unknown,
 }
 
-impl Signs {
+/// The signs of σ η″ on an interval.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlipSigns {
+    pub(super) pattern: SignPattern,
+    /// Largest |η″| where its sign is not known, about a change of sign.
+    pub(super) sign_uncertainty: f64,
+}
+
+impl SlipSigns {
+    /// The pattern behind a point at which σ η″ has this value: the change of sign may lie before
+    /// it.
+    pub(super) fn pattern_behind(&self, slip_acceleration: f64) -> SignPattern {
+        match self.pattern {
+            SignPattern::Rising if slip_acceleration > self.sign_uncertainty => {
+                SignPattern::Positive
+            }
+            SignPattern::Falling if slip_acceleration < -self.sign_uncertainty => {
+                SignPattern::Negative
+            }
+            pattern => pattern,
+        }
+    }
+}
+
+impl SignPattern {
     pub(super) const fn reversed(self) -> Self {
         match self {
             Self::Falling => Self::Rising,
@@ -107,6 +140,24 @@ impl Signs {
             Self::Positive | Self::Negative | Self::Unknown => self,
         }
     }
+}
+
+/// The value of a solution at the centre, and the part of the drive that it has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InitialValue {
+    pub(super) u: f64,
+    pub(super) drive: f64,
+}
+
+/// The terms of a series from the one with index `first` on, at `stretch` times a width of at most
+/// `max_width`, are at most `max_ratio` of the term with index `lead`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TermBound {
+    pub(super) lead: usize,
+    pub(super) first: usize,
+    pub(super) max_width: f64,
+    pub(super) stretch: f64,
+    pub(super) max_ratio: f64,
 }
 
 /// The polynomials in z of a body that slides in one direction about an angle.
@@ -124,8 +175,8 @@ pub(super) struct Polynomials {
 }
 
 impl Polynomials {
-    /// About an angle with this sine and cosine, for the direction `sigma` of slip.
-    pub(super) fn new(law: &SlidingLaw, sigma: f64, (sin, cos): (f64, f64)) -> Self {
+    /// About an angle, for the direction `sigma` of slip.
+    pub(super) fn new(law: &SlidingLaw, sigma: f64, Angle { sin, cos }: Angle) -> Self {
         let Heavy {
             mass, h, inertia, ..
         } = law.body;
@@ -144,8 +195,8 @@ impl Polynomials {
             |j| if j < 5 { scale * h * cq[j] } else { 0.0 } - (j + 1) as f64 * l[j],
         );
         // α = A/P and β = B/P of η″ = α + β u.
-        let lever: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
-        let lq: [f64; 5] = product(&lever, &q);
+        let slip_coefficient: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
+        let lq: [f64; 5] = product(&slip_coefficient, &q);
         let a: [f64; 5] =
             core::array::from_fn(|k| sigma * (mass * lq[k] - law.friction * inertia * nn[k]));
         let ca: [f64; 7] = product(&c, &a);
@@ -162,21 +213,17 @@ impl Polynomials {
         }
     }
 
-    /// Solutions with these values at the angle, each of the equation with so much of its drive.
+    /// The solutions with these values at the angle, computed side by side.
     #[inline(always)]
-    pub(super) fn solutions<const N: usize>(
-        &self,
-        values: [f64; N],
-        drives: [f64; N],
-    ) -> [Series; N] {
+    pub(super) fn solutions<const N: usize>(&self, initial: [InitialValue; N]) -> [Series; N] {
         let Self { l, rest, drive, .. } = self;
         let mut u = [[0.0; DEGREE + 1]; N];
         // The last coefficients, the latest first: in registers, not read again as soon as they are
         // written.
         let mut last = [[0.0; N]; TERMS];
-        last[0] = values;
         for i in 0..N {
-            u[i][0] = values[i];
+            last[0][i] = initial[i].u;
+            u[i][0] = initial[i].u;
         }
         for k in 0..DEGREE {
             let part = RECIPROCALS[k + 1];
@@ -186,7 +233,7 @@ impl Polynomials {
             for i in 0..N {
                 let far = factor(5) * last[5][i] + factor(4) * last[4][i];
                 let near = factor(3) * last[3][i] + factor(2) * last[2][i];
-                let sum = (drives[i] * drive - far) - (near + factor(1) * last[1][i]);
+                let sum = (initial[i].drive * drive - far) - (near + factor(1) * last[1][i]);
                 // The latest alone: it is waited for.
                 next[i] = sum - factor(0) * last[0][i];
                 u[i][k + 1] = next[i];
@@ -201,10 +248,14 @@ impl Polynomials {
         scaled(self.p, width)
     }
 
-    /// The lowest coefficients of so much of a, and b u, in powers of t = z/width, where u is given
-    /// in them, and a bound on what they leave out.
+    /// So much of a, and b u, in powers of t = z/width, where u is given in them.
     #[inline(always)]
-    pub(super) fn slip_acceleration(&self, u: &Series, width: f64, part_of_a: f64) -> (Low, f64) {
+    pub(super) fn slip_acceleration(
+        &self,
+        u: &Series,
+        width: f64,
+        part_of_a: f64,
+    ) -> TruncatedPolynomial {
         let b = scaled(self.b, width);
         // Sums of the sizes of the coefficients of u from each on.
         let mut rest = 0.0;
@@ -212,10 +263,10 @@ impl Polynomials {
             rest += c.abs();
         }
         let mut low = [0.0; SIGN_DEGREE + 1];
-        let mut band = 0.0;
+        let mut remainder = 0.0;
         for j in 0..7 {
             // What the factor b_j leaves out: the coefficients of u above SIGN_DEGREE − j.
-            band += b[j].abs() * rest;
+            remainder += b[j].abs() * rest;
             rest += u[SIGN_DEGREE - j].abs();
             for k in j..SIGN_DEGREE + 1 {
                 low[k] += b[j] * u[k - j];
@@ -224,7 +275,7 @@ impl Polynomials {
         for (low, a) in low.iter_mut().zip(scaled(self.a, width)) {
             *low += part_of_a * a;
         }
-        (low, band)
+        TruncatedPolynomial { low, remainder }
     }
 }
 
@@ -237,22 +288,21 @@ pub(super) struct Expansion {
 }
 
 impl Expansion {
-    /// The slide in the direction `sigma` of slip through an angle with this sine and cosine, and u
-    /// there.
-    pub(super) fn new(law: &SlidingLaw, sigma: f64, direction: (f64, f64), u0: f64) -> Self {
-        let polynomials = Polynomials::new(law, sigma, direction);
-        let [u] = polynomials.solutions([u0], [1.0]);
+    /// The slide in the direction `sigma` of slip through an angle with this u.
+    pub(super) fn new(law: &SlidingLaw, sigma: f64, angle: Angle, u: f64) -> Self {
+        let polynomials = Polynomials::new(law, sigma, angle);
+        let [u] = polynomials.solutions([InitialValue { u, drive: 1.0 }]);
         Self { u, polynomials }
     }
 
     /// The width in z on which u/z^`lead`, of which u has the factor, has converged.
-    pub(super) fn reach(&self, lead: usize) -> f64 {
-        reach(&self.u, lead, self.u[lead].abs())
+    pub(super) fn convergence_radius(&self, lead: usize) -> f64 {
+        convergence_radius(&self.u, lead, self.u[lead].abs())
     }
 
-    /// z of the zero of u next to the centre, where it is nearer than the width on which u has
-    /// converged.
-    pub(super) fn zero(&self, reach: f64) -> Option<f64> {
+    /// z of the zero of u next to the centre, by Newton's method; none where it leads beyond the
+    /// width on which u has converged.
+    pub(super) fn zero(&self, convergence_radius: f64) -> Option<f64> {
         let mut z = -self.u[0] / self.u[1];
         for _ in 0..20 {
             let (mut value, mut slope) = (0.0, 0.0);
@@ -261,7 +311,7 @@ impl Expansion {
             }
             let step = -value / slope;
             z += step;
-            if z.is_nan() || z.abs() > reach {
+            if z.is_nan() || z.abs() > convergence_radius {
                 return None;
             }
             if step.abs() <= 1e-9 * z.abs() {
@@ -271,63 +321,81 @@ impl Expansion {
         None
     }
 
-    /// The width, at most this, on a multiple `stretch` of which the terms of u from `from` on are
-    /// at most this part of the one at `lead`, by their sizes.
-    pub(super) fn smooth(
-        &self,
-        (lead, from): (usize, usize),
-        (widest, stretch): (f64, f64),
-        part: f64,
-    ) -> Option<f64> {
-        let most = part * self.u[lead].abs();
-        let linear = if from == lead + 1 {
-            self.u[from].abs()
+    /// The widest width, or nearly, that satisfies a bound.
+    pub(super) fn smooth(&self, bound: TermBound) -> Option<f64> {
+        let TermBound {
+            lead,
+            first,
+            max_width,
+            stretch,
+            max_ratio,
+        } = bound;
+        let max_sum = max_ratio * self.u[lead].abs();
+        let linear = if first == lead + 1 {
+            self.u[first].abs()
         } else {
             0.0
         };
-        let terms = |far: f64| sum_of_sizes(&self.u[from..], far) * power(far, from - lead);
-        let far = stretch * widest;
+        let terms = |far: f64| sum_of_sizes(&self.u[first..], far) * power(far, first - lead);
+        let far = stretch * max_width;
         let sum = terms(far);
-        if sum <= most {
-            return (widest > 0.0).then_some(widest);
+        if sum <= max_sum {
+            return (max_width > 0.0).then_some(max_width);
         }
         // Behind a linear term the sum grows at least with the square of the width: as far as the
         // parabola through it leads, and, by the parabola through the sum there, perhaps farther.
         let parabola = |far: f64, sum: f64| {
             let bend = (sum - linear * far) / (far * far);
-            2.0 * most / (linear + (linear * linear + 4.0 * bend * most).sqrt())
+            2.0 * max_sum / (linear + (linear * linear + 4.0 * bend * max_sum).sqrt())
         };
         let near = parabola(far, sum);
-        let least = terms(near);
-        let farther = WIDTH_MARGIN * parabola(near, least);
+        let near_sum = terms(near);
+        let farther = WIDTH_MARGIN * parabola(near, near_sum);
         let sum = terms(farther);
         // The secant of a convex function lies above it.
-        let secant = || near + (farther - near) * (most - least) / (sum - least);
-        let width = if sum <= most { farther } else { secant() } / stretch;
+        let secant = || near + (farther - near) * (max_sum - near_sum) / (sum - near_sum);
+        let width = if sum <= max_sum { farther } else { secant() } / stretch;
         (width > 0.0).then_some(width)
     }
 
-    /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where
-    /// its sign is not known, about a change of sign. Where η″ = 0 at t = 0 (`from_zero`), the
-    /// signs behind that, which are those of η″/t. None where P is not known to be positive.
-    pub(super) fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<(Signs, f64)> {
-        let least = least(self.polynomials.p(width));
-        if least <= 0.0 {
+    /// The signs of σ η″ up to a width, from u in powers of t = z/width. Where η″ = 0 at t = 0
+    /// (`from_zero`), those behind that, which are the signs of η″/t. None where P is not known to
+    /// be positive.
+    pub(super) fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<SlipSigns> {
+        let min_p = min_value(self.polynomials.p(width));
+        if min_p <= 0.0 {
             return None;
         }
-        let (mut low, band) = self.polynomials.slip_acceleration(u, width, 1.0);
+        let TruncatedPolynomial { mut low, remainder } =
+            self.polynomials.slip_acceleration(u, width, 1.0);
         if from_zero {
             // What is left of the first coefficient is the rounding of the start.
             low.rotate_left(1);
             low[SIGN_DEGREE] = 0.0;
         }
-        Some((pattern(&bernstein(low), band), 2.0 * band / least))
+        let bernstein = TruncatedPolynomial {
+            low: bernstein(low),
+            remainder,
+        };
+        Some(bernstein.slip_signs(min_p))
+    }
+}
+
+impl TruncatedPolynomial {
+    /// The signs of σ η″ from n³ P σ η″ with Bernstein coefficients, where P is nowhere less than
+    /// `min_p`.
+    pub(super) fn slip_signs(&self, min_p: f64) -> SlipSigns {
+        SlipSigns {
+            pattern: sign_pattern(&self.low, self.remainder),
+            // About a change of sign the function is at most twice what its sum leaves out.
+            sign_uncertainty: 2.0 * self.remainder / min_p,
+        }
     }
 }
 
 /// The width in z on which a series, divided by z^`lead`, has converged beside a number of this
 /// size.
-pub(super) fn reach(series: &Series, lead: usize, size: f64) -> f64 {
+pub(super) fn convergence_radius(series: &Series, lead: usize, size: f64) -> f64 {
     let scale = CONVERGENCE * size;
     let width = root(scale / series[DEGREE].abs()).min(1.0);
     // The last coefficient may be small by chance.
@@ -370,7 +438,7 @@ pub(super) fn bernstein<const N: usize>(mut c: [f64; N]) -> [f64; N] {
 }
 
 /// The smallest Bernstein coefficient of a polynomial on [0, 1], on which it is nowhere less.
-pub(super) fn least<const N: usize>(polynomial: [f64; N]) -> f64 {
+pub(super) fn min_value<const N: usize>(polynomial: [f64; N]) -> f64 {
     bernstein(polynomial)
         .into_iter()
         .fold(f64::INFINITY, f64::min)
@@ -387,27 +455,28 @@ pub(super) fn from_both_sides<const N: usize>(mut c: [f64; N]) -> [f64; N] {
 }
 
 /// Signs of a function whose Bernstein coefficients are known to `band`.
-pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
-    let least = coefficients
+fn sign_pattern(coefficients: &Low, band: f64) -> SignPattern {
+    let min = coefficients
         .iter()
-        .fold(f64::INFINITY, |least, b| least.min(*b));
-    let largest = coefficients
+        .fold(f64::INFINITY, |min, b| min.min(*b));
+    let max = coefficients
         .iter()
-        .fold(f64::NEG_INFINITY, |largest, b| largest.max(*b));
-    if least > band {
-        return Signs::Positive;
+        .fold(f64::NEG_INFINITY, |max, b| max.max(*b));
+    if min > band {
+        return SignPattern::Positive;
     }
-    if largest < -band {
-        return Signs::Negative;
+    if max < -band {
+        return SignPattern::Negative;
     }
+    // A function has no more changes of sign than its coefficients. One change for certain: a
+    // prefix with the first sign, a suffix with the other, and between them only what is not known.
     let (first, last) = (coefficients[0], coefficients[SIGN_DEGREE]);
     let is_first = |b: f64| if first > 0.0 { b > band } else { b < -band };
     let is_last = |b: f64| if last > 0.0 { b > band } else { b < -band };
     if !is_first(first) || !is_last(last) {
-        return Signs::Unknown;
+        return SignPattern::Unknown;
     }
     let begin = coefficients.iter().take_while(|b| is_first(**b)).count();
-    // What is not known lies between.
     let end = coefficients
         .iter()
         .rev()
@@ -415,12 +484,12 @@ pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
         .count();
     let between = &coefficients[begin..coefficients.len() - end];
     if (first > 0.0) == (last > 0.0) || between.iter().any(|b| b.abs() > band) {
-        return Signs::Unknown;
+        return SignPattern::Unknown;
     }
     if first > 0.0 {
-        Signs::Falling
+        SignPattern::Falling
     } else {
-        Signs::Rising
+        SignPattern::Rising
     }
 }
 
@@ -429,9 +498,9 @@ mod tests {
     use super::*;
     use crate::model::{Body, Direction, Hoop};
 
-    /// The pattern of coefficients that are these multiples of the band.
-    fn seen(coefficients: [f64; SIGN_DEGREE + 1]) -> Signs {
-        pattern(&coefficients.map(|b| 1e-3 * b), 1e-3)
+    /// The sign_pattern of coefficients that are these multiples of the band.
+    fn pattern_of(coefficients: [f64; SIGN_DEGREE + 1]) -> SignPattern {
+        sign_pattern(&coefficients.map(|b| 1e-3 * b), 1e-3)
     }
 
     /// Near rest, where u is small and hardly changes, too.
@@ -446,25 +515,32 @@ mod tests {
             .into_iter()
             .flat_map(|theta| [1e-12, 1e-8, 1e-5, 1e-2, 1.0, 30.0].map(|u| (theta, u)))
         {
-            let expansion = Expansion::new(&law, 1.0, libm::sincos(theta), u);
-            for (lead, from) in [(0, 1), (0, 2), (1, 2)] {
+            let expansion = Expansion::new(&law, 1.0, Angle::of(theta), u);
+            for (lead, first) in [(0, 1), (0, 2), (1, 2)] {
                 let terms = |far: f64| -> f64 {
-                    (from..=DEGREE)
+                    (first..=DEGREE)
                         .map(|k| expansion.u[k].abs() * libm::pow(far, (k - lead) as f64))
                         .sum()
                 };
-                let most = 0.9 * expansion.u[lead].abs();
-                for widest in [1e-3, 0.2] {
-                    let width = expansion.smooth((lead, from), (widest, 1.8), 0.9).unwrap();
+                let max_sum = 0.9 * expansion.u[lead].abs();
+                for max_width in [1e-3, 0.2] {
+                    let bound = TermBound {
+                        lead,
+                        first,
+                        max_width,
+                        stretch: 1.8,
+                        max_ratio: 0.9,
+                    };
+                    let width = expansion.smooth(bound).unwrap();
                     assert!(
-                        width <= widest && terms(1.8 * width) <= most * (1.0 + 1e-12),
+                        width <= max_width && terms(1.8 * width) <= max_sum * (1.0 + 1e-12),
                         "{theta} {u}: {width}"
                     );
-                    if width < widest {
+                    if width < max_width {
                         narrower += 1;
                         assert!(
-                            terms(1.8 * 1.25 * width) > most,
-                            "{theta} {u} {lead} {from}: {width}"
+                            terms(1.8 * 1.25 * width) > max_sum,
+                            "{theta} {u} {lead} {first}: {width}"
                         );
                     }
                 }
@@ -472,45 +548,55 @@ mod tests {
         }
         assert!(narrower > 40, "{narrower}");
         // From rest there is no width on which u stays away from zero.
-        let rest = Expansion::new(&law, 1.0, libm::sincos(0.3), 0.0);
-        assert_eq!(rest.smooth((0, 1), (rest.reach(0), 1.8), 0.9), None);
+        let rest = Expansion::new(&law, 1.0, Angle::of(0.3), 0.0);
+        let bound = TermBound {
+            lead: 0,
+            first: 1,
+            max_width: rest.convergence_radius(0),
+            stretch: 1.8,
+            max_ratio: 0.9,
+        };
+        assert_eq!(rest.smooth(bound), None);
     }
 
     #[test]
-    fn signs_are_told_only_where_they_are_clear() {
+    fn sign_patterns_are_known_only_where_all_signs_are_certain() {
         let [up, down] = [[5.0; SIGN_DEGREE + 1], [-5.0; SIGN_DEGREE + 1]];
-        assert_eq!((seen(up), seen(down)), (Signs::Positive, Signs::Negative));
+        assert_eq!(
+            (pattern_of(up), pattern_of(down)),
+            (SignPattern::Positive, SignPattern::Negative)
+        );
         for at in 1..SIGN_DEGREE {
             // What is doubtful between two signs may be the change; what is clear is another
             // change.
             let with = |mut coefficients: [f64; SIGN_DEGREE + 1], doubtful: f64| {
                 coefficients[at..].iter_mut().for_each(|b| *b = -*b);
                 coefficients[at] = doubtful;
-                seen(coefficients)
+                pattern_of(coefficients)
             };
             for doubtful in [0.9, 0.0, -0.9] {
-                assert_eq!(with(up, doubtful), Signs::Falling, "{at} {doubtful}");
-                assert_eq!(with(down, doubtful), Signs::Rising, "{at} {doubtful}");
+                assert_eq!(with(up, doubtful), SignPattern::Falling, "{at} {doubtful}");
+                assert_eq!(with(down, doubtful), SignPattern::Rising, "{at} {doubtful}");
                 let mut touched = up;
                 touched[at] = doubtful;
-                assert_eq!(seen(touched), Signs::Unknown, "{at} {doubtful}");
+                assert_eq!(pattern_of(touched), SignPattern::Unknown, "{at} {doubtful}");
             }
             let twice = |mut coefficients: [f64; SIGN_DEGREE + 1]| {
                 coefficients[at] = -coefficients[at];
                 coefficients[SIGN_DEGREE] = -coefficients[SIGN_DEGREE];
-                seen(coefficients)
+                pattern_of(coefficients)
             };
             let expected = if at == SIGN_DEGREE - 1 {
-                [Signs::Falling, Signs::Rising]
+                [SignPattern::Falling, SignPattern::Rising]
             } else {
-                [Signs::Unknown; 2]
+                [SignPattern::Unknown; 2]
             };
             assert_eq!([twice(up), twice(down)], expected, "{at}");
         }
         for end in [0, SIGN_DEGREE] {
             let mut doubtful = up;
             doubtful[end] = 0.9;
-            assert_eq!(seen(doubtful), Signs::Unknown, "{end}");
+            assert_eq!(pattern_of(doubtful), SignPattern::Unknown, "{end}");
         }
     }
 }

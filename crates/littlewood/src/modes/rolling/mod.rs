@@ -6,6 +6,7 @@
 
 mod boundary;
 mod grazing;
+mod half_angle;
 mod incline;
 mod limits;
 mod orbit;
@@ -16,11 +17,9 @@ pub(crate) use boundary::{Hold, margin_forms};
 pub use boundary::{RollingEnd, RollingLimit};
 pub use grazing::GrazingOrbit;
 pub(crate) use grazing::Levels;
+pub(crate) use half_angle::{HalfAngleOrbit, OrbitEnergy, OrbitPass, ReducedAngle};
 pub(crate) use limits::Limits;
 pub use orbit::RollingOrbit;
-#[cfg(test)]
-pub(crate) use orbit::time_between;
-pub(crate) use orbit::{reduce, time_from_bottom};
 pub use recurrence::{Recurrence, RecurrenceKind};
 
 use crate::mechanics::RollingLaw;

@@ -7,7 +7,7 @@ use crate::model::named;
 named! {
     /// Why the engine leaves a phase, or a whole motion, to the solvers of
     /// [`crate::Hoop::simulate`].
-    pub enum Doubt, "reason of doubt" {
+    pub enum Fallback, "reason of doubt" {
         /// The normal force next to zero at the end of a piece of a slide.
         Contact = 0, "contact";
         /// The slip velocity next to zero at the end of a piece, or where it is least.
@@ -38,21 +38,21 @@ named! {
 }
 
 #[derive(Debug, Default)]
-pub(super) struct Tally([AtomicU64; Doubt::ALL.len()]);
+pub(super) struct FallbackCounts([AtomicU64; Fallback::ALL.len()]);
 
-impl Tally {
-    pub(super) fn add(&self, doubt: Doubt) {
+impl FallbackCounts {
+    pub(super) fn add(&self, doubt: Fallback) {
         self.0[doubt as usize].fetch_add(1, Ordering::Relaxed);
     }
 
-    pub(super) fn counts(&self) -> impl Iterator<Item = (Doubt, u64)> {
-        Doubt::ALL
+    pub(super) fn counts(&self) -> impl Iterator<Item = (Fallback, u64)> {
+        Fallback::ALL
             .into_iter()
             .map(|doubt| (doubt, self.0[doubt as usize].load(Ordering::Relaxed)))
     }
 }
 
-impl Clone for Tally {
+impl Clone for FallbackCounts {
     fn clone(&self) -> Self {
         Self(core::array::from_fn(|i| {
             AtomicU64::new(self.0[i].load(Ordering::Relaxed))

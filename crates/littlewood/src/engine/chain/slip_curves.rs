@@ -6,26 +6,27 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::engine::roll::{Margins, side_of};
+use crate::engine::roll::{MarginForm, Margins, mirrored_slip};
+use crate::engine::state::heading;
 use crate::math::bracket::Bracket;
 use crate::math::form::Trigonometric;
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, State};
 
-/// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a
-/// turn.
+/// Where rolling has slipped, in the frame of motion: the direction of slip, and the angle reduced
+/// to a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::engine) struct SlipPoint {
-    pub(in crate::engine) side: usize,
+    pub(in crate::engine) slip: Direction,
     pub(in crate::engine) angle: f64,
 }
 
 impl SlipPoint {
     pub(super) fn of(state: &State, direction: Direction) -> Self {
-        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let theta = travel * state.theta;
+        let heading = heading(state);
+        let theta = heading * state.theta;
         Self {
-            side: side_of(direction, travel),
+            slip: mirrored_slip(direction, heading),
             angle: theta - TAU * (theta / TAU).floor(),
         }
     }
@@ -61,19 +62,20 @@ impl SlipCurves {
         1.0 / inverse - self.law.bottom
     }
 
-    /// θ′² where the margin of a side vanishes on the orbit that reaches it at this angle.
-    pub(in crate::engine) fn limit(&self, side: usize, angle: f64) -> Option<f64> {
+    /// θ′² where the margin of a direction of slip vanishes on the orbit that reaches it at this angle.
+    pub(in crate::engine) fn slip_rate_squared(&self, slip: Direction, angle: f64) -> Option<f64> {
         let (y, x) = libm::sincos(0.5 * angle);
-        let [a, b] = &self.margins[side];
+        let MarginForm { a, b } = &self.margins[slip.index()];
         let level = -a.value([x, y]) / b.value([x, y]);
         level.is_finite().then(|| self.rate_squared(level, angle))
     }
 
     /// The same with its derivative by the angle.
-    pub(super) fn limit_and_slope(&self, side: usize, angle: f64) -> (f64, f64) {
+    pub(super) fn slip_rate_squared_and_slope(&self, slip: Direction, angle: f64) -> (f64, f64) {
         let (y, x) = libm::sincos(0.5 * angle);
-        let [(a, a_slope), (b, b_slope)] = [0, 1]
-            .map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
+        let MarginForm { a, b } = &self.margins[slip.index()];
+        let [(a, a_slope), (b, b_slope)] =
+            [a, b].map(|form| form.value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
         let d_slope = -4.0 * self.law.offset * x * y;
         let level = -a / b;
         let level_slope = -(a_slope + level * b_slope) / b;
@@ -84,10 +86,11 @@ impl SlipCurves {
         )
     }
 
-    /// The angles at which θ′² of [`SlipCurves::limit`] vanishes, and those at which it has an
+    /// The angles at which θ′² of [`SlipCurves::slip_rate_squared`] vanishes, and those at which it has an
     /// extremum.
-    pub(super) fn rests_and_extrema(&self, side: usize) -> (Vec<f64>, Vec<f64>) {
-        let [a, b] = [0, 1].map(|i: usize| Trigonometric::from_form(&self.margins[side][i]));
+    pub(super) fn rests_and_extrema(&self, slip: Direction) -> (Vec<f64>, Vec<f64>) {
+        let MarginForm { a, b } = &self.margins[slip.index()];
+        let [a, b] = [a, b].map(Trigonometric::from_form);
         // u = (K − D)/D with K = −(A − D(π) B)/B.
         let rests = a.plus(&self.law.above_bottom().times(&b));
         let (a, b) = (
@@ -98,19 +101,20 @@ impl SlipCurves {
         (rests.sign_changes(), extrema.sign_changes())
     }
 
-    /// 1/K of the orbit whose margin of a side vanishes at this angle.
-    pub(super) fn inverse_level(&self, side: usize, angle: f64) -> f64 {
+    /// 1/K of the orbit whose margin of a direction of slip vanishes at this angle.
+    pub(super) fn inverse_level(&self, slip: Direction, angle: f64) -> f64 {
         let (y, x) = libm::sincos(0.5 * angle);
-        let [a, b] = [0, 1].map(|i: usize| self.margins[side][i].value([x, y]));
+        let MarginForm { a, b } = &self.margins[slip.index()];
+        let [a, b] = [a, b].map(|form| form.value([x, y]));
         b / (self.law.bottom * b - a)
     }
 
-    /// The pieces of a turn on which orbits pass from a positive to a negative margin of a side.
-    pub(super) fn slips(&self, side: usize) -> Vec<(f64, f64)> {
+    /// The pieces of a turn on which orbits pass from a positive to a negative margin of a direction of slip.
+    pub(super) fn slips(&self, slip: Direction) -> Vec<(f64, f64)> {
         let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
-        for margins in &self.margins {
+        for MarginForm { a, b } in &self.margins {
             // The poles of −A/B, and its extrema, the zeros of A′B − AB′.
-            let [a, b] = [0, 1].map(|k: usize| Trigonometric::from_form(&margins[k]));
+            let [a, b] = [a, b].map(Trigonometric::from_form);
             angles.extend(b.sign_changes());
             angles.extend(
                 a.derivative()
@@ -125,9 +129,9 @@ impl SlipCurves {
         // levels of the piece, those among them that no orbit has (u < 0).
         let falls = |(left, right): &(f64, f64)| {
             let middle = 0.5 * (left + right);
-            self.limit(side, middle).is_some_and(|u| {
+            self.slip_rate_squared(slip, middle).is_some_and(|u| {
                 let level = self.level(u, middle);
-                self.margin(side, level, *left).0 > self.margin(side, level, *right).0
+                self.margin(slip, level, *left).0 > self.margin(slip, level, *right).0
             })
         };
         angles
@@ -137,27 +141,28 @@ impl SlipCurves {
             .collect()
     }
 
-    /// The margin of a side on the orbit with a level, and its derivative by the angle.
-    fn margin(&self, side: usize, level: f64, angle: f64) -> (f64, f64) {
+    /// The margin of a direction of slip on the orbit with a level, and its derivative by the angle.
+    fn margin(&self, slip: Direction, level: f64, angle: f64) -> (f64, f64) {
         let (y, x) = libm::sincos(0.5 * angle);
-        let [(a, a_slope), (b, b_slope)] = [0, 1]
-            .map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
+        let MarginForm { a, b } = &self.margins[slip.index()];
+        let [(a, a_slope), (b, b_slope)] =
+            [a, b].map(|form| form.value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
         (a + level * b, a_slope + level * b_slope)
     }
 
     /// The angle on a piece at which the orbit with a level slips.
-    pub(super) fn slip_on(&self, (low, high): (f64, f64), side: usize, level: f64) -> Option<f64> {
+    pub(super) fn slip_on(&self, piece: Bracket, slip: Direction, level: f64) -> Option<f64> {
         level
             .is_finite()
-            .then(|| Bracket { low, high }.refine(|angle| self.margin(side, level, angle)))
+            .then(|| piece.refine(|angle| self.margin(slip, level, angle)))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::roll::margins_of;
     use crate::model::{Hoop, HoopParameters};
-    use crate::modes::rolling::margin_forms;
 
     #[test]
     fn the_limit_has_its_slope_its_zeros_and_its_extrema() {
@@ -168,15 +173,15 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu_s, mu_s);
             let hoop = Hoop::new(hoop).unwrap();
-            let curves = SlipCurves::new(margin_forms(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
-            for side in [0, 1] {
+            let curves = SlipCurves::new(margins_of(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
+            for slip in Direction::ALL {
                 let mut compared = 0;
                 for k in 1..200 {
                     let angle = TAU / 200.0 * f64::from(k);
-                    let (u, slope) = curves.limit_and_slope(side, angle);
-                    assert_eq!(curves.limit(side, angle), Some(u));
-                    let [before, after] =
-                        [-1e-6, 1e-6].map(|step| curves.limit(side, angle + step).unwrap());
+                    let (u, slope) = curves.slip_rate_squared_and_slope(slip, angle);
+                    assert_eq!(curves.slip_rate_squared(slip, angle), Some(u));
+                    let [before, after] = [-1e-6, 1e-6]
+                        .map(|step| curves.slip_rate_squared(slip, angle + step).unwrap());
                     let quotient = (after - before) / 2e-6;
                     if quotient.abs() < 100.0 {
                         assert!(
@@ -187,13 +192,16 @@ mod tests {
                     }
                 }
                 assert!(compared > 100, "{compared}");
-                let (rests, extrema) = curves.rests_and_extrema(side);
+                let (rests, extrema) = curves.rests_and_extrema(slip);
                 found = (found.0 + rests.len(), found.1 + extrema.len());
                 for angle in rests {
-                    assert!(curves.limit(side, angle).unwrap().abs() < 1e-12, "{angle}");
+                    assert!(
+                        curves.slip_rate_squared(slip, angle).unwrap().abs() < 1e-12,
+                        "{angle}"
+                    );
                 }
                 for angle in extrema {
-                    let (u, slope) = curves.limit_and_slope(side, angle);
+                    let (u, slope) = curves.slip_rate_squared_and_slope(slip, angle);
                     assert!(slope.abs() < 1e-11 * (1.0 + u * u), "{angle}: {u} {slope}");
                 }
             }

@@ -4,17 +4,17 @@ use core::f64::consts::TAU;
 
 use crate::engine::orbit::MIN_SEPARATRIX_DISTANCE;
 use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
-use crate::engine::roll::{Known, holds};
+use crate::engine::roll::{LinearNumber, MarginSigns, OrbitRange, RoundedNumber};
 use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::math::series::{DEGREE, Series, convolve, crossing, shifted, value};
-use crate::math::trig::{sincos, taylor};
+use crate::math::trig::{Angle, taylor};
 use crate::mechanics::RollingLaw;
 use crate::modes::rolling::Limits;
 
 /// Tiles of a turn, and the angle of one.
-pub(super) const TILES: usize = 16;
-pub(super) const WIDTH: f64 = TAU / TILES as f64;
+pub(super) const TABLES: usize = 16;
+pub(super) const WIDTH: f64 = TAU / TABLES as f64;
 
 /// G and D change by at most this part of themselves on the ellipse about a panel with the half
 /// axes 1.76 and 1.45 times its own: the Gauss sum with 16 nodes is then exact to rounding, r = 3.2
@@ -42,14 +42,14 @@ fn bends(angle: f64) -> (f64, f64) {
     (angle * square * sum(&SINE), square * sum(&VERSINE))
 }
 
-/// The direction at an angle from another.
-pub(super) fn rotated((sin, cos): (f64, f64), angle: f64) -> (f64, f64) {
-    let (bend, versine) = bends(angle);
-    let sine = angle + bend;
-    (
-        sin + (cos * sine - sin * versine),
-        cos - (sin * sine + cos * versine),
-    )
+/// The sum of two angles, of which the second is small.
+pub(super) fn rotated(Angle { sin, cos }: Angle, by: f64) -> Angle {
+    let (bend, versine) = bends(by);
+    let sine = by + bend;
+    Angle {
+        sin: sin + (cos * sine - sin * versine),
+        cos: cos - (sin * sine + cos * versine),
+    }
 }
 
 /// A function a + g b on a tile.
@@ -76,44 +76,51 @@ impl Linear {
         }
     }
 
-    /// The g for which it is certainly positive everywhere, and exceeds `least`.
-    fn levels(&self, least: f64) -> (f64, f64) {
+    /// The g for which it certainly exceeds `min` everywhere.
+    fn g_range(&self, min: f64) -> OrbitRange {
         let [a, b] = &self.bernstein;
-        let [a_size, b_size] = self.sizes;
-        holds(
-            f64::NEG_INFINITY,
-            (0..=DEGREE).map(|k| [(a[k] - least, a_size), (b[k], b_size)]),
-        )
+        let [a_scale, b_scale] = self.sizes;
+        let numbers = (0..=DEGREE).map(|k| LinearNumber {
+            a: RoundedNumber {
+                value: a[k] - min,
+                scale: a_scale,
+            },
+            b: RoundedNumber {
+                value: b[k],
+                scale: b_scale,
+            },
+        });
+        OrbitRange::of_positive(f64::NEG_INFINITY, numbers)
     }
 
-    fn known(&self, level: f64) -> Known {
+    fn signs(&self, g: f64) -> MarginSigns {
         let [a, b] = &self.bernstein;
-        let on_orbit: Series = core::array::from_fn(|k| a[k] + level * b[k]);
-        Known::of(&on_orbit)
+        let on_orbit: Series = core::array::from_fn(|k| a[k] + g * b[k]);
+        MarginSigns::of(&on_orbit)
     }
 
-    pub(super) fn on_orbit(&self, level: f64) -> Series {
+    pub(super) fn on_orbit(&self, g: f64) -> Series {
         let [a, b] = &self.taylor;
-        core::array::from_fn(|k| a[k] + level * b[k])
+        core::array::from_fn(|k| a[k] + g * b[k])
     }
 
-    pub(super) fn size(&self, level: f64) -> f64 {
-        self.sizes[0] + level.abs() * self.sizes[1]
+    pub(super) fn size(&self, g: f64) -> f64 {
+        self.sizes[0] + g.abs() * self.sizes[1]
     }
 
-    /// The first zero behind a place at which it is positive, or zero and rising.
-    pub(super) fn crossing(&self, level: f64, (from, starts_at_zero): (f64, bool)) -> Option<f64> {
-        let on_orbit = self.on_orbit(level);
-        match self.known(level) {
-            Known::Holds => None,
-            Known::Falls if !starts_at_zero => {
+    /// The first zero behind a point at which it is positive, or zero and rising.
+    pub(super) fn crossing(&self, g: f64, from: f64, starts_at_zero: bool) -> Option<f64> {
+        let on_orbit = self.on_orbit(g);
+        match self.signs(g) {
+            MarginSigns::Holds => None,
+            MarginSigns::Falls if !starts_at_zero => {
                 let bracket = Bracket {
                     low: from,
                     high: WIDTH,
                 };
                 Some(bracket.refine_from_secant(|at| value_and_slope(&on_orbit, at)))
             }
-            Known::Falls | Known::Nothing => {
+            MarginSigns::Falls | MarginSigns::Unclear => {
                 let mut ahead = shifted(on_orbit, from);
                 if starts_at_zero {
                     ahead[0] = 0.0;
@@ -126,7 +133,7 @@ impl Linear {
 
 /// G and D about an angle, as functions of the distance φ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct About {
+pub(super) struct LocalExpansion {
     /// G = g + slope φ + g_sine (sin φ − φ) + g_versine (1 − cos φ).
     pub(super) g: f64,
     pub(super) slope: f64,
@@ -141,8 +148,8 @@ pub(super) struct About {
     d_bend: f64,
 }
 
-impl About {
-    pub(super) fn new(law: &RollingLaw, (sin, cos): (f64, f64), g: f64) -> Self {
+impl LocalExpansion {
+    pub(super) fn new(law: &RollingLaw, Angle { sin, cos }: Angle, g: f64) -> Self {
         let RollingLaw {
             offset, mass, tilt, ..
         } = *law;
@@ -203,23 +210,23 @@ impl About {
 
     /// About a turning point: how far from it, in a direction, time is a Gauss sum in the square
     /// root of the distance.
-    pub(super) fn reach_of_turn(&self) -> f64 {
+    pub(super) fn turning_radius(&self) -> f64 {
         let of_g = MAX_CHANGE * self.slope.abs() / self.g_bend;
         let square = self.d_sine * self.d_sine + 4.0 * self.d_bend * (MAX_CHANGE * self.d);
         let of_d = (square.sqrt() - self.d_sine.abs()) / (2.0 * self.d_bend);
         of_g.min(of_d).min(1.0) / (ELLIPSE * ELLIPSE)
     }
 
-    /// The distance of the turning point on the side of this sign, where G is `kinetic` here, if it
+    /// The distance of the turning point on the side of this sign, where G is `twice_kinetic` here, if it
     /// is near.
-    pub(super) fn distance_of_turn(&self, kinetic: f64, side: f64) -> Option<f64> {
+    pub(super) fn turning_distance(&self, twice_kinetic: f64, side: f64) -> Option<f64> {
         let slope = self.slope.abs();
-        let mut distance = kinetic / slope;
+        let mut distance = twice_kinetic / slope;
         for _ in 0..MAX_STEPS {
             if distance.is_nan() || distance > 1.0 {
                 return None;
             }
-            let next = distance + (kinetic + self.gain(side * distance)) / slope;
+            let next = distance + (twice_kinetic + self.gain(side * distance)) / slope;
             // Rounding of the slope and of the gain, a few terms each.
             let is_last = (next - distance).abs() <= 8.0 * f64::EPSILON * distance;
             distance = next;
@@ -251,15 +258,15 @@ impl About {
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Tile {
+pub(super) struct RollTable {
     /// At its beginning.
-    pub(super) direction: (f64, f64),
-    pub(super) about: About,
+    pub(super) angle: Angle,
+    pub(super) expansion: LocalExpansion,
     /// The margins of slips to the two sides, and G.
     pub(super) margins: [Linear; 2],
-    pub(super) kinetic: Linear,
+    pub(super) twice_kinetic: Linear,
     /// The g of orbits that certainly pass it.
-    pub(super) levels: (f64, f64),
+    pub(super) g_range: OrbitRange,
     /// What G gains over it.
     pub(super) gain: f64,
     /// Above this g the time over it is the Gauss sum with its own nodes.
@@ -268,26 +275,26 @@ pub(super) struct Tile {
     nodes: [[f64; 2 * PAIRS]; 2],
 }
 
-impl Tile {
+impl RollTable {
     pub(super) fn new(limits: &Limits, number: usize) -> Self {
         let law = &limits.law;
-        let direction = sincos(WIDTH * number as f64);
-        let gains = limits.kinetic(direction, 0.0);
-        let margins = limits.heavy(direction).map(|[a, b]| {
+        let angle = Angle::of(WIDTH * number as f64);
+        let gains = limits.kinetic(angle.pair(), 0.0);
+        let margins = limits.heavy(angle.pair()).map(|[a, b]| {
             let with_gain = core::array::from_fn(|n| a[n] + convolve([(&gains, &b)], n)[0]);
             Linear::new([with_gain, b])
         });
-        let kinetic = Linear::new([
+        let twice_kinetic = Linear::new([
             gains,
             core::array::from_fn(|n| if n == 0 { 1.0 } else { 0.0 }),
         ]);
-        let about = About::new(law, direction, 0.0);
+        let expansion = LocalExpansion::new(law, angle, 0.0);
         let half = 0.5 * WIDTH;
-        let middle = About::new(law, rotated(direction, half), about.gain(half));
+        let middle = LocalExpansion::new(law, rotated(angle, half), expansion.gain(half));
         // Of which g is_smooth would hold.
         let reach = ELLIPSE * half;
         let smooth = reach * (middle.slope.abs() + reach * middle.g_bend) / MAX_CHANGE - middle.g;
-        let smooth = if (About {
+        let smooth = if (LocalExpansion {
             g: f64::INFINITY,
             ..middle
         })
@@ -303,30 +310,31 @@ impl Tile {
         };
         let gains = core::array::from_fn(|j| middle.g + middle.gain(from_middle(j)));
         let weights = core::array::from_fn(|j| {
-            let d = law.denominator_of(rotated(direction, half + from_middle(j)));
+            let d = law.denominator_of(rotated(angle, half + from_middle(j)).pair());
             half * LONG_WEIGHT[j / 2] * d.sqrt()
         });
-        let levels = margins.iter().map(|margin| margin.levels(0.0));
-        let levels = levels.fold(kinetic.levels(separatrix_distance(law)), |all, one| {
-            (all.0.max(one.0), all.1.min(one.1))
-        });
+        let g_range = margins.iter().map(|margin| margin.g_range(0.0));
+        let g_range = g_range.fold(
+            twice_kinetic.g_range(separatrix_distance(law)),
+            OrbitRange::intersection,
+        );
         Self {
-            direction,
-            about,
+            angle,
+            expansion,
             margins,
-            levels,
-            gain: about.gain(WIDTH),
+            g_range,
+            gain: expansion.gain(WIDTH),
             smooth,
             nodes: [gains, weights],
-            kinetic,
+            twice_kinetic,
         }
     }
 
-    pub(super) fn time(&self, level: f64) -> f64 {
+    pub(super) fn time(&self, g: f64) -> f64 {
         let [gains, weights] = &self.nodes;
         let mut sum = 0.0;
         for j in 0..2 * PAIRS {
-            sum += weights[j] / (level + gains[j]).sqrt();
+            sum += weights[j] / (g + gains[j]).sqrt();
         }
         sum
     }
@@ -335,10 +343,10 @@ impl Tile {
 /// G of orbits next to the separatrix is less at the top, by the energies as a function of the
 /// angle.
 pub(super) fn separatrix_distance(law: &RollingLaw) -> f64 {
-    MIN_SEPARATRIX_DISTANCE * (law.bottom + swing(law))
+    MIN_SEPARATRIX_DISTANCE * (law.bottom + energy_variation(law))
 }
 
 /// By how much G less its growth downhill varies.
-pub(super) fn swing(law: &RollingLaw) -> f64 {
+pub(super) fn energy_variation(law: &RollingLaw) -> f64 {
     4.0 * law.offset * (1.0 + law.tilt * law.tilt).sqrt()
 }

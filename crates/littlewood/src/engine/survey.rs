@@ -6,7 +6,7 @@ use crate::model::{Limits, Start};
 use crate::motion::summary::Summary;
 
 /// Starts to either side of the plane.
-const PROBES: u32 = 8;
+const GRID_SIDE: u32 = 8;
 
 impl Engine {
     /// The summaries of those starts of an even lattice of 8 × 8 in a window of (θ, θ′) whose
@@ -21,9 +21,9 @@ impl Engine {
     ) -> impl Iterator<Item = Summary> {
         let limits = limits.with_transitions(limits.transitions.min(transitions));
         let at = |[from, to]: [f64; 2], i: u32| {
-            from + (to - from) * (f64::from(i) + 0.5) / f64::from(PROBES)
+            from + (to - from) * (f64::from(i) + 0.5) / f64::from(GRID_SIDE)
         };
-        let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [i, j]));
+        let starts = (0..GRID_SIDE).flat_map(|i| (0..GRID_SIDE).map(move |j| [i, j]));
         let starts = starts.map(move |[i, j]| Start {
             theta: at(window.x, i),
             theta_rate: at(window.y, j),

@@ -1,0 +1,155 @@
+//! The equations and tables of one hoop, and its phases from them.
+
+use crate::mechanics::solvability::is_solvable;
+use crate::mechanics::{RollingLaw, SlidingLaw};
+use crate::model::{Body, Direction, Heavy, Hoop};
+use crate::modes::rolling::HalfAngleOrbit;
+
+use super::fallback::{Fallback, FallbackCounts};
+use super::orbit::OrbitPoint;
+use super::roll::{self, MarginTables, Margins, RollEnd, margins_of};
+use super::slide::{MotionFrame, SlideEnd, SlidePoint, SlideProblem, SlideTables, solve_slide};
+use super::slope::{self, SlopeTables};
+use super::state::EngineState;
+
+#[derive(Clone, Debug)]
+pub(super) struct HoopModel {
+    pub(super) body: Heavy,
+    /// For σ = −1 and σ = +1, as they are and mirrored.
+    sliding: [[SlidingLaw; 2]; 2],
+    pub(super) rolling: RollingLaw,
+    pub(super) margins: Margins,
+    /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
+    pub(super) is_solvable: bool,
+    slide_tables: SlideTables,
+    margin_tables: MarginTables,
+    /// Rolling to positive and to negative angles on a slope.
+    slope_tables: Option<Box<[SlopeTables; 2]>>,
+    pub(super) fallbacks: FallbackCounts,
+}
+
+/// How a slide begins, and for how long it is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlideStart {
+    pub(super) slip: Direction,
+    /// Whether η′ = η″ = 0.
+    pub(super) from_limit: bool,
+    pub(super) time_left: f64,
+}
+
+impl HoopModel {
+    /// None of a massless hoop.
+    pub(super) fn new(hoop: &Hoop) -> Option<Self> {
+        let Body::Heavy(body) = hoop.body() else {
+            return None;
+        };
+        Some(Self {
+            body,
+            sliding: [body, body.mirrored()].map(|body| {
+                Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction))
+            }),
+            rolling: RollingLaw::of(hoop),
+            margins: margins_of(hoop, 1.0)?,
+            is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
+            slide_tables: SlideTables::default(),
+            margin_tables: MarginTables::default(),
+            slope_tables: (hoop.slope() != 0.0)
+                .then(|| Box::new([1.0, -1.0].map(|heading| SlopeTables::new(hoop, heading)))),
+            fallbacks: FallbackCounts::default(),
+        })
+    }
+
+    pub(super) const fn sliding(&self, direction: Direction) -> &SlidingLaw {
+        match direction {
+            Direction::Negative => &self.sliding[0][0],
+            Direction::Positive => &self.sliding[0][1],
+        }
+    }
+
+    /// The orbit of rolling through a state, in the direction of motion.
+    fn orbit(&self, start: &EngineState) -> Result<HalfAngleOrbit, Fallback> {
+        let (state, heading) = (start.state, start.heading());
+        HalfAngleOrbit::enter(
+            &self.rolling,
+            heading * state.theta,
+            heading * state.theta_rate,
+        )
+        .ok_or(Fallback::Separatrix)
+    }
+
+    /// The end of the rolling that begins at a state, in the direction of motion, on the limit of
+    /// static friction or not.
+    pub(super) fn roll(
+        &self,
+        start: &EngineState,
+        on_limit: bool,
+        uses_tables: bool,
+    ) -> Result<RollEnd, Fallback> {
+        if let Some(tables) = &self.slope_tables {
+            return slope::solve_roll(tables, start);
+        }
+        if start.state.theta_rate == 0.0 {
+            // Gravity decides where it goes.
+            return Err(Fallback::Standstill);
+        }
+        roll::solve_roll(
+            &self.orbit(start)?,
+            &self.margins,
+            on_limit,
+            uses_tables.then_some(&self.margin_tables),
+        )
+    }
+
+    /// Where rolling from a state, before its slip, is after a time.
+    pub(super) fn rolled(&self, start: &EngineState, time: f64) -> Option<OrbitPoint> {
+        match &self.slope_tables {
+            Some(tables) => slope::after(tables, start, time),
+            None => self.orbit(start).ok()?.after(time),
+        }
+    }
+
+    /// Whether rolling is left to the simulation: on a slope tables are not worth making for few
+    /// phases.
+    pub(super) const fn leaves_rolling(&self, uses_tables: bool) -> bool {
+        self.slope_tables.is_some() && !uses_tables
+    }
+
+    /// The end of the slide that begins at a state, or where it is at the time limit.
+    pub(super) fn slide(
+        &self,
+        start: &EngineState,
+        slide: SlideStart,
+        uses_tables: bool,
+    ) -> Result<SlideEnd, Fallback> {
+        let (state, angle, mirror) = (start.state, start.angle, start.heading());
+        let law = self.sliding(slide.slip);
+        let u = start.u();
+        let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
+        let sigma = slide.slip.sign();
+        let slip_coefficient = law.lever(angle.sin, angle.cos);
+        solve_slide(SlideProblem {
+            frame: MotionFrame {
+                laws: &self.sliding,
+                mirror,
+                theta: mirror * state.theta,
+                sigma: mirror * sigma,
+                integral: mirror * (state.slip - state.theta_rate * slip_coefficient),
+            },
+            start: SlidePoint {
+                z: 0.0,
+                u,
+                elapsed: 0.0,
+                slip: sigma * state.slip,
+                slip_acceleration: if slide.from_limit {
+                    0.0
+                } else {
+                    sigma * (alpha + beta * u)
+                },
+                angle: angle.mirrored_by(mirror),
+            },
+            from_limit: slide.from_limit,
+            time_left: slide.time_left,
+            tables: uses_tables.then_some(&self.slide_tables),
+        })
+    }
+}

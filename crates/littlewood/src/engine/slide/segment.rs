@@ -1,0 +1,367 @@
+//! A segment of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
+
+use crate::engine::fallback::Fallback;
+use crate::math::bracket::{Bracket, Step, last_digit};
+use crate::math::trig::Angle;
+use crate::mechanics::{SlidingLaw, contact};
+use crate::model::Heavy;
+
+/// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 +
+/// |θ′|), so that below this part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
+const MIN_SLIP_ACCELERATION: f64 = 2e-3;
+
+/// Rounding of η′ by light hoops, which amplify it by (Î/m)^(−1/2) at each passage of the bottom,
+/// as a part of that.
+const AMPLIFICATION_PART: f64 = 0.1;
+
+/// Newton's method for the point at a time ends with a shorter step: its error is of the second
+/// order.
+const MAX_LAST_STEP: f64 = 1e-8;
+
+/// The same for the point at which η′ vanishes.
+const MAX_LAST_STEP_TO_REST: f64 = 1e-7;
+
+/// The same for the point at which the normal force vanishes.
+const MAX_LAST_STEP_TO_LIFT_OFF: f64 = 1e-9;
+
+/// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more
+/// than this part of itself: the error is the fourth power of that over 2880.
+const MAX_SIMPSON_STEP: f64 = 1e-3;
+
+/// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that
+/// part: Newton's method takes it for fixed.
+const MAX_TIME_ERROR: f64 = 1e-14;
+
+/// The point of a minimum of η′ is known to this: the value to the second order.
+const MINIMUM_TOLERANCE: f64 = 1e-7;
+
+/// A number within this part of its terms of zero may have either sign in the simulation: rounding,
+/// as much as passages of the bottom of a light hoop and a small P amplify it. It is part of the
+/// assumption that the documentation of [`crate::Engine`] states.
+pub(super) const SIGN_TOLERANCE: f64 = 1e-9;
+
+/// Where η″ vanishes at an end of a segment its sign is evaluated so far inside, as a part of the
+/// segment.
+const ENDPOINT_OFFSET: f64 = 1e-6;
+
+/// A part of a slide on which u is known as a function of a coordinate z, which grows with time.
+pub(super) trait SlideSegment {
+    fn u(&self, z: f64) -> f64;
+    /// θ′ at z, from u there.
+    fn theta_rate(&self, z: f64, u: f64) -> f64;
+    fn angle(&self, z: f64) -> Angle;
+    /// dϑ/dz.
+    fn theta_slope(&self, z: f64) -> f64;
+    /// dτ/dz at z, from u there.
+    fn time_slope(&self, z: f64, u: f64) -> f64;
+    /// Time from one coordinate to another.
+    fn time(&self, from: f64, to: f64) -> f64;
+    #[inline]
+    fn coefficients(&self, law: &SlidingLaw, z: f64) -> LocalCoefficients {
+        LocalCoefficients::new(law, self.angle(z))
+    }
+}
+
+/// The equations of a slide at an angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LocalCoefficients {
+    pub(super) angle: Angle,
+    /// 1 + h cos ϑ + μk σ h sin ϑ, the coefficient of θ′ in the first integral.
+    pub(super) slip_coefficient: f64,
+    /// η″ = α + β u.
+    pub(super) alpha: f64,
+    pub(super) beta: f64,
+}
+
+impl LocalCoefficients {
+    #[inline]
+    pub(super) fn new(law: &SlidingLaw, angle: Angle) -> Self {
+        let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
+        Self {
+            angle,
+            slip_coefficient: law.lever(angle.sin, angle.cos),
+            alpha,
+            beta,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(in crate::engine) struct SlidePoint {
+    /// The coordinate on its segment.
+    pub(in crate::engine) z: f64,
+    pub(in crate::engine) u: f64,
+    pub(in crate::engine) elapsed: f64,
+    /// σ η′ and σ η″.
+    pub(in crate::engine) slip: f64,
+    pub(in crate::engine) slip_acceleration: f64,
+    pub(in crate::engine) angle: Angle,
+}
+
+/// The size of the terms of η′ where u is this, in the first integral with this constant.
+pub(super) fn slip_scale(u: f64, integral: f64) -> f64 {
+    1.0 + u.sqrt() + integral.abs()
+}
+
+/// A segment, and the slide that passes it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SegmentContext<'a, S> {
+    pub(super) law: &'a SlidingLaw,
+    pub(super) segment: &'a S,
+    /// Sign of η′.
+    pub(super) sigma: f64,
+    /// The constant of the first integral, η′ − θ′ (1 + h cos ϑ + μk σ h sin ϑ) + (μk σ + tan α) τ.
+    pub(super) integral: f64,
+}
+
+/// A coordinate and a value there.
+struct Sample {
+    z: f64,
+    value: f64,
+}
+
+impl<S: SlideSegment> SegmentContext<'_, S> {
+    /// The size of the terms of η′ at a point, in the first integral.
+    pub(super) fn slip_scale(&self, point: &SlidePoint) -> f64 {
+        slip_scale(point.u, self.integral)
+    }
+
+    /// w = 1 − h cos ϑ u.
+    pub(super) fn contact_margin(&self, angle: Angle, u: f64) -> f64 {
+        contact(1.0, self.law.body.h, angle.cos * u)
+    }
+
+    /// The point at z, behind `start`.
+    #[inline]
+    pub(super) fn point(&self, start: &SlidePoint, z: f64) -> SlidePoint {
+        let elapsed = start.elapsed + self.segment.time(start.z, z);
+        self.point_at(z, self.segment.u(z), elapsed)
+    }
+
+    /// The same a short step away; none if it is longer.
+    fn point_beside(&self, start: &SlidePoint, z: f64) -> Option<SlidePoint> {
+        let (middle, u) = (0.5 * (start.z + z), self.segment.u(z));
+        let (first, last) = (
+            self.segment.time_slope(start.z, start.u),
+            self.segment.time_slope(z, u),
+        );
+        if !((z - start.z).abs() <= MAX_SIMPSON_STEP
+            && (last - first).abs() <= MAX_SIMPSON_STEP * first.abs())
+        {
+            return None;
+        }
+        let sum = first + 4.0 * self.segment.time_slope(middle, self.segment.u(middle)) + last;
+        Some(self.point_at(z, u, start.elapsed + (z - start.z) / 6.0 * sum))
+    }
+
+    /// The point at z, where u and the time are known.
+    #[inline]
+    pub(super) fn point_at(&self, z: f64, u: f64, elapsed: f64) -> SlidePoint {
+        let local = self.segment.coefficients(self.law, z);
+        let rate = self.segment.theta_rate(z, u);
+        SlidePoint {
+            z,
+            u,
+            elapsed,
+            slip: self.sigma
+                * (self.integral + rate * local.slip_coefficient - self.law.drag() * elapsed),
+            slip_acceleration: self.sigma * (local.alpha + local.beta * u),
+            angle: local.angle,
+        }
+    }
+
+    /// σ η″.
+    fn slip_acceleration(&self, z: f64) -> f64 {
+        let local = self.segment.coefficients(self.law, z);
+        self.sigma * (local.alpha + local.beta * self.segment.u(z))
+    }
+
+    /// Where w falls through zero between `start` and `end`, where it is `w_end`.
+    pub(super) fn lift_off(&self, start: &SlidePoint, end: f64, w_end: f64) -> SlidePoint {
+        let h = self.law.body.h;
+        let w_start = self.contact_margin(start.angle, start.u);
+        let guess = start.z + (end - start.z) * w_start / (w_start - w_end);
+        let z = Bracket {
+            low: start.z,
+            high: end,
+        }
+        .iterate(guess, |z| {
+            let Angle { sin, cos } = self.segment.angle(z);
+            let u = self.segment.u(z);
+            let value = contact(1.0, h, cos * u);
+            // dw/dϑ = h sin ϑ u − h cos ϑ du/dϑ with du/dϑ = a w.
+            let slope = self.segment.theta_slope(z)
+                * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
+            Step {
+                value,
+                step: -value / slope,
+                last: MAX_LAST_STEP_TO_LIFT_OFF,
+            }
+        });
+        self.point(start, z)
+    }
+
+    /// Where η′ is least between two points, between which η″ changes its sign at most once; none
+    /// where it is so at one of them.
+    pub(super) fn min_slip(&self, start: &SlidePoint, end: &SlidePoint) -> Option<SlidePoint> {
+        // Falls where η″ rises, as a bracket has it.
+        let falling = |z: f64| -self.slip_acceleration(z);
+        // At a zero of η″ rounding would decide whether the minimum is this end.
+        let inside = |point: &SlidePoint, other: &SlidePoint| {
+            if point.slip_acceleration.abs() > SIGN_TOLERANCE * (1.0 + point.u) {
+                return Sample {
+                    z: point.z,
+                    value: -point.slip_acceleration,
+                };
+            }
+            let z = point.z + ENDPOINT_OFFSET * (other.z - point.z);
+            Sample {
+                z,
+                value: falling(z),
+            }
+        };
+        let (low, high) = (inside(start, end), inside(end, start));
+        if low.value < 0.0 || high.value > 0.0 {
+            return None;
+        }
+        let secant = (low.z * high.value - high.z * low.value) / (high.value - low.value);
+        let bracket = Bracket {
+            low: low.z,
+            high: high.z,
+        };
+        let mut before = high;
+        let z = bracket.iterate(secant, |z| {
+            let value = falling(z);
+            let step = value * (before.z - z) / (value - before.value);
+            before = Sample { z, value };
+            Step {
+                value,
+                step,
+                last: MINIMUM_TOLERANCE,
+            }
+        });
+        Some(self.point(start, z))
+    }
+
+    /// The longest step from z, at most `max_step`, that may be the last of Newton's method, of
+    /// which the error of the time is of the second order.
+    fn last_step(&self, z: f64, u: f64, step: f64, max_step: f64) -> f64 {
+        if step.abs() >= max_step {
+            return last_digit(z);
+        }
+        let (start, end) = (
+            self.segment.time_slope(z, u),
+            self.segment.time_slope(z + step, self.segment.u(z + step)),
+        );
+        let is_last =
+            (0.5 * step * (start + end) * (end - start)).abs() < MAX_TIME_ERROR * start.abs();
+        if is_last { max_step } else { last_digit(z) }
+    }
+
+    /// Where the slide is at a time between those of two points.
+    pub(super) fn at_time(&self, start: &SlidePoint, end: &SlidePoint, elapsed: f64) -> SlidePoint {
+        let (low, high) = (start.z, end.z);
+        let guess = low + (elapsed - start.elapsed) / (end.elapsed - start.elapsed) * (high - low);
+        let z = Bracket { low, high }.iterate(guess, |z| {
+            let u = self.segment.u(z);
+            let value = elapsed - (start.elapsed + self.segment.time(start.z, z));
+            let step = value / self.segment.time_slope(z, u);
+            Step {
+                value,
+                step,
+                last: self.last_step(z, u, step, MAX_LAST_STEP),
+            }
+        });
+        self.point_at(z, self.segment.u(z), elapsed)
+    }
+
+    /// Where η′ falls through zero between two points: a cubic for a guess, then Newton's method
+    /// with the exact time.
+    pub(super) fn rest(
+        &self,
+        start: &SlidePoint,
+        end: &SlidePoint,
+    ) -> Result<SlidePoint, Fallback> {
+        let width = end.z - start.z;
+        let slope = |point: &SlidePoint| {
+            point.slip_acceleration * self.segment.time_slope(point.z, point.u)
+        };
+        let part = Cubic {
+            start: start.slip,
+            start_slope: slope(start) * width,
+            end: end.slip,
+            end_slope: slope(end) * width,
+        }
+        .root();
+        // A Gauss sum gives the time from the start. From a point close by Simpson's rule gives it
+        // as well, at a quarter of the cost.
+        let mut near = *start;
+        let mut evaluate = |z: f64| {
+            self.point_beside(&near, z).unwrap_or_else(|| {
+                near = self.point(start, z);
+                near
+            })
+        };
+        let z = Bracket {
+            low: start.z,
+            high: end.z,
+        }
+        .iterate(start.z + part * width, |z| {
+            let point = evaluate(z);
+            let step = -point.slip / slope(&point);
+            Step {
+                value: point.slip,
+                step,
+                last: self.last_step(z, point.u, step, MAX_LAST_STEP_TO_REST),
+            }
+        });
+        let point = evaluate(z);
+        let Heavy { mass, inertia, .. } = self.law.body;
+        let amplified = (AMPLIFICATION_PART * (mass / inertia).sqrt()).max(1.0);
+        if point.slip_acceleration.abs()
+            < MIN_SLIP_ACCELERATION * amplified * (1.0 + point.u.sqrt())
+        {
+            return Err(Fallback::SlowStop);
+        }
+        Ok(SlidePoint { slip: 0.0, ..point })
+    }
+}
+
+/// The cubic on [0, 1] with these values and slopes at its ends.
+struct Cubic {
+    start: f64,
+    start_slope: f64,
+    end: f64,
+    end_slope: f64,
+}
+
+impl Cubic {
+    /// Its root in (0, 1], roughly, where the value at 1 is not positive.
+    fn root(&self) -> f64 {
+        let Self {
+            start,
+            start_slope,
+            end,
+            end_slope,
+        } = *self;
+        let c2 = 3.0 * (end - start) - 2.0 * start_slope - end_slope;
+        let c3 = 2.0 * (start - end) + start_slope + end_slope;
+        let mut s = 1.0;
+        for _ in 0..8 {
+            let value = start + s * (start_slope + s * (c2 + s * c3));
+            let slope = start_slope + s * (2.0 * c2 + 3.0 * s * c3);
+            if slope >= 0.0 {
+                break;
+            }
+            let next: f64 = s - value / slope;
+            if !(next > 0.0 && next <= 1.0) {
+                break;
+            }
+            if (next - s).abs() < 1e-6 {
+                return next;
+            }
+            s = next;
+        }
+        s
+    }
+}

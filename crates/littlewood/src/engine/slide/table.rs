@@ -1,0 +1,529 @@
+//! All slides of a body in one direction about an angle.
+//!
+//! There every slide is u = p + u_c h, with two series and the number u_c that belongs to the
+//! slide, u at the centre. The series reach to both sides, twice as far as the series of one slide
+//! from where it begins, and serve every slide of a motion that comes there.
+
+use core::f64::consts::TAU;
+use std::sync::OnceLock;
+
+use crate::engine::quadrature::{
+    MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT,
+};
+use crate::math::trig::Angle;
+use crate::mechanics::SlidingLaw;
+
+use super::regular::{KnownTime, RegularSegment, SegmentExit, Span};
+use super::segment::{LocalCoefficients, SlidePoint};
+use super::series::{
+    CONVERGENCE, InitialValue, Polynomials, Series, SignPattern, SlipSigns, TruncatedPolynomial,
+    bernstein, convergence_radius, from_both_sides, min_value, scaled, sum_of_sizes, value,
+};
+
+/// The number of coarsest intervals in a turn.
+pub(super) const INTERVALS: usize = 16;
+
+/// How often an interval may be halved where its series do not reach over it, or u changes too much
+/// on it.
+pub(super) const HALVINGS: usize = 5;
+
+/// The finest intervals of a turn. Angles at which intervals begin are counted in these.
+const EDGE_COUNT: usize = INTERVALS << HALVINGS;
+
+/// A segment in a table is not shorter, in t.
+const MIN_LENGTH: f64 = 1e-9;
+
+/// A number of each slide on a table that is linear in u_c: p + u_c h.
+#[derive(Clone, Copy, Debug)]
+struct Linear {
+    p: f64,
+    h: f64,
+}
+
+impl Linear {
+    #[inline(always)]
+    fn at(self, u_centre: f64) -> f64 {
+        self.p + u_centre * self.h
+    }
+}
+
+/// The same at the Gauss nodes of an interval, and the weight of 1/√u in the time.
+#[derive(Clone, Debug)]
+struct Nodes {
+    p: [f64; NODES],
+    h: [f64; NODES],
+    weight: [f64; NODES],
+}
+
+/// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
+#[derive(Clone, Debug)]
+pub(super) struct SlideTable {
+    /// At the centre.
+    angle: Angle,
+    /// z at t = 1: twice as far from the centre as the end of the interval, or as far as the series
+    /// converge.
+    width: f64,
+    p: Series,
+    h: Series,
+    /// The even degree at which these are truncated, and the one that suffices on the interval.
+    degree: usize,
+    interval_degree: usize,
+    /// n³ P σ η″ = a + u_c b in Bernstein form.
+    a: TruncatedPolynomial,
+    b: TruncatedPolynomial,
+    /// P is nowhere less.
+    min_p: f64,
+    /// t at the end of the interval.
+    end: f64,
+    /// u at the ends of the interval.
+    entry: Linear,
+    exit: Linear,
+    exit_coefficients: LocalCoefficients,
+    nodes: Nodes,
+    /// Sum of the sizes of the terms of u, from the linear one on, up to the ellipse on which u has
+    /// no zero if they are small.
+    terms: Linear,
+}
+
+/// An interval of the angle grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct AngleInterval {
+    pub(super) halvings: usize,
+    /// Of INTERVALS · 2^halvings, from the top.
+    number: usize,
+}
+
+impl AngleInterval {
+    const fn count(self) -> usize {
+        INTERVALS << self.halvings
+    }
+
+    pub(super) fn width(self) -> f64 {
+        TAU / self.count() as f64
+    }
+
+    /// The interval that begins at an edge, halved so often, if there is one.
+    pub(super) const fn at(edge: usize, halvings: usize) -> Option<Self> {
+        let shift = HALVINGS - halvings;
+        let number = edge >> shift;
+        if number << shift == edge {
+            Some(Self { halvings, number })
+        } else {
+            None
+        }
+    }
+
+    /// The edge at its end.
+    pub(super) const fn exit(self) -> usize {
+        ((self.number + 1) << (HALVINGS - self.halvings)) % EDGE_COUNT
+    }
+
+    /// The interval whose centre is the next ahead of an angle, and the one before.
+    pub(super) fn about(theta: f64, halvings: usize) -> [Self; 2] {
+        let interval = |number| Self { halvings, number };
+        let count = interval(0).count();
+        let position = theta * (count as f64 / TAU) - 0.5;
+        let turns = (position / count as f64).floor();
+        let before = (position - count as f64 * turns) as usize % count;
+        [interval((before + 1) % count), interval(before)]
+    }
+}
+
+/// The angle of an edge, in the turn of another angle.
+pub(super) fn edge_angle_near(edge: usize, theta: f64) -> f64 {
+    let angle = edge as f64 * (TAU / EDGE_COUNT as f64);
+    angle + TAU * ((theta - angle) / TAU + 0.5).floor()
+}
+
+type LazyTables = [OnceLock<Option<Box<SlideTable>>>];
+
+/// The tables of one hoop, made when a slide first needs them, and the same whichever slide that
+/// is.
+#[derive(Clone, Debug, Default)]
+pub(in crate::engine) struct SlideTables([[OnceLock<Box<LazyTables>>; HALVINGS + 1]; 4]);
+
+/// An edge of the grid, and the coarsest interval that a slide may cross from it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) index: usize,
+    pub(super) min_halvings: usize,
+}
+
+/// A slide across one interval.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing<'a> {
+    pub(super) interval: AngleInterval,
+    pub(super) table: &'a SlideTable,
+    pub(super) u_centre: f64,
+    pub(super) u_exit: f64,
+}
+
+/// A segment from a table, and the point at which the slide enters it.
+pub(super) struct TableSegment {
+    pub(super) start: SlidePoint,
+    pub(super) segment: RegularSegment,
+}
+
+impl SlideTables {
+    /// The table of an interval for the direction `sigma` of slip in the frame of motion, if there
+    /// is one. On a slope the mirrored frame has its own.
+    pub(super) fn get(
+        &self,
+        law: &SlidingLaw,
+        sigma: f64,
+        interval: AngleInterval,
+    ) -> Option<&SlideTable> {
+        let which = usize::from(sigma > 0.0) + 2 * usize::from(law.body.tilt > 0.0);
+        let tables = &self.0[which][interval.halvings];
+        let tables =
+            tables.get_or_init(|| (0..interval.count()).map(|_| OnceLock::new()).collect());
+        tables[interval.number]
+            .get_or_init(|| SlideTable::new(law, sigma, interval).map(Box::new))
+            .as_deref()
+    }
+
+    /// The crossing, by a slide with this u, of the coarsest interval from an edge that it crosses.
+    pub(super) fn crossing(
+        &self,
+        law: &SlidingLaw,
+        sigma: f64,
+        edge: Edge,
+        u: f64,
+    ) -> Option<Crossing<'_>> {
+        (edge.min_halvings..=HALVINGS).find_map(|halvings| {
+            let interval = AngleInterval::at(edge.index, halvings)?;
+            let table = self.get(law, sigma, interval)?;
+            let u_centre = table.u_centre_from_entry(u)?;
+            Some(Crossing {
+                interval,
+                table,
+                u_centre,
+                u_exit: table.exit.at(u_centre),
+            })
+        })
+    }
+}
+
+fn max_size(series: &Series) -> f64 {
+    series.iter().fold(0.0, |max, c| max.max(c.abs()))
+}
+
+/// The even degree at which two series may be truncated up to this t.
+fn common_degree(p: &Series, h: &Series, t: f64) -> usize {
+    let degree = |series: &Series| {
+        let terms = scaled(*series, t);
+        let min_size = CONVERGENCE * max_size(&terms);
+        terms.iter().rposition(|c| c.abs() > min_size).unwrap_or(0)
+    };
+    degree(p).max(degree(h)).next_multiple_of(2)
+}
+
+impl SlideTable {
+    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not
+    /// known to be positive, and where the series do not reach over the interval.
+    fn new(law: &SlidingLaw, sigma: f64, interval: AngleInterval) -> Option<Self> {
+        let angle = Angle::of((interval.number as f64 + 0.5) * interval.width());
+        let polynomials = Polynomials::new(law, sigma, angle);
+        // p with the drive and p = 0 at the centre, h without it and h = 1.
+        let [p, h] = polynomials.solutions([
+            InitialValue { u: 0.0, drive: 1.0 },
+            InitialValue { u: 1.0, drive: 0.0 },
+        ]);
+        // z at the end of the interval; u changes no more than the Gauss sum of the time allows up
+        // to twice the angle.
+        let [half, max_width] = [0.25, 0.5].map(|part| libm::tan(part * interval.width()));
+        let size = max_size(&scaled(p, max_width));
+        let width = convergence_radius(&p, 0, size)
+            .min(convergence_radius(&h, 0, 1.0))
+            .min(max_width);
+        let [p, h] = [p, h].map(|series| scaled(series, width));
+        let min_p = min_value(from_both_sides(polynomials.p(width)));
+        if !(min_p > 0.0 && width > half) {
+            return None;
+        }
+        let slip_acceleration = |u: &Series, part_of_a: f64| {
+            let sum = polynomials.slip_acceleration(u, width, part_of_a);
+            TruncatedPolynomial {
+                low: bernstein(from_both_sides(sum.low)),
+                ..sum
+            }
+        };
+        let at = |t: f64| Linear {
+            p: value(&p, t),
+            h: value(&h, t),
+        };
+        let end = half / width;
+        let radius = Span { start: -end, end }.ellipse_radius();
+        let terms = |series: &Series| radius * sum_of_sizes(&series[1..], radius);
+        let nodes = NODE.map(|node| at(end * node));
+        let weight = |j: usize| {
+            let z = half * NODE[j];
+            2.0 * half * WEIGHT[j] / (1.0 + z * z)
+        };
+        Some(Self {
+            angle,
+            width,
+            degree: common_degree(&p, &h, 1.0),
+            interval_degree: common_degree(&p, &h, end),
+            a: slip_acceleration(&p, 1.0),
+            b: slip_acceleration(&h, 0.0),
+            min_p,
+            end,
+            entry: at(-end),
+            exit: at(end),
+            exit_coefficients: LocalCoefficients::new(
+                law,
+                angle.plus(Angle::of_half_tangent(half)),
+            ),
+            nodes: Nodes {
+                p: nodes.map(|node| node.p),
+                h: nodes.map(|node| node.h),
+                weight: core::array::from_fn(weight),
+            },
+            terms: Linear {
+                p: terms(&p),
+                h: terms(&h),
+            },
+            p,
+            h,
+        })
+    }
+
+    /// t at an angle.
+    fn coordinate(&self, angle: Angle) -> f64 {
+        let turned = angle.minus(self.angle);
+        turned.sin / ((1.0 + turned.cos) * self.width)
+    }
+
+    /// u_c of a slide with this u at the beginning of the interval. None where u is not known to
+    /// stay away from zero.
+    fn u_centre_from_entry(&self, u: f64) -> Option<f64> {
+        let u_centre = (u - self.entry.p) / self.entry.h;
+        let is_zero_free = self.terms.at(u_centre) <= RegularSegment::MAX_TERM_RATIO * u_centre;
+        (u_centre > 0.0 && is_zero_free).then_some(u_centre)
+    }
+
+    /// The time from the beginning of the interval to its end.
+    pub(super) fn time(&self, u_centre: f64) -> f64 {
+        let Nodes { p, h, weight } = &self.nodes;
+        let mut sum = 0.0;
+        for j in 0..NODES {
+            sum += weight[j] / (p[j] + u_centre * h[j]).sqrt();
+        }
+        sum
+    }
+
+    pub(super) const fn exit_coefficients(&self) -> &LocalCoefficients {
+        &self.exit_coefficients
+    }
+
+    /// The whole interval, for a slide that crosses it in this time. None where η″ may change its
+    /// sign twice.
+    pub(super) fn whole_interval(
+        &self,
+        start: &SlidePoint,
+        u_centre: f64,
+        time: f64,
+    ) -> Option<TableSegment> {
+        let from = -self.end;
+        let segment = self.segment(u_centre, self.u(u_centre), self.interval_degree, self.end)?;
+        Some(TableSegment {
+            start: SlidePoint { z: from, ..*start },
+            segment: RegularSegment {
+                known_time: Some(KnownTime { from, time }),
+                ..segment
+            },
+        })
+    }
+
+    /// The segment of a slide from a point to the end of the interval, or half as far. None if the
+    /// point lies elsewhere, where u is not known to stay away from zero, and where η″ may change
+    /// its sign twice.
+    pub(super) fn enter(&self, point: &SlidePoint) -> Option<TableSegment> {
+        let z = self.coordinate(point.angle);
+        if !(z >= -1.0 && z < self.end - MIN_LENGTH) {
+            return None;
+        }
+        let degree = if z >= -self.end {
+            self.interval_degree
+        } else {
+            self.degree
+        };
+        let at_point = |series: &Series| value(&series[..=degree], z);
+        let u_centre = (point.u - at_point(&self.p)) / at_point(&self.h);
+        let slope = self.p[1] + u_centre * self.h[1];
+        let span = |end: f64| Span { start: z, end };
+        // Most intervals that fail do so by the slope, which costs one product.
+        let may_be_zero_free =
+            |end: &f64| RegularSegment::may_be_zero_free(u_centre, slope, span(*end));
+        let u = self.u(u_centre);
+        let is_zero_free = |end: &f64| RegularSegment::is_zero_free(&u[..=degree], span(*end));
+        let end = [self.end, 0.5 * (z + self.end)]
+            .into_iter()
+            .filter(may_be_zero_free)
+            .find(is_zero_free)?;
+        Some(TableSegment {
+            start: SlidePoint { z, ..*point },
+            segment: self.segment(u_centre, u, degree, end)?,
+        })
+    }
+
+    /// u of a slide in powers of t.
+    fn u(&self, u_centre: f64) -> Series {
+        core::array::from_fn(|k| self.p[k] + u_centre * self.h[k])
+    }
+
+    /// n³ P σ η″ of a slide in Bernstein form.
+    fn slip_acceleration(&self, u_centre: f64) -> TruncatedPolynomial {
+        let (a, b) = (&self.a, &self.b);
+        TruncatedPolynomial {
+            low: core::array::from_fn(|k| a.low[k] + u_centre * b.low[k]),
+            remainder: a.remainder + u_centre.abs() * b.remainder,
+        }
+    }
+
+    /// The signs of σ η″ of a slide on the table.
+    pub(super) fn signs(&self, u_centre: f64) -> SlipSigns {
+        self.slip_acceleration(u_centre).slip_signs(self.min_p)
+    }
+
+    /// A lower bound of σ η″ of a slide on the table, at most zero.
+    pub(super) fn min_slip_acceleration(&self, u_centre: f64) -> f64 {
+        let TruncatedPolynomial { low, remainder } = self.slip_acceleration(u_centre);
+        (low.into_iter().fold(0.0, f64::min) - remainder) / self.min_p
+    }
+
+    fn segment(&self, u_centre: f64, u: Series, degree: usize, end: f64) -> Option<RegularSegment> {
+        let signs = self.signs(u_centre);
+        let is_whole = end == self.end;
+        (signs.pattern != SignPattern::Unknown).then(|| RegularSegment {
+            width: self.width,
+            u,
+            degree,
+            signs,
+            angle: self.angle,
+            end,
+            known_time: None,
+            exit: is_whole.then_some(SegmentExit {
+                u: self.exit.at(u_centre),
+                coefficients: self.exit_coefficients,
+            }),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Body, Direction, Hoop, HoopParameters};
+
+    /// All tables of a hoop whose intervals are halved so often, with their laws and signs.
+    fn tables(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, AngleInterval, SlideTable)> {
+        let Body::Heavy(body) = hoop.body() else {
+            unreachable!("it has mass")
+        };
+        let laws = [Direction::Negative, Direction::Positive].map(|direction| {
+            (
+                SlidingLaw::of_body(body, hoop.mu_k(), direction),
+                direction.sign(),
+            )
+        });
+        laws.into_iter()
+            .flat_map(|(law, sigma)| {
+                (0..INTERVALS << halvings)
+                    .map(move |number| AngleInterval { halvings, number })
+                    .filter_map(move |interval| {
+                        Some((
+                            law,
+                            sigma,
+                            interval,
+                            SlideTable::new(&law, sigma, interval)?,
+                        ))
+                    })
+            })
+            .collect()
+    }
+
+    /// Also of light hoops, and next to zeros of P, where p and h change most.
+    #[test]
+    fn u_is_positive_where_an_interval_is_crossed() {
+        let mut crossings = 0;
+        for (mass_ratio, inertia, mu) in [
+            (1.0, 1.0, 0.4),
+            (0.01, 0.01, 0.4),
+            (0.0, 3e-4, 0.4),
+            (0.2, 0.1, 1.4),
+        ] {
+            let hoop = HoopParameters::thin(mass_ratio)
+                .with_inertia(inertia)
+                .with_friction(mu, mu);
+            let hoop = Hoop::new(hoop).unwrap();
+            for (_, sigma, interval, table) in
+                (0..=HALVINGS).flat_map(|halvings| tables(&hoop, halvings))
+            {
+                for exponent in -24..=24 {
+                    let u = libm::pow(10.0, 0.25 * f64::from(exponent));
+                    let Some(u_centre) = table.u_centre_from_entry(u) else {
+                        continue;
+                    };
+                    let Nodes { p, h, .. } = &table.nodes;
+                    let min_u = p
+                        .iter()
+                        .zip(h)
+                        .map(|(p, h)| p + u_centre * h)
+                        .fold(table.exit.at(u_centre), f64::min);
+                    assert!(
+                        min_u > 0.0,
+                        "{mass_ratio} {inertia}: {sigma} {interval:?} {u}: {min_u}"
+                    );
+                    crossings += 1;
+                }
+            }
+        }
+        assert!(crossings > 1000, "{crossings}");
+    }
+
+    #[test]
+    fn angles_lie_between_the_centres_about_them() {
+        for halvings in 0..=HALVINGS {
+            let interval = |number| AngleInterval { halvings, number };
+            let count = INTERVALS << halvings;
+            for turns in [-3.0, 0.0, 7.0] {
+                for number in 0..count {
+                    let theta = TAU * (turns + (number as f64 + 0.8) / count as f64);
+                    assert_eq!(
+                        AngleInterval::about(theta, halvings),
+                        [interval((number + 1) % count), interval(number)]
+                    );
+                }
+            }
+            assert_eq!(
+                AngleInterval::about(0.0, halvings),
+                [interval(0), interval(count - 1)]
+            );
+        }
+    }
+
+    /// Where η″ rises through zero it is nowhere less than the bound.
+    #[test]
+    fn slip_accelerations_are_no_less_than_their_bound() {
+        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        let mut falls = 0;
+        for (law, sigma, interval, table) in tables(&hoop, 0) {
+            for u_centre in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {
+                let bound = table.min_slip_acceleration(u_centre);
+                let values = (-20..=20).map(|k| {
+                    let t = 0.05 * f64::from(k);
+                    let Angle { sin, cos } =
+                        table.angle.plus(Angle::of_half_tangent(table.width * t));
+                    let (alpha, beta) = law.slip_acceleration(sin, cos);
+                    sigma * (alpha + beta * (value(&table.p, t) + u_centre * value(&table.h, t)))
+                });
+                let lowest = values.fold(0.0, f64::min);
+                assert!(lowest >= bound, "{interval:?} {u_centre}: {lowest} {bound}");
+                falls += u32::from(lowest < 0.0);
+            }
+        }
+        assert!(falls > 30, "{falls}");
+    }
+}
