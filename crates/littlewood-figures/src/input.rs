@@ -3,11 +3,14 @@
 use littlewood::si::Units;
 use littlewood::theory::{Body, Massless};
 use littlewood::{Hoop, Limits, Start, Trajectory};
-use littlewood_draw::{Content, Entries, Figure, Label, Layer, PlotAxis, Sheet};
+use littlewood_draw::{Content, Entries, Figure, Label, Layer, PlotAxis, ROOM, Sheet};
 use littlewood_sweep::Axis;
 
 use crate::error::FigureError;
 use crate::wording::Wording;
+
+/// Width of the sheet and height of the panel of a figure of the plane, on a screen.
+const PLANE: [f64; 2] = [580.0, 402.0];
 
 /// A hoop and a motion of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,9 +94,18 @@ impl FigureInput {
             layers,
             labels,
         };
+        let [width, height] = PLANE;
         Ok(self
-            .sheet(580.0)?
-            .plot(name, title, caption, 402.0, content, entries))
+            .sheet(width)?
+            .plot(name, title, caption, height, content, entries))
+    }
+
+    /// Width and height between the axes of such a figure, in pixels.
+    pub(crate) fn plane_size(&self) -> Result<[f64; 2], FigureError> {
+        let [width, height] = PLANE;
+        let sheet = self.sheet(width)?;
+        let [_, inner] = sheet.span();
+        Ok([inner - ROOM[0], sheet.height(height) - ROOM[1]])
     }
 
     /// The sheet, so wide on a screen.

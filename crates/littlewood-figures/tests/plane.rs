@@ -3,7 +3,8 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::support::{THIN, assert_near, columns, figure, outlines, series, winding};
-use littlewood_figures::Series;
+use littlewood::{Cause, Hoop, Limits, Mode, Start};
+use littlewood_figures::{Dash, Figure, FigureInput, Mark, Series, View, find_figure};
 
 const PLANE: [&str; 2] = ["theta", "theta_rate"];
 const EXACT: f64 = 1e-10;
@@ -272,6 +273,169 @@ fn motions_of_each_type_end_where_the_type_says() {
         }
     }
     assert_eq!(count, [4, 2, 10]);
+}
+
+fn made(name: &str, input: &FigureInput) -> Figure {
+    find_figure(name)
+        .expect("a name of the catalogue")
+        .figure(input)
+        .expect("it can be drawn")
+}
+
+/// Coefficients of friction from little to much, on both sides of 1, where Type II meets the
+/// equilibrium.
+const FRICTIONS: [f64; 19] = [
+    0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999, 1.0, 1.001, 1.01, 1.1, 1.5, 2.0, 3.0, 5.0,
+    7.0, 10.0,
+];
+
+fn littlewood_with(mu_s: f64) -> Hoop {
+    Hoop::littlewood(mu_s, 0.5 * mu_s).expect("a hoop")
+}
+
+/// How the simulated motion from a place in 𝓡 ends to roll; `None` where it does not.
+fn simulated(hoop: &Hoop, theta: f64, rate: f64) -> Option<Cause> {
+    let start = Start::at(theta, rate);
+    let motion = hoop.simulate(start, Limits::default()).expect("a motion");
+    let first = motion.transitions().first()?;
+    (first.from == Some(Mode::Rolling)).then_some(first.cause)
+}
+
+fn of_type(name: &str) -> Option<Cause> {
+    match name {
+        "Type I" => Some(Cause::NormalForceZero),
+        "Type III" => Some(Cause::Slip),
+        _ => None,
+    }
+}
+
+#[test]
+fn the_lines_of_each_type_are_motions_that_end_so_for_every_friction() {
+    for mu_s in FRICTIONS {
+        let hoop = littlewood_with(mu_s);
+        let input = FigureInput::new(hoop, Start::at(0.1, 0.0), Limits::default());
+        let figure = made("figure-5b", &input);
+        let two = 1.0 + 2.0 * (1.0 - mu_s * mu_s) / (1.0 + mu_s * mu_s);
+        let corner = 2.0 * libm::atan(mu_s);
+        let mut seen = Vec::new();
+        for layer in &figure.panels[0].layers {
+            let name = &*layer.series.name;
+            if !name.starts_with("Type ") {
+                continue;
+            }
+            let Mark::Line(stroke) = layer.mark else {
+                panic!("{name}: a line")
+            };
+            let dash = match name {
+                "Type I" => Dash::Solid,
+                "Type II" => Dash::DashDot,
+                _ => Dash::Short,
+            };
+            assert_eq!(stroke.dash, dash, "{name} with {mu_s}");
+            seen.push(name.to_owned());
+            for piece in &layer.series.pieces {
+                let middle = &piece[piece.len() / 2];
+                if name == "Type II" {
+                    assert_near(e(middle[0], middle[1]), two, 1e-13, name);
+                    let ends = [&piece[0], &piece[piece.len() - 1]];
+                    assert!(ends.iter().any(|row| {
+                        (row[0].abs() - corner).abs() < 1e-9 && (row[1].abs() - 1.0).abs() < 1e-9
+                    }));
+                } else {
+                    let found = simulated(&hoop, middle[0], middle[1]);
+                    assert_eq!(found, of_type(name), "{name} at {middle:?} with {mu_s}");
+                }
+            }
+        }
+        for name in ["Type I", "Type II", "Type III"] {
+            assert!(seen.iter().any(|it| it == name), "no {name} with {mu_s}");
+        }
+    }
+}
+
+#[test]
+fn regions_and_names_of_types_are_those_of_simulated_motions_for_every_friction() {
+    for (mu_s, width_mm) in FRICTIONS
+        .iter()
+        .flat_map(|mu_s| [(*mu_s, None), (*mu_s, Some(84.0))])
+    {
+        let hoop = littlewood_with(mu_s);
+        let input = FigureInput {
+            width_mm,
+            ..FigureInput::new(hoop, Start::at(0.1, 0.0), Limits::default())
+        };
+        let figure = made("figure-5a", &input);
+        let panel = &figure.panels[0];
+        let (corner, two) = (
+            2.0 * libm::atan(mu_s),
+            1.0 + 2.0 * (1.0 - mu_s * mu_s) / (1.0 + mu_s * mu_s),
+        );
+        // The dark area is Type I.
+        let dark = outlines(series(&figure, "Type I")[0], PLANE);
+        for i in -9..=9 {
+            for j in -9..=9 {
+                let [theta, rate] = [0.106 * f64::from(i) * corner, 0.106 * f64::from(j)];
+                let energy = e(theta, rate);
+                // Not on what bounds it, or on the manifolds.
+                if (energy - two).abs() < 1e-3 || (energy - 1.0).abs() < 1e-9 {
+                    continue;
+                }
+                let is_dark = winding(&dark, [theta, rate]) != 0;
+                let found = simulated(&hoop, theta, rate);
+                assert_eq!(
+                    found == Some(Cause::NormalForceZero),
+                    is_dark,
+                    "{found:?} from {theta}, {rate} with {mu_s}"
+                );
+            }
+        }
+        // A name stands in its region with all its letters, or its line ends there.
+        let View::Plane { x, y, .. } = &panel.view else {
+            panic!("a plane")
+        };
+        let [[left, top], [right, bottom]] = panel.axes_frame();
+        for name in ["Type I", "Type III"] {
+            let boxes: Vec<_> = figure
+                .texts()
+                .into_iter()
+                .filter(|(text, _)| text == name)
+                .map(|(_, frame)| frame)
+                .collect();
+            assert!(!boxes.is_empty(), "no {name} with {mu_s}");
+            let ends = figure.series(&format!("in {name}"));
+            if let Some(ends) = ends {
+                assert_eq!(ends.rows().count(), boxes.len());
+                for row in ends.rows() {
+                    assert_eq!(
+                        simulated(&hoop, row[0], row[1]),
+                        of_type(name),
+                        "{name} {mu_s}"
+                    );
+                }
+            }
+            for [from, above, to, below] in boxes {
+                for [pixels, down] in [[from, above], [to, above], [to, below], [from, below]] {
+                    let theta =
+                        x.range[0] + (pixels - left) / (right - left) * (x.range[1] - x.range[0]);
+                    let rate =
+                        y.range[1] - (down - top) / (bottom - top) * (y.range[1] - y.range[0]);
+                    if ends.is_some() {
+                        assert!(rate.abs() > 1.0, "{name} beside 𝓡 with {mu_s}");
+                    } else {
+                        let found = simulated(&hoop, theta, rate);
+                        assert_eq!(
+                            found,
+                            of_type(name),
+                            "{name} at {theta}, {rate} with {mu_s}"
+                        );
+                    }
+                }
+            }
+        }
+        let place = panel.labels.iter().find(|label| label.text == "Type II");
+        let place = &place.expect("Type II has room").at;
+        assert_near(e(place[0], place[1]), two, 1e-13, "Type II");
+    }
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! What `classify` says begins is what the simulation begins with.
 
 use crate::common::{heavy_motion, massless_hoop, start};
-use littlewood::theory::StartRegion;
-use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, Start};
+use littlewood::theory::{RollingType, StartRegion, closed_form};
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, Start};
 use proptest::prelude::*;
 
 /// Compares what is said of a start with the first phase of its motion.
@@ -48,6 +48,85 @@ pub(crate) fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
         );
     }
     Ok(())
+}
+
+/// Which border of 𝓡 (3.10) a rolling motion reaches first: (3.1) integrated by Runge and Kutta's
+/// method in steps that are short beside the distance of the starts below from any border of types.
+fn integrated_type(mu_s: f64, theta: f64, rate: f64) -> RollingType {
+    let slope = |[theta, rate]: [f64; 2]| {
+        let turn = (1.0 + rate * rate) * libm::sin(theta) / (2.0 * (1.0 + libm::cos(theta)));
+        [rate, turn]
+    };
+    let moved =
+        |at: [f64; 2], by: [f64; 2], step: f64| [at[0] + step * by[0], at[1] + step * by[1]];
+    let theta_s = 2.0 * libm::atan(mu_s);
+    let mut at = [theta, rate];
+    let step = 1e-4;
+    loop {
+        let a = slope(at);
+        let b = slope(moved(at, a, 0.5 * step));
+        let c = slope(moved(at, b, 0.5 * step));
+        let d = slope(moved(at, c, step));
+        let mean = [0, 1].map(|k| (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]) / 6.0);
+        at = moved(at, mean, step);
+        if at[1].abs() >= 1.0 {
+            return RollingType::I;
+        }
+        if at[0].abs() >= theta_s {
+            return RollingType::III;
+        }
+    }
+}
+
+/// The types by their energies, by the end of rolling, by the simulated motion and by (3.1): for
+/// little friction, for much, and on both sides of μs = 1, where the energy of Type II is that of
+/// the equilibrium.
+#[test]
+fn the_type_of_a_motion_is_what_ends_it_for_every_friction() {
+    let frictions = [
+        0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0, 1.01, 1.1, 1.5, 2.0, 3.0, 5.0, 10.0,
+    ];
+    for mu_s in frictions {
+        let hoop = Hoop::littlewood(mu_s, 0.5 * mu_s).expect("a hoop");
+        let theta_s = 2.0 * libm::atan(mu_s);
+        let two = RollingType::energy_of_ii(mu_s);
+        let corner = closed_form::rolling_energy(theta_s, 1.0);
+        assert!((two - corner).abs() < 1e-15 * (1.0 + theta_s), "{mu_s}");
+        assert_eq!(RollingType::of_energy(two, mu_s), Some(RollingType::II));
+        for i in -7..=7 {
+            for j in -7..=7 {
+                let (theta, rate) = (0.137 * f64::from(i) * theta_s, 0.137 * f64::from(j));
+                let energy = closed_form::rolling_energy(theta, rate);
+                // What is next to a border takes long, or is decided by the steps.
+                if (energy - two).abs() < 2e-3 || (energy - 1.0).abs() < 2e-3 {
+                    continue;
+                }
+                let expected = Some(integrated_type(mu_s, theta, rate));
+                let start = Start::at(theta, rate);
+                let said = hoop.classify(start).expect("a start");
+                let motion = hoop.simulate(start, Limits::default()).expect("a motion");
+                let simulated = match motion.transitions()[0].cause {
+                    Cause::NormalForceZero => Some(RollingType::I),
+                    Cause::Slip => Some(RollingType::III),
+                    _ => None,
+                };
+                let found = [
+                    RollingType::of_energy(energy, mu_s),
+                    said.rolling_type,
+                    simulated,
+                ];
+                assert_eq!(found, [expected; 3], "{theta}, {rate} with {mu_s}");
+            }
+        }
+        // On the stable manifold it has no end: it comes to the top.
+        let rate = closed_form::stable_manifold_rate(0.0);
+        assert_eq!(
+            hoop.classify(Start::at(0.0, rate))
+                .expect("a start")
+                .rolling_type,
+            None
+        );
+    }
 }
 
 proptest! {

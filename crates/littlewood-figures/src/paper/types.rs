@@ -1,42 +1,236 @@
 //! Figure 5: the region 𝓡 of the massless hoop and the three types of motion in it.
 
-use littlewood::Mode;
+use core::f64::consts::{FRAC_PI_2, PI};
+
 use littlewood::theory::closed_form::{
     rolling_energy, stable_manifold_rate, unstable_manifold_rate,
 };
+use littlewood::theory::{RollingType, Window};
+use littlewood::{Hoop, Mode, Start};
 use littlewood_draw::{
-    Entries, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, REGION, Series,
-    Stroke, THEME, short,
+    Entries, FRICTION_FORCE, Figure, INK, LETTER, Label, Layer, Mark, NORMAL_FORCE, PAPER, Piece,
+    REGION, Series, Stroke, THEME, short, width,
 };
 
 use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::plane::{Portrait, in_time, rows, unloading_lines};
-use littlewood::theory::Window;
 use littlewood_style::ticks::Tick;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash, of_mode};
 
+/// Rates from the axis of the plane to its end.
+const MOST: f64 = 1.35;
+/// Where a name stands that has no room in its region: at this rate, beyond *n*; that of Type I at
+/// this part of θ_s.
+const BEYOND: f64 = 1.19;
+const BESIDE: f64 = 0.55;
+/// Room about the letters of a name in its region, and from them to their line, in pixels.
+const ABOUT: f64 = 4.0;
+/// Places at which a name is tried, and how much larger than it is its box may be.
+const PLACES: u32 = 100;
+const LARGER: [f64; 6] = [3.0, 2.5, 2.0, 1.6, 1.3, 1.0];
+/// Points of the orbit of Type II.
+const POINTS: u32 = 160;
+
 /// The part of the plane with 𝓡 in it, and θ_s.
 fn portrait_of(input: &FigureInput) -> (Portrait, f64) {
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
-    let side = f64::min(1.45 * theta_s, 3.1);
+    let side = f64::min(1.45 * theta_s, PI);
     (
         Portrait::new(
             &input.hoop,
             Window {
                 x: [-side, side],
-                y: [-1.35, 1.35],
+                y: [-MOST, MOST],
             },
         ),
         theta_s,
     )
 }
 
-/// Energy at the corners of 𝓡, where N and the static friction give way together: Type II.
-fn type_two_energy(theta_s: f64) -> f64 {
-    rolling_energy(theta_s, 1.0)
+/// The type of a motion that rolls from here, as the core has it.
+fn type_of(hoop: &Hoop, [theta, rate]: [f64; 2]) -> Option<RollingType> {
+    let found = hoop.classify(Start::at(theta, rate)).ok()?;
+    found.rolling_type
+}
+
+/// Which of the four parts into which the manifolds of the equilibrium divide 𝓡.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Above,
+    Below,
+    Left,
+    Right,
+}
+
+impl Part {
+    const ALL: [Self; 4] = [Self::Above, Self::Below, Self::Left, Self::Right];
+
+    /// Motions that pass over the top have more energy than at rest there.
+    fn of([theta, rate]: [f64; 2]) -> Self {
+        match (rolling_energy(theta, rate) > 1.0, theta > 0.0, rate > 0.0) {
+            (true, _, true) => Self::Above,
+            (true, _, false) => Self::Below,
+            (false, true, _) => Self::Right,
+            (false, false, _) => Self::Left,
+        }
+    }
+
+    /// The place on its axis at a share of the way out.
+    fn place(self, share: f64, theta_s: f64) -> [f64; 2] {
+        match self {
+            Self::Above => [0.0, share],
+            Self::Below => [0.0, -share],
+            Self::Left => [-share * theta_s, 0.0],
+            Self::Right => [share * theta_s, 0.0],
+        }
+    }
+}
+
+fn name_of(kind: RollingType) -> String {
+    format!("Type {kind}")
+}
+
+/// The orbit of Type II, from corner to corner of 𝓡: by the angle where it passes over the top, by
+/// the rate where it turns.
+fn orbit_of_two(mu_s: f64, theta_s: f64) -> [Vec<[f64; 2]>; 2] {
+    let energy = RollingType::energy_of_ii(mu_s);
+    let shares = (0..=POINTS).map(|i| 2.0 * f64::from(i) / f64::from(POINTS) - 1.0);
+    let upper_or_right: Vec<[f64; 2]> = if energy >= 1.0 {
+        let rate = |theta: f64| {
+            let cos = libm::cos(theta);
+            ((energy - cos) / (1.0 + cos)).sqrt()
+        };
+        shares
+            .map(|share| [share * theta_s, rate(share * theta_s)])
+            .collect()
+    } else {
+        let angle = |rate: f64| {
+            let square = rate * rate;
+            libm::acos((energy - square) / (1.0 + square))
+        };
+        shares.map(|rate| [angle(rate), rate]).collect()
+    };
+    let mirrored = upper_or_right.iter().map(|[theta, rate]| {
+        if energy >= 1.0 {
+            [*theta, -rate]
+        } else {
+            [-theta, *rate]
+        }
+    });
+    [mirrored.collect(), upper_or_right.clone()]
+}
+
+/// The motions of Type II: of an orbit that meets the equilibrium, those that leave it.
+fn motions_of_two(mu_s: f64, theta_s: f64) -> Vec<Vec<[f64; 2]>> {
+    let mut pieces = orbit_of_two(mu_s, theta_s).to_vec();
+    if RollingType::energy_of_ii(mu_s) == 1.0 {
+        for piece in &mut pieces {
+            piece.retain(|[theta, rate]| theta * rate >= 0.0);
+        }
+    }
+    pieces
+}
+
+/// Type I: between the orbits of Type II and the lines n.
+fn region_of_one(mu_s: f64, theta_s: f64) -> Vec<Vec<[f64; 2]>> {
+    let [first, second] = orbit_of_two(mu_s, theta_s);
+    if RollingType::energy_of_ii(mu_s) < 1.0 {
+        // One region, from the left orbit to the right one.
+        return vec![first.into_iter().chain(second.into_iter().rev()).collect()];
+    }
+    let closed = |(mut piece, edge): (Vec<[f64; 2]>, f64)| {
+        piece.extend([[theta_s, edge], [-theta_s, edge]]);
+        piece
+    };
+    [(first, -1.0), (second, 1.0)].map(closed).to_vec()
+}
+
+/// Names of the types in their regions: in the middle of each part that has room for one; if none
+/// has, beside 𝓡, with a line to the region.
+fn names_of_types(input: &FigureInput) -> Result<(Vec<Layer>, Vec<Label>), FigureError> {
+    let (portrait, theta_s) = portrait_of(input);
+    let (hoop, Window { x, y }) = (&input.hoop, portrait.window);
+    let [wide, tall] = input.plane_size()?;
+    let to_a_pixel = [(x[1] - x[0]) / wide, (y[1] - y[0]) / tall];
+    let fits = |kind: RollingType, part: Part, at: [f64; 2], larger: f64| {
+        let half = [
+            0.5 * width(&name_of(kind), LETTER) + ABOUT,
+            0.5 * LETTER + ABOUT,
+        ];
+        let sides = [-1.0, -0.5, 0.0, 0.5, 1.0];
+        let mut around = sides
+            .iter()
+            .flat_map(|a| [[*a, -1.0], [*a, 1.0], [-1.0, *a], [1.0, *a]]);
+        around.all(|around| {
+            let place: [f64; 2] =
+                core::array::from_fn(|k| at[k] + larger * around[k] * half[k] * to_a_pixel[k]);
+            // Beyond π angles begin again.
+            place[0].abs() < theta_s
+                && Part::of(place) == part
+                && type_of(hoop, place) == Some(kind)
+        })
+    };
+    let (mut layers, mut labels) = (Vec::new(), Vec::new());
+    for kind in [RollingType::I, RollingType::III] {
+        let name = name_of(kind);
+        let before = labels.len();
+        for part in Part::ALL {
+            let places =
+                || (1..PLACES).map(|i| part.place(f64::from(i) / f64::from(PLACES), theta_s));
+            let roomy = LARGER.into_iter().find_map(|larger| {
+                let free: Vec<_> = places()
+                    .filter(|at| fits(kind, part, *at, larger))
+                    .collect();
+                free.get(free.len() / 2).copied()
+            });
+            labels.extend(roomy.map(|at| Label::new(&*name, &at).fixed()));
+        }
+        if labels.len() > before {
+            continue;
+        }
+        let over = |side: f64, at: f64, target: [f64; 2], label: Label| {
+            let below = BEYOND - (0.5 * LETTER + ABOUT) * to_a_pixel[1];
+            let line = vec![
+                vec![side * at, side * below],
+                target.map(|it| side * it).to_vec(),
+            ];
+            (line, label)
+        };
+        let energy = RollingType::energy_of_ii(hoop.mu_s());
+        let lines = [1.0, -1.0].map(|side| match kind {
+            // A strip below n.
+            RollingType::I | RollingType::II => {
+                let theta = BESIDE * theta_s;
+                let cos = libm::cos(theta);
+                let least = ((energy - cos) / (1.0 + cos)).max(0.0).sqrt();
+                let label = Label::new(&*name, &[side * theta, side * BEYOND]);
+                over(side, theta, [theta, 0.5 * (least + 1.0)], label)
+            }
+            // A strip beside f, from beyond f.
+            RollingType::III => {
+                let theta = 0.5 * (libm::acos(energy.clamp(-1.0, 1.0)) + theta_s);
+                let label = Label::new(&*name, &[side * x[1], side * BEYOND]);
+                let label = label.shifted(-side * ABOUT, 0.0);
+                let label = if side > 0.0 {
+                    label.right()
+                } else {
+                    label.left()
+                };
+                over(side, 0.5 * (theta_s + x[1]), [theta, 0.0], label)
+            }
+        });
+        let (pieces, own): (Vec<Piece>, Vec<Label>) = lines.into_iter().unzip();
+        let ends = pieces.iter().map(|piece| piece[1].clone()).collect();
+        layers.push(
+            Series::new(format!("to {name}"), &PLANE, pieces).drawn(Stroke::solid(INK, FINE)),
+        );
+        layers.push(Series::of_rows(format!("in {name}"), &PLANE, ends).drawn(Mark::Dot(INK, 1.8)));
+        labels.extend(own.into_iter().map(Label::fixed));
+    }
+    Ok((layers, labels))
 }
 
 /// An orbit as far as it runs in 𝓡.
@@ -90,34 +284,21 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-5a";
     input.littlewood_that_rolls(NAME)?;
     let (portrait, theta_s) = portrait_of(input);
-    let two = type_two_energy(theta_s);
-    // Type I is between the orbit of Type II and the lines n.
-    let border = in_region(&portrait, theta_s, two);
-    let unloaded_first = border
-        .iter()
-        .map(|piece| {
-            let edge = if piece.iter().all(|[_, rate]| *rate >= 0.0) {
-                1.0
-            } else {
-                -1.0
-            };
-            let mut polygon = piece.clone();
-            polygon.push([theta_s, edge]);
-            polygon.push([-theta_s, edge]);
-            polygon
-        })
-        .collect();
+    let mu_s = input.hoop.mu_s();
+    let two = RollingType::energy_of_ii(mu_s);
     let mut layers = vec![
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
-        Series::new("Type I", &PLANE, rows(unloaded_first))
+        Series::new("Type I", &PLANE, rows(region_of_one(mu_s, theta_s)))
             .drawn(Mark::Fill(of_mode(Mode::Rolling, THEME).over(PAPER, 0.3))),
-        Series::new("Type II", &PLANE, rows(border))
+        Series::new("Type II", &PLANE, rows(motions_of_two(mu_s, theta_s)))
             .drawn(Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
     ];
     let window = Window {
         x: [-theta_s, theta_s],
         y: [-1.0, 1.0],
     };
+    // The manifolds leave 𝓡 through f, or through n, which they cross at ±π/2.
+    let reach = f64::min(theta_s, FRAC_PI_2);
     // Towards the equilibrium, and away from it.
     type Manifold = (&'static str, &'static str, fn(f64) -> f64, f64);
     let manifolds: [Manifold; 2] = [
@@ -132,7 +313,7 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.equilibria());
     for (_, name, rate, onward) in manifolds {
         let head = |share: f64| {
-            [share * theta_s, onward * share * theta_s]
+            [share * reach, onward * share * reach]
                 .map(|theta| vec![theta, rate(theta)])
                 .to_vec()
         };
@@ -140,32 +321,22 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         layers.push(Series::new(name, &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
     }
 
-    let middle = 0.5 * (1.0 + libm::sqrt((two - 1.0) / 2.0));
-    let labels = vec![
-        Label::new("Type I", &[0.0, middle]),
-        Label::new("Type I", &[0.0, -middle]),
-        Label::new("Type III", &[0.0, 0.42]),
-        Label::new("Type III", &[0.0, -0.42]),
-        Label::new("Type III", &[0.68 * theta_s, 0.0]),
-        Label::new("Type III", &[-0.68 * theta_s, 0.0]),
-        Label::new(
-            "Type II",
-            &[
-                0.56 * theta_s,
-                libm::sqrt((two - libm::cos(0.56 * theta_s)) / (1.0 + libm::cos(0.56 * theta_s))),
-            ],
-        )
-        .sized(12.5),
-        Label::new(
-            "*W*^{s}",
-            &[-0.8 * theta_s, stable_manifold_rate(-0.8 * theta_s)],
-        )
-        .shifted(8.0, -10.0),
-        Label::new(
-            "*W*^{u}",
-            &[0.8 * theta_s, unstable_manifold_rate(0.8 * theta_s)],
-        )
-        .shifted(-8.0, -10.0),
+    let on_two = if two >= 1.0 {
+        let theta = 0.56 * theta_s;
+        [
+            theta,
+            ((two - libm::cos(theta)) / (1.0 + libm::cos(theta))).sqrt(),
+        ]
+    } else {
+        [libm::acos((two - 0.25) / 1.25), 0.5]
+    };
+    let (lines, mut labels) = names_of_types(input)?;
+    layers.extend(lines);
+    let manifold = |share: f64, rate: fn(f64) -> f64| [share * reach, rate(share * reach)];
+    labels.extend([
+        Label::new("Type II", &on_two).sized(12.5),
+        Label::new("*W*^{s}", &manifold(-0.8, stable_manifold_rate)).shifted(8.0, -10.0),
+        Label::new("*W*^{u}", &manifold(0.8, unstable_manifold_rate)).shifted(-8.0, -10.0),
         Label::new("*n*: *N* = 0", &[0.0, 1.0])
             .shifted(0.0, -14.0)
             .coloured(NORMAL_FORCE),
@@ -181,13 +352,17 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
             .right()
             .coloured(FRICTION_FORCE),
         Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0),
-    ];
+    ]);
     let caption = format!(
         "The region 𝓡 of the rolling massless hoop and what ends a motion in it. On *n* the normal force vanishes; on \
-         *f* static friction gives way, at *θ* = ±*θ*_{{s}} with *θ*_{{s}} = 2 atan *μ*_{{s}} = {}° (3.9). Type I, 1 + \
-         2 cos *θ*_{{s}} < *e* < 3: *N* vanishes first. Type II, dash-dotted: both at once. Type III: static friction \
-         gives way first, unless the motion lies on the stable manifold *W*^{{s}}. *μ*_{{s}} = {}. {NOTE}",
+         *f* static friction gives way, at *θ* = ±*θ*_{{s}} with *θ*_{{s}} = 2 atan *μ*_{{s}} = {}° (3.9). Type I \
+         (darker), 1 + 2 cos *θ*_{{s}} = {} < *e* < 3: *N* vanishes first. Type II, dash-dotted, *e* = {}: both at once. \
+         Type III, *e* < {}: static friction gives way first. A motion on the stable manifold *W*^{{s}}, *e* = 1, has no \
+         type: it comes to the top. *μ*_{{s}} = {}. {NOTE}",
         short(theta_s.to_degrees()),
+        short(two),
+        short(two),
+        short(two),
         short(input.hoop.mu_s())
     );
     figure(
@@ -204,35 +379,44 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-5b";
     input.littlewood_that_rolls(NAME)?;
     let (portrait, theta_s) = portrait_of(input);
-    let two = type_two_energy(theta_s);
-    let top = libm::cos(theta_s);
+    let mu_s = input.hoop.mu_s();
+    let two = RollingType::energy_of_ii(mu_s);
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
-    let share = |from: f64, to: f64, part: f64| from + (to - from) * part;
-    let of_type = Stroke::of_mode(Mode::Rolling).wide(CURVE);
-    let kinds: [(&str, Vec<f64>, Stroke); 3] = [
-        (
-            "Type I",
-            vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)],
-            of_type.dashed(Dash::Solid),
-        ),
-        ("Type II", vec![two], of_type.dashed(Dash::DashDot)),
-        (
-            "Type III",
-            vec![
-                share(1.0, two, 0.2),
-                share(1.0, two, 0.6),
-                share(top, 1.0, 0.3),
-                share(top, 1.0, 0.62),
-                share(top, 1.0, 0.88),
-            ],
-            of_type.dashed(Dash::Short),
-        ),
+    // Motions that turn, and motions that pass over the top: some on either side of Type II.
+    let bounds = [
+        libm::cos(theta_s),
+        f64::min(two, 1.0),
+        f64::max(two, 1.0),
+        3.0,
     ];
+    let shares: [&[f64]; 3] = [&[0.3, 0.62, 0.88], &[0.2, 0.6], &[0.35, 0.72]];
+    let between = bounds.windows(2).zip(shares).flat_map(|(ends, shares)| {
+        shares
+            .iter()
+            .map(|share| ends[0] + (ends[1] - ends[0]) * share)
+    });
+    let mut energies: Vec<f64> = between
+        .filter(|energy| *energy != two)
+        .chain([two])
+        .collect();
+    energies.sort_by(f64::total_cmp);
+    let of_type = Stroke::of_mode(Mode::Rolling).wide(CURVE);
     let (mut exits, mut heads, mut keys) = (Vec::new(), Vec::new(), Vec::new());
-    for (name, energies, stroke) in kinds {
-        keys.push((Mark::Line(stroke), name.to_owned()));
-        for energy in energies {
-            let orbit: Vec<Vec<[f64; 2]>> = in_region(&portrait, theta_s, energy);
+    for kind in RollingType::ALL {
+        let stroke = of_type.dashed(match kind {
+            RollingType::I => Dash::Solid,
+            RollingType::II => Dash::DashDot,
+            RollingType::III => Dash::Short,
+        });
+        keys.push((Mark::Line(stroke), name_of(kind)));
+        for &energy in &energies {
+            if RollingType::of_energy(energy, mu_s) != Some(kind) {
+                continue;
+            }
+            let orbit = match kind {
+                RollingType::II => motions_of_two(mu_s, theta_s),
+                RollingType::I | RollingType::III => in_region(&portrait, theta_s, energy),
+            };
             for piece in &orbit {
                 // Orbits run to the right where θ′ > 0.
                 let exit = piece
@@ -254,7 +438,9 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
                         .collect()
                 })
                 .collect();
-            layers.push(Series::new(name, &[THETA, THETA_RATE, ENERGY], pieces).drawn(stroke));
+            layers.push(
+                Series::new(name_of(kind), &[THETA, THETA_RATE, ENERGY], pieces).drawn(stroke),
+            );
         }
     }
     let manifolds = Series::new(

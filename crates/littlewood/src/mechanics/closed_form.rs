@@ -95,7 +95,7 @@ pub fn in_rolling_region(start: &Start, mu_s: f64) -> bool {
 }
 
 named! {
-    /// The three types of motion from 𝓡 (§3a).
+    /// The three types of motion from 𝓡 (§3a). On the stable manifold, e = 1, a motion has none.
     pub enum RollingType, "type of rolling" {
         /// N vanishes before slip begins: 1 + 2 cos θ_s < e < 3.
         I = 1, "I";
@@ -106,13 +106,22 @@ named! {
     }
 }
 
+/// cos θ_s = (1 − μs²)/(1 + μs²) of the particle on the rim.
+fn slip_cosine(mu_s: f64) -> f64 {
+    let square = mu_s * mu_s;
+    (1.0 - square) / (1.0 + square)
+}
+
 impl RollingType {
+    /// Energy of Type II, 1 + 2 cos θ_s: that of the corners of 𝓡. Above μs = 1 it is less than
+    /// that of the equilibrium, 1, and motions of Type II turn back before they reach the top.
+    pub fn energy_of_ii(mu_s: f64) -> f64 {
+        1.0 + 2.0 * slip_cosine(mu_s)
+    }
+
     /// The type of a motion of energy e (3.2); `None` outside (cos θ_s, 3), the energies in 𝓡.
     pub fn of_energy(energy: f64, mu_s: f64) -> Option<Self> {
-        // cos θ_s = (1 − μs²)/(1 + μs²)
-        let square = mu_s * mu_s;
-        let cos = (1.0 - square) / (1.0 + square);
-        let both = 1.0 + 2.0 * cos;
+        let (cos, both) = (slip_cosine(mu_s), Self::energy_of_ii(mu_s));
         if energy <= cos || energy >= 3.0 || energy.is_nan() {
             None
         } else if energy > both {
