@@ -16,17 +16,15 @@ export CARGO_PROFILE_DEV_DEBUG="${CARGO_PROFILE_DEV_DEBUG:-0}"
 # Nothing here is built a second time, so that what a second build would need need not be kept.
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
 
-stage_names() { sed -n 's/^stage_\([a-z-]*\)() {.*/\1/p' scripts/stages.sh; }
-
 case "${1:-}" in
   "") ;;
   --all) export LITTLEWOOD_THOROUGH=1 ;;
   --list)
-    sed -n 's/^stage_\([a-z-]*\)() { # \(.*\)/\1\t\2/p' scripts/stages.sh | expand -t 16
+    for number in "${!stages[@]}"; do printf '%-15s %s\n' "${stages[number]}" "${purposes[number]}"; done
     exit
     ;;
   *)
-    stage_names | grep -qx -- "$1" || { echo "error: no stage '$1': there are $(stage_names | paste -sd' ')" >&2 && exit 2; }
+    declare -F "stage_$1" >/dev/null || { echo "error: no stage '$1': there are ${stages[*]}" >&2 && exit 2; }
     "stage_$1" "${@:2}"
     exit
     ;;

@@ -71,7 +71,8 @@ CHECKSUM
 
 # The wheel with NumPy and nothing else: what everyone does first, the package, and the program that comes with it.
 release_pythons() {
-  local pythons=("$@") version interpreter installed work
+  local pythons=("$@") version interpreter installed work wheel=("$root"/python/dist/littlewood-*.whl)
+  [ -e "${wheel[0]}" ] || { echo "error: there is no wheel in python/dist: python/build.sh release makes it" >&2; exit 1; }
   if [ "$#" = 0 ]; then
     for version in 3.10 3.11 3.12 3.13 3.14; do
       if "python$version" -c "" 2>/dev/null; then pythons+=("python$version"); else echo "python$version is not here"; fi
@@ -85,7 +86,7 @@ release_pythons() {
     "$interpreter" -m venv "$work/venv"
     installed="$work/venv/bin"
     [ -d "$installed" ] || installed="$work/venv/Scripts"
-    "$installed/python" -m pip install --quiet --disable-pip-version-check --only-binary :all: "$root"/python/dist/littlewood-*.whl
+    "$installed/python" -m pip install --quiet --disable-pip-version-check --only-binary :all: "${wheel[@]}"
     (cd "$work" && "$installed/python" "$root/scripts/installed.py")
   done
 }

@@ -1,43 +1,58 @@
 # The stages of test.sh, for it to source: `./test.sh NAME ARGUMENT…` calls stage_NAME. Each builds what it needs and is not there.
 # LITTLEWOOD_THOROUGH=1, which --all sets, adds the thorough tests: more cases, or all that are named, of what the others show.
-# shellcheck shell=bash disable=SC2154,SC2164 # variables of common.sh; `set -e` is that of test.sh
+# shellcheck shell=bash disable=SC2016,SC2154,SC2164 # backquotes in texts; variables of common.sh; `set -e` is that of test.sh
+
+# about NAME PURPOSE: describes the stage that follows, for `./test.sh --list`.
+stages=() purposes=()
+about() {
+  stages+=("$1")
+  purposes+=("$2")
+}
 
 # The same random cases every time; another seed explores others.
 same_cases() { export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-2019}"; }
 
-stage_environments() { # packages of Python and npm, Chromium
+about environments 'packages of Python and npm, Chromium'
+stage_environments() {
   python_environment
   npm_packages
   browser
 }
 
-stage_format() { # of the crates; Python and TypeScript are checked by their own stages
+about format 'of the crates; Python and TypeScript are checked by their own stages'
+stage_format() {
   cargo fmt --all --check
 }
 
-stage_first-command() { # the program of the README's first command, which has none of the features
+about first-command "the program of the README's first command, which has none of the features"
+stage_first-command() {
   cargo build --package littlewood-cli --locked
   cp "$target/debug/littlewood" "$target/debug/littlewood-without-features"
 }
 
-stage_clippy() { # lints of the crates
+about clippy 'lints of the crates'
+stage_clippy() {
   cargo clippy "${everything[@]}" --all-targets -- -D warnings
 }
 
-stage_rustdoc() { # the reference of the crates
+about rustdoc 'the reference of the crates'
+stage_rustdoc() {
   RUSTDOCFLAGS="-D warnings" cargo doc "${everything[@]}" --no-deps
 }
 
-stage_build() { # the crates and their tests
+about build 'the crates and their tests'
+stage_build() {
   cargo test "${everything[@]}" --no-run
 }
 
-stage_wheel() { # the Python package, of what `build` has compiled, installed into the environment of its tests
+about wheel 'the Python package, of what `build` has compiled, installed into the environment of its tests'
+stage_wheel() {
   python_environment
   built
 }
 
-stage_rust() { # tests of the crates; those of the core compare with the certified motions. Arguments of cargo test
+about rust 'tests of the crates; those of the core compare with the certified motions. Arguments of cargo test'
+stage_rust() {
   same_cases
   local thorough=()
   if [ -n "${LITTLEWOOD_THOROUGH:-}" ]; then
@@ -48,7 +63,8 @@ stage_rust() { # tests of the crates; those of the core compare with the certifi
   cargo test "${everything[@]}" --no-fail-fast "$@" "${thorough[@]}"
 }
 
-stage_python() { # lints, types and tests of the package. Arguments of pytest
+about python 'lints, types and tests of the package. Arguments of pytest'
+stage_python() {
   python_environment
   (
     cd python
@@ -69,7 +85,8 @@ stage_python() { # lints, types and tests of the package. Arguments of pytest
   "$python" -P -m pytest -q -p no:cacheprovider --doctest-modules "$installed" --ignore "$installed/torch.py"
 }
 
-stage_page() { # lints of TypeScript, and the laboratory in Chromium (CHROMIUM names another). Arguments of Playwright
+about page 'lints of TypeScript, and the laboratory in Chromium (CHROMIUM names another). Arguments of Playwright'
+stage_page() {
   npm_packages
   (cd web && npx biome ci .)
   browser
@@ -83,7 +100,8 @@ stage_page() { # lints of TypeScript, and the laboratory in Chromium (CHROMIUM n
   LITTLEWOOD="$LITTLEWOOD_BIN" npx playwright test "${chosen[@]}" "$@"
 }
 
-stage_documentation() { # the site: its equations, commands, code, links, and its pages in Chromium. Arguments of pytest
+about documentation 'the site: its equations, commands, code, links, and its pages in Chromium. Arguments of pytest'
+stage_documentation() {
   npm_packages
   browser
   docs/build.sh
@@ -93,11 +111,13 @@ stage_documentation() { # the site: its equations, commands, code, links, and it
   npx playwright test --config site.config.ts
 }
 
-stage_core() { # the core as it is without the features of other crates
+about core 'the core as it is without the features of other crates'
+stage_core() {
   cargo check --package littlewood --all-targets --locked
 }
 
-stage_evidence() { # claims and pages of the studies, three engines against what they must reach, pages of measured numbers. Arguments of pytest
+about evidence 'claims and pages of the studies, three engines against what they must reach, pages of measured numbers. Arguments of pytest'
+stage_evidence() {
   built
   local folders=(evidence/engines evidence/reference/tests evidence/studies evidence/truth)
   "$python" -m ruff check --config python/pyproject.toml "${folders[@]}"
@@ -106,7 +126,8 @@ stage_evidence() { # claims and pages of the studies, three engines against what
   "$python" -m pytest -q -p no:cacheprovider evidence "$@"
 }
 
-stage_bits() { # `native`, `wasm`, `python`: 100,000 motions have the bits of crates/littlewood-digest/digest.txt; `print` writes it anew
+about bits '`native`, `wasm`, `python`: 100,000 motions have the bits of crates/littlewood-digest/digest.txt; `print` writes it anew'
+stage_bits() {
   local build digest=crates/littlewood-digest/digest
   for build in "$@"; do
     case "$build" in
@@ -119,21 +140,24 @@ stage_bits() { # `native`, `wasm`, `python`: 100,000 motions have the bits of cr
   done
 }
 
-stage_properties() { # property tests and fuzzers for longer, with another PROPTEST_RNG_SEED each time, which a failure prints
+about properties 'property tests and fuzzers for longer, with another PROPTEST_RNG_SEED each time, which a failure prints'
+stage_properties() {
   export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-$(date +%s)}" PROPTEST_CASES="${PROPTEST_CASES:-4096}"
   echo "PROPTEST_RNG_SEED=$PROPTEST_RNG_SEED"
   cargo test --release --package littlewood --package littlewood-sweep --package littlewood-film --locked --no-fail-fast -- --include-ignored
   LITTLEWOOD_FUZZ_SECONDS=900 cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --include-ignored --nocapture
 }
 
-stage_coverage() { # of the core by its own tests: target/coverage/html, and at least 97 % of its lines. Needs cargo-llvm-cov and llvm-tools
+about coverage 'of the core by its own tests: target/coverage/html, and at least 97 % of its lines. Needs cargo-llvm-cov and llvm-tools'
+stage_coverage() {
   same_cases
   cargo llvm-cov --package littlewood --features serde --locked --no-report
   cargo llvm-cov report --package littlewood --html --output-dir "$target/coverage"
   cargo llvm-cov report --package littlewood --summary-only --fail-under-lines 97
 }
 
-stage_mutants() { # of the core, one in 200, an hour: sample `7`, or `7/1000`, or another each time; target/mutants.out. Needs cargo-mutants
+about mutants 'of the core, one in 200, an hour: sample `7`, or `7/1000`, or another each time; target/mutants.out. Needs cargo-mutants'
+stage_mutants() {
   same_cases
   local sample="${1:-$((RANDOM % 200))}"
   case "$sample" in */*) ;; *) sample="$sample/200" ;; esac
@@ -142,32 +166,37 @@ stage_mutants() { # of the core, one in 200, an hour: sample `7`, or `7/1000`, o
     --cap-lints true --test-workspace false --no-shuffle "${@:2}"
 }
 
-stage_msrv() { # the core, with the oldest compiler that it promises
+about msrv 'the core, with the oldest compiler that it promises'
+stage_msrv() {
   local version
   version="$(sed -n 's/^rust-version = "\(.*\)"/\1/p' crates/littlewood/Cargo.toml)"
   rustup toolchain install --profile minimal --no-self-update "$version"
   cargo "+$version" check --package littlewood --features serde --locked --target-dir "$target/msrv"
 }
 
-stage_semver() { # public interfaces have changed as the version says, since the last tag or the revision given. Needs cargo-semver-checks
+about semver 'public interfaces have changed as the version says, since the last tag or the revision given. Needs cargo-semver-checks'
+stage_semver() {
   local since="${1:-$(git describe --tags --abbrev=0 --match 'v*' 2>/dev/null || true)}"
   [ -n "$since" ] || { echo "there is no release yet to compare with" && return; }
   cargo semver-checks --workspace --baseline-rev "$since"
 }
 
-stage_deny() { # licences, sources, duplicates and, unless `offline`, known vulnerabilities of dependencies (deny.toml). Needs cargo-deny
+about deny 'licences, sources, duplicates and, unless `offline`, known vulnerabilities of dependencies (deny.toml). Needs cargo-deny'
+stage_deny() {
   local checks=(licenses bans sources)
   [ "${1:-}" = offline ] || checks+=(advisories)
   cargo deny --workspace --all-features --locked check "${checks[@]}"
   cargo deny --manifest-path web/bindgen/Cargo.toml --locked check licenses sources
 }
 
-stage_workflows() { # workflows and scripts. Needs actionlint and shellcheck
+about workflows 'workflows and scripts. Needs actionlint and shellcheck'
+stage_workflows() {
   git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources
   actionlint
 }
 
-stage_captions() { # LaTeX sets the captions of all figures, of named and of unusual hoops. Needs pdflatex (on Debian texlive-latex-base)
+about captions 'LaTeX sets the captions of all figures, of named and of unusual hoops. Needs pdflatex (on Debian texlive-latex-base)'
+stage_captions() {
   built
   scripts/captions.sh "$LITTLEWOOD_BIN"
 }

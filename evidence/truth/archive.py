@@ -290,6 +290,7 @@ def readme(tables: dict[str, list[Row]]) -> bytes:
 | derivatives.json | derivatives of the events of some motions, as balls |
 | families.md | what each family shows |
 | checker.py | `python3 checker.py certificates/*.json` confirms them; it needs Python 3.10 and nothing else |
+| SHA256SUMS | `sha256sum --check SHA256SUMS`: all files, and so names and families, are those of this version |
 
 A ball is a midpoint and a radius, as texts. Inputs are doubles, taken exactly. Where `units` is `dimensionless`,
 the mass of the particle, the radius of the hoop and gravity are 1.
@@ -311,6 +312,9 @@ def contents() -> dict[str, bytes]:
     for path in (HERE / "LICENSE", HERE / "families.md", HERE / "CITATION.cff"):
         files[path.name] = path.read_bytes()
     files["datapackage.json"] = package(tables, files)
+    files["SHA256SUMS"] = "".join(
+        f"{hashlib.sha256(data).hexdigest()}  {name}\n" for name, data in sorted(files.items())
+    ).encode()
     return files
 
 

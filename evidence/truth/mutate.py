@@ -5,9 +5,10 @@
 Of each kind of place in a certificate (a place without the numbers of phases, events and samples)
 one digit, or one name, is changed; and phases, events, impacts, samples and names are deleted,
 merged, split, exchanged, replaced and added, as well as the last bounces before a settlement given
-to it. The digest is made to fit, so that nothing but the checker can tell. Names are those of files
-in certificates/, or the beginnings of them; without any, the certificate of each family that is
-checked in the shortest time, and four more that settle.
+to it. The digest is made to fit, so that nothing but the checker can tell. Each input is also written
+in other ways that read as the same double. Names are those of files in certificates/, or the
+beginnings of them; without any, the certificate of each family that is checked in the shortest time,
+and four more that settle.
 """
 
 from __future__ import annotations
@@ -15,10 +16,12 @@ from __future__ import annotations
 import argparse
 import copy
 import json
+import math
 import random
 import sys
 import time
 from collections.abc import Callable, Iterator
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -26,6 +29,7 @@ from typing import Any, TypeAlias
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parents[1] / "python" / "littlewood" / "certify"))
 from checker import Refused, check, digest  # noqa: E402
+from checker import read as parsed  # noqa: E402
 
 SEED = 20261122
 
@@ -258,10 +262,38 @@ def behind_settle(certificate: dict[str, Any]) -> Iterator[dict[str, Any]]:
                 yield found
 
 
-def accepted(certificate: dict[str, Any]) -> bool:
-    """Whether the checker takes a certificate."""
+def inputs(certificate: dict[str, Any]) -> Iterator[Place]:
+    """Yield the places of all numbers of the case."""
+    case = certificate["case"]
+    for part in ("hoop", "start"):
+        yield from (("case", part, key) for key in case[part] if key != "restitution_law")
+    if case["until"] is not None:
+        yield ("case", "until")
+
+
+def spellings(value: float) -> dict[str, str]:
+    """Return texts that read as a double, and are not its shortest: by what is wrong with them."""
+    # The sum has 28 digits, and a thousandth of the last bit is seen in the twentieth.
+    beside = Decimal(repr(value)) + Decimal(repr(math.ulp(value))) / 1000
+    found = {"more digits": f"{value:.17e}", "another number": str(beside)}
+    assert all(float(text) == value for text in found.values())
+    return found
+
+
+def texts(certificate: dict[str, Any]) -> Iterator[tuple[str, str]]:
+    """Yield texts of a certificate in which an input is written in another way: the digest fits."""
+    marker = "an input"
+    for place in inputs(certificate):
+        found = copy.deepcopy(certificate)
+        at(found, place[:-1])[place[-1]] = marker
+        for name, text in spellings(at(certificate, place)).items():
+            yield f"{place[-1]}: {name}", json.dumps(found).replace(json.dumps(marker), text)
+
+
+def accepted(certificate: dict[str, Any] | str) -> bool:
+    """Whether the checker takes a certificate, or the text of one."""
     try:
-        check(certificate)
+        check(parsed(certificate) if isinstance(certificate, str) else certificate)
     except Refused:
         return False
     return True
@@ -291,7 +323,7 @@ def main() -> int:
             continue
         found = [
             (what, accepted(one))
-            for forge in (mutations, structures)
+            for forge in (mutations, structures, texts)
             for what, one in forge(certificate)
         ]
         tried += len(found)

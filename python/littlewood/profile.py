@@ -8,17 +8,21 @@ from statistics import NormalDist
 import numpy as np
 
 from .elementwise import Reals
+from .extras import require
 from .fit_problem import OF_HOOP, ROUGH, Problem
 from .fit_result import Estimate
 
 __all__ = ["profile_interval", "rise"]
 
 
+# Doublings of a step before an interval has no end.
 _STEPS = 40
 # From where the covariance foretells the others a parabola takes two or three steps.
 _STEPS_OF_RISE = 8
 # The ends of an interval are found to this part of a standard error.
 _CLOSE = 0.02
+# Beyond this multiple of the limit the profile is as good as infinite.
+_MOST = 10.0
 
 
 def rise(problem: Problem, unknowns: Reals, covariance: Reals, name: str, value: float) -> float:
@@ -65,29 +69,23 @@ def profile_interval(
         else 0.1 * max(1.0, abs(estimate.value))
     )
 
-    def root(value: float) -> float:
-        return math.sqrt(max(rise(problem, unknowns, covariance, name, value), 0.0))
+    def excess(value: float) -> float:
+        found = math.sqrt(max(rise(problem, unknowns, covariance, name, value), 0.0))
+        # An infinite one, where the hoop has no such motion, would leave nothing to interpolate.
+        return min(found, _MOST * limit) - limit
 
     def end(sign: float, bound: float) -> float:
-        inside, at_inside, step = estimate.value, 0.0, limit * unit
-        outside = at_outside = math.nan
+        inside, step = estimate.value, limit * unit
         for _ in range(_STEPS):
-            value = inside + sign * step if math.isnan(outside) else 0.5 * (inside + outside)
-            if at_inside > 0.0 and not math.isnan(at_outside) and math.isfinite(at_outside):
-                part = (limit - at_inside) / (at_outside - at_inside)
-                value = inside + min(max(part, 0.1), 0.9) * (outside - inside)
-            if math.isnan(outside) and sign * (value - bound) >= 0.0:
-                if root(bound) < limit:
-                    return bound
-                outside, at_outside = bound, root(bound)
-                continue
-            at = root(value)
-            if at < limit:
-                inside, at_inside, step = value, at, 2.0 * step
-            else:
-                outside, at_outside = value, at
-            if not math.isnan(outside) and abs(outside - inside) < _CLOSE * unit:
-                break
-        return 0.5 * (inside + outside) if not math.isnan(outside) else sign * math.inf
+            outside = inside + sign * step
+            if sign * (outside - bound) >= 0.0:
+                outside = bound
+            if excess(outside) >= 0.0:
+                brentq = require("scipy.optimize").brentq
+                return float(brentq(excess, inside, outside, xtol=_CLOSE * unit))
+            if outside == bound:
+                return bound
+            inside, step = outside, 2.0 * step
+        return sign * math.inf
 
     return end(-1.0, low), end(1.0, high)

@@ -187,6 +187,9 @@ def test_the_checker_refuses_forgeries_of_each_family(mutate: Any) -> None:
     for name in mutate.QUICK:
         certificate = mutate.read(name)
         assert mutate.accepted(certificate), name
+        for kind, text in mutate.texts(certificate):
+            assert digest(checker.read(text)) == certificate["digest"]
+            assert not mutate.accepted(text), (name, kind)
         forged = [*mutate.mutations(certificate), *mutate.structures(certificate)]
         # `mutate.py` itself tries all of them.
         for kind, changed in random.Random(name).sample(forged, min(len(forged), 160)):
@@ -258,7 +261,7 @@ ALONE = ("landing-18", "jam-13", "thrown-01")
 
 
 def test_a_change_of_anything_else_breaks_the_digest(thrown: dict[str, Any]) -> None:
-    for key, part in (("case", "name"), ("phases", 0), ("end", "kind")):
+    for key, part in (("case", "name"), ("case", "family"), ("phases", 0), ("end", "kind")):
         changed = copy.deepcopy(thrown)
         changed[key][part] = thrown["phases"][0] | {"samples": []} if part == 0 else "another"
         with pytest.raises(Refused, match="digest"):
@@ -399,6 +402,37 @@ def test_the_checker_takes_no_other_form_of_an_input(
     case = thrown["case"] | {"hoop": thrown["case"]["hoop"] | hoop}
     with pytest.raises(Refused, match=re.escape(message)):
         check(sealed(thrown | {"case": case}))
+
+
+@pytest.mark.parametrize(
+    ("text", "double"),
+    [
+        ("0.400000000000000022204460492503", "0.4"),
+        ("0.40", "0.4"),
+        ("4e-1", "0.4"),
+        ("1e-400", "0.0"),
+        ("-1e-400", "-0.0"),
+        ("-0", "-0.0"),
+        ("2.4703282292062328e-324", "5e-324"),
+        ("12345678901234567.0", "1.2345678901234568e+16"),
+    ],
+)
+def test_the_checker_takes_no_other_text_of_an_input(
+    text: str, double: str, thrown: dict[str, Any], tmp_path: Path
+) -> None:
+    written = copy.deepcopy(thrown)
+    written["case"]["start"]["theta"] = float(double)
+    written = sealed(written)
+    right = json.dumps(written)
+    checker.intact(checker.read(right))
+    other = right.replace(f'"theta": {double}', f'"theta": {text}', 1)
+    assert other != right and json.loads(other) == written
+    message = f"start.theta = {text} must be written {double}, the shortest text of its double"
+    with pytest.raises(Refused, match=re.escape(message)):
+        check(checker.read(other))
+    file = tmp_path / "case.json"
+    file.write_text(other)
+    assert main(["--case", str(file)]) == 2
 
 
 def test_a_case_is_read_with_its_defaults_and_nothing_else() -> None:
@@ -947,6 +981,9 @@ def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
     with tarfile.open(fileobj=io.BytesIO(one)) as tar:
         assert {entry.mtime for entry in tar} == {0}
         assert len(tar.getnames()) == len(files)
+    sums = dict(reversed(line.split("  ")) for line in files["SHA256SUMS"].decode().splitlines())
+    assert sums.keys() | {"SHA256SUMS"} == files.keys()
+    assert all(hashlib.sha256(files[name]).hexdigest() == found for name, found in sums.items())
     described = json.loads(files["datapackage.json"])
     for resource in described["resources"]:
         data = files[resource["path"]]

@@ -1,84 +1,19 @@
 //! A figure on a sheet: frames, ticks, marks, labels, keys.
 
-use crate::clip;
-use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View, tilted};
-use crate::item::{Item, STEPS, Step, Words, outline, steps};
-use crate::marks::{Canvas, MIDDLE, edge};
-use crate::markup::plain;
-use crate::raster::POINTS;
-use crate::sheet::{POINTS_TO_A_MM, PRINT_POINTS};
-use crate::space::Space;
-use crate::stroke::{INK, LETTER, PAPER, SMALL, Stroke};
-use crate::svg;
 use littlewood_style::width::FINE;
 
-impl Figure {
-    /// The figure as SVG, its letters as outlines.
-    pub fn svg(&self) -> String {
-        svg::document(self, &self.items())
-    }
+use crate::figure::{Figure, Mark, Panel, PlotAxis, View, tilted};
+use crate::item::{Item, STEPS, Step, Words, holds, outline, steps};
+use crate::marks::{Canvas, MIDDLE, edge};
+use crate::primitives::Anchor;
+use crate::space::Space;
+use crate::stroke::{INK, LETTER, PAPER, SMALL, Stroke, TICK};
 
-    /// The figure as PDF of one page, its letters as outlines.
-    #[cfg(feature = "pdf")]
-    pub fn pdf(&self) -> Vec<u8> {
-        crate::pdf::document(self, &self.items())
-    }
-
-    /// All texts, with the boxes of their letters: left, top, right and bottom in pixels.
-    pub fn texts(&self) -> Vec<(String, [f64; 4])> {
-        let texts = self.items().into_iter().filter_map(|item| {
-            let Item::Words(words) = item else {
-                return None;
-            };
-            Some((plain(&words.text), words.frame()))
-        });
-        texts.collect()
-    }
-
-    /// Points of print to a pixel.
-    pub(crate) fn points(&self) -> f64 {
-        let Some(mm) = self.print_mm else {
-            return POINTS;
-        };
-        // A poster is drawn larger than it is printed.
-        let own = mm * POINTS_TO_A_MM / self.width;
-        if (own - PRINT_POINTS).abs() < 1e-9 {
-            PRINT_POINTS
-        } else {
-            own
-        }
-    }
-
-    pub(crate) fn items(&self) -> Vec<Item> {
-        let mut canvas = Canvas::default();
-        self.panels.iter().for_each(|panel| canvas.panel(panel));
-        canvas.0
-    }
-}
-
-/// Room for the labels of the two axes, in pixels.
-pub const ROOM: [f64; 2] = [62.0, 46.0];
-
-/// Length of a tick, in pixels.
-pub const TICK: f64 = 4.0;
-
-/// How far off the sheet places are told apart, in lengths of the axis.
-const FAR: f64 = 1e3;
-
-impl PlotAxis {
-    /// Which part of the axis lies before a value. What lies far off the sheet need not be told
-    /// from what lies farther off.
-    pub(crate) fn share(&self, value: f64) -> f64 {
-        let bent = |value: f64| {
-            if self.linear.is_finite() {
-                libm::asinh(value / self.linear)
-            } else {
-                value
-            }
-        };
-        let [low, high] = self.range.map(bent);
-        ((bent(value) - low) / (high - low)).clamp(-FAR, FAR)
-    }
+/// The shapes and texts of a figure, the lowest first.
+pub(crate) fn items(figure: &Figure) -> Vec<Item> {
+    let mut canvas = Canvas::default();
+    figure.panels.iter().for_each(|panel| canvas.panel(panel));
+    canvas.0
 }
 
 impl Canvas {
@@ -197,7 +132,7 @@ impl Canvas {
         (unit, tilt): (f64, f64),
         bounds: Option<[Step; 2]>,
     ) {
-        let is_seen = |place: &Step| bounds.is_none_or(|bounds| clip::holds(bounds, *place));
+        let is_seen = |place: &Step| bounds.is_none_or(|bounds| holds(bounds, *place));
         for layer in &panel.layers {
             let columns: Option<Vec<usize>> = axes
                 .iter()
@@ -253,11 +188,8 @@ impl Canvas {
             self.mark(layer.mark, &pieces, unit);
             if let Some(bounds) = bounds.filter(|_| is_whole) {
                 let drawn = self.0.split_off(first);
-                self.0.extend(
-                    drawn
-                        .into_iter()
-                        .filter_map(|item| clip::item(item, bounds)),
-                );
+                self.0
+                    .extend(drawn.into_iter().filter_map(|item| item.clipped(bounds)));
             }
         }
     }

@@ -1,47 +1,8 @@
-//! What lies within the axes of a panel.
-
-use crate::item::{Item, Paint, Step};
+//! Which parts of lines and polygons lie within a rectangle.
 
 type Place = [f64; 2];
 /// Left upper and right lower corner.
 pub(crate) type Bounds = [Place; 2];
-
-/// Whether a place is within bounds; rounding to a step may take one on the frame outside.
-pub(crate) fn holds([low, high]: [Step; 2], (x, y): Step) -> bool {
-    (low.0 - 1..=high.0 + 1).contains(&x) && (low.1 - 1..=high.1 + 1).contains(&y)
-}
-
-/// The part of a line or an area within bounds; none if nothing is there.
-pub(crate) fn item(item: Item, bounds: [Step; 2]) -> Option<Item> {
-    let Item::Path { lines, paint } = item else {
-        return Some(item);
-    };
-    if lines.iter().flatten().all(|place| holds(bounds, *place)) {
-        return Some(Item::Path { lines, paint });
-    }
-    let places = |line: &Vec<Step>| {
-        line.iter()
-            .map(|&(x, y)| [f64::from(x), f64::from(y)])
-            .collect::<Vec<_>>()
-    };
-    let bounds = bounds.map(|(x, y)| [f64::from(x), f64::from(y)]);
-    let kept: Vec<Vec<Place>> = match paint {
-        Paint::Edge(_) => lines
-            .iter()
-            .flat_map(|points| line(&places(points), bounds))
-            .collect(),
-        Paint::Fill(_) => lines
-            .iter()
-            .map(|line| polygon(&places(line), bounds))
-            .collect(),
-    };
-    let step = |[x, y]: Place| (libm::round(x) as i32, libm::round(y) as i32);
-    let kept = kept.into_iter().filter(|line| line.len() > 1);
-    let lines: Vec<Vec<Step>> = kept
-        .map(|line| line.into_iter().map(step).collect())
-        .collect();
-    (!lines.is_empty()).then(|| Item::path(&lines, paint))
-}
 
 /// The pieces of a line within bounds; it is interrupted where it is not finite.
 pub(crate) fn line(points: &[Place], bounds: Bounds) -> Vec<Vec<Place>> {

@@ -5,9 +5,9 @@ use std::borrow::Cow;
 use littlewood_style::ticks::Tick;
 use littlewood_style::{Curve, Rgb};
 
-use crate::chart::ROOM;
 use crate::clip;
-use crate::stroke::{INK, LETTER, Stroke};
+use crate::primitives::{Anchor, Image};
+use crate::stroke::{INK, LETTER, ROOM, Stroke};
 
 /// A figure, complete: [`Figure::svg`], [`Figure::png`] and [`Figure::csv`] only write it down.
 #[derive(Clone, Debug)]
@@ -46,15 +46,6 @@ pub struct Panel {
     pub labels: Vec<Label>,
     /// Keys to colours.
     pub keys: Vec<Key>,
-}
-
-/// Pixels row by row from the top, three bytes each: red, green and blue.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Image {
-    /// Width and height.
-    pub size: [usize; 2],
-    /// The pixels.
-    pub pixels: Vec<u8>,
 }
 
 /// The axes of a panel.
@@ -210,17 +201,6 @@ pub struct Label {
     pub is_fixed: bool,
 }
 
-/// Which part of a text stands at its place; its middle in the vertical.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Anchor {
-    /// Its left end.
-    Left,
-    /// Its middle.
-    Middle,
-    /// Its right end.
-    Right,
-}
-
 /// A line of the key.
 #[derive(Clone, Debug)]
 pub struct Key {
@@ -254,6 +234,9 @@ impl From<Curve> for Mark {
     }
 }
 
+/// How far off the sheet places are told apart, in lengths of the axis.
+const FAR: f64 = 1e3;
+
 impl PlotAxis {
     fn has_words(&self) -> bool {
         self.scale != Scale::Nothing || !self.title.is_empty()
@@ -282,6 +265,20 @@ impl PlotAxis {
             scale: Scale::Nothing,
             ..Self::new(column, "", range)
         }
+    }
+
+    /// Which part of the axis lies before a value. What lies far off the sheet need not be told
+    /// from what lies farther off.
+    pub(crate) fn share(&self, value: f64) -> f64 {
+        let bent = |value: f64| {
+            if self.linear.is_finite() {
+                libm::asinh(value / self.linear)
+            } else {
+                value
+            }
+        };
+        let [low, high] = self.range.map(bent);
+        ((bent(value) - low) / (high - low)).clamp(-FAR, FAR)
     }
 }
 
@@ -332,17 +329,6 @@ impl Panel {
     pub fn line(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
         let places: Option<Vec<[f64; 2]>> = points.iter().map(|point| self.place(*point)).collect();
         clip::line(&places.unwrap_or_default(), self.axes_frame())
-    }
-}
-
-impl Anchor {
-    /// Which part of the width lies to the left of the place.
-    pub const fn share(self) -> f64 {
-        match self {
-            Self::Left => 0.0,
-            Self::Middle => 0.5,
-            Self::Right => 1.0,
-        }
     }
 }
 

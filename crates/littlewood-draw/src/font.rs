@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 #[cfg(feature = "pdf")]
 use crate::letters::Letter;
 use crate::letters::{all, outline};
-use crate::pencil::Segment;
+use crate::primitives::Segment;
 
 /// Its units to the size, of which all coordinates of the letters are whole numbers.
 const UNITS: u16 = 2000;

@@ -2,8 +2,9 @@
 
 use littlewood_style::Rgb;
 
-use crate::figure::{Anchor, Image};
+use crate::clip;
 use crate::letters::width;
+use crate::primitives::{Anchor, Image};
 use crate::stroke::Stroke;
 
 /// A place in steps.
@@ -42,6 +43,43 @@ impl Item {
         lines.iter_mut().for_each(Vec::dedup);
         Self::Path { lines, paint }
     }
+
+    /// The part of a line or an area within bounds; none if nothing is there.
+    pub(crate) fn clipped(self, bounds: [Step; 2]) -> Option<Self> {
+        let Self::Path { lines, paint } = self else {
+            return Some(self);
+        };
+        if lines.iter().flatten().all(|place| holds(bounds, *place)) {
+            return Some(Self::Path { lines, paint });
+        }
+        let places = |line: &Vec<Step>| {
+            line.iter()
+                .map(|&(x, y)| [f64::from(x), f64::from(y)])
+                .collect::<Vec<_>>()
+        };
+        let bounds = bounds.map(|(x, y)| [f64::from(x), f64::from(y)]);
+        let kept: Vec<Vec<[f64; 2]>> = match paint {
+            Paint::Edge(_) => lines
+                .iter()
+                .flat_map(|points| clip::line(&places(points), bounds))
+                .collect(),
+            Paint::Fill(_) => lines
+                .iter()
+                .map(|line| clip::polygon(&places(line), bounds))
+                .collect(),
+        };
+        let step = |[x, y]: [f64; 2]| (libm::round(x) as i32, libm::round(y) as i32);
+        let kept = kept.into_iter().filter(|line| line.len() > 1);
+        let lines: Vec<Vec<Step>> = kept
+            .map(|line| line.into_iter().map(step).collect())
+            .collect();
+        (!lines.is_empty()).then(|| Self::path(&lines, paint))
+    }
+}
+
+/// Whether a place is within bounds; rounding to a step may take one on the frame outside.
+pub(crate) fn holds([low, high]: [Step; 2], (x, y): Step) -> bool {
+    (low.0 - 1..=high.0 + 1).contains(&x) && (low.1 - 1..=high.1 + 1).contains(&y)
 }
 
 /// The outline of a rectangle by its left upper and its right lower corner.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::OnceLock;
 
 use crate::markup::{Script, private, runs, scripted, small, symbol};
-use crate::pencil::Segment;
+use crate::primitives::Segment;
 
 /// Size of an index or exponent.
 const SCRIPT_SIZE: f64 = 0.72;

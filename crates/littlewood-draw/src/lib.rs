@@ -39,10 +39,12 @@ mod item;
 mod letters;
 mod marks;
 mod markup;
+mod output;
 #[cfg(feature = "pdf")]
 mod pdf;
 mod pencil;
 mod place;
+mod primitives;
 mod raster;
 mod sheet;
 mod space;
@@ -51,18 +53,16 @@ mod svg;
 mod words;
 
 pub use caption::latex;
-pub use chart::{ROOM, TICK};
 pub use error::DrawError;
 pub use figure::{
-    Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View,
-    tilted,
+    Figure, Key, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View, tilted,
 };
 pub use font::font;
 pub use letters::{missing, outlines, width};
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
 pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve, lift_off_condition};
 pub use markup::{Run, Script, markdown, plain, runs, unicode};
-pub use pencil::Segment;
+pub use primitives::{Anchor, Image, Segment};
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
 pub use sheet::{
     Content, Entries, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet,

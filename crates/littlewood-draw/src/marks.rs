@@ -2,9 +2,10 @@
 
 use littlewood_style::{Curve, Rgb};
 
-use crate::figure::{Anchor, Mark};
+use crate::figure::Mark;
 use crate::hatch;
 use crate::item::{Item, Paint, STEPS, Step, Words, steps};
+use crate::primitives::Anchor;
 use crate::stroke::{INK, PAPER, Stroke};
 use crate::words::marked;
 

@@ -7,12 +7,13 @@ use pdf_writer::types::{
 };
 use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect, Ref, Str, TextStr};
 
-use crate::figure::{Figure, Image};
+use crate::figure::Figure;
 use crate::font::Font;
 use crate::item::{Item, Words};
 use crate::letters::glyphs;
 use crate::markup::plain;
-use crate::pencil::{Path, Pencil, Segment, draw};
+use crate::pencil::{Pencil, draw};
+use crate::primitives::{Image, Path, Segment};
 use crate::stroke::Stroke;
 
 /// Level of compression.
@@ -213,9 +214,8 @@ fn name_of(number: usize) -> String {
     format!("Im{number}")
 }
 
-/// A document of one page.
-pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
-    let scale = figure.points();
+/// A document of one page, with so many points of print to a pixel.
+pub(crate) fn document(figure: &Figure, items: &[Item], scale: f64) -> Vec<u8> {
     let [width, height] = [figure.width, figure.height].map(|side| (side * scale) as f32);
     let mut page = Page(Content::new(), Vec::new(), Font::default());
     page.0

@@ -2,41 +2,10 @@
 
 use littlewood_style::Rgb;
 
-use crate::figure::Image;
 use crate::item::{Item, Paint, STEPS, Step, Words};
 use crate::letters::outlines;
+use crate::primitives::{Image, Path, Segment};
 use crate::stroke::{PAPER, Stroke};
-
-/// A piece of a path, in pixels, downwards positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Segment {
-    /// Begins a line.
-    Move([f64; 2]),
-    /// Goes on straight.
-    Line([f64; 2]),
-    /// A quadratic curve: its handle and its end.
-    Quad([f64; 2], [f64; 2]),
-    /// A cubic curve: its handles and its end.
-    Curve([f64; 2], [f64; 2], [f64; 2]),
-    /// Closes the line.
-    Close,
-}
-
-impl Segment {
-    /// The same at other places.
-    pub fn placed(self, place: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
-        match self {
-            Self::Move(to) => Self::Move(place(to)),
-            Self::Line(to) => Self::Line(place(to)),
-            Self::Quad(a, to) => Self::Quad(place(a), place(to)),
-            Self::Curve(a, b, to) => Self::Curve(place(a), place(b), place(to)),
-            Self::Close => Self::Close,
-        }
-    }
-}
-
-/// A path.
-pub(crate) type Path = [Segment];
 
 /// Something that draws paths.
 pub(crate) trait Pencil {

@@ -1,9 +1,10 @@
 //! Where labels stand: inside their panel, beside each other, off the curves.
 
-use crate::figure::{Anchor, Label, Mark, Panel, View};
+use crate::figure::{Label, Mark, Panel, View};
 use crate::item::{ASCENT, DESCENT, Item, STEPS};
 use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE};
+use crate::primitives::Anchor;
 use crate::space::Space;
 use crate::stroke::Stroke;
 

@@ -7,8 +7,9 @@ use tiny_skia::{
 };
 
 use crate::error::DrawError;
-use crate::figure::{Figure, Image};
-use crate::pencil::{Path, Pencil, Segment, draw};
+use crate::item::Item;
+use crate::pencil::{Pencil, draw};
+use crate::primitives::{Image, Path, Segment};
 use crate::stroke::{self, PAPER};
 
 /// Least number of pixels of a picture to one of the drawing.
@@ -128,47 +129,30 @@ impl Pencil for Picture {
     }
 }
 
-impl Figure {
-    /// The figure as PNG, with `scale` pixels to 1/96 inch: 2 for a screen, 3.125 for 300 dpi in
-    /// print.
-    ///
-    /// # Errors
-    /// A scale out of bounds.
-    pub fn png(&self, scale: f64) -> Result<Vec<u8>, DrawError> {
-        check_scale(scale)?;
-        let scale = scale * self.points() / POINTS;
-        let size = [self.width, self.height].map(|side| libm::ceil(side * scale) as u32);
-        let pixels = self.pixels(size, scale)?;
-        let to_a_metre = self
-            .print_mm
-            .map(|mm| libm::round(scale * self.width / (mm / 1000.0)) as u32);
-        Ok(pixels.file(to_a_metre).unwrap_or_default())
-    }
-
-    /// The figure in so many pixels to the right and downwards, so many to one of the drawing.
-    ///
-    /// # Errors
-    /// [`DrawError::NoRoom`].
-    pub fn pixels(&self, [width, height]: [u32; 2], scale: f64) -> Result<Image, DrawError> {
-        let mut pixels = Pixmap::new(width, height).ok_or(DrawError::NoRoom { width, height })?;
-        let Rgb([r, g, b]) = PAPER;
-        pixels.fill(Color::from_rgba8(r, g, b, 255));
-        let transform = Transform::from_scale(scale as f32, scale as f32);
-        let mut picture = Picture { pixels, transform };
-        // To the last pixel, which is not always covered whole.
-        let sides = [width, height].map(|side| f64::from(side) / scale);
-        draw(&self.items(), sides, &mut picture);
-        // Paper covers all, so that there is nothing to see through.
-        let colours = picture
-            .pixels
-            .pixels()
-            .iter()
-            .flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
-        Ok(Image {
-            size: [width, height].map(|side| side as usize),
-            pixels: colours.collect(),
-        })
-    }
+/// Items in so many pixels to the right and downwards, so many to one of the drawing.
+pub(crate) fn pixels(
+    items: &[Item],
+    [width, height]: [u32; 2],
+    scale: f64,
+) -> Result<Image, DrawError> {
+    let mut pixels = Pixmap::new(width, height).ok_or(DrawError::NoRoom { width, height })?;
+    let Rgb([r, g, b]) = PAPER;
+    pixels.fill(Color::from_rgba8(r, g, b, 255));
+    let transform = Transform::from_scale(scale as f32, scale as f32);
+    let mut picture = Picture { pixels, transform };
+    // To the last pixel, which is not always covered whole.
+    let sides = [width, height].map(|side| f64::from(side) / scale);
+    draw(items, sides, &mut picture);
+    // Paper covers all, so that there is nothing to see through.
+    let colours = picture
+        .pixels
+        .pixels()
+        .iter()
+        .flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
+    Ok(Image {
+        size: [width, height].map(|side| side as usize),
+        pixels: colours.collect(),
+    })
 }
 
 impl Image {
@@ -179,7 +163,7 @@ impl Image {
     }
 
     /// The same, with its pixels to a metre if its width in print is known.
-    fn file(&self, to_a_metre: Option<u32>) -> Result<Vec<u8>, png::EncodingError> {
+    pub(crate) fn file(&self, to_a_metre: Option<u32>) -> Result<Vec<u8>, png::EncodingError> {
         let mut bytes = Vec::new();
         let [width, height] = self
             .size
@@ -200,6 +184,3 @@ impl Image {
         Ok(bytes)
     }
 }
-
-/// Points to a pixel: 72 and 96 to the inch.
-pub(crate) const POINTS: f64 = 0.75;

@@ -1,11 +1,11 @@
 //! Three axes, seen from a direction: the three sides at the back with their grids, and ticks along
 //! the edges in front.
 
-use crate::chart::TICK;
-use crate::figure::{Anchor, PlotAxis};
+use crate::figure::PlotAxis;
 use crate::item::{Paint, Step, steps};
 use crate::marks::{Canvas, HAIR};
-use crate::stroke::{GRID, INK, PAPER, SMALL, Stroke};
+use crate::primitives::Anchor;
+use crate::stroke::{GRID, INK, PAPER, SMALL, Stroke, TICK};
 
 /// Room around the axes in pixels, and the length of an axis in parts of the shorter side.
 const MARGIN: f64 = 16.0;

@@ -98,3 +98,9 @@ impl Stroke {
 pub const LETTER: f64 = 14.0;
 /// Size of the letters of ticks.
 pub const SMALL: f64 = 12.5;
+
+/// Room for the labels of the two axes, in pixels.
+pub const ROOM: [f64; 2] = [62.0, 46.0];
+
+/// Length of a tick, in pixels.
+pub const TICK: f64 = 4.0;

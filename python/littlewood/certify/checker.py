@@ -858,7 +858,7 @@ def valid(certificate: Any) -> None:
 
 
 def valid_case(case: Any, where: str = "") -> None:
-    """Refuse a case that is out of bounds: those of the schema, and those that relate its numbers."""
+    """Refuse a case out of bounds, or with a number that is not the shortest text of its double."""
     _case(case, where)
     hoop, start, dot = case["hoop"], case["start"], f"{where}." if where else ""
     numbers = [("hoop." + key, value) for key, value in hoop.items() if key != "restitution_law"]
@@ -868,6 +868,14 @@ def valid_case(case: Any, where: str = "") -> None:
     for key, value in numbers:
         finite = value is None or (abs(value) <= sys.float_info.max and float(value) == value)
         _must(finite, value, dot + key, "be finite, and exactly a double")
+        if isinstance(value, Written):
+            double = float.__repr__(value)
+            _must(
+                value.text == double,
+                value,
+                dot + key,
+                f"be written {double}, the shortest text of its double",
+            )
     mass, own, offset, radius = (
         (hoop["disc_mass_kg"], hoop["inertia_kg_m2"], hoop["offset_m"], hoop["radius_m"])
         if case["units"] == "si"
@@ -906,8 +914,23 @@ def valid_case(case: Any, where: str = "") -> None:
         _must(slope == 0, slope, f"{dot}hoop.slope", "be 0: the hoop has no mass")
 
 
+class Written(float):
+    """A number of JSON that shows itself as the file writes it: other texts read as the same double."""
+
+    def __new__(cls, text: str) -> Written:
+        """Read the text."""
+        found = super().__new__(cls, text)
+        found.text = text
+        return found
+
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+
 def read(text: bytes | str) -> Any:
-    """Read JSON strictly: no names twice, no NaN.
+    """Read JSON strictly: no names twice, no NaN, and numbers that are no integers with their texts.
 
     Raises
     ------
@@ -926,7 +949,14 @@ def read(text: bytes | str) -> Any:
 
     try:
         decoded = text if isinstance(text, str) else text.decode()
-        return json.loads(decoded, object_pairs_hook=once, parse_constant=never)
+        return json.loads(
+            decoded,
+            object_pairs_hook=once,
+            parse_constant=never,
+            parse_float=Written,
+            # An integer would lose the sign of -0.
+            parse_int=lambda digits: Written(digits) if digits == "-0" else int(digits),
+        )
     except RecursionError:
         raise Unreadable("objects and lists lie too deep in each other") from None
     except ValueError as error:
