@@ -389,27 +389,27 @@ fn slip_onset(hoop: &Hoop, body: &Heavy, rest: &RestInputs, painleve: [f64; 2]) 
             )
         }
     };
-    let (direction, force) = if painleve[direction.index()] > 0.0 {
-        // The excess over μs N has decided against rolling, and the force follows from it, so that
-        // their signs agree.
-        let force = net_slip_force(hoop, forces, (direction, excess));
-        (direction, force)
-    } else {
-        // With a large μs both N and F may be rounding on the limit, and its direction, too.
-        let direction = direction.reversed();
-        let force = -direction.sign() * forces.friction - hoop.mu_k() * forces.normal;
-        (direction, force)
-    };
-    let p = painleve[direction.index()];
-    let acceleration = slip_acceleration_at_rest(body.mass, rest.effective_inertia, force, p);
-    // On the static limit with μs = μk it vanishes, and η‴ has the sign of `direction`.
-    let begins = p > 0.0 && (acceleration > 0.0 || force == 0.0);
-    begins.then_some(Slide {
-        direction,
-        entry: Entry::FromRest {
-            slip_acceleration: direction.sign() * acceleration,
-        },
-    })
+    // The excess over μs N has decided against rolling, and the force follows from it, so that
+    // their signs agree.
+    let onward = net_slip_force(hoop, forces, (direction, excess));
+    // On the limit N, with a large μs also F, may be rounding, and the direction, too. Then the
+    // slide the other way is the consistent one.
+    let back = direction.sign() * forces.friction - hoop.mu_k() * forces.normal;
+    [(direction, onward), (direction.reversed(), back)]
+        .into_iter()
+        .find_map(|(towards, force)| {
+            let p = painleve[towards.index()];
+            let acceleration =
+                slip_acceleration_at_rest(body.mass, rest.effective_inertia, force, p);
+            // On the static limit with μs = μk it vanishes, and η‴ has the sign of `direction`.
+            let begins = acceleration > 0.0 || (force == 0.0 && towards == direction);
+            (p > 0.0 && begins).then_some(Slide {
+                direction: towards,
+                entry: Entry::FromRest {
+                    slip_acceleration: towards.sign() * acceleration,
+                },
+            })
+        })
 }
 
 /// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`; at least
