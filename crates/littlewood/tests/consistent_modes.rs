@@ -251,7 +251,8 @@ impl Sizes {
         let (along, down) = libm::sincos(hoop.slope());
         let (sin, along, u) = (sin.abs(), along.abs(), start.theta_rate * start.theta_rate);
         let bottom = inertia + mass * (1.0 - h) * (1.0 - h);
-        let d = bottom + 4.0 * l * libm::cos(0.5 * start.theta).powi(2);
+        let half = libm::cos(0.5 * start.theta);
+        let d = bottom + 4.0 * l * half * half;
         let unit = ROUNDINGS * f64::EPSILON;
         // h is rounded before 1 − h is squared.
         let relative = unit * (1.0 + 2.0 * mass * (1.0 - h) / d);
@@ -288,11 +289,13 @@ impl Sizes {
 
 /// The modes that the library finds.
 fn said(found: &Classification) -> Vec<(Mode, Option<Direction>)> {
-    match (found.mode, &found.candidates) {
-        (Some(mode), _) => vec![(mode, found.direction)],
-        (None, Some(candidates)) => candidates.consistent().collect(),
-        (None, None) => panic!("neither a mode nor candidates"),
-    }
+    found.mode.map_or_else(
+        || {
+            let candidates = found.candidates.expect("a mode, or candidates");
+            candidates.consistent().collect()
+        },
+        |mode| vec![(mode, found.direction)],
+    )
 }
 
 /// Whether the library says the same of a state.
@@ -372,10 +375,10 @@ fn documented() -> BTreeSet<([String; 3], String)> {
         .take_while(|line| line.starts_with('|'))
         .map(|line| {
             let cells: Vec<_> = line.split('|').map(|cell| cell.trim().to_owned()).collect();
-            let [_, body, plane, slip, modes, ..] = cells.as_slice() else {
-                panic!("{line}")
-            };
-            ([body, plane, slip].map(Clone::clone), modes.clone())
+            (
+                [1, 2, 3].map(|column| cells[column].clone()),
+                cells[4].clone(),
+            )
         })
         .collect()
 }
