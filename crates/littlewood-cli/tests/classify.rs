@@ -140,3 +140,47 @@ fn a_rest_that_is_not_the_only_motion_says_so() {
         "{page}"
     );
 }
+
+/// The numbers are those of its certificate, enclosed in balls: w = −0.014447911582621, N =
+/// 0.13957888871596, F = −0.08262196486997. μk belongs to neither motion.
+#[test]
+fn a_wedged_start_is_ambiguous_in_words_and_numbers() {
+    let flags = "--mass-ratio=0.2 --offset=1 --inertia=0.1 --mu-s=1 --slope=-1.1 --theta=0.5 --theta-rate=-0.8";
+    for mu_k in ["--mu-k=0.35", "--mu-k=0.9"] {
+        let with = |command| -> Vec<&str> {
+            [command, mu_k]
+                .into_iter()
+                .chain(flags.split(' '))
+                .collect()
+        };
+        let document = json(&with("classify"));
+        assert_eq!(document["region"], "ambiguous");
+        let weight = libm::cos(1.1);
+        assert_close(
+            number(&document["contact"]),
+            -0.014_447_911_582_621 / weight,
+            1e-13,
+        );
+        assert_close(
+            number(&document["rolling_normal"]),
+            0.139_578_888_715_96,
+            1e-13,
+        );
+        assert_close(
+            number(&document["rolling_friction"]),
+            -0.082_621_964_869_97,
+            1e-12,
+        );
+        let page = text(&with("classify"));
+        for words in [
+            "rolling, or flight",
+            "|F|/N = 0.591937",
+            "1 − h cos θ θ′²/cos α = −0.0318519",
+        ] {
+            assert!(page.contains(words), "{words}: {page}");
+        }
+        let page = text(&with("simulate"));
+        assert!(page.contains("rolling, flight"), "{page}");
+        assert_eq!(json(&with("simulate"))["outcome"]["kind"], "ambiguous");
+    }
+}

@@ -281,6 +281,96 @@ impl Draw {
         Hoop::new(hoop.parameters().with_slope(slope)).unwrap_or(*hoop)
     }
 
+    /// A hoop and a start in contact with sizes about one, for the modes that may follow: level or
+    /// on a slope, down to small inertia, on rough planes and smooth ones. Often next to where a
+    /// mode begins to be consistent, or on it: the lift-off of the particle, the limits of the
+    /// phase plane, Painlevé's friction.
+    pub fn in_contact(&mut self) -> (Hoop, Start) {
+        loop {
+            if let Some(drawn) = self.try_in_contact() {
+                return drawn;
+            }
+        }
+    }
+
+    fn try_in_contact(&mut self) -> Option<(Hoop, Start)> {
+        let mass_ratio = match self.below(4) {
+            0 => 0.0,
+            1 => self.of_any_size([-6.0, 0.5]),
+            _ => self.between([0.0, 3.0]),
+        };
+        let inertia = match self.below(5) {
+            0 => 0.0,
+            1 => mass_ratio,
+            _ => self.of_any_size([-6.0, 0.5]),
+        };
+        let offset = match self.below(6) {
+            0 | 1 => 1.0,
+            2 => self.of_any_size([-3.0, 0.0]),
+            3 => self.one_of(&[0.0, 0.5, 1.0_f64.next_down()]),
+            _ => self.share(),
+        };
+        let slope = match self.below(4) {
+            0 => 0.0,
+            1 => self.of_any_size([-6.0, 0.0]),
+            _ => self.between([0.0, 1.57]),
+        };
+        let theta = if self.comes(0.1) {
+            let quarters = self.below(5) as f64 - 2.0;
+            self.beside(quarters * FRAC_PI_2)
+        } else {
+            self.between([-PI, PI])
+        };
+        let (sin, cos) = libm::sincos(theta);
+        let mass = 1.0 + mass_ratio;
+        let h = offset / mass;
+        let painleve = (inertia + mass_ratio * offset * h + mass * (h * sin) * (h * sin))
+            / (mass * h * sin.abs() * (1.0 + h * cos));
+        let mu_s = match self.below(6) {
+            0 => self.one_of(&NICE),
+            1 => self.one_of(&[0.0, 1e-9, 1e3]),
+            2 if painleve < 1e3 => painleve * (1.0 + self.of_any_size([-15.0, 0.0])),
+            _ => self.of_any_size([-2.0, 1.5]),
+        };
+        let mu_k = match self.below(6) {
+            0 | 1 => mu_s,
+            2 => 0.0,
+            3 if painleve < mu_s => self.beside(painleve),
+            _ => mu_s * self.share(),
+        };
+        let slope = if self.comes(0.5) { -slope } else { slope };
+        let hoop = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k)
+            .with_slope(slope);
+        let hoop = Hoop::new(hoop).ok()?;
+        let lift_off = (libm::cos(slope) / (h * cos)).sqrt();
+        let rate = match self.below(6) {
+            0 => 0.0,
+            1 => boundary_rate(&PhasePlane::new(&hoop), theta, self.below(BOUNDARIES))?,
+            2 | 3 if lift_off.is_finite() => {
+                let away = self.of_any_size([-16.0, 0.5]);
+                lift_off
+                    * (1.0
+                        + if self.comes(0.2) {
+                            -away.min(1.0)
+                        } else {
+                            away
+                        })
+            }
+            _ => self.of_any_size([-3.0, 1.0]),
+        };
+        let rate = if self.comes(0.5) { -rate } else { rate };
+        let slip = match self.below(4) {
+            0 => self.of_any_size([-9.0, 0.5]),
+            1 => -self.of_any_size([-9.0, 0.5]),
+            _ => 0.0,
+        };
+        Quantity::ThetaRate.check(rate).ok()?;
+        Some((hoop, Start::at(theta, rate).with_slip(slip)))
+    }
+
     /// A hoop and a start as a person sets them: every number in its usual range.
     pub fn usual(&mut self) -> Setup {
         let mut usual = |quantity: Quantity| self.between(quantity.row().usual);

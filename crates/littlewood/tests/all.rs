@@ -8,6 +8,7 @@ mod certified;
 mod classification;
 mod coincidences;
 mod common;
+mod consistent_modes;
 mod counts;
 mod degenerate;
 mod derivatives;

@@ -325,7 +325,14 @@ fn other_motions() -> Vec<Trajectory> {
     let inside = hoop(0.0, 0.6, 0.0, 0.3, 0.2);
     let thin = hoop(1.0, 1.0, 1.0, 0.5, 0.4);
     let rim = hoop(0.0, 1.0, 0.0, 0.5, 0.4);
+    // Wedged: rolling needs N > 0 where w < 0, until friction gives way.
+    let steep = HoopParameters::thin(0.3)
+        .with_offset(0.9)
+        .with_friction(2.0, 1.0)
+        .with_slope(-1.4);
+    let steep = Hoop::new(steep).expect("a valid hoop");
     [
+        (steep, Start::at(2.3, 0.0)),
         (thin, Start::at(0.8, -2.2).with_slip(0.4)),
         (thin, Start::at(-2.0, 2.2).with_slip(-0.3)),
         (thin, Start::at(-0.7735579900798988, 1.4271356783919602)),

@@ -9,7 +9,7 @@ use littlewood::{Hoop, Outcome, Trajectory};
 use littlewood_report::number::brief;
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
-use littlewood_report::sentence::{consistent, examined, returns};
+use littlewood_report::sentence::{consistent, contact_margin, examined, returns};
 use littlewood_report::sheet::Sheet;
 use littlewood_report::{Subject, jam_of};
 
@@ -73,7 +73,7 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
         rate if problem.start.gap_rate > 0.0 => {
             format!("thrown: the rim leaves the plane at {rate}")
         }
-        _ => region(found.region).to_owned(),
+        _ => region(&problem.hoop, found.region),
     };
     sheet.fact("Region", vec![region]);
     let begins = match (found.mode, &found.candidates) {
@@ -85,7 +85,7 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
                 consistent(candidates, ", or ")
             };
             let mut lines = vec![first];
-            lines.extend(examined(candidates));
+            lines.extend(examined(&problem.hoop, candidates));
             lines.extend(
                 jam_of(&problem.hoop, problem.start, found).map(|impact| jam(&impact, scale)),
             );
@@ -95,9 +95,10 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
     };
     sheet.fact("Begins", begins);
     sheet.fact("Rolling", rolling(&problem.hoop, found, scale));
+    let margin = contact_margin(&problem.hoop);
     sheet.fact(
         "Contact",
-        vec![format!("1 − h cos θ θ′² = {}", brief(found.contact))],
+        vec![format!("{margin} = {}", brief(found.contact))],
     );
     sheet.fact(
         "Energy",
@@ -122,8 +123,8 @@ fn jam(impact: &Impact, scale: Scale<'_>) -> String {
     )
 }
 
-const fn region(region: StartRegion) -> &'static str {
-    match region {
+fn region(hoop: &Hoop, region: StartRegion) -> String {
+    let words = match region {
         StartRegion::Rolling => "inside the rolling region R (2.14): static friction suffices",
         StartRegion::BeyondFriction => {
             "inside N but outside R (2.14): static friction does not suffice"
@@ -132,7 +133,8 @@ const fn region(region: StartRegion) -> &'static str {
             "rolling would need N <= 0, yet the hoop stays in contact and slides"
         }
         StartRegion::LossOfContact => {
-            "1 − h cos θ θ′² < 0, or about to be: the hoop leaves the plane"
+            let margin = contact_margin(hoop);
+            return format!("{margin} < 0, or about to be: the hoop leaves the plane");
         }
         StartRegion::Slipping => "in contact with slip, η′ ≠ 0",
         StartRegion::Gliding => {
@@ -140,7 +142,8 @@ const fn region(region: StartRegion) -> &'static str {
         }
         StartRegion::Inconsistent => "no motion is consistent (Painlevé)",
         StartRegion::Ambiguous => "several motions are consistent (Painlevé)",
-    }
+    };
+    words.to_owned()
 }
 
 /// The friction that rolling needs, and whether static friction supplies it.

@@ -63,8 +63,14 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             )
         }
         Mode::Flight => {
-            "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > 1."
-                .to_owned()
+            let weight = if trajectory.hoop().slope() == 0.0 {
+                "1"
+            } else {
+                "cos α"
+            };
+            format!(
+                "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > {weight}."
+            )
         }
     }
 }
@@ -131,6 +137,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
 /// The end of the motion, or that it has none.
 pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let last = trajectory.transitions().len().checked_sub(1);
+    let hoop = trajectory.hoop();
     match trajectory.outcome() {
         Outcome::RollsForever { recurrence, .. } => {
             format!(
@@ -184,11 +191,11 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Outcome::Inconsistent { candidates, .. } => {
             format!(
                 "{NO_ANSWER}: no motion is consistent; {}.",
-                examined(&candidates).join("; ")
+                examined(hoop, &candidates).join("; ")
             )
         }
         Outcome::Ambiguous { candidates, .. } => {
-            let [rolling, sliding] = examined(&candidates);
+            let [rolling, sliding] = examined(hoop, &candidates);
             let found = consistent(&candidates, ", ");
             format!("{NO_ANSWER}: several motions are consistent, {found}; {rolling}; {sliding}.")
         }
@@ -257,10 +264,13 @@ fn slip(event: &Transition, mu_s: f64) -> String {
         "it needs more friction than the ground has (μₛ = {})",
         brief(mu_s)
     );
-    if event.to == Some(Mode::Gliding) {
-        format!("Slips and glides: {beyond}; without inertia a slip bears no force.")
-    } else {
-        format!("Slips: {beyond}.")
+    match event.to {
+        Some(Mode::Gliding) => {
+            format!("Slips and glides: {beyond}; without inertia a slip bears no force.")
+        }
+        // With w < 0 friction alone has held it down.
+        Some(Mode::Flight) => format!("Leaves, for it was wedged and gives way: {beyond}."),
+        Some(Mode::Rolling | Mode::Sliding) | None => format!("Slips: {beyond}."),
     }
 }
 
@@ -344,14 +354,24 @@ pub fn consistent(candidates: &Candidates, between: &str) -> String {
     motions.join(between)
 }
 
+/// The margin by which gravity and inertia press the hoop to the plane, in parts of its weight.
+pub const fn contact_margin(hoop: &Hoop) -> &'static str {
+    if hoop.slope() == 0.0 {
+        "1 − h cos θ θ′²"
+    } else {
+        "1 − h cos θ θ′²/cos α"
+    }
+}
+
 /// What rolling and sliding would need where the motion that follows is not unique.
-pub fn examined(candidates: &Candidates) -> [String; 2] {
+pub fn examined(hoop: &Hoop, candidates: &Candidates) -> [String; 2] {
     let [negative, positive] = candidates.solvability.map(brief);
     [
         format!(
-            "rolling would need N = {}, F = {}, and has 1 − h cos θ θ′² = {}",
+            "rolling would need N = {}, F = {}, and has {} = {}",
             brief(candidates.rolling_forces.normal),
             brief(candidates.rolling_forces.friction),
+            contact_margin(hoop),
             brief(candidates.contact),
         ),
         format!("sliding would need P > 0, and P is {negative} for σ = −1, {positive} for σ = +1"),

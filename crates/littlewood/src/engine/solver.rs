@@ -6,12 +6,12 @@ use crate::ablation::{Part, is_on};
 use crate::math::trig::Angle;
 use crate::mechanics::{FrictionlessIntegrals, Settling, contact};
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
-use crate::modes::{Entry, Flight, GlideEntry, Hold, RollingLimit, TakeOff};
-use crate::walk::candidates::{Evidence, SlipEvidence, weigh};
+use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, Stiction, TakeOff};
+use crate::walk::candidates::{ModeInputs, RestInputs, SlipInputs, may_wedge, select_mode};
 use crate::walk::follow::{ChainBudget, ChainSegment, next_slip};
 use crate::walk::{
-    Arrival, Cause, Ending, Exact, Next, Outcome, OutcomeKind, PhaseSequence, Solution, Solved,
-    SolvedBy, Solver, next_motion,
+    Arrival, Cause, Ending, Exact, NextMotion, Outcome, OutcomeKind, PhaseSequence, Solution,
+    Solved, SolvedBy, Solver, next_motion,
 };
 
 use super::chain::{LinkSolver, SlipMapValue, SlipMaps, SlipPoint};
@@ -196,15 +196,11 @@ impl<'a> FastSolver<'a> {
         contact(1.0, self.model.body.h, place.angle.cos * place.u())
     }
 
-    /// The evidence from the forces, where it is clear on which side of every limit they are. A
-    /// sign that is not may be another one in the simulation, too, unless the state is that of the
-    /// simulation to the last bit.
+    /// What selects the mode, from the forces, where it is clear on which side of every limit they
+    /// are. A sign that is not may be another one in the simulation, too, unless the state is that
+    /// of the simulation to the last bit.
     #[inline(always)]
-    fn clear_evidence(
-        &self,
-        place: &EngineState,
-        arrival: Arrival,
-    ) -> Option<Evidence<impl Fn(Direction) -> f64>> {
+    fn clear_inputs(&self, place: &EngineState, arrival: Arrival) -> Option<ModeInputs> {
         let EngineState {
             state,
             angle: Angle { sin, cos },
@@ -217,17 +213,17 @@ impl<'a> FastSolver<'a> {
             return None;
         }
         let slip = match Direction::of_sign(state.slip) {
-            Some(direction) => SlipEvidence::Moving(direction),
+            Some(direction) => SlipInputs::Moving(direction),
             None if !self.resolves_forces(w, 1.0 + h * place.u()) => return None,
-            None => self.clear_rest(place, w, arrival)?,
+            None => SlipInputs::AtRest(self.clear_rest(place, w, arrival)?),
         };
-        let solvability = move |direction| {
+        let painleve = Direction::ALL.map(|direction| {
             let law = self.model.sliding(direction);
             law.p(sin, law.q(1.0, sin, cos))
-        };
+        });
         if !self.model.is_solvable {
             let size = inertia + mass * h * (1.0 + self.hoop.mu_k());
-            let [negative, positive] = Direction::ALL.map(solvability);
+            let [negative, positive] = painleve;
             if !(self.sign_is_certain(negative, size)
                 && self.sign_is_certain(positive, size)
                 && negative.min(positive) > 0.0)
@@ -235,38 +231,42 @@ impl<'a> FastSolver<'a> {
                 return None;
             }
         }
-        Some(Evidence {
-            contact: w,
-            leaves: w < 0.0,
+        Some(ModeInputs {
+            contact_margin: w,
+            lifts_off: w < 0.0,
             slip,
-            solvability,
-            is_solvable: true,
+            painleve,
+            keeps_contact: arrival != Arrival::Start,
             on_limit: false,
         })
     }
 
     /// The same at η′ = 0.
     #[inline(always)]
-    fn clear_rest(&self, place: &EngineState, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
+    fn clear_rest(&self, place: &EngineState, w: f64, arrival: Arrival) -> Option<RestInputs> {
         let law = &self.model.rolling;
         let u = place.u();
-        let denominator = law.denominator_of(place.angle.pair());
-        let forces = law.forces_at(place.angle.pair(), [1.0, u], denominator);
+        let effective_inertia = law.denominator_of(place.angle.pair());
+        let forces = law.forces_at(place.angle.pair(), [1.0, u], effective_inertia);
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
         let size = law.mass * (1.0 + u + law.tilt.abs()) * (1.0 + self.hoop.mu_s());
-        let hold = match arrival {
-            Arrival::Open | Arrival::RollingLimit(_) if w < 0.0 => Hold::NoNormalForce,
-            Arrival::RollingLimit(RollingLimit::Friction(direction)) => Hold::Slips {
+        let stiction = match arrival {
+            Arrival::Start | Arrival::InContact | Arrival::RollingLimit(_)
+                if w < 0.0 && !may_wedge(&self.model.body, place.angle.sin, u) =>
+            {
+                Stiction::NoNormalForce
+            }
+            Arrival::RollingLimit(RollingLimit::Friction(direction)) => Stiction::Slips {
                 direction,
                 excess: 0.0,
             },
-            Arrival::Open
+            Arrival::Start | Arrival::InContact
                 if self.sign_is_certain(excess, size) && place.state.theta_rate != 0.0 =>
             {
                 if excess < 0.0 {
-                    Hold::Holds
+                    Stiction::Holds
                 } else {
-                    Hold::Slips {
+                    Stiction::Slips {
                         direction: Direction::of_sign(-forces.friction)?,
                         excess,
                     }
@@ -277,19 +277,20 @@ impl<'a> FastSolver<'a> {
             | Arrival::RollingLimit(RollingLimit::NormalForce)
             | Arrival::GlideAtRest { .. }
             | Arrival::LiftOff
-            | Arrival::Open => return None,
+            | Arrival::Start
+            | Arrival::InContact => return None,
         };
-        if let Hold::Slips { excess, .. } = hold {
+        if let Stiction::Slips { excess, .. } = stiction {
             // With equal coefficients the acceleration of the slip vanishes on the limit.
             let drive = excess + (self.hoop.mu_s() - self.hoop.mu_k()) * forces.normal;
             if drive <= 0.0 {
                 return None;
             }
         }
-        Some(SlipEvidence::AtRest {
-            hold,
+        Some(RestInputs {
+            stiction,
             rolling_forces: forces,
-            denominator,
+            effective_inertia,
         })
     }
 
@@ -322,7 +323,7 @@ impl<'a> FastSolver<'a> {
         let (cause, arrival) = if event.lifts_off {
             (Cause::LiftOff, Arrival::LiftOff)
         } else {
-            (Cause::Stick, Arrival::Open)
+            (Cause::Stick, Arrival::InContact)
         };
         Ending::Event {
             place: EngineState {
@@ -478,13 +479,13 @@ impl Solver for FastSolver<'_> {
     }
 
     #[inline(always)]
-    fn decide(&self, place: &EngineState, arrival: Arrival) -> Next {
+    fn decide(&self, place: &EngineState, arrival: Arrival) -> NextMotion {
         if arrival == Arrival::LiftOff {
             // What the slide has found is not computed again.
             return next_motion(self.hoop, &place.state, arrival);
         }
-        match self.clear_evidence(place, arrival) {
-            Some(evidence) => weigh(self.hoop, &self.model.body, &place.state, &evidence),
+        match self.clear_inputs(place, arrival) {
+            Some(inputs) => select_mode(self.hoop, &self.model.body, &place.state, &inputs),
             None => next_motion(self.hoop, &place.state, arrival),
         }
     }

@@ -26,7 +26,7 @@ pub(crate) mod sliding;
 
 pub(crate) use self::flight::TakeOff;
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
-pub(crate) use self::rolling::{Hold, Levels};
+pub(crate) use self::rolling::{Levels, Stiction};
 pub(crate) use self::sample::{Instant, Sample};
 pub(crate) use self::sliding::{Entry, PhasePoint, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE};
 

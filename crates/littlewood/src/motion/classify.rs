@@ -4,7 +4,7 @@ use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
 use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, named};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
-use crate::walk::{Arrival, Candidates, Next, Origin, next_motion};
+use crate::walk::{Arrival, Candidates, NextMotion, Origin, next_motion};
 
 named! {
     /// The region of the state space that contains a start.
@@ -106,44 +106,44 @@ impl Hoop {
             (found.region, found.mode) = (StartRegion::LossOfContact, Some(Mode::Flight));
             return Ok(found);
         }
-        (found.region, found.mode, found.direction) = match next_motion(self, &state, Arrival::Open)
-        {
-            Next::Roll { .. } => {
-                let orbit = RollingOrbit::of(self, theta, theta_rate);
-                let end = orbit.end();
-                found.rolling_type = self.rolling_type(theta, theta_rate, end);
-                let endless = end.is_none() && !orbit.leaves_bounds();
-                found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));
-                found.rolling_end = end.map(|end| origin.rolling_end(end));
-                found.reverse_chatter =
-                    PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);
-                (StartRegion::Rolling, Some(Mode::Rolling), None)
-            }
-            Next::Slide { direction, .. } => {
-                let region = match (state.slip == 0.0, forces.normal > 0.0) {
-                    (false, _) => StartRegion::Slipping,
-                    (true, true) => StartRegion::BeyondFriction,
-                    (true, false) => StartRegion::SlidingBand,
-                };
-                (region, Some(Mode::Sliding), Some(direction))
-            }
-            Next::Glide { .. } => (
-                StartRegion::Gliding,
-                Some(Mode::Gliding),
-                Direction::of_sign(state.slip),
-            ),
-            Next::Fly { .. } | Next::Settle { .. } => {
-                (StartRegion::LossOfContact, Some(Mode::Flight), None)
-            }
-            Next::None(candidates) => {
-                found.candidates = Some(origin.candidates(*candidates));
-                (StartRegion::Inconsistent, None, None)
-            }
-            Next::Several(candidates) => {
-                found.candidates = Some(origin.candidates(*candidates));
-                (StartRegion::Ambiguous, None, None)
-            }
-        };
+        (found.region, found.mode, found.direction) =
+            match next_motion(self, &state, Arrival::Start) {
+                NextMotion::Roll { .. } => {
+                    let orbit = RollingOrbit::of(self, theta, theta_rate);
+                    let end = orbit.end();
+                    found.rolling_type = self.rolling_type(theta, theta_rate, end);
+                    let endless = end.is_none() && !orbit.leaves_bounds();
+                    found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));
+                    found.rolling_end = end.map(|end| origin.rolling_end(end));
+                    found.reverse_chatter =
+                        PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);
+                    (StartRegion::Rolling, Some(Mode::Rolling), None)
+                }
+                NextMotion::Slide { direction, .. } => {
+                    let region = match (state.slip == 0.0, forces.normal > 0.0) {
+                        (false, _) => StartRegion::Slipping,
+                        (true, true) => StartRegion::BeyondFriction,
+                        (true, false) => StartRegion::SlidingBand,
+                    };
+                    (region, Some(Mode::Sliding), Some(direction))
+                }
+                NextMotion::Glide { .. } => (
+                    StartRegion::Gliding,
+                    Some(Mode::Gliding),
+                    Direction::of_sign(state.slip),
+                ),
+                NextMotion::Fly { .. } | NextMotion::Settle { .. } => {
+                    (StartRegion::LossOfContact, Some(Mode::Flight), None)
+                }
+                NextMotion::None(candidates) => {
+                    found.candidates = Some(origin.candidates(*candidates));
+                    (StartRegion::Inconsistent, None, None)
+                }
+                NextMotion::Several(candidates) => {
+                    found.candidates = Some(origin.candidates(*candidates));
+                    (StartRegion::Ambiguous, None, None)
+                }
+            };
         Ok(found)
     }
 

@@ -13,8 +13,8 @@ use crate::model::{
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhaseSolution, TakeOff};
 use crate::walk::{
-    Arrival, Cause, Ending, Event, Exact, Known, Next, Origin, Outcome, PhaseRecord, Recorder,
-    Solved, SolvedBy, Solver, walk,
+    Arrival, Cause, Ending, Event, Exact, Known, NextMotion, Origin, Outcome, PhaseRecord,
+    Recorder, Solved, SolvedBy, Solver, walk,
 };
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
@@ -449,7 +449,7 @@ impl Solver for PerturbedSolver<'_> {
         *place
     }
 
-    fn decide(&self, state: &State, arrival: Arrival) -> Next {
+    fn decide(&self, state: &State, arrival: Arrival) -> NextMotion {
         self.exact.decide(state, arrival)
     }
 

@@ -100,6 +100,7 @@ pub const EDGES: &[Edge] = {
     use Mode::{Flight, Gliding, Rolling, Sliding};
     edges! {
         Heavy: Some(Rolling), Slip, Some(Sliding) => "|F| = mu_s N and |F| - mu_s N grows", "sigma = -sign F", "(2.13), 2(c)";
+        Heavy: Some(Rolling), Slip, Some(Flight) => "|F| = mu_s N and |F| - mu_s N grows, h cos(theta) theta'^2 > cos(alpha)", "none", "docs/theory/contact.md";
         Heavy: Some(Sliding), Stick, Some(Rolling) => "eta' = 0 and |F_roll| <= mu_s N_roll", "eta' = 0", "2(c)";
         Heavy: Some(Sliding), Reversal, Some(Sliding) => "eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)";
         Heavy: Some(Sliding), Graze, Some(Sliding) => "eta' = 0 and eta'' = 0", "none", "2(c)";

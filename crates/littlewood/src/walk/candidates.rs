@@ -1,17 +1,17 @@
-//! The motion that follows a state: all candidates that are consistent with the accelerations
-//! (docs/theory/contact.md).
+//! The motion that follows a state: the modes that satisfy the laws of contact and of friction
+//! there (docs/theory/contact.md).
 //!
-//! At η′ = 0 rolling, sliding in either direction and flight compete. Static friction is read as:
-//! where rolling and a slide both are consistent, the contact sticks. So a slide from η′ = 0 is a
-//! candidate only if rolling is not. The motion continues if there is exactly one candidate; none
-//! or several (Painlevé: P ≤ 0) is an outcome.
+//! At η′ = 0 rolling, a slide and flight compete. Static friction is read as: where rolling and a
+//! slide both are consistent, the contact sticks. So a slide from η′ = 0 is a candidate only if
+//! rolling is not. The motion continues if there is exactly one candidate; a start with none or
+//! several is an outcome. A motion that arrives in contact stays in contact while it can.
 
 use crate::mechanics::{
     ContactForces, RollingLaw, Settling, SlidingLaw, contact, leaves_plane,
     slip_acceleration_at_rest,
 };
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
-use crate::modes::{Entry, GlideEntry, Hold, RollingLimit, RollingOrbit, TakeOff};
+use crate::modes::{Entry, GlideEntry, RollingLimit, RollingOrbit, Stiction, TakeOff};
 
 /// The candidate motions at a state, and the quantities that decide between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +102,7 @@ impl Candidates {
 /// The motion that begins; `on_limit` if |F| = μs N at the start and static friction holds after
 /// it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Next {
+pub(crate) enum NextMotion {
     Roll {
         on_limit: bool,
     },
@@ -128,7 +128,7 @@ pub(crate) enum Next {
     Several(Box<Candidates>),
 }
 
-impl Next {
+impl NextMotion {
     pub(crate) const fn mode(&self) -> Option<Mode> {
         match self {
             Self::Roll { .. } => Some(Mode::Rolling),
@@ -152,8 +152,10 @@ impl Next {
 /// How the state was reached; resolves ties on a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Arrival {
-    /// On no known boundary: a start, or the end of a slide.
-    Open,
+    /// A start: any consistent motion may follow.
+    Start,
+    /// In contact, on no known boundary: at the end of a slide, or of an impact without rebound.
+    InContact,
     /// The slip of a glide vanishes. `presses` if the normal force of rolling is positive.
     GlideAtRest { presses: bool },
     /// Rolling reaches this limit.
@@ -166,175 +168,254 @@ pub(crate) enum Arrival {
 }
 
 /// Decides which motion begins at `state`, from the exact conditions.
-pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next {
+pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> NextMotion {
     match hoop.body() {
         Body::Heavy(body) => match arrival {
-            Arrival::LiftOff => Next::Fly {
+            Arrival::LiftOff => NextMotion::Fly {
                 body,
                 take_off: TakeOff::Grazing,
             },
-            Arrival::Open
+            Arrival::Start
+            | Arrival::InContact
             | Arrival::GlideAtRest { .. }
             | Arrival::RollingLimit(_)
-            | Arrival::BackOnLimit(_) => weigh(
+            | Arrival::BackOnLimit(_) => select_mode(
                 hoop,
                 &body,
                 state,
-                &exact_evidence(hoop, &body, state, arrival),
+                &exact_inputs(hoop, &body, state, arrival),
             ),
         },
         Body::Massless(body) => massless(hoop, &body, state, arrival),
     }
 }
 
-/// The quantities that decide for a heavy hoop.
-pub(crate) struct Evidence<P> {
+/// What selects the mode of a heavy hoop.
+pub(crate) struct ModeInputs {
     /// w = 1 − h cos θ θ′².
-    pub(crate) contact: f64,
-    pub(crate) leaves: bool,
-    pub(crate) slip: SlipEvidence,
-    /// P in a direction of slip.
-    pub(crate) solvability: P,
-    /// Whether P > 0 in both directions.
-    pub(crate) is_solvable: bool,
+    pub(crate) contact_margin: f64,
+    /// Flight is consistent: w < 0, or w = 0 and decreasing.
+    pub(crate) lifts_off: bool,
+    pub(crate) slip: SlipInputs,
+    /// P for σ = −1 and σ = +1.
+    pub(crate) painleve: [f64; 2],
+    /// Whether the motion is in contact and so keeps it, if rolling allows it. At a start rolling
+    /// and flight are then ambiguous.
+    pub(crate) keeps_contact: bool,
     /// Whether rolling would begin with |F| = μs N.
     pub(crate) on_limit: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum SlipEvidence {
+pub(crate) enum SlipInputs {
     /// η′ ≠ 0.
     Moving(Direction),
-    /// η′ = 0, with N, F and D of rolling.
-    AtRest {
-        hold: Hold,
-        rolling_forces: ContactForces,
-        denominator: f64,
-    },
+    /// η′ = 0.
+    AtRest(RestInputs),
 }
 
-/// Evaluates the evidence at a state. Rolling is decided by the same margins from which its end is
-/// computed.
-fn exact_evidence(
-    hoop: &Hoop,
-    body: &Heavy,
-    state: &State,
-    arrival: Arrival,
-) -> Evidence<impl Fn(Direction) -> f64> {
+/// What rolling needs at η′ = 0, and whether static friction supplies it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RestInputs {
+    pub(crate) stiction: Stiction,
+    pub(crate) rolling_forces: ContactForces,
+    /// D.
+    pub(crate) effective_inertia: f64,
+}
+
+/// Whether rolling can need N > 0 where the plane does not press, w ≤ 0. Then N (A C − B²) = A w −
+/// B (h sin θ u + tan α) and B has the sign of sin θ, so the term of the slope has to be the larger
+/// one, and against it. On a level plane it never is.
+pub(crate) fn may_wedge(body: &Heavy, sin: f64, u: f64) -> bool {
+    (body.h * sin * u + body.pull()) * sin < 0.0
+}
+
+/// Evaluates what selects the mode at a state. Rolling is decided by the same margins from which
+/// its end is computed.
+fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> ModeInputs {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
+    let sin = libm::sin(theta);
     let laws = Direction::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
-    let contact = laws[0].contact(theta, theta_rate);
+    let contact_margin = laws[0].contact(theta, theta_rate);
+    let lifts_off = leaves_plane(contact_margin, sin, theta_rate);
     let slip = Direction::of_sign(state.slip).map_or_else(
         || {
             let rolling = RollingLaw::of(hoop);
-            SlipEvidence::AtRest {
-                hold: match arrival {
-                    Arrival::RollingLimit(RollingLimit::Friction(direction)) => Hold::Slips {
-                        direction,
-                        excess: 0.0,
-                    },
-                    Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
-                        Hold::NoNormalForce
-                    }
-                    Arrival::BackOnLimit(None) => Hold::Holds,
-                    Arrival::BackOnLimit(Some(direction)) => {
-                        let forces = rolling.forces(theta, theta_rate);
-                        let excess = forces.friction.abs() - hoop.mu_s() * forces.normal;
-                        Hold::Slips { direction, excess }
-                    }
-                    Arrival::Open | Arrival::GlideAtRest { .. } => {
-                        RollingOrbit::of(hoop, theta, theta_rate).hold()
-                    }
+            let rolling_forces = rolling.forces(theta, theta_rate);
+            let stiction = match arrival {
+                // Next to w = 0 rounding could tell otherwise.
+                _ if lifts_off && !may_wedge(body, sin, theta_rate * theta_rate) => {
+                    Stiction::NoNormalForce
+                }
+                Arrival::RollingLimit(RollingLimit::Friction(direction)) => Stiction::Slips {
+                    direction,
+                    excess: 0.0,
                 },
-                rolling_forces: rolling.forces(theta, theta_rate),
-                denominator: rolling.denominator(theta),
-            }
+                Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
+                    Stiction::NoNormalForce
+                }
+                Arrival::BackOnLimit(None) => Stiction::Holds,
+                Arrival::BackOnLimit(Some(direction)) => Stiction::Slips {
+                    direction,
+                    excess: rolling_forces.friction.abs() - hoop.mu_s() * rolling_forces.normal,
+                },
+                Arrival::Start | Arrival::InContact | Arrival::GlideAtRest { .. } => {
+                    RollingOrbit::of(hoop, theta, theta_rate).stiction()
+                }
+            };
+            SlipInputs::AtRest(RestInputs {
+                stiction,
+                rolling_forces,
+                effective_inertia: rolling.denominator(theta),
+            })
         },
-        SlipEvidence::Moving,
+        SlipInputs::Moving,
     );
-    let solvability = laws.map(|law| law.solvability(theta));
-    Evidence {
-        contact,
-        leaves: leaves_plane(contact, libm::sin(theta), theta_rate),
+    ModeInputs {
+        contact_margin,
+        lifts_off,
         slip,
-        solvability: move |direction: Direction| solvability[direction.index()],
-        is_solvable: solvability.iter().all(|p| *p > 0.0),
+        painleve: laws.map(|law| law.solvability(theta)),
+        keeps_contact: arrival != Arrival::Start,
         on_limit: arrival == Arrival::BackOnLimit(None),
     }
 }
 
-/// Decides between all candidates for a heavy hoop.
+/// A slide that is consistent.
+struct Slide {
+    direction: Direction,
+    entry: Entry,
+}
+
+/// Selects the mode of a heavy hoop: the one rule for every solver, for starts and arrivals.
+///
+/// Sliding needs N = m Î w/P > 0. At η′ = 0 that leaves one mode where w > 0, and where w < 0 at
+/// most rolling and flight (docs/theory/contact.md), so that no more than one slide need be
+/// examined.
 #[inline(always)]
-pub(crate) fn weigh<P: Fn(Direction) -> f64>(
+pub(crate) fn select_mode(
     hoop: &Hoop,
     body: &Heavy,
     state: &State,
-    evidence: &Evidence<P>,
-) -> Next {
-    let Evidence {
-        contact,
-        leaves,
-        slip,
-        ref solvability,
-        is_solvable,
+    inputs: &ModeInputs,
+) -> NextMotion {
+    let ModeInputs {
+        contact_margin,
+        lifts_off,
+        ref slip,
+        painleve,
+        keeps_contact,
         on_limit,
-    } = *evidence;
-    if is_solvable && contact != 0.0 {
-        // For P > 0 the candidates exclude each other: contact requires w > 0, and with N > 0 in
-        // rolling a slide begins only against the friction force.
-        match slip {
-            _ if leaves => {
-                return Next::Fly {
-                    body: *body,
-                    take_off: TakeOff::Unloaded,
-                };
-            }
-            SlipEvidence::Moving(direction) => {
-                return Next::Slide {
-                    body: *body,
-                    direction,
-                    entry: Entry::Moving,
-                };
-            }
-            SlipEvidence::AtRest {
-                hold: Hold::Holds, ..
-            } => {
-                return Next::Roll { on_limit };
-            }
-            SlipEvidence::AtRest {
-                hold: Hold::Slips { direction, excess },
-                rolling_forces: forces,
-                denominator,
-            } if forces.normal > 0.0 => {
-                let drive = slip_drive(hoop, &forces, (direction, excess));
-                let p = solvability(direction);
-                let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
-                if acceleration > 0.0 {
-                    let entry = Entry::FromRest {
-                        slip_acceleration: direction.sign() * acceleration,
-                    };
-                    return Next::Slide {
-                        body: *body,
-                        direction,
-                        entry,
-                    };
-                }
-            }
-            SlipEvidence::AtRest { .. } => {}
+    } = *inputs;
+    let (rolls, slide) = match slip {
+        SlipInputs::Moving(direction) => {
+            // At w = 0 the sign of w just after, which is that of flight, decides.
+            let p = painleve[direction.index()];
+            let is_pressed = if lifts_off { p < 0.0 } else { p > 0.0 };
+            let slide = is_pressed.then_some(Slide {
+                direction: *direction,
+                entry: Entry::Moving,
+            });
+            (false, slide)
         }
+        SlipInputs::AtRest(rest) if rest.stiction == Stiction::Holds => (true, None),
+        // A slide that presses with w < 0 has P < 0, and begins only where rolling holds, too.
+        SlipInputs::AtRest(_) if lifts_off => (false, None),
+        SlipInputs::AtRest(rest) => (false, slip_onset(hoop, body, rest, painleve)),
+    };
+    match (rolls, slide, lifts_off) {
+        (true, None, false) => NextMotion::Roll { on_limit },
+        (true, None, true) if keeps_contact => NextMotion::Roll { on_limit },
+        (false, Some(Slide { direction, entry }), false) => NextMotion::Slide {
+            body: *body,
+            direction,
+            entry,
+        },
+        (false, None, true) => {
+            let take_off = if contact_margin == 0.0 {
+                TakeOff::Grazing
+            } else {
+                TakeOff::Unloaded
+            };
+            NextMotion::Fly {
+                body: *body,
+                take_off,
+            }
+        }
+        (_, slide, _) => undecided(hoop, state, inputs, (rolls, slide)),
     }
-    weigh_all(
-        (hoop, body, state),
-        (contact, leaves),
-        (slip, on_limit),
-        Direction::ALL.map(solvability),
-    )
+}
+
+/// No motion is consistent, or several are.
+#[cold]
+fn undecided(
+    hoop: &Hoop,
+    state: &State,
+    inputs: &ModeInputs,
+    (rolling, slide): (bool, Option<Slide>),
+) -> NextMotion {
+    let slides = |direction| {
+        slide
+            .as_ref()
+            .is_some_and(|slide| slide.direction == direction)
+    };
+    let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
+    let candidates = Box::new(Candidates {
+        rolling,
+        sliding_negative: slides(Direction::Negative),
+        sliding_positive: slides(Direction::Positive),
+        flight: inputs.lifts_off,
+        ..Candidates::none(forces, inputs.contact_margin, inputs.painleve)
+    });
+    if candidates.count() == 0 {
+        NextMotion::None(candidates)
+    } else {
+        NextMotion::Several(candidates)
+    }
+}
+
+/// The slide that begins at η′ = 0 where w > 0 and static friction does not hold: against the
+/// friction force of rolling, since |F| > μk N, and P > 0 there.
+fn slip_onset(hoop: &Hoop, body: &Heavy, rest: &RestInputs, painleve: [f64; 2]) -> Option<Slide> {
+    let forces = &rest.rolling_forces;
+    let (direction, excess) = match rest.stiction {
+        Stiction::Holds => return None,
+        Stiction::Slips { direction, excess } => (direction, excess),
+        Stiction::NoNormalForce => {
+            let direction = Direction::of_sign(forces.friction)?.reversed();
+            (
+                direction,
+                forces.friction.abs() - hoop.mu_s() * forces.normal,
+            )
+        }
+    };
+    // The excess over μs N has decided against rolling, and the force follows from it, so that
+    // their signs agree.
+    let onward = net_slip_force(hoop, forces, (direction, excess));
+    // On the limit N, with a large μs also F, may be rounding, and the direction, too. Then the
+    // slide the other way is the consistent one.
+    let back = direction.sign() * forces.friction - hoop.mu_k() * forces.normal;
+    [(direction, onward), (direction.reversed(), back)]
+        .into_iter()
+        .find_map(|(towards, force)| {
+            let p = painleve[towards.index()];
+            let acceleration =
+                slip_acceleration_at_rest(body.mass, rest.effective_inertia, force, p);
+            // On the static limit with μs = μk it vanishes, and η‴ has the sign of `direction`.
+            let begins = acceleration > 0.0 || (force == 0.0 && towards == direction);
+            (p > 0.0 && begins).then_some(Slide {
+                direction: towards,
+                entry: Entry::FromRest {
+                    slip_acceleration: towards.sign() * acceleration,
+                },
+            })
+        })
 }
 
 /// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`; at least
 /// `excess` for N > 0. With a large μs the term μs N amplifies the cancellation in N, so F is used
 /// instead; on the limit −σF = μs N.
-pub(crate) fn slip_drive(
+pub(crate) fn net_slip_force(
     hoop: &Hoop,
     forces: &ContactForces,
     (direction, excess): (Direction, f64),
@@ -344,141 +425,26 @@ pub(crate) fn slip_drive(
         return excess + (mu_s - mu_k) * forces.normal;
     }
     let against = -direction.sign() * forces.friction;
-    let drive = against - mu_k * forces.normal;
+    let force = against - mu_k * forces.normal;
     match (excess == 0.0, forces.normal > 0.0) {
         (true, _) => (mu_s - mu_k) / mu_s * against,
-        (false, true) => drive.max(excess),
-        (false, false) => drive,
+        (false, true) => force.max(excess),
+        (false, false) => force,
     }
 }
 
-/// The general case of [`weigh`], which includes P ≤ 0 and w = 0.
-fn weigh_all(
-    (hoop, body, state): (&Hoop, &Heavy, &State),
-    (contact, leaves): (f64, bool),
-    (slip, on_limit): (SlipEvidence, bool),
-    solvability: [f64; 2],
-) -> Next {
-    // N = Î m w/P > 0; for w = 0 the normal force increases from zero unless the body leaves the
-    // plane.
-    let w = if contact == 0.0 && !leaves {
-        1.0
-    } else {
-        contact
-    };
-    let pressed = |direction: Direction| {
-        let p = solvability[direction.index()];
-        (w > 0.0 && p > 0.0) || (w < 0.0 && p < 0.0)
-    };
-
-    // The consistent slides.
-    let mut sliding: [Option<Entry>; 2] = [None; 2];
-    let mut rolling = false;
-    match slip {
-        SlipEvidence::Moving(direction) => {
-            sliding[direction.index()] = pressed(direction).then_some(Entry::Moving);
-        }
-        SlipEvidence::AtRest {
-            hold,
-            rolling_forces: forces,
-            denominator,
-        } => {
-            rolling = hold == Hold::Holds;
-            let slip = match hold {
-                Hold::Holds => None,
-                Hold::Slips { direction, excess } => Some((direction, excess)),
-                Hold::NoNormalForce => opposing(&forces, hoop.mu_s()),
-            };
-            for (against, direction, excess) in slip.into_iter().flat_map(|(against, excess)| {
-                [against, against.reversed()].map(|direction| (against, direction, excess))
-            }) {
-                // −(σF + μk N). Towards `against` it equals |F| − μk N and follows from the excess
-                // over μs N that decided against rolling, so the signs agree.
-                let drive = if direction == against {
-                    slip_drive(hoop, &forces, (direction, excess))
-                } else {
-                    // On the limit with a large μs, F may vanish to rounding, and its sign need not
-                    // agree with `against`.
-                    let rounds = excess == 0.0 && hoop.mu_s() > 1.0;
-                    let along = if rounds {
-                        direction.sign() * forces.friction
-                    } else {
-                        forces.friction.abs()
-                    };
-                    -along - hoop.mu_k() * forces.normal
-                };
-                let p = solvability[direction.index()];
-                if !pressed(direction) {
-                    continue;
-                }
-                let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
-                // On the static limit with μs = μk it vanishes, and η‴ has the sign of `against`.
-                if acceleration > 0.0 || (drive == 0.0 && direction == against) {
-                    let entry = Entry::FromRest {
-                        slip_acceleration: direction.sign() * acceleration,
-                    };
-                    sliding[direction.index()] = Some(entry);
-                }
-            }
-        }
-    }
-
-    let slide = |direction, entry| Next::Slide {
-        body: *body,
-        direction,
-        entry,
-    };
-    match (rolling, sliding, leaves) {
-        (true, [None, None], false) => Next::Roll { on_limit },
-        (false, [Some(entry), None], false) => slide(Direction::Negative, entry),
-        (false, [None, Some(entry)], false) => slide(Direction::Positive, entry),
-        (false, [None, None], true) => {
-            let take_off = if contact == 0.0 {
-                TakeOff::Grazing
-            } else {
-                TakeOff::Unloaded
-            };
-            Next::Fly {
-                body: *body,
-                take_off,
-            }
-        }
-        (_, [negative, positive], _) => {
-            let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
-            let candidates = Box::new(Candidates {
-                rolling,
-                sliding_negative: negative.is_some(),
-                sliding_positive: positive.is_some(),
-                flight: leaves,
-                ..Candidates::none(forces, contact, solvability)
-            });
-            if candidates.count() == 0 {
-                Next::None(candidates)
-            } else {
-                Next::Several(candidates)
-            }
-        }
-    }
-}
-
-/// The direction against the friction force of rolling, and |F| − μs N.
-fn opposing(forces: &ContactForces, mu_s: f64) -> Option<(Direction, f64)> {
-    let direction = Direction::of_sign(forces.friction)?.reversed();
-    Some((direction, forces.friction.abs() - mu_s * forces.normal))
-}
-
-fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Next {
+fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> NextMotion {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
     let sin = libm::sin(theta);
     let forces = RollingLaw::of(hoop).forces(theta, theta_rate);
     let at_rest = state.slip == 0.0;
     let may_roll = match arrival {
-        Arrival::Open => at_rest,
+        Arrival::Start | Arrival::InContact => at_rest,
         Arrival::GlideAtRest { presses } => presses,
         Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) | Arrival::LiftOff => false,
     };
-    if may_roll && RollingOrbit::of(hoop, theta, theta_rate).hold() == Hold::Holds {
-        return Next::Roll { on_limit: false };
+    if may_roll && RollingOrbit::of(hoop, theta, theta_rate).stiction() == Stiction::Holds {
+        return NextMotion::Roll { on_limit: false };
     }
     let contact = contact(
         1.0,
@@ -488,7 +454,9 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     // At the top a glide requires the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
         let entry = match arrival {
-            Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff if !at_rest => {
+            Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff
+                if !at_rest =>
+            {
                 GlideEntry::Moving
             }
             Arrival::RollingLimit(RollingLimit::NormalForce) => GlideEntry::Unloaded,
@@ -498,11 +466,11 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
             Arrival::GlideAtRest { presses } => GlideEntry::FromRest {
                 presses: Some(presses),
             },
-            Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff => {
+            Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff => {
                 GlideEntry::FromRest { presses: None }
             }
         };
-        return Next::Glide { body: *body, entry };
+        return NextMotion::Glide { body: *body, entry };
     }
-    Next::None(Box::new(Candidates::none(forces, contact, [0.0; 2])))
+    NextMotion::None(Box::new(Candidates::none(forces, contact, [0.0; 2])))
 }

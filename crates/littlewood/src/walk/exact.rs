@@ -9,7 +9,7 @@ use crate::modes::{
     SlidingEnd, TakeOff,
 };
 use crate::walk::{
-    Arrival, Cause, Ending, Next, Outcome, Solution, Solved, SolvedBy, Solver, next_motion,
+    Arrival, Cause, Ending, NextMotion, Outcome, Solution, Solved, SolvedBy, Solver, next_motion,
 };
 
 #[derive(Clone, Debug)]
@@ -128,7 +128,7 @@ impl Solver for Exact<'_> {
         *place
     }
 
-    fn decide(&self, state: &State, arrival: Arrival) -> Next {
+    fn decide(&self, state: &State, arrival: Arrival) -> NextMotion {
         next_motion(self.hoop, state, arrival)
     }
 
@@ -192,7 +192,7 @@ impl Solver for Exact<'_> {
             SlidingEnd::Rest(place) => Ending::Event {
                 place,
                 cause: Cause::Stick,
-                arrival: Arrival::Open,
+                arrival: Arrival::InContact,
             },
             SlidingEnd::LiftOff(place) => Ending::Event {
                 place,

@@ -10,7 +10,9 @@ use crate::model::{
     weight_of_slides,
 };
 use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, SlideLimit, TakeOff};
-use crate::walk::{Arrival, Cause, Event, Known, LastSlip, Next, Outcome, PhaseSequence, Proofs};
+use crate::walk::{
+    Arrival, Cause, Event, Known, LastSlip, NextMotion, Outcome, PhaseSequence, Proofs,
+};
 
 /// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
 pub(crate) trait Solver {
@@ -25,7 +27,7 @@ pub(crate) trait Solver {
     fn until(&self) -> f64;
     fn place(&self, state: State) -> Self::Place;
     fn state(place: &Self::Place) -> State;
-    fn decide(&self, place: &Self::Place, arrival: Arrival) -> Next;
+    fn decide(&self, place: &Self::Place, arrival: Arrival) -> NextMotion;
     /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     fn roll(&self, place: &Self::Place, on_limit: bool) -> SolvedBy<Self>;
     fn slide(
@@ -160,7 +162,7 @@ pub(crate) struct PhaseRecord {
 /// The current place of a motion, and the motion that begins there.
 struct Current<P> {
     place: P,
-    begin: Next,
+    begin: NextMotion,
     /// The last slip, while the slides after it conserve energy and horizontal momentum.
     limit: Option<LastSlip>,
     /// The direction of slip, if rolling ended in this slip.
@@ -197,7 +199,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     let place = solver.place(start);
     let begin = match solver.hoop().body() {
         Body::Heavy(body) if gap_rate > 0.0 => rise(solver, &body, &start, gap_rate),
-        Body::Heavy(_) | Body::Massless(_) => solver.decide(&place, Arrival::Open),
+        Body::Heavy(_) | Body::Massless(_) => solver.decide(&place, Arrival::Start),
     };
     let mut proofs = Proofs::new(solver.hoop(), limits, known);
     if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
@@ -368,16 +370,18 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     let place = &now.place;
     let state = T::state(place);
     let (mode, solved) = match &now.begin {
-        Next::Roll { on_limit } => (Mode::Rolling, solver.roll(place, *on_limit)),
-        Next::Slide {
+        NextMotion::Roll { on_limit } => (Mode::Rolling, solver.roll(place, *on_limit)),
+        NextMotion::Slide {
             body,
             direction,
             entry,
         } => (Mode::Sliding, solver.slide(place, body, *direction, *entry)),
-        Next::Fly { body, take_off } => (Mode::Flight, solver.fly(place, body, *take_off)),
-        Next::Glide { body, entry } => (Mode::Gliding, solver.glide(place, body, *entry)),
-        Next::Settle { body, settling } => (Mode::Flight, solver.settle(place, body, settling)),
-        Next::None(candidates) => {
+        NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(place, body, *take_off)),
+        NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(place, body, *entry)),
+        NextMotion::Settle { body, settling } => {
+            (Mode::Flight, solver.settle(place, body, settling))
+        }
+        NextMotion::None(candidates) => {
             flush(recorder, pending, None);
             let inconsistent = Outcome::Inconsistent {
                 state,
@@ -389,7 +393,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
                 (None, inconsistent),
             );
         }
-        Next::Several(candidates) => {
+        NextMotion::Several(candidates) => {
             flush(recorder, pending, None);
             return Err(Outcome::Ambiguous {
                 state,
@@ -487,7 +491,7 @@ fn correct_rest<T: Solver>(
     place: &mut T::Place,
     arrival: &mut Arrival,
 ) {
-    let (Arrival::Open, Some(limit), Body::Heavy(body)) =
+    let (Arrival::InContact, Some(limit), Body::Heavy(body)) =
         (*arrival, &now.limit, solver.hoop().body())
     else {
         return;
@@ -502,7 +506,7 @@ fn correct_rest<T: Solver>(
             }
             arrival
         }
-        None => Arrival::Open,
+        None => Arrival::InContact,
     };
 }
 
@@ -613,7 +617,7 @@ fn settles<T: Solver>(
         ..settling.impact
     };
     now.place = solver.place(impact.state_after(&state));
-    now.begin = solver.decide(&now.place, Arrival::Open);
+    now.begin = solver.decide(&now.place, Arrival::InContact);
     (
         Event::new(state, Mode::Flight, Cause::Settle),
         Some(Box::new(impact)),
@@ -641,23 +645,23 @@ fn rebounds<T: Solver>(
     now.begin = if impact.after.gap_rate > 0.0 {
         rise(solver, body, &after, impact.after.gap_rate)
     } else {
-        solver.decide(&now.place, Arrival::Open)
+        solver.decide(&now.place, Arrival::InContact)
     };
     Ok((event, Some(Box::new(impact))))
 }
 
 /// The motion with an opening gap: settling bounces if they are short enough, otherwise a flight.
-fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Next {
+fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> NextMotion {
     let hoop = solver.hoop();
     let settling = hoop
         .restitution()
         .and_then(|restitution| hoop.short_settling(body, state, gap_rate, restitution));
     match settling {
-        Some(settling) => Next::Settle {
+        Some(settling) => NextMotion::Settle {
             body: *body,
             settling: Box::new(settling),
         },
-        None => Next::Fly {
+        None => NextMotion::Fly {
             body: *body,
             take_off: TakeOff::Rising { gap_rate },
         },

@@ -12,7 +12,7 @@ pub(crate) mod sequence;
 pub(crate) mod slip;
 
 pub(crate) use self::automaton::{Cause, Event, Transition};
-pub(crate) use self::candidates::{Arrival, Candidates, Next, next_motion};
+pub(crate) use self::candidates::{Arrival, Candidates, NextMotion, next_motion};
 pub(crate) use self::exact::Exact;
 pub(crate) use self::follow::{
     Ending, PhaseDetail, PhaseRecord, Recorder, Solution, Solved, SolvedBy, Solver, walk,

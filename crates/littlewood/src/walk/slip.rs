@@ -83,12 +83,12 @@ impl LastSlip {
                     (
                         theta,
                         integrals.rate_at_rest(body, sincos(theta)),
-                        Arrival::Open,
+                        Arrival::InContact,
                     )
                 }
                 Some(_) => {
                     let (theta, theta_rate) = integrals.standstill_near(body, state.theta)?;
-                    (theta, theta_rate, Arrival::Open)
+                    (theta, theta_rate, Arrival::InContact)
                 }
             };
         let law = SlidingLaw::of_body(*body, 0.0, self.direction);

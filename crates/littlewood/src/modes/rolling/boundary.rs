@@ -54,7 +54,7 @@ pub struct RollingEnd {
 
 /// Whether static friction can sustain rolling at a state with η′ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Hold {
+pub(crate) enum Stiction {
     /// Rolling holds for some time.
     Holds,
     /// |F| exceeds μs N by `excess` ≥ 0; zero on the boundary if the orbit leaves 𝓡.
@@ -63,12 +63,12 @@ pub(crate) enum Hold {
     NoNormalForce,
 }
 
-impl Hold {
+impl Stiction {
     /// From the margins that become negative at once, by their values and in the frame of the
     /// motion.
     pub(super) fn of(negative: impl Iterator<Item = (f64, RollingLimit)>, travel: f64) -> Self {
-        negative.fold(Self::Holds, |hold, (margin, limit)| {
-            match (hold, in_body_frame(limit, travel)) {
+        negative.fold(Self::Holds, |stiction, (margin, limit)| {
+            match (stiction, in_body_frame(limit, travel)) {
                 // Both margins are negative only where N < 0.
                 (Self::Slips { .. } | Self::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
                     Self::NoNormalForce

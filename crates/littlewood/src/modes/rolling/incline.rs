@@ -16,7 +16,7 @@ use crate::math::trig::{sincos, without_turns};
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop, MAX_COORDINATE};
 
-use super::boundary::{Hold, RollingEnd, RollingLimit, in_body_frame};
+use super::boundary::{RollingEnd, RollingLimit, Stiction, in_body_frame};
 use super::limits::Limits;
 use super::recurrence::Recurrence;
 
@@ -201,7 +201,7 @@ impl Incline {
         }
     }
 
-    pub(super) fn hold(&self) -> Hold {
+    pub(super) fn stiction(&self) -> Stiction {
         let leg = &self.first;
         let d = leg.denominator(leg.place(0.0, 0.0));
         let negative = leg
@@ -218,7 +218,7 @@ impl Incline {
                     Some((margin[0] / (d * d), limit))
                 }
             });
-        Hold::of(negative, self.travel)
+        Stiction::of(negative, self.travel)
     }
 }
 

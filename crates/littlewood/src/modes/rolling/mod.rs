@@ -13,8 +13,8 @@ mod orbit;
 mod recurrence;
 mod rim;
 
-pub(crate) use boundary::{Hold, margin_forms};
 pub use boundary::{RollingEnd, RollingLimit};
+pub(crate) use boundary::{Stiction, margin_forms};
 pub use grazing::GrazingOrbit;
 pub(crate) use grazing::Levels;
 pub(crate) use half_angle::{HalfAngleOrbit, OrbitEnergy, OrbitPass, ReducedAngle};

@@ -10,7 +10,7 @@ use crate::math::trig::Angle;
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
 
-use super::boundary::{Boundary, Hold, RollingEnd, RollingLimit, in_body_frame};
+use super::boundary::{Boundary, RollingEnd, RollingLimit, Stiction, in_body_frame};
 use super::half_angle::{HalfAngleOrbit, OrbitPass, ReducedAngle};
 use super::incline::Incline;
 use super::recurrence::Recurrence;
@@ -133,11 +133,11 @@ impl RollingOrbit {
         }
     }
 
-    pub(crate) fn hold(&self) -> Hold {
+    pub(crate) fn stiction(&self) -> Stiction {
         match &self.kind {
-            Kind::Elliptic(orbit) => orbit.hold(),
-            Kind::Rim(orbit) => orbit.hold(),
-            Kind::Incline(orbit) => orbit.hold(),
+            Kind::Elliptic(orbit) => orbit.stiction(),
+            Kind::Rim(orbit) => orbit.stiction(),
+            Kind::Incline(orbit) => orbit.stiction(),
         }
     }
 }
@@ -535,9 +535,9 @@ impl Elliptic {
         }
     }
 
-    fn hold(&self) -> Hold {
+    fn stiction(&self) -> Stiction {
         let Some(arc) = self.arcs().next() else {
-            return Hold::Holds;
+            return Stiction::Holds;
         };
         let d = self.law.bottom + 4.0 * self.law.offset * self.orbit.start.z * self.orbit.start.z;
         let margins = self
@@ -550,7 +550,7 @@ impl Elliptic {
                 Some((start_value(&margin) / (d * d), limit))
             }
         });
-        Hold::of(negative, self.travel)
+        Stiction::of(negative, self.travel)
     }
 }
 

@@ -9,7 +9,7 @@ use core::f64::consts::TAU;
 
 use crate::model::Direction;
 
-use super::boundary::{Hold, RollingEnd, RollingLimit};
+use super::boundary::{RollingEnd, RollingLimit, Stiction};
 use super::recurrence::Recurrence;
 
 #[derive(Clone, Copy, Debug)]
@@ -92,22 +92,22 @@ impl RimOrbit {
         }
     }
 
-    pub(super) fn hold(&self) -> Hold {
+    pub(super) fn stiction(&self) -> Stiction {
         let inward = self.a * self.b < 0.0;
         let unloading = 1.0 - self.theta_rate * self.theta_rate;
         if unloading < 0.0 || (unloading == 0.0 && !inward) {
-            return Hold::NoNormalForce;
+            return Stiction::NoNormalForce;
         }
         let margin = self.slip - self.a * self.a;
         if margin > 0.0 || (margin == 0.0 && (inward || (self.a == 0.0 && self.b == 0.0))) {
-            Hold::Holds
+            Stiction::Holds
         } else {
             match Direction::of_sign(self.a).or_else(|| Direction::of_sign(self.b)) {
-                Some(direction) => Hold::Slips {
+                Some(direction) => Stiction::Slips {
                     direction,
                     excess: -margin,
                 },
-                None => Hold::Holds,
+                None => Stiction::Holds,
             }
         }
     }

@@ -1,0 +1,658 @@
+//! The modes that are consistent at a state: the decision of the library against Newton's and
+//! Euler's equations of the hoop and the particle, solved for each mode in twice the digits.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::common::dd::Dd;
+use crate::common::engines;
+use littlewood::theory::{Body, Classification, SlidingLaw, StartRegion};
+use littlewood::{
+    Direction, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Proof, Restitution,
+    RestitutionLaw, Start, State, Trajectory,
+};
+use littlewood_random::Draw;
+
+/// The page with the table of the sets of modes that may be consistent at once.
+const PAGE: &str = include_str!("../../../docs/theory/contact.md");
+
+/// Roundings on the longest way from the parameters to a number by which the library decides: the
+/// body and the half angle, four forms of degree six in it, and their conversion to an arc. Each
+/// is at most ε of the largest term.
+const ROUNDINGS: f64 = 64.0;
+
+/// Whether a mode is consistent; `None` where rounding may decide.
+type Consistent = Option<bool>;
+
+fn both(a: Consistent, b: Consistent) -> Consistent {
+    match (a, b) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (Some(true), Some(true)) => Some(true),
+        _ => None,
+    }
+}
+
+/// A number, and a bound on the rounding of the library in it, besides that of the smallest numbers.
+#[derive(Clone, Copy, Debug)]
+struct Rounded {
+    value: f64,
+    rounding: f64,
+}
+
+impl Rounded {
+    fn is_positive(self) -> Consistent {
+        // Next to θ = 0 sines may be smaller than the least normal number, and have no digits.
+        (self.value.abs() > self.rounding + f64::MIN_POSITIVE).then_some(self.value > 0.0)
+    }
+}
+
+/// The determinant of three columns.
+fn determinant([a, b, c]: [[Dd; 3]; 3]) -> Dd {
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1])
+        + c[0] * (a[1] * b[2] - a[2] * b[1])
+}
+
+/// The three unknowns of three equations by Cramer's rule, from the columns of coefficients and the
+/// right-hand sides.
+fn solve(columns: [[Dd; 3]; 3], right: [Dd; 3]) -> [f64; 3] {
+    let whole = determinant(columns).high;
+    std::array::from_fn(|unknown| {
+        let mut replaced = columns;
+        replaced[unknown] = right;
+        determinant(replaced).high / whole
+    })
+}
+
+/// The coefficients of θ″, η″, gap″, N and F in the balances of moment about the centre, of
+/// momentum normal to the plane and of momentum along it, and the right-hand sides.
+struct Balances {
+    spin: [Dd; 3],
+    slip: [Dd; 3],
+    gap: [Dd; 3],
+    normal: [Dd; 3],
+    friction: [Dd; 3],
+    right: [Dd; 3],
+}
+
+/// A hoop of mass m1 and inertia Izz, the rim at the plane, and a particle of mass 1 at ℓ (−sin θ,
+/// cos θ) from its centre, which has the acceleration (η″ − θ″, gap″).
+fn balances(hoop: &Hoop, start: &Start) -> Balances {
+    let HoopParameters {
+        mass_ratio,
+        offset,
+        inertia,
+        slope,
+        ..
+    } = hoop.parameters();
+    let number = Dd::from;
+    let (zero, one) = (number(0.0), number(1.0));
+    let (sin, cos) = number(start.theta).sincos();
+    let (along, down) = number(slope).sincos();
+    let (mass, l) = (one + number(mass_ratio), number(offset));
+    let rate = number(start.theta_rate);
+    let (l_sin, l_cos, u) = (l * sin, l * cos, rate * rate);
+    Balances {
+        spin: [number(inertia) + l * l + l_cos, -l_sin, -(mass + l_cos)],
+        slip: [-l_cos, zero, mass],
+        gap: [-l_sin, mass, zero],
+        normal: [zero, -one, zero],
+        friction: [-one, zero, -one],
+        right: [
+            l_sin * down + l_cos * along,
+            l_cos * u - mass * down,
+            -(l_sin * u) - mass * along,
+        ],
+    }
+}
+
+/// The modes that are consistent at a state.
+#[derive(Clone, Copy, Debug)]
+struct Modes {
+    rolling: Consistent,
+    /// To either side.
+    sliding: [Consistent; 2],
+    gliding: Consistent,
+    flight: Consistent,
+}
+
+impl Modes {
+    fn named(&self) -> [(&'static str, Consistent); 5] {
+        let [negative, positive] = self.sliding;
+        [
+            ("rolling", self.rolling),
+            ("sliding", negative),
+            ("sliding", positive),
+            ("gliding", self.gliding),
+            ("flight", self.flight),
+        ]
+    }
+
+    fn are_certain(&self) -> bool {
+        self.named().iter().all(|(_, mode)| mode.is_some())
+    }
+
+    /// Their names, in order.
+    fn set(&self) -> String {
+        let names: Vec<_> = self
+            .named()
+            .into_iter()
+            .filter(|(_, mode)| *mode == Some(true))
+            .map(|(name, _)| name)
+            .collect();
+        if names.is_empty() {
+            "none".to_owned()
+        } else {
+            names.join(", ")
+        }
+    }
+}
+
+/// The modes from the balances alone: each is solved, and its forces and accelerations have to obey
+/// Signorini's and Coulomb's laws. Where static friction holds no slide begins.
+fn modes(hoop: &Hoop, start: &Start) -> Modes {
+    let Balances {
+        spin,
+        slip,
+        gap,
+        normal,
+        friction,
+        right,
+    } = balances(hoop, start);
+    let scaled = |column: [Dd; 3], by: f64| column.map(|entry| entry * Dd::from(by));
+    let added = |a: [Dd; 3], b: [Dd; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+    let sizes = Sizes::of(hoop, start);
+    let is_massless = matches!(hoop.body(), Body::Massless(_));
+    let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
+
+    let [_, n, f] = solve([spin, normal, friction], right);
+    let forces = [(n, sizes.normal), (f, sizes.friction)]
+        .map(|(value, rounding)| Rounded { value, rounding });
+    let margin = Rounded {
+        value: mu_s * n - f.abs(),
+        rounding: mu_s * sizes.normal + sizes.friction,
+    };
+    let is_at_rest = start.slip == 0.0;
+    let rolling = both(
+        Some(is_at_rest),
+        both(forces[0].is_positive(), margin.is_positive()),
+    );
+    // Where static friction holds no slide begins, and no glide.
+    let may_slip = rolling.map(|rolls| !rolls);
+    if is_massless {
+        // N = F = 0, and the particle falls freely: sin θ ≠ 0.
+        let turns = Rounded {
+            value: libm::sin(start.theta).abs(),
+            rounding: 0.0,
+        };
+        return Modes {
+            rolling,
+            sliding: [Some(false); 2],
+            gliding: both(may_slip, turns.is_positive()),
+            flight: Some(false),
+        };
+    }
+
+    let [_, opening, _] = solve([spin, gap, slip], right);
+    let opening = Rounded {
+        value: opening,
+        rounding: sizes.contact,
+    };
+    let sliding = Direction::ALL.map(|direction| {
+        let sigma = direction.sign();
+        let bound = added(normal, scaled(friction, -mu_k * sigma));
+        let [_, n, acceleration] = solve([spin, bound, slip], right);
+        // N has the sign of w/P, and both may be rounding.
+        let (p, p_rounding) = sizes.painleve(direction);
+        let is_pressed = if opening.is_positive().is_none() || p.abs() <= p_rounding {
+            None
+        } else {
+            Some(n > 0.0)
+        };
+        if !is_at_rest {
+            let goes_on = Direction::of_sign(start.slip) == Some(direction);
+            return both(Some(goes_on), is_pressed);
+        }
+        // The library has it as −D (F + μk σ N)/(m P) from the forces of rolling.
+        let force = sizes.friction + mu_k * sizes.normal;
+        let begins = Rounded {
+            value: sigma * acceleration,
+            rounding: sizes.effective_inertia * force / (sizes.mass * p.abs())
+                + acceleration.abs() * p_rounding / p.abs(),
+        };
+        both(may_slip, both(is_pressed, begins.is_positive()))
+    });
+    Modes {
+        rolling,
+        sliding,
+        gliding: Some(false),
+        flight: opening.is_positive(),
+    }
+}
+
+/// Bounds on the rounding of the numbers by which the library decides, from the sizes of the terms
+/// of its formulas.
+struct Sizes {
+    mass: f64,
+    h: f64,
+    inertia: f64,
+    mu_k: f64,
+    sin: f64,
+    cos: f64,
+    effective_inertia: f64,
+    contact: f64,
+    normal: f64,
+    friction: f64,
+}
+
+impl Sizes {
+    fn of(hoop: &Hoop, start: &Start) -> Self {
+        let (mass, h, l) = (hoop.mass(), hoop.h(), hoop.offset());
+        let inertia = hoop.body().inertia_about_mass_centre();
+        let (sin, cos) = libm::sincos(start.theta);
+        let (along, down) = libm::sincos(hoop.slope());
+        let (sin, along, u) = (sin.abs(), along.abs(), start.theta_rate * start.theta_rate);
+        let bottom = inertia + mass * (1.0 - h) * (1.0 - h);
+        let half = libm::cos(0.5 * start.theta);
+        let d = bottom + 4.0 * l * half * half;
+        let unit = ROUNDINGS * f64::EPSILON;
+        // h is rounded before 1 − h is squared.
+        let relative = unit * (1.0 + 2.0 * mass * (1.0 - h) / d);
+        let driven = l * sin * (down + u) + (mass + l) * along;
+        let normal = mass * down + l * u + l * sin * driven / d;
+        let level = l * sin * (u * (inertia + l * (1.0 + h)) + (mass + l) * down);
+        let friction = (level + (mass * inertia + l * l * sin * sin) * along) / d;
+        // An angle next to an equilibrium is known to its last digit.
+        let angle = f64::EPSILON * start.theta.abs();
+        let beside = l * angle * (u * (inertia + l * (1.0 + h)) + (mass + l) * down) / d;
+        Self {
+            mass,
+            h,
+            inertia,
+            mu_k: hoop.mu_k(),
+            sin: libm::sin(start.theta),
+            cos,
+            effective_inertia: d,
+            contact: unit * (down + h * cos.abs() * u),
+            normal: relative * normal,
+            friction: relative * friction + beside,
+        }
+    }
+
+    /// P, and the bound on its rounding.
+    fn painleve(&self, direction: Direction) -> (f64, f64) {
+        let (arm, lever) = (self.h * self.sin, 1.0 + self.h * self.cos);
+        let f = self.mu_k * direction.sign();
+        let p = self.inertia + self.mass * arm * (arm - f * lever);
+        let size = self.inertia + self.mass * arm.abs() * (arm.abs() + f.abs() * (1.0 + self.h));
+        (p, ROUNDINGS * f64::EPSILON * size)
+    }
+}
+
+/// The modes that the library finds.
+fn said(found: &Classification) -> Vec<(Mode, Option<Direction>)> {
+    found.mode.map_or_else(
+        || {
+            let candidates = found.candidates.expect("a mode, or candidates");
+            candidates.consistent().collect()
+        },
+        |mode| vec![(mode, found.direction)],
+    )
+}
+
+/// Whether the library says the same of a state.
+fn agrees(modes: &Modes, said: &[(Mode, Option<Direction>)]) -> bool {
+    let slides = |direction| said.contains(&(Mode::Sliding, Some(direction)));
+    let has = |mode| said.iter().any(|(its, _)| *its == mode);
+    let [negative, positive] = modes.sliding;
+    [
+        (modes.rolling, has(Mode::Rolling)),
+        (negative, slides(Direction::Negative)),
+        (positive, slides(Direction::Positive)),
+        (modes.gliding, has(Mode::Gliding)),
+        (modes.flight, has(Mode::Flight)),
+    ]
+    .into_iter()
+    .all(|(ours, theirs)| ours.is_none_or(|ours| ours == theirs))
+}
+
+/// What the sets of modes depend on: the words of the table.
+fn situation(hoop: &Hoop, start: &Start) -> [&'static str; 3] {
+    [
+        if matches!(hoop.body(), Body::Massless(_)) {
+            "massless"
+        } else {
+            "heavy"
+        },
+        if hoop.slope() == 0.0 {
+            "level"
+        } else {
+            "slope"
+        },
+        if start.slip == 0.0 { "rest" } else { "slip" },
+    ]
+}
+
+/// Compares states, and counts the sets of modes where no rounding decides.
+fn compare(count: u64) -> (BTreeMap<([&'static str; 3], String), u64>, u64) {
+    let mut sets = BTreeMap::new();
+    let (mut uncertain, mut wrong) = (0, Vec::new());
+    let mut disagreements = 0;
+    for case in 0..count {
+        let (hoop, start) = Draw::of_case(41, 0, case).in_contact();
+        let modes = modes(&hoop, &start);
+        let found = hoop.classify(start).expect("a start");
+        let theirs = said(&found);
+        if !agrees(&modes, &theirs) {
+            disagreements += 1;
+            if wrong.len() < 5 {
+                wrong.push(format!(
+                    "{case}: {modes:?}, but {theirs:?}: {hoop:?} {start:?}"
+                ));
+            }
+        }
+        if modes.are_certain() {
+            *sets
+                .entry((situation(&hoop, &start), modes.set()))
+                .or_insert(0) += 1;
+        } else {
+            uncertain += 1;
+        }
+    }
+    println!("{count} states, {uncertain} where rounding may decide, {disagreements} disagree");
+    println!("{sets:#?}");
+    assert!(wrong.is_empty(), "{disagreements} of {count}: {wrong:#?}");
+    (sets, uncertain)
+}
+
+/// The rows of the table: body, plane, slip, and the modes.
+fn documented() -> BTreeSet<([String; 3], String)> {
+    let (_, table) = PAGE
+        .split_once("## The modes that are consistent at once")
+        .expect("the heading");
+    table
+        .lines()
+        .skip_while(|line| !line.starts_with("|--"))
+        .skip(1)
+        .take_while(|line| line.starts_with('|'))
+        .map(|line| {
+            let cells: Vec<_> = line.split('|').map(|cell| cell.trim().to_owned()).collect();
+            (
+                [1, 2, 3].map(|column| cells[column].clone()),
+                cells[4].clone(),
+            )
+        })
+        .collect()
+}
+
+fn check(count: u64) {
+    let (sets, uncertain) = compare(count);
+    assert!(uncertain < count / 8, "{uncertain}");
+    let found: BTreeSet<_> = sets
+        .into_keys()
+        .map(|(situation, modes)| (situation.map(str::to_owned), modes))
+        .collect();
+    assert_eq!(found, documented());
+}
+
+#[test]
+fn the_modes_are_those_of_newtons_equations() {
+    check(100_000);
+}
+
+#[test]
+#[ignore = "thorough"]
+fn the_modes_of_two_million_states_are_those_of_newtons_equations() {
+    check(2_000_000);
+}
+
+/// A phase of a motion: its mode, its direction of slip, and when it ends.
+type Stretch = (Mode, Option<Direction>, f64);
+
+/// Phases that last for less tell of rounding on a boundary alone: next to it η′, or N, is a square
+/// of the time, and ε is that of 1.5e-8.
+const BRIEF: f64 = 1e-6;
+
+/// The time limit of the motions that are continued.
+const UNTIL: f64 = 10.0;
+
+/// The phases of a motion from a time on that are not brief, at most so many.
+fn stretches(motion: &Trajectory, from: f64, count: usize) -> Vec<Stretch> {
+    motion
+        .phases()
+        .iter()
+        .map(|phase| {
+            let end = phase.end().map_or(f64::INFINITY, |end| end.time);
+            (
+                phase.start().time.max(from),
+                (phase.mode(), phase.direction(), end),
+            )
+        })
+        .filter(|(start, (_, _, end))| end - start > BRIEF)
+        .map(|(_, stretch)| stretch)
+        .take(count)
+        .collect()
+}
+
+/// Whether two motions have the same phases, the ends within a tolerance.
+fn are_same(ours: &[Stretch], theirs: &[Stretch], tolerance: f64) -> bool {
+    ours.len() == theirs.len()
+        && ours.iter().zip(theirs).all(|(ours, theirs)| {
+            let apart = (ours.2 - theirs.2).abs();
+            (ours.0, ours.1) == (theirs.0, theirs.1)
+                && (ours.2 == theirs.2 || apart < tolerance * (1.0 + ours.2.abs()))
+        })
+}
+
+/// Starts a motion again from one of its states in contact, in the mode that goes on or begins
+/// there. `None` where its outcome says that rolling is not the only motion, or where states next to
+/// it have another motion.
+fn goes_on(motion: &Trajectory, state: State, mode: Mode) -> Option<bool> {
+    let hoop = motion.hoop();
+    let start = |nudge: f64| {
+        let rate = state.theta_rate * (1.0 + nudge) + nudge;
+        Start::at(state.theta + nudge, rate)
+            .with_slip(state.slip * (1.0 + nudge))
+            .with_time(state.time)
+            .with_x(state.x)
+    };
+    let follow = |nudge| hoop.simulate(start(nudge), Limits::until(UNTIL).with_transitions(60));
+    let again = follow(0.0).ok()?;
+    if again.outcome().kind() == OutcomeKind::Ambiguous && again.phases().is_empty() {
+        let law = SlidingLaw::new(hoop, Direction::Positive).expect("heavy");
+        let w = law.contact(state.theta, state.theta_rate);
+        assert!(
+            mode == Mode::Rolling && hoop.slope() != 0.0 && w < 1e-12,
+            "{w}: {hoop:?} {state:?}"
+        );
+        return None;
+    }
+    let ours = stretches(motion, state.time, 3);
+    // A motion that is stopped by the number of its transitions may have fewer.
+    let count = if matches!(motion.outcome(), Outcome::TransitionLimit { .. }) {
+        ours.len()
+    } else {
+        3
+    };
+    let theirs = stretches(&again, state.time, count);
+    if are_same(&ours, &theirs, 1e-9) {
+        return Some(true);
+    }
+    // Whether a slip that touches zero crosses it for an instant, rounding decides.
+    let grazes = |stretches: &[Stretch]| {
+        stretches
+            .windows(2)
+            .any(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1))
+    };
+    if grazes(&ours) || grazes(&theirs) {
+        return None;
+    }
+    // How far the ends are apart for states that are apart by more than rounding.
+    let nudged =
+        [1e-9, -1e-9].map(|nudge| follow(nudge).map(|near| stretches(&near, state.time, count)));
+    match nudged {
+        [Ok(up), Ok(down)] if are_same(&up, &down, 1e-2) && are_same(&up, &theirs, 1e-2) => {
+            Some(are_same(&ours, &theirs, 1e-2))
+        }
+        _ => None,
+    }
+}
+
+fn check_continuations(count: u64) {
+    let (mut same, mut open, mut wrong) = (0, 0, Vec::new());
+    for case in 0..count {
+        let mut draw = Draw::of_case(42, 0, case);
+        let (hoop, start) = draw.in_contact();
+        if start.theta != 0.0 && start.theta.abs() < f64::MIN_POSITIVE {
+            continue;
+        }
+        let law = draw.one_of(RestitutionLaw::ALL.as_slice());
+        let restitution = Restitution::new(draw.share() * draw.below(2) as f64, law);
+        let hoop = match (hoop.body(), draw.comes(0.3), restitution) {
+            (Body::Heavy(_), true, Ok(restitution)) => {
+                hoop.with_restitution(restitution).expect("heavy")
+            }
+            _ => hoop,
+        };
+        let limits = Limits::until(UNTIL).with_transitions(12);
+        let motion = hoop.simulate(start, limits).expect("a start");
+        let mut stops = Vec::new();
+        for phase in motion.phases() {
+            let length = phase
+                .end()
+                .map_or(UNTIL, |end| end.time - phase.start().time);
+            let elapsed = draw.share() * length;
+            let sample = phase.sample(elapsed);
+            if phase.mode() != Mode::Flight && length > BRIEF {
+                stops.push((sample.state, phase.mode()));
+            }
+        }
+        for transition in motion.transitions() {
+            if let Some(mode @ (Mode::Rolling | Mode::Sliding | Mode::Gliding)) = transition.to {
+                stops.push((transition.after, mode));
+            }
+        }
+        for (state, mode) in stops {
+            match goes_on(&motion, state, mode) {
+                Some(true) => same += 1,
+                Some(false) => wrong.push(format!("{case}: {mode} at {state:?} of {hoop:?}")),
+                None => open += 1,
+            }
+        }
+    }
+    println!(
+        "{same} go on, {open} say why not or are not determined, {} do not",
+        wrong.len()
+    );
+    assert!(
+        wrong.is_empty(),
+        "{} of {same}: {:#?}",
+        wrong.len(),
+        &wrong[..wrong.len().min(5)]
+    );
+    assert!(open < same / 8, "{open} of {same}");
+}
+
+#[test]
+fn a_motion_goes_on_from_its_own_states() {
+    check_continuations(2_000);
+}
+
+#[test]
+#[ignore = "thorough"]
+fn many_motions_go_on_from_their_own_states() {
+    check_continuations(40_000);
+}
+
+/// The words and numbers of `classify` are those of the motion.
+#[test]
+fn what_is_said_of_a_state_is_what_its_motion_does() {
+    for case in 0..20_000 {
+        let (hoop, start) = Draw::of_case(43, 0, case).in_contact();
+        let sizes = Sizes::of(&hoop, &start);
+        let said = hoop.classify(start).expect("a start");
+        let limits = Limits::until(start.time + 1e-3)
+            .with_transitions(1)
+            .with_proof(Proof::None);
+        let motion = hoop.simulate(start, limits).expect("a start");
+        let forces = said.rolling_forces;
+        let slack = hoop.mu_s() * sizes.normal + sizes.friction;
+        let margin = hoop.mu_s() * forces.normal - forces.friction.abs();
+        let context = || format!("{case}: {said:?} {hoop:?} {start:?}");
+        let modes = motion
+            .phases()
+            .first()
+            .map(|phase| (phase.mode(), phase.first()));
+        assert_eq!(said.mode, modes.map(|(mode, _)| mode), "{}", context());
+        match modes {
+            Some((Mode::Rolling, first)) => {
+                assert!(
+                    (first.normal - forces.normal).abs() <= 2.0 * sizes.normal,
+                    "{}",
+                    context()
+                );
+                assert!(
+                    (first.friction - forces.friction).abs() <= 2.0 * sizes.friction,
+                    "{}",
+                    context()
+                );
+                assert!(
+                    forces.normal >= -sizes.normal && margin >= -slack,
+                    "{}",
+                    context()
+                );
+                assert_eq!(said.region, StartRegion::Rolling, "{}", context());
+            }
+            Some((mode, first)) => {
+                let holds = start.slip == 0.0 && forces.normal > sizes.normal && margin > slack;
+                assert!(!holds, "{}", context());
+                let leaves = mode == Mode::Flight;
+                assert_eq!(
+                    leaves,
+                    said.region == StartRegion::LossOfContact,
+                    "{}",
+                    context()
+                );
+                assert!(
+                    !leaves || said.contact <= sizes.contact / libm::cos(hoop.slope()),
+                    "{}",
+                    context()
+                );
+                assert!(first.normal >= 0.0, "{}", context());
+            }
+            None => {
+                let kind = match motion.outcome() {
+                    Outcome::Ambiguous { candidates, .. } => {
+                        assert_eq!(Some(candidates), said.candidates, "{}", context());
+                        StartRegion::Ambiguous
+                    }
+                    Outcome::Inconsistent { candidates, .. } => {
+                        assert_eq!(Some(candidates), said.candidates, "{}", context());
+                        StartRegion::Inconsistent
+                    }
+                    other => panic!("{other:?}: {}", context()),
+                };
+                assert_eq!(said.region, kind, "{}", context());
+            }
+        }
+    }
+}
+
+/// The engine decides by the same rule.
+#[test]
+fn an_engine_finds_the_same_modes() {
+    let mut ambiguous = 0;
+    for case in 0..20_000 {
+        let (hoop, start) = Draw::of_case(44, 0, case).in_contact();
+        let limits = Limits::until(start.time + 1e-3).with_transitions(1);
+        let motion = hoop.simulate(start, limits).expect("a start");
+        for engine in engines(&hoop) {
+            let summary = engine.summary(start, limits).expect("a start");
+            assert_eq!(
+                summary.outcome,
+                motion.outcome().kind(),
+                "{case}: {hoop:?} {start:?}"
+            );
+        }
+        ambiguous += u32::from(motion.outcome().kind() == OutcomeKind::Ambiguous);
+    }
+    assert!(ambiguous > 100, "{ambiguous}");
+}
