@@ -117,6 +117,19 @@ fn a_jam_stands_before_the_phase_that_it_leads_to() {
     );
 }
 
+/// A slide next to P = 0 that doubles do not resolve, without a word of the time limit, and the same
+/// before that instant.
+#[test]
+fn a_phase_that_is_stopped_says_by_what() {
+    let flags = "simulate --mass-ratio 0 --offset 0.7483 --inertia 0.001 --mu-s .9297 --mu-k .9297 --theta 2.48 \
+                 --theta-rate 2.345 --slip 3.199 --until";
+    for (until, end) in [("3", "unresolved"), ("0.09", "limit")] {
+        let flags = flags.split_whitespace().chain([until]);
+        let page = text(&flags.collect::<Vec<_>>());
+        assert_eq!(words(rows(&page)[0]).last(), Some(&end), "{page}");
+    }
+}
+
 #[test]
 fn a_gain_by_newtons_law_is_told() {
     // Its friction changes in the impact, which closes and opens equally fast: J has the sign of

@@ -8,6 +8,7 @@ use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Proof,
     RestitutionLaw, Start, Transition,
 };
+use littlewood_random::Draw;
 
 /// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.
 #[test]
@@ -498,4 +499,24 @@ fn a_massless_hoop_whose_particle_is_at_the_plane_but_for_rounding_is_unresolved
         motion.outcome()
     );
     assert!(motion.transitions().is_empty());
+}
+
+/// A motion is at its time limit, and nowhere else, where its outcome is that: whatever else stops
+/// it, as a step below the resolution of the time, has another name.
+#[test]
+fn a_motion_that_ends_at_the_time_limit_is_there() {
+    let mut limited = 0;
+    for number in 0..3_000 {
+        let mut draw = Draw::of_case(17, 0, number);
+        let (hoop, start) = draw.motion();
+        let until = start.time + draw.of_any_size([-6.0, 1.0]);
+        let Ok(motion) = hoop.simulate(start, Limits::until(until)) else {
+            continue;
+        };
+        if let Outcome::TimeLimit { state } = motion.outcome() {
+            limited += 1;
+            assert_eq!(state.time, until, "{hoop:?} {start:?}");
+        }
+    }
+    assert!(limited > 1_000, "{limited}");
 }

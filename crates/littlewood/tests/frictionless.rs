@@ -255,6 +255,154 @@ fn pairs_of_reversals_next_to_the_top_are_found_in_each_turn() {
     }
 }
 
+/// η′ after a time, by Newton–Euler alone: horizontal momentum, and θ″ of a smooth contact, in steps
+/// of Runge and Kutta.
+fn slip_of_a_smooth_contact(hoop: &Hoop, start: Start, time: f64) -> f64 {
+    let Body::Heavy(body) = hoop.body() else {
+        unreachable!("heavy")
+    };
+    let (m, h, own) = (hoop.mass(), hoop.h(), body.inertia);
+    let (normal, along) = (hoop.slope().cos(), hoop.slope().sin());
+    // N of ȳ″ = −h (cos θ θ′² + sin θ θ″) and Î θ″ = N h sin θ.
+    let of = |[theta, rate]: [f64; 2]| {
+        let (sin, cos) = theta.sin_cos();
+        let force = m * (normal - h * cos * rate * rate) / (1.0 + m * h * h * sin * sin / own);
+        [rate, force * h * sin / own]
+    };
+    let steps = 2_000;
+    let step = time / f64::from(steps);
+    let mut now = [start.theta, start.theta_rate];
+    let plus = |a: [f64; 2], b: [f64; 2], by: f64| [a[0] + by * b[0], a[1] + by * b[1]];
+    for _ in 0..steps {
+        let k1 = of(now);
+        let k2 = of(plus(now, k1, 0.5 * step));
+        let k3 = of(plus(now, k2, 0.5 * step));
+        let k4 = of(plus(now, k3, step));
+        for (k, weight) in [(k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)] {
+            now = plus(now, k, weight * step / 6.0);
+        }
+    }
+    // x̄′ = η′ − θ′ (1 + h cos θ) only falls by the pull of a slope.
+    let lever = |theta: f64| 1.0 + h * theta.cos();
+    now[1] * lever(now[0]) - start.theta_rate * lever(start.theta) - along * time
+}
+
+/// A start at which η″ = 0 without friction on a plane at a slope.
+fn vanishing_start(hoop: &Hoop, theta: f64, forth: bool) -> Option<Start> {
+    let Body::Heavy(body) = hoop.body() else {
+        return None;
+    };
+    let (m, h, own) = (hoop.mass(), hoop.h(), body.inertia);
+    let ((sin, cos), slope) = (theta.sin_cos(), hoop.slope());
+    let inertia = own + m * h * h * sin * sin;
+    // η″ J = h s [m (1 + hc) cos α − u (m h c + m h² + Î)] − J sin α.
+    let push = m * h * sin * (1.0 + h * cos) * slope.cos() - inertia * slope.sin();
+    let u = push / (h * sin * (m * h * cos + m * h * h + own));
+    let is_pressed = u > 0.01 && h * cos * u < 0.95 * slope.cos();
+    is_pressed.then(|| Start::at(theta, if forth { u.sqrt() } else { -u.sqrt() }))
+}
+
+fn follows_newton_and_euler(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
+    let time = 0.02;
+    let expected = slip_of_a_smooth_contact(hoop, start, time);
+    // Where η‴ vanishes, too, the next order may come first.
+    let early = slip_of_a_smooth_contact(hoop, start, 0.5 * time);
+    prop_assume!(expected.abs() > 1e-8 && (early / expected - 0.25).abs() < 0.1);
+    let motion = hoop
+        .simulate(start, Limits::until(time))
+        .expect("a valid start");
+    let modes: Vec<_> = motion
+        .phases()
+        .iter()
+        .map(|it| (it.mode(), it.direction()))
+        .collect();
+    let direction = littlewood::Direction::of_sign(expected);
+    prop_assert_eq!(
+        modes,
+        [(Mode::Sliding, direction)],
+        "{:?} {:?}",
+        hoop,
+        start
+    );
+    let end = motion.outcome().state();
+    prop_assert_eq!(motion.outcome(), Outcome::TimeLimit { state: end });
+    prop_assert_eq!(end.time, time);
+    prop_assert!(
+        (end.slip - expected).abs() < 1e-12,
+        "{} {expected}",
+        end.slip
+    );
+    for engine in engines(hoop) {
+        let found = engine
+            .summary(start, Limits::until(time))
+            .expect("a valid start");
+        prop_assert_eq!(found.outcome, OutcomeKind::TimeLimit);
+        prop_assert!((found.end.slip - end.slip).abs() < 1e-12);
+    }
+    Ok(())
+}
+
+/// The starts of a map of the hoop of figure 3 at θ′ = ±1, where η″ vanishes at every angle; η′ at
+/// τ = 0.1 and 1 of the first from two programs that share no code with this one.
+#[test]
+fn the_first_derivative_that_does_not_vanish_decides_how_a_slide_begins() {
+    let hoop = Hoop::new(
+        HoopParameters::thin(1.0)
+            .with_offset(1.0)
+            .with_inertia(1.0)
+            .with_friction(0.0, 0.0),
+    );
+    let hoop = hoop.expect("a valid hoop");
+    for eighth in [-7, -6, -5, -3, -2, -1, 1, 2, 3, 5, 6, 7] {
+        for rate in [-1.0, 1.0] {
+            let start = Start::at(f64::from(eighth) * TAU / 16.0, rate);
+            if let Err(reason) = follows_newton_and_euler(&hoop, start) {
+                assert!(
+                    matches!(reason, TestCaseError::Reject(_)),
+                    "{start:?}: {reason}"
+                );
+            }
+        }
+    }
+    for (time, slip) in [(0.1, -0.001_319_3), (1.0, -0.012_599_9)] {
+        let motion = hoop
+            .simulate(Start::at(0.375 * TAU, 1.0), Limits::until(time))
+            .expect("a valid start");
+        let end = motion.outcome().state();
+        assert!((end.slip - slip).abs() < 5e-8, "{end:?}");
+        assert_eq!(motion.phases().len(), 1);
+    }
+    let motion = hoop
+        .simulate(Start::at(0.375 * TAU, 1.0), Limits::default())
+        .expect("a valid start");
+    let Outcome::RepeatsForever { period, .. } = motion.outcome() else {
+        unreachable!("repeats for ever: {:?}", motion.outcome())
+    };
+    // J u + 2 m h c is constant, with J = 3/2 + s²/2 and m h = 1: from the bottom, with sin ½(θ − π)
+    // = sin ½a sin ψ, all terms of ∫ dθ/θ′ are smooth, and periodic in ψ.
+    let energy = 1.75 - 2.0_f64.sqrt();
+    let k2 = 0.25 * (energy + 2.0);
+    let nodes = 200;
+    let quarter: f64 = (0..nodes)
+        .map(|i| {
+            let psi = (f64::from(i) + 0.5) * TAU / 4.0 / f64::from(nodes);
+            let half = k2 * psi.sin() * psi.sin();
+            let square = 4.0 * half * (1.0 - half);
+            ((1.5 + 0.5 * square) / (1.0 - half)).sqrt()
+        })
+        .sum();
+    let expected = 4.0 * quarter * TAU / 4.0 / f64::from(nodes);
+    assert!((period - expected).abs() < 1e-6, "{period} {expected}");
+    // Where the cosine is that of the start the slip only touches zero.
+    for transition in motion.transitions() {
+        assert_eq!(transition.cause, Cause::Graze, "{:?}", transition.before);
+        // 2π and two sums round by half a digit each.
+        let theta = transition.before.theta;
+        let away = theta.cos() - (0.375 * TAU).cos();
+        assert!(away.abs() <= 1.5 * f64::EPSILON * theta.abs(), "{theta}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
@@ -294,6 +442,21 @@ proptest! {
                     "{:?} {end:?}", summary.end
                 );
             }
+        }
+    }
+
+    #[test]
+    fn a_start_where_the_slip_acceleration_vanishes_slides_as_newton_and_euler_say(
+        (mass_ratio, inertia) in prop_oneof![(0.1..5.0_f64).prop_map(|m1| (m1, m1)), (0.0..5.0_f64, 0.05..3.0_f64)],
+        offset in prop_oneof![0.1..1.0_f64, Just(1.0)],
+        slope in prop_oneof![Just(0.0), -1.0..1.0_f64],
+        theta in -3.1..3.1_f64,
+        forth in any::<bool>(),
+    ) {
+        let hoop = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia);
+        let hoop = Hoop::new(hoop.with_friction(0.0, 0.0).with_slope(slope)).unwrap();
+        if let Some(start) = vanishing_start(&hoop, theta, forth) {
+            follows_newton_and_euler(&hoop, start)?;
         }
     }
 

@@ -142,10 +142,14 @@ impl Rows<'_> {
     }
 
     fn ends_by(&self, phase: &Phase) -> &'static str {
-        match self.trajectory.end_of(phase) {
-            Some(transition) => transition.cause.label(),
-            None if phase.end().is_some() => OutcomeKind::TimeLimit.label(),
-            None => "never",
+        let outcome = self.trajectory.outcome().kind();
+        match (self.trajectory.end_of(phase), outcome.is_forever()) {
+            (Some(transition), _) => transition.cause.label(),
+            // Only the last phase ends without an event: one without end at the time limit, if
+            // any, and others where the outcome stops the motion.
+            (None, true) if phase.end().is_none() => "never",
+            (None, true) => OutcomeKind::TimeLimit.label(),
+            (None, false) => outcome.label(),
         }
     }
 

@@ -563,6 +563,10 @@ impl Solver for FastSolver<'_> {
         {
             return left_to_the_simulation(Fallback::Cancelled);
         }
+        if is_conservative && entry == ON_LIMIT {
+            // A zero of a higher order, which the simulation divides out.
+            return left_to_the_simulation(Fallback::Cancelled);
+        }
         if is_conservative && is_next_to_equilibrium(body, place) {
             return left_to_the_simulation(Fallback::Separatrix);
         }

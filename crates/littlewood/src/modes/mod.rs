@@ -28,7 +28,9 @@ pub(crate) use self::flight::TakeOff;
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
 pub(crate) use self::rolling::{Levels, Stiction};
 pub(crate) use self::sample::{Instant, Sample};
-pub(crate) use self::sliding::{Entry, PhasePoint, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE};
+pub(crate) use self::sliding::{
+    Entry, Onset, PhasePoint, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE,
+};
 
 pub use self::flight::Flight;
 pub use self::gliding::Gliding;

@@ -11,7 +11,9 @@ use crate::mechanics::{
     slip_acceleration_at_rest,
 };
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
-use crate::modes::{Entry, GlideEntry, RollingLimit, RollingOrbit, Stiction, TakeOff};
+use crate::modes::{
+    Entry, GlideEntry, Onset, PhasePoint, RollingLimit, RollingOrbit, Stiction, TakeOff,
+};
 
 /// The candidate motions at a state, and the quantities that decide between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -321,7 +323,7 @@ pub(crate) fn select_mode(
         SlipInputs::AtRest(rest) if rest.stiction == Stiction::Holds => (true, None),
         // A slide that presses with w < 0 has P < 0, and begins only where rolling holds, too.
         SlipInputs::AtRest(_) if lifts_off => (false, None),
-        SlipInputs::AtRest(rest) => (false, slip_onset(hoop, body, rest, painleve)),
+        SlipInputs::AtRest(rest) => (false, slip_onset(hoop, body, state, (rest, painleve))),
     };
     match (rolls, slide, lifts_off) {
         (true, None, false) => NextMotion::Roll { on_limit },
@@ -376,7 +378,28 @@ fn undecided(
 
 /// The slide that begins at η′ = 0 where w > 0 and static friction does not hold: against the
 /// friction force of rolling, since |F| > μk N, and P > 0 there.
-fn slip_onset(hoop: &Hoop, body: &Heavy, rest: &RestInputs, painleve: [f64; 2]) -> Option<Slide> {
+fn slip_onset(
+    hoop: &Hoop,
+    body: &Heavy,
+    state: &State,
+    (rest, painleve): (&RestInputs, [f64; 2]),
+) -> Option<Slide> {
+    if hoop.mu_s() == 0.0 {
+        // Where F is rounding, the first derivative of η′ that does not vanish decides.
+        let law = SlidingLaw::of_body(*body, 0.0, Direction::Positive);
+        let place = PhasePoint {
+            theta: state.theta,
+            rate: state.theta_rate,
+        };
+        if let Some(Onset { direction, .. }) = Onset::of(&law, place).filter(|it| it.order > 1) {
+            return Some(Slide {
+                direction,
+                entry: Entry::FromRest {
+                    slip_acceleration: 0.0,
+                },
+            });
+        }
+    }
     let forces = &rest.rolling_forces;
     let (direction, excess) = match rest.stiction {
         Stiction::Holds => return None,

@@ -17,7 +17,8 @@ use core::f64::consts::TAU;
 
 use crate::math::trig::sincos;
 use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
-use crate::model::{Direction, Heavy, Hoop, State};
+use crate::model::{Body, Direction, Heavy, Hoop, State};
+use crate::modes::{Onset, PhasePoint};
 use crate::walk::{Arrival, is_same};
 
 /// Least distance, in cos θ, of two zeros of η′ after a start at rest. A closer pair is a
@@ -32,6 +33,8 @@ pub(crate) struct LastSlip {
     direction: Direction,
     /// Whether the slip ended rolling, with |F| = μs N. A start has |F| > μs N.
     is_on_limit: bool,
+    /// The order of the first derivative of η′ that does not vanish there.
+    order: usize,
 }
 
 impl LastSlip {
@@ -42,6 +45,7 @@ impl LastSlip {
             state,
             direction,
             is_on_limit: true,
+            order: 1,
         })
     }
 
@@ -53,6 +57,7 @@ impl LastSlip {
             state,
             direction,
             is_on_limit: false,
+            order: order_at_start(hoop, &state),
         })
     }
 
@@ -66,14 +71,19 @@ impl LastSlip {
         let [at_slip, now] = [self.state.theta, state.theta].map(|angle| sincos(angle).1);
         let away = now - at_slip;
         let others = integrals.other_standstills(body, at_slip);
+        // A zero of a higher order is that of the start itself, whose rounding moves the others.
+        let is_multiple = self.order > 1;
         if !self.is_on_limit
+            && !is_multiple
             && others
                 .iter()
                 .any(|other| other.abs() < MIN_STANDSTILL_DISTANCE)
         {
             return None;
         }
-        let real = others.into_iter().filter(|other| !other.is_nan());
+        let real = others.into_iter().filter(|other| {
+            !(other.is_nan() || is_multiple && other.abs() < MIN_STANDSTILL_DISTANCE)
+        });
         let nearest = real.min_by(|a, b| (a - away).abs().total_cmp(&(b - away).abs()));
         let (theta, theta_rate, arrival) =
             match nearest.filter(|other| (other - away).abs() < away.abs()) {
@@ -117,14 +127,16 @@ impl LastSlip {
             .map(|angle| same_direction_near(angle, state.theta));
         let [from_turned, from_mirrored] =
             [turned, mirrored].map(|angle| (angle - state.theta).abs());
-        if from_turned == from_mirrored {
+        // After a zero of even order the slip has the direction that it had before, at both.
+        let keeps = self.order.is_multiple_of(2);
+        if from_turned == from_mirrored && !keeps {
             return None;
         }
-        let is_turned = from_turned < from_mirrored;
+        let is_turned = from_turned <= from_mirrored;
         // With |F| > μs N it slips at all four states.
         let slips =
             !self.is_on_limit || is_turned == (state.theta_rate * self.state.theta_rate > 0.0);
-        let direction = if is_turned {
+        let direction = if is_turned || keeps {
             self.direction
         } else {
             self.direction.reversed()
@@ -147,6 +159,22 @@ impl LastSlip {
             (more - 2.0 * sum * difference) / sincos(theta).0
         })
     }
+}
+
+/// The order of the zero of η′ at a start: with static friction |F| > μs N, and 1.
+fn order_at_start(hoop: &Hoop, state: &State) -> usize {
+    let Body::Heavy(body) = hoop.body() else {
+        return 1;
+    };
+    if hoop.mu_s() > 0.0 {
+        return 1;
+    }
+    let law = SlidingLaw::of_body(body, 0.0, Direction::Positive);
+    let place = PhasePoint {
+        theta: state.theta,
+        rate: state.theta_rate,
+    };
+    Onset::of(&law, place).map_or(1, |onset| onset.order)
 }
 
 /// The angle equal to `direction` up to whole turns that is nearest to `to`.

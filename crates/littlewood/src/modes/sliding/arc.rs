@@ -10,6 +10,7 @@ use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
+use super::onset::Onset;
 use super::series::{INITIAL_MAX_STEP, PhasePoint, SlideSeries};
 use super::singular::{Approach, Ending, Fate};
 
@@ -34,8 +35,9 @@ const SECTION_TOLERANCE: f64 = 1e-9;
 pub(crate) enum Entry {
     /// With η′ ≠ 0.
     Moving,
-    /// With η′ = 0 and this acceleration η″. It has the sign of the direction of slip, or vanishes
-    /// on the static limit with μs = μk, where η‴ decides. The zero of η′ at the start is no event.
+    /// With η′ = 0 and this acceleration η″. It has the sign of the direction of slip, or vanishes,
+    /// but for rounding: on the static limit with μs = μk η‴ decides, and without friction the
+    /// [`Onset`]. The zero of η′ at the start is no event.
     FromRest { slip_acceleration: f64 },
 }
 
@@ -219,7 +221,17 @@ impl Sliding {
             if let (Entry::FromRest { slip_acceleration }, true) = (entry, self.steps.is_empty()) {
                 series.slip[0] = 0.0;
                 series.slip[1] = slip_acceleration;
-                known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
+                known_roots = if slip_acceleration != 0.0 {
+                    1
+                } else if self.law.friction != 0.0 {
+                    2
+                } else {
+                    Onset::of(&self.law, here.place).map_or(2, |onset| onset.order.max(2))
+                };
+                series.slip[1..known_roots]
+                    .iter_mut()
+                    .skip(1)
+                    .for_each(|c| *c = 0.0);
             }
             // P ≥ Î except where it tends to zero.
             let is_near_zero = series.solvability[0] < 0.5 * self.law.body.inertia;

@@ -4,12 +4,14 @@
 
 mod arc;
 mod leap;
+mod onset;
 mod series;
 mod singular;
 mod turn;
 
 pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlidingEnd};
+pub(crate) use onset::Onset;
 pub(crate) use series::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
 
 /// The limit that stopped a motion with long slides.
