@@ -23,7 +23,7 @@ pub(crate) use elsewhere::ElsewhereArgs as AnimateArgs;
 #[cfg(not(feature = "lab"))]
 pub(crate) use elsewhere::ElsewhereArgs as LabArgs;
 #[cfg(not(feature = "sweep"))]
-pub(crate) use elsewhere::{ElsewhereArgs as AtlasArgs, ElsewhereArgs as SweepArgs};
+pub(crate) use elsewhere::ElsewhereArgs as SweepArgs;
 #[cfg(not(feature = "figures"))]
 pub(crate) use elsewhere::{ElsewhereArgs as FiguresArgs, ElsewhereArgs as PosterArgs};
 pub(crate) use errors::Names;
@@ -35,10 +35,10 @@ pub(crate) use negative::join_negative_numbers;
 #[cfg(feature = "figures")]
 pub(crate) use poster::PosterArgs;
 pub(crate) use problem::{MAX_SLIDES, MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
+#[cfg(feature = "sweep")]
+pub(crate) use sweep::SweepArgs;
 #[cfg(feature = "film")]
 pub(crate) use sweep::size;
-#[cfg(feature = "sweep")]
-pub(crate) use sweep::{AtlasArgs, SweepArgs};
 pub(crate) use sweep::{MapArgs, WorkArgs};
 
 use std::ops::RangeInclusive;
@@ -93,10 +93,6 @@ pub(crate) enum Command {
     #[cfg_attr(feature = "sweep", command(long_about = sweep::SWEEP, after_help = sweep::SWEEP_EXAMPLES))]
     #[cfg_attr(not(feature = "sweep"), doc = "(requires the feature `sweep`)")]
     Sweep(Box<SweepArgs>),
-    /// Count the sequences of phases that occur on a grid of starts, with an example of each
-    #[cfg_attr(feature = "sweep", command(long_about = sweep::ATLAS, after_help = sweep::ATLAS_EXAMPLES))]
-    #[cfg_attr(not(feature = "sweep"), doc = "(requires the feature `sweep`)")]
-    Atlas(Box<AtlasArgs>),
     /// Draw the figures of the paper and others, for any hoop
     #[cfg_attr(feature = "figures", command(long_about = figures::FIGURES, after_help = figures::FIGURES_EXAMPLES))]
     #[cfg_attr(not(feature = "figures"), doc = "(requires the feature `figures`)")]
@@ -120,6 +116,9 @@ pub(crate) enum Command {
     /// Certify a motion by ball arithmetic, with a proof that no event is missed (in the Python
     /// package)
     Certify(ElsewhereArgs),
+    /// Removed: `map --shade sequence` shows the sequences of phases
+    #[command(hide = true)]
+    Atlas(ElsewhereArgs),
 }
 
 const SIMULATE: &str = "\

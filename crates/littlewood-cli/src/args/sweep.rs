@@ -1,4 +1,4 @@
-//! What `map`, `sweep` and `atlas` take.
+//! What `map` and `sweep` take.
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -64,25 +64,6 @@ Examples:
   littlewood sweep figure-3 --axis mu_s=0.4:1:7 --axis theta=-pi:pi:100 --axis theta_rate=-4:4:100 --out grid.zarr
   littlewood sweep figure-3 --starts starts.csv --out motions.parquet";
 
-#[cfg(feature = "sweep")]
-pub(super) const ATLAS: &str = "\
-Count the sequences of phases that occur on a grid of starts, with an example of each.
-
-R is rolling, + and - sliding, g, n and G gliding, F flight. Without --axis the grid is theta=-pi:pi:200 and \
-theta_rate=-4:4:200. With --hoops the grid is that of every hoop of a list, a CSV file with a header, with columns \
-such as mass_ratio and inertia.
-
-With --first-turn a motion is followed as by Theron and Maritz (2008): from the top, with mu_k = mu_s, to one \
-revolution, to the instant when theta' changes sign, or to lift-off; the grid is then theta_rate=0.01:2:200 and \
-mu_s=0.01:2:200.";
-
-#[cfg(feature = "sweep")]
-pub(super) const ATLAS_EXAMPLES: &str = "\
-Examples:
-  littlewood atlas figure-3
-  littlewood atlas figure-3 --hoops hoops.csv --axis theta_rate=-4:4:1000
-  littlewood atlas figure-3 --first-turn --axis theta_rate=0.01:2:400 --axis mu_s=0.01:2:400 --format json";
-
 /// Arguments of `littlewood map`.
 #[derive(Debug, Args)]
 pub(crate) struct MapArgs {
@@ -146,31 +127,6 @@ pub(crate) struct SweepArgs {
     pub(crate) work: WorkArgs,
     #[command(flatten)]
     pub(crate) store: StoreArgs,
-}
-
-/// Arguments of `littlewood atlas`.
-#[cfg(feature = "sweep")]
-#[derive(Debug, Args)]
-pub(crate) struct AtlasArgs {
-    /// An axis of the grid; give one or more
-    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
-    pub(crate) axis: Vec<TypedAxis>,
-    /// A list of hoops, .csv; the grid is that of each
-    #[arg(long, value_name = "FILE")]
-    pub(crate) hoops: Option<PathBuf>,
-    /// Simulate the first turn of each motion, with mu_k = mu_s, from the top unless --theta or an
-    /// axis says otherwise
-    #[arg(long, conflicts_with_all = [Quantity::Until.name(), Quantity::UntilS.name(), "max_transitions", "max_slides"])]
-    pub(crate) first_turn: bool,
-    #[command(flatten)]
-    pub(crate) base: ProblemArgs<false>,
-    #[command(flatten)]
-    pub(crate) run: RunArgs,
-    #[command(flatten)]
-    pub(crate) work: WorkArgs,
-    /// Format of what is printed
-    #[arg(long, value_enum, default_value_t = ShortFormat::Table, help_heading = "Output")]
-    pub(crate) format: ShortFormat,
 }
 
 /// How to share the work.

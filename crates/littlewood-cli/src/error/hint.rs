@@ -2,8 +2,6 @@
 
 use std::borrow::Cow;
 
-#[cfg(feature = "sweep")]
-use littlewood::tables::Quantity;
 use littlewood_draw::DrawError;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
@@ -36,13 +34,6 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
         Error::LongTable { .. } => "give --format csv, or --out NAME.csv".into(),
         Error::WriteFile { .. } => "the existing file is unchanged".into(),
         Error::Sweep(error) => of_sweep(error),
-        #[cfg(feature = "sweep")]
-        Error::Hoop { source, .. } => of_axis(source),
-        #[cfg(feature = "sweep")]
-        Error::HoopColumn { .. } => format!(
-            "columns of --hoops are those of {} that no --axis varies",
-            Quantity::HOOP.map(Quantity::name).join(", ")
-        ).into(),
         #[cfg(feature = "figures")]
         Error::Figure(error) => of_figure(error),
         Error::TwoErrors { .. } => "give each quantity once".into(),
@@ -54,7 +45,15 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
              have all features"
         ).into(),
         Error::InPackage { command } => {
-            format!("`pip install littlewood`, and then `python -m littlewood {command} --help`").into()
+            format!(
+                "install the package from python/ of the repository, as its README says, then \
+                 `python -m littlewood {command} --help`"
+            ).into()
+        }
+        Error::AtlasRemoved => {
+            "`littlewood map --shade sequence` shows the sequences of phases on a grid; the example \
+             `theron_maritz` of the crate littlewood-sweep counts those of first turns"
+                .into()
         }
         #[cfg(feature = "lab")]
         Error::Port { .. } => "give another --port, or leave the flag out for a free one".into(),
