@@ -408,7 +408,7 @@ fn a_place_where_nothing_can_be_written_is_named() {
 }
 
 /// Work that would take minutes, and what it leaves in its folder when it is ended.
-const LONG: [(&str, &str, &[&str]); 5] = [
+const LONG: [(&str, &str, &[&str]); 4] = [
     (
         "simulate",
         "figure-3 --samples 10000000 --format csv --out OUT/motion.csv",
@@ -418,11 +418,6 @@ const LONG: [(&str, &str, &[&str]); 5] = [
     (
         "animate",
         "figure-3 --size 4096x4096 --out OUT/film.gif",
-        &[],
-    ),
-    (
-        "atlas",
-        "figure-3 --axis theta=-3:3:9000 --axis theta_rate=-4:4:9000 --chunk 1000000 --threads 1",
         &[],
     ),
     (

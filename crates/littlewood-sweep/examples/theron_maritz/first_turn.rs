@@ -18,7 +18,7 @@ const TRANSITIONS: [usize; 3] = [6, 30, 200];
 
 /// What ends a first turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Stop {
+pub(crate) enum Stop {
     /// |θ − θ0| = 2π.
     Revolution,
     /// θ′ = 0.
@@ -33,8 +33,8 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Lower-case name, as files and the command line write it.
-    pub const fn name(self) -> &'static str {
+    /// Lower-case name, as the list prints it.
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Revolution => "revolution",
             Self::TurnsBack => "turns_back",
@@ -47,33 +47,22 @@ impl Stop {
 
 /// The first turn of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FirstTurn {
+pub(crate) struct FirstTurn {
     /// Phases up to the stop; the last is the one in which it comes. After lift-off it is the
     /// flight.
-    pub sequence: PhaseSequence,
+    pub(crate) sequence: PhaseSequence,
     /// What stops it.
-    pub stop: Stop,
+    pub(crate) stop: Stop,
     /// Time τ of the stop; NaN if it never comes.
-    pub time: f64,
+    pub(crate) time: f64,
 }
 
 impl FirstTurn {
     /// Follows a motion through its first turn.
     ///
-    /// ```
-    /// use littlewood::{Hoop, HoopParameters, Start};
-    /// use littlewood_sweep::{FirstTurn, Stop};
-    ///
-    /// // A particle at half the radius, a plane rough enough: it rolls through one revolution.
-    /// let hoop = HoopParameters::thin(1.0).with_offset(0.5).with_friction(5.0, 5.0);
-    /// let turn = FirstTurn::new(&Hoop::new(hoop)?, Start::at(0.0, 0.5))?;
-    /// assert_eq!((turn.sequence.to_string().as_str(), turn.stop), ("R", Stop::Revolution));
-    /// # Ok::<(), littlewood::ParameterError>(())
-    /// ```
-    ///
     /// # Errors
     /// As [`Hoop::simulate`].
-    pub fn new(hoop: &Hoop, start: Start) -> Result<Self, ParameterError> {
+    pub(crate) fn new(hoop: &Hoop, start: Start) -> Result<Self, ParameterError> {
         let [few, more, most] = TRANSITIONS;
         for transitions in [few, more] {
             if let (turn, false) = Self::within(hoop, start, transitions)? {
@@ -221,5 +210,95 @@ impl Turn {
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::TAU;
+
+    use littlewood::{Hoop, HoopParameters, Limits, Start};
+
+    use super::{FirstTurn, Stop};
+
+    /// The hoop of Theron and Maritz with their particle of mass 3, and one friction.
+    fn hoop(offset: f64, mu: f64) -> Hoop {
+        let third = 1.0 / 3.0;
+        Hoop::new(
+            HoopParameters::thin(third)
+                .with_offset(offset)
+                .with_friction(mu, mu),
+        )
+        .unwrap()
+    }
+
+    #[test]
+    fn first_turns_end_where_they_must() {
+        // Rough and slow: it rolls round, and takes the time that the orbit says.
+        let turn = FirstTurn::new(&hoop(0.3, 5.0), Start::at(0.0, 0.3)).unwrap();
+        assert_eq!(
+            (turn.sequence.to_string(), turn.stop),
+            ("R".to_owned(), Stop::Revolution)
+        );
+        let motion = hoop(0.3, 5.0)
+            .simulate(Start::at(0.0, 0.3), Limits::until(turn.time))
+            .unwrap();
+        let end = motion.at(turn.time).unwrap().state;
+        assert!((end.theta - TAU).abs() < 1e-9, "{}", end.theta);
+        // So fast that 1 < h θ′²: off at once.
+        let turn = FirstTurn::new(&hoop(1.0, 0.5), Start::at(0.0, 1.5)).unwrap();
+        assert_eq!(
+            (turn.sequence.to_string(), turn.stop, turn.time),
+            ("F".to_owned(), Stop::LiftsOff, 0.0)
+        );
+        // At rest on the top nothing happens.
+        let turn = FirstTurn::new(&hoop(0.5, 0.5), Start::at(0.0, 0.0)).unwrap();
+        assert_eq!(turn.stop, Stop::Never);
+        // Started below the top it rocks: θ′ changes sign where the energy of the start is used up, cos
+        // θ as at the start.
+        let start = Start::at(2.5, 1e-9);
+        let turn = FirstTurn::new(&hoop(0.3, 5.0), start).unwrap();
+        assert_eq!(
+            (turn.sequence.to_string(), turn.stop),
+            ("R".to_owned(), Stop::TurnsBack)
+        );
+        let end = hoop(0.3, 5.0)
+            .simulate(start, Limits::until(turn.time))
+            .unwrap()
+            .at(turn.time)
+            .unwrap()
+            .state;
+        assert!(
+            (end.theta - (TAU - 2.5)).abs() < 1e-6 && end.theta_rate.abs() < 1e-6,
+            "{end:?}"
+        );
+    }
+
+    #[test]
+    fn mirrored_starts_have_mirrored_first_turns() {
+        let mirrored = |text: &str| -> String {
+            text.chars()
+                .map(|c| match c {
+                    '+' => '-',
+                    '-' => '+',
+                    c => c,
+                })
+                .collect()
+        };
+        for i in 1..40 {
+            let hoop = hoop(0.025 * f64::from(i), 0.05 + 0.01 * f64::from(i % 7));
+            for rate in [0.1, 0.4, 0.9, 1.2] {
+                let right = FirstTurn::new(&hoop, Start::at(0.0, rate)).unwrap();
+                let left = FirstTurn::new(&hoop, Start::at(0.0, -rate)).unwrap();
+                assert_eq!(
+                    mirrored(&right.sequence.to_string()),
+                    left.sequence.to_string()
+                );
+                assert_eq!(
+                    (right.stop, right.time.to_bits()),
+                    (left.stop, left.time.to_bits())
+                );
+            }
+        }
     }
 }

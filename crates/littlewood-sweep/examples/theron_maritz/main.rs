@@ -11,11 +11,16 @@
 //! distance from the centre, `rim` a thin hoop with a particle of any mass on its rim. The angular
 //! velocity goes up to the one at which the hoop leaves the plane at once.
 
+mod atlas;
+mod first_turn;
+
 use std::collections::BTreeSet;
 
 use littlewood::tables::{Quantity, Setup};
 use littlewood::{HoopParameters, Start};
-use littlewood_sweep::{Atlas, AtlasEntry, Axis, Grid, Options, Stop, SweepError, Workers};
+use littlewood_sweep::{Axis, Grid, SweepError};
+
+use crate::atlas::{Atlas, Entry};
 
 /// A way to make a hoop of each eccentricity γ, the distance of the mass centre from the centre in
 /// radii.
@@ -54,7 +59,7 @@ struct Box3 {
 }
 
 impl Box3 {
-    fn atlas(&self, family: Family, workers: &Workers) -> Result<Atlas, SweepError> {
+    fn atlas(&self, family: Family) -> Result<Atlas, SweepError> {
         let Self { low, high, count } = *self;
         let mut atlas = Atlas::default();
         let gammas = Axis::new(Quantity::Offset, low[0], high[0], count)?;
@@ -65,7 +70,7 @@ impl Box3 {
                 Axis::new(Quantity::ThetaRate, low[2] / root, high[2] / root, count)?,
             ];
             let grid = Grid::new(Setup::new(family.hoop(gamma), Start::at(0.0, 0.0)), axes)?;
-            atlas.absorb(Atlas::of_first_turns(&grid, workers, &Options::default())?);
+            atlas.absorb(Atlas::of_first_turns(&grid)?);
         }
         Ok(atlas)
     }
@@ -86,16 +91,16 @@ impl Box3 {
 }
 
 /// How many kinds there are if some are not told apart.
-fn kinds(entries: &[AtlasEntry], directions: bool, lift_off: bool, stops: bool) -> usize {
-    let kind = |entry: &AtlasEntry| {
-        let mut text = entry.sequence.to_string();
+fn kinds(entries: &[Entry], directions: bool, lift_off: bool, stops: bool) -> usize {
+    let kind = |entry: &Entry| {
+        let mut text = entry.kind.sequence.to_string();
         if !directions {
             text = text.replace(['+', '-'], "S");
         }
         if !lift_off && text.len() > 1 {
             text = text.trim_end_matches('F').to_owned();
         }
-        let stop = entry.stop.filter(|_| stops).map_or("", Stop::name);
+        let stop = if stops { entry.kind.stop.name() } else { "" };
         format!("{text} {stop}")
     };
     entries.iter().map(kind).collect::<BTreeSet<_>>().len()
@@ -125,7 +130,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .nth(3)
         .map_or(Ok(0), |levels| levels.parse())?;
     let least_mu: f64 = std::env::args().nth(4).map_or(Ok(0.005), |mu| mu.parse())?;
-    let workers = Workers::new(None)?;
     let all = Box3 {
         low: [0.01, least_mu, 0.01],
         high: [family.most(), 2.0, 0.999],
@@ -134,22 +138,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!(
         "kinds: all  no directions  no lift-off  neither; then the same four with stops told apart"
     );
-    let mut atlas = all.atlas(family, &workers)?;
+    let mut atlas = all.atlas(family)?;
     say("grid", &atlas);
-    let mut boxes: Vec<(Box3, Vec<AtlasEntry>)> = vec![(all, atlas.entries.clone())];
+    let mut boxes: Vec<(Box3, Vec<Entry>)> = vec![(all, atlas.entries.clone())];
     for level in 1..=levels {
         let mut next = Vec::new();
         for (outer, entries) in &boxes {
             for entry in entries.iter().filter(|entry| entry.count <= 40) {
                 let inner = outer.around(family, &entry.example);
-                let found = inner.atlas(family, &workers)?;
-                let is_new = |entry: &&AtlasEntry| {
-                    atlas
-                        .entries
-                        .iter()
-                        .all(|known| (known.sequence, known.stop) != (entry.sequence, entry.stop))
-                };
-                let new: Vec<AtlasEntry> = found.entries.iter().filter(is_new).copied().collect();
+                let found = inner.atlas(family)?;
+                let is_new = |entry: &&Entry| !atlas.has(entry.kind);
+                let new: Vec<Entry> = found.entries.iter().filter(is_new).copied().collect();
                 atlas.absorb(found);
                 if !new.is_empty() {
                     next.push((inner, new));
@@ -164,8 +163,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!(
             "{:>9}  {:<22} {:<10}  gamma {:.5}  mu {:.5}  rate {:.5}",
             entry.count,
-            entry.sequence,
-            entry.stop.map_or("", Stop::name),
+            entry.kind.sequence,
+            entry.kind.stop.name(),
             hoop.offset / (1.0 + hoop.mass_ratio),
             hoop.mu_s,
             start.theta_rate,
