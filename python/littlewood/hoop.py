@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import _core
+from ._frozen import Frozen
 from .bouncing import BouncingOrbit
 from .elementwise import real
-from .frozen import Frozen
 from .html import hoop_html
 from .motion import Classification, Start
 from .phase_plane import PhasePlane

@@ -12,10 +12,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, derivatives
+from ._frozen import Frozen
 from .counts import checked_count, checked_limits
 from .elementwise import flat, real, reals
 from .extras import require
-from .frozen import Frozen
 from .html import page_html
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition
 from .samples import Samples
