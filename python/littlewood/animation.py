@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .counts import checked_count
-from .elementwise import real
-from .extras import require
+from ._internal.counts import checked_count
+from ._internal.elementwise import real
+from ._internal.extras import require
 from .plot.canvas import draw_hoop, draw_plane, level, on_sheet, seen_heights, sheet
 from .style import CURVE, INK, MODE_COLOURS
 

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .counts import checked_limits
-from .elementwise import flat, real
+from ._internal.counts import checked_limits
+from ._internal.elementwise import flat, real
 from .tables import AXES
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .elementwise import Reals
+from ._internal.elementwise import Reals
 from .hoop import Hoop
 from .many import simulate_many
 from .points import fill

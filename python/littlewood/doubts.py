@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from ._internal.elementwise import Reals
+from ._internal.extras import require
+from ._internal.terminal import printable
 from .calibration import CALIBRATION, determined
-from .elementwise import Reals
-from .extras import require
-from .terminal import printable
 
 if TYPE_CHECKING:
     from .fit_problem import Problem

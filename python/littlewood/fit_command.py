@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from .extras import require
+from ._internal.extras import require
 from .fit_problem import OF_HOOP
 from .fit_result import FitResult, FitWarning
 from .fitting import fit

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from ._internal.derivatives import columns_at
+from ._internal.elementwise import Reals
+from ._internal.extras import require
 from .calibration import means, shown
-from .derivatives import columns_at
-from .elementwise import Reals
-from .extras import require
 from .hoop import Hoop
 from .noise import Noise, Whitening, estimate_noise
 from .track import Track

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ._internal.terminal import printable
 from .doubts import DOUBTS, Doubt
 from .hoop import Hoop
 from .motion import State
 from .noise import Noise
 from .plot import canvas
 from .style import FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES
-from .terminal import printable
 from .track import Track
 from .track_file import COLUMN_OF
 from .trajectory import Trajectory

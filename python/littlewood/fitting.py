@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ._internal.elementwise import Reals, real
+from ._internal.extras import progress_bar
 from .calibration import checked
 from .doubts import Doubt, doubts_of_residuals
-from .elementwise import Reals, real
-from .extras import progress_bar
 from .fit_problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
 from .fit_result import Estimate, FitResult, FitWarning, IdentifiabilityWarning
 from .hoop import Hoop

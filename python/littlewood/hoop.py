@@ -8,9 +8,9 @@ from typing import Any
 
 from . import _core
 from ._frozen import Frozen
+from ._internal.elementwise import real
+from ._internal.html import hoop_html
 from .bouncing import BouncingOrbit
-from .elementwise import real
-from .html import hoop_html
 from .motion import Classification, Start
 from .phase_plane import PhasePlane
 from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START, START

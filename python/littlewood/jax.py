@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
+from ._internal.extras import require
 from .differentiable import FIRST_ONLY, Problem
-from .extras import require
 from .hoop import Hoop
 
 __all__ = ["summary"]

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .elementwise import broadcast
+from ._internal.elementwise import broadcast
 
 if TYPE_CHECKING:
     from .hoop import Hoop

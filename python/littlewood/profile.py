@@ -7,7 +7,7 @@ from statistics import NormalDist
 
 import numpy as np
 
-from .elementwise import Reals
+from ._internal.elementwise import Reals
 from .fit_problem import OF_HOOP, ROUGH, Problem
 from .fit_result import Estimate
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
+from ._internal.extras import require
 from .differentiable import Problem
-from .extras import require
 from .hoop import Hoop
 
 __all__ = ["summary"]

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from ._internal.elementwise import Reals, reals
+from ._internal.text_table import TableFileError
 from .calibration import checked
-from .elementwise import Reals, reals
-from .text_table import TableFileError
 from .track_file import read_track
 
 if TYPE_CHECKING:

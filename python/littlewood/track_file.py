@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .elementwise import Reals
+from ._internal.elementwise import Reals
+from ._internal.text_table import TableFileError, TextTable, read_text_table
 from .tables import SAMPLE_COLUMNS
-from .text_table import TableFileError, TextTable, read_text_table
 
 if TYPE_CHECKING:
     from .units import Units

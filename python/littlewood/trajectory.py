@@ -11,17 +11,18 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, derivatives
+from . import _core
 from ._frozen import Frozen
-from .counts import checked_count, checked_limits
-from .elementwise import flat, real, reals
-from .extras import require
-from .html import page_html
+from ._internal import derivatives
+from ._internal.counts import checked_count, checked_limits
+from ._internal.elementwise import flat, real, reals
+from ._internal.extras import require
+from ._internal.html import page_html
+from ._internal.terminal import printable
+from ._internal.variables import CONVENTIONS
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition
 from .samples import Samples
 from .tables import CAUSES, IMPACT_CASES, MODES, SAMPLE_COLUMNS, SampleColumn
-from .terminal import printable
-from .variables import CONVENTIONS
 
 if TYPE_CHECKING:
     import pandas

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood import _core, style, tables, variables
+from littlewood import _core, style, tables
+from littlewood._internal import variables
 from littlewood.many import Quantities
 from littlewood.plot.canvas import axis_label
 

@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from .._internal.terminal import forgive
 from ..plot import canvas, proof_chart
 from ..tables import QUANTITIES
-from ..terminal import forgive
 from . import Case, CaseError, NoCertificate, Proof, Refused, checker
 from .case import HOOP, HOOP_SI, LAWS, START
 

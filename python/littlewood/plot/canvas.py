@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 import numpy as np
 
 from .. import _core
-from ..extras import require
+from .._internal.extras import require
 from ..samples import Samples
 from ..style import CURVE, CURVE_COLOURS, CURVE_DASHES, CURVE_WIDTHS, FAINT, INK, PAPER
 from ..tables import FRICTION, MODES, QUANTITIES, SAMPLE_COLUMNS

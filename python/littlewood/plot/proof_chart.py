@@ -9,9 +9,9 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from .. import _core
+from .._internal.extras import require
 from ..certify.checker import CONTACT, DOWN, GAP, NORMAL, SLIP, SOLVABLE, UP
 from ..certify.proof import Box, Proof, Stretch, quantity_of
-from ..extras import require
 from ..style import FAINT, HATCH, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS, MODES, SAMPLE_COLUMNS
 from .canvas import PictureError, look, pi_ticks, sheet, sign

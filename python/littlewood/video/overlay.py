@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..extras import require
+from .._internal.extras import require
 from ..fit_result import FitResult
 from ..style import ACCENTS, MODE_COLOURS
 from ..track import Track

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .._internal.extras import progress_bar
 from ..calibration import CALIBRATION
-from ..extras import progress_bar
 from ..hoop import Hoop
 from ..track import Track
 from .clock import Clock, clock_of

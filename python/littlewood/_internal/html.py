@@ -7,11 +7,11 @@ from collections.abc import Iterable
 from html import escape
 from typing import TYPE_CHECKING
 
-from .style import FAINT, MODE_COLOURS
-from .tables import HOOP, LAW_LABELS, QUANTITIES, SAMPLE_COLUMNS
+from ..style import FAINT, MODE_COLOURS
+from ..tables import HOOP, LAW_LABELS, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
-    from .hoop import Hoop
+    from ..hoop import Hoop
 
 # Colours follow the page, so that dark themes stay readable.
 _CELL = "padding:2px 10px;text-align:{};border:none;background:none"
