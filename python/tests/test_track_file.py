@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood import fit_command
+from littlewood._commands import fit as fit_command
 from littlewood.certify import __main__ as certify
 from littlewood.track import TableFileError
 
