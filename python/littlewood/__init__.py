@@ -20,14 +20,14 @@ Examples
 from . import bouncing, closed_form, motion, phase_plane, plot, scoring, tables, video
 from ._core import ParameterError, __version__
 from .cases import CASES, case
-from .fit_result import FitResult
-from .fitting import fit
+from .fitting.fit import fit
+from .fitting.noise import Noise
+from .fitting.result import FitResult
+from .fitting.track import Track
 from .hoop import Hoop
 from .many import outcome_map, sequence_names, simulate_many
 from .motion import Start
-from .noise import Noise
 from .samples import Samples
-from .track import Track
 from .trajectory import Trajectory
 from .units import Units
 from .video.tracking import track_video

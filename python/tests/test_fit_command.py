@@ -19,8 +19,8 @@ import pytest
 import littlewood as lw
 from littlewood import video
 from littlewood._commands.fit import MissingAnswerError, WrongClockError, _check_clock, main
-from littlewood.fit_report import report_html
-from littlewood.fit_result import Doubt
+from littlewood.fitting import Doubt
+from littlewood.fitting.report import report_html
 
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
 RATE = 120.0

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 
 from .._internal.extras import require
-from ..fit_problem import OF_HOOP
-from ..fit_result import FitResult, FitWarning
-from ..fitting import fit
+from ..fitting.fit import fit
+from ..fitting.problem import OF_HOOP
+from ..fitting.result import FitResult, FitWarning
+from ..fitting.track import Track
 from ..hoop import Hoop
 from ..tables import QUANTITIES, SI_HOOP
-from ..track import Track
 from ..video.plane import Plane
 
 __all__ = ["MissingAnswerError", "WrongClockError", "main"]
@@ -311,7 +311,7 @@ def _run(options: argparse.Namespace) -> None:
         print(f"{photo}: the film and the fitted motion", file=sys.stderr)
     else:
         result, picture = _from_table(options, path), None
-    from ..fit_report import report_html
+    from ..fitting.report import report_html
 
     print(result)
     out.write_text(

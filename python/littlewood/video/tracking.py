@@ -11,9 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from .._internal.extras import progress_bar
-from ..calibration import CALIBRATION
+from ..fitting.calibration import CALIBRATION
+from ..fitting.track import Track
 from ..hoop import Hoop
-from ..track import Track
 from .clock import Clock, clock_of
 from .errors import (
     NoHoopError,

@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._internal.elementwise import Reals
-from ._internal.text_table import TableFileError, TextTable, read_text_table
-from .tables import SAMPLE_COLUMNS
+from .._internal.elementwise import Reals
+from .._internal.text_table import TableFileError, TextTable, read_text_table
+from ..tables import SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
-    from .units import Units
-    from .video.plane import Plane
+    from ..units import Units
+    from ..video.plane import Plane
 
 __all__ = ["COLUMN_OF", "TrackFile", "read_track"]
 

@@ -7,9 +7,9 @@ from statistics import NormalDist
 
 import numpy as np
 
-from ._internal.elementwise import Reals
-from .fit_problem import OF_HOOP, ROUGH, Problem
-from .fit_result import Estimate
+from .._internal.elementwise import Reals
+from .estimate import Estimate
+from .problem import OF_HOOP, ROUGH, Problem
 
 __all__ = ["profile_interval", "rise"]
 

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from ._internal.elementwise import Reals, reals
-from ._internal.text_table import TableFileError
+from .._internal.elementwise import Reals, reals
+from .._internal.text_table import TableFileError
 from .calibration import checked
 from .track_file import read_track
 
 if TYPE_CHECKING:
-    from .units import Units
-    from .video.plane import Plane
+    from ..units import Units
+    from ..video.plane import Plane
 
 __all__ = ["TableFileError", "Track"]
 
@@ -239,7 +239,7 @@ class Track:
 
         Raises
         ------
-        littlewood.track.TableFileError
+        littlewood.fitting.TableFileError
             With file, line, column, value and hint, for what cannot be read: nothing is left out in
             silence.
         """
