@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 
     from .animation import Animation
     from .hoop import Hoop
-    from .laboratory import Laboratory
 
 __all__ = ["Trajectory"]
 
@@ -517,7 +516,7 @@ class Trajectory:
 
         return Animation(self, frames=frames, seconds=seconds)
 
-    def lab(self, *, time: float | None = None, height: int = 820) -> Laboratory:
+    def lab(self, *, time: float | None = None, height: int = 820) -> Any:
         """Show the laboratory with this motion in a notebook, where its start can be dragged.
 
         Parameters
@@ -529,7 +528,7 @@ class Trajectory:
 
         Returns
         -------
-        Laboratory
+        littlewood.lab.Laboratory
             A widget. Its `motion` and `time` follow what is done in the page, and the page follows
             them.
 
@@ -540,8 +539,7 @@ class Trajectory:
         RuntimeError
             If the package was built without the page.
         """
-        require("anywidget")
-        from .laboratory import Laboratory
+        from .lab import Laboratory
 
         return Laboratory(self, time=time, height=height)
 
