@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from .animation import Animation
     from .hoop import Hoop
+    from .plot.animation import Animation
 
 __all__ = ["Trajectory"]
 
@@ -512,7 +512,7 @@ class Trajectory:
         Animation
             Its `save` writes a GIF or a video.
         """
-        from .animation import Animation
+        from .plot.animation import Animation
 
         return Animation(self, frames=frames, seconds=seconds)
 
