@@ -25,9 +25,9 @@ from .fitting.noise import Noise
 from .fitting.result import FitResult
 from .fitting.track import Track
 from .hoop import Hoop
-from .many import outcome_map, sequence_names, simulate_many
 from .motion import Start
 from .samples import Samples
+from .sweep.many import outcome_map, sequence_names, simulate_many
 from .trajectory import Trajectory
 from .units import Units
 from .video.tracking import track_video

@@ -7,8 +7,8 @@ from functools import partial
 from typing import Any
 
 from ._internal.extras import require
-from .differentiable import FIRST_ONLY, Problem
 from .hoop import Hoop
+from .sweep.differentiable import FIRST_ONLY, Problem
 
 __all__ = ["summary"]
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from ._internal.extras import require
-from .differentiable import Problem
 from .hoop import Hoop
+from .sweep.differentiable import Problem
 
 __all__ = ["summary"]
 

@@ -11,8 +11,8 @@ import pytest
 import littlewood as lw
 from littlewood import _core, style, tables
 from littlewood._internal import variables
-from littlewood.many import Quantities
 from littlewood.plot.canvas import axis_label
+from littlewood.sweep import Quantities
 
 PACKAGE = Path(lw.__file__).parent
 LIMITS = ["until", "max_transitions", "max_slides", "proof"]

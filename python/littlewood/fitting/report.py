@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..many import outcome_map
 from ..plot import canvas, history, outcomes
 from ..style import INK, LINE, MODE_COLOURS, PAPER
+from ..sweep.many import outcome_map
 from ..tables import QUANTITIES
 from ..trajectory import Trajectory
 from .estimate import Estimate

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._internal.extras import require
-from ._internal.variables import RESULTS, record
+from .._internal.extras import require
+from .._internal.variables import RESULTS, record
 from .block import Limits, compute
 from .points import Points
 
