@@ -8,8 +8,8 @@ from typing import Any
 
 from . import _core
 from ._frozen import Frozen
+from ._html import hoop_html
 from ._internal.elementwise import real
-from ._internal.html import hoop_html
 from .bouncing import BouncingOrbit
 from .motion import Classification, Start
 from .phase_plane import PhasePlane

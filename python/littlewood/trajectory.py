@@ -13,11 +13,11 @@ import numpy.typing as npt
 
 from . import _core
 from ._frozen import Frozen
+from ._html import page_html
 from ._internal import derivatives
 from ._internal.counts import checked_count, checked_limits
 from ._internal.elementwise import flat, real, reals
 from ._internal.extras import require
-from ._internal.html import page_html
 from ._internal.terminal import printable
 from ._internal.variables import CONVENTIONS
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .._internal.extras import require
-from ..fitting.fit import fit
+from ..fitting.least_squares import fit
 from ..fitting.problem import OF_HOOP
 from ..fitting.result import FitResult, FitWarning
 from ..fitting.track import Track

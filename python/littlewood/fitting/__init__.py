@@ -2,7 +2,7 @@
 
 from .diagnostics import DOUBTS, Doubt
 from .estimate import Estimate
-from .fit import fit
+from .least_squares import fit
 from .noise import Noise
 from .result import FitResult, FitWarning, IdentifiabilityWarning
 from .track import TableFileError, Track

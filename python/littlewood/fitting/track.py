@@ -14,11 +14,10 @@ import numpy.typing as npt
 from .._internal.elementwise import Reals, reals
 from .._internal.text_table import TableFileError
 from .calibration import checked
-from .track_file import read_track
+from .track_file import PlaneLike, read_track
 
 if TYPE_CHECKING:
     from ..units import Units
-    from ..video.plane import Plane
 
 __all__ = ["TableFileError", "Track"]
 
@@ -201,7 +200,7 @@ class Track:
         marker: str | None = None,
         run: int | None = None,
         fps: float | None = None,
-        plane: Plane | None = None,
+        plane: PlaneLike | None = None,
         length_unit: str = "m",
         ignore: Iterable[str] = (),
     ) -> Track:

@@ -14,13 +14,13 @@ import numpy as np
 from .._internal.counts import checked_count
 from .._internal.elementwise import real
 from .._internal.extras import require
+from .._protocols import MotionLike
 from ..style import CURVE, INK, MODE_COLOURS
 from .canvas import draw_hoop, draw_plane, level, on_sheet, seen_heights, sheet
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
 
-    from ..trajectory import Trajectory
 
 __all__ = ["Animation"]
 
@@ -50,7 +50,7 @@ class Animation:
     """
 
     def __init__(
-        self, motion: Trajectory, *, frames: int = 150, seconds: float | None = None
+        self, motion: MotionLike, *, frames: int = 150, seconds: float | None = None
     ) -> None:
         checked_count("frames", frames, 2, _MOST_FRAMES)
         if not motion.phases:
