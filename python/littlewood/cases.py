@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import _core
-from .frozen import Frozen
+from ._frozen import Frozen
 from .hoop import Hoop
 from .motion import Start
 from .tables import HOOP, START

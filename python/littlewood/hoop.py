@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import _core
+from ._frozen import Frozen
+from ._html import hoop_html
+from ._internal.elementwise import real
 from .bouncing import BouncingOrbit
-from .elementwise import real
-from .frozen import Frozen
-from .html import hoop_html
 from .motion import Classification, Start
 from .phase_plane import PhasePlane
 from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START, START

@@ -11,26 +11,26 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, derivatives
-from .counts import checked_count, checked_limits
-from .elementwise import flat, real, reals
-from .extras import require
-from .frozen import Frozen
-from .html import page_html
+from . import _core
+from ._frozen import Frozen
+from ._html import page_html
+from ._internal import derivatives
+from ._internal.counts import checked_count, checked_limits
+from ._internal.elementwise import flat, real, reals
+from ._internal.extras import require
+from ._internal.terminal import printable
+from ._internal.variables import CONVENTIONS
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition
 from .samples import Samples
 from .tables import CAUSES, IMPACT_CASES, MODES, SAMPLE_COLUMNS, SampleColumn
-from .terminal import printable
-from .variables import CONVENTIONS
 
 if TYPE_CHECKING:
     import pandas
     import xarray
     from matplotlib.figure import Figure
 
-    from .animation import Animation
     from .hoop import Hoop
-    from .laboratory import Laboratory
+    from .plot.animation import Animation
 
 __all__ = ["Trajectory"]
 
@@ -512,11 +512,11 @@ class Trajectory:
         Animation
             Its `save` writes a GIF or a video.
         """
-        from .animation import Animation
+        from .plot.animation import Animation
 
         return Animation(self, frames=frames, seconds=seconds)
 
-    def lab(self, *, time: float | None = None, height: int = 820) -> Laboratory:
+    def lab(self, *, time: float | None = None, height: int = 820) -> Any:
         """Show the laboratory with this motion in a notebook, where its start can be dragged.
 
         Parameters
@@ -528,7 +528,7 @@ class Trajectory:
 
         Returns
         -------
-        Laboratory
+        littlewood.lab.Laboratory
             A widget. Its `motion` and `time` follow what is done in the page, and the page follows
             them.
 
@@ -539,8 +539,7 @@ class Trajectory:
         RuntimeError
             If the package was built without the page.
         """
-        require("anywidget")
-        from .laboratory import Laboratory
+        from .lab import Laboratory
 
         return Laboratory(self, time=time, height=height)
 

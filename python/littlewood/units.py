@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 
 from . import _core
-from .elementwise import real
+from ._internal.elementwise import real
 
 __all__ = ["Units"]
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood.fit_problem import Problem
-from littlewood.noise import Noise
+from littlewood.fitting.noise import Noise
+from littlewood.fitting.problem import Problem
 
 # A throw with backspin: it slides, rolls, slips, and lifts off. Few starts tell as much about both
 # coefficients.

@@ -18,9 +18,9 @@ import pytest
 
 import littlewood as lw
 from littlewood import video
-from littlewood.fit_command import MissingAnswerError, WrongClockError, _check_clock, main
-from littlewood.fit_report import report_html
-from littlewood.fit_result import Doubt
+from littlewood._commands.fit import MissingAnswerError, WrongClockError, _check_clock, main
+from littlewood.fitting import Doubt
+from littlewood.fitting.report import report_html
 
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
 RATE = 120.0
@@ -176,7 +176,7 @@ def test_without_a_terminal_nothing_is_asked(film, capsys):
 
 
 def test_at_a_terminal_it_asks(monkeypatch, capsys):
-    from littlewood import fit_command
+    from littlewood._commands import fit as fit_command
 
     class Terminal:
         def isatty(self):

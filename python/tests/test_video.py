@@ -10,7 +10,7 @@ from PIL import Image
 
 import littlewood as lw
 from littlewood import video
-from littlewood.calibration import CALIBRATION
+from littlewood.fitting.calibration import CALIBRATION
 from littlewood.video.capture_rate import capture_rate
 from littlewood.video.synthetic import _instants
 

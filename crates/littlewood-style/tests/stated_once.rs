@@ -26,7 +26,7 @@ const SOURCES: [(&str, &[&str]); 3] = [
 const GENERATED: [&str; 3] = [
     "web/src/generated",
     "web/src/wasm",
-    "python/littlewood/laboratory.js",
+    "python/littlewood/lab/laboratory.js",
 ];
 
 const QUANTITIES: &str = "crates/littlewood/src/model/quantity.rs";

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._protocols import MotionLike
 from ..samples import Samples
 from ..style import BOLD, CURVE, FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS
@@ -29,11 +30,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ..trajectory import Trajectory
-
 
 @on_sheet
-def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> Axes:
+def path(motion: MotionLike, axes: Axes | None = None, *, count: int = 1001) -> Axes:
     """Draw the paths of the mass centre (thick) and the geometric centre (thin), as in Figure 3(b).
 
     A plane with a slope is tilted, and the axes are level.
@@ -91,7 +90,7 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> 
     return axes
 
 
-def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -> None:
+def _mark_hoops(motion: MotionLike, axes: Axes, samples: Samples, span: float) -> None:
     # Bounces give way to what happens else.
     events = sorted(
         motion.transitions, key=lambda one: (one.cause, one.to_mode) == ("landing", "flight")
@@ -133,7 +132,7 @@ def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -
 
 @on_sheet
 def history(
-    motion: Trajectory,
+    motion: MotionLike,
     axes: Axes | None = None,
     *,
     quantities: tuple[str, ...] = ("theta_rate", "slip"),
@@ -228,7 +227,7 @@ def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> No
 
 
 @on_sheet
-def trajectory(motion: Trajectory) -> Figure:
+def trajectory(motion: MotionLike) -> Figure:
     """Draw the path of a motion, and θ, the rates and the forces over time.
 
     Parameters

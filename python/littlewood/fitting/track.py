@@ -11,14 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from .._internal.elementwise import Reals, reals
+from .._internal.text_table import TableFileError
 from .calibration import checked
-from .elementwise import Reals, reals
-from .text_table import TableFileError
-from .track_file import read_track
+from .track_file import PlaneLike, read_track
 
 if TYPE_CHECKING:
-    from .units import Units
-    from .video.plane import Plane
+    from ..units import Units
 
 __all__ = ["TableFileError", "Track"]
 
@@ -201,7 +200,7 @@ class Track:
         marker: str | None = None,
         run: int | None = None,
         fps: float | None = None,
-        plane: Plane | None = None,
+        plane: PlaneLike | None = None,
         length_unit: str = "m",
         ignore: Iterable[str] = (),
     ) -> Track:
@@ -239,7 +238,7 @@ class Track:
 
         Raises
         ------
-        littlewood.track.TableFileError
+        littlewood.fitting.TableFileError
             With file, line, column, value and hint, for what cannot be read: nothing is left out in
             silence.
         """

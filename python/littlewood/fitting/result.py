@@ -2,34 +2,33 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from html import escape
-from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
-from .doubts import DOUBTS, Doubt
-from .hoop import Hoop
-from .motion import State
+from .._internal.terminal import printable
+from ..hoop import Hoop
+from ..motion import State
+from ..plot import canvas
+from ..style import FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES
+from ..trajectory import Trajectory
+from .diagnostics import Doubt
+from .estimate import Estimate
 from .noise import Noise
-from .plot import canvas
-from .style import FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES
-from .terminal import printable
+from .problem import Problem
+from .profile import profile_interval
 from .track import Track
 from .track_file import COLUMN_OF
-from .trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from .fit_problem import Problem
-
-__all__ = ["DOUBTS", "Doubt", "Estimate", "FitResult", "FitWarning", "IdentifiabilityWarning"]
+__all__ = ["FitResult", "FitWarning", "IdentifiabilityWarning"]
 
 
 class FitWarning(UserWarning):
@@ -37,7 +36,7 @@ class FitWarning(UserWarning):
 
     Attributes
     ----------
-    doubt : littlewood.fit_result.Doubt
+    doubt : littlewood.fitting.Doubt
         Its name, what was found, and what it is about.
     """
 
@@ -55,53 +54,6 @@ class IdentifiabilityWarning(FitWarning):
     """A parameter leaves no trace in the motion that was tracked."""
 
 
-@dataclass(frozen=True)
-class Estimate:
-    """An estimate of one parameter.
-
-    Attributes
-    ----------
-    value : float
-        Estimate; where it is not identifiable, the last value of the fit.
-    std_error : float
-        Standard error; infinite where it is not identifiable.
-    identifiable : bool
-        Whether the tracked motion depends on the parameter, apart from the others.
-    """
-
-    value: float
-    std_error: float
-    identifiable: bool
-
-    def interval(self, confidence: float = 0.95) -> tuple[float, float]:
-        """Return the interval that contains the true value with a probability, for normal errors.
-
-        Parameters
-        ----------
-        confidence : float, optional
-            The probability, between 0 and 1.
-
-        Returns
-        -------
-        tuple of float
-            Its ends; infinite where the parameter is not identifiable.
-        """
-        if not 0.0 < confidence < 1.0:
-            raise ValueError(f"confidence = {confidence} must lie between 0 and 1")
-        if not self.identifiable:
-            return -math.inf, math.inf
-        half = NormalDist().inv_cdf(0.5 + 0.5 * confidence) * self.std_error
-        return self.value - half, self.value + half
-
-    def __str__(self) -> str:
-        if not self.identifiable:
-            return "not identifiable from this motion"
-        digits = 0
-        if self.std_error > 0.0:
-            digits = max(0, 1 - math.floor(math.log10(self.std_error)))
-        return printable(f"{self.value:.{digits}f} ± {self.std_error:.{digits}f}")
-
-
 @dataclass(frozen=True, eq=False)
 class FitResult:
     """A fitted motion.
@@ -112,7 +64,7 @@ class FitResult:
         The hoop with the estimated parameters.
     start : littlewood.motion.State
         The estimated start.
-    estimates : mapping of str to littlewood.fit_result.Estimate
+    estimates : mapping of str to littlewood.fitting.Estimate
         Estimates of everything that was free: parameters of the hoop, of the start by
         `start_theta`, …, and of the camera by `camera_floor`, …
     covariance : ndarray
@@ -133,8 +85,8 @@ class FitResult:
         Largest friction |F|/N of rolling in the fitted motion, a lower bound of μs.
     message : str
         How the optimiser ended.
-    doubts : tuple of littlewood.fit_result.Doubt
-        What speaks against the fit, each also a :class:`littlewood.fit_result.FitWarning`; empty
+    doubts : tuple of littlewood.fitting.Doubt
+        What speaks against the fit, each also a :class:`littlewood.fitting.FitWarning`; empty
         for a good fit.
     sequences : mapping of str to float
         Sequences of phases that were fitted with the final errors, the most probable first, and
@@ -215,8 +167,6 @@ class FitResult:
         tuple of float
             Its ends; a bound, or infinite, where the track does not exclude the values beyond.
         """
-        from .profile import profile_interval
-
         return profile_interval(
             self._problem, self._unknowns, self.covariance, name, self.estimates[name], confidence
         )

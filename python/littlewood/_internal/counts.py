@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 from typing import SupportsIndex
 
-from . import _core
+from .. import _core
 
 __all__ = ["checked_count", "checked_limits"]
 

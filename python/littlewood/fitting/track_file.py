@@ -8,19 +8,26 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
+import numpy.typing as npt
 
-from .elementwise import Reals
-from .tables import SAMPLE_COLUMNS
-from .text_table import TableFileError, TextTable, read_text_table
+from .._internal.elementwise import Reals
+from .._internal.text_table import TableFileError, TextTable, read_text_table
+from ..tables import SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
-    from .units import Units
-    from .video.plane import Plane
+    from ..units import Units
 
-__all__ = ["COLUMN_OF", "TrackFile", "read_track"]
+__all__ = ["COLUMN_OF", "PlaneLike", "TrackFile", "read_track"]
+
+
+class PlaneLike(Protocol):
+    """What positions in pixels need: :class:`littlewood.video.Plane`."""
+
+    def to_metres(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Reals, Reals]:
+        """Return the points of the plane that pixels show, x and y in m."""
 
 
 COLUMN_OF = {"time": "time", "theta": "theta", "x": "x", "y": "centre_y"}
@@ -117,7 +124,7 @@ def read_track(
     marker: str | None,
     run: int | None,
     fps: float | None,
-    plane: Plane | None,
+    plane: PlaneLike | None,
     length_unit: str,
     ignore: Iterable[str],
 ) -> TrackFile:
@@ -332,7 +339,7 @@ def _values(
     one: _Column,
     is_si: bool,
     is_foreign: bool,
-    plane: Plane | None,
+    plane: PlaneLike | None,
     length_unit: str,
 ) -> Reals:
     """Return a channel in rad, m or pixels; dimensionless as it stands."""
@@ -366,7 +373,7 @@ def _values(
     return values if in_pixels else np.asarray(values * _UNITS[unit or length_unit][1])
 
 
-def _to_metres(table: TextTable, found: dict[str, Reals], plane: Plane) -> None:
+def _to_metres(table: TextTable, found: dict[str, Reals], plane: PlaneLike) -> None:
     for owner in ("", _OF_MARKER):
         if ("x" + owner in found) != ("y" + owner in found):
             raise table.refusal("has one coordinate in pixels: a plane needs x and y")

@@ -5,19 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from html import escape
-from typing import TYPE_CHECKING
 
+from ._protocols import HoopLike
 from .style import FAINT, MODE_COLOURS
 from .tables import HOOP, LAW_LABELS, QUANTITIES, SAMPLE_COLUMNS
-
-if TYPE_CHECKING:
-    from .hoop import Hoop
 
 # Colours follow the page, so that dark themes stay readable.
 _CELL = "padding:2px 10px;text-align:{};border:none;background:none"
 
 
-def _hoop_rows(hoop: Hoop) -> list[tuple[str, str, str]]:
+def _hoop_rows(hoop: HoopLike) -> list[tuple[str, str, str]]:
     """Return sign, value and meaning of each parameter that a hoop has."""
     values = [(QUANTITIES[name], hoop.attributes.get(name)) for name in HOOP]
     rows = [
@@ -73,7 +70,7 @@ def _coloured(mode: str | None, cells: list[str]) -> tuple[str, ...]:
     return (order, mark + name, *rest)
 
 
-def _sketch(hoop: Hoop) -> str:
+def _sketch(hoop: HoopLike) -> str:
     # The particle at 45° from the vertical, as in Figure 1 of the paper.
     def along(distance: float) -> str:
         reach = 40.0 * distance * math.sqrt(0.5)
@@ -91,7 +88,7 @@ def _sketch(hoop: Hoop) -> str:
     )
 
 
-def hoop_html(hoop: Hoop) -> str:
+def hoop_html(hoop: HoopLike) -> str:
     """Return a hoop as a sketch and a table for a notebook."""
     table: list[tuple[str, ...]] = [
         (sign, value, escape(name)) for sign, value, name in _hoop_rows(hoop)

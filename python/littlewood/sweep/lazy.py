@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .._internal.extras import require
+from .._internal.variables import RESULTS, record
 from .block import Limits, compute
-from .extras import require
 from .points import Points
-from .variables import RESULTS, record
 
 
 def lazy_columns(points: Points, limits: Limits, derivatives: Sequence[str]) -> dict[str, Any]:

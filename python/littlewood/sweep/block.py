@@ -8,10 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
-from .counts import checked_limits
-from .elementwise import flat, real
-from .tables import AXES
+from .. import _core
+from .._internal.counts import checked_limits
+from .._internal.elementwise import flat, real
+from ..tables import AXES
 
 
 class Limits(NamedTuple):

@@ -13,14 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from .extras import require
-from .fit_problem import OF_HOOP
-from .fit_result import FitResult, FitWarning
-from .fitting import fit
-from .hoop import Hoop
-from .tables import QUANTITIES, SI_HOOP
-from .track import Track
-from .video.plane import Plane
+from .._internal.extras import require
+from ..fitting.least_squares import fit
+from ..fitting.problem import OF_HOOP
+from ..fitting.result import FitResult, FitWarning
+from ..fitting.track import Track
+from ..hoop import Hoop
+from ..tables import QUANTITIES, SI_HOOP
+from ..video.plane import Plane
 
 __all__ = ["MissingAnswerError", "WrongClockError", "main"]
 
@@ -311,7 +311,7 @@ def _run(options: argparse.Namespace) -> None:
         print(f"{photo}: the film and the fitted motion", file=sys.stderr)
     else:
         result, picture = _from_table(options, path), None
-    from .fit_report import report_html
+    from ..fitting.report import report_html
 
     print(result)
     out.write_text(
@@ -324,7 +324,7 @@ def _run(options: argparse.Namespace) -> None:
 
 
 def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, bytes]:
-    from . import video
+    from .. import video
 
     marker = options.marker or "red"
     video.tracking.colour_of(marker)

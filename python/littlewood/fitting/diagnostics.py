@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from .._internal.elementwise import Reals
+from .._internal.extras import require
+from .._internal.terminal import printable
 from .calibration import CALIBRATION, determined
-from .elementwise import Reals
-from .extras import require
-from .terminal import printable
 
 if TYPE_CHECKING:
-    from .fit_problem import Problem
+    from .problem import Problem
 
 __all__ = ["DOUBTS", "Doubt", "doubts_of_residuals"]
 
@@ -62,7 +62,7 @@ class Doubt:
     Attributes
     ----------
     name : str
-        One of :data:`littlewood.doubts.DOUBTS`.
+        One of :data:`littlewood.fitting.DOUBTS`.
     message : str
         What was found.
     parameters : tuple of str

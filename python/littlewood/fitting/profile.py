@@ -7,10 +7,10 @@ from statistics import NormalDist
 
 import numpy as np
 
-from .elementwise import Reals
-from .extras import require
-from .fit_problem import OF_HOOP, ROUGH, Problem
-from .fit_result import Estimate
+from .._internal.elementwise import Reals
+from .._internal.extras import require
+from .estimate import Estimate
+from .problem import OF_HOOP, ROUGH, Problem
 
 __all__ = ["profile_interval", "rise"]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import _core
-from .hoop import Hoop
-from .tables import HOOP, START
-from .trajectory import Trajectory
-from .units import Units
+from .. import _core
+from ..hoop import Hoop
+from ..tables import HOOP, START
+from ..trajectory import Trajectory
+from ..units import Units
 
 __all__ = ["LinkError", "link_of", "motion_of", "time_of"]
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .elementwise import Reals
-from .terminal import printable
+from .._internal.elementwise import Reals
+from .._internal.terminal import printable
 
 __all__ = ["Noise", "Whitening", "estimate_noise"]
 

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from .elementwise import Reals
-from .hoop import Hoop
+from .._internal.elementwise import Reals
+from ..hoop import Hoop
+from ..tables import AXES, FRICTION, SUMMARY_COLUMNS
 from .many import simulate_many
 from .points import fill
-from .tables import AXES, FRICTION, SUMMARY_COLUMNS
 
 _OPTIONS = [
     name

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from . import _core
-from .tables import FRICTION, OUTCOMES, QUANTITIES, SUMMARY_COLUMNS
+from .. import _core
+from ..tables import FRICTION, OUTCOMES, QUANTITIES, SUMMARY_COLUMNS
 
 CONVENTIONS = "CF-1.11"
 """Conventions that the attributes of data sets follow."""

@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .fit_result import Estimate, FitResult
-from .many import outcome_map
-from .plot import canvas, history, outcomes
-from .style import INK, LINE, MODE_COLOURS, PAPER
-from .tables import QUANTITIES
-from .trajectory import Trajectory
+from ..plot import canvas, history, outcomes
+from ..style import INK, LINE, MODE_COLOURS, PAPER
+from ..sweep.many import outcome_map
+from ..tables import QUANTITIES
+from ..trajectory import Trajectory
+from .estimate import Estimate
+from .result import FitResult
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -222,7 +223,7 @@ def _sentence(motion: Trajectory) -> str:
 
 
 def _svg(figure: Figure, title: str) -> str:
-    from .plot.sheet import svg
+    from ..plot.sheet import svg
 
     return (
         "data:image/svg+xml;base64," + base64.b64encode(svg(figure, title, title).encode()).decode()

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from .elementwise import Reals
-from .trajectory import Trajectory
+from .._internal.elementwise import Reals
+from ..trajectory import Trajectory
 
 __all__ = ["CALIBRATION", "checked", "determined", "means", "shown"]
 

@@ -9,12 +9,12 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from .. import _core
-from ..certify.checker import CONTACT, DOWN, GAP, NORMAL, SLIP, SOLVABLE, UP
-from ..certify.proof import Box, Proof, Stretch, quantity_of
-from ..extras import require
+from .._internal.extras import require
+from ..plot.canvas import PictureError, look, pi_ticks, sheet, sign
 from ..style import FAINT, HATCH, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS, MODES, SAMPLE_COLUMNS
-from .canvas import PictureError, look, pi_ticks, sheet, sign
+from .checker import CONTACT, DOWN, GAP, NORMAL, SLIP, SOLVABLE, UP
+from .stretch import Box, ProofLike, Stretch, quantity_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -51,35 +51,15 @@ _EDGE, _ANGLE, _ROW, _RADIUS, _SKIP, _AXIS, _KEY = 2.0, 24.0, 8.5, 20.0, 2.0, 9.
 _NARROWEST, _WIDEST = 60.0, 1000.0
 
 
-def proof(found: Proof, *, width_mm: float = 120.0) -> Figure:
-    """Draw the proof that a motion has the events of its certificate, and no others.
-
-    The picture has θ with the events; a row for each guard, which the checker encloses above 0
-    interval by interval as long as a phase lasts; the radius of θ; and each event with its digits.
-
-    Parameters
-    ----------
-    found : littlewood.certify.Proof
-        What the checker has found.
-    width_mm : float, optional
-        Width of the figure, 60 to 1000. Letters have one size; a narrow figure has fewer digits.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Raises
-    ------
-    PictureError
-        For another width.
-    """
+def draw(found: ProofLike, width_mm: float) -> Figure:
+    """Draw a proof; :func:`littlewood.plot.proof` says what the picture has."""
     if not _NARROWEST <= width_mm <= _WIDEST:
         raise PictureError(f"a picture is {_NARROWEST:g} to {_WIDEST:g} mm wide, not {width_mm:g}")
     with look(width_mm):
         return _drawn(found, width_mm)
 
 
-def _drawn(found: Proof, width_mm: float) -> Figure:
+def _drawn(found: ProofLike, width_mm: float) -> Figure:
     labels = _labels(found)
     left = _EDGE + _DIGIT * (
         5 + max(len(line) for text in ("radius", *labels.values()) for line in text.split("\n"))
@@ -148,7 +128,7 @@ def _drawn(found: Proof, width_mm: float) -> Figure:
     return figure
 
 
-def title(found: Proof) -> str:
+def title(found: ProofLike) -> str:
     """Return what is proved."""
     name, count = found.certificate["case"]["name"] or "A motion", len(found.certificate["events"])
     if not count:
@@ -156,7 +136,7 @@ def title(found: Proof) -> str:
     return f"{name}: {count} event{'s' * (count > 1)} and no other{'s' * (count > 1)}, proved"
 
 
-def caption(found: Proof) -> str:
+def caption(found: ProofLike) -> str:
     """Return what the picture shows."""
     last, unit = found.stretches[-1], _unit(found, "time")
     said = [
@@ -179,20 +159,20 @@ def caption(found: Proof) -> str:
     return " ".join(said)
 
 
-def description(found: Proof) -> str:
+def description(found: ProofLike) -> str:
     """Return the caption, and the events with all their digits."""
     lines = [" ".join(cells).strip() for cells in _listed(found, _WIDEST)]
     return "; ".join([caption(found).removesuffix("."), *lines]) + "."
 
 
-def _falls(found: Proof) -> bool:
+def _falls(found: ProofLike) -> bool:
     last = found.stretches[-1]
     return (
         bool(last.guards) and not last.repeats and last.end is not None and last.enclosed < last.end
     )
 
 
-def _labels(found: Proof) -> dict[str, str]:
+def _labels(found: ProofLike) -> dict[str, str]:
     """Return the signs of the guards that the motion has, with their units."""
     used = {name for one in found.stretches for name in one.guards}
     quantities = {name: quantity_of(name, found.massless) for name in used}
@@ -208,7 +188,7 @@ def _labels(found: Proof) -> dict[str, str]:
     }
 
 
-def _listed(found: Proof, width_mm: float) -> list[tuple[str, str, str]]:
+def _listed(found: ProofLike, width_mm: float) -> list[tuple[str, str, str]]:
     """Return number, cause and time of each event, below a head; impacts in a row have one line."""
     numbered = list(enumerate(found.certificate["events"], 1))
     lines: list[tuple[int, int, str]] = []
@@ -259,7 +239,7 @@ def _times(balls: list[list[str]], room: int) -> str:
     return (text if len(text) <= room else text[: room - 1] + "…") + radius
 
 
-def _handles(found: Proof) -> list[Any]:
+def _handles(found: ProofLike) -> list[Any]:
     """Return what the key explains."""
     lines, patches = require("matplotlib.lines"), require("matplotlib.patches")
     modes = {one.mode for one in found.stretches}
@@ -301,7 +281,7 @@ _BALLS: dict[str, dict[str, Any]] = {
 }
 
 
-def _joined(found: Proof) -> list[tuple[str, list[Stretch]]]:
+def _joined(found: ProofLike) -> list[tuple[str, list[Stretch]]]:
     """Return the stretches in a row that have one mode, such as bounces."""
     return [
         (mode, list(some))
@@ -309,7 +289,7 @@ def _joined(found: Proof) -> list[tuple[str, list[Stretch]]]:
     ]
 
 
-def _draw_tube(found: Proof, axes: Axes, which: str) -> None:
+def _draw_tube(found: ProofLike, axes: Axes, which: str) -> None:
     for mode, some in _joined(found):
         tube = [at for one in some for at in one.tube]
         times, values = [at.time for at in tube], [getattr(at, which) for at in tube]
@@ -318,13 +298,13 @@ def _draw_tube(found: Proof, axes: Axes, which: str) -> None:
         )
 
 
-def _balls(found: Proof) -> dict[str, list[dict[str, list[str]]]]:
+def _balls(found: ProofLike) -> dict[str, list[dict[str, list[str]]]]:
     """Return the states of the certificate."""
     samples = [sample for one in found.certificate["phases"] for sample in one["samples"]]
     return {"event": [event["state"] for event in found.certificate["events"]], "sample": samples}
 
 
-def _draw_balls(found: Proof, axes: Axes, height: Callable[[list[str]], float]) -> None:
+def _draw_balls(found: ProofLike, axes: Axes, height: Callable[[list[str]], float]) -> None:
     """Mark the states of the certificate, at a height that their angle has."""
     for name, states in _balls(found).items():
         times, values = (
@@ -335,7 +315,7 @@ def _draw_balls(found: Proof, axes: Axes, height: Callable[[list[str]], float]) 
         axes.plot(times, values, linewidth=0.0, zorder=order, clip_on=False, **_BALLS[name])
 
 
-def _draw_angle(found: Proof, axes: Axes, per_mm: float) -> None:
+def _draw_angle(found: ProofLike, axes: Axes, per_mm: float) -> None:
     _draw_tube(found, axes, "theta")
     _draw_balls(found, axes, lambda ball: float(ball[0]))
     pi_ticks(axes, "y", most=5)
@@ -352,7 +332,7 @@ def _draw_angle(found: Proof, axes: Axes, per_mm: float) -> None:
             free = time + half
 
 
-def _draw_guard(found: Proof, name: str, axes: Axes, until: float) -> None:
+def _draw_guard(found: ProofLike, name: str, axes: Axes, until: float) -> None:
     dips: list[Box] = []
     for mode, some in _joined(found):
         boxes = [box for one in some for box in one.guards.get(name, [])]
@@ -396,7 +376,7 @@ def _draw_guard(found: Proof, name: str, axes: Axes, until: float) -> None:
         )  # fmt: skip
 
 
-def _draw_radius(found: Proof, axes: Axes) -> None:
+def _draw_radius(found: ProofLike, axes: Axes) -> None:
     ticker = require("matplotlib.ticker")
     _draw_tube(found, axes, "radius")
     _draw_balls(
@@ -418,7 +398,7 @@ def _middle(one: Mapping[str, Any], name: str) -> float:
     return float(one["state"][name][0])
 
 
-def _unit(found: Proof, name: str) -> str:
+def _unit(found: ProofLike, name: str) -> str:
     """Return the unit of a quantity in the system of the certificate."""
     column = SAMPLE_COLUMNS[name]
     return (

@@ -13,13 +13,13 @@ from ..cases import case
 from ..certify import checker
 from ..certify.compare import simulated
 from ..plot.canvas import save
+from ..scoring.cases import BENCHMARK, CASES
+from ..scoring.convergence import convergence
+from ..scoring.episodes import Tolerances
+from ..scoring.gradient import read_gradient, score_gradient
+from ..scoring.record import Record
+from ..scoring.score import score
 from ..trajectory import Trajectory
-from .cases import BENCHMARK, CASES
-from .convergence import convergence
-from .episodes import Tolerances
-from .gradient import read_gradient, score_gradient
-from .record import Record
-from .score import score
 
 __all__ = ["main"]
 

@@ -8,12 +8,12 @@ from typing import Any
 import anywidget
 import traitlets
 
+from ..trajectory import Trajectory
 from .link import link_of, motion_of, time_of
-from .trajectory import Trajectory
 
 __all__ = ["Laboratory"]
 
-_MODULE = Path(__file__).with_suffix(".js")
+_MODULE = Path(__file__).with_name("laboratory.js")
 
 
 class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _core
+from .. import _core
+from ..tables import SAMPLE_COLUMNS
 from .elementwise import reals
 from .extras import require
-from .tables import SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
     import numpy.typing as npt

@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
+from .._internal.derivatives import columns_at
+from .._internal.elementwise import Reals
+from .._internal.extras import require
+from ..hoop import Hoop
+from ..trajectory import Trajectory
 from .calibration import means, shown
-from .derivatives import columns_at
-from .elementwise import Reals
-from .extras import require
-from .hoop import Hoop
 from .noise import Noise, Whitening, estimate_noise
 from .track import Track
-from .trajectory import Trajectory
 
 __all__ = ["CLOCK", "FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
 

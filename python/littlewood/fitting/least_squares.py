@@ -13,17 +13,18 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .._internal.elementwise import Reals, real
+from .._internal.extras import progress_bar
+from ..hoop import Hoop
+from ..trajectory import Trajectory
 from .calibration import checked
-from .doubts import Doubt, doubts_of_residuals
-from .elementwise import Reals, real
-from .extras import progress_bar
-from .fit_problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
-from .fit_result import Estimate, FitResult, FitWarning, IdentifiabilityWarning
-from .hoop import Hoop
+from .diagnostics import Doubt, doubts_of_residuals
+from .estimate import Estimate
 from .noise import Noise
+from .problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
 from .profile import rise
+from .result import FitResult, FitWarning, IdentifiabilityWarning
 from .track import Track
-from .trajectory import Trajectory
 
 __all__ = ["fit"]
 
@@ -132,10 +133,10 @@ def fit(
 
     Warns
     -----
-    littlewood.fit_result.FitWarning
-        For each doubt that the fit has (:data:`littlewood.doubts.DOUBTS`), which the result, its
+    littlewood.fitting.FitWarning
+        For each doubt that the fit has (:data:`littlewood.fitting.DOUBTS`), which the result, its
         table and its picture name, too.
-    littlewood.fit_result.IdentifiabilityWarning
+    littlewood.fitting.IdentifiabilityWarning
         If the motion does not depend on something that is free. μs enters by the instant of a slip
         out of rolling alone (a motion without one gives only a lower bound, the friction that
         rolling needed), μk by slides and by impacts that slip; the inertia enters by rolling,

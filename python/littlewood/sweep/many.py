@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Any, TypedDict
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
+from .. import _core
+from .._internal.counts import checked_count
+from .._internal.elementwise import flat
+from .._internal.extras import progress_bar, require
+from .._internal.variables import CONVENTIONS, RESULTS, checked_derivatives, result_attributes
+from ..hoop import Hoop
+from ..tables import MAX_SLIDES, MAX_TRANSITIONS, PROOF
 from .block import Limits, compute
-from .counts import checked_count
-from .elementwise import flat
-from .extras import progress_bar, require
-from .hoop import Hoop
 from .lazy import lazy_columns
 from .points import Points, broadcast, check_hoop, fill, grid
-from .tables import MAX_SLIDES, MAX_TRANSITIONS, PROOF
-from .variables import CONVENTIONS, RESULTS, checked_derivatives, result_attributes
 
 if TYPE_CHECKING:
     import xarray

@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .counts import checked_count
-from .elementwise import real
-from .extras import require
-from .plot.canvas import draw_hoop, draw_plane, level, on_sheet, seen_heights, sheet
-from .style import CURVE, INK, MODE_COLOURS
+from .._internal.counts import checked_count
+from .._internal.elementwise import real
+from .._internal.extras import require
+from .._protocols import MotionLike
+from ..style import CURVE, INK, MODE_COLOURS
+from .canvas import draw_hoop, draw_plane, level, on_sheet, seen_heights, sheet
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
 
-    from .trajectory import Trajectory
 
 __all__ = ["Animation"]
 
@@ -50,7 +50,7 @@ class Animation:
     """
 
     def __init__(
-        self, motion: Trajectory, *, frames: int = 150, seconds: float | None = None
+        self, motion: MotionLike, *, frames: int = 150, seconds: float | None = None
     ) -> None:
         checked_count("frames", frames, 2, _MOST_FRAMES)
         if not motion.phases:
@@ -157,7 +157,7 @@ class Animation:
             A ValueError: for another ending, a folder that is not there, without ffmpeg or where it
             fails, and for frames that are shown for longer than a GIF can say.
         """
-        from .video.errors import UnwritableVideoError
+        from ..video.errors import UnwritableVideoError
 
         ending = Path(path).suffix.lower()
         if ending != _GIF and ending not in _BY_FFMPEG:
@@ -191,7 +191,7 @@ class Animation:
             ) from None
 
     def _save_gif(self, path: str | Path) -> None:
-        from .video.errors import UnwritableVideoError
+        from ..video.errors import UnwritableVideoError
 
         delays = gif_delays(self.seconds, len(self._times))
         if not delays or max(delays) > _MOST_DELAY:

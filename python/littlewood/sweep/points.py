@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .elementwise import reals
-from .extras import require
-from .hoop import Hoop
-from .tables import AXES, FRICTION, HOOP, QUANTITIES
-from .variables import quantity_attributes
+from .._internal.elementwise import reals
+from .._internal.extras import require
+from .._internal.variables import quantity_attributes
+from ..hoop import Hoop
+from ..tables import AXES, FRICTION, HOOP, QUANTITIES
 
 if TYPE_CHECKING:
     import xarray
