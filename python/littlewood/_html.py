@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable
 from html import escape
 
+from . import _core
 from ._protocols import HoopLike
 from .style import FAINT, MODE_COLOURS
 from .tables import HOOP, LAW_LABELS, QUANTITIES, SAMPLE_COLUMNS
@@ -41,17 +42,16 @@ def _table(head: tuple[str, ...], rows: list[tuple[str, ...]], left: tuple[int, 
     )
 
 
-def page_html(
-    blocks: Iterable[tuple[str, list[str], list[tuple[str | None, list[str]]], list[int]]],
-) -> str:
+def page_html(blocks: Iterable[_core._Block]) -> str:
     """Return the page of a motion for a notebook: facts, tables and notes."""
     parts = []
-    for kind, head, rows, numbers in blocks:
-        if kind == "table":
-            left = tuple(set(range(len(head))) - set(numbers))
-            parts.append(_table(tuple(map(escape, head)), [_coloured(*row) for row in rows], left))
-        elif kind == "fact":
-            lines = "<br>".join(escape(line) for _, (line,) in rows)
+    for block in blocks:
+        head, rows = block["head"], block["rows"]
+        if block["kind"] == "table":
+            left = tuple(set(range(len(head))) - set(block["numbers"]))
+            parts.append(_table(tuple(map(escape, head)), [_coloured(row) for row in rows], left))
+        elif block["kind"] == "fact":
+            lines = "<br>".join(escape(line) for row in rows for line in row["cells"])
             label = f'<b style="min-width:6em">{escape(head[0])}</b>'
             # The spaces between quantities stay as they are.
             parts.append(
@@ -62,9 +62,10 @@ def page_html(
     return f"<div>{''.join(parts)}</div>"
 
 
-def _coloured(mode: str | None, cells: list[str]) -> tuple[str, ...]:
+def _coloured(row: _core._Row) -> tuple[str, ...]:
     """Return a row of phases with the mark of its mode before the name of the motion."""
-    order, name, *rest = map(escape, cells)
+    mode = row["mode"]
+    order, name, *rest = map(escape, row["cells"])
     paint = f"background:{MODE_COLOURS[mode]};border:1px solid {FAINT}" if mode is not None else ""
     mark = f'<span style="display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em;{paint}"></span>'
     return (order, mark + name, *rest)

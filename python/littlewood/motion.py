@@ -330,5 +330,5 @@ class Edge:
     source: str
 
 
-EDGES: tuple[Edge, ...] = tuple(Edge(*edge) for edge in _core.edges())
+EDGES: tuple[Edge, ...] = tuple(Edge(**edge) for edge in _core.edges())
 """All edges of the automaton; no motion takes another."""

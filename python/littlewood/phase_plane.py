@@ -147,4 +147,4 @@ class PhasePlane:
     @property
     def equilibria(self) -> tuple[Equilibrium, ...]:
         """The equilibria in (−π, π]."""
-        return tuple(Equilibrium(*one) for one in self._core.equilibria())
+        return tuple(Equilibrium(**one) for one in self._core.equilibria())

@@ -125,7 +125,7 @@ def test_what_the_camera_shows_wrong_is_found(motion):
     assert np.max(np.abs(pulls(result, motion.hoop))) < 4.0
     assert result.reduced_chi_square == pytest.approx(1.0, abs=0.02)
     # Who believes the camera gets intervals that do not contain the truth, and is told.
-    with pytest.warns(lw.fit_result.FitWarning):
+    with pytest.warns(lw.fitting.FitWarning):
         believed = fit(track, motion)
     assert {"camera", "structure"} & {doubt.name for doubt in believed.doubts}
     assert np.max(np.abs(pulls(believed, motion.hoop))) > 4.0

@@ -312,7 +312,7 @@ def test_a_report_with_all_doubts_names_them(motion):
     time = np.linspace(0.0, 2.0, 150)
     seen = motion(time)
     track = lw.Track(time, theta=seen.theta, x=1.05 * seen.x + 0.02 * np.sin(6 * time))
-    with pytest.warns(lw.fit_result.FitWarning):
+    with pytest.warns(lw.fitting.FitWarning):
         result = lw.fit(track, motion.hoop, free=("mu_k",), search=False)
     assert result.doubts
     page = report_html(result, title="A <hoop>")
@@ -330,7 +330,7 @@ def test_a_report_prints_on_one_sheet_with_any_number_of_doubts(motion, tmp_path
     assert len(notes) == 4
     track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y, notes=notes)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
         free = ("mu_s", "mu_k", "inertia", "restitution")
         result = lw.fit(
             track, motion.hoop, free=free, search=False, sigma=dict.fromkeys(track.channels, 0.01)

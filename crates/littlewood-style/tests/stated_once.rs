@@ -56,7 +56,7 @@ const EXCEPTIONS: &[Exception] = &[
         reason: "the limit of a run, not the count of a summary",
     },
     Exception {
-        file: "python/littlewood/track_file.py",
+        file: "python/littlewood/fitting/track_file.py",
         texts: &["angular acceleration"],
         reason: "a column of the programs that track films",
     },

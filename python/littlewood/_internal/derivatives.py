@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     import xarray
 
-_Rows = tuple["npt.NDArray[np.float64]", list[str]]
 # Columns with the unit of a number of endless rolling.
 _LIKE = {"period": "time", "theta_min": "theta", "theta_max": "theta"}
 _REASON = {"long_name": "why there is no derivative, empty where there is one"}
@@ -29,17 +28,16 @@ def _attributes(name: str, of: str) -> dict[str, Any]:
 
 
 def _variables(
-    rows: _Rows, dimensions: tuple[str, ...], shape: tuple[int, ...], of: str, prefix: str
+    rows: _core._Rows, dimensions: tuple[str, ...], shape: tuple[int, ...], of: str, prefix: str
 ) -> dict[str, Any]:
-    values, reasons = rows
-    numbers = values.reshape(*shape, len(_core.STATE))
+    numbers = rows["values"].reshape(*shape, len(_core.STATE))
     found: dict[str, Any] = {
         prefix + name: (dimensions, numbers[..., i], _attributes(name, of))
         for i, name in enumerate(_core.STATE)
     }
     found[prefix + "reason"] = (
         dimensions,
-        np.array(reasons, dtype=np.str_).reshape(shape),
+        np.array(rows["reasons"], dtype=np.str_).reshape(shape),
         _REASON,
     )
     return found
@@ -58,18 +56,22 @@ def _dataset(
 
 def of_motion(core: _core.Trajectory, quantities: Sequence[str] | None) -> xarray.Dataset:
     """Return the derivatives of the transitions and of the outcome."""
-    names, transitions, outcome, numbers = core.derivatives(quantities)
-    count = len(transitions[1]) // len(names) if names else len(core.transitions())
+    found = core.derivatives(quantities)
+    names, reasons = found["quantities"], found["transitions"]["reasons"]
+    count = len(reasons) // len(names) if names else len(core.transitions())
     variables = _variables(
-        transitions,
+        found["transitions"],
         ("transition", "quantity"),
         (count, len(names)),
         " after the transition, along it",
         "",
     )
-    variables |= _variables(outcome, ("quantity",), (len(names),), " at the end, along it", "end_")
+    variables |= _variables(
+        found["outcome"], ("quantity",), (len(names),), " at the end, along it", "end_"
+    )
     variables |= {
-        name: ("quantity", values, _attributes(name, "")) for name, values in numbers.items()
+        name: ("quantity", values, _attributes(name, ""))
+        for name, values in found["recurrence"].items()
     }
     place = ("transition", np.arange(count), {"long_name": "index of the transition"})
     return _dataset(
@@ -81,8 +83,8 @@ def columns_at(
     core: _core.Trajectory, times: npt.NDArray[np.float64], quantities: Sequence[str]
 ) -> dict[str, Any]:
     """Return the derivatives of the state at fixed times as arrays, of times by quantities."""
-    _, (values, _) = core.derivatives_at(times, quantities)
-    numbers = values.reshape(times.size, len(quantities), len(_core.STATE))
+    rows = core.derivatives_at(times, quantities)["rows"]
+    numbers = rows["values"].reshape(times.size, len(quantities), len(_core.STATE))
     return {name: numbers[..., i] for i, name in enumerate(_core.STATE)}
 
 
@@ -93,10 +95,11 @@ def at_times(
     instants = reals(times)
     if instants.ndim > 1:
         raise ValueError(f"times of shape {instants.shape} must be one time or of shape (n,)")
-    names, rows = core.derivatives_at(instants.reshape(-1), quantities)
+    found = core.derivatives_at(instants.reshape(-1), quantities)
+    names = found["quantities"]
     dimensions = ("time",) * instants.ndim
     shape = (*instants.shape, len(names))
-    variables = _variables(rows, (*dimensions, "quantity"), shape, " at a fixed time", "")
+    variables = _variables(found["rows"], (*dimensions, "quantity"), shape, " at a fixed time", "")
     # That of the time itself is zero, and its name that of the instants.
     del variables["time"]
     column = SAMPLE_COLUMNS["time"]

@@ -36,8 +36,7 @@ def checked_derivatives(names: Iterable[str], has_restitution: bool) -> tuple[st
     """Return names of derivatives, each once; refuse unknown ones, and those of what no motion has."""
     names = tuple(dict.fromkeys(names))
     for name in names:
-        quantity, _ = _core.derivative_column(name)
-        if quantity == "restitution" and not has_restitution:
+        if _core.derivative_column(name)["quantity"] == "restitution" and not has_restitution:
             raise ValueError(f"{name}: the motions have no coefficient of restitution")
     return names
 
@@ -52,8 +51,12 @@ def _legend() -> str:
 def result_attributes(name: str) -> dict[str, Any]:
     """Return the attributes of a variable of the result."""
     if name not in SUMMARY_COLUMNS:
-        _, (long_name, unit, scale) = _core.derivative_column(name)
-        return {"long_name": long_name, "units": unit, "scale": scale}
+        derivative = _core.derivative_column(name)
+        return {
+            "long_name": derivative["long_name"],
+            "units": derivative["unit"],
+            "scale": derivative["scale"],
+        }
     column = SUMMARY_COLUMNS[name]
     units = {"units": column.cf_unit, "scale": column.scale}
 

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from .. import _core
 from ..hoop import Hoop
-from ..tables import HOOP, START
 from ..trajectory import Trajectory
 from ..units import Units
 
@@ -32,10 +29,10 @@ class LinkError(ValueError):
 
 def _read(link: str) -> tuple[bool, float | None]:
     """Return whether a link says anything of a motion, and its instant; refuse one that cannot be read."""
-    refusal, has_problem, at = _core.read_link(link)
-    if refusal is not None:
-        raise LinkError(*refusal)
-    return has_problem, at
+    read = _core.read_link(link)
+    if read["refusal"] is not None:
+        raise LinkError(**read["refusal"])
+    return read["has_problem"], read["at"]
 
 
 def link_of(motion: Trajectory, time: float, shown: str = "") -> str:
@@ -84,11 +81,10 @@ def motion_of(link: str) -> Trajectory:
     """
     if not _read(link)[0]:
         raise ValueError(f"no motion in the link '{link}'")
-    hoop, law, units, start, until = _core.problem_of_link(link)
-    parameters: dict[str, Any] = dict(zip(HOOP, hoop, strict=True))
-    body = Hoop(**parameters, restitution_law=law, units=None if units is None else Units(*units))
-    begin: dict[str, Any] = dict(zip(START, start, strict=True))
-    return body.simulate(**begin, until=until)
+    found = _core.problem_of_link(link)
+    units = None if found["units"] is None else Units(**found["units"])
+    hoop = Hoop(**found["hoop"], restitution_law=found["restitution_law"], units=units)
+    return hoop.simulate(**found["start"], until=found["until"])
 
 
 def time_of(link: str, motion: Trajectory) -> float:
