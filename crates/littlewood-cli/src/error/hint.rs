@@ -29,7 +29,8 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
             "give {}, or start from a case (`littlewood cases` lists them) or a scenario file \
              (--scenario)",
             flags.join(", ")
-        ).into(),
+        )
+        .into(),
         Error::Unreadable { .. } => "--scenario takes the path of a TOML file in UTF-8".into(),
         Error::Unwritable { .. } => "outputs need an existing folder that can be written to".into(),
         Error::LongTable { .. } => "give --format csv, or --out NAME.csv".into(),
@@ -44,13 +45,13 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
         Error::NotBuilt { feature, .. } => format!(
             "build it with `cargo run --release --features {feature} -- …`, or with \
              `--all-features`"
-        ).into(),
-        Error::InPackage { command } => {
-            format!(
-                "install the package from python/ of the repository, as its README says, then \
+        )
+        .into(),
+        Error::InPackage { command } => format!(
+            "install the package from python/ of the repository, as its README says, then \
                  `python -m littlewood {command} --help`"
-            ).into()
-        }
+        )
+        .into(),
         Error::AtlasRemoved => {
             "`littlewood map --shade sequence` shows the sequences of phases on a grid; the \
              example `theron_maritz` of the crate littlewood-sweep counts those of first turns"
