@@ -17,7 +17,7 @@ use super::interpolant::{Basis, Interpolant, Tolerance};
 /// φ/2 = φ/2.
 const SINGULAR_ANGLE: f64 = 1.351_816_804_319_27;
 
-/// The last piece ends behind this angle. Lift-offs farther from the top are solved one by one.
+/// Lift-offs farther from the top are solved one by one.
 const MAX_LIFT_OFF_ANGLE: f64 = 1.34;
 
 /// Nearer to the top, too, since the ratios that are interpolated end there.
@@ -78,11 +78,10 @@ pub(super) fn angles(theta: f64, lift_off: Angle, opening: f64) -> Option<[f64; 
 }
 
 fn from_table(angle: f64) -> Option<[f64; 2]> {
-    if !(angle >= MIN_LIFT_OFF_ANGLE) {
+    if !(MIN_LIFT_OFF_ANGLE..MAX_LIFT_OFF_ANGLE).contains(&angle) {
         return None;
     }
     let pieces = JUMPS.as_ref()?;
-    // None behind the last.
     let index = pieces.partition_point(|piece| piece.right < angle);
     Some(pieces.get(index)?.at(angle).map(|ratio| ratio * angle))
 }
@@ -159,7 +158,7 @@ mod tests {
                 }
             }
         }
-        for theta in [TAU * 16_000.0 - 0.7, -TAU * 16_000.0 - 0.7, -1.345, -1e-7] {
+        for theta in [TAU * 16_000.0 - 0.7, -TAU * 16_000.0 - 0.7, -1.3401, -1e-7] {
             assert_eq!(of(theta).0, None, "{theta}");
         }
         assert_eq!([-0.5, f64::NAN].map(from_table), [None; 2]);
