@@ -3,12 +3,13 @@
 use crate::clip;
 use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View, tilted};
 use crate::item::{Item, STEPS, Step, Words, outline, steps};
+use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE, edge};
 use crate::markup::plain;
 use crate::raster::POINTS;
 use crate::sheet::{POINTS_TO_A_MM, PRINT_POINTS};
 use crate::space::Space;
-use crate::stroke::{INK, LETTER, PAPER, SMALL, Stroke};
+use crate::stroke::{INK, LETTER, PAPER, SMALL, SOFT, Stroke};
 use crate::svg;
 use littlewood_style::width::FINE;
 
@@ -49,12 +50,48 @@ impl Figure {
         }
     }
 
+    /// The notes in lines as wide as the sheet.
+    fn note_lines(&self) -> Vec<String> {
+        let room = self.width - 2.0 * NOTES_LEFT;
+        let mut lines: Vec<String> = Vec::new();
+        for word in self.notes.iter().flat_map(|note| note.split(' ')) {
+            match lines.last_mut() {
+                Some(line) if width(&format!("{line} {word}"), SMALL) <= room => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                _ => lines.push(word.to_owned()),
+            }
+        }
+        lines
+    }
+
+    /// Room that the notes take below the panels.
+    pub(crate) fn room_for_notes(&self) -> f64 {
+        match self.note_lines().len() {
+            0 => 0.0,
+            lines => NOTE_ROW * lines as f64 + NOTES_BELOW,
+        }
+    }
+
     pub(crate) fn items(&self) -> Vec<Item> {
         let mut canvas = Canvas::default();
         self.panels.iter().for_each(|panel| canvas.panel(panel));
+        let lines = self.note_lines();
+        let top = self.height - NOTE_ROW * lines.len() as f64 - NOTES_BELOW;
+        for (line, row) in lines.iter().zip(0_u8..) {
+            let middle = top + NOTE_ROW * (f64::from(row) + 0.5);
+            let place = (steps(NOTES_LEFT), steps(middle));
+            canvas.text(line, place, Anchor::Left, SMALL, SOFT);
+        }
         canvas.0
     }
 }
+
+/// Where notes begin, the height of a line of them, and the room below them, in pixels.
+const NOTES_LEFT: f64 = 10.0;
+const NOTE_ROW: f64 = 17.0;
+const NOTES_BELOW: f64 = 4.0;
 
 /// Room for the labels of the two axes, in pixels.
 pub const ROOM: [f64; 2] = [62.0, 46.0];
@@ -153,6 +190,14 @@ impl Canvas {
                 INK,
             );
         }
+        for value in x.small_ticks() {
+            let at = left + libm::round(wide * x.share(value)) as i32;
+            self.line(&[(at, bottom), (at, bottom + mark / 2)], line);
+        }
+        for value in y.small_ticks() {
+            let at = bottom - libm::round(tall * y.share(value)) as i32;
+            self.line(&[(left - mark / 2, at), (left, at)], line);
+        }
         for tick in &y.ticks {
             let at = bottom - libm::round(tall * y.share(tick.value)) as i32;
             self.line(&[(left - mark, at), (left, at)], line);
@@ -233,6 +278,12 @@ impl Canvas {
                         [offset, h],
                         rim,
                     );
+                }
+                continue;
+            }
+            if let (Mark::Beyond(colour), Some([(_, top), (_, bottom)])) = (layer.mark, bounds) {
+                for (x, y) in layer.series.pieces.iter().flatten().map(at) {
+                    self.beyond((x, y.clamp(top, bottom)), colour, y <= top);
                 }
                 continue;
             }

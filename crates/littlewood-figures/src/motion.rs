@@ -98,8 +98,8 @@ fn crowded(motion: &Trajectory) -> Option<f64> {
     (transitions.len() > CROWD && !is_event).then(|| transitions[SHOWN].time())
 }
 
-/// What a caption says of a motion of which only the beginning is shown, a sentence.
-pub(crate) fn remark(motion: &Trajectory, say: Wording) -> String {
+/// What a figure notes of a motion of which only the beginning is shown.
+pub(crate) fn remark(motion: &Trajectory, say: Wording) -> Option<String> {
     let until = horizon(motion);
     let all = motion.transitions().len();
     let shown = motion
@@ -108,13 +108,13 @@ pub(crate) fn remark(motion: &Trajectory, say: Wording) -> String {
         .filter(|transition| transition.time() <= until)
         .count();
     if shown == all {
-        return String::new();
+        return None;
     }
     let at = say.value(until, Dimension::Time);
-    format!(
-        " Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.",
+    Some(format!(
+        "Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.",
         say.time()
-    )
+    ))
 }
 
 /// The modes of a motion, each with the series of its phases.

@@ -645,11 +645,18 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let classes = Class::ALL
         .into_iter()
         .filter(|own| bands.iter().any(|band| class(band) == *own));
+    let cut = limits.transitions < input.limits.transitions
+        && bands.iter().any(|band| class(band) == Class::InContact);
     let entries = classes
         .map(|own| {
+            let after = if cut && own == Class::InContact {
+                format!(" after {} transitions", limits.transitions)
+            } else {
+                String::new()
+            };
             (
                 Mark::Fill(of_class(own, THEME)),
-                fates.label(own).to_owned(),
+                fates.label(own).to_owned() + &after,
             )
         })
         .chain(phases)
@@ -668,21 +675,18 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
             .any(|band| band.phases.codes().any(|own| own == Ok(*code)))
     };
     let except: Vec<Quantity> = varies.quantities().collect();
-    let cut = limits.transitions < input.limits.transitions
-        && bands.iter().any(|band| class(band) == Class::InContact);
     let others = MOTIONS - 1;
     let finer = format!(
-        " Outcomes vary more finely than drawn: of {others} other motions {amiss} have another outcome."
+        "Outcomes vary more finely than drawn: of {others} other motions {amiss} have another outcome."
     );
-    let finer = if amiss > 0 { &*finer } else { "" };
-    let cut_short = if drawn.iter().any(Drawn::is_cut) {
-        " Phases whose ends change faster than can be drawn are among the further ones."
-    } else {
-        ""
-    };
+    let cut_short = "Phases whose ends change faster than can be drawn are among the further ones.";
+    let cut_short = drawn
+        .iter()
+        .any(Drawn::is_cut)
+        .then(|| cut_short.to_owned());
     let caption = format!(
         "Motions{} that differ in {}. Above: the sequence of phases ({}) and the outcome. Below: the mode at each time, white where the motion has ended, in the \
-         colour of its outcome where none begins; where two transitions meet the sequence changes.{cut_short} {}{finer} {}.",
+         colour of its outcome where none begins; where two transitions meet the sequence changes. {} {}.",
         if cut {
             format!(", followed to {} transitions,", limits.transitions)
         } else {
@@ -694,11 +698,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         say.setup_except(&input.hoop, &input.start, &except)
     );
     let bottom = top + band_height + CLOSE + height + 6.0;
-    Ok(sheet.figure(
-        NAME,
-        "Transitions along a line of starts or parameters",
-        caption,
-        bottom,
-        panels,
-    ))
+    let title = "Transitions along a line of starts or parameters";
+    let figure = sheet.figure(NAME, title, caption, bottom, panels);
+    Ok(figure.noted(cut_short).noted((amiss > 0).then_some(finer)))
 }
