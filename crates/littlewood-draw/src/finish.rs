@@ -63,16 +63,36 @@ impl Figure {
             panel.labels.splice(0..0, beyond.1);
             left_out.extend(place(panel, sheet).into_iter().map(|label| label.text));
         }
-        if !left_out.is_empty() {
-            let note = format!("There is no room for the names {}.", left_out.join(", "));
-            self.notes.push(note);
-        }
+        self.notes.extend(no_room(&left_out));
         for note in &self.notes {
             self.caption += " ";
             self.caption += note;
         }
         self.height += self.room_for_notes();
         self
+    }
+}
+
+/// Names in a note of those that have no room.
+const NAMED: usize = 8;
+
+/// What a figure notes of names without room: how many, and each that is another once.
+fn no_room(names: &[String]) -> Option<String> {
+    let mut others: Vec<&str> = Vec::new();
+    for name in names {
+        if !others.contains(&name.as_str()) {
+            others.push(name);
+        }
+    }
+    let and_more = if others.len() > NAMED { ", …" } else { "" };
+    others.truncate(NAMED);
+    let others = others.join(", ");
+    match names.len() {
+        0 => None,
+        1 => Some(format!("There is no room for the name {others}.")),
+        count => Some(format!(
+            "There is no room for {count} names: {others}{and_more}."
+        )),
     }
 }
 

@@ -144,6 +144,28 @@ pub(crate) fn by_mode(
         .collect()
 }
 
+/// Adds the end of a motion, if its rate has no bound there: a glide that ends at the plane. Its
+/// line then says that it has no greatest rate.
+pub(crate) fn add_unbounded_end(
+    motion: &Trajectory,
+    modes: &mut [(Mode, Series)],
+    row: &dyn Fn(&Sample) -> Vec<f64>,
+) {
+    let Some(phase) = motion.phases().last() else {
+        return;
+    };
+    let samples = all_instants(motion, phase, horizon(motion));
+    let end = samples
+        .last()
+        .filter(|end| end.state.theta_rate.is_infinite());
+    let own = modes.iter_mut().find(|(mode, _)| *mode == phase.mode());
+    if let (Some(end), Some((_, series))) = (end, own)
+        && let Some(piece) = series.pieces.last_mut()
+    {
+        piece.push(row(end));
+    }
+}
+
 /// Lines of modes, so wide.
 pub(crate) fn lines(modes: Vec<(Mode, Series)>, width: f64) -> impl Iterator<Item = Layer> {
     modes

@@ -13,7 +13,7 @@ use crate::axes::plane_window;
 use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{arrows, bounds, by_mode, entries, horizon, lines, remark};
+use crate::motion::{add_unbounded_end, arrows, bounds, by_mode, entries, horizon, lines, remark};
 use crate::plane::Portrait;
 use littlewood::theory::Window;
 use littlewood_style::Curve;
@@ -186,7 +186,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         0.0
     };
     let row = |sample: &Sample| row(sample, turns);
-    let modes: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row);
+    let mut modes: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row);
     let mut all: Piece = modes
         .iter()
         .flat_map(|(_, series)| series.rows())
@@ -205,6 +205,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         keys.push((TRANSITION, "transition".to_owned()));
     }
     keys.extend(curves);
+    add_unbounded_end(&motion, &mut modes, &row);
     let modes = modes
         .into_iter()
         .map(|(mode, series)| (mode, inside(series, window)));

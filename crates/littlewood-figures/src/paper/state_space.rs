@@ -12,7 +12,9 @@ use littlewood_draw::{
 use crate::columns::{SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{all_instants, arrows, bounds, by_mode, horizon, lines, remark};
+use crate::motion::{
+    add_unbounded_end, all_instants, arrows, bounds, by_mode, horizon, lines, remark,
+};
 use crate::plane::{Portrait, unloading_lines};
 use crate::timeline::VERTICAL;
 use crate::wording::Wording;
@@ -210,7 +212,8 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     };
     let portrait = Portrait::new(&input.hoop, window);
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
-    let modes = by_mode(&motion, "", &COLUMNS, &row);
+    let mut modes = by_mode(&motion, "", &COLUMNS, &row);
+    add_unbounded_end(&motion, &mut modes, &row);
     let mut plane = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     plane.push(unloading_lines(theta_s).drawn(Stroke::of_curve(Curve::NormalForceZero).wide(1.2)));
     if let Some((_, limit)) = portrait.massless_limit() {
