@@ -54,7 +54,11 @@ impl Figure {
     fn note_lines(&self) -> Vec<String> {
         let room = self.width - 2.0 * NOTES_LEFT;
         let mut lines: Vec<String> = Vec::new();
-        for word in self.notes.iter().flat_map(|note| note.split(' ')) {
+        // A line does not end within an equation.
+        let notes = self.notes.iter().map(|note| note.replace(" = ", EQUALS));
+        let notes: Vec<String> = notes.collect();
+        for word in notes.iter().flat_map(|note| note.split(' ')) {
+            let word = &word.replace(EQUALS, " = ");
             match lines.last_mut() {
                 Some(line) if width(&format!("{line} {word}"), SMALL) <= room => {
                     line.push(' ');
@@ -87,6 +91,9 @@ impl Figure {
         canvas.0
     }
 }
+
+/// Stands for an equals sign with its room, as a part of a word.
+const EQUALS: &str = "\u{a0}=\u{a0}";
 
 /// Where notes begin, the height of a line of them, and the room below them, in pixels.
 const NOTES_LEFT: f64 = 10.0;

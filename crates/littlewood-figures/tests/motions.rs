@@ -124,7 +124,7 @@ fn figure_7_rolls_on_a_cycloid_and_glides_on_a_parabola() {
             // At its end the rate has no bound, which the first term meets as 0·∞.
             let rows = columns(series, ["theta", "theta_rate", "slip"]);
             assert_eq!(rows[rows.len() - 1][1], f64::INFINITY);
-            for [theta, rate, slip] in &rows[..rows.len() - 1] {
+            for &[theta, rate, slip] in &rows[..rows.len() - 1] {
                 assert_near(
                     slip,
                     v + rate * (1.0 + libm::cos(theta)),

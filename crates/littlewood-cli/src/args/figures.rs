@@ -16,8 +16,9 @@ figure-7 for the massless one, figure-3-bounces for impacts) unless --case, --sc
 figures are drawn that the hoop has; figures 4 to 7 show the massless hoop. With --restitution \
 the motion goes on after a landing.
 
-Each figure is written as SVG, PNG, CSV (the data drawn) and TXT (the caption) into --out. Nothing is written unless \
-all can be drawn; a file is replaced only once it is complete.";
+Each figure is written as SVG, PDF, PNG, CSV (the data drawn) and TXT (the caption) into --out. Each is \
+written once it is drawn, and a file is replaced only once it is complete; bad input is refused before anything is written. \
+Without names a figure that the hoop does not have is left out, and a line on the standard error says why.";
 
 pub(super) const FIGURES_EXAMPLES: &str = "\
 Examples:

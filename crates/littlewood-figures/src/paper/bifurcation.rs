@@ -24,6 +24,8 @@ use crate::timeline::CLOSE;
 use crate::wording::Wording;
 
 const NAME: &str = "bifurcation";
+/// Width of the sheet on a screen, in pixels.
+const SHEET: f64 = 640.0;
 /// Motions along the line that are compared first.
 const MOTIONS: usize = 401;
 /// How closely a boundary is located, in parts of the line.
@@ -590,8 +592,14 @@ fn panel_of_times(
     )
 }
 
-pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+/// Refuses what cannot be drawn, before any motion is followed.
+pub(crate) fn check(input: &FigureInput) -> Result<(), FigureError> {
     input.loaded(NAME)?;
+    Line::new(input)?;
+    input.sheet(SHEET).map(drop)
+}
+
+pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     let mut line = Line::new(input)?;
     let total = 2 * MOTIONS as u64;
     let mut workers = Workers::new(None)?;
@@ -637,7 +645,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     };
 
     let say = input.wording();
-    let sheet = input.sheet(640.0)?;
+    let sheet = input.sheet(SHEET)?;
     let [left, inner] = sheet.span();
     let x = say.varied(varies, [from, to]);
     let upper = panel_of_bands(&line, &bands, x.clone(), inner - ROOM[0]);

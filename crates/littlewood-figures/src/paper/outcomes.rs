@@ -23,6 +23,8 @@ use crate::plane::Portrait;
 use littlewood::theory::Window;
 
 const NAME: &str = "outcomes";
+/// Width of the sheet on a screen, in pixels.
+const SHEET: f64 = 620.0;
 /// How closely boundaries are located where motions take long, in parts of the plane, and how often
 /// a cell is halved in which they meet: to a tenth of a pixel, and to a third.
 const WIDTH: f64 = 2e-4;
@@ -212,8 +214,13 @@ fn followed(input: &FigureInput, limits: Limits, cut: bool) -> String {
     }
 }
 
-pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+/// Refuses what cannot be drawn, before any motion is followed.
+pub(crate) fn check(input: &FigureInput) -> Result<(), FigureError> {
     input.loaded(NAME)?;
+    input.sheet(SHEET).map(drop)
+}
+
+pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     let hoop = &input.hoop;
     let window = if input.is_massless() {
         Window {
@@ -328,7 +335,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         "Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
     );
     let say = input.wording();
-    let figure = input.sheet(620.0)?.plot(
+    let figure = input.sheet(SHEET)?.plot(
         NAME,
         "Outcome",
         format!(
