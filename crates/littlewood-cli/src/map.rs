@@ -53,7 +53,13 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let workers = Workers::new(args.work.threads)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
-    let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));
+    let show = |progress: Progress| {
+        let unit = match progress.total {
+            0 => BOUNDARIES,
+            _ => work::STARTS,
+        };
+        bar.show(unit, work::count(progress));
+    };
     let options = work::options(&args.work, args.store.resume, cancel, &show);
     let began = Instant::now();
     let mut report = if outputs.files.is_empty() {
@@ -210,6 +216,8 @@ impl<'a> Outputs<'a> {
         png.map_err(Error::Drawing)
     }
 }
+/// What a bar counts while boundaries are followed, which takes as many starts as it takes.
+const BOUNDARIES: &str = "starts along the boundaries";
 
 /// Pixels to 1/96 inch of a PNG with a width in print: 300 to the inch.
 const PRINT_SCALE: f64 = 3.125;

@@ -15,8 +15,9 @@ Each figure shows its own case (--list names it) unless --case, --scenario or fl
 hoop or start. Without names all figures that apply to the hoop are drawn; figures 4 to 7 apply to \
 the massless hoop. With --restitution the motion continues after a landing.
 
-Each figure is written into --out, in all formats of --format. Nothing is written unless all \
-figures can be drawn; an existing file is replaced once the new one is complete.";
+Each figure is written into --out, in all formats of --format, once it is drawn; a file is replaced
+only once the new one is complete. Bad input is refused before anything is written. Without names
+a figure that does not apply to the hoop is left out, and standard error says why.";
 
 pub(super) const FIGURES_EXAMPLES: &str = "\
 Examples:
