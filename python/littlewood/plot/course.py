@@ -170,6 +170,7 @@ def history(
             )
     axes.margins(y=0.15)
     _limit(axes, [samples[name] for name in quantities])
+    _mark_beyond(axes, samples, quantities)
     if len(quantities) > 1:
         _name_lines(axes, samples, quantities)
     else:
@@ -195,6 +196,51 @@ def _limit(axes: Axes, lines: list[Any]) -> None:
             min(float(np.max(values)), 1.5 * usual),
         )
         axes.set_ylim(low - 0.05 * (high - low), high)
+
+
+def _mark_beyond(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> None:
+    """Mark each part of a line that is cut, above and below, and write the farthest value.
+
+    A figure of the program does the same.
+    """
+    low, high = axes.get_ylim()
+    for sign_of_side, edge, marker in ((1.0, high, 6), (-1.0, low, 7)):
+        farthest: tuple[float, float, str] | None = None
+        for name in quantities:
+            for mode, part in phase_slices(samples):
+                times, values = samples.time[part], sign_of_side * samples[name][part]
+                (out,) = np.nonzero(values > sign_of_side * edge)
+                for run in np.split(out, np.nonzero(np.diff(out) > 1)[0] + 1):
+                    if len(run) == 0:
+                        continue
+                    at = int(run[np.argmax(values[run])])
+                    # The tip of the triangle is at the frame.
+                    axes.plot(
+                        [times[at]],
+                        [edge],
+                        color=MODE_COLOURS[mode],
+                        marker=marker,
+                        linestyle="none",
+                        linewidth=0.0,
+                    )
+                    if farthest is None or values[at] > farthest[0]:
+                        farthest = float(values[at]), float(times[at]), MODE_COLOURS[mode]
+        if farthest is None:
+            continue
+        size, time, colour = farthest
+        number = "∞" if math.isinf(size) else f"{size:.4g}"
+        # Above the frame no line is in the way; below it are the numbers of the other axis.
+        axes.annotate(
+            number if sign_of_side > 0.0 else f"−{number}",
+            (time, edge),
+            xytext=(0, 2) if sign_of_side > 0.0 else (6, 3),
+            textcoords="offset points",
+            ha="center" if sign_of_side > 0.0 else "left",
+            va="bottom",
+            color=colour,
+            annotation_clip=False,
+        )
+    axes.set_ylim(low, high)
 
 
 def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> None:
