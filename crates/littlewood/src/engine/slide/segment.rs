@@ -79,7 +79,7 @@ impl LocalCoefficients {
         let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
         Self {
             angle,
-            slip_coefficient: law.lever(angle.sin, angle.cos),
+            slip_coefficient: law.slip_coefficient(angle.sin, angle.cos),
             alpha,
             beta,
         }
@@ -164,7 +164,8 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             u,
             elapsed,
             slip: self.sigma
-                * (self.integral + rate * local.slip_coefficient - self.law.drag() * elapsed),
+                * (self.integral + rate * local.slip_coefficient
+                    - self.law.mean_slip_loss() * elapsed),
             slip_acceleration: self.sigma * (local.alpha + local.beta * u),
             angle: local.angle,
         }
@@ -191,7 +192,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             let value = contact(1.0, h, cos * u);
             // dw/dϑ = h sin ϑ u − h cos ϑ du/dϑ with du/dϑ = a w.
             let slope = self.segment.theta_slope(z)
-                * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
+                * (h * sin * u - h * cos * self.law.u_growth(sin, cos) * value);
             Step {
                 value,
                 step: -value / slope,

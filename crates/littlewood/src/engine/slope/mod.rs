@@ -523,7 +523,7 @@ impl<'a> Orbit<'a> {
         };
         let theta = heading * start.state.theta;
         let angle = start.angle.mirrored_by(heading);
-        let twice_kinetic = ahead.law().denominator_of(angle.pair()) * u;
+        let twice_kinetic = ahead.law().denominator_of(angle) * u;
         let expansion = LocalExpansion::new(ahead.law(), angle, 0.0);
         // Next to a turning point the distance from it has all digits.
         let side = if expansion.slope < 0.0 { 1.0 } else { -1.0 };

@@ -105,7 +105,7 @@ fn forces(law: &RollingLaw, one: f64, excess: [f64; 2], k: f64) -> ([f64; 4], [f
     let inertial: [f64; 4] = product(&d2, &carried);
     let c_d: [f64; 3] = product(&[l, -l], &d);
     let centripetal: [f64; 4] = product(&[c_d[0], c_d[1] + 4.0 * l * l, c_d[2]], &HALF_ANGLE_NORM);
-    let driven: [f64; 3] = product(&excess, &law.beyond_mass);
+    let driven: [f64; 3] = product(&excess, &law.inertia_excess);
     let held: [f64; 3] = product(&d, &carried);
     (
         core::array::from_fn(|i| one * inertial[i] - k * centripetal[i]),
@@ -195,13 +195,16 @@ fn pulled(law: &RollingLaw, travel: f64, mu: f64) -> [Form<7>; 2] {
         offset: l,
         top,
         bottom,
-        own,
+        mass_inertia,
         tilt,
         ..
     } = *law;
     let (pull, d) = (travel * tilt, [top, bottom]);
     let normal: [f64; 3] = product(&[mass + l, mass - l], &d);
-    let friction: [f64; 4] = product(&[own, 2.0 * own + 4.0 * l * l, own], &d);
+    let friction: [f64; 4] = product(
+        &[mass_inertia, 2.0 * mass_inertia + 4.0 * l * l, mass_inertia],
+        &d,
+    );
     [-1.0, 1.0].map(|sign| {
         let mut form = [0.0; 7];
         for i in 0..4 {

@@ -17,7 +17,9 @@ use core::f64::consts::PI;
 use std::sync::OnceLock;
 
 use crate::math::form::Trigonometric;
-use crate::mechanics::{RollingLaw, SlidingLaw};
+use crate::math::number::Number;
+use crate::math::trig::Angle;
+use crate::mechanics::{Loads, RollingLaw, SlidingLaw};
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, State};
 
 use super::boundary::margin_forms;
@@ -224,7 +226,8 @@ impl Levels {
             .map_or(f64::INFINITY, |next| self.energy_of(next.over_bottom));
 
         let d = self.law.denominator(angle);
-        let (sin, cos) = libm::sincos(angle);
+        let direction = angle.angle();
+        let Angle { sin, cos } = direction;
         let u = if at_turning_point {
             0.0
         } else {
@@ -234,7 +237,7 @@ impl Levels {
         let slope = margin.derivative();
         let (rise, fall) = if at_turning_point {
             let steepness = -2.0 * self.law.offset * sin;
-            let acceleration = self.law.acceleration((sin, cos), [1.0, 0.0], d);
+            let acceleration = self.law.acceleration(direction, Loads::of(0.0), d);
             let along = slope.value(angle);
             (
                 -(self.slope.value(angle) + along / steepness),
@@ -248,7 +251,7 @@ impl Levels {
         };
         let sliding = SlidingLaw::of_body(self.body, self.mu_k, Direction::Negative);
         let solvability = sliding.p(sin, sliding.q(1.0, sin, cos));
-        let normal = self.law.forces_at((sin, cos), [1.0, u], d).normal;
+        let normal = self.law.forces_at(direction, Loads::of(u), d).normal;
         let begins = solvability > 0.0 && normal > 0.0 && rise > 0.0 && fall > 0.0;
         (begins && self.holds(hoop, 0.5 * (floor + over_bottom))).then(|| {
             let theta_rate = u.sqrt();

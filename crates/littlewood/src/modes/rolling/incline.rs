@@ -12,7 +12,7 @@ use core::f64::consts::{FRAC_PI_8, PI, TAU};
 use crate::math::bracket::{Bracket, Step, last_of};
 use crate::math::panel::{ROUNDING, TAIL_TOLERANCE, integral};
 use crate::math::series::{Series, crossing};
-use crate::math::trig::{sincos, without_turns};
+use crate::math::trig::{Angle, sincos, without_turns};
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop, MAX_COORDINATE};
 
@@ -226,7 +226,7 @@ impl Leg {
     /// 2 [ℓ̂ (cos a − cos b) + T (m (b − a) + ℓ̂ (sin b − sin a))] for b = a + `by`.
     fn gain(&self, from: f64, by: f64) -> f64 {
         self.law()
-            .gain(sincos(from + 0.5 * by), 2.0 * libm::sin(0.5 * by), by)
+            .gain(Angle::of(from + 0.5 * by), 2.0 * libm::sin(0.5 * by), by)
     }
 
     /// The angle at the beginning is the sum of whole turns and a rest.
@@ -305,7 +305,7 @@ impl Leg {
 
     fn denominator(&self, place: Place) -> f64 {
         self.law()
-            .denominator_of(sincos(self.angle + place.passed.rest))
+            .denominator_of(Angle::of(self.angle + place.passed.rest))
     }
 
     /// G, from the nearer end.
@@ -341,10 +341,10 @@ impl Leg {
     fn slowness(&self, place: Place) -> (f64, f64) {
         let (kinetic, terms) = self.kinetic_and_terms(place);
         let angle = self.angle + place.passed.rest;
-        let (sin, cos) = sincos(angle);
-        let d = self.law().denominator_of((sin, cos));
+        let direction = Angle::of(angle);
+        let d = self.law().denominator_of(direction);
         // The angle itself is rounded, which tells next to the bottom of a light hoop.
-        let of_angle = angle.abs() * (self.law().offset * sin).abs() / d;
+        let of_angle = angle.abs() * (self.law().offset * direction.sin).abs() / d;
         (
             (d / kinetic).sqrt(),
             ROUNDING * (terms / kinetic + of_angle),
@@ -436,7 +436,7 @@ impl Leg {
         } else {
             1.0
         };
-        let summed = integral(TAIL_TOLERANCE, [0.0, TAU], |rest| {
+        let summed = integral(TAIL_TOLERANCE, 0.0..TAU, |rest| {
             let place = self.place(slowest, rest);
             let (slowness, rounding) = self.slowness(place);
             let kinetic = self.kinetic_at(place);
@@ -463,11 +463,11 @@ impl Leg {
         let mut time = match self.behind {
             Some(behind) if turns == 0.0 && from == 0.0 && behind <= first_end => {
                 let near = first_end.min(PI);
-                let roots = [behind, behind + near].map(f64::sqrt);
+                let roots = behind.sqrt()..(behind + near).sqrt();
                 integral(TAIL_TOLERANCE, roots, |s| at_root(s, at(s * s - behind)))
-                    + integral(TAIL_TOLERANCE, [near, first_end], at)
+                    + integral(TAIL_TOLERANCE, near..first_end, at)
             }
-            Some(_) | None => integral(TAIL_TOLERANCE, [from, first_end], at),
+            Some(_) | None => integral(TAIL_TOLERANCE, from..first_end, at),
         };
         if to.passed.rest > middle {
             let near = (end - middle).min(PI).max(to.left);
@@ -480,8 +480,8 @@ impl Leg {
                     left,
                 })
             };
-            time += integral(TAIL_TOLERANCE, [middle, end - near], at);
-            time += integral(TAIL_TOLERANCE, [to.left.sqrt(), near.sqrt()], |s| {
+            time += integral(TAIL_TOLERANCE, middle..end - near, at);
+            time += integral(TAIL_TOLERANCE, to.left.sqrt()..near.sqrt(), |s| {
                 at_root(s, back(s * s))
             });
         }
@@ -560,7 +560,7 @@ impl Leg {
 
     /// The margins about a place, each with the limit that is reached when it becomes negative.
     fn margins(&self, place: Place) -> impl Iterator<Item = (Series, RollingLimit)> {
-        let direction = sincos(self.angle + place.passed.rest);
+        let direction = Angle::of(self.angle + place.passed.rest);
         self.limits
             .margins(direction, self.kinetic_at(place))
             .into_iter()
@@ -572,7 +572,7 @@ impl Leg {
     fn holds_about(&self, turns: f64, rest: f64, reach: f64, depth: u32) -> bool {
         let kinetic = self.kinetic_at(self.place(turns, rest));
         self.limits
-            .holds_about(sincos(self.angle + rest), kinetic, reach)
+            .holds_about(Angle::of(self.angle + rest), kinetic, reach)
             || (depth > 0
                 && [-0.5, 0.5].into_iter().all(|side| {
                     self.holds_about(turns, rest + side * reach, 0.5 * reach, depth - 1)

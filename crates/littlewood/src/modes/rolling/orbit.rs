@@ -6,6 +6,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use crate::math::bernstein::Bernstein;
 use crate::math::bracket::{Bracket, Step};
 use crate::math::form::{HalfAngle, on_arc};
+use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
@@ -150,11 +151,7 @@ impl Elliptic {
                 Some(direction) => direction.sign(),
                 None => 1.0,
             };
-        let half = libm::sincos(0.5 * (travel * theta));
-        let half = Angle {
-            sin: half.0,
-            cos: half.1,
-        };
+        let half = (0.5 * (travel * theta)).angle();
         let path = HalfAngleOrbit::new(&law, travel * theta, half, theta_rate);
         if path.twice_kinetic == 0.0 && theta_rate != 0.0 {
             // The kinetic energy underflows: the start is a turning point, where gravity decides.

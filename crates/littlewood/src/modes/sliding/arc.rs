@@ -3,9 +3,10 @@
 use core::f64::consts::TAU;
 
 use crate::ablation::{Part, is_on};
+use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::without_turns;
-use crate::mechanics::{SlidePath, SlidingLaw};
+use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
@@ -185,10 +186,7 @@ impl Sliding {
             direction,
             start: State { theta, ..start },
             turns: [turns, rest].map(|part| if part == 0.0 { -0.0 } else { part }),
-            path: law.path(
-                [start.theta_rate, start.slip, start.x],
-                libm::sincos(start.theta),
-            ),
+            path: law.path(ContactMotion::of(&start), start.theta.angle()),
             steps: Vec::new(),
             leaps: Vec::new(),
             attempts: 0,
@@ -295,7 +293,7 @@ impl Sliding {
             }
             // On a level plane, and against the pull of a slope, only a slide without kinetic
             // friction can last for ever.
-            if sign * self.law.drag() <= 0.0 {
+            if sign * self.law.mean_slip_loss() <= 0.0 {
                 if next.place.rate * here.place.rate < 0.0 {
                     let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
                     self.turnings
@@ -317,7 +315,7 @@ impl Sliding {
     /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time.
     fn singular_end(&mut self, here: SlidePoint) -> SlidingEnd {
         let theta = here.place.theta;
-        let loss = self.law.drag() * here.elapsed;
+        let loss = self.law.mean_slip_loss() * here.elapsed;
         let (sin, cos) = libm::sincos(self.start.theta);
         let terms = self.start.slip.abs()
             + self.start.theta_rate.abs()
@@ -347,7 +345,9 @@ impl Sliding {
         let (sin, cos) = libm::sincos(theta);
         let slip = match fate {
             Fate::Sticks => 0.0,
-            Fate::Jams | Fate::LiftsOff => approach.rest + rate * self.law.lever(sin, cos),
+            Fate::Jams | Fate::LiftsOff => {
+                approach.rest + rate * self.law.slip_coefficient(sin, cos)
+            }
         };
         let elapsed = here.elapsed + later;
         let end = SlidePoint {
@@ -394,7 +394,7 @@ impl Sliding {
         allowed: Option<f64>,
     ) -> Option<SlidePoint> {
         let SlidingLaw { body, friction, .. } = self.law;
-        let (drag, sign) = (self.law.drag(), self.direction.sign());
+        let (drag, sign) = (self.law.mean_slip_loss(), self.direction.sign());
         if friction == 0.0 || body.h == 0.0 || !is_on(Part::WholeTurns) {
             return None;
         }
@@ -516,8 +516,8 @@ impl Sliding {
     /// A point of the slide, with η′ from the first integral.
     fn here(&self, elapsed: f64, turned: f64, place: PhasePoint) -> SlidePoint {
         let (sin, cos) = libm::sincos(place.theta);
-        let slip =
-            self.integral() + place.rate * self.law.lever(sin, cos) - self.law.drag() * elapsed;
+        let slip = self.integral() + place.rate * self.law.slip_coefficient(sin, cos)
+            - self.law.mean_slip_loss() * elapsed;
         SlidePoint {
             elapsed,
             turned,
@@ -530,7 +530,8 @@ impl Sliding {
     fn time_left(&self, here: &SlidePoint) -> f64 {
         let steady = |theta: f64, theta_rate: f64, slip: f64| {
             let (sin, cos) = libm::sincos(theta);
-            self.direction.sign() * (slip - theta_rate * (self.law.lever(sin, cos) - 1.0))
+            self.direction.sign()
+                * (slip - theta_rate * (self.law.slip_coefficient(sin, cos) - 1.0))
         };
         let State {
             theta,
@@ -660,7 +661,7 @@ impl Sliding {
         }
         let mut here = step.at(within - step.begin);
         here.place.theta += gained;
-        here.slip -= self.law.drag() * (elapsed - within);
+        here.slip -= self.law.mean_slip_loss() * (elapsed - within);
         self.state_from(SlidePoint { elapsed, ..here })
     }
 
@@ -683,19 +684,17 @@ impl Sliding {
             theta: self.with_turns(turned + place.theta),
             theta_rate: place.rate,
             slip,
-            x: self.path.x(elapsed, libm::sincos(place.theta)),
+            x: self.path.x(elapsed, place.theta.angle()),
         }
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
-        let forces = self.law.forces(state.theta, state.theta_rate);
-        let accelerations = self.law.accelerations(state.theta, state.theta_rate);
         let instant = Instant {
             mode: Mode::Sliding,
             direction: Some(self.direction),
-            accelerations: (accelerations.theta, accelerations.slip),
-            forces: (forces.normal, forces.friction),
-            gap: (0.0, 0.0),
+            accelerations: self.law.accelerations(state.theta, state.theta_rate),
+            forces: self.law.forces(state.theta, state.theta_rate),
+            clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)
     }

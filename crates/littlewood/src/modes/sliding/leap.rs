@@ -105,8 +105,9 @@ impl Probe {
         let mut here = start;
         for _ in 0..MAX_STEPS_PER_TURN {
             let (sin, cos) = libm::sincos(here.theta);
-            let mut series = SlideSeries::new(law, here, here.rate * law.lever(sin, cos));
-            series.slip[1] += law.drag();
+            let mut series =
+                SlideSeries::new(law, here, here.rate * law.slip_coefficient(sin, cos));
+            series.slip[1] += law.mean_slip_loss();
             let width = series.reach(f64::INFINITY);
             if !(width > 0.0 && width.is_finite())
                 || crossing(&series.contact, width).is_some()

@@ -117,6 +117,6 @@ fn sum_of_sizes(
         }
         acceleration[n] = sum / p;
     }
-    slip[1] += law.drag().abs();
+    slip[1] += law.mean_slip_loss().abs();
     slip
 }

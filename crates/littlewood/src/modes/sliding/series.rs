@@ -68,10 +68,11 @@ impl<T: Number> SlideSeries<T> {
             (s.theta[1], s.theta[2]) = (rate, acceleration * 0.5);
             s.theta_rate[1] = acceleration;
             (s.contact[0], s.solvability[0]) = (T::constant(1.0), inertia);
-            (s.slip[0], s.slip[1]) = (slip, acceleration - law.drag());
+            (s.slip[0], s.slip[1]) = (slip, acceleration - law.mean_slip_loss());
             return s;
         }
-        (sin[0], cos[0]) = theta.sincos();
+        let angle = theta.angle();
+        (sin[0], cos[0]) = (angle.sin, angle.cos);
         let mut order = 0.0;
         for n in 0..=DEGREE {
             if n > 0 {
@@ -111,7 +112,7 @@ impl<T: Number> SlideSeries<T> {
         // First integral of sliding: η′ = const − (μk σ + tan α) τ + θ′ (1 + h cos θ + μk σ h sin
         // θ).
         s.slip[0] = slip;
-        s.slip[1] = s.slip[1] - law.drag();
+        s.slip[1] = s.slip[1] - law.mean_slip_loss();
         s
     }
 

@@ -134,7 +134,7 @@ impl Approach<'_> {
         let (h, sigma) = (law.body.h, law.friction.signum());
         let zero = Zero::near(law, theta).filter(|zero| zero.slope * rate < 0.0)?;
         let Zero { sin, cos, .. } = zero;
-        let lever = law.lever(sin, cos);
+        let lever = law.slip_coefficient(sin, cos);
         let is_from_above = sigma * rate < 0.0;
         if is_from_above && cos <= 0.0 {
             return Some(self.rest(&zero));
@@ -184,7 +184,10 @@ impl Approach<'_> {
                 libm::log1p(exponent * gained / slope) / exponent
             }
         };
-        let mut end = Ending::here(Fate::Sticks, -rest / law.lever(zero.sin, zero.cos));
+        let mut end = Ending::here(
+            Fate::Sticks,
+            -rest / law.slip_coefficient(zero.sin, zero.cos),
+        );
         // The lever changes by the distance, so that each round gains its digits.
         for _ in 0..3 {
             let y = y_of(end.rate * end.rate);
@@ -194,7 +197,7 @@ impl Approach<'_> {
             }
             end.ahead = -zero.ahead * libm::expm1(y);
             let (sin, cos) = libm::sincos(theta + end.ahead);
-            end.rate = -rest / law.lever(sin, cos);
+            end.rate = -rest / law.slip_coefficient(sin, cos);
             // Simpson's rule in the distance; a slide that turns back passes θ′ = 0, in a time that
             // is not resolved.
             let between = libm::log1p(0.5 * libm::expm1(y));

@@ -292,9 +292,9 @@ impl Sample {
         let load = h * cos / inertia;
         let lower = lower_by(start, angle);
         let lever = if law.friction < 0.0 {
-            -law.lever(sin, cos)
+            -law.slip_coefficient(sin, cos)
         } else {
-            law.lever(sin, cos)
+            law.slip_coefficient(sin, cos)
         };
         let work = push * (1.0 - 2.0 * mass * h * load * lower);
         (p > 0.0).then_some(Self {
