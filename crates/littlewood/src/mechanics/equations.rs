@@ -540,7 +540,7 @@ impl SlidingLaw {
 
     /// P = Î + m h sin θ q. Where P ≤ 0, sliding has no solution with N > 0, or the motion is not
     /// unique.
-    pub fn solvability(&self, theta: f64) -> f64 {
+    pub fn painleve(&self, theta: f64) -> f64 {
         let Angle { sin, cos } = theta.angle();
         self.p(sin, self.q(1.0, sin, cos))
     }
@@ -548,7 +548,7 @@ impl SlidingLaw {
     /// N = Î m w/P and F = −μk σ N (2.15, 2.18).
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         let normal = self.body.inertia * self.body.mass * self.contact(theta, theta_rate)
-            / self.solvability(theta);
+            / self.painleve(theta);
         ContactForces {
             normal,
             friction: -self.friction * normal,

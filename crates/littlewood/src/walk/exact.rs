@@ -201,7 +201,7 @@ impl Solver for Exact<'_> {
             },
             SlidingEnd::Singular(place) => Ending::Singular {
                 state: place,
-                solvability: law.solvability(place.theta),
+                solvability: law.painleve(place.theta),
             },
             SlidingEnd::Unresolved(state) => {
                 Self::without_event(state, Outcome::Unresolved { state })

@@ -1,7 +1,7 @@
 //! A segment of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
 use crate::engine::fallback::Fallback;
-use crate::math::bracket::{Bracket, Step, last_digit};
+use crate::math::bracket::{Bracket, RootStep, last_digit};
 use crate::math::trig::Angle;
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
@@ -193,7 +193,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             // dw/dϑ = h sin ϑ u − h cos ϑ du/dϑ with du/dϑ = a w.
             let slope = self.segment.theta_slope(z)
                 * (h * sin * u - h * cos * self.law.u_growth(sin, cos) * value);
-            Step {
+            RootStep {
                 value,
                 step: -value / slope,
                 last: MAX_LAST_STEP_TO_LIFT_OFF,
@@ -235,7 +235,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             let value = falling(z);
             let step = value * (before.z - z) / (value - before.value);
             before = Sample { z, value };
-            Step {
+            RootStep {
                 value,
                 step,
                 last: MINIMUM_TOLERANCE,
@@ -267,7 +267,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             let u = self.segment.u(z);
             let value = elapsed - (start.elapsed + self.segment.time(start.z, z));
             let step = value / self.segment.time_slope(z, u);
-            Step {
+            RootStep {
                 value,
                 step,
                 last: self.last_step(z, u, step, MAX_LAST_STEP),
@@ -310,7 +310,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
         .iterate(start.z + part * width, |z| {
             let point = evaluate(z);
             let step = -point.slip / slope(&point);
-            Step {
+            RootStep {
                 value: point.slip,
                 step,
                 last: self.last_step(z, point.u, step, MAX_LAST_STEP_TO_REST),

@@ -10,7 +10,7 @@ use crate::math::bracket::Bracket;
 use crate::math::series::{DEGREE, Series, convolve, crossing, shifted, value};
 use crate::math::trig::{Angle, taylor};
 use crate::mechanics::RollingLaw;
-use crate::modes::rolling::Limits;
+use crate::modes::rolling::MarginSeries;
 
 /// Tiles of a turn, and the angle of one.
 pub(super) const TABLES: usize = 16;
@@ -277,7 +277,7 @@ pub(super) struct RollTable {
 }
 
 impl RollTable {
-    pub(super) fn new(limits: &Limits, number: usize) -> Self {
+    pub(super) fn new(limits: &MarginSeries, number: usize) -> Self {
         let law = &limits.law;
         let angle = Angle::of(WIDTH * number as f64);
         let gains = limits.kinetic(angle, 0.0);

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::math::bracket::{Bracket, Step};
+use crate::math::bracket::{Bracket, RootStep};
 use crate::math::trig::{Angle, TruncatedSeries, taylor, without_turns};
 
 /// The gap as a function of an argument p: the angle φ, or the time if the gap is concave (h θ′² ≤
@@ -225,7 +225,7 @@ impl Gap {
             last = Some(near);
             let here = quantity(at, [near.gap, near.slope, near.curvature, near.jerk]);
             let model = |step| quantity(at + step, near.derivatives(step));
-            Step::by_model(at, here, (near.reach(), 1.0 / near.spin), model)
+            RootStep::by_model(at, here, (near.reach(), 1.0 / near.spin), model)
         });
         match last {
             Some(near) if (root - near.at).abs() <= near.reach() => {

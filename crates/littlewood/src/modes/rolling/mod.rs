@@ -8,7 +8,7 @@ mod boundary;
 mod grazing;
 mod half_angle;
 mod incline;
-mod limits;
+mod margin_series;
 mod orbit;
 mod recurrence;
 mod rim;
@@ -18,7 +18,7 @@ pub(crate) use boundary::{Stiction, margin_forms};
 pub use grazing::GrazingOrbit;
 pub(crate) use grazing::Levels;
 pub(crate) use half_angle::{HalfAngleOrbit, OrbitEnergy, OrbitPass, ReducedAngle};
-pub(crate) use limits::Limits;
+pub(crate) use margin_series::MarginSeries;
 pub use orbit::RollingOrbit;
 pub use recurrence::{Recurrence, RecurrenceKind};
 

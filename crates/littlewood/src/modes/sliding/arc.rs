@@ -10,10 +10,10 @@ use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
-use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
+use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
 use super::onset::Onset;
 use super::series::{INITIAL_MAX_STEP, PhasePoint, SlideSeries};
-use super::singular::{Approach, Ending, Fate};
+use super::singular::{Approach, SingularEnd, SingularFate};
 
 /// Least step relative to the time. A shorter step means a singularity of the equations.
 const MIN_RELATIVE_STEP: f64 = 4.0 * f64::EPSILON;
@@ -29,7 +29,7 @@ const LEAP_COST_IN_STEPS: usize = 100;
 const DISTANCE_FOR_EXPANSION: f64 = 1e-7;
 
 /// Distance from the section below which an angle counts as on it; the leap then begins one turn
-/// later.
+/// delta_time.
 const SECTION_TOLERANCE: f64 = 1e-9;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,8 +74,8 @@ pub struct Sliding {
     /// zeros leave every angle unchanged.
     turns: [f64; 2],
     path: SlidePath,
-    steps: Vec<Step>,
-    leaps: Vec<Leap>,
+    steps: Vec<TaylorStep>,
+    leaps: Vec<TurnSkip>,
     attempts: usize,
     /// Time and angle of the turning points; recorded only while the slip does not decrease on
     /// average.
@@ -93,16 +93,16 @@ struct Cycle {
 
 /// A leap over turns, or periods, between two steps.
 #[derive(Clone, Debug)]
-struct Leap {
+struct TurnSkip {
     /// Time since the start of the phase.
     begin: f64,
-    /// θ minus the angle of [`Turns`]: the whole turns before the leap.
+    /// θ minus the angle of [`ProvedTurns`]: the whole turns before the leap.
     turned: f64,
-    passed: Turns,
+    passed: ProvedTurns,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Step {
+struct TaylorStep {
     /// Time since the start of the phase.
     begin: f64,
     /// θ minus its series: whole turns.
@@ -112,7 +112,7 @@ struct Step {
     slip: Series,
 }
 
-impl Step {
+impl TaylorStep {
     fn new(from: &SlidePoint, [theta, theta_rate, slip]: [Series; 3]) -> Self {
         Self {
             begin: from.elapsed,
@@ -152,7 +152,7 @@ struct SlidePoint {
 struct LeapSearch {
     turning: Option<f64>,
     /// Minimum and maximum of the oscillating part of σ η′ at the steps since then.
-    range: Option<(f64, f64)>,
+    slip_extremes: Option<(f64, f64)>,
     next_attempt: usize,
 }
 
@@ -232,17 +232,17 @@ impl Sliding {
                     .for_each(|c| *c = 0.0);
             }
             // P ≥ Î except where it tends to zero.
-            let is_near_zero = series.solvability[0] < 0.5 * self.law.body.inertia;
+            let is_near_zero = series.painleve[0] < 0.5 * self.law.body.inertia;
             let reach = if self.law.body.h == 0.0 {
-                series.straight_reach()
+                series.straight_step()
             } else {
-                series.reach(max_step(self.steps.len()))
+                series.convergence_radius(max_step(self.steps.len()))
             };
             if self.work() >= most
                 || self
                     .leaps
                     .last()
-                    .is_some_and(|leap| leap.passed.is_longest())
+                    .is_some_and(|leap| leap.passed.is_limited())
             {
                 let state = self.state_from(here);
                 return SlidingEnd::StepLimit {
@@ -270,7 +270,7 @@ impl Sliding {
                 Some(allowed) if last => allowed - here.elapsed,
                 _ => reach,
             };
-            let step = Step::new(&here, [series.theta, series.theta_rate, series.slip]);
+            let step = TaylorStep::new(&here, [series.theta, series.theta_rate, series.slip]);
             self.steps.push(step);
             if let Some((at, event)) = first_event(&series, sign, known_roots, width) {
                 let found = step.at(at);
@@ -324,32 +324,33 @@ impl Sliding {
         let approach = Approach {
             law: &self.law,
             place: here.place,
-            rest: self.integral() - loss,
+            integral: self.integral() - loss,
             error: f64::EPSILON * (8.0 * terms + (8.0 + steps) * loss.abs()),
         };
-        let is_earlier = |step: &&Step| (step.theta[0] - theta).abs() >= DISTANCE_FOR_EXPANSION;
-        let same_turn = |step: &&Step| step.turned.to_bits() == here.turned.to_bits();
+        let is_earlier =
+            |step: &&TaylorStep| (step.theta[0] - theta).abs() >= DISTANCE_FOR_EXPANSION;
+        let same_turn = |step: &&TaylorStep| step.turned.to_bits() == here.turned.to_bits();
         let earlier = self.steps.iter().rev().take_while(same_turn);
         let earlier = earlier.clone().find(is_earlier).or(earlier.last());
         let earlier = earlier.map_or(here.place, |step| step.at(0.0).place);
-        let Some(Ending {
+        let Some(SingularEnd {
             fate,
             rate,
-            ahead,
-            later,
+            delta_theta,
+            delta_time,
         }) = approach.end(earlier)
         else {
             return SlidingEnd::Unresolved(self.state_from(here));
         };
-        let theta = theta + ahead;
+        let theta = theta + delta_theta;
         let (sin, cos) = libm::sincos(theta);
         let slip = match fate {
-            Fate::Sticks => 0.0,
-            Fate::Jams | Fate::LiftsOff => {
-                approach.rest + rate * self.law.slip_coefficient(sin, cos)
+            SingularFate::Sticks => 0.0,
+            SingularFate::Jams | SingularFate::LiftsOff => {
+                approach.integral + rate * self.law.slip_coefficient(sin, cos)
             }
         };
-        let elapsed = here.elapsed + later;
+        let elapsed = here.elapsed + delta_time;
         let end = SlidePoint {
             elapsed,
             place: PhasePoint { theta, rate },
@@ -358,13 +359,13 @@ impl Sliding {
         };
         // The steps before do not reach the end.
         let between = |[from, to]: [f64; 2]| -> Series {
-            let slope = if later > 0.0 {
-                (to - from) / later
+            let slope = if delta_time > 0.0 {
+                (to - from) / delta_time
             } else {
                 0.0
             };
             core::array::from_fn(|n| {
-                [if later > 0.0 { from } else { to }, slope]
+                [if delta_time > 0.0 { from } else { to }, slope]
                     .get(n)
                     .copied()
                     .unwrap_or(0.0)
@@ -375,12 +376,12 @@ impl Sliding {
             [here.place.rate, rate],
             [here.slip, slip],
         ];
-        self.steps.push(Step::new(&here, ends.map(between)));
+        self.steps.push(TaylorStep::new(&here, ends.map(between)));
         let state = self.state_from(end);
         match fate {
-            Fate::Jams => SlidingEnd::Singular(state),
-            Fate::LiftsOff => SlidingEnd::LiftOff(state),
-            Fate::Sticks => SlidingEnd::Rest(state),
+            SingularFate::Jams => SlidingEnd::Singular(state),
+            SingularFate::LiftsOff => SlidingEnd::LiftOff(state),
+            SingularFate::Sticks => SlidingEnd::Rest(state),
         }
     }
 
@@ -394,65 +395,69 @@ impl Sliding {
         allowed: Option<f64>,
     ) -> Option<SlidePoint> {
         let SlidingLaw { body, friction, .. } = self.law;
-        let (drag, sign) = (self.law.mean_slip_loss(), self.direction.sign());
+        let (mean_slip_loss, sign) = (self.law.mean_slip_loss(), self.direction.sign());
         if friction == 0.0 || body.h == 0.0 || !is_on(Part::WholeTurns) {
             return None;
         }
         let integral = self.integral();
         let bounds = |elapsed: f64| LeapLimits {
-            slip: sign * (integral - drag * elapsed),
-            drag: sign * drag,
-            allowed: allowed.map_or(f64::INFINITY, |allowed| allowed - elapsed),
+            slip: sign * (integral - mean_slip_loss * elapsed),
+            mean_slip_loss: sign * mean_slip_loss,
+            time_left: allowed.map_or(f64::INFINITY, |allowed| allowed - elapsed),
         };
         let width = next.elapsed - here.elapsed;
-        let swings = sign * (here.slip - integral + drag * here.elapsed);
-        let (least, most) = search.range.unwrap_or((swings, swings));
+        let swings = sign * (here.slip - integral + mean_slip_loss * here.elapsed);
+        let (least, most) = search.slip_extremes.unwrap_or((swings, swings));
         let (least, most) = (least.min(swings), most.max(swings));
-        search.range = Some((least, most));
+        search.slip_extremes = Some((least, most));
         let is_ready = self.steps.len() >= search.next_attempt;
         let (begin, turned, passed) = if next.place.rate * here.place.rate < 0.0 {
             let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
             let begin = here.elapsed + at;
-            search.range = None;
+            search.slip_extremes = None;
             let swing = begin - search.turning.replace(begin)?;
             // The third turning point proves that a slide without loss has no end.
-            if sign * drag <= 0.0 {
+            if sign * mean_slip_loss <= 0.0 {
                 return None;
             }
             // θ′ changes sign on the way back.
-            if !is_ready || bounds(begin).longest(least.min(-most)) < 2.0 * MIN_LEAP_TURNS * swing {
+            if !is_ready
+                || bounds(begin).time_until_event(least.min(-most)) < 2.0 * MIN_LEAP_TURNS * swing
+            {
                 return None;
             }
             let theta = value(&series.theta, at);
             (
                 begin,
                 here.turned,
-                Turns::periods(&self.law, theta, bounds(begin)),
+                ProvedTurns::periods(&self.law, theta, bounds(begin)),
             )
         } else {
-            let travel = here.place.rate.signum();
+            let heading = here.place.rate.signum();
             let rate = here.place.rate.abs().max(next.place.rate.abs());
-            if !is_ready || bounds(here.elapsed).longest(least) * rate < MIN_LEAP_TURNS * TAU {
+            if !is_ready
+                || bounds(here.elapsed).time_until_event(least) * rate < MIN_LEAP_TURNS * TAU
+            {
                 return None;
             }
-            let section = section_of(&self.law, travel);
+            let section = section_of(&self.law, heading);
             let (sin, cos) = libm::sincos(here.place.theta);
-            let mut ahead = (travel * (section - libm::atan2(sin, cos))).rem_euclid(TAU);
+            let mut ahead = (heading * (section - libm::atan2(sin, cos))).rem_euclid(TAU);
             if ahead < SECTION_TOLERANCE {
                 ahead += TAU;
             }
             let mut gain = series.theta;
             gain[0] = 0.0;
-            if travel * value(&gain, width) < ahead {
+            if heading * value(&gain, width) < ahead {
                 return None;
             }
-            let at = root(&gain, travel * ahead, -travel, width);
+            let at = root(&gain, heading * ahead, -heading, width);
             let begin = here.elapsed + at;
-            let turned = here.turned + here.place.theta + travel * ahead - section;
+            let turned = here.turned + here.place.theta + heading * ahead - section;
             (
                 begin,
                 turned,
-                Turns::new(&self.law, value(&series.theta_rate, at), bounds(begin)),
+                ProvedTurns::new(&self.law, value(&series.theta_rate, at), bounds(begin)),
             )
         };
         self.attempts += 1;
@@ -462,7 +467,7 @@ impl Sliding {
         };
         *search = LeapSearch::default();
         let (duration, place, advance) = passed.begin(passed.count);
-        self.leaps.push(Leap {
+        self.leaps.push(TurnSkip {
             begin,
             turned,
             passed,
@@ -649,7 +654,7 @@ impl Sliding {
             };
         };
         let leaps = self.leaps.partition_point(|leap| leap.begin <= within);
-        if let Some(Leap {
+        if let Some(TurnSkip {
             begin,
             turned,
             passed,
@@ -719,7 +724,7 @@ fn first_event(
     }
     let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
     let lift_off = crossing(&series.contact, width).map(|at| (at, Event::LiftOff));
-    let singular = crossing(&series.solvability, width).map(|at| (at, Event::Singular));
+    let singular = crossing(&series.painleve, width).map(|at| (at, Event::Singular));
     [rest, lift_off, singular]
         .into_iter()
         .flatten()
@@ -807,7 +812,7 @@ mod tests {
             let allowed = tolerance + difference(&end, &shaken);
             prop_assert!(difference(&end, &expected) < allowed, "{end:?} {expected:?}");
             let last = end.time.min(expected.time).min(shaken.time);
-            let seams = by_leaps.leaps.iter().flat_map(|Leap { begin, passed, .. }| {
+            let seams = by_leaps.leaps.iter().flat_map(|TurnSkip { begin, passed, .. }| {
                 [0.0, 1.0, 7.0, passed.count - 1.0, passed.count].map(|n| begin + passed.begin(n).0)
             });
             let seams = seams.flat_map(|time| [-1e-9, 0.0, 1e-9].map(|shift| (time + shift).clamp(0.0, last)));

@@ -5,9 +5,9 @@
 mod arc;
 mod leap;
 mod onset;
+mod return_map;
 mod series;
 mod singular;
-mod turn;
 
 pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlidingEnd};

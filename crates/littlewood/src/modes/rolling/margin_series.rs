@@ -17,7 +17,7 @@ use super::boundary::RollingLimit;
 
 /// What bounds rolling in one direction of motion, in which the angle ϑ increases.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
+pub(crate) struct MarginSeries {
     /// With tan α positive downhill.
     pub(crate) law: RollingLaw,
     mu: f64,
@@ -44,12 +44,12 @@ fn scaled(lead: f64, factor: f64, series: &Series) -> Series {
     core::array::from_fn(|n| if n == 0 { lead } else { factor * series[n] })
 }
 
-impl Limits {
-    pub(crate) fn new(hoop: &Hoop, travel: f64) -> Self {
+impl MarginSeries {
+    pub(crate) fn new(hoop: &Hoop, heading: f64) -> Self {
         let law = RollingLaw::of(hoop);
         Self {
             law: RollingLaw {
-                tilt: travel * law.tilt,
+                tilt: heading * law.tilt,
                 ..law
             },
             mu: hoop.mu_s(),
@@ -138,11 +138,7 @@ impl Limits {
 
     /// The margins about an angle where G is `kinetic`, each with the limit that is reached when it
     /// becomes negative.
-    pub(super) fn margins(
-        &self,
-        angle: Angle,
-        kinetic: f64,
-    ) -> [Option<(Series, RollingLimit)>; 3] {
+    pub(super) fn at(&self, angle: Angle, kinetic: f64) -> [Option<(Series, RollingLimit)>; 3] {
         let kinetic = self.kinetic(angle, kinetic);
         let [negative, positive] = Direction::ALL.map(RollingLimit::Friction);
         if self.inertia > 0.0 {

@@ -1,7 +1,7 @@
 //! A slide over whole turns (docs/theory/many-turns.md): the linear map of the energy, and the time
 //! of a turn.
 //!
-//! In the direction of travel, with f = μk σ and G = Î + m h² s², twice the energy relative to the
+//! In the direction of motion, with f = μk σ and G = Î + m h² s², twice the energy relative to the
 //! mean drift is e = G u + 2 m h c = e₀(θ) + ε A(θ), where e₀ is the slide with u = 0 at the
 //! section θs at which turns are counted. A turn maps ε to α ε + β, with log α = κ = f ∮ 2 m Î (1 +
 //! h c) h c/(P G) dθ.
@@ -28,7 +28,7 @@ const MAP_TOLERANCE: f64 = 1e-14;
 /// to twice the degree.
 const TIME_TOLERANCE: f64 = 1e-8;
 
-/// Angle of the section at which turns are counted, in the direction of travel, within (−π, π].
+/// Angle of the section at which turns are counted, in the direction of motion, within (−π, π].
 pub(super) fn section(law: &SlidingLaw) -> f64 {
     // q = h √(1 + f²) sin(θ − atan f) − f.
     let f = law.friction;
@@ -42,9 +42,9 @@ pub(super) fn section(law: &SlidingLaw) -> f64 {
     if section > PI { section - TAU } else { section }
 }
 
-/// The slides of a law through one turn from the section.
+/// The map of the energy ε over one turn from the section.
 #[derive(Clone, Debug)]
-pub(super) struct Turn {
+pub(super) struct ReturnMap {
     /// log α and β.
     kappa: f64,
     beta: f64,
@@ -61,8 +61,8 @@ struct Node {
     /// u = base + ε gain.
     base: f64,
     gain: f64,
-    /// ± lever, the derivative of the slip velocity in the rate.
-    lever: f64,
+    /// ± L, the derivative of the slip velocity in the rate.
+    slip_coefficient: f64,
 }
 
 impl Node {
@@ -75,8 +75,8 @@ impl Node {
 /// The coefficients of the linear map at an angle.
 #[derive(Clone, Copy, Default)]
 struct Sample {
-    /// ± lever.
-    lever: f64,
+    /// ± L.
+    slip_coefficient: f64,
     /// cos θs − cos θ.
     lower: f64,
     /// G.
@@ -87,9 +87,9 @@ struct Sample {
     work: f64,
 }
 
-impl Turn {
-    /// A turn that changes nothing.
-    pub(super) const fn still(section_inertia: f64) -> Self {
+impl ReturnMap {
+    /// The map of turns that change nothing.
+    pub(super) const fn identity(section_inertia: f64) -> Self {
         Self {
             kappa: 0.0,
             beta: 0.0,
@@ -99,7 +99,7 @@ impl Turn {
         }
     }
 
-    /// The turn of a law in the direction of travel, accurate for times between two `energies`.
+    /// The turn of a law in the direction of motion, accurate for times between two `energies`.
     /// None if P vanishes in the turn, or if it needs too many panels.
     pub(super) fn new(law: &SlidingLaw, energies: Option<(f64, f64)>) -> Option<Self> {
         let rule = Rule::get();
@@ -109,7 +109,7 @@ impl Turn {
         let f = law.friction;
         let start = section(law);
         let sin_start = libm::sin(start);
-        let mut turn = Self::still(inertia + mass * h * h * (sin_start * sin_start));
+        let mut turn = Self::identity(inertia + mass * h * h * (sin_start * sin_start));
         // A panel ends at the top. Panels are taken from the end of the list.
         let to_top = if start > 0.0 { TAU - start } else { -start };
         let mut ends: Vec<f64> = (0..=INITIAL_PANELS)
@@ -179,7 +179,7 @@ impl Turn {
                     weight: half * rule.weights[i],
                     base,
                     gain,
-                    lever: samples[i].lever,
+                    slip_coefficient: samples[i].slip_coefficient,
                 });
             }
             growth += half * rule.integral(&growths);
@@ -249,16 +249,16 @@ impl Turn {
     }
 
     /// Largest magnitude, over the nodes, of the oscillating part of η′.
-    pub(super) fn largest_slip(&self, energy: f64) -> f64 {
+    pub(super) fn max_slip(&self, energy: f64) -> f64 {
         self.nodes.iter().fold(0.0, |largest, node| {
-            largest.max(node.lever.abs() * node.rate(energy))
+            largest.max(node.slip_coefficient.abs() * node.rate(energy))
         })
     }
 
     /// Minimum, over the nodes, of the oscillating part of σ η′, σ θ′ (1 + h c + f h s).
-    pub(super) fn lowest_slip(&self, energy: f64) -> f64 {
+    pub(super) fn min_slip(&self, energy: f64) -> f64 {
         self.nodes.iter().fold(f64::INFINITY, |lowest, node| {
-            lowest.min(node.lever * node.rate(energy))
+            lowest.min(node.slip_coefficient * node.rate(energy))
         })
     }
 }
@@ -291,14 +291,14 @@ impl Sample {
         let push = 2.0 * mass * own * (1.0 + h * cos) / p;
         let load = h * cos / inertia;
         let lower = lower_by(start, angle);
-        let lever = if law.friction < 0.0 {
+        let slip_coefficient = if law.friction < 0.0 {
             -law.slip_coefficient(sin, cos)
         } else {
             law.slip_coefficient(sin, cos)
         };
         let work = push * (1.0 - 2.0 * mass * h * load * lower);
         (p > 0.0).then_some(Self {
-            lever,
+            slip_coefficient,
             lower,
             inertia,
             growth: push * load,
