@@ -16,7 +16,7 @@ use crate::math::bracket::last_of;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::mechanics::SlidingLaw;
 
-use super::return_map::{ReturnMap, section};
+use super::return_map::{EnergyRange, ReturnMap, section};
 use super::series::{PhasePoint, SlideSeries};
 
 /// Least number of turns, or periods, of a leap; fewer are integrated step by step.
@@ -271,7 +271,13 @@ impl ProvedTurns {
         let energy = coarse.energy(rate);
         let max_turns = max_summable_turns(&ahead, &coarse, energy, bounds)?;
         let last = coarse.after(energy, max_turns - 1.0);
-        let map = ReturnMap::new(&ahead, Some((energy.min(last), energy.max(last))))?;
+        let map = ReturnMap::new(
+            &ahead,
+            Some(EnergyRange {
+                low: energy.min(last),
+                high: energy.max(last),
+            }),
+        )?;
         let theta = section_of(law, heading);
         let mut turns = Self {
             heading,
@@ -333,7 +339,7 @@ impl ProvedTurns {
                 -check.slip_range.1
             })
         };
-        // If the lever of θ′ can be negative, the oscillating part of the slip need not decrease
+        // If the coefficient L of θ′ can be negative, the oscillating part of the slip need not decrease
         // from turn to turn.
         let f = law.friction;
         let first = if law.body.h * (1.0 + f * f).sqrt() < 1.0 {
@@ -341,8 +347,11 @@ impl ProvedTurns {
         } else {
             check(self, 0.0)?
         };
-        // The minimum over the nodes exceeds the true minimum, by nearly the same amount in
-        // neighbouring turns.
+        // The count is guessed from minima over the nodes, which exceed the true ones by nearly the
+        // same amount in neighbouring turns. Turn n is then integrated for its true minimum. If the
+        // slip stays positive until that turn ends, all earlier turns are free of events, too,
+        // because the minima fall from turn to turn (`first` covers an L that changes sign).
+        // Otherwise the guess is lowered by the error just seen.
         let mut overestimate = 0.0;
         for _ in 0..MAX_PROOFS {
             let n = self.last(bounds, first, overestimate);

@@ -51,16 +51,27 @@ pub(super) struct ReturnMap {
     /// Î + m h² s² at the section: ε = G u there.
     section_inertia: f64,
     nodes: Vec<Node>,
-    /// `base` and `gain` at the top.
-    top: (f64, f64),
+    /// At the top.
+    top: LinearU,
+}
+
+/// u = `base` + ε `gain`.
+#[derive(Clone, Copy, Debug)]
+struct LinearU {
+    base: f64,
+    gain: f64,
+}
+
+impl LinearU {
+    fn at(&self, energy: f64) -> f64 {
+        self.base + energy * self.gain
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
     weight: f64,
-    /// u = base + ε gain.
-    base: f64,
-    gain: f64,
+    u: LinearU,
     /// ± L, the derivative of the slip velocity in the rate.
     slip_coefficient: f64,
 }
@@ -68,7 +79,198 @@ struct Node {
 impl Node {
     /// θ′ of the slide with ε.
     fn rate(&self, energy: f64) -> f64 {
-        (self.base + energy * self.gain).sqrt()
+        self.u.at(energy).sqrt()
+    }
+}
+
+/// Values of ε.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EnergyRange {
+    pub(super) low: f64,
+    pub(super) high: f64,
+}
+
+/// A part of a turn, by angles from the section.
+#[derive(Clone, Copy, Debug)]
+struct Panel {
+    left: f64,
+    right: f64,
+}
+
+impl Panel {
+    fn centre(&self) -> f64 {
+        0.5 * (self.left + self.right)
+    }
+
+    fn half_width(&self) -> f64 {
+        0.5 * (self.right - self.left)
+    }
+
+    /// The right half first: panels are taken from the end of a list.
+    fn halves(&self) -> [Self; 2] {
+        let centre = self.centre();
+        [
+            Self {
+                left: centre,
+                ..*self
+            },
+            Self {
+                right: centre,
+                ..*self
+            },
+        ]
+    }
+}
+
+/// The panels of a turn from the last to the first; one ends at the top, where the load is largest.
+fn initial_panels(to_top: f64) -> Vec<Panel> {
+    let mut ends: Vec<f64> = (0..=INITIAL_PANELS)
+        .map(|k| k as f64 / INITIAL_PANELS as f64 * TAU)
+        .chain([to_top])
+        .collect();
+    ends.sort_by(|a, b| b.total_cmp(a));
+    ends.windows(2)
+        .map(|pair| Panel {
+            left: pair[1],
+            right: pair[0],
+        })
+        .filter(|panel| panel.left < panel.right)
+        .collect()
+}
+
+/// The integrals from the section up to a panel.
+#[derive(Clone, Copy, Debug)]
+struct Sums<'a> {
+    law: &'a SlidingLaw,
+    /// Angle of the section.
+    start: f64,
+    /// log A/f and the work −(e₀ − e₀(θs))/(f A).
+    growth: f64,
+    work: f64,
+    /// The largest integrands so far: near the bottom of a rim hoop both are small differences.
+    max_growth: f64,
+    max_work: f64,
+}
+
+/// The integrands at the nodes of a panel.
+struct Integrands {
+    samples: [Sample; NODES],
+    growths: [f64; NODES],
+    /// The work without and with the factor 1/A.
+    plain_works: [f64; NODES],
+    works: [f64; NODES],
+    u: [LinearU; NODES],
+}
+
+impl Integrands {
+    fn nodes(&self, panel: Panel) -> impl Iterator<Item = Node> {
+        let weights = Rule::get().weights;
+        (0..NODES).map(move |i| Node {
+            weight: panel.half_width() * weights[i],
+            u: self.u[i],
+            slip_coefficient: self.samples[i].slip_coefficient,
+        })
+    }
+}
+
+impl<'a> Sums<'a> {
+    fn new(law: &'a SlidingLaw) -> Self {
+        Self {
+            law,
+            start: section(law),
+            growth: 0.0,
+            work: 0.0,
+            max_growth: 0.0,
+            max_work: 0.0,
+        }
+    }
+
+    fn angle_to_top(&self) -> f64 {
+        if self.start > 0.0 {
+            TAU - self.start
+        } else {
+            -self.start
+        }
+    }
+
+    /// G at the section.
+    fn inertia_at_section(&self) -> f64 {
+        let Heavy {
+            mass, h, inertia, ..
+        } = self.law.body;
+        let sin = libm::sin(self.start);
+        inertia + mass * h * h * (sin * sin)
+    }
+
+    /// u after these sums, at an angle with this cos θs − cos θ and G.
+    fn u_at(&self, lower: f64, inertia: f64) -> LinearU {
+        let Heavy { mass, h, .. } = self.law.body;
+        let f = self.law.friction;
+        let gain = libm::exp(f * self.growth);
+        LinearU {
+            base: (2.0 * mass * h * lower - f * gain * self.work) / inertia,
+            gain: gain / inertia,
+        }
+    }
+
+    /// None if P ≤ 0 at a node.
+    fn integrands(&self, panel: Panel) -> Option<Integrands> {
+        let rule = Rule::get();
+        let (centre, half) = (panel.centre(), panel.half_width());
+        let mut samples = [Sample::default(); NODES];
+        for (sample, x) in samples.iter_mut().zip(rule.nodes) {
+            *sample = Sample::new(self.law, self.start, centre + half * x)?;
+        }
+        let growths = samples.map(|sample| sample.growth);
+        let growth_to = rule.up_to(&growths).map(|sum| self.growth + half * sum);
+        let works: [f64; NODES] = core::array::from_fn(|i| {
+            samples[i].work * libm::exp(-self.law.friction * growth_to[i])
+        });
+        let work_to = rule.up_to(&works).map(|sum| self.work + half * sum);
+        let u = core::array::from_fn(|i| {
+            let sums = Self {
+                growth: growth_to[i],
+                work: work_to[i],
+                ..*self
+            };
+            sums.u_at(samples[i].lower, samples[i].inertia)
+        });
+        Some(Integrands {
+            samples,
+            growths,
+            plain_works: samples.map(|sample| sample.work),
+            works,
+            u,
+        })
+    }
+
+    /// Whether a panel resolves its integrals, and the times of turns with these energies.
+    fn are_resolved_by(&mut self, integrands: &Integrands, energies: Option<EnergyRange>) -> bool {
+        let rule = Rule::get();
+        let Integrands {
+            growths,
+            plain_works,
+            works,
+            u,
+            ..
+        } = integrands;
+        self.max_growth = self.max_growth.max(largest(growths));
+        self.max_work = self.max_work.max(largest(plain_works));
+        let resolves_time = |energy: f64| {
+            let slowness = u.map(|u| 1.0 / u.at(energy).sqrt());
+            rule.tail(&slowness) < TIME_TOLERANCE * largest(&slowness)
+        };
+        rule.tail(growths) <= MAP_TOLERANCE * self.max_growth
+            && rule.tail(plain_works) <= MAP_TOLERANCE * self.max_work
+            && rule.tail(works) <= MAP_TOLERANCE * self.max_work.max(largest(works))
+            && energies
+                .is_none_or(|EnergyRange { low, high }| resolves_time(low) && resolves_time(high))
+    }
+
+    fn add(&mut self, panel: Panel, integrands: &Integrands) {
+        let rule = Rule::get();
+        self.growth += panel.half_width() * rule.integral(&integrands.growths);
+        self.work += panel.half_width() * rule.integral(&integrands.works);
     }
 }
 
@@ -95,102 +297,41 @@ impl ReturnMap {
             beta: 0.0,
             section_inertia,
             nodes: Vec::new(),
-            top: (f64::NAN, f64::NAN),
+            top: LinearU {
+                base: f64::NAN,
+                gain: f64::NAN,
+            },
         }
     }
 
-    /// The turn of a law in the direction of motion, accurate for times between two `energies`.
-    /// None if P vanishes in the turn, or if it needs too many panels.
-    pub(super) fn new(law: &SlidingLaw, energies: Option<(f64, f64)>) -> Option<Self> {
-        let rule = Rule::get();
-        let Heavy {
-            mass, h, inertia, ..
-        } = law.body;
-        let f = law.friction;
-        let start = section(law);
-        let sin_start = libm::sin(start);
-        let mut turn = Self::identity(inertia + mass * h * h * (sin_start * sin_start));
-        // A panel ends at the top. Panels are taken from the end of the list.
-        let to_top = if start > 0.0 { TAU - start } else { -start };
-        let mut ends: Vec<f64> = (0..=INITIAL_PANELS)
-            .map(|k| k as f64 / INITIAL_PANELS as f64 * TAU)
-            .chain([to_top])
-            .collect();
-        ends.sort_by(|a, b| b.total_cmp(a));
-        let mut pending: Vec<(f64, f64)> = ends
-            .windows(2)
-            .map(|pair| (pair[1], pair[0]))
-            .filter(|(a, b)| a < b)
-            .collect();
-        // log A/f and the work −(e₀ − e₀(θs))/(f A) so far.
-        let (mut growth, mut work) = (0.0, 0.0);
-        // The largest values so far: near the bottom of a rim hoop both are small differences.
-        let mut scale = (0.0_f64, 0.0_f64);
-        let value = |lower: f64, inertia: f64, growth: f64, work: f64| {
-            let gain = libm::exp(f * growth);
-            (
-                (2.0 * mass * h * lower - f * gain * work) / inertia,
-                gain / inertia,
-            )
-        };
+    /// The map of a law in the direction of motion, accurate for times in a range of energies. None
+    /// if P vanishes in the turn, or if it needs too many panels.
+    pub(super) fn new(law: &SlidingLaw, energies: Option<EnergyRange>) -> Option<Self> {
+        let mut sums = Sums::new(law);
+        let to_top = sums.angle_to_top();
+        let mut map = Self::identity(sums.inertia_at_section());
+        let mut pending = initial_panels(to_top);
         let mut halvings = 0;
-        while let Some((left, right)) = pending.pop() {
-            let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
-            let mut samples = [Sample::default(); NODES];
-            for (sample, x) in samples.iter_mut().zip(rule.nodes) {
-                *sample = Sample::new(law, start, centre + half * x)?;
-            }
-            let growths = samples.map(|sample| sample.growth);
-            let growth_to = rule.up_to(&growths).map(|sum| growth + half * sum);
-            let works: [f64; NODES] =
-                core::array::from_fn(|i| samples[i].work * libm::exp(-f * growth_to[i]));
-            let work_to = rule.up_to(&works).map(|sum| work + half * sum);
-            let values: [(f64, f64); NODES] = core::array::from_fn(|i| {
-                value(
-                    samples[i].lower,
-                    samples[i].inertia,
-                    growth_to[i],
-                    work_to[i],
-                )
-            });
-            let plain_works = samples.map(|sample| sample.work);
-            scale = (
-                scale.0.max(largest(&growths)),
-                scale.1.max(largest(&plain_works)),
-            );
-            let is_resolved = |energy: f64| {
-                let slowness = values.map(|(base, gain)| 1.0 / (base + energy * gain).sqrt());
-                rule.tail(&slowness) < TIME_TOLERANCE * largest(&slowness)
-            };
-            let is_fine = rule.tail(&growths) <= MAP_TOLERANCE * scale.0
-                && rule.tail(&plain_works) <= MAP_TOLERANCE * scale.1
-                && rule.tail(&works) <= MAP_TOLERANCE * scale.1.max(largest(&works))
-                && energies.is_none_or(|(low, high)| is_resolved(low) && is_resolved(high));
-            if !is_fine {
+        // Panels are taken from the end of the list.
+        while let Some(panel) = pending.pop() {
+            let integrands = sums.integrands(panel)?;
+            if !sums.are_resolved_by(&integrands, energies) {
                 halvings += 1;
                 if halvings > MAX_HALVINGS {
                     return None;
                 }
-                pending.extend([(centre, right), (left, centre)]);
+                pending.extend(panel.halves());
                 continue;
             }
-            for (i, (base, gain)) in values.into_iter().enumerate() {
-                turn.nodes.push(Node {
-                    weight: half * rule.weights[i],
-                    base,
-                    gain,
-                    slip_coefficient: samples[i].slip_coefficient,
-                });
-            }
-            growth += half * rule.integral(&growths);
-            work += half * rule.integral(&works);
-            if right == to_top {
-                turn.top = value(lower_by(start, to_top), inertia, growth, work);
+            map.nodes.extend(integrands.nodes(panel));
+            sums.add(panel, &integrands);
+            if panel.right == to_top {
+                map.top = sums.u_at(lower_by(sums.start, to_top), law.body.inertia);
             }
         }
-        turn.kappa = f * growth;
-        turn.beta = -f * libm::exp(turn.kappa) * work;
-        turn.top.0.is_finite().then_some(turn)
+        map.kappa = law.friction * sums.growth;
+        map.beta = -law.friction * libm::exp(map.kappa) * sums.work;
+        map.top.base.is_finite().then_some(map)
     }
 
     /// ε of a slide that passes the section at this rate.
@@ -240,12 +381,12 @@ impl ReturnMap {
 
     /// h u at the top of the turn that begins with ε; the slide stays in contact if it is below 1.
     pub(super) fn load_at_top(&self, h: f64, energy: f64) -> f64 {
-        h * (self.top.0 + energy * self.top.1)
+        h * self.top.at(energy)
     }
 
     /// ε with which h u = 1 at the top.
     pub(super) fn lift_off_energy(&self, h: f64) -> f64 {
-        (1.0 / h - self.top.0) / self.top.1
+        (1.0 / h - self.top.base) / self.top.gain
     }
 
     /// Largest magnitude, over the nodes, of the oscillating part of η′.
