@@ -29,7 +29,7 @@ pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
 pub(crate) use self::rolling::{Levels, Stiction};
 pub(crate) use self::sample::{Instant, Sample};
 pub(crate) use self::sliding::{
-    Entry, Onset, PhasePoint, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE,
+    Entry, Onset, PhasePoint, SlideBudget, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE,
 };
 
 pub use self::flight::Flight;

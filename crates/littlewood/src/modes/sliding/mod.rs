@@ -10,7 +10,7 @@ mod series;
 mod singular;
 
 pub use arc::Sliding;
-pub(crate) use arc::{Entry, SlidingEnd};
+pub(crate) use arc::{Entry, SlideBudget, SlidingEnd};
 pub(crate) use onset::Onset;
 pub(crate) use series::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
 
