@@ -15,7 +15,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::math::trig::sincos;
+use crate::math::trig::{Angle, sincos};
 use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
 use crate::model::{Body, Direction, Heavy, Hoop, State};
 use crate::modes::{Onset, PhasePoint};
@@ -64,7 +64,7 @@ impl LastSlip {
     /// Corrects a state with η′ = 0 by the conserved quantities; also returns the arrival.
     pub(crate) fn correct_rest(&self, body: &Heavy, state: &State) -> Option<(State, Arrival)> {
         let [integrals, here] = [&self.state, state]
-            .map(|state| FrictionlessIntegrals::new(body, state, sincos(state.theta)));
+            .map(|state| FrictionlessIntegrals::new(body, state, Angle::of(state.theta)));
         if !is_same(integrals.energy, here.energy) || !is_same(integrals.momentum, here.momentum) {
             return None;
         }
@@ -92,7 +92,7 @@ impl LastSlip {
                     let theta = self.at_cosine(other, state.theta)?;
                     (
                         theta,
-                        integrals.rate_at_rest(body, sincos(theta)),
+                        integrals.rate_at_rest(body, Angle::of(theta)),
                         Arrival::InContact,
                     )
                 }

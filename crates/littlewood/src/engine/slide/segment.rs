@@ -1,7 +1,7 @@
 //! A segment of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
 use crate::engine::fallback::Fallback;
-use crate::math::bracket::{Bracket, Step, last_digit};
+use crate::math::bracket::{Bracket, RootStep, last_digit};
 use crate::math::trig::Angle;
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
@@ -79,7 +79,7 @@ impl LocalCoefficients {
         let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
         Self {
             angle,
-            slip_coefficient: law.lever(angle.sin, angle.cos),
+            slip_coefficient: law.slip_coefficient(angle.sin, angle.cos),
             alpha,
             beta,
         }
@@ -164,7 +164,8 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             u,
             elapsed,
             slip: self.sigma
-                * (self.integral + rate * local.slip_coefficient - self.law.drag() * elapsed),
+                * (self.integral + rate * local.slip_coefficient
+                    - self.law.mean_slip_loss() * elapsed),
             slip_acceleration: self.sigma * (local.alpha + local.beta * u),
             angle: local.angle,
         }
@@ -191,8 +192,8 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             let value = contact(1.0, h, cos * u);
             // dw/dϑ = h sin ϑ u − h cos ϑ du/dϑ with du/dϑ = a w.
             let slope = self.segment.theta_slope(z)
-                * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
-            Step {
+                * (h * sin * u - h * cos * self.law.u_growth(sin, cos) * value);
+            RootStep {
                 value,
                 step: -value / slope,
                 last: MAX_LAST_STEP_TO_LIFT_OFF,
@@ -234,7 +235,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             let value = falling(z);
             let step = value * (before.z - z) / (value - before.value);
             before = Sample { z, value };
-            Step {
+            RootStep {
                 value,
                 step,
                 last: MINIMUM_TOLERANCE,
@@ -266,7 +267,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             let u = self.segment.u(z);
             let value = elapsed - (start.elapsed + self.segment.time(start.z, z));
             let step = value / self.segment.time_slope(z, u);
-            Step {
+            RootStep {
                 value,
                 step,
                 last: self.last_step(z, u, step, MAX_LAST_STEP),
@@ -309,7 +310,7 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
         .iterate(start.z + part * width, |z| {
             let point = evaluate(z);
             let step = -point.slip / slope(&point);
-            Step {
+            RootStep {
                 value: point.slip,
                 step,
                 last: self.last_step(z, point.u, step, MAX_LAST_STEP_TO_REST),

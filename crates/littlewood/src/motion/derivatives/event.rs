@@ -1,7 +1,7 @@
 //! The conditions of the events that end phases.
 
 use crate::math::number::{Dual, Number};
-use crate::mechanics::{RollingLaw, contact};
+use crate::mechanics::{Loads, RollingLaw, contact};
 use crate::model::{Heavy, State};
 use crate::walk::Cause;
 
@@ -52,15 +52,11 @@ impl Event {
         motion: &Motion<T>,
         (at, elapsed): (&Point<T>, f64),
     ) -> T {
-        let (sin, cos) = at.theta.sincos();
+        let angle = at.theta.angle();
         let u = at.rate * at.rate;
         let forces = || {
             let law = RollingLaw::of_body(&plane.body);
-            law.forces_at(
-                (sin, cos),
-                [T::constant(1.0), u],
-                law.denominator_of((sin, cos)),
-            )
+            law.forces_at(angle, Loads::of(u), law.denominator_of(angle))
         };
         match (self, motion) {
             (Self::Slip, _) => mu_s * forces().normal - forces().friction.abs(),
@@ -74,7 +70,7 @@ impl Event {
                 },
             ) => plane.gap((from, *rise, *lifts_off), T::constant(elapsed)).0,
             (Self::Rest | Self::Landing, _) => at.slip,
-            (Self::LiftOff, _) => contact(1.0, plane.body.h, cos * u),
+            (Self::LiftOff, _) => contact(1.0, plane.body.h, angle.cos * u),
         }
     }
 

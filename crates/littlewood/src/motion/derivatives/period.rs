@@ -32,12 +32,14 @@ pub(super) fn turning_point<const K: usize>(
     from: &Point<Dual<K>>,
     theta: f64,
 ) -> Dual<K> {
-    let kinetic = law.denominator_of(from.theta.sincos()) * 0.5 * from.rate * from.rate;
-    let energy = law.energy_of(kinetic, from.theta, from.theta.sincos());
+    let kinetic = law.denominator_of(from.theta.angle()) * 0.5 * from.rate * from.rate;
+    let energy = law.energy_of(kinetic, from.theta, from.theta.angle());
     let at = Dual::constant(theta);
-    let (sin, cos) = at.sincos();
-    let excess = energy - law.energy_of(Dual::constant(0.0), at, (sin, cos));
-    let slope = -law.drive(Dual::constant(1.0), cos, sin).value;
+    let angle = at.angle();
+    let excess = energy - law.energy_of(Dual::constant(0.0), at, angle);
+    let slope = -law
+        .driving_moment(Dual::constant(1.0), angle.cos, angle.sin)
+        .value;
     Dual {
         value: theta,
         parts: excess.parts.map(|part| part / slope),
@@ -66,14 +68,14 @@ pub(super) fn of_libration<const K: usize>(
             (b, -left)
         };
         let half = by * 0.5;
-        let gained = law.gain((begins + half).sincos(), half.sincos().0 * 2.0, by);
-        let d = law.denominator_of((begins + by).sincos());
+        let gained = law.gain((begins + half).angle(), half.angle().sin * 2.0, by);
+        let d = law.denominator_of((begins + by).angle());
         (
             (d * passed * left / gained).sqrt(),
             rounding(law, (begins, by, 0.0), (d, gained)),
         )
     };
-    integral(TOLERANCE, [0.0, PI], integrand) * 2.0
+    integral(TOLERANCE, 0.0..PI, integrand) * 2.0
 }
 
 /// The time of a turn on a level plane, ∫ √(D/G) dθ.
@@ -81,16 +83,16 @@ pub(super) fn of_rotation<const K: usize>(
     law: &RollingLaw<Dual<K>>,
     from: &Point<Dual<K>>,
 ) -> Dual<K> {
-    let start = law.denominator_of(from.theta.sincos()) * from.rate * from.rate;
+    let start = law.denominator_of(from.theta.angle()) * from.rate * from.rate;
     let integrand = |theta: f64| {
         let by = -from.theta + theta;
         let half = by * 0.5;
-        let kinetic = start + law.gain((from.theta + half).sincos(), half.sincos().0 * 2.0, by);
-        let d = law.denominator_of(Dual::constant(theta).sincos());
+        let kinetic = start + law.gain((from.theta + half).angle(), half.angle().sin * 2.0, by);
+        let d = law.denominator_of(Dual::constant(theta).angle());
         (
             (d / kinetic).sqrt(),
             rounding(law, (from.theta, by, start.value), (d, kinetic)),
         )
     };
-    integral(TOLERANCE, [0.0, TAU], integrand)
+    integral(TOLERANCE, 0.0..TAU, integrand)
 }

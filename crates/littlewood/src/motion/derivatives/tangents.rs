@@ -3,8 +3,11 @@
 use core::f64::consts::TAU;
 
 use crate::math::number::{Dual, Number};
-use crate::mechanics::{Bounces, Contact, ContactVelocities, RollingLaw, contact, energy_of};
-use crate::model::{Body, Heavy, Mode, Quantity, RestitutionLaw, State};
+use crate::mechanics::{
+    BounceConditions, Bounces, Clearance, Contact, ContactMotion, ContactVelocities, RollingLaw,
+    contact, energy_of,
+};
+use crate::model::{Body, Composition, Friction, Heavy, Mode, Quantity, Restitution, State};
 use crate::modes::{PhaseSolution, Recurrence};
 use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{Cause, Outcome, Transition};
@@ -95,7 +98,7 @@ pub(super) struct Tangents<'a, const K: usize> {
     pub(super) motion: &'a Trajectory,
     pub(super) plane: Plane<Dual<K>>,
     mu_s: Dual<K>,
-    restitution: Option<(Dual<K>, RestitutionLaw)>,
+    restitution: Option<Restitution<Dual<K>>>,
     /// √cos α, the unit of velocity.
     pace: Dual<K>,
     /// Time and x of the start.
@@ -118,14 +121,14 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let parameters = motion.hoop.parameters();
         let slope = seed(Quantity::Slope, parameters.slope);
         let body = Heavy::of(
-            [
-                seed(Quantity::MassRatio, parameters.mass_ratio),
-                seed(Quantity::Offset, parameters.offset),
-                seed(Quantity::Inertia, parameters.inertia),
-            ],
+            Composition {
+                mass_ratio: seed(Quantity::MassRatio, parameters.mass_ratio),
+                offset: seed(Quantity::Offset, parameters.offset),
+                inertia: seed(Quantity::Inertia, parameters.inertia),
+            },
             slope,
         );
-        let pace = slope.sincos().1.sqrt();
+        let pace = slope.angle().cos.sqrt();
         let State {
             theta_rate,
             slip,
@@ -147,10 +150,10 @@ impl<'a, const K: usize> Tangents<'a, K> {
                 mu_k: seed(Quantity::MuK, parameters.mu_k),
             },
             mu_s: seed(Quantity::MuS, parameters.mu_s),
-            restitution: motion
-                .hoop
-                .restitution()
-                .map(|it| (seed(Quantity::Restitution, it.coefficient()), it.law())),
+            restitution: motion.hoop.restitution().map(|it| Restitution {
+                coefficient: seed(Quantity::Restitution, it.coefficient()),
+                law: it.law(),
+            }),
             pace,
             origin: [seed(Quantity::Time, time), seed(Quantity::X, x)],
             now: Instant {
@@ -203,12 +206,18 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// The energy in the units of the results.
     pub(super) fn energy(&self, at: &Point<Dual<K>>, gap_rate: Dual<K>) -> Dual<K> {
         let Heavy { mass, tilt, .. } = self.plane.body;
-        let numbers = [at.rate, at.slip, at.x];
         let energy = energy_of(
             &self.plane.body,
-            numbers,
-            at.theta.sincos(),
-            [Dual::constant(0.0), gap_rate],
+            ContactMotion {
+                theta_rate: at.rate,
+                slip: at.slip,
+                x: at.x,
+            },
+            at.theta.angle(),
+            Clearance {
+                gap: Dual::constant(0.0),
+                gap_rate,
+            },
         );
         self.difference(energy + mass * tilt * self.origin[1])
     }
@@ -370,8 +379,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             let Some(restitution) = self.restitution else {
                 return Err(NoDerivative::Singular);
             };
-            let friction = [self.mu_s, self.plane.mu_k];
-            let contact = Contact::of(&self.plane.body, friction, at.theta.sincos());
+            let contact = Contact::of(&self.plane.body, self.friction(), at.theta.angle());
             let gap_rate = self
                 .gap_rate_at(&motion, (&point, elapsed), later)
                 .at(impact.before.gap_rate / self.pace.value);
@@ -514,24 +522,32 @@ impl<'a, const K: usize> Tangents<'a, K> {
         rate
     }
 
+    fn friction(&self) -> Friction<Dual<K>> {
+        Friction {
+            mu_s: self.mu_s,
+            mu_k: self.plane.mu_k,
+        }
+    }
+
     fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<Passed<K>> {
         let (Some(restitution), Motion::Flies { rise, .. }) = (self.restitution, motion) else {
             return Err(NoDerivative::Singular);
         };
         let from = self.now.point;
-        let friction = [self.mu_s, self.plane.mu_k];
+        let conditions = BounceConditions {
+            theta: from.theta,
+            theta_rate: from.rate,
+            friction: self.friction(),
+            restitution,
+            gravity: 1.0,
+        };
         let start = ContactVelocities {
             theta_rate: from.rate,
             slip: from.slip,
             gap_rate: *rise,
         };
-        let sum = Bounces::of(
-            &self.plane.body,
-            (friction, 1.0),
-            (from.theta, from.rate),
-            restitution,
-        )
-        .and_then(|bounces| bounces.sum(start, f64::INFINITY));
+        let sum = Bounces::of(&self.plane.body, conditions)
+            .and_then(|bounces| bounces.sum(start, f64::INFINITY));
         let Ok(settling) = sum else {
             return Err(NoDerivative::Singular);
         };

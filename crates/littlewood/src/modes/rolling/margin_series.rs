@@ -9,7 +9,7 @@
 //! ```
 
 use crate::math::series::{DEGREE, Series, convolve};
-use crate::math::trig::above_bottom;
+use crate::math::trig::{Angle, above_bottom};
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
 
@@ -17,7 +17,7 @@ use super::boundary::RollingLimit;
 
 /// What bounds rolling in one direction of motion, in which the angle ϑ increases.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
+pub(crate) struct MarginSeries {
     /// With tan α positive downhill.
     pub(crate) law: RollingLaw,
     mu: f64,
@@ -44,12 +44,12 @@ fn scaled(lead: f64, factor: f64, series: &Series) -> Series {
     core::array::from_fn(|n| if n == 0 { lead } else { factor * series[n] })
 }
 
-impl Limits {
-    pub(crate) fn new(hoop: &Hoop, travel: f64) -> Self {
+impl MarginSeries {
+    pub(crate) fn new(hoop: &Hoop, heading: f64) -> Self {
         let law = RollingLaw::of(hoop);
         Self {
             law: RollingLaw {
-                tilt: travel * law.tilt,
+                tilt: heading * law.tilt,
                 ..law
             },
             mu: hoop.mu_s(),
@@ -67,14 +67,14 @@ impl Limits {
         }
     }
 
-    fn terms(&self, direction: (f64, f64)) -> Terms {
+    fn terms(&self, angle: Angle) -> Terms {
         let (l, m) = (self.law.offset, self.law.mass);
         let (mut sin, mut cos) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
-        (sin[0], cos[0]) = direction;
+        (sin[0], cos[0]) = (angle.sin, angle.cos);
         for n in 1..=DEGREE {
             (sin[n], cos[n]) = (cos[n - 1] / n as f64, -sin[n - 1] / n as f64);
         }
-        let over_bottom = above_bottom(direction);
+        let over_bottom = above_bottom(angle);
         Terms {
             d: scaled(self.law.bottom + 2.0 * l * over_bottom, 2.0 * l, &cos),
             carried: scaled((m - l) + l * over_bottom, l, &cos),
@@ -84,25 +84,24 @@ impl Limits {
         }
     }
 
-    /// G about an angle with this sine and cosine, where it is `kinetic`.
-    pub(crate) fn kinetic(&self, (sin0, cos0): (f64, f64), kinetic: f64) -> Series {
+    /// G about an angle where it is `kinetic`.
+    pub(crate) fn kinetic(&self, angle: Angle, kinetic: f64) -> Series {
         let (l, pull) = (self.law.offset, self.law.tilt);
-        let Terms { sin, cos, .. } = self.terms((sin0, cos0));
+        let Terms { sin, cos, .. } = self.terms(angle);
         core::array::from_fn(|n| match n {
             0 => kinetic,
-            1 => 2.0 * (l * sin0 + pull * (self.law.mass + l * cos0)),
+            1 => 2.0 * (l * angle.sin + pull * (self.law.mass + l * angle.cos)),
             _ => 2.0 * l * (pull * sin[n] - cos[n]),
         })
     }
 
-    /// The margins of a heavy hoop about an angle with this sine and cosine, of a slip to each side
-    /// as A + G B: A and B.
-    pub(crate) fn heavy(&self, direction: (f64, f64)) -> [[Series; 2]; 2] {
+    /// The margins of a heavy hoop about an angle, of a slip to each side as A + G B: A and B.
+    pub(crate) fn heavy(&self, angle: Angle) -> [[Series; 2]; 2] {
         let RollingLaw {
             offset: l,
             tilt: pull,
-            own,
-            beyond_mass,
+            mass_inertia,
+            inertia_excess: excess_at_ends,
             ..
         } = self.law;
         let Terms {
@@ -111,19 +110,19 @@ impl Limits {
             over_bottom,
             d,
             carried,
-        } = self.terms(direction);
+        } = self.terms(angle);
         let square = product(&sin, &sin);
         let carried_square = product(&carried, &carried);
-        let lever = product(&sin, &carried);
+        let sin_carried = product(&sin, &carried);
         let weighed: Series = core::array::from_fn(|n| {
-            carried_square[n] - pull * l * lever[n] + if n == 0 { own } else { 0.0 }
+            carried_square[n] - pull * l * sin_carried[n] + if n == 0 { mass_inertia } else { 0.0 }
         });
         let c_d = product(&cos, &d);
         let held = product(&d, &weighed);
-        let beyond = scaled(beyond_mass[1] + l * over_bottom, l, &cos);
-        let [driven, loaded] = [product(&sin, &beyond), product(&lever, &d)];
+        let inertia_excess = scaled(excess_at_ends[1] + l * over_bottom, l, &cos);
+        let [driven, loaded] = [product(&sin, &inertia_excess), product(&sin_carried, &d)];
         let along: Series =
-            core::array::from_fn(|n| l * l * square[n] + if n == 0 { own } else { 0.0 });
+            core::array::from_fn(|n| l * l * square[n] + if n == 0 { mass_inertia } else { 0.0 });
         let along = product(&d, &along);
         [-1.0, 1.0].map(|sign| {
             [
@@ -137,17 +136,13 @@ impl Limits {
         })
     }
 
-    /// The margins about an angle with this sine and cosine, where G is `kinetic`, each with the
-    /// limit that is reached when it becomes negative.
-    pub(super) fn margins(
-        &self,
-        direction: (f64, f64),
-        kinetic: f64,
-    ) -> [Option<(Series, RollingLimit)>; 3] {
-        let kinetic = self.kinetic(direction, kinetic);
+    /// The margins about an angle where G is `kinetic`, each with the limit that is reached when it
+    /// becomes negative.
+    pub(super) fn at(&self, angle: Angle, kinetic: f64) -> [Option<(Series, RollingLimit)>; 3] {
+        let kinetic = self.kinetic(angle, kinetic);
         let [negative, positive] = Direction::ALL.map(RollingLimit::Friction);
         if self.inertia > 0.0 {
-            let [minus, plus] = self.heavy(direction).map(|[a, b]| {
+            let [minus, plus] = self.heavy(angle).map(|[a, b]| {
                 let driven = product(&kinetic, &b);
                 core::array::from_fn(|n| a[n] + driven[n])
             });
@@ -161,10 +156,10 @@ impl Limits {
             over_bottom,
             d,
             carried,
-        } = self.terms(direction);
+        } = self.terms(angle);
         let held: Series = core::array::from_fn(|n| carried[n] - pull * l * sin[n]);
-        let arm = scaled((l - 1.0) + over_bottom, 1.0, &cos);
-        let [normal, pulled] = [product(&d, &held), product(&kinetic, &arm)];
+        let offset_plus_cos = scaled((l - 1.0) + over_bottom, 1.0, &cos);
+        let [normal, pulled] = [product(&d, &held), product(&kinetic, &offset_plus_cos)];
         let cone = |sign: f64| -> Series {
             core::array::from_fn(|n| self.mu * carried[n] + sign * l * sin[n])
         };
@@ -178,41 +173,46 @@ impl Limits {
         ]
     }
 
-    /// Whether the margins of a heavy hoop are positive within a distance of an angle with this
-    /// sine and cosine, where G is `kinetic`, by their values there and bounds of their slopes, the
-    /// sums of the sizes of all terms.
-    pub(super) fn holds_about(&self, (sin, cos): (f64, f64), g: f64, reach: f64) -> bool {
+    /// Whether the margins of a heavy hoop are positive within a distance of an angle where G is
+    /// `g`, by their values there and bounds of their slopes, the sums of the sizes of all terms.
+    pub(super) fn holds_about(&self, angle: Angle, g: f64, reach: f64) -> bool {
+        let Angle { sin, cos } = angle;
         let RollingLaw {
             offset: l,
             mass: m,
             tilt: pull,
             top,
-            own,
-            beyond_mass,
+            mass_inertia,
+            inertia_excess: excess_at_ends,
             ..
         } = self.law;
         let mu = self.mu;
         if self.inertia == 0.0 {
             return false;
         }
-        let d = self.law.denominator_of((sin, cos));
+        let d = self.law.denominator_of(angle);
         let carried = m + l * cos;
-        let arm = l * sin;
-        let normal = d * (own + carried * carried - pull * arm * carried)
+        let offset_sin = l * sin;
+        let normal = d * (mass_inertia + carried * carried - pull * offset_sin * carried)
             - g * l * (l * sin * sin + cos * d);
-        let beyond = beyond_mass[1] + l * above_bottom((sin, cos));
-        let friction = arm * (g * beyond - carried * d) + pull * (own + arm * arm) * d;
+        let inertia_excess = excess_at_ends[1] + l * above_bottom(angle);
+        let friction = offset_sin * (g * inertia_excess - carried * d)
+            + pull * (mass_inertia + offset_sin * offset_sin) * d;
         let [most, tilt] = [m + l, pull.abs()];
         let rise = 2.0 * (l + tilt * most);
         let energy = g + rise * reach;
-        let spare = beyond_mass[0].abs().max(beyond_mass[1].abs());
-        let weighed = own + most * most + tilt * l * most;
+        let max_excess = excess_at_ends[0].abs().max(excess_at_ends[1].abs());
+        let weighed = mass_inertia + most * most + tilt * l * most;
         let normal_slope = 2.0 * l * weighed
             + top * l * (2.0 * most + tilt * (most + l))
             + l * (rise * (l + top) + energy * (4.0 * l + top));
         let friction_slope = l
-            * (energy * (spare + l) + rise * spare + most * top + l * top + 2.0 * l * most)
-            + 2.0 * tilt * l * (l * top + own + l * l);
+            * (energy * (max_excess + l)
+                + rise * max_excess
+                + most * top
+                + l * top
+                + 2.0 * l * most)
+            + 2.0 * tilt * l * (l * top + mass_inertia + l * l);
         // The bounds exceed the slopes by far more than rounding the values.
         let least = mu * normal - friction.abs();
         least > (mu * normal_slope + friction_slope) * reach
