@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use crate::ablation::{Part, is_on};
 use crate::math::series::{DEGREE, Series, crossing, root, value};
-use crate::math::trig::without_turns;
+use crate::math::trig::{WholeTurns, split_turns};
 use crate::mechanics::{SlidePath, SlidingLaw};
 use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
@@ -69,9 +69,8 @@ pub struct Sliding {
     /// The start without its whole turns: with them, each step would round the angle to the last
     /// digit of all turns.
     start: State,
-    /// Whole turns of the start as an unevaluated sum, which restores its angle exactly; negative
-    /// zeros leave every angle unchanged.
-    turns: [f64; 2],
+    /// Whole turns of the start, which restore its angle exactly.
+    turns: WholeTurns,
     path: SlidePath,
     steps: Vec<Step>,
     leaps: Vec<Leap>,
@@ -177,14 +176,12 @@ impl Sliding {
     }
 
     fn new(law: SlidingLaw, start: State, direction: Direction) -> Self {
-        let theta = without_turns(start.theta);
-        let turns = start.theta - theta;
-        let rest = (start.theta - turns) - theta;
+        let (theta, turns) = split_turns(start.theta);
         Self {
             law,
             direction,
             start: State { theta, ..start },
-            turns: [turns, rest].map(|part| if part == 0.0 { -0.0 } else { part }),
+            turns,
             path: law.path(
                 [start.theta_rate, start.slip, start.x],
                 libm::sincos(start.theta),
@@ -665,8 +662,7 @@ impl Sliding {
     }
 
     fn with_turns(&self, theta: f64) -> f64 {
-        let [turns, rest] = self.turns;
-        turns + (rest + theta)
+        self.turns.add_to(theta)
     }
 
     fn state_from(
