@@ -25,9 +25,9 @@ mod survey;
 
 use crate::ablation::{Part, is_on};
 use crate::mechanics::ContactProof;
-use crate::model::{Heavy, Hoop, Limits, ParameterError, Start, State};
+use crate::model::{Heavy, Hoop, Limits, ParameterError, Start};
 use crate::motion::summary::{Summary, SummaryRecorder};
-use crate::walk::{Exact, Known, Origin, walk};
+use crate::walk::{Exact, Origin, RelativeStart, SharedProofData, WalkSettings, walk};
 
 pub use builder::{EngineBuilder, StartError};
 use chain::SlipMaps;
@@ -171,55 +171,60 @@ impl Engine {
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
         self.hoop.check(start)?;
         limits.check(&start)?;
-        let (origin, state, limits) = Origin::of(&self.hoop, &start, limits);
+        let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
         let recorder = SummaryRecorder::new(&self.hoop, origin);
         Ok(match &self.model {
-            Some(model) => self.fast_summary(model, (state, limits), recorder),
-            None => self.exact_summary((state, limits), recorder),
+            Some(model) => self.fast_summary(model, start, &limits, recorder),
+            None => self.exact_summary(start, &limits, recorder),
         })
     }
 
     fn exact_summary(
         &self,
-        (state, limits): ((State, f64), Limits),
+        start: RelativeStart,
+        limits: &Limits,
         mut recorder: SummaryRecorder<'_>,
     ) -> Summary {
-        let solver = Exact::new(&self.hoop, &limits);
-        let outcome = walk(&solver, state, (&limits, self.known(None)), &mut recorder);
+        let solver = Exact::new(&self.hoop, limits);
+        let settings = WalkSettings {
+            limits,
+            shared: self.shared_proof_data(None),
+        };
+        let outcome = walk(&solver, start, settings, &mut recorder);
         recorder.finish(outcome.kind(), outcome.state())
     }
 
     fn fast_summary(
         &self,
         model: &HoopModel,
-        (state, limits): ((State, f64), Limits),
+        start: RelativeStart,
+        limits: &Limits,
         empty: SummaryRecorder<'_>,
     ) -> Summary {
         let slip_maps = self.slip_maps.as_deref();
         let slip_maps = slip_maps
             .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(&self.hoop, model, &limits).with_slip_maps(slip_maps);
+        let solver = FastSolver::new(&self.hoop, model, limits).with_slip_maps(slip_maps);
         let solver = if self.is_prepared {
             solver
         } else {
             solver.for_few_starts()
         };
         let mut recorder = empty;
-        let end = walk(
-            &solver,
-            state,
-            (&limits, self.known(slip_maps)),
-            &mut recorder,
-        );
+        let settings = WalkSettings {
+            limits,
+            shared: self.shared_proof_data(slip_maps),
+        };
+        let end = walk(&solver, start, settings, &mut recorder);
         if solver.is_lost() {
             model.fallbacks.add(Fallback::Drift);
-            return self.exact_summary((state, limits), empty);
+            return self.exact_summary(start, limits, empty);
         }
         recorder.finish(end.kind, end.state)
     }
 
-    fn known<'a>(&'a self, slip_maps: Option<&'a [SlipMaps]>) -> Known<'a> {
-        Known {
+    fn shared_proof_data<'a>(&'a self, slip_maps: Option<&'a [SlipMaps]>) -> SharedProofData<'a> {
+        SharedProofData {
             levels: slip_maps.and_then(|maps| maps.first()?.levels()),
             contact: Some(&self.contact),
         }
@@ -230,7 +235,7 @@ impl Engine {
 mod tests {
     use super::*;
     use crate::model::HoopParameters;
-    use crate::walk::follow::ChainBudget;
+    use crate::walk::solver::SkipBudget;
     use crate::walk::{Cause, Solver};
 
     /// How many transitions are passed at once from the last slip of the motion from a start that
@@ -251,15 +256,15 @@ mod tests {
             .rfind(|one| one.cause == Cause::Slip)
             .unwrap();
         let solver = FastSolver::new(hoop, model, &Limits::default()).with_slip_maps(Some(maps));
-        let room = ChainBudget {
+        let budget = SkipBudget {
             transitions: 5_000,
-            slides: f64::INFINITY,
+            slide_cost: f64::INFINITY,
             record_phases: false,
             open: None,
         };
-        let place = solver.place(slip.before);
+        let point = solver.point(slip.before);
         let linked = solver
-            .pass_links(&place, slip.direction.unwrap(), &room)
+            .skip_links(&point, slip.direction.unwrap(), &budget)
             .expect("links");
         linked.transitions as usize
     }

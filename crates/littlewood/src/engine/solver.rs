@@ -8,10 +8,11 @@ use crate::mechanics::{ContactMotion, FrictionlessIntegrals, Loads, Settling, co
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
 use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, Stiction, TakeOff};
 use crate::walk::candidates::{ModeInputs, RestInputs, SlipInputs, may_wedge, select_mode};
-use crate::walk::follow::{ChainBudget, ChainSegment, next_slip};
+use crate::walk::follow::{NextSlip, next_slip};
+use crate::walk::solver::{SkipBudget, SkippedLinks};
 use crate::walk::{
-    Arrival, Cause, Ending, Exact, NextMotion, Outcome, OutcomeKind, PhaseSequence, Solution,
-    Solved, SolvedBy, Solver, next_motion,
+    Arrival, Cause, Exact, NextMotion, Outcome, OutcomeKind, PhaseEnd, PhaseResult, PhaseSequence,
+    Solution, Solver, next_motion,
 };
 
 use super::chain::{LinkSolver, SlipMapValue, SlipMaps, SlipPoint};
@@ -90,7 +91,7 @@ impl Solution for Option<Flight> {
     }
 }
 
-type Ended = Ending<EngineState, FastOutcome>;
+type Ended = PhaseEnd<EngineState, FastOutcome>;
 
 impl<'a> FastSolver<'a> {
     pub(super) fn new(hoop: &'a Hoop, model: &'a HoopModel, limits: &Limits) -> Self {
@@ -161,34 +162,34 @@ impl<'a> FastSolver<'a> {
     }
 
     /// Converts a phase that was solved exactly.
-    fn from_exact(solved: SolvedBy<Exact<'_>>) -> SolvedBy<Self> {
-        let ending = match solved.ending {
-            Ending::Event {
-                place,
+    fn from_exact(solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+        let end = match solved.end {
+            PhaseEnd::Event {
+                point,
                 cause,
                 arrival,
-            } => Ending::Event {
-                place: EngineState::new(place),
+            } => PhaseEnd::Event {
+                point: EngineState::new(point),
                 cause,
                 arrival,
             },
-            Ending::Landing { state, gap_rate } => Ending::Landing { state, gap_rate },
-            Ending::Settled { state, settling } => Ending::Settled { state, settling },
-            Ending::Singular { state, solvability } => Ending::Singular { state, solvability },
-            Ending::Motion {
+            PhaseEnd::Landing { state, gap_rate } => PhaseEnd::Landing { state, gap_rate },
+            PhaseEnd::Settled { state, settling } => PhaseEnd::Settled { state, settling },
+            PhaseEnd::Singular { state, solvability } => PhaseEnd::Singular { state, solvability },
+            PhaseEnd::Motion {
                 event,
                 end,
-                verdict,
-            } => Ending::Motion {
+                outcome,
+            } => PhaseEnd::Motion {
                 event,
                 end,
-                verdict: verdict.into(),
+                outcome: outcome.into(),
             },
         };
-        Solved {
+        PhaseResult {
             solution: solved.solution.flight().copied(),
             direction: solved.direction,
-            ending,
+            end,
         }
     }
 
@@ -296,22 +297,22 @@ impl<'a> FastSolver<'a> {
 
     /// A phase that is cut at a state by the limit of time.
     const fn cut(end: State) -> Ended {
-        let verdict = FastOutcome {
+        let outcome = FastOutcome {
             kind: OutcomeKind::TimeLimit,
             state: end,
         };
-        Ending::Motion {
+        PhaseEnd::Motion {
             event: None,
             end: Some(end),
-            verdict,
+            outcome,
         }
     }
 
     const fn slides_forever(start: State, end: Option<State>) -> Ended {
-        Ending::Motion {
+        PhaseEnd::Motion {
             event: None,
             end,
-            verdict: FastOutcome {
+            outcome: FastOutcome {
                 kind: OutcomeKind::SlidesForever,
                 state: start,
             },
@@ -325,8 +326,8 @@ impl<'a> FastSolver<'a> {
         } else {
             (Cause::Stick, Arrival::InContact)
         };
-        Ending::Event {
-            place: EngineState {
+        PhaseEnd::Event {
+            point: EngineState {
                 state: self.slide_end(place, direction, event, false),
                 angle: event.angle,
             },
@@ -374,8 +375,8 @@ impl<'a> FastSolver<'a> {
         };
         let limit = RollingLimit::Friction(mirrored_slip(slip.slip, heading));
         self.add_phase_error(&end);
-        Ending::Event {
-            place: EngineState {
+        PhaseEnd::Event {
+            point: EngineState {
                 state: end,
                 angle: slip.angle.mirrored_by(heading),
             },
@@ -385,11 +386,11 @@ impl<'a> FastSolver<'a> {
     }
 
     /// The end of a motion that is lost: it is simulated instead, whatever follows here.
-    const fn give_up(state: State) -> SolvedBy<Self> {
-        Solved {
+    const fn give_up(state: State) -> PhaseResult<Self> {
+        PhaseResult {
             solution: None,
             direction: None,
-            ending: Self::cut(state),
+            end: Self::cut(state),
         }
     }
 
@@ -435,8 +436,11 @@ impl LinkSolver for FastSolver<'_> {
             phases.push(mode, direction);
             !phases.is_truncated()
         };
-        let (end, direction, slid) =
-            next_slip(&solver, place, mirrored_slip(slip.slip, mirror), accept)?;
+        let NextSlip {
+            state: end,
+            direction,
+            slide_cost,
+        } = next_slip(&solver, place, mirrored_slip(slip.slip, mirror), accept)?;
         if solver.is_lost() {
             return None;
         }
@@ -451,16 +455,16 @@ impl LinkSolver for FastSolver<'_> {
         Some((
             mirrored_by(&end, mirror),
             mirrored_slip(direction, mirror),
-            slid,
+            slide_cost,
             phases,
         ))
     }
 }
 
 impl Solver for FastSolver<'_> {
-    type Place = EngineState;
+    type Point = EngineState;
     type Solution = Option<Flight>;
-    type Verdict = FastOutcome;
+    type Outcome = FastOutcome;
 
     fn hoop(&self) -> &Hoop {
         self.hoop
@@ -470,16 +474,16 @@ impl Solver for FastSolver<'_> {
         self.exact.until()
     }
 
-    fn place(&self, state: State) -> EngineState {
+    fn point(&self, state: State) -> EngineState {
         EngineState::new(state)
     }
 
-    fn state(place: &EngineState) -> State {
-        place.state
+    fn state(point: &EngineState) -> State {
+        point.state
     }
 
     #[inline(always)]
-    fn decide(&self, place: &EngineState, arrival: Arrival) -> NextMotion {
+    fn select_mode(&self, place: &EngineState, arrival: Arrival) -> NextMotion {
         if arrival == Arrival::LiftOff {
             // What the slide has found is not computed again.
             return next_motion(self.hoop, &place.state, arrival);
@@ -491,7 +495,7 @@ impl Solver for FastSolver<'_> {
     }
 
     #[inline(always)]
-    fn roll(&self, place: &EngineState, on_limit: bool) -> SolvedBy<Self> {
+    fn roll(&self, place: &EngineState, on_limit: bool) -> PhaseResult<Self> {
         let state = place.state;
         let left_to_the_simulation = |reason: Fallback| {
             self.model.fallbacks.add(reason);
@@ -507,11 +511,11 @@ impl Solver for FastSolver<'_> {
         if self.model.leaves_rolling(uses_tables) {
             return Self::from_exact(self.exact.roll(&state, on_limit));
         }
-        let ending: Ended = match self.model.roll(place, on_limit, uses_tables) {
-            Ok(RollEnd::Never) => Ending::Motion {
+        let end: Ended = match self.model.roll(place, on_limit, uses_tables) {
+            Ok(RollEnd::Never) => PhaseEnd::Motion {
                 event: None,
                 end: None,
-                verdict: FastOutcome {
+                outcome: FastOutcome {
                     kind: OutcomeKind::RollsForever,
                     state,
                 },
@@ -525,10 +529,10 @@ impl Solver for FastSolver<'_> {
             },
             Err(reason) => return left_to_the_simulation(reason),
         };
-        Solved {
+        PhaseResult {
             solution: None,
             direction: None,
-            ending,
+            end,
         }
     }
 
@@ -539,7 +543,7 @@ impl Solver for FastSolver<'_> {
         body: &Heavy,
         direction: Direction,
         entry: Entry,
-    ) -> SolvedBy<Self> {
+    ) -> PhaseResult<Self> {
         let state = place.state;
         let is_conservative = self.hoop.mu_k() == 0.0;
         let left_to_the_simulation = |reason: Fallback| {
@@ -575,7 +579,7 @@ impl Solver for FastSolver<'_> {
             from_limit: entry == ON_LIMIT,
             time_left: self.until() - state.time,
         };
-        let ending = match self.model.slide(place, begin, self.uses_tables()) {
+        let end = match self.model.slide(place, begin, self.uses_tables()) {
             Ok(SlideEnd::Event(event)) => self.slide_event(place, direction, &event),
             Ok(SlideEnd::Cut(event)) => {
                 let end = self.slide_end(place, direction, &event, true);
@@ -591,15 +595,15 @@ impl Solver for FastSolver<'_> {
             Ok(SlideEnd::Never) => Self::slides_forever(state, None),
             Err(reason) => return left_to_the_simulation(reason),
         };
-        Solved {
+        PhaseResult {
             solution: None,
             direction: Some(direction),
-            ending,
+            end,
         }
     }
 
     #[inline(always)]
-    fn fly(&self, place: &EngineState, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
+    fn fly(&self, place: &EngineState, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
         let state = place.state;
         if self.is_lost() {
             return Self::give_up(state);
@@ -637,8 +641,8 @@ impl Solver for FastSolver<'_> {
                 error.add_flight(&self.error_model, &flight, &state, place.angle, coefficient);
             });
         }
-        let ending = if self.is_in_time(&state, duration) {
-            Ending::Landing {
+        let end = if self.is_in_time(&state, duration) {
+            PhaseEnd::Landing {
                 state: flight.state(duration),
                 gap_rate: flight.landing_rate(),
             }
@@ -648,27 +652,27 @@ impl Solver for FastSolver<'_> {
                 ..flight.state(self.until() - state.time)
             })
         };
-        Solved {
+        PhaseResult {
             solution: Some(flight),
             direction: None,
-            ending,
+            end,
         }
     }
 
-    fn settle(&self, place: &EngineState, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
+    fn settle(&self, place: &EngineState, body: &Heavy, settling: &Settling) -> PhaseResult<Self> {
         Self::from_exact(self.exact.settle(&place.state, body, settling))
     }
 
-    fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
+    fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         Self::from_exact(self.exact.glide(&place.state, body, entry))
     }
 
-    fn pass_links(
+    fn skip_links(
         &self,
         place: &EngineState,
         direction: Direction,
-        room: &ChainBudget<'_>,
-    ) -> Option<ChainSegment<EngineState>> {
+        budget: &SkipBudget<'_>,
+    ) -> Option<SkippedLinks<EngineState>> {
         let (state, heading) = (place.state, place.heading());
         let maps = if heading < 0.0 {
             self.slip_maps?.last()
@@ -685,28 +689,28 @@ impl Solver for FastSolver<'_> {
                 mirrored_by(&passage.state_after(&start, slip.angle, rate), mirror),
             ))
         };
-        let has_room = |passage: &SlipMapValue| {
-            passage.route.transitions <= room.transitions
-                && passage.slid <= room.slides
+        let fits = |passage: &SlipMapValue| {
+            passage.route.transitions <= budget.transitions
+                && passage.slid <= budget.slide_cost
                 && self.is_in_time(&state, passage.elapsed)
-                && room
+                && budget
                     .open
                     .is_none_or(|open| after(passage).is_some_and(|(_, state)| open(&state)))
         };
-        let (passage, phases) = if room.record_phases {
-            maps.links(point, self, has_room)?
+        let (passage, phases) = if budget.record_phases {
+            maps.links(point, self, fits)?
         } else {
-            (maps.pass(point, self, has_room)?, PhaseSequence::default())
+            (maps.pass(point, self, fits)?, PhaseSequence::default())
         };
         let (slip, end) = after(&passage)?;
         let place = EngineState::new(end);
         let towards = mirrored_slip(slip.slip, place.heading());
         self.add_phase_error(&end);
-        Some(ChainSegment {
-            place,
+        Some(SkippedLinks {
+            point: place,
             direction: towards,
             transitions: passage.route.transitions,
-            slid: passage.slid,
+            slide_cost: passage.slid,
             phases: if heading < 0.0 {
                 phases.mirrored()
             } else {

@@ -64,6 +64,36 @@ pub(crate) fn without_turns(theta: f64) -> f64 {
     }
 }
 
+/// Whole turns as an unevaluated sum of two numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct WholeTurns {
+    turns: f64,
+    rest: f64,
+}
+
+impl WholeTurns {
+    /// An angle with these turns; that of [`split_turns`] comes back to the last bit.
+    pub(crate) const fn add_to(self, theta: f64) -> f64 {
+        self.turns + (self.rest + theta)
+    }
+}
+
+/// An angle up to 1e9 modulo 2π, in [−π, π], and the whole turns of the rest. The turns are a sum
+/// of two numbers, since 2π has more digits than a double.
+pub(crate) fn split_turns(theta: f64) -> (f64, WholeTurns) {
+    let remainder = without_turns(theta);
+    let turns = theta - remainder;
+    let rest = (theta - turns) - remainder;
+    let [turns, rest] = [turns, rest].map(neutral_zero);
+    (remainder, WholeTurns { turns, rest })
+}
+
+/// A number to be added to others, with zero made negative: adding a negative zero leaves every
+/// number unchanged, the sign of a zero included.
+pub(crate) const fn neutral_zero(value: f64) -> f64 {
+    if value == 0.0 { -0.0 } else { value }
+}
+
 /// A polynomial, highest power first. Even and odd powers are summed separately, for two short
 /// dependency chains.
 #[inline(always)]

@@ -4,7 +4,7 @@ use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
 use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, named};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
-use crate::walk::{Arrival, Candidates, NextMotion, Origin, next_motion};
+use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart, next_motion};
 
 named! {
     /// The region of the state space that contains a start.
@@ -64,7 +64,8 @@ impl Hoop {
     /// Kinetic and potential energy of a start (2.8); on a slope the potential energy includes m x̄
     /// sin α.
     pub fn energy_of(&self, start: &Start) -> f64 {
-        let (origin, (state, gap_rate), _) = Origin::of(self, start, Limits::default());
+        let (origin, RelativeStart { state, gap_rate }, _) =
+            Origin::of(self, start, Limits::default());
         origin.energy(energy(self, &state, 0.0, gap_rate))
     }
 
@@ -85,7 +86,8 @@ impl Hoop {
     /// A start that is not finite.
     pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
         self.check(start)?;
-        let (origin, (state, gap_rate), _) = Origin::of(self, &start, Limits::default());
+        let (origin, RelativeStart { state, gap_rate }, _) =
+            Origin::of(self, &start, Limits::default());
         let (theta, theta_rate) = (state.theta, state.theta_rate);
         let forces = RollingLaw::of(self).forces(theta, theta_rate);
         let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));

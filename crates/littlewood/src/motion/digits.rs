@@ -13,8 +13,8 @@ use crate::model::{
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhaseSolution, TakeOff};
 use crate::walk::{
-    Arrival, Cause, Ending, Event, Exact, Known, NextMotion, Origin, Outcome, PhaseRecord,
-    Recorder, Solved, SolvedBy, Solver, walk,
+    Arrival, Cause, Event, Exact, NextMotion, Origin, Outcome, PhaseEnd, PhaseRecord, PhaseResult,
+    Recorder, SharedProofData, Solver, WalkSettings, walk,
 };
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
@@ -132,7 +132,11 @@ impl Hoop {
             exact: Exact::new(self, &limits),
             signs,
         };
-        walk(&solver, relative, (&limits, Known::default()), &mut events);
+        let settings = WalkSettings {
+            limits: &limits,
+            shared: SharedProofData::default(),
+        };
+        walk(&solver, relative, settings, &mut events);
         Ok(events.seen)
     }
 
@@ -308,7 +312,7 @@ impl PerturbedSolver<'_> {
 
     /// A later state of a phase, with each number moved by the rounding of its terms: the earlier
     /// value, and the change over a number of steps.
-    fn perturbed_end(&self, from: &State, (mode, steps): (Mode, f64), to: State) -> State {
+    fn perturbed_end(&self, from: &State, to: State, mode: Mode, steps: f64) -> State {
         let Some(signs) = &self.signs else { return to };
         let least = f64::EPSILON * steps.sqrt();
         let moved = |value: f64, size: f64| signs.moved(value, least * size);
@@ -366,72 +370,72 @@ impl PerturbedSolver<'_> {
         (flight.state(duration), flight.gap(duration).1)
     }
 
-    fn perturbed(&self, from: &State, solved: SolvedBy<Self>) -> SolvedBy<Self> {
-        let Solved {
+    fn perturbed(&self, from: &State, solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+        let PhaseResult {
             solution,
             direction,
-            ending,
+            end,
         } = solved;
         let steps = match &solution {
             PhaseSolution::Sliding(slide) => slide.steps() as f64,
             PhaseSolution::Rolling(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 1.0,
         };
-        let moved = |state: State| self.perturbed_end(from, (solution.mode(), steps), state);
-        let ending = match ending {
-            Ending::Event {
-                place,
+        let moved = |state: State| self.perturbed_end(from, state, solution.mode(), steps);
+        let end = match end {
+            PhaseEnd::Event {
+                point,
                 cause,
                 arrival,
-            } => Ending::Event {
-                place: moved(place),
+            } => PhaseEnd::Event {
+                point: moved(point),
                 cause,
                 arrival,
             },
-            Ending::Landing { state, gap_rate } => {
+            PhaseEnd::Landing { state, gap_rate } => {
                 let (state, gap_rate) = match (&solution, &self.signs) {
                     (PhaseSolution::Flight(flight), Some(signs)) => {
                         self.perturbed_landing(flight, gap_rate, signs)
                     }
                     _ => (state, gap_rate),
                 };
-                Ending::Landing {
+                PhaseEnd::Landing {
                     state: moved(state),
                     gap_rate,
                 }
             }
-            Ending::Settled { state, settling } => Ending::Settled {
+            PhaseEnd::Settled { state, settling } => PhaseEnd::Settled {
                 state: moved(state),
                 settling,
             },
-            Ending::Singular { state, solvability } => Ending::Singular {
+            PhaseEnd::Singular { state, solvability } => PhaseEnd::Singular {
                 state: moved(state),
                 solvability,
             },
-            Ending::Motion {
+            PhaseEnd::Motion {
                 event,
                 end,
-                verdict,
+                outcome,
             } => {
                 let event = event.map(|(cause, state)| (cause, moved(state)));
-                Ending::Motion {
+                PhaseEnd::Motion {
                     event,
                     end,
-                    verdict,
+                    outcome,
                 }
             }
         };
-        Solved {
+        PhaseResult {
             solution,
             direction,
-            ending,
+            end,
         }
     }
 }
 
 impl Solver for PerturbedSolver<'_> {
-    type Place = State;
+    type Point = State;
     type Solution = PhaseSolution;
-    type Verdict = Outcome;
+    type Outcome = Outcome;
 
     fn hoop(&self) -> &Hoop {
         self.exact.hoop()
@@ -441,19 +445,19 @@ impl Solver for PerturbedSolver<'_> {
         self.exact.until()
     }
 
-    fn place(&self, state: State) -> State {
+    fn point(&self, state: State) -> State {
         state
     }
 
-    fn state(place: &State) -> State {
-        *place
+    fn state(point: &State) -> State {
+        *point
     }
 
-    fn decide(&self, state: &State, arrival: Arrival) -> NextMotion {
-        self.exact.decide(state, arrival)
+    fn select_mode(&self, state: &State, arrival: Arrival) -> NextMotion {
+        self.exact.select_mode(state, arrival)
     }
 
-    fn roll(&self, state: &State, on_limit: bool) -> SolvedBy<Self> {
+    fn roll(&self, state: &State, on_limit: bool) -> PhaseResult<Self> {
         self.perturbed(
             state,
             self.exact.roll(&self.perturbed_start(state), on_limit),
@@ -466,17 +470,17 @@ impl Solver for PerturbedSolver<'_> {
         body: &Heavy,
         direction: Direction,
         entry: Entry,
-    ) -> SolvedBy<Self> {
+    ) -> PhaseResult<Self> {
         let perturbed_start = self.perturbed_start(state);
         let mut from = perturbed_start;
         let mut solved = self.exact.slide(&perturbed_start, body, direction, entry);
         if self.signs.is_none() {
-            return solved;
+            return self.perturbed(state, solved);
         }
         // Rounding on the way may grow more than rounding at the start.
         for pieces in (2..=PERTURBATIONS_PER_SLIDE).rev() {
             let (PhaseSolution::Sliding(slide), Some(end)) =
-                (&solved.solution, solved.ending.state(|place| *place))
+                (&solved.solution, solved.end.state(|place| *place))
             else {
                 break;
             };
@@ -488,8 +492,9 @@ impl Solver for PerturbedSolver<'_> {
                     slip: perturbed_start.slip,
                     ..from
                 },
-                (Mode::Sliding, steps),
                 cut,
+                Mode::Sliding,
+                steps,
             );
             if Direction::of_sign(cut.slip) != Some(direction) {
                 break;
@@ -506,7 +511,7 @@ impl Solver for PerturbedSolver<'_> {
         )
     }
 
-    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
+    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
         let take_off = match (take_off, &self.signs) {
             (TakeOff::Rising { gap_rate }, Some(signs)) => TakeOff::Rising {
                 gap_rate: signs.moved(gap_rate, f64::EPSILON * gap_rate),
@@ -521,7 +526,7 @@ impl Solver for PerturbedSolver<'_> {
         )
     }
 
-    fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
+    fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> PhaseResult<Self> {
         self.perturbed(
             state,
             self.exact
@@ -529,7 +534,7 @@ impl Solver for PerturbedSolver<'_> {
         )
     }
 
-    fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
+    fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         // The entry of a glide is tied to its state, so the start is not perturbed.
         self.perturbed(state, self.exact.glide(state, body, entry))
     }

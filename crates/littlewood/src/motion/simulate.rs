@@ -5,7 +5,10 @@ use crate::model::{Body, Direction, Hoop, Limits, ParameterError, Start, State};
 use crate::modes::{Flight, PhaseSolution};
 use crate::motion::summary::SummaryRecorder;
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Event, Exact, Known, Origin, PhaseRecord, Recorder, Solution, Transition, walk};
+use crate::walk::{
+    Event, Exact, Origin, PhaseRecord, Recorder, SharedProofData, Solution, Transition,
+    WalkSettings, walk,
+};
 
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.
@@ -42,12 +45,11 @@ impl Hoop {
             summary: SummaryRecorder::new(self, origin),
         };
         let solver = Exact::new(self, &limits);
-        let outcome = walk(
-            &solver,
-            relative,
-            (&limits, Known::default()),
-            &mut recording,
-        );
+        let settings = WalkSettings {
+            limits: &limits,
+            shared: SharedProofData::default(),
+        };
+        let outcome = walk(&solver, relative, settings, &mut recording);
         let Recording {
             hoop,
             phases,
@@ -60,7 +62,7 @@ impl Hoop {
             hoop,
             origin,
             start: state,
-            relative: relative.0,
+            relative: relative.state,
             phases,
             transitions,
             outcome,

@@ -9,7 +9,7 @@ use crate::modes::{
     SlideLimit, Sliding, SlidingEnd, TakeOff,
 };
 use crate::walk::{
-    Arrival, Cause, Ending, NextMotion, Outcome, Solution, Solved, SolvedBy, Solver, next_motion,
+    Arrival, Cause, NextMotion, Outcome, PhaseEnd, PhaseResult, Solution, Solver, next_motion,
 };
 
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ const MAX_STEPS_OF_HARD_SLIDES: usize = 100_000;
 /// solvers delegate hard slides to this one, so that the count is the same.
 const MAX_STEPS_OF_EASY_SLIDE: usize = 2_000;
 
-type ExactEnding = Ending<State, Outcome>;
+type ExactEnd = PhaseEnd<State, Outcome>;
 
 impl<'a> Exact<'a> {
     pub(crate) const fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
@@ -47,7 +47,7 @@ impl<'a> Exact<'a> {
     }
 
     /// A phase cut at the time limit, with the exact time of the limit.
-    fn stopped(&self, state: State) -> ExactEnding {
+    fn stopped(&self, state: State) -> ExactEnd {
         let state = State {
             time: self.until.unwrap_or(state.time),
             ..state
@@ -55,19 +55,19 @@ impl<'a> Exact<'a> {
         Self::without_event(state, Outcome::TimeLimit { state })
     }
 
-    const fn without_event(state: State, verdict: Outcome) -> ExactEnding {
-        Ending::Motion {
+    const fn without_event(state: State, outcome: Outcome) -> ExactEnd {
+        PhaseEnd::Motion {
             event: None,
             end: Some(state),
-            verdict,
+            outcome,
         }
     }
 
-    const fn ended(cause: Cause, state: State, outcome: Outcome) -> ExactEnding {
-        Ending::Motion {
+    const fn ended(cause: Cause, state: State, outcome: Outcome) -> ExactEnd {
+        PhaseEnd::Motion {
             event: Some((cause, state)),
             end: Some(state),
-            verdict: outcome,
+            outcome,
         }
     }
 
@@ -76,22 +76,22 @@ impl<'a> Exact<'a> {
         &self,
         flight: Flight,
         start: &State,
-        ends: impl Fn(State) -> ExactEnding,
-    ) -> SolvedBy<Self> {
+        ends: impl Fn(State) -> ExactEnd,
+    ) -> PhaseResult<Self> {
         let duration = flight.duration();
-        let ending = match self.allowed(start) {
+        let end = match self.allowed(start) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
             Some(_) | None => ends(flight.state(duration)),
         };
-        Solved {
+        PhaseResult {
             solution: PhaseSolution::Flight(flight),
             direction: None,
-            ending,
+            end,
         }
     }
 
     /// A phase without end; it is cut at the time limit, if any.
-    fn endless(&self, start: &State, at: impl Fn(f64) -> State, outcome: Outcome) -> ExactEnding {
+    fn endless(&self, start: &State, at: impl Fn(f64) -> State, outcome: Outcome) -> ExactEnd {
         let end = self.allowed(start).map(|allowed| {
             let state = at(allowed);
             State {
@@ -99,18 +99,18 @@ impl<'a> Exact<'a> {
                 ..state
             }
         });
-        Ending::Motion {
+        PhaseEnd::Motion {
             event: None,
             end,
-            verdict: outcome,
+            outcome,
         }
     }
 }
 
 impl Solver for Exact<'_> {
-    type Place = State;
+    type Point = State;
     type Solution = PhaseSolution;
-    type Verdict = Outcome;
+    type Outcome = Outcome;
 
     fn hoop(&self) -> &Hoop {
         self.hoop
@@ -120,19 +120,19 @@ impl Solver for Exact<'_> {
         self.until.unwrap_or(f64::INFINITY)
     }
 
-    fn place(&self, state: State) -> State {
+    fn point(&self, state: State) -> State {
         state
     }
 
-    fn state(place: &State) -> State {
-        *place
+    fn state(point: &State) -> State {
+        *point
     }
 
-    fn decide(&self, state: &State, arrival: Arrival) -> NextMotion {
+    fn select_mode(&self, state: &State, arrival: Arrival) -> NextMotion {
         next_motion(self.hoop, state, arrival)
     }
 
-    fn roll(&self, state: &State, on_limit: bool) -> SolvedBy<Self> {
+    fn roll(&self, state: &State, on_limit: bool) -> PhaseResult<Self> {
         let rolling = Rolling::new(self.hoop, *state);
         let allowed = self.allowed(state);
         let end = if on_limit {
@@ -140,13 +140,13 @@ impl Solver for Exact<'_> {
         } else {
             rolling.orbit().end()
         };
-        let ending = match end {
+        let end = match end {
             // A massless hoop whose particle is at the plane, but for rounding.
             Some(end) if !end.theta_rate.is_finite() => {
                 Self::without_event(*state, Outcome::Unresolved { state: *state })
             }
-            Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => Ending::Event {
-                place: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
+            Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => PhaseEnd::Event {
+                point: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
                 cause: end.limit.cause(),
                 arrival: Arrival::RollingLimit(end.limit),
             },
@@ -164,10 +164,10 @@ impl Solver for Exact<'_> {
                 self.endless(state, |allowed| rolling.state(allowed), outcome)
             }
         };
-        Solved {
+        PhaseResult {
             solution: PhaseSolution::Rolling(Box::new(rolling)),
             direction: None,
-            ending,
+            end,
         }
     }
 
@@ -177,7 +177,7 @@ impl Solver for Exact<'_> {
         body: &Heavy,
         direction: Direction,
         entry: Entry,
-    ) -> SolvedBy<Self> {
+    ) -> PhaseResult<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
         let budget = SlideBudget {
             time_left: self.allowed(state),
@@ -188,20 +188,20 @@ impl Solver for Exact<'_> {
             self.steps
                 .set(self.steps.get().saturating_sub(slide.work()));
         }
-        let ending = match end {
-            SlidingEnd::Rest(place) => Ending::Event {
-                place,
+        let end = match end {
+            SlidingEnd::Rest(point) => PhaseEnd::Event {
+                point,
                 cause: Cause::Stick,
                 arrival: Arrival::InContact,
             },
-            SlidingEnd::LiftOff(place) => Ending::Event {
-                place,
+            SlidingEnd::LiftOff(point) => PhaseEnd::Event {
+                point,
                 cause: Cause::LiftOff,
                 arrival: Arrival::LiftOff,
             },
-            SlidingEnd::Singular(place) => Ending::Singular {
-                state: place,
-                solvability: law.painleve(place.theta),
+            SlidingEnd::Singular(state) => PhaseEnd::Singular {
+                state,
+                solvability: law.painleve(state.theta),
             },
             SlidingEnd::Unresolved(state) => {
                 Self::without_event(state, Outcome::Unresolved { state })
@@ -228,18 +228,18 @@ impl Solver for Exact<'_> {
             }
         };
         let solution = PhaseSolution::Sliding(Box::new(slide));
-        Solved {
+        PhaseResult {
             solution,
             direction: Some(direction),
-            ending,
+            end,
         }
     }
 
-    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
+    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
         let flight = Flight::new(body, *state, take_off);
         self.flown(flight, state, |end| {
             if flight.is_resolved() {
-                Ending::Landing {
+                PhaseEnd::Landing {
                     state: end,
                     gap_rate: flight.landing_rate(),
                 }
@@ -249,20 +249,20 @@ impl Solver for Exact<'_> {
         })
     }
 
-    fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
+    fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> PhaseResult<Self> {
         let flight = Flight::settling(body, *state, settling.gap_rate, settling.duration);
-        self.flown(flight, state, |state| Ending::Settled {
+        self.flown(flight, state, |state| PhaseEnd::Settled {
             state,
             settling: Box::new(*settling),
         })
     }
 
-    fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
+    fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         let allowed = self.allowed(state);
         let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
-        let ending = match end {
-            GlidingEnd::Rest { state, presses } => Ending::Event {
-                place: state,
+        let end = match end {
+            GlidingEnd::Rest { state, presses } => PhaseEnd::Event {
+                point: state,
                 cause: Cause::Stick,
                 arrival: Arrival::GlideAtRest { presses },
             },
@@ -283,10 +283,10 @@ impl Solver for Exact<'_> {
             ),
             GlidingEnd::TimeLimit(state) => self.stopped(state),
         };
-        Solved {
+        PhaseResult {
             solution: PhaseSolution::Gliding(glide),
             direction: glide.direction(),
-            ending,
+            end,
         }
     }
 }

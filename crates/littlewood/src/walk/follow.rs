@@ -6,334 +6,301 @@
 
 use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
 use crate::model::{
-    Body, Direction, Heavy, Hoop, Limits, Massless, Mode, Quantity, State, length_of_slide,
-    weight_of_slides,
+    Body, Direction, Heavy, Hoop, Limits, Mode, Quantity, State, length_of_slide, weight_of_slides,
 };
-use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, SlideLimit, TakeOff};
+use crate::modes::{RollingLimit, SlideLimit, TakeOff};
+use crate::walk::solver::SkipBudget;
 use crate::walk::{
-    Arrival, Cause, Event, Known, LastSlip, NextMotion, Outcome, PhaseSequence, Proofs,
+    Arrival, Cause, Event, LastSlip, NextMotion, Outcome, PhaseDetail, PhaseEnd, PhaseRecord,
+    PhaseResult, Proofs, Recorder, RelativeStart, SharedProofData, Solution, Solver,
 };
 
-/// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
-pub(crate) trait Solver {
-    /// A state with the quantities that the solver derives from it.
-    type Place;
-    type Solution: Solution;
-    /// The outcome of a motion.
-    type Verdict: From<Outcome>;
-
-    fn hoop(&self) -> &Hoop;
-    /// The time limit of the motion, or infinity.
-    fn until(&self) -> f64;
-    fn place(&self, state: State) -> Self::Place;
-    fn state(place: &Self::Place) -> State;
-    fn decide(&self, place: &Self::Place, arrival: Arrival) -> NextMotion;
-    /// `on_limit` if |F| = μs N at the start and static friction holds after it.
-    fn roll(&self, place: &Self::Place, on_limit: bool) -> SolvedBy<Self>;
-    fn slide(
-        &self,
-        place: &Self::Place,
-        body: &Heavy,
-        direction: Direction,
-        entry: Entry,
-    ) -> SolvedBy<Self>;
-    fn fly(&self, place: &Self::Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self>;
-    /// Infinitely many bounces.
-    fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
-    fn glide(&self, place: &Self::Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self>;
-    /// Skips links of a chain of slips, from a slip out of rolling, if none of them provably leads
-    /// to a grazing orbit. None if the phases must be solved one by one.
-    fn pass_links(
-        &self,
-        _: &Self::Place,
-        _: Direction,
-        _: &ChainBudget<'_>,
-    ) -> Option<ChainSegment<Self::Place>> {
-        None
-    }
-}
-
-/// Limits of the links that may be skipped.
-pub(crate) struct ChainBudget<'a> {
-    pub(crate) transitions: u32,
-    pub(crate) slides: f64,
-    /// Whether to record the phases, at most as many as a sequence holds.
-    pub(crate) record_phases: bool,
-    /// If proofs examine each state: whether a state leaves the outcome open. Once decided, the
-    /// outcome is decided in all later states.
-    pub(crate) open: Option<&'a dyn Fn(&State) -> bool>,
-}
-
-/// Skipped links, from a slip out of rolling to a later one.
-pub(crate) struct ChainSegment<P> {
-    pub(crate) place: P,
-    pub(crate) direction: Direction,
-    pub(crate) transitions: u32,
-    pub(crate) slid: f64,
-    pub(crate) phases: PhaseSequence,
-}
-
-/// What is kept of a solved phase.
-pub(crate) trait Solution {
-    fn flight(&self) -> Option<&Flight>;
-    /// The range of the angle of a slide, where it is kept.
-    fn theta_range(&self) -> Option<(f64, f64)> {
-        None
-    }
-}
-
-pub(crate) struct Solved<S, P, V> {
-    pub(crate) solution: S,
-    /// Direction of slip; for a glide from η′ = 0 it follows from the solution.
-    pub(crate) direction: Option<Direction>,
-    pub(crate) ending: Ending<P, V>,
-}
-
-pub(crate) type SolvedBy<T> =
-    Solved<<T as Solver>::Solution, <T as Solver>::Place, <T as Solver>::Verdict>;
-
-pub(crate) enum Ending<P, V> {
-    /// An event after which the motion continues.
-    Event {
-        place: P,
-        cause: Cause,
-        arrival: Arrival,
-    },
-    /// The landing of the rim.
-    Landing { state: State, gap_rate: f64 },
-    /// The end of infinitely many bounces.
-    Settled {
-        state: State,
-        settling: Box<Settling>,
-    },
-    /// P = 0 in a slide, with the computed value of P.
-    Singular { state: State, solvability: f64 },
-    /// The end of the motion: `event` is its last transition, `end` the state at the end of the
-    /// phase, if any.
-    Motion {
-        event: Option<(Cause, State)>,
-        end: Option<State>,
-        verdict: V,
-    },
-}
-
-impl<P, V> Ending<P, V> {
-    pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
-        match self {
-            Self::Event { place, .. } => Some(of(place)),
-            Self::Landing { state, .. }
-            | Self::Settled { state, .. }
-            | Self::Singular { state, .. } => Some(*state),
-            Self::Motion { end, .. } => *end,
-        }
-    }
-}
-
-pub(crate) trait Recorder<S> {
-    fn phase(&mut self, phase: PhaseRecord, solution: S);
-    /// Records an event, with its impact and the direction of slip of the motion that begins. It
-    /// ends the last phase if its `from` is a mode.
-    fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
-    fn detail(&self) -> PhaseDetail {
-        PhaseDetail::Solutions
-    }
-    /// Records skipped links: the number of transitions, and the phases at the current detail.
-    fn links(&mut self, _transitions: u32, _phases: PhaseSequence) {}
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PhaseDetail {
-    Solutions,
-    /// Modes and directions of slip.
-    Modes,
-    /// The number of transitions only.
-    Number,
-}
-
-/// A phase as passed to a recorder; `end` is `None` if the phase never ends.
+/// Limits of a motion, relative to its start, and the data that its proofs share with others.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PhaseRecord {
-    pub(crate) mode: Mode,
-    pub(crate) direction: Option<Direction>,
-    pub(crate) start: State,
-    pub(crate) end: Option<State>,
+pub(crate) struct WalkSettings<'a> {
+    pub(crate) limits: &'a Limits,
+    pub(crate) shared: SharedProofData<'a>,
 }
 
-/// The current place of a motion, and the motion that begins there.
-struct Current<P> {
-    place: P,
-    begin: NextMotion,
+/// Where a motion is, and the motion that begins there.
+struct Cursor<P> {
+    point: P,
+    next: NextMotion,
     /// The last slip, while the slides after it conserve energy and horizontal momentum.
-    limit: Option<LastSlip>,
-    /// The direction of slip, if rolling ended in this slip.
-    slips: Option<Direction>,
+    last_slip: Option<LastSlip>,
+    /// The direction of slip, if rolling has just ended in this slip.
+    slip_out_of_rolling: Option<Direction>,
 }
 
-impl<P> Current<P> {
-    fn slipping<T: Solver<Place = P>>(solver: &T, place: P, direction: Direction) -> Self {
-        let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
-        let begin = solver.decide(&place, arrival);
-        let slips = begin.direction();
+impl<P> Cursor<P> {
+    /// At the start of a motion, which leaves the plane if the gap opens.
+    fn at_start<T: Solver<Point = P>>(solver: &T, start: RelativeStart) -> Self {
+        let RelativeStart { state, gap_rate } = start;
+        let point = solver.point(state);
+        let next = match solver.hoop().body() {
+            Body::Heavy(body) if gap_rate > 0.0 => begin_flight(solver, &body, &state, gap_rate),
+            Body::Heavy(_) | Body::Massless(_) => solver.select_mode(&point, Arrival::Start),
+        };
+        let last_slip = LastSlip::at_start(solver.hoop(), state, next.direction());
         Self {
-            place,
-            begin,
-            limit: None,
-            slips,
+            point,
+            next,
+            last_slip,
+            slip_out_of_rolling: None,
+        }
+    }
+
+    /// At a slip out of rolling.
+    fn at_slip<T: Solver<Point = P>>(solver: &T, point: P, direction: Direction) -> Self {
+        let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
+        let next = solver.select_mode(&point, arrival);
+        let slip_out_of_rolling = next.direction();
+        Self {
+            point,
+            next,
+            last_slip: None,
+            slip_out_of_rolling,
         }
     }
 }
 
-type EventWithImpact = (Event, Option<Box<Impact>>);
+/// A recorder with the event that it gets later.
+///
+/// The direction of a glide from rest follows from its solution, so the event that leads to a glide
+/// waits until the glide is solved.
+struct EventLog<'a, R> {
+    recorder: &'a mut R,
+    pending: Option<Event>,
+}
 
-/// An event with an impact; the event alone if the state after it is not representable.
-type Rebound = Result<EventWithImpact, Event>;
+impl<'a, R> EventLog<'a, R> {
+    const fn new(recorder: &'a mut R) -> Self {
+        Self {
+            recorder,
+            pending: None,
+        }
+    }
 
-/// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion or to a
-/// limit. `known` is shared data for proofs.
+    /// Records the event that ended a phase, or keeps it if a glide begins.
+    #[inline(always)]
+    fn add<S>(&mut self, event: Event, impact: Option<&Impact>, direction: Option<Direction>)
+    where
+        R: Recorder<S>,
+    {
+        if event.to == Some(Mode::Gliding) {
+            self.pending = Some(event);
+        } else {
+            self.recorder.transition(&event, impact, direction);
+        }
+    }
+
+    /// Records the event that waits, with the direction of the motion that it begins.
+    #[inline]
+    fn flush<S>(&mut self, direction: Option<Direction>)
+    where
+        R: Recorder<S>,
+    {
+        if let Some(event) = self.pending.take() {
+            self.recorder.transition(&event, None, direction);
+        }
+    }
+}
+
+/// The event that ended a phase, with its impact, and the range of the angle if the phase was a
+/// slide whose solution keeps it.
+struct PhaseStep {
+    event: Event,
+    impact: Option<Box<Impact>>,
+    theta_range: Option<(f64, f64)>,
+}
+
+/// A phase that ended without an impact.
+struct EndedPhase<P> {
+    mode: Mode,
+    direction: Option<Direction>,
+    point: P,
+    cause: Cause,
+    arrival: Arrival,
+}
+
+/// What an impact leads to.
+enum Rebound {
+    /// The motion goes on after it.
+    Continues { event: Event, impact: Impact },
+    /// The state after it is not representable, so the motion ends before it.
+    Unresolved(Event),
+    /// There is none: without a coefficient of restitution, and where no slip jams.
+    None,
+}
+
+/// The end of a motion, and the event that ends it, if any.
+struct MotionEnd {
+    event: Option<Event>,
+    outcome: Outcome,
+}
+
+/// The limits of a motion, and what it has used of them.
+struct Budget<'a> {
+    limits: &'a Limits,
+    slide_cost_factor: f64,
+    transitions: usize,
+    slide_cost: f64,
+}
+
+impl<'a> Budget<'a> {
+    fn new(hoop: &Hoop, limits: &'a Limits) -> Self {
+        Self {
+            limits,
+            slide_cost_factor: weight_of_slides(hoop),
+            transitions: 0,
+            slide_cost: 0.0,
+        }
+    }
+
+    /// Adds a transition, and the phase before it.
+    fn add(&mut self, mode: Option<Mode>, start: &State, end: &State) {
+        self.transitions += 1;
+        if mode == Some(Mode::Sliding) {
+            self.slide_cost += self.slide_cost_factor * length_of_slide(start, end);
+        }
+    }
+
+    /// The outcome at a state if a limit is reached there.
+    const fn outcome(&self, state: State) -> Option<Outcome> {
+        if self.transitions >= self.limits.transitions {
+            let transitions = self.limits.transitions;
+            Some(Outcome::TransitionLimit { state, transitions })
+        } else if self.slide_cost > self.limits.slides as f64 {
+            let slides = self.limits.slides;
+            let limit = SlideLimit::All { slides };
+            Some(Outcome::StepLimit { state, limit })
+        } else {
+            None
+        }
+    }
+}
+
+/// Walks from a start to the end of the motion or to a limit.
 pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
-    (start, gap_rate): (State, f64),
-    (limits, known): (&Limits, Known<'_>),
+    start: RelativeStart,
+    settings: WalkSettings<'_>,
     recorder: &mut R,
-) -> T::Verdict {
-    let place = solver.place(start);
-    let begin = match solver.hoop().body() {
-        Body::Heavy(body) if gap_rate > 0.0 => rise(solver, &body, &start, gap_rate),
-        Body::Heavy(_) | Body::Massless(_) => solver.decide(&place, Arrival::Start),
-    };
-    let mut proofs = Proofs::new(solver.hoop(), limits, known);
-    if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
+) -> T::Outcome {
+    let WalkSettings { limits, shared } = settings;
+    let mut cursor = Cursor::at_start(solver, start);
+    let mut proofs = Proofs::new(solver.hoop(), limits, shared);
+    if let Some(outcome) = proofs.at_start(&start.state, cursor.next.mode()) {
         return outcome.into();
     }
-    let limit = LastSlip::at_start(solver.hoop(), start, begin.direction());
-    let mut now = Current {
-        place,
-        begin,
-        limit,
-        slips: None,
-    };
-    let mut pending: Option<Event> = None;
-    let (mut count, mut slid) = (0, 0.0);
-    let weight = weight_of_slides(solver.hoop());
+    let mut log = EventLog::new(recorder);
+    let mut budget = Budget::new(solver.hoop(), limits);
     loop {
-        let left = (
-            limits.transitions.saturating_sub(count),
-            limits.slides as f64 - slid,
-        );
-        let passed = pass_links(solver, &mut now, recorder, &mut proofs, left);
-        (count, slid) = (count + passed.0, slid + passed.1);
-        let (begins, mode) = (T::state(&now.place), now.begin.mode());
-        let mut range = None;
-        let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), &mut range) {
-            Ok(happening) => happening,
-            Err(verdict) => return verdict,
+        skip_links(solver, &mut cursor, log.recorder, &mut proofs, &mut budget);
+        let (phase_start, mode) = (T::state(&cursor.point), cursor.next.mode());
+        let step = match advance_phase(solver, &mut cursor, &mut log) {
+            Ok(step) => step,
+            Err(outcome) => return outcome,
         };
         let event = Event {
-            to: now.begin.mode(),
-            ..event
+            to: cursor.next.mode(),
+            ..step.event
         };
-        let direction = now.begin.direction();
-        if event.to == Some(Mode::Gliding) {
-            // The direction of a glide from rest follows from its solution.
-            pending = Some(event);
-        } else {
-            recorder.transition(&event, impact.as_deref(), direction);
-        }
-        count += 1;
-        if mode == Some(Mode::Sliding) {
-            slid += weight * length_of_slide(&begins, &event.state);
-        }
-        let state = T::state(&now.place);
-        let stopped = proofs
-            .at_event(&event, (&state, direction), range)
+        let direction = cursor.next.direction();
+        log.add(event, step.impact.as_deref(), direction);
+        budget.add(mode, &phase_start, &event.state);
+        let after = T::state(&cursor.point);
+        // A proof is a final outcome, so it precedes a limit that is reached at the same event.
+        let outcome = proofs
+            .at_event(&event, &after, direction, step.theta_range)
             .or_else(|| {
-                let limit = if count >= limits.transitions {
-                    Outcome::TransitionLimit {
-                        state,
-                        transitions: limits.transitions,
-                    }
-                } else if slid > limits.slides as f64 {
-                    Outcome::StepLimit {
-                        state,
-                        limit: SlideLimit::All {
-                            slides: limits.slides,
-                        },
-                    }
-                } else {
-                    return None;
-                };
+                let limit = budget.outcome(after)?;
+                // Without a next motion the next turn of the loop ends the motion.
                 event.to.is_some().then(|| proofs.at_limit(limit, event.to))
             });
-        if let Some(outcome) = stopped {
-            flush(recorder, &mut pending, direction);
+        if let Some(outcome) = outcome {
+            log.flush(direction);
             return outcome.into();
         }
     }
 }
 
-/// Skips links of a chain of slips after a slip out of rolling, within a number of transitions and
-/// a length of slides. Returns the number of transitions and the length of slides skipped.
+/// Skips links of a chain of slips after a slip out of rolling, as long as the solver can and the
+/// budget lasts.
 #[inline(always)]
-fn pass_links<T: Solver, R: Recorder<T::Solution>>(
+fn skip_links<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
-    now: &mut Current<T::Place>,
+    cursor: &mut Cursor<T::Point>,
     recorder: &mut R,
     proofs: &mut Proofs<'_>,
-    (most, longest): (usize, f64),
-) -> (usize, f64) {
-    let (mut passed, mut slid) = (0, 0.0);
-    while let (Some(direction), PhaseDetail::Modes | PhaseDetail::Number, true) =
-        (now.slips, recorder.detail(), proofs.may_pass_links())
-    {
+    budget: &mut Budget<'_>,
+) {
+    // What is left is computed once, and the sums of the skipped links are added at the end: the
+    // order of these sums decides the last bits of the cost.
+    let transitions_left = budget.limits.transitions.saturating_sub(budget.transitions);
+    let slide_cost_left = budget.limits.slides as f64 - budget.slide_cost;
+    let (mut transitions, mut slide_cost) = (0, 0.0);
+    while let (Some(direction), PhaseDetail::Modes | PhaseDetail::Number, true) = (
+        cursor.slip_out_of_rolling,
+        recorder.detail(),
+        proofs.may_skip_links(),
+    ) {
         let open = |state: &State| !proofs.ends_motion(state);
-        let budget = ChainBudget {
-            transitions: u32::try_from(most - passed)
+        let skip_budget = SkipBudget {
+            // The last transition is left to the loop, which ends the motion at the limit.
+            transitions: u32::try_from(transitions_left - transitions)
                 .unwrap_or(u32::MAX)
                 .saturating_sub(1),
-            slides: longest - slid,
+            slide_cost: slide_cost_left - slide_cost,
             record_phases: recorder.detail() == PhaseDetail::Modes,
             open: proofs.examines_each_state().then_some(&open),
         };
-        let Some(segment) = solver.pass_links(&now.place, direction, &budget) else {
+        let Some(links) = solver.skip_links(&cursor.point, direction, &skip_budget) else {
             break;
         };
-        let ChainSegment {
-            place,
-            direction,
-            transitions,
-            slid: length,
-            phases,
-        } = segment;
-        recorder.links(transitions, phases);
-        (passed, slid) = (passed + transitions as usize, slid + length);
-        proofs.skipped_to(&T::state(&place));
-        *now = Current::slipping(solver, place, direction);
+        recorder.links(links.transitions, links.phases);
+        transitions += links.transitions as usize;
+        slide_cost += links.slide_cost;
+        proofs.skipped_to(&T::state(&links.point));
+        *cursor = Cursor::at_slip(solver, links.point, links.direction);
     }
-    (passed, slid)
+    budget.transitions += transitions;
+    budget.slide_cost += slide_cost;
 }
 
-/// The next slip out of rolling, its direction, and the length of the slides before it. None if
-/// another mode or an impact comes first, or a phase that `accepts` refuses.
+/// A slip out of rolling, and the cost of the slides since the one before it.
+pub(crate) struct NextSlip {
+    pub(crate) state: State,
+    pub(crate) direction: Direction,
+    pub(crate) slide_cost: f64,
+}
+
+/// The next slip out of rolling. None if another mode or an impact comes first, or a phase that
+/// `accepts` refuses.
 pub(crate) fn next_slip<T: Solver>(
     solver: &T,
-    slip: T::Place,
+    slip: T::Point,
     direction: Direction,
     accepts: impl FnMut(Mode, Option<Direction>) -> bool,
-) -> Option<(State, Direction, f64)> {
+) -> Option<NextSlip> {
     let mut checker = ModeChecker {
         accepts,
         accepted: true,
-        slid: 0.0,
+        slide_length: 0.0,
     };
-    let mut now = Current::slipping(solver, slip, direction);
+    let mut log = EventLog::new(&mut checker);
+    let mut cursor = Cursor::at_slip(solver, slip, direction);
     loop {
-        let (_, impact) = follow(solver, &mut now, (&mut checker, &mut None), &mut None).ok()?;
-        if impact.is_some() || !checker.accepted {
+        let step = advance_phase(solver, &mut cursor, &mut log).ok()?;
+        if step.impact.is_some() || !log.recorder.accepted {
             return None;
         }
-        if let Some(direction) = now.slips {
-            let slid = weight_of_slides(solver.hoop()) * checker.slid;
-            return Some((T::state(&now.place), direction, slid));
+        if let Some(direction) = cursor.slip_out_of_rolling {
+            return Some(NextSlip {
+                state: T::state(&cursor.point),
+                direction,
+                slide_cost: weight_of_slides(solver.hoop()) * log.recorder.slide_length,
+            });
         }
     }
 }
@@ -342,7 +309,7 @@ pub(crate) fn next_slip<T: Solver>(
 struct ModeChecker<F> {
     accepts: F,
     accepted: bool,
-    slid: f64,
+    slide_length: f64,
 }
 
 impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for ModeChecker<F> {
@@ -350,192 +317,231 @@ impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for ModeChecker<F
         let touches = matches!(phase.mode, Mode::Rolling | Mode::Sliding);
         self.accepted &= touches && (self.accepts)(phase.mode, phase.direction);
         if let (Mode::Sliding, Some(end)) = (phase.mode, &phase.end) {
-            self.slid += length_of_slide(&phase.start, end);
+            self.slide_length += length_of_slide(&phase.start, end);
         }
     }
 
     fn transition(&mut self, _: &Event, _: Option<&Impact>, _: Option<Direction>) {}
 }
 
-/// Solves and records the phase that begins now, up to the event that ends it; or returns the
-/// outcome if the motion ends. Stores the range of the angle of a slide in `range`, if it is known.
+/// Solves and records the phase that begins at the cursor, and moves the cursor past the event that
+/// ends it; or returns the outcome if the motion ends.
 #[inline(always)]
-fn follow<T: Solver, R: Recorder<T::Solution>>(
+fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
-    now: &mut Current<T::Place>,
-    (recorder, pending): (&mut R, &mut Option<Event>),
-    range: &mut Option<(f64, f64)>,
-) -> Result<EventWithImpact, T::Verdict> {
-    now.slips = None;
-    let place = &now.place;
-    let state = T::state(place);
-    let (mode, solved) = match &now.begin {
-        NextMotion::Roll { on_limit } => (Mode::Rolling, solver.roll(place, *on_limit)),
+    cursor: &mut Cursor<T::Point>,
+    log: &mut EventLog<'_, R>,
+) -> Result<PhaseStep, T::Outcome> {
+    cursor.slip_out_of_rolling = None;
+    let point = &cursor.point;
+    let state = T::state(point);
+    let (mode, result) = match &cursor.next {
+        NextMotion::Roll { on_limit } => (Mode::Rolling, solver.roll(point, *on_limit)),
         NextMotion::Slide {
             body,
             direction,
             entry,
-        } => (Mode::Sliding, solver.slide(place, body, *direction, *entry)),
-        NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(place, body, *take_off)),
-        NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(place, body, *entry)),
+        } => (Mode::Sliding, solver.slide(point, body, *direction, *entry)),
+        NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(point, body, *take_off)),
+        NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
         NextMotion::Settle { body, settling } => {
-            (Mode::Flight, solver.settle(place, body, settling))
+            (Mode::Flight, solver.settle(point, body, settling))
         }
         NextMotion::None(candidates) => {
-            flush(recorder, pending, None);
-            let inconsistent = Outcome::Inconsistent {
+            log.flush(None);
+            let end = MotionEnd {
+                event: None,
+                outcome: Outcome::Inconsistent {
+                    state,
+                    candidates: **candidates,
+                },
+            };
+            let rebound = jam(solver, cursor, None, state);
+            return rebound_or_end(log.recorder, rebound, end);
+        }
+        NextMotion::Several(candidates) => {
+            log.flush(None);
+            let outcome = Outcome::Ambiguous {
                 state,
                 candidates: **candidates,
             };
-            return leads_on(
-                recorder,
-                jam(solver, now, None, state),
-                (None, inconsistent),
-            );
-        }
-        NextMotion::Several(candidates) => {
-            flush(recorder, pending, None);
-            return Err(Outcome::Ambiguous {
-                state,
-                candidates: **candidates,
-            }
-            .into());
+            return Err(outcome.into());
         }
     };
-    let Solved {
+    finish_phase(solver, cursor, log, mode, result)
+}
+
+/// Records a solved phase, and moves the cursor past its end.
+#[inline(always)]
+fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
+    solver: &T,
+    cursor: &mut Cursor<T::Point>,
+    log: &mut EventLog<'_, R>,
+    mode: Mode,
+    result: PhaseResult<T>,
+) -> Result<PhaseStep, T::Outcome> {
+    let PhaseResult {
         solution,
         direction,
-        mut ending,
-    } = solved;
-    flush(recorder, pending, direction);
-    *range = solution.theta_range();
-    if let Ending::Event {
-        place,
+        mut end,
+    } = result;
+    log.flush(direction);
+    let theta_range = solution.theta_range();
+    if let PhaseEnd::Event {
+        point,
         cause: Cause::Stick,
         arrival,
-    } = &mut ending
+    } = &mut end
     {
-        correct_rest(solver, now, place, arrival);
+        correct_rest(solver, cursor, point, arrival);
     }
-    recorder.phase(
-        PhaseRecord {
-            mode,
-            direction,
-            start: state,
-            end: ending.state(T::state),
-        },
-        solution,
-    );
-    match ending {
-        Ending::Event {
-            place: reached,
+    let record = PhaseRecord {
+        mode,
+        direction,
+        start: T::state(&cursor.point),
+        end: end.state(T::state),
+    };
+    log.recorder.phase(record, solution);
+    let step = match end {
+        PhaseEnd::Event {
+            point,
             cause,
             arrival,
-        } => Ok((
-            continues(solver, now, (mode, direction), reached, (cause, arrival)),
-            None,
-        )),
-        Ending::Motion {
+        } => {
+            let ended = EndedPhase {
+                mode,
+                direction,
+                point,
+                cause,
+                arrival,
+            };
+            PhaseStep {
+                event: after_event(solver, cursor, ended),
+                impact: None,
+                theta_range: None,
+            }
+        }
+        PhaseEnd::Settled { state, settling } => after_settling(solver, cursor, state, &settling),
+        PhaseEnd::Landing { state, gap_rate } => {
+            let end = MotionEnd {
+                event: Some(Event::new(state, mode, Cause::Landing)),
+                outcome: Outcome::Landing { state, gap_rate },
+            };
+            let rebound = land(solver, cursor, state, gap_rate);
+            rebound_or_end(log.recorder, rebound, end)?
+        }
+        PhaseEnd::Singular { state, solvability } => {
+            let end = MotionEnd {
+                event: Some(Event::new(state, mode, Cause::Singularity)),
+                outcome: Outcome::Singular { state, solvability },
+            };
+            let rebound = jam(solver, cursor, Some(mode), state);
+            rebound_or_end(log.recorder, rebound, end)?
+        }
+        PhaseEnd::Motion {
             event,
             end: _,
-            verdict,
+            outcome,
         } => {
             if let Some((cause, before)) = event {
-                recorder.transition(&Event::new(before, mode, cause), None, None);
+                let event = Event::new(before, mode, cause);
+                log.recorder.transition(&event, None, None);
             }
-            Err(verdict)
+            return Err(outcome);
         }
-        Ending::Settled {
-            state: end,
-            settling,
-        } => Ok(settles(solver, now, end, &settling)),
-        Ending::Landing { state, gap_rate } => {
-            let last = (
-                Some(Event::new(state, mode, Cause::Landing)),
-                Outcome::Landing { state, gap_rate },
-            );
-            leads_on(recorder, lands(solver, now, state, gap_rate), last)
-        }
-        Ending::Singular { state, solvability } => {
-            let event = Event::new(state, mode, Cause::Singularity);
-            let last = (Some(event), Outcome::Singular { state, solvability });
-            leads_on(recorder, jam(solver, now, Some(mode), state), last)
-        }
-    }
+    };
+    Ok(PhaseStep {
+        theta_range,
+        ..step
+    })
 }
 
 /// The event of an impact. The motion ends before the impact if the state after it is not
-/// representable, and ends with `outcome` if there is no impact; records the event that ends it.
+/// representable, and with `end` if there is no impact; records the event that ends it.
 #[inline(always)]
-fn leads_on<S, V: From<Outcome>>(
+fn rebound_or_end<S, O: From<Outcome>>(
     recorder: &mut impl Recorder<S>,
-    rebound: Option<Rebound>,
-    (last, outcome): (Option<Event>, Outcome),
-) -> Result<EventWithImpact, V> {
-    let (last, outcome) = match rebound {
-        Some(Ok(happening)) => return Ok(happening),
-        Some(Err(event)) => (Some(event), Outcome::Unresolved { state: event.state }),
-        None => (last, outcome),
+    rebound: Rebound,
+    end: MotionEnd,
+) -> Result<PhaseStep, O> {
+    let MotionEnd { event, outcome } = match rebound {
+        Rebound::Continues { event, impact } => {
+            return Ok(PhaseStep {
+                event,
+                impact: Some(Box::new(impact)),
+                theta_range: None,
+            });
+        }
+        Rebound::Unresolved(event) => MotionEnd {
+            event: Some(event),
+            outcome: Outcome::Unresolved { state: event.state },
+        },
+        Rebound::None => end,
     };
-    if let Some(event) = last {
+    if let Some(event) = event {
         recorder.transition(&event, None, None);
     }
     Err(outcome.into())
 }
 
-/// Corrects the place at which a slide comes to rest, and its arrival, by the conserved quantities.
+/// Corrects the point at which a slide comes to rest, and its arrival, by the conserved quantities.
 #[inline(always)]
 fn correct_rest<T: Solver>(
     solver: &T,
-    now: &Current<T::Place>,
-    place: &mut T::Place,
+    cursor: &Cursor<T::Point>,
+    point: &mut T::Point,
     arrival: &mut Arrival,
 ) {
-    let (Arrival::InContact, Some(limit), Body::Heavy(body)) =
-        (*arrival, &now.limit, solver.hoop().body())
+    let (Arrival::InContact, Some(last_slip), Body::Heavy(body)) =
+        (*arrival, &cursor.last_slip, solver.hoop().body())
     else {
         return;
     };
-    let slide = T::state(&now.place).time..=solver.until();
-    *arrival = match limit.correct_rest(&body, &T::state(place)) {
-        Some((state, arrival)) => {
+    let slide = T::state(&cursor.point).time..=solver.until();
+    *arrival = match last_slip.correct_rest(&body, &T::state(point)) {
+        Some(corrected) => {
             // The uncorrected end lies within the time limit, and rounding must not move it
             // outside.
-            if slide.contains(&state.time) {
-                *place = solver.place(state);
+            if slide.contains(&corrected.state.time) {
+                *point = solver.point(corrected.state);
             }
-            arrival
+            corrected.arrival
         }
         None => Arrival::InContact,
     };
 }
 
-/// Sets the motion after an event without an impact.
+/// Moves the cursor to the end of a phase, selects the motion that follows, and names the event.
 #[inline(always)]
-fn continues<T: Solver>(
+fn after_event<T: Solver>(
     solver: &T,
-    now: &mut Current<T::Place>,
-    (mode, direction): (Mode, Option<Direction>),
-    place: T::Place,
-    (cause, arrival): (Cause, Arrival),
+    cursor: &mut Cursor<T::Point>,
+    ended: EndedPhase<T::Point>,
 ) -> Event {
-    now.place = place;
-    let state = T::state(&now.place);
-    now.begin = solver.decide(&now.place, arrival);
-    let begin = &now.begin;
+    let EndedPhase {
+        mode,
+        direction,
+        point,
+        cause,
+        arrival,
+    } = ended;
+    cursor.point = point;
+    let state = T::state(&cursor.point);
+    cursor.next = solver.select_mode(&cursor.point, arrival);
+    let next = &cursor.next;
     // Only a slide begins with a known direction.
-    (now.limit, now.slips) = match (arrival, begin.direction()) {
+    (cursor.last_slip, cursor.slip_out_of_rolling) = match (arrival, next.direction()) {
         (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => (
             LastSlip::out_of_rolling(solver.hoop(), state, out),
             Some(direction),
         ),
-        (_, Some(_)) => (now.limit, None),
+        (_, Some(_)) => (cursor.last_slip, None),
         (_, None) => (None, None),
     };
     // The next motion distinguishes stick, graze, reversal and lift-off.
-    let cause = match (cause, begin.mode()) {
+    let cause = match (cause, next.mode()) {
         (Cause::Stick, Some(Mode::Sliding | Mode::Gliding)) => {
-            let same = begin.direction().is_some() && begin.direction() == direction;
+            let same = next.direction().is_some() && next.direction() == direction;
             if same { Cause::Graze } else { Cause::Reversal }
         }
         // The normal force vanishes at the same instant.
@@ -545,16 +551,16 @@ fn continues<T: Solver>(
     Event::new(state, mode, cause)
 }
 
-/// Sets the motion after a landing of a hoop with restitution.
-fn lands<T: Solver>(
+/// Moves the cursor past the impact of a landing.
+fn land<T: Solver>(
     solver: &T,
-    now: &mut Current<T::Place>,
+    cursor: &mut Cursor<T::Point>,
     state: State,
     gap_rate: f64,
-) -> Option<Rebound> {
+) -> Rebound {
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else {
-        return None;
+        return Rebound::None;
     };
     let event = Event::new(state, Mode::Flight, Cause::Landing);
     let coordinates = [
@@ -567,48 +573,43 @@ fn lands<T: Solver>(
         .any(|(quantity, value)| quantity.check(value).is_err())
     {
         // After a flight of many turns the angle may exceed the bound of a start.
-        return Some(Err(event));
+        return Rebound::Unresolved(event);
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
     let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
-    Some(rebounds(solver, now, &body, (event, impact)))
+    after_impact(solver, cursor, &body, event, impact)
 }
 
-/// Sets the motion after P ≤ 0 with η′ ≠ 0, for a hoop with restitution.
+/// Moves the cursor past the impact without collision at P ≤ 0, for a hoop with restitution.
 fn jam<T: Solver>(
     solver: &T,
-    now: &mut Current<T::Place>,
+    cursor: &mut Cursor<T::Point>,
     from: Option<Mode>,
     state: State,
-) -> Option<Rebound> {
+) -> Rebound {
     let Body::Heavy(body) = solver.hoop().body() else {
-        return None;
+        return Rebound::None;
     };
-    let impact = solver.hoop().jam(&state)?;
-    Some(rebounds(
-        solver,
-        now,
-        &body,
-        (
-            Event {
-                state,
-                from,
-                to: None,
-                cause: Cause::Jam,
-            },
-            impact,
-        ),
-    ))
+    let Some(impact) = solver.hoop().jam(&state) else {
+        return Rebound::None;
+    };
+    let event = Event {
+        state,
+        from,
+        to: None,
+        cause: Cause::Jam,
+    };
+    after_impact(solver, cursor, &body, event, impact)
 }
 
-/// Sets the motion after the end of infinitely many bounces.
-fn settles<T: Solver>(
+/// Moves the cursor past the end of infinitely many bounces.
+fn after_settling<T: Solver>(
     solver: &T,
-    now: &mut Current<T::Place>,
+    cursor: &mut Cursor<T::Point>,
     state: State,
     settling: &Settling,
-) -> EventWithImpact {
+) -> PhaseStep {
     // The sum of the bounces assumes a fixed angle. The small rotation of the flight changes the
     // last digits of the slip.
     let before = ContactVelocities::of(&state, settling.impact.before.gap_rate);
@@ -616,42 +617,44 @@ fn settles<T: Solver>(
         before,
         ..settling.impact
     };
-    now.place = solver.place(impact.state_after(&state));
-    now.begin = solver.decide(&now.place, Arrival::InContact);
-    (
-        Event::new(state, Mode::Flight, Cause::Settle),
-        Some(Box::new(impact)),
-    )
+    cursor.point = solver.point(impact.state_after(&state));
+    cursor.next = solver.select_mode(&cursor.point, Arrival::InContact);
+    PhaseStep {
+        event: Event::new(state, Mode::Flight, Cause::Settle),
+        impact: Some(Box::new(impact)),
+        theta_range: None,
+    }
 }
 
-/// Sets the motion after an impact: a flight if the gap opens. An error if a velocity overflows,
-/// which occurs for very small inertia.
-fn rebounds<T: Solver>(
+/// Moves the cursor past an impact, to a flight if the gap opens. Unresolved if a velocity
+/// overflows, which occurs for very small inertia.
+fn after_impact<T: Solver>(
     solver: &T,
-    now: &mut Current<T::Place>,
+    cursor: &mut Cursor<T::Point>,
     body: &Heavy,
-    (event, impact): (Event, Impact),
+    event: Event,
+    impact: Impact,
 ) -> Rebound {
-    let after = impact.state_after(&event.state);
+    let state = impact.state_after(&event.state);
     let ContactVelocities {
         theta_rate,
         slip,
         gap_rate,
     } = impact.after;
     if !(theta_rate + slip + gap_rate).is_finite() {
-        return Err(event);
+        return Rebound::Unresolved(event);
     }
-    now.place = solver.place(after);
-    now.begin = if impact.after.gap_rate > 0.0 {
-        rise(solver, body, &after, impact.after.gap_rate)
+    cursor.point = solver.point(state);
+    cursor.next = if gap_rate > 0.0 {
+        begin_flight(solver, body, &state, gap_rate)
     } else {
-        solver.decide(&now.place, Arrival::InContact)
+        solver.select_mode(&cursor.point, Arrival::InContact)
     };
-    Ok((event, Some(Box::new(impact))))
+    Rebound::Continues { event, impact }
 }
 
 /// The motion with an opening gap: settling bounces if they are short enough, otherwise a flight.
-fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> NextMotion {
+fn begin_flight<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> NextMotion {
     let hoop = solver.hoop();
     let settling = hoop
         .restitution()
@@ -665,16 +668,5 @@ fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Ne
             body: *body,
             take_off: TakeOff::Rising { gap_rate },
         },
-    }
-}
-
-#[inline]
-fn flush<S>(
-    recorder: &mut impl Recorder<S>,
-    pending: &mut Option<Event>,
-    direction: Option<Direction>,
-) {
-    if let Some(event) = pending.take() {
-        recorder.transition(&event, None, direction);
     }
 }

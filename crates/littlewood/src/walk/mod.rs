@@ -10,15 +10,17 @@ pub(crate) mod outcome;
 pub(crate) mod proofs;
 pub(crate) mod sequence;
 pub(crate) mod slip;
+pub(crate) mod solver;
 
 pub(crate) use self::automaton::{Cause, Event, Transition};
 pub(crate) use self::candidates::{Arrival, Candidates, NextMotion, next_motion};
 pub(crate) use self::exact::Exact;
-pub(crate) use self::follow::{
-    Ending, PhaseDetail, PhaseRecord, Recorder, Solution, Solved, SolvedBy, Solver, walk,
-};
-pub(crate) use self::origin::Origin;
+pub(crate) use self::follow::{WalkSettings, walk};
+pub(crate) use self::origin::{Origin, RelativeStart};
 pub(crate) use self::outcome::{Outcome, OutcomeKind};
-pub(crate) use self::proofs::{Known, Proofs, is_same};
+pub(crate) use self::proofs::{Proofs, SharedProofData, is_same};
 pub(crate) use self::sequence::PhaseSequence;
 pub(crate) use self::slip::LastSlip;
+pub(crate) use self::solver::{
+    PhaseDetail, PhaseEnd, PhaseRecord, PhaseResult, Recorder, Solution, Solver,
+};

@@ -9,7 +9,7 @@
 //! Velocities are then divided by √cos α, times multiplied by it, and forces and energies divided
 //! by cos α. On a level plane these factors are 1 and change no bit.
 
-use crate::math::trig::without_turns;
+use crate::math::trig::{WholeTurns, neutral_zero, split_turns};
 use crate::mechanics::{ContactForces, ContactVelocities, Impact, Impulse};
 use crate::model::{Hoop, Limits, Start, State};
 use crate::modes::{Position, Recurrence, RollingEnd, Sample, SlideLimit};
@@ -20,8 +20,8 @@ use crate::walk::{Candidates, Outcome};
 pub(crate) struct Origin {
     time: f64,
     x: f64,
-    /// Whole turns as an unevaluated sum, which restores θ of the start exactly.
-    turns: [f64; 2],
+    /// Whole turns, which restore θ of the start exactly.
+    turns: WholeTurns,
     /// The time limit relative to the start, and as given.
     until: Option<[f64; 2]>,
     /// √cos α, the unit of velocity.
@@ -33,31 +33,35 @@ pub(crate) struct Origin {
     height: f64,
 }
 
-/// A start relative to its origin: the state, and the rate at which the rim leaves the plane.
-pub(crate) type RelativeStart = (State, f64);
+/// A start relative to its origin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RelativeStart {
+    pub(crate) state: State,
+    /// The rate at which the rim leaves the plane.
+    pub(crate) gap_rate: f64,
+}
 
 impl Origin {
     /// The origin of a motion, and its start and limits relative to it.
     pub(crate) fn of(hoop: &Hoop, start: &Start, limits: Limits) -> (Self, RelativeStart, Limits) {
         let state = start.state();
         let pace = hoop.pace();
-        let theta = without_turns(state.theta);
-        let turns = state.theta - theta;
-        let rest = (state.theta - turns) - theta;
-        // Adding a negative zero leaves every number unchanged.
-        let [time, x, turns, rest] =
-            [state.time, state.x, turns, rest].map(|from| if from == 0.0 { -0.0 } else { from });
+        let (theta, turns) = split_turns(state.theta);
+        let [time, x] = [state.time, state.x].map(neutral_zero);
         let until = limits
             .until
             .map(|until| [(until - state.time) * pace, until]);
-        let seen = State {
+        let relative = State {
             time: 0.0,
             theta,
             theta_rate: state.theta_rate / pace,
             slip: state.slip / pace,
             x: 0.0,
         };
-        let velocities = [[seen.theta_rate, state.theta_rate], [seen.slip, state.slip]];
+        let velocities = [
+            [relative.theta_rate, state.theta_rate],
+            [relative.slip, state.slip],
+        ];
         let height = if hoop.slope() == 0.0 {
             -0.0
         } else {
@@ -67,13 +71,16 @@ impl Origin {
             Self {
                 time,
                 x,
-                turns: [turns, rest],
+                turns,
                 until,
                 pace,
                 velocities,
                 height,
             },
-            (seen, start.gap_rate / pace),
+            RelativeStart {
+                state: relative,
+                gap_rate: start.gap_rate / pace,
+            },
             limits.with_until(until.map(|[elapsed, _]| elapsed)),
         )
     }
@@ -113,8 +120,7 @@ impl Origin {
     }
 
     pub(crate) const fn theta(&self, theta: f64) -> f64 {
-        let [turns, rest] = self.turns;
-        turns + (rest + theta)
+        self.turns.add_to(theta)
     }
 
     /// The absolute state from one relative to the origin.

@@ -52,7 +52,7 @@ pub(crate) struct Proofs<'a> {
 
 /// Data of a hoop for proofs, shared between motions.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Known<'a> {
+pub(crate) struct SharedProofData<'a> {
     pub(crate) levels: Option<&'a Levels>,
     pub(crate) contact: Option<&'a ContactProof>,
 }
@@ -73,9 +73,9 @@ struct Visit {
     state: State,
     cause: Cause,
     direction: Option<Direction>,
-    /// Whether it ends a slide, and the range of its angle, where it is known.
+    /// Whether it ends a slide, and the range of its angle, where it is data.
     slid: bool,
-    range: Option<(f64, f64)>,
+    theta_range: Option<(f64, f64)>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,7 @@ struct Slips<'a> {
 }
 
 impl<'a> Proofs<'a> {
-    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, known: Known<'a>) -> Self {
+    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, data: SharedProofData<'a>) -> Self {
         let proof = limits.proof();
         let kind = match hoop.body() {
             Body::Heavy(_) | Body::Massless(_) if proof == Proof::None || hoop.slope() != 0.0 => {
@@ -111,7 +111,7 @@ impl<'a> Proofs<'a> {
                     law: RollingLaw::of(hoop),
                     slip: None,
                     confirmed: None,
-                    shared: known.levels,
+                    shared: data.levels,
                     own: None,
                 }))
             }
@@ -120,7 +120,7 @@ impl<'a> Proofs<'a> {
         Self {
             hoop,
             proof,
-            shared: known.contact,
+            shared: data.contact,
             own: ContactProof::default(),
             kind,
         }
@@ -137,13 +137,21 @@ impl<'a> Proofs<'a> {
     pub(crate) fn at_event(
         &mut self,
         event: &Event,
-        (after, direction): (&State, Option<Direction>),
-        range: Option<(f64, f64)>,
+        after: &State,
+        direction: Option<Direction>,
+        theta_range: Option<(f64, f64)>,
     ) -> Option<Outcome> {
         let endless = match &mut self.kind {
             Kind::None => None,
             Kind::Conservative(visits) => {
-                repeats(visits, event, (direction, self.hoop.mu_s() == 0.0), range)
+                let visit = Visit {
+                    state: event.state,
+                    cause: event.cause,
+                    direction,
+                    slid: event.from == Some(Mode::Sliding),
+                    theta_range,
+                };
+                repeats(visits, visit, self.hoop.mu_s() == 0.0)
             }
             Kind::Grazing(slips) => slips.add(self.hoop, event),
         };
@@ -151,7 +159,7 @@ impl<'a> Proofs<'a> {
     }
 
     /// Whether links of slips may be skipped, if none of them leads to a grazing orbit.
-    pub(crate) const fn may_pass_links(&self) -> bool {
+    pub(crate) const fn may_skip_links(&self) -> bool {
         match self.kind {
             Kind::None | Kind::Grazing(_) => true,
             Kind::Conservative(_) => false,
@@ -198,17 +206,17 @@ fn touches(mode: Option<Mode>) -> bool {
     mode.is_some_and(Mode::touches_plane)
 }
 
-/// Adds an event of a conservative motion; returns the outcome if the motion repeats.
-fn repeats(
-    visits: &mut Vec<Visit>,
-    event: &Event,
-    (direction, is_smooth): (Option<Direction>, bool),
-    range: Option<(f64, f64)>,
-) -> Option<Outcome> {
-    let Event {
-        state, from, cause, ..
-    } = *event;
+/// Adds an event of a conservative motion; returns the outcome if the motion repeats. On a smooth
+/// plane, μs = 0, reversals are compared by their distances.
+fn repeats(visits: &mut Vec<Visit>, visit: Visit, is_smooth: bool) -> Option<Outcome> {
+    let Visit {
+        state,
+        cause,
+        direction,
+        ..
+    } = visit;
     if !cause.keeps_contact() {
+        // A flight may end in an impact, which changes the energy.
         visits.clear();
         return None;
     }
@@ -219,33 +227,32 @@ fn repeats(
             && direction == earlier.direction
             && (is_same_state || (is_smooth && is_same_reversal(visits, earlier, &state)))
     });
-    visits.push(Visit {
-        state,
-        cause,
-        direction,
-        slid: from == Some(Mode::Sliding),
-        range,
-    });
+    visits.push(visit);
     let back = back?;
-    let since = visits[back].state;
-    let cycle = &visits[back + 1..];
+    Some(cycle_outcome(visits[back].state, &visits[back + 1..]))
+}
+
+/// The outcome of a motion that repeats the events of a cycle: one endless slide, if all of them
+/// are reversals of slides, and another cycle of phases otherwise.
+fn cycle_outcome(since: State, cycle: &[Visit]) -> Outcome {
+    let state = cycle.last().map_or(since, |visit| visit.state);
     let (period, theta_gained) = (state.time - since.time, state.theta - since.theta);
     let transitions = cycle.len();
     if !cycle
         .iter()
         .all(|visit| visit.slid && visit.cause == Cause::Reversal)
     {
-        return Some(Outcome::RepeatsForever {
+        return Outcome::RepeatsForever {
             since,
             period,
             theta_gained,
             transitions,
-        });
+        };
     }
     let recurrence = if theta_gained.abs() > 1.0 {
         Recurrence::Rotation { period }
     } else {
-        let ranges = cycle.iter().filter_map(|visit| visit.range);
+        let ranges = cycle.iter().filter_map(|visit| visit.theta_range);
         let (theta_min, theta_max) = ranges
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| {
                 (low.min(range.0), high.max(range.1))
@@ -256,7 +263,7 @@ fn repeats(
             theta_max,
         }
     };
-    Some(Outcome::SlidesForever { since, recurrence })
+    Outcome::SlidesForever { since, recurrence }
 }
 
 /// Whether a reversal on a smooth plane is the same as an earlier one of the same direction. There

@@ -37,6 +37,21 @@ pub(crate) struct LastSlip {
     order: usize,
 }
 
+/// The state in which a slide comes to rest, with the arrival there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rest {
+    pub(crate) state: State,
+    pub(crate) arrival: Arrival,
+}
+
+/// The angle and its rate at a rest.
+#[derive(Clone, Copy, Debug)]
+struct RestPoint {
+    theta: f64,
+    theta_rate: f64,
+    arrival: Arrival,
+}
+
 impl LastSlip {
     /// A slip that ended rolling; none with kinetic friction, which dissipates energy, nor on a
     /// slope, which changes the momentum.
@@ -61,13 +76,46 @@ impl LastSlip {
         })
     }
 
-    /// Corrects a state with η′ = 0 by the conserved quantities; also returns the arrival.
-    pub(crate) fn correct_rest(&self, body: &Heavy, state: &State) -> Option<(State, Arrival)> {
+    /// Corrects a state in which a slide after this slip comes to rest, by the conserved
+    /// quantities. None if they are not conserved, or if the state is not told from others.
+    pub(crate) fn correct_rest(&self, body: &Heavy, state: &State) -> Option<Rest> {
         let [integrals, here] = [&self.state, state]
             .map(|state| FrictionlessIntegrals::new(body, state, Angle::of(state.theta)));
         if !is_same(integrals.energy, here.energy) || !is_same(integrals.momentum, here.momentum) {
             return None;
         }
+        let RestPoint {
+            theta,
+            theta_rate,
+            arrival,
+        } = self.rest_point(body, &integrals, state)?;
+        let law = SlidingLaw::of_body(*body, 0.0, self.direction);
+        // The angle fixes the time if it changes faster than the slip.
+        let by_angle = theta_rate.abs() > law.accelerations(theta, theta_rate).slip.abs();
+        let late = if by_angle {
+            (theta - state.theta) / theta_rate
+        } else {
+            0.0
+        };
+        let state = State {
+            time: state.time + late,
+            theta,
+            theta_rate,
+            slip: 0.0,
+            // Near η′ = 0 the hoop moves as in rolling.
+            x: state.x - theta_rate * late,
+        };
+        Some(Rest { state, arrival })
+    }
+
+    /// The point at which η′ vanishes next to a state: where the hoop is back at the angle of the
+    /// slip, or another zero of η′ as a function of cos θ.
+    fn rest_point(
+        &self,
+        body: &Heavy,
+        integrals: &FrictionlessIntegrals,
+        state: &State,
+    ) -> Option<RestPoint> {
         let [at_slip, now] = [self.state.theta, state.theta].map(|angle| sincos(angle).1);
         let away = now - at_slip;
         let others = integrals.other_standstills(body, at_slip);
@@ -85,44 +133,26 @@ impl LastSlip {
             !(other.is_nan() || is_multiple && other.abs() < MIN_STANDSTILL_DISTANCE)
         });
         let nearest = real.min_by(|a, b| (a - away).abs().total_cmp(&(b - away).abs()));
-        let (theta, theta_rate, arrival) =
-            match nearest.filter(|other| (other - away).abs() < away.abs()) {
-                None => self.back_on_limit(state)?,
-                Some(other) if integrals.deflation_is_better(body, at_slip, other) => {
-                    let theta = self.at_cosine(other, state.theta)?;
-                    (
-                        theta,
-                        integrals.rate_at_rest(body, Angle::of(theta)),
-                        Arrival::InContact,
-                    )
-                }
-                Some(_) => {
-                    let (theta, theta_rate) = integrals.standstill_near(body, state.theta)?;
-                    (theta, theta_rate, Arrival::InContact)
-                }
-            };
-        let law = SlidingLaw::of_body(*body, 0.0, self.direction);
-        // The angle fixes the time if it changes faster than the slip.
-        let by_angle = theta_rate.abs() > law.accelerations(theta, theta_rate).slip.abs();
-        let late = if by_angle {
-            (theta - state.theta) / theta_rate
-        } else {
-            0.0
+        // The zero at the slip itself is at distance 0 in cos θ. Another one counts only if it is
+        // nearer to the state.
+        let Some(other) = nearest.filter(|other| (other - away).abs() < away.abs()) else {
+            return self.back_on_limit(state);
         };
-        // Near η′ = 0 the hoop moves as in rolling.
-        let x = state.x - theta_rate * late;
-        let placed = State {
-            time: state.time + late,
+        let (theta, theta_rate) = if integrals.deflation_is_better(body, at_slip, other) {
+            let theta = self.at_cosine(other, state.theta)?;
+            (theta, integrals.rate_at_rest(body, Angle::of(theta)))
+        } else {
+            integrals.standstill_near(body, state.theta)?
+        };
+        Some(RestPoint {
             theta,
             theta_rate,
-            slip: 0.0,
-            x,
-        };
-        Some((placed, arrival))
+            arrival: Arrival::InContact,
+        })
     }
 
-    /// Angle and rate of the nearest of the four states, and the arrival.
-    fn back_on_limit(&self, state: &State) -> Option<(f64, f64, Arrival)> {
+    /// The nearest of the four states (±θ, ±θ′) of the slip, with the arrival there.
+    fn back_on_limit(&self, state: &State) -> Option<RestPoint> {
         let [turned, mirrored] = [self.state.theta, -self.state.theta]
             .map(|angle| same_direction_near(angle, state.theta));
         let [from_turned, from_mirrored] =
@@ -141,11 +171,11 @@ impl LastSlip {
         } else {
             self.direction.reversed()
         };
-        Some((
-            if is_turned { turned } else { mirrored },
-            self.state.theta_rate.abs().copysign(state.theta_rate),
-            Arrival::BackOnLimit(slips.then_some(direction)),
-        ))
+        Some(RestPoint {
+            theta: if is_turned { turned } else { mirrored },
+            theta_rate: self.state.theta_rate.abs().copysign(state.theta_rate),
+            arrival: Arrival::BackOnLimit(slips.then_some(direction)),
+        })
     }
 
     /// The angle near `near` with cos θ = cos θ₀ + `more`, by Newton's method on the product 2 sin

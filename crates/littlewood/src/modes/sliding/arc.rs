@@ -6,7 +6,7 @@ use core::ops::ControlFlow;
 use crate::ablation::{Part, is_on};
 use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
-use crate::math::trig::without_turns;
+use crate::math::trig::{WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
@@ -71,9 +71,8 @@ pub struct Sliding {
     /// The start without its whole turns: with them, each step would round the angle to the last
     /// digit of all turns.
     start: State,
-    /// Whole turns of the start as an unevaluated sum, which restores its angle exactly; negative
-    /// zeros leave every angle unchanged.
-    turns: [f64; 2],
+    /// Whole turns of the start, which restore its angle exactly.
+    turns: WholeTurns,
     path: SlidePath,
     steps: Vec<TaylorStep>,
     leaps: Vec<TurnSkip>,
@@ -260,14 +259,12 @@ impl Sliding {
     }
 
     fn new(law: SlidingLaw, start: State, direction: Direction) -> Self {
-        let theta = without_turns(start.theta);
-        let turns = start.theta - theta;
-        let rest = (start.theta - turns) - theta;
+        let (theta, turns) = split_turns(start.theta);
         Self {
             law,
             direction,
             start: State { theta, ..start },
-            turns: [turns, rest].map(|part| if part == 0.0 { -0.0 } else { part }),
+            turns,
             path: law.path(ContactMotion::of(&start), start.theta.angle()),
             steps: Vec::new(),
             leaps: Vec::new(),
@@ -839,8 +836,7 @@ impl Sliding {
     }
 
     fn with_turns(&self, theta: f64) -> f64 {
-        let [turns, rest] = self.turns;
-        turns + (rest + theta)
+        self.turns.add_to(theta)
     }
 
     fn state_from(

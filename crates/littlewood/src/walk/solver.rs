@@ -1,0 +1,180 @@
+//! What the loop over phases asks of a [`Solver`], and gives to a [`Recorder`].
+
+use crate::mechanics::{Impact, Settling};
+use crate::model::{Direction, Heavy, Hoop, Massless, Mode, State};
+use crate::modes::{Entry, Flight, GlideEntry, TakeOff};
+use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence};
+
+/// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
+///
+/// [`walk`](super::walk) calls [`Solver::select_mode`] at a point, and then the one method that
+/// solves the selected phase from the same point. The loop alone names the cause of an event,
+/// applies impacts and keeps the limits of transitions and slides; so two solvers can differ only
+/// in the phases that they solve, and in the mode that they select.
+///
+/// A method that solves a phase promises that
+/// - it ends at the first event after its start: `entry`, `take_off` and `on_limit` say which guards
+///   vanish at the start, where they are no event;
+/// - η′ is exactly 0 in rolling, and where a slide or a glide comes to rest;
+/// - the end is not after [`Solver::until`]; a phase without an earlier event ends the motion, with
+///   the state at that time;
+/// - the result depends on the point and on the phases solved before it, not on the recorder.
+///
+/// All states are relative to the origin of the motion ([`Origin`](super::Origin)).
+pub(crate) trait Solver {
+    /// A state with the quantities that the solver derives from it.
+    type Point;
+    /// What a recorder may keep of a solved phase.
+    type Solution: Solution;
+    /// The outcome of a motion.
+    type Outcome: From<Outcome>;
+
+    fn hoop(&self) -> &Hoop;
+    /// The time limit of the motion, or infinity.
+    fn until(&self) -> f64;
+    fn point(&self, state: State) -> Self::Point;
+    /// The state of a point, as it was given to [`Solver::point`] or computed at the end of a phase.
+    fn state(point: &Self::Point) -> State;
+    /// Selects the motion that begins at a point in contact. `arrival` decides where a guard
+    /// vanishes, since the sign of its rounded value does not.
+    fn select_mode(&self, point: &Self::Point, arrival: Arrival) -> NextMotion;
+    /// `on_limit` if |F| = μs N at the start and static friction holds after it.
+    fn roll(&self, point: &Self::Point, on_limit: bool) -> PhaseResult<Self>;
+    fn slide(
+        &self,
+        point: &Self::Point,
+        body: &Heavy,
+        direction: Direction,
+        entry: Entry,
+    ) -> PhaseResult<Self>;
+    /// A flight up to the next landing of the rim; the loop computes the impact.
+    fn fly(&self, point: &Self::Point, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self>;
+    /// Infinitely many bounces, up to the time at which they accumulate.
+    fn settle(&self, point: &Self::Point, body: &Heavy, settling: &Settling) -> PhaseResult<Self>;
+    fn glide(&self, point: &Self::Point, body: &Massless, entry: GlideEntry) -> PhaseResult<Self>;
+    /// Skips links of a chain of slips: from a slip out of rolling to a later one, within `budget`,
+    /// if none of them provably leads to a grazing orbit. None if the phases must be solved one by
+    /// one, which is always right.
+    fn skip_links(
+        &self,
+        _slip: &Self::Point,
+        _direction: Direction,
+        _budget: &SkipBudget<'_>,
+    ) -> Option<SkippedLinks<Self::Point>> {
+        None
+    }
+}
+
+/// Limits of the links that may be skipped.
+pub(crate) struct SkipBudget<'a> {
+    pub(crate) transitions: u32,
+    /// Cost of slides, as in [`Limits::slides`](crate::Limits::slides).
+    pub(crate) slide_cost: f64,
+    /// Whether to record the phases, at most as many as a sequence holds.
+    pub(crate) record_phases: bool,
+    /// If proofs examine each state: whether a state leaves the outcome open. Once decided, the
+    /// outcome is decided in all later states.
+    pub(crate) open: Option<&'a dyn Fn(&State) -> bool>,
+}
+
+/// Skipped links, from a slip out of rolling to a later one.
+pub(crate) struct SkippedLinks<P> {
+    /// Where the later slip begins, and its direction.
+    pub(crate) point: P,
+    pub(crate) direction: Direction,
+    pub(crate) transitions: u32,
+    pub(crate) slide_cost: f64,
+    pub(crate) phases: PhaseSequence,
+}
+
+/// What is kept of a solved phase.
+pub(crate) trait Solution {
+    fn flight(&self) -> Option<&Flight>;
+    /// The range of the angle of a slide, where it is kept.
+    fn theta_range(&self) -> Option<(f64, f64)> {
+        None
+    }
+}
+
+/// A solved phase.
+pub(crate) struct PhaseResult<T: Solver + ?Sized> {
+    pub(crate) solution: T::Solution,
+    /// Direction of slip; for a glide from η′ = 0 it follows from the solution.
+    pub(crate) direction: Option<Direction>,
+    pub(crate) end: PhaseEnd<T::Point, T::Outcome>,
+}
+
+/// How a phase ended.
+pub(crate) enum PhaseEnd<P, O> {
+    /// An event after which the motion continues without an impact. The loop tells a graze, a
+    /// reversal and a lift-off from a stick by the motion that follows.
+    Event {
+        point: P,
+        cause: Cause,
+        arrival: Arrival,
+    },
+    /// The landing of the rim.
+    Landing { state: State, gap_rate: f64 },
+    /// The end of infinitely many bounces.
+    Settled {
+        state: State,
+        settling: Box<Settling>,
+    },
+    /// P = 0 in a slide, with the computed value of P.
+    Singular { state: State, solvability: f64 },
+    /// The end of the motion: `event` is its last transition, `end` the state at the end of the
+    /// phase, if any.
+    Motion {
+        event: Option<(Cause, State)>,
+        end: Option<State>,
+        outcome: O,
+    },
+}
+
+impl<P, O> PhaseEnd<P, O> {
+    pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
+        match self {
+            Self::Event { point, .. } => Some(of(point)),
+            Self::Landing { state, .. }
+            | Self::Settled { state, .. }
+            | Self::Singular { state, .. } => Some(*state),
+            Self::Motion { end, .. } => *end,
+        }
+    }
+}
+
+/// Records a motion, phase by phase.
+///
+/// Each phase is followed by the transition that ends it, if there is one. A transition to a glide
+/// comes after the glide is solved, since its direction of slip follows from the solution.
+pub(crate) trait Recorder<S> {
+    fn phase(&mut self, phase: PhaseRecord, solution: S);
+    /// Records an event, with its impact and the direction of slip of the motion that begins. It
+    /// ends the last phase if its `from` is a mode.
+    fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
+    /// Links are skipped only if no solutions are needed.
+    fn detail(&self) -> PhaseDetail {
+        PhaseDetail::Solutions
+    }
+    /// Records skipped links: the number of transitions, and the phases at the current detail.
+    fn links(&mut self, _transitions: u32, _phases: PhaseSequence) {}
+}
+
+/// What a recorder needs to know of each phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PhaseDetail {
+    Solutions,
+    /// Modes and directions of slip.
+    Modes,
+    /// The number of transitions only.
+    Number,
+}
+
+/// A phase as passed to a recorder; `end` is `None` if the phase never ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PhaseRecord {
+    pub(crate) mode: Mode,
+    pub(crate) direction: Option<Direction>,
+    pub(crate) start: State,
+    pub(crate) end: Option<State>,
+}
