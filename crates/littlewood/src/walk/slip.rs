@@ -11,7 +11,7 @@
 //! friction holds.
 //!
 //! A motion may also start with η′ = 0 and |F| > μs N. It then has the same excess at the four
-//! states, and slips at each.
+//! states, and slips at each. With |F| = μs N it starts as it slips out of rolling.
 
 use core::f64::consts::TAU;
 
@@ -31,7 +31,7 @@ const MIN_STANDSTILL_DISTANCE: f64 = 1e-6;
 pub(crate) struct LastSlip {
     state: State,
     direction: Direction,
-    /// Whether the slip ended rolling, with |F| = μs N. A start has |F| > μs N.
+    /// Whether the slip began with |F| = μs N, as where it ended rolling.
     is_on_limit: bool,
     /// The order of the first derivative of η′ that does not vanish there.
     order: usize,
@@ -49,14 +49,14 @@ impl LastSlip {
         })
     }
 
-    /// The start of a motion, if it slides from η′ = 0: there |F| of rolling exceeds μs N.
+    /// The start of a motion, if it slides from η′ = 0: there |F| of rolling is at least μs N.
     pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
         let direction =
             slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.slope() == 0.0)?;
         Some(Self {
             state,
             direction,
-            is_on_limit: false,
+            is_on_limit: Onset::on_static_limit(hoop, &place_of(&state)).is_some(),
             order: order_at_start(hoop, &state),
         })
     }
@@ -170,11 +170,14 @@ fn order_at_start(hoop: &Hoop, state: &State) -> usize {
         return 1;
     }
     let law = SlidingLaw::of_body(body, 0.0, Direction::Positive);
-    let place = PhasePoint {
+    Onset::of(&law, place_of(state)).map_or(1, |onset| onset.order)
+}
+
+const fn place_of(state: &State) -> PhasePoint {
+    PhasePoint {
         theta: state.theta,
         rate: state.theta_rate,
-    };
-    Onset::of(&law, place).map_or(1, |onset| onset.order)
+    }
 }
 
 /// The angle equal to `direction` up to whole turns that is nearest to `to`.

@@ -155,15 +155,16 @@ impl Incline {
         }
     }
 
-    pub(super) fn end(&self) -> Option<RollingEnd> {
+    /// `from_limit` if |F| = μs N at the start and static friction holds after it.
+    pub(super) fn end(&self, from_limit: bool) -> Option<RollingEnd> {
         if self.rests {
             return None;
         }
-        let (leg, before, (place, limit)) = match self.first.end() {
+        let (leg, before, (place, limit)) = match self.first.end(from_limit) {
             Some(end) => (self.first, 0.0, end),
             None => {
                 let back = self.back.filter(|_| !self.first.leaves_bounds())?;
-                (back, self.first.whole(), back.end()?)
+                (back, self.first.whole(), back.end(false)?)
             }
         };
         let frame = self.frame(&leg);
@@ -579,8 +580,14 @@ impl Leg {
                 }))
     }
 
-    /// The first crossing of a limit in a turn, between two rests.
-    fn crossing(&self, turns: f64, [from, to]: [f64; 2]) -> Option<(Place, RollingLimit)> {
+    /// The first crossing of a limit in a turn, between two rests; `from_limit` if that nearest to
+    /// zero at the first is zero there.
+    fn crossing(
+        &self,
+        turns: f64,
+        [from, to]: [f64; 2],
+        from_limit: bool,
+    ) -> Option<(Place, RollingLimit)> {
         let pieces = ((to - from) / FRAC_PI_8).ceil().max(1.0);
         let width = (to - from) / pieces;
         (0..pieces as u32).find_map(|piece| {
@@ -588,24 +595,33 @@ impl Leg {
             if self.holds_about(turns, begin + 0.5 * width, 0.5 * width, SCREENINGS) {
                 return None;
             }
-            let margins = self.margins(self.place(turns, begin));
-            let crossings =
-                margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
+            let mut margins: Vec<_> = self.margins(self.place(turns, begin)).collect();
+            if from_limit && piece == 0 {
+                let nearest = margins
+                    .iter_mut()
+                    .min_by(|a, b| a.0[0].abs().total_cmp(&b.0[0].abs()));
+                if let Some((margin, _)) = nearest {
+                    margin[0] = 0.0;
+                }
+            }
+            let crossings = margins
+                .into_iter()
+                .filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
             Some((self.place(turns, (begin + at).min(to)), limit))
         })
     }
 
-    fn end(&self) -> Option<(Place, RollingLimit)> {
+    fn end(&self, from_limit: bool) -> Option<(Place, RollingLimit)> {
         if self.law().offset == 0.0 {
             // The forces are constant.
             return None;
         }
         let reach = self.reach.map_or(f64::INFINITY, |reach| reach.total());
-        if let Some(end) = self.crossing(0.0, [0.0, reach.min(2.0 * TAU)]) {
+        if let Some(end) = self.crossing(0.0, [0.0, reach.min(2.0 * TAU)], from_limit) {
             return Some(end);
         }
-        let turn = |turns: f64| self.crossing(turns, [0.0, TAU]);
+        let turn = |turns: f64| self.crossing(turns, [0.0, TAU], false);
         let whole = (reach.min(self.room()) / TAU).floor();
         // Rolling holds in turn `low` and before.
         let mut low = 1.0;
@@ -618,7 +634,7 @@ impl Leg {
         }
         let is_last = reach > 2.0 * TAU && reach <= self.room();
         is_last
-            .then(|| self.crossing(whole, [0.0, reach - TAU * whole]))
+            .then(|| self.crossing(whole, [0.0, reach - TAU * whole], false))
             .flatten()
     }
 }

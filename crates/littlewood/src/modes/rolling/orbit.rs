@@ -95,7 +95,7 @@ impl RollingOrbit {
         let end = match &self.kind {
             Kind::Elliptic(orbit) => orbit.end(false),
             Kind::Rim(orbit) => orbit.end(),
-            Kind::Incline(orbit) => orbit.end(),
+            Kind::Incline(orbit) => orbit.end(false),
         }?;
         Some(RollingEnd {
             elapsed: end.elapsed / self.pace,
@@ -109,7 +109,7 @@ impl RollingOrbit {
         match &self.kind {
             Kind::Elliptic(orbit) => orbit.end(true),
             Kind::Rim(orbit) => orbit.end(),
-            Kind::Incline(orbit) => orbit.end(),
+            Kind::Incline(orbit) => orbit.end(true),
         }
     }
 
