@@ -18,7 +18,7 @@ use core::f64::consts::TAU;
 use crate::math::trig::sincos;
 use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
 use crate::model::{Body, Direction, Heavy, Hoop, State};
-use crate::modes::{Onset, PhasePoint};
+use crate::modes::{Onset, PhasePoint, RollingOrbit, Stiction};
 use crate::walk::{Arrival, is_same};
 
 /// Least distance, in cos θ, of two zeros of η′ after a start at rest. A closer pair is a
@@ -56,7 +56,7 @@ impl LastSlip {
         Some(Self {
             state,
             direction,
-            is_on_limit: Onset::on_static_limit(hoop, &place_of(&state)).is_some(),
+            is_on_limit: starts_on_limit(hoop, &state),
             order: order_at_start(hoop, &state),
         })
     }
@@ -161,6 +161,17 @@ impl LastSlip {
     }
 }
 
+/// Whether a start that slides has |F| = μs N, and not more by the last digit: on the limit the
+/// next derivative lets it slip.
+fn starts_on_limit(hoop: &Hoop, state: &State) -> bool {
+    let exceeds = match RollingOrbit::of(hoop, state.theta, state.theta_rate).stiction() {
+        Stiction::Holds => false,
+        Stiction::Slips { excess, .. } => excess > 0.0,
+        Stiction::NoNormalForce => true,
+    };
+    hoop.mu_s() > 0.0 && !exceeds
+}
+
 /// The order of the zero of η′ at a start: with static friction |F| > μs N, and 1.
 fn order_at_start(hoop: &Hoop, state: &State) -> usize {
     let Body::Heavy(body) = hoop.body() else {
@@ -170,14 +181,11 @@ fn order_at_start(hoop: &Hoop, state: &State) -> usize {
         return 1;
     }
     let law = SlidingLaw::of_body(body, 0.0, Direction::Positive);
-    Onset::of(&law, place_of(state)).map_or(1, |onset| onset.order)
-}
-
-const fn place_of(state: &State) -> PhasePoint {
-    PhasePoint {
+    let place = PhasePoint {
         theta: state.theta,
         rate: state.theta_rate,
-    }
+    };
+    Onset::of(&law, place).map_or(1, |onset| onset.order)
 }
 
 /// The angle equal to `direction` up to whole turns that is nearest to `to`.

@@ -221,13 +221,13 @@ impl Sliding {
             if let (Entry::FromRest { slip_acceleration }, true) = (entry, self.steps.is_empty()) {
                 series.slip[0] = 0.0;
                 series.slip[1] = slip_acceleration;
-                known_roots = if slip_acceleration != 0.0 {
-                    1
-                } else {
+                known_roots = if slip_acceleration == 0.0 {
                     // A derivative against the slip that begins is rounding, too.
                     Onset::beyond_acceleration(&self.law, here.place, &series.slip)
                         .filter(|onset| onset.direction == self.direction)
                         .map_or(2, |onset| onset.order)
+                } else {
+                    1
                 };
                 series.slip[1..known_roots]
                     .iter_mut()
