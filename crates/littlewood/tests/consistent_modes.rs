@@ -656,3 +656,149 @@ fn an_engine_finds_the_same_modes() {
     }
     assert!(ambiguous > 100, "{ambiguous}");
 }
+
+/// How a contact moves: it rolls, or slides with a coefficient of kinetic friction.
+#[derive(Clone, Copy, Debug)]
+enum Contact {
+    Rolls,
+    Slides(Direction, f64),
+}
+
+impl Contact {
+    /// θ″, η″ and |F| − μs N at a state.
+    fn forced(self, hoop: &Hoop, [theta, rate, _]: [f64; 3]) -> [f64; 3] {
+        let of = balances(hoop, &Start::at(theta, rate));
+        let mu_s = hoop.mu_s();
+        match self {
+            Self::Rolls => {
+                let [spin, normal, friction] = solve([of.spin, of.normal, of.friction], of.right);
+                [spin, 0.0, friction.abs() - mu_s * normal]
+            }
+            Self::Slides(direction, mu_k) => {
+                let f = Dd::from(-mu_k * direction.sign());
+                let pressed = std::array::from_fn(|row| of.normal[row] + f * of.friction[row]);
+                let [spin, slip, normal] = solve([of.spin, of.slip, pressed], of.right);
+                [spin, slip, (mu_k - mu_s) * normal]
+            }
+        }
+    }
+
+    /// The state after a time, in steps of Runge and Kutta.
+    fn after(self, hoop: &Hoop, start: &Start, (time, steps): (f64, u32)) -> [f64; 3] {
+        let step = time / f64::from(steps);
+        let change = |now: [f64; 3]| {
+            let [spin, slip, _] = self.forced(hoop, now);
+            [now[1], spin, slip]
+        };
+        let plus = |a: [f64; 3], b: [f64; 3], by: f64| std::array::from_fn(|i| a[i] + by * b[i]);
+        let mut now = [start.theta, start.theta_rate, 0.0];
+        for _ in 0..steps {
+            let k1 = change(now);
+            let k2 = change(plus(now, k1, 0.5 * step));
+            let k3 = change(plus(now, k2, 0.5 * step));
+            let k4 = change(plus(now, k3, step));
+            for (k, weight) in [(k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)] {
+                now = plus(now, k, weight * step / 6.0);
+            }
+        }
+        now
+    }
+}
+
+/// A start on the limit of static friction, with equal coefficients or a smaller one of slip.
+fn start_on_limit(draw: &mut Draw) -> Option<(Hoop, Start)> {
+    let (hoop, start) = draw.in_contact();
+    let (is_equal, part) = (draw.comes(0.5), draw.share());
+    let start = Start::at(start.theta, start.theta_rate);
+    let Body::Heavy(body) = hoop.body() else {
+        return None;
+    };
+    let of = balances(&hoop, &start);
+    let [_, normal, friction] = solve([of.spin, of.normal, of.friction], of.right);
+    let mu_s = friction.abs() / normal;
+    let presses = libm::cos(hoop.slope())
+        - body.h * libm::cos(start.theta) * start.theta_rate * start.theta_rate;
+    if !(normal > 0.01 && presses > 0.01 && mu_s > 1e-3 && mu_s < 2.0) {
+        return None;
+    }
+    let mu_k = if is_equal { mu_s } else { part * mu_s };
+    let parameters = hoop.parameters().with_friction(mu_s, mu_k);
+    Some((Hoop::new(parameters).ok()?, start))
+}
+
+/// On |F| = μs N, where rounding tells on which side a start lies, the change of |F| − μs N in
+/// rolling decides: the contact rolls or slides as Newton and Euler say, and does nothing else.
+#[test]
+fn a_start_on_the_limit_of_static_friction_goes_to_the_side_that_comes_next() {
+    let (mut rolling, mut sliding) = (0, 0);
+    let mut wrong = Vec::new();
+    for case in 0..4_000 {
+        let Some((hoop, start)) = start_on_limit(&mut Draw::of_case(45, 0, case)) else {
+            continue;
+        };
+        let time = 2e-3 / (1.0 + start.theta_rate.abs());
+        let margin = |time| {
+            let state = Contact::Rolls.after(&hoop, &start, (time, 24));
+            Contact::Rolls.forced(&hoop, state)[2]
+        };
+        let [early, late] = [0.5 * time, time].map(margin);
+        // The first derivative has to decide on it so soon.
+        if !(late.abs() > 1e-6 && (late / early - 2.0).abs() < 0.1) {
+            continue;
+        }
+        let of = balances(&hoop, &start);
+        let [_, _, friction] = solve([of.spin, of.normal, of.friction], of.right);
+        let against = Direction::of_sign(-friction);
+        let (expected, contact) = match against {
+            Some(direction) if late > 0.0 => (
+                (Mode::Sliding, against),
+                Contact::Slides(direction, hoop.mu_k()),
+            ),
+            _ => ((Mode::Rolling, None), Contact::Rolls),
+        };
+        *if late > 0.0 {
+            &mut sliding
+        } else {
+            &mut rolling
+        } += 1;
+        let limits = Limits::until(time);
+        let motion = hoop.simulate(start, limits).expect("a start");
+        let modes: Vec<_> = motion
+            .phases()
+            .iter()
+            .map(|it| (it.mode(), it.direction()))
+            .collect();
+        let last = motion.phases().last().expect("a phase");
+        let end = last.sample(time).state;
+        let [coarse, expected_end] =
+            [24, 96].map(|steps| contact.after(&hoop, &start, (time, steps)));
+        let near = |end: State| {
+            let numbers = [end.theta, end.theta_rate, end.slip];
+            // Light hoops are stiff.
+            let digit = 1e-11 * (1.0 + start.theta_rate.abs());
+            numbers
+                .into_iter()
+                .zip(expected_end.into_iter().zip(coarse))
+                .all(|(it, (fine, coarse))| (it - fine).abs() < digit + (fine - coarse).abs())
+        };
+        let is_same = modes == [expected]
+            && near(end)
+            && engines(&hoop).iter().all(|engine| {
+                let found = engine.summary(start, limits).expect("a start");
+                found.transitions == 0 && (found.end.time != time || near(found.end))
+            });
+        if !is_same {
+            wrong.push(format!(
+                "{case}: {modes:?}, not {expected:?}; {end:?}, not {expected_end:?}: {hoop:?} {start:?}"
+            ));
+        }
+    }
+    println!("{rolling} roll, {sliding} slide, {} differ", wrong.len());
+    assert!(
+        wrong.is_empty(),
+        "{} differ: {:#?}",
+        wrong.len(),
+        &wrong[..wrong.len().min(5)]
+    );
+    assert!(rolling > 200 && sliding > 200, "{rolling} {sliding}");
+}

@@ -86,6 +86,10 @@ impl HoopModel {
         uses_tables: bool,
     ) -> Result<RollEnd, Fallback> {
         if let Some(tables) = &self.slope_tables {
+            if on_limit {
+                // Rounding would decide whether the hoop slips at once.
+                return Err(Fallback::FrictionLimit);
+            }
             return slope::solve_roll(tables, start);
         }
         if start.state.theta_rate == 0.0 {

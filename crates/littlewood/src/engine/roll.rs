@@ -448,15 +448,19 @@ impl RollProblem<'_> {
     /// The same by octants: most orbits certainly hold on an octant, or have one margin there with
     /// one sign change, which needs no isolation.
     fn solve_by_tables(&self, tables: &MarginTables) -> Result<RollEnd, Fallback> {
-        for (number, OctantArc { octant, arc }) in
-            arcs(self.orbit).flat_map(OrbitArc::parts).enumerate()
-        {
+        let mut limit_ahead = self.limit;
+        for OctantArc { octant, arc } in arcs(self.orbit).flat_map(OrbitArc::parts) {
+            // A start on the edge of an octant leaves it at once: the half angle is rounded, and the
+            // margin is zero in the next.
+            if limit_ahead.is_some() && cross(arc.from, arc.to).abs() <= 4.0 * f64::EPSILON {
+                continue;
+            }
+            let limit = limit_ahead.take();
             let table = tables.get(self.margins, octant);
             if table.holding.contains(self.orbit_level) {
                 continue;
             }
             let is_up = arc.is_up();
-            let limit = self.limit.filter(|_| number == 0);
             let known = Direction::ALL.map(|slip| table.margin(slip, self.orbit_level, is_up));
             let falling = match &known {
                 [falls, holds] if is_only_fall(falls, holds) => Some((Direction::Negative, falls)),

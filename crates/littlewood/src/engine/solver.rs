@@ -6,7 +6,9 @@ use crate::ablation::{Part, is_on};
 use crate::math::trig::Angle;
 use crate::mechanics::{ContactMotion, FrictionlessIntegrals, Loads, Settling, contact};
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
-use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, Stiction, TakeOff};
+use crate::modes::{
+    Entry, Flight, ForceRounding, GlideEntry, PhasePoint, RollingLimit, Stiction, TakeOff,
+};
 use crate::walk::candidates::{ModeInputs, RestInputs, SlipInputs, may_wedge, select_mode};
 use crate::walk::follow::{NextSlip, next_slip};
 use crate::walk::solver::{SkipBudget, SkippedLinks};
@@ -251,6 +253,13 @@ impl<'a> FastSolver<'a> {
         let forces = law.forces_at(place.angle, Loads::of(u), effective_inertia);
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
         let size = law.mass * (1.0 + u + law.tilt.abs()) * (1.0 + self.hoop.mu_s());
+        let is_off_limit = || {
+            let point = PhasePoint {
+                theta: place.state.theta,
+                rate: place.state.theta_rate,
+            };
+            ForceRounding::new(law, &point, place.angle).clears(&forces, self.hoop.mu_s())
+        };
         let stiction = match arrival {
             Arrival::Start | Arrival::InContact | Arrival::RollingLimit(_)
                 if w < 0.0 && !may_wedge(&self.model.body, place.angle.sin, u) =>
@@ -262,7 +271,9 @@ impl<'a> FastSolver<'a> {
                 excess: 0.0,
             },
             Arrival::Start | Arrival::InContact
-                if self.sign_is_certain(excess, size) && place.state.theta_rate != 0.0 =>
+                if self.sign_is_certain(excess, size)
+                    && place.state.theta_rate != 0.0
+                    && is_off_limit() =>
             {
                 if excess < 0.0 {
                     Stiction::Holds

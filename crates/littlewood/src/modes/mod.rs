@@ -29,7 +29,8 @@ pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
 pub(crate) use self::rolling::{Levels, Stiction};
 pub(crate) use self::sample::{Instant, Sample};
 pub(crate) use self::sliding::{
-    Entry, Onset, PhasePoint, SlideBudget, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE,
+    Entry, ForceRounding, Onset, PhasePoint, SlideBudget, SlideSeries, SlidingEnd, StaticLimit,
+    TRUNCATION_TOLERANCE,
 };
 
 pub use self::flight::Flight;

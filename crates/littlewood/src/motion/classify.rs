@@ -110,9 +110,13 @@ impl Hoop {
         }
         (found.region, found.mode, found.direction) =
             match next_motion(self, &state, Arrival::Start) {
-                NextMotion::Roll { .. } => {
+                NextMotion::Roll { on_limit } => {
                     let orbit = RollingOrbit::of(self, theta, theta_rate);
-                    let end = orbit.end();
+                    let end = if on_limit {
+                        orbit.end_from_limit()
+                    } else {
+                        orbit.end()
+                    };
                     found.rolling_type = self.rolling_type(theta, theta_rate, end);
                     let endless = end.is_none() && !orbit.leaves_bounds();
                     found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));

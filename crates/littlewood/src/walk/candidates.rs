@@ -12,7 +12,8 @@ use crate::mechanics::{
 };
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
 use crate::modes::{
-    Entry, GlideEntry, Onset, PhasePoint, RollingLimit, RollingOrbit, Stiction, TakeOff,
+    Entry, GlideEntry, Onset, PhasePoint, RollingLimit, RollingOrbit, StaticLimit, Stiction,
+    TakeOff,
 };
 
 /// The candidate motions at a state, and the quantities that decide between them.
@@ -240,6 +241,7 @@ fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> M
     let laws = Direction::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
     let contact_margin = laws[0].contact(theta, theta_rate);
     let lifts_off = leaves_plane(contact_margin, sin, theta_rate);
+    let mut on_limit = arrival == Arrival::BackOnLimit(None);
     let slip = Direction::of_sign(state.slip).map_or_else(
         || {
             let rolling = RollingLaw::of(hoop);
@@ -262,7 +264,22 @@ fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> M
                     excess: rolling_forces.friction.abs() - hoop.mu_s() * rolling_forces.normal,
                 },
                 Arrival::Start | Arrival::InContact | Arrival::GlideAtRest { .. } => {
-                    RollingOrbit::of(hoop, theta, theta_rate).stiction()
+                    let place = PhasePoint {
+                        theta,
+                        rate: theta_rate,
+                    };
+                    // On the limit the sign of |F| − μs N is that of rounding.
+                    match Onset::on_static_limit(hoop, &place) {
+                        Some(StaticLimit { holds: true, .. }) => {
+                            on_limit = true;
+                            Stiction::Holds
+                        }
+                        Some(StaticLimit { slip, holds: false }) => Stiction::Slips {
+                            direction: slip,
+                            excess: 0.0,
+                        },
+                        None => RollingOrbit::of(hoop, theta, theta_rate).stiction(),
+                    }
                 }
             };
             SlipInputs::AtRest(RestInputs {
@@ -279,7 +296,7 @@ fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> M
         slip,
         painleve: laws.map(|law| law.painleve(theta)),
         keeps_contact: arrival != Arrival::Start,
-        on_limit: arrival == Arrival::BackOnLimit(None),
+        on_limit,
     }
 }
 

@@ -11,14 +11,14 @@
 //! friction holds.
 //!
 //! A motion may also start with η′ = 0 and |F| > μs N. It then has the same excess at the four
-//! states, and slips at each.
+//! states, and slips at each. With |F| = μs N it starts as it slips out of rolling.
 
 use core::f64::consts::TAU;
 
 use crate::math::trig::{Angle, sincos};
 use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
 use crate::model::{Body, Direction, Heavy, Hoop, State};
-use crate::modes::{Onset, PhasePoint};
+use crate::modes::{Onset, PhasePoint, RollingOrbit, Stiction};
 use crate::walk::{Arrival, is_same};
 
 /// Least distance, in cos θ, of two zeros of η′ after a start at rest. A closer pair is a
@@ -31,7 +31,7 @@ const MIN_STANDSTILL_DISTANCE: f64 = 1e-6;
 pub(crate) struct LastSlip {
     state: State,
     direction: Direction,
-    /// Whether the slip ended rolling, with |F| = μs N. A start has |F| > μs N.
+    /// Whether the slip began with |F| = μs N, as where it ended rolling.
     is_on_limit: bool,
     /// The order of the first derivative of η′ that does not vanish there.
     order: usize,
@@ -64,14 +64,14 @@ impl LastSlip {
         })
     }
 
-    /// The start of a motion, if it slides from η′ = 0: there |F| of rolling exceeds μs N.
+    /// The start of a motion, if it slides from η′ = 0: there |F| of rolling is at least μs N.
     pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
         let direction =
             slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.slope() == 0.0)?;
         Some(Self {
             state,
             direction,
-            is_on_limit: false,
+            is_on_limit: starts_on_limit(hoop, &state),
             order: order_at_start(hoop, &state),
         })
     }
@@ -189,6 +189,17 @@ impl LastSlip {
             (more - 2.0 * sum * difference) / sincos(theta).0
         })
     }
+}
+
+/// Whether a start that slides has |F| = μs N, and not more by the last digit: on the limit the
+/// next derivative lets it slip.
+fn starts_on_limit(hoop: &Hoop, state: &State) -> bool {
+    let exceeds = match RollingOrbit::of(hoop, state.theta, state.theta_rate).stiction() {
+        Stiction::Holds => false,
+        Stiction::Slips { excess, .. } => excess > 0.0,
+        Stiction::NoNormalForce => true,
+    };
+    hoop.mu_s() > 0.0 && !exceeds
 }
 
 /// The order of the zero of η′ at a start: with static friction |F| > μs N, and 1.

@@ -175,15 +175,16 @@ impl Incline {
         }
     }
 
-    pub(super) fn end(&self) -> Option<RollingEnd> {
+    /// `from_limit` if |F| = μs N at the start and static friction holds after it.
+    pub(super) fn end(&self, from_limit: bool) -> Option<RollingEnd> {
         if self.rests {
             return None;
         }
-        let (leg, before, (point, limit)) = match self.first.end() {
+        let (leg, before, (point, limit)) = match self.first.end(from_limit) {
             Some(end) => (self.first, 0.0, end),
             None => {
                 let back = self.back.filter(|_| !self.first.leaves_bounds())?;
-                (back, self.first.whole(), back.end()?)
+                (back, self.first.whole(), back.end(false)?)
             }
         };
         let frame = self.frame(&leg);
@@ -611,8 +612,14 @@ impl Leg {
                 }))
     }
 
-    /// The first crossing of a limit in a turn, between two rests.
-    fn crossing(&self, turns: f64, rests: Range<f64>) -> Option<(LegPoint, RollingLimit)> {
+    /// The first crossing of a limit in a turn, between two rests; `from_limit` if that nearest to
+    /// zero at the first is zero there.
+    fn crossing(
+        &self,
+        turns: f64,
+        rests: Range<f64>,
+        from_limit: bool,
+    ) -> Option<(LegPoint, RollingLimit)> {
         let Range {
             start: from,
             end: to,
@@ -624,15 +631,24 @@ impl Leg {
             if self.holds_about(turns, begin + 0.5 * width, 0.5 * width, MAX_SCREEN_DEPTH) {
                 return None;
             }
-            let margins = self.margins(self.point(turns, begin));
-            let crossings =
-                margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
+            let mut margins: Vec<_> = self.margins(self.point(turns, begin)).collect();
+            if from_limit && piece == 0 {
+                let nearest = margins
+                    .iter_mut()
+                    .min_by(|a, b| a.0[0].abs().total_cmp(&b.0[0].abs()));
+                if let Some((margin, _)) = nearest {
+                    margin[0] = 0.0;
+                }
+            }
+            let crossings = margins
+                .into_iter()
+                .filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
             Some((self.point(turns, (begin + at).min(to)), limit))
         })
     }
 
-    fn end(&self) -> Option<(LegPoint, RollingLimit)> {
+    fn end(&self, from_limit: bool) -> Option<(LegPoint, RollingLimit)> {
         if self.law().offset == 0.0 {
             // The forces are constant.
             return None;
@@ -640,10 +656,10 @@ impl Leg {
         let reach = self
             .turning_distance
             .map_or(f64::INFINITY, |reach| reach.total());
-        if let Some(end) = self.crossing(0.0, 0.0..reach.min(2.0 * TAU)) {
+        if let Some(end) = self.crossing(0.0, 0.0..reach.min(2.0 * TAU), from_limit) {
             return Some(end);
         }
-        let turn = |turns: f64| self.crossing(turns, 0.0..TAU);
+        let turn = |turns: f64| self.crossing(turns, 0.0..TAU, false);
         let whole = (reach.min(self.distance_to_bounds()) / TAU).floor();
         // Rolling holds in turn `low` and before.
         let mut low = 1.0;
@@ -656,7 +672,7 @@ impl Leg {
         }
         let is_last = reach > 2.0 * TAU && reach <= self.distance_to_bounds();
         is_last
-            .then(|| self.crossing(whole, 0.0..reach - TAU * whole))
+            .then(|| self.crossing(whole, 0.0..reach - TAU * whole, false))
             .flatten()
     }
 }

@@ -96,7 +96,7 @@ impl RollingOrbit {
         let end = match &self.shape {
             OrbitShape::Elliptic(orbit) => orbit.end(false),
             OrbitShape::Rim(orbit) => orbit.end(),
-            OrbitShape::Incline(orbit) => orbit.end(),
+            OrbitShape::Incline(orbit) => orbit.end(false),
         }?;
         Some(RollingEnd {
             elapsed: end.elapsed / self.pace,
@@ -110,7 +110,7 @@ impl RollingOrbit {
         match &self.shape {
             OrbitShape::Elliptic(orbit) => orbit.end(true),
             OrbitShape::Rim(orbit) => orbit.end(),
-            OrbitShape::Incline(orbit) => orbit.end(),
+            OrbitShape::Incline(orbit) => orbit.end(true),
         }
     }
 

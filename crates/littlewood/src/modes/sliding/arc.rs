@@ -38,8 +38,8 @@ pub(crate) enum Entry {
     /// With η′ ≠ 0.
     Moving,
     /// With η′ = 0 and this acceleration η″. It has the sign of the direction of slip, or vanishes,
-    /// but for rounding: on the static limit with μs = μk η‴ decides, and without friction the
-    /// [`Onset`]. The zero of η′ at the start is no event.
+    /// but for rounding, and the [`Onset`] decides: on the static limit with μs = μk, and without
+    /// friction. The zero of η′ at the start is no event.
     FromRest { slip_acceleration: f64 },
 }
 
@@ -346,12 +346,13 @@ impl Sliding {
         }
         series.slip[0] = 0.0;
         series.slip[1] = slip_acceleration;
-        let known_roots = if slip_acceleration != 0.0 {
-            1
-        } else if self.law.friction != 0.0 {
-            2
+        let known_roots = if slip_acceleration == 0.0 {
+            // A derivative against the slip that begins is rounding, too.
+            Onset::beyond_acceleration(&self.law, here.place, &series.slip)
+                .filter(|onset| onset.direction == self.direction)
+                .map_or(2, |onset| onset.order)
         } else {
-            Onset::of(&self.law, here.place).map_or(2, |onset| onset.order.max(2))
+            1
         };
         series.slip[1..known_roots]
             .iter_mut()

@@ -11,7 +11,7 @@ mod singular;
 
 pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlideBudget, SlidingEnd};
-pub(crate) use onset::Onset;
+pub(crate) use onset::{ForceRounding, Onset, StaticLimit};
 pub(crate) use series::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
 
 /// The limit that stopped a motion with long slides.

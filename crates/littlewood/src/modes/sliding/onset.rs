@@ -1,5 +1,5 @@
-//! How a slide without kinetic friction begins at η′ = 0: by the first derivative of η′ that does
-//! not vanish (docs/theory/contact.md).
+//! How a slide begins at η′ = 0 where η″ vanishes: by the first derivative of η′ that does not
+//! (docs/theory/contact.md). That is so without friction, and on the limit |F| = μs N.
 //!
 //! η″ = h s [m (1 + hc) − u (m h c + m h² + Î)]/(Î + m h² s²) on a level plane vanishes at the top
 //! and at the bottom, on a curve between them, and for a particle on a thin rim, with Î + m h² = m,
@@ -7,9 +7,9 @@
 //! coefficient of the series of η′ counts only if it exceeds the rounding of its terms.
 
 use crate::math::series::{DEGREE, Series, convolve};
-use crate::math::trig::Angle;
-use crate::mechanics::SlidingLaw;
-use crate::model::{Direction, Heavy};
+use crate::math::trig::{Angle, above_bottom};
+use crate::mechanics::{ContactForces, RollingLaw, SlidingLaw};
+use crate::model::{Body, Direction, Heavy, Hoop};
 
 use super::series::{PhasePoint, SlideSeries};
 
@@ -35,11 +35,111 @@ impl Onset {
                 direction,
             });
         }
-        let slip = SlideSeries::new(law, place, 0.0).slip;
-        let sizes = Sizes::new(law, place, DEGREE);
-        let order = (2..=DEGREE).find(|n| slip[*n].abs() > sizes.rounding(*n))?;
+        Self::beyond_acceleration(law, place, &SlideSeries::new(law, place, 0.0).slip)
+    }
+
+    /// Where η″ vanishes, from the series of η′.
+    pub(super) fn beyond_acceleration(
+        law: &SlidingLaw,
+        place: PhasePoint,
+        slip: &Series,
+    ) -> Option<Self> {
+        // Nearly always η‴ decides.
+        let is_second = slip[2].abs() > Sizes::new(law, place, 2).rounding(2);
+        let order = if is_second {
+            2
+        } else {
+            let sizes = Sizes::new(law, place, DEGREE);
+            (3..=DEGREE).find(|n| slip[*n].abs() > sizes.rounding(*n))?
+        };
         let direction = Direction::of_sign(slip[order])?;
         Some(Self { order, direction })
+    }
+
+    /// Where |F| = μs N > 0 but for rounding: of a slide with the friction μs N against which it
+    /// would begin. Its η″ vanishes, and the next derivatives of η′ have the signs of those of |F|
+    /// − μs N along the rolling, since the two motions agree up to them. None elsewhere, and if
+    /// rounding decides all derivatives.
+    pub(crate) fn on_static_limit(hoop: &Hoop, place: &PhasePoint) -> Option<StaticLimit> {
+        let (place, mu) = (*place, hoop.mu_s());
+        let Body::Heavy(body) = hoop.body() else {
+            return None;
+        };
+        if mu == 0.0 {
+            return None;
+        }
+        let rolling = RollingLaw::of(hoop);
+        let forces = rolling.forces(place.theta, place.rate);
+        let rounding = ForceRounding::new(&rolling, &place, Angle::of(place.theta));
+        if rounding.clears(&forces, mu)
+            || forces.friction.abs() <= rounding.friction
+            || forces.normal <= rounding.normal
+        {
+            return None;
+        }
+        let slip = Direction::of_sign(-forces.friction)?;
+        let law = SlidingLaw::of_body(body, mu, slip);
+        // With P ≤ 0 no slide begins (docs/theory/contact.md).
+        if law.painleve(place.theta) <= 0.0 {
+            return None;
+        }
+        let series = SlideSeries::new(&law, place, 0.0).slip;
+        let onset = Self::beyond_acceleration(&law, place, &series)?;
+        Some(StaticLimit {
+            slip,
+            holds: onset.direction != slip,
+        })
+    }
+}
+
+/// What follows where |F| = μs N at a start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct StaticLimit {
+    /// The direction of slip, against F.
+    pub(crate) slip: Direction,
+    /// Whether |F| < μs N just after.
+    pub(crate) holds: bool,
+}
+
+/// Bounds on the rounding of N and F of rolling.
+pub(crate) struct ForceRounding {
+    normal: f64,
+    friction: f64,
+}
+
+impl ForceRounding {
+    /// A term has at most 28 roundings: 18 of its products and sums, 7 of m, h and Î, 2 of the
+    /// coefficient and 1 of the slope. It has at most three sines and cosines, and divides by D
+    /// once.
+    #[inline]
+    pub(crate) fn new(law: &RollingLaw, place: &PhasePoint, angle: Angle) -> Self {
+        let Angle { sin, cos } = angle;
+        let (d, u) = (law.denominator_of(angle), place.rate * place.rate);
+        let (m, l, pull) = (law.mass, law.offset, law.tilt.abs());
+        let beyond_mass = law.inertia_excess[1].abs() + l * above_bottom(angle);
+        let sum = |sin: f64, cos: f64| {
+            let drive = l * sin * (1.0 + u) + (m + l * cos) * pull;
+            let arm = l * sin;
+            let level = arm * (u * beyond_mass + m + l * cos);
+            [
+                m + l * (sin * drive / d + cos * u),
+                (level + (law.mass_inertia + arm * arm) * pull) / d,
+            ]
+        };
+        let terms = sum(sin.abs(), cos.abs());
+        let turned = sum(sin.abs() + cos.abs(), sin.abs() + cos.abs());
+        let by_angle = 3.0 + 2.0 * l * sin.abs() / d;
+        let [normal, friction] = core::array::from_fn(|i| {
+            0.5 * f64::EPSILON * (28.0 * terms[i] + place.theta.abs() * by_angle * turned[i])
+        });
+        Self { normal, friction }
+    }
+
+    /// Whether |F| differs from μs N by more than rounding.
+    #[inline]
+    pub(crate) fn clears(&self, forces: &ContactForces, mu_s: f64) -> bool {
+        let excess = forces.friction.abs() - mu_s * forces.normal;
+        excess.abs() > self.friction + mu_s * self.normal
     }
 }
 
@@ -51,14 +151,21 @@ struct Sizes {
     /// The rounding of the angle, and the relative change of P with the angle.
     angle: f64,
     steepness: f64,
+    /// The sum of the sizes of the terms of P, over P.
+    cancellation: f64,
+    has_friction: bool,
 }
 
 impl Sizes {
     fn new(law: &SlidingLaw, place: PhasePoint, max_order: usize) -> Self {
         let (sin, cos) = libm::sincos(place.theta);
         let (sin, cos) = (sin.abs(), cos.abs());
-        let Heavy { mass, h, .. } = law.body;
-        let p = law.p(sin, h * sin);
+        let Heavy {
+            mass, h, inertia, ..
+        } = law.body;
+        let friction = law.friction.abs();
+        let p = law.painleve(place.theta);
+        let q = h * sin + friction * (1.0 + h * cos);
         let sum = |angle| sum_of_sizes(law, p, angle, place.rate.abs(), max_order);
         Self {
             terms: sum(Angle { sin, cos }),
@@ -67,16 +174,20 @@ impl Sizes {
                 cos: sin + cos,
             }),
             angle: 0.5 * f64::EPSILON * place.theta.abs(),
-            steepness: 2.0 * mass * h * h * sin * cos / p,
+            steepness: mass * h * (cos * q + sin * h * (cos + friction * sin)) / p,
+            cancellation: (inertia + mass * h * sin * q) / p,
+            has_friction: friction != 0.0,
         }
     }
 
     /// Bound of the rounding of coefficient n. A term of η″ has at most 24 roundings: 14 of its
-    /// products and sums, 7 of m, h and Î, 3 of θ′. Each order adds as many to those before it, and
-    /// sums of one more term. A term has at most n + 2 sines and cosines, and divides by P n times.
+    /// products and sums, 7 of m, h and Î, 3 of θ′; with friction four more. Each order adds as many
+    /// to those before it, and sums of one more term. A term has at most n + 2 sines and cosines,
+    /// and divides by P n times.
     fn rounding(&self, n: usize) -> f64 {
         let order = n as f64;
-        let roundings = 12.0 * order * (order + 1.0);
+        let each = if self.has_friction { 14.0 } else { 12.0 };
+        let roundings = each * order * (order + 1.0) * self.cancellation;
         let by_angle = (order + 2.0) + order * self.steepness;
         0.5 * f64::EPSILON * roundings * self.terms[n] + self.angle * by_angle * self.turned[n]
     }
@@ -90,7 +201,8 @@ fn sum_of_sizes(law: &SlidingLaw, p: f64, angle: Angle, rate0: f64, max_order: u
     let zero: Series = [0.0; DEGREE + 1];
     let (mut sin, mut cos, mut turn, mut rate) = (zero, zero, zero, zero);
     let (mut u, mut contact, mut painleve, mut acceleration) = (zero, zero, zero, zero);
-    let (mut height, mut slip) = (zero, zero);
+    let (mut arm, mut lever, mut slip) = (zero, zero, zero);
+    let friction = law.friction.abs();
     (sin[0], cos[0], rate[0]) = (angle.sin, angle.cos, rate0);
     for n in 0..=max_order {
         let order = n as f64;
@@ -103,14 +215,14 @@ fn sum_of_sizes(law: &SlidingLaw, p: f64, angle: Angle, rate0: f64, max_order: u
         }
         let one = if n == 0 { 1.0 } else { 0.0 };
         [u[n]] = convolve([(&rate, &rate)], n);
-        height[n] = one + h * cos[n];
-        let [cos_u, square, height_rate] =
-            convolve([(&cos, &u), (&sin, &sin), (&rate, &height)], n);
+        arm[n] = h * sin[n] + friction * (one + h * cos[n]);
+        lever[n] = one + h * cos[n] + friction * h * sin[n];
+        let [cos_u, armed, levered] = convolve([(&cos, &u), (&sin, &arm), (&rate, &lever)], n);
         contact[n] = one + h * cos_u;
-        painleve[n] = inertia * one + mass * h * h * square;
-        slip[n] = height_rate;
-        let [driven] = convolve([(&sin, &contact)], n);
-        let mut sum = mass * h * driven;
+        painleve[n] = inertia * one + mass * h * armed;
+        slip[n] = levered;
+        let [driven] = convolve([(&arm, &contact)], n);
+        let mut sum = mass * driven;
         for j in 1..=n {
             sum += painleve[j] * acceleration[n - j];
         }
