@@ -155,11 +155,11 @@ impl Names {
     pub(crate) fn note(&self) -> Option<String> {
         let which = match self.are_all {
             [true, true] => return None,
-            [false, true] => "phases",
-            [true, false] => "transitions",
-            [false, false] => "phases and transitions",
+            [false, true] => "all phases",
+            [true, false] => "all transitions",
+            [false, false] => "all phases and transitions",
         };
-        Some(format!("There is no room for the names of all {which}."))
+        Some(format!("There is no room for the names of {which}."))
     }
 }
 

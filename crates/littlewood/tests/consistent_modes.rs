@@ -556,12 +556,6 @@ fn a_motion_goes_on_from_its_own_states() {
     check_continuations(2_000);
 }
 
-#[test]
-#[ignore = "thorough"]
-fn many_motions_go_on_from_their_own_states() {
-    check_continuations(40_000);
-}
-
 /// The words and numbers of `classify` are those of the motion.
 #[test]
 fn what_is_said_of_a_state_is_what_its_motion_does() {
