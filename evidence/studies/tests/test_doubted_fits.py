@@ -18,7 +18,9 @@ def test_without_resistance_the_soft_ground_is_the_exact_one():
     np.testing.assert_allclose(x, film.x[: x.size], atol=4e-4)
 
 
-@pytest.mark.parametrize("fault", ["none", "scale", "marker", "held"])
+# Not of a marker: those tracks do not determine e, and the optimum depends on the last digits of
+# the linear algebra of the machine.
+@pytest.mark.parametrize("fault", ["none", "scale", "held"])
 def test_a_line_of_the_table_is_made_again(fault):
     cells = line_of(fault, 0)
     row = rows_of(fault)[0]
