@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use littlewood::Limits;
 use littlewood_draw::Figure;
 use littlewood_sweep::{
     Chunk, Columns, Grid, Picture, PictureSize, Progress, Shade, Workers, sweep_grid,
@@ -37,17 +38,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     if args.store.resume && targets.is_empty() {
         refuse_to_resume(&kinds)?;
     }
-    let size = PictureSize {
-        width: args.size.0,
-        height: args.size.1,
-    };
-    let mut picture = Picture::new(&grid, limits, shade, size)?.with_units(units);
-    if args.curves {
-        picture = picture.with_curves()?;
-    }
-    if args.contours {
-        picture = picture.with_contours()?;
-    }
+    let picture = picture(args, &grid, limits, shade)?.with_units(units);
     let mut outputs = Outputs::open(&kinds, &grid, picture, args.width_mm)?;
 
     let workers = Workers::new(args.work.threads)?;
@@ -91,6 +82,18 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         kept,
     }
     .finish(args.store.format)
+}
+
+fn picture(args: &MapArgs, grid: &Grid, limits: Limits, shade: Shade) -> Result<Picture, Error> {
+    let (width, height) = args.size;
+    let mut picture = Picture::new(grid, limits, shade, PictureSize { width, height })?;
+    if args.curves {
+        picture = picture.with_curves()?;
+    }
+    if args.contours {
+        picture = picture.with_contours()?;
+    }
+    Ok(picture)
 }
 
 /// Refuses `--resume` if an earlier run cannot have left results.

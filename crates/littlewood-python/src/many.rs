@@ -118,19 +118,12 @@ pub(crate) fn summaries<'py>(
     .map_err(|Refused { index, error }| refuse(py, &error, Some(index)))?;
     let dict = PyDict::new(py);
     for (column, values) in columns.into_columns() {
+        let name = column.to_string();
         match values {
-            ColumnValues::U8(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?;
-            }
-            ColumnValues::U32(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?;
-            }
-            ColumnValues::U64(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?;
-            }
-            ColumnValues::F64(values) => {
-                dict.set_item(column.to_string(), values.into_pyarray(py))?;
-            }
+            ColumnValues::U8(values) => dict.set_item(name, values.into_pyarray(py))?,
+            ColumnValues::U32(values) => dict.set_item(name, values.into_pyarray(py))?,
+            ColumnValues::U64(values) => dict.set_item(name, values.into_pyarray(py))?,
+            ColumnValues::F64(values) => dict.set_item(name, values.into_pyarray(py))?,
         }
     }
     Ok(dict)

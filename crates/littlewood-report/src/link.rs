@@ -310,16 +310,29 @@ impl Given {
         found
     }
 
+    /// The problem of a named case; none, and a complaint, if there is no such case.
+    fn problem_of_case(&mut self, name: &str) -> Option<Problem> {
+        let case = find_case(name);
+        if case.is_none() {
+            self.refuse(CASE, name, format!("there is no case named '{name}'"));
+        }
+        case.map(|case| Problem::of_setup(&case.setup, None))
+    }
+
+    /// A law of restitution; none, and a complaint, if there is no such law.
+    fn law(&mut self, text: &str) -> Option<RestitutionLaw> {
+        let law = text.parse().ok();
+        if law.is_none() {
+            let known = RestitutionLaw::NAMES.join(", ");
+            self.refuse(RESTITUTION_LAW, text, format!("one of {known}"));
+        }
+        law
+    }
+
     /// The problem; none if nothing is said of it.
     fn problem(&mut self, shown: &Problem) -> Option<Problem> {
         let case = self.take(CASE);
-        let named = case.as_deref().map(find_case);
-        if let (Some(name), Some(None)) = (&case, named) {
-            self.refuse(CASE, name, format!("there is no case named '{name}'"));
-        }
-        let of_case = named
-            .flatten()
-            .map(|case| Problem::of_setup(&case.setup, None));
+        let of_case = case.as_deref().and_then(|name| self.problem_of_case(name));
         let says = |quantity: &Quantity| self.pairs.iter().any(|(key, _)| key == quantity.name());
         let given: Vec<Quantity> = Quantity::ALL.into_iter().filter(says).collect();
         let law = self.take(RESTITUTION_LAW);
@@ -359,17 +372,7 @@ impl Given {
             (quantity, number.or(otherwise))
         });
         let values = values.collect();
-        let law = law.and_then(|text| {
-            let law = text.parse().ok();
-            if law.is_none() {
-                self.refuse(
-                    RESTITUTION_LAW,
-                    &text,
-                    format!("one of {}", RestitutionLaw::NAMES.join(", ")),
-                );
-            }
-            law
-        });
+        let law = law.and_then(|text| self.law(&text));
         Some(Problem {
             is_si,
             values,

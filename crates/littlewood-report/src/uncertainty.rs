@@ -99,13 +99,7 @@ impl Uncertainty {
         let (mut motions, mut alike) = (0, 0);
         for number in 0..SAMPLE {
             progress(number);
-            let mut drawn = *setup;
-            for ((quantity, error), deviate) in given.iter().zip(deviates(number, given.len())) {
-                drawn.set(
-                    *quantity,
-                    setup.get(*quantity).unwrap_or(0.0) + error * deviate,
-                );
-            }
+            let drawn = drawn(setup, &given, number);
             let other = Hoop::new(drawn.hoop).and_then(|hoop| hoop.simulate(drawn.start, limits));
             let Ok(other) = other else { continue };
             motions += 1;
@@ -141,6 +135,16 @@ impl Uncertainty {
             spreads: spreads.collect(),
         })
     }
+}
+
+/// The setup of a motion of the sample: each given quantity has its own normal deviate.
+fn drawn(setup: &Setup, given: &[(Quantity, f64)], number: usize) -> Setup {
+    let mut drawn = *setup;
+    for ((quantity, error), deviate) in given.iter().zip(deviates(number, given.len())) {
+        let value = setup.get(*quantity).unwrap_or(0.0) + error * deviate;
+        drawn.set(*quantity, value);
+    }
+    drawn
 }
 
 /// The standard errors of each transition and of the outcome to first order: errors of different

@@ -161,47 +161,8 @@ impl Description {
     }
 
     pub(crate) fn grid(value: &Value) -> Option<(Grid, Limits, Vec<usize>)> {
-        let mut base = Setup::new(HoopParameters::default(), Start::default());
-        for (name, number) in value.get("fixed")?.as_object()? {
-            let quantity = name.parse().ok()?;
-            base.set(quantity, number.as_f64()?);
-            base.get(quantity)?;
-        }
-        if let Some(name) = value.get(RESTITUTION_LAW).and_then(Value::as_str) {
-            base.hoop.restitution_law = Some(name.parse().ok()?);
-        }
-        let mut axes = Vec::new();
-        for axis in value.get("axes")?.as_array()? {
-            let name = axis.get("quantity")?.as_str()?;
-            let varies = if name == Varies::Friction.name() {
-                Varies::Friction
-            } else {
-                Varies::One(name.parse().ok()?)
-            };
-            let count = usize::try_from(axis.get("count")?.as_u64()?).ok()?;
-            let spacing = match axis.get(SPACING) {
-                None => Spacing::default(),
-                Some(name) => [Spacing::Even, Spacing::Log]
-                    .into_iter()
-                    .find(|s| name == s.name())?,
-            };
-            let [from, to] = ["from", "to"].map(|end| axis.get(end).and_then(Value::as_f64));
-            axes.push(
-                Axis::new(varies, from?, to?, count)
-                    .ok()?
-                    .with_spacing(spacing)
-                    .ok()?,
-            );
-        }
-        let limits = value.get("limits")?;
-        let limits = Limits::default()
-            .with_until(limits.get("until")?.as_f64())
-            .with_transitions(usize::try_from(limits.get("transitions")?.as_u64()?).ok()?)
-            .with_slides(match limits.get("slides") {
-                Some(slides) => usize::try_from(slides.as_u64()?).ok()?,
-                None => Limits::default().slides,
-            })
-            .with_proof(limits.get("proof")?.as_str()?.parse().ok()?);
+        let axes = value.get("axes")?.as_array()?;
+        let axes = axes.iter().map(axis).collect::<Option<Vec<_>>>()?;
         let chunk = value.get("chunk")?.as_array()?;
         let chunk = chunk
             .iter()
@@ -215,12 +176,62 @@ impl Description {
         let derivatives = derivatives
             .map(|name| name.as_str()?.parse().ok())
             .collect::<Option<Vec<_>>>()?;
+        let grid = Grid::new(base(value)?, axes).ok()?;
         Some((
-            Grid::new(base, axes).ok()?.with_derivatives(derivatives),
-            limits,
+            grid.with_derivatives(derivatives),
+            read_limits(value.get("limits")?)?,
             chunk,
         ))
     }
+}
+
+/// The numbers that a run has in common.
+fn base(run: &Value) -> Option<Setup> {
+    let mut base = Setup::new(HoopParameters::default(), Start::default());
+    for (name, number) in run.get("fixed")?.as_object()? {
+        let quantity = name.parse().ok()?;
+        base.set(quantity, number.as_f64()?);
+        base.get(quantity)?;
+    }
+    if let Some(name) = run.get(RESTITUTION_LAW).and_then(Value::as_str) {
+        base.hoop.restitution_law = Some(name.parse().ok()?);
+    }
+    Some(base)
+}
+
+fn axis(axis: &Value) -> Option<Axis> {
+    let name = axis.get("quantity")?.as_str()?;
+    let varies = if name == Varies::Friction.name() {
+        Varies::Friction
+    } else {
+        Varies::One(name.parse().ok()?)
+    };
+    let count = usize::try_from(axis.get("count")?.as_u64()?).ok()?;
+    let spacing = match axis.get(SPACING) {
+        None => Spacing::default(),
+        Some(name) => [Spacing::Even, Spacing::Log]
+            .into_iter()
+            .find(|spacing| name == spacing.name())?,
+    };
+    let [from, to] = ["from", "to"].map(|end| axis.get(end).and_then(Value::as_f64));
+    Axis::new(varies, from?, to?, count)
+        .ok()?
+        .with_spacing(spacing)
+        .ok()
+}
+
+fn read_limits(limits: &Value) -> Option<Limits> {
+    let slides = match limits.get("slides") {
+        Some(slides) => usize::try_from(slides.as_u64()?).ok()?,
+        None => Limits::default().slides,
+    };
+    Some(
+        Limits::default()
+            .with_until(limits.get("until")?.as_f64())
+            .with_transitions(usize::try_from(limits.get("transitions")?.as_u64()?).ok()?)
+            .with_slides(slides)
+            .with_proof(limits.get("proof")?.as_str()?.parse().ok()?),
+    )
 }
 
 fn of_limits(limits: Limits) -> Value {

@@ -102,23 +102,34 @@ pub(crate) fn run(
         if let Some(error) = source_error {
             return Err(error);
         }
-        finished = Vec::new();
-        for chunk in computed {
-            let (chunk, columns) = match chunk {
-                Ok(chunk) => chunk,
-                Err(Failure::Cancelled) => continue,
-                Err(Failure::Point { chunk, refused }) => {
-                    return Err(source.refused(chunk, refused));
-                }
-                Err(Failure::Store(error)) => return Err(error.into()),
-            };
-            if let Some(view) = &mut view {
-                view(chunk.written.number, &columns);
-            }
-            finished.push(chunk);
-        }
+        finished = finished_chunks(computed, source, &mut view)?;
     }
     Ok(run.complete()?)
+}
+
+/// The chunks of a batch that are computed, after they were shown; those that were cancelled are
+/// left out.
+fn finished_chunks(
+    computed: Vec<Result<(FinishedChunk, Columns), Failure>>,
+    source: &dyn Source,
+    view: &mut Option<View<'_>>,
+) -> Result<Vec<FinishedChunk>, SweepError> {
+    let mut finished = Vec::new();
+    for chunk in computed {
+        let (chunk, columns) = match chunk {
+            Ok(chunk) => chunk,
+            Err(Failure::Cancelled) => continue,
+            Err(Failure::Point { chunk, refused }) => {
+                return Err(source.refused(chunk, refused));
+            }
+            Err(Failure::Store(error)) => return Err(error.into()),
+        };
+        if let Some(view) = view {
+            view(chunk.written.number, &columns);
+        }
+        finished.push(chunk);
+    }
+    Ok(finished)
 }
 
 struct Run<'a> {

@@ -136,28 +136,23 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
 
 /// The end of the motion, or that it has none.
 pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
-    let last = trajectory.transitions().len().checked_sub(1);
     let hoop = trajectory.hoop();
     match trajectory.outcome() {
         Outcome::RollsForever { recurrence, .. } => {
-            format!(
-                "Rolls for ever, {}: static friction holds on the whole orbit.",
-                returns(&recurrence, scale)
-            )
+            let returns = returns(&recurrence, scale);
+            format!("Rolls for ever, {returns}: static friction holds on the whole orbit.")
         }
         Outcome::SlidesForever { recurrence, .. } => {
-            format!(
-                "Slides for ever without friction, {}.",
-                returns(&recurrence, scale)
-            )
+            let returns = returns(&recurrence, scale);
+            format!("Slides for ever without friction, {returns}.")
         }
         Outcome::SlipsForever {
             orbit,
             slips_to_halve,
             ..
         } => format!(
-            "Slips for ever, with decaying amplitude: towards the orbit that grazes the static limit at θ = ±{}, {}; \
-             the distance from it halves in about {slips_to_halve:.0} slips.",
+            "Slips for ever, with decaying amplitude: towards the orbit that grazes the static \
+             limit at θ = ±{}, {}; the distance from it halves in about {slips_to_halve:.0} slips.",
             brief(orbit.theta),
             returns(&orbit.recurrence, scale)
         ),
@@ -167,7 +162,8 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             transitions,
             ..
         } => format!(
-            "Repeats itself for ever, with the period {}, {transitions} transitions and {:.0} turns: no energy is lost.",
+            "Repeats itself for ever, with the period {}, {transitions} transitions and {:.0} \
+             turns: no energy is lost.",
             scale.show_with_unit(Dimension::Time, period),
             (theta_gained / TAU).abs(),
         ),
@@ -177,54 +173,59 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         }
         Outcome::TimeLimit { .. } => "The time limit ends the motion here.".to_owned(),
         Outcome::TransitionLimit { transitions, .. } => {
-            let bounces = trajectory
-                .transitions()
-                .last()
-                .is_some_and(Transition::is_bounce);
-            let endless = if bounces {
-                "bounces may never end"
-            } else {
-                "slips may continue with decaying amplitude"
-            };
-            format!("Stopped after {transitions} transitions: {endless}.")
+            stopped_after_transitions(transitions, trajectory)
         }
+        Outcome::StepLimit { limit, .. } => stopped_slide(&limit, scale),
         Outcome::Inconsistent { candidates, .. } => {
-            format!(
-                "{NO_ANSWER}: no motion is consistent; {}.",
-                examined(hoop, &candidates).join("; ")
-            )
+            let examined = examined(hoop, &candidates).join("; ");
+            format!("{NO_ANSWER}: no motion is consistent; {examined}.")
         }
         Outcome::Ambiguous { candidates, .. } => {
             let [rolling, sliding] = examined(hoop, &candidates);
             let found = consistent(&candidates, ", ");
             format!("{NO_ANSWER}: several motions are consistent, {found}; {rolling}; {sliding}.")
         }
-        Outcome::StepLimit {
-            limit: SlideLimit::All { slides },
-            ..
-        } => {
-            format!(
-                "Stopped after slides of total length {slides}: slips may continue with decaying amplitude."
-            )
-        }
-        Outcome::StepLimit {
-            limit: SlideLimit::One { steps, time_left },
-            ..
-        } => format!(
-            "Stopped after {steps} steps of a slide: at its pace it would stick after another {}.",
-            scale.show_with_unit(Dimension::Time, three(time_left))
-        ),
         Outcome::Unresolved { .. } => {
             "From here the motion changes faster than double precision resolves.".to_owned()
         }
-        // These are events.
         event @ (Outcome::Landing { .. }
         | Outcome::ParticleAtPlane { .. }
         | Outcome::ParticleAtBottom { .. }
         | Outcome::ParticleAtTop { .. }
-        | Outcome::Singular { .. }) => last
-            .and_then(|index| transition(trajectory, index, scale))
-            .unwrap_or_else(|| format!("Ends: {}.", event.kind().label())),
+        | Outcome::Singular { .. }) => ends_by_event(&event, trajectory, scale),
+    }
+}
+
+/// The sentence of the last event.
+fn ends_by_event(outcome: &Outcome, trajectory: &Trajectory, scale: Scale<'_>) -> String {
+    let last = trajectory.transitions().len().checked_sub(1);
+    last.and_then(|index| transition(trajectory, index, scale))
+        .unwrap_or_else(|| format!("Ends: {}.", outcome.kind().label()))
+}
+
+fn stopped_after_transitions(transitions: usize, trajectory: &Trajectory) -> String {
+    let bounces = trajectory
+        .transitions()
+        .last()
+        .is_some_and(Transition::is_bounce);
+    let endless = if bounces {
+        "bounces may never end"
+    } else {
+        "slips may continue with decaying amplitude"
+    };
+    format!("Stopped after {transitions} transitions: {endless}.")
+}
+
+fn stopped_slide(limit: &SlideLimit, scale: Scale<'_>) -> String {
+    match limit {
+        SlideLimit::All { slides } => format!(
+            "Stopped after slides of total length {slides}: slips may continue with decaying \
+             amplitude."
+        ),
+        SlideLimit::One { steps, time_left } => format!(
+            "Stopped after {steps} steps of a slide: at its pace it would stick after another {}.",
+            scale.show_with_unit(Dimension::Time, three(*time_left))
+        ),
     }
 }
 

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use parquet::column::writer::ColumnCloseResult;
-use parquet::file::metadata::{KeyValue, PageIndexPolicy, ParquetMetaData, ParquetMetaDataReader};
+use parquet::file::metadata::{
+    FileMetaData, KeyValue, PageIndexPolicy, ParquetMetaData, ParquetMetaDataReader,
+};
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use serde_json::{Map, Value};
@@ -140,41 +142,12 @@ impl OneFile {
     ) -> Result<(), StoreError> {
         let name = self.path.display().to_string();
         let failed = StoreError::encoding(&name);
-        let open = |chunk: usize| -> Result<(File, ParquetMetaData), StoreError> {
-            let path = self.parts.join(self.table.path(chunk));
-            let file = open_file(&path).map_err(|source| StoreError::unreadable(&path, source))?;
-            let metadata = footer(&file).map_err(|error| StoreError::DamagedChunk {
-                path,
-                reason: error.to_string(),
-            })?;
-            Ok((file, metadata))
-        };
-        let (_, first) = open(0)?;
+        let (_, first) = self.open_part(0)?;
         let schema = first.file_metadata().schema_descr().root_schema_ptr();
-        let entries = first
-            .file_metadata()
-            .key_value_metadata()
-            .into_iter()
-            .flatten();
-        let mut entries: Vec<KeyValue> = entries
-            .filter(|entry| entry.key != CHUNK_KEY)
-            .cloned()
-            .collect();
-        entries.push(KeyValue::new(COUNTS_KEY.to_owned(), counts(tally)));
-        let properties = WriterProperties::builder()
-            .set_created_by(
-                first
-                    .file_metadata()
-                    .created_by()
-                    .unwrap_or_default()
-                    .to_owned(),
-            )
-            .set_key_value_metadata(Some(entries))
-            .build();
-        let mut writer =
-            SerializedFileWriter::new(target, schema, Arc::new(properties)).map_err(&failed)?;
+        let properties = Arc::new(properties(first.file_metadata(), tally));
+        let mut writer = SerializedFileWriter::new(target, schema, properties).map_err(&failed)?;
         for chunk in 0..count {
-            let (file, metadata) = open(chunk)?;
+            let (file, metadata) = self.open_part(chunk)?;
             for (i, group) in metadata.row_groups().iter().enumerate() {
                 let mut copy = writer.next_row_group().map_err(&failed)?;
                 let column_index = metadata.column_index().and_then(|index| index.get(i));
@@ -196,6 +169,17 @@ impl OneFile {
         // The footer is written here, and what is left in the buffer.
         let mut target = writer.into_inner().map_err(&failed)?;
         target.flush().map_err(StoreError::encoding(&name))
+    }
+
+    /// The file of a chunk, and what its footer says.
+    fn open_part(&self, chunk: usize) -> Result<(File, ParquetMetaData), StoreError> {
+        let path = self.parts.join(self.table.path(chunk));
+        let file = open_file(&path).map_err(|source| StoreError::unreadable(&path, source))?;
+        let metadata = footer(&file).map_err(|error| StoreError::DamagedChunk {
+            path,
+            reason: error.to_string(),
+        })?;
+        Ok((file, metadata))
     }
 
     /// Removes the folder of the parts, if there is one. Files of others stay.
@@ -231,6 +215,20 @@ fn unless_gone(result: io::Result<()>, path: &Path) -> Result<(), StoreError> {
         }
         _ => Ok(()),
     }
+}
+
+/// The properties of the whole file: those of a part, with the counts of the run in place of its own.
+fn properties(part: &FileMetaData, tally: Tally) -> WriterProperties {
+    let entries = part.key_value_metadata().into_iter().flatten();
+    let mut entries: Vec<KeyValue> = entries
+        .filter(|entry| entry.key != CHUNK_KEY)
+        .cloned()
+        .collect();
+    entries.push(KeyValue::new(COUNTS_KEY.to_owned(), counts(tally)));
+    WriterProperties::builder()
+        .set_created_by(part.created_by().unwrap_or_default().to_owned())
+        .set_key_value_metadata(Some(entries))
+        .build()
 }
 
 fn footer(file: &File) -> parquet::errors::Result<ParquetMetaData> {

@@ -22,6 +22,7 @@ const HEIGHT: f64 = 430.0;
 /// Height of a row of notes, of the bar of the scale, and room for its ticks; room above the map,
 /// and below.
 const ROW: f64 = 17.0;
+const ABOVE_BAR: f64 = 6.0;
 const BAR: f64 = 12.0;
 const BELOW_BAR: f64 = 24.0;
 const ABOVE: f64 = 8.0;
@@ -89,6 +90,27 @@ fn bare(name: &'static str, frame: [f64; 4], labels: Vec<Label>, image: Option<I
     }
 }
 
+/// The title and the notes under it, and where they end.
+fn heading(sheet: &Sheet, is_print: bool, title: &str, notes: &[Vec<String>]) -> (Panel, f64) {
+    let [left, inner] = sheet.span();
+    // On a screen titles and keys begin where the map does; print is too narrow for that.
+    let begin = if is_print { left + 4.0 } else { left + ROOM[0] };
+    let wide = sheet.width - left - 4.0 - begin;
+    let rows = notes.iter().flat_map(|notes| in_rows(notes, wide));
+    let mut top = BELOW;
+    let mut label = |text: String| {
+        let label = Label::new(text, &[0.0, 1.0])
+            .left()
+            .shifted(0.0, top + 0.3 * ROW);
+        top += ROW;
+        label
+    };
+    let mut labels = vec![label(title.to_owned()).sized(LETTER)];
+    labels.extend(rows.map(|row| label(row).sized(SMALL).coloured(SOFT)));
+    let panel = bare("title", [begin, 4.0, inner, top], labels, None);
+    (panel, top)
+}
+
 impl Picture {
     /// The picture as a PNG file of its size.
     ///
@@ -108,71 +130,25 @@ impl Picture {
     /// # Errors
     /// A width out of bounds.
     pub fn figure(&self, width_mm: Option<f64>) -> Result<Figure, DrawError> {
+        let is_print = width_mm.is_some();
         let pixels = self.size.scale();
         let [wide, high] = [self.size.width, self.size.height].map(|side| f64::from(side) / pixels);
-        let sheet = Sheet::new(width_mm, if width_mm.is_some() { WIDTH } else { wide })?;
-        let [left, inner] = sheet.span();
-        let units = self.units.as_ref();
+        let sheet = Sheet::new(width_mm, if is_print { WIDTH } else { wide })?;
         let scale = if self.shade.is_on_a_scale() {
             Scale::of(&self.cells)
         } else {
             None
         };
-
+        let title = title(self.shade, self.goes_on(), self.units.as_ref());
         let note = scale.as_ref().and_then(|scale| self.note_of_scale(scale));
         let notes = [self.fixed(), self.meanings(), note.into_iter().collect()];
-        let title = title(self.shade, self.goes_on(), units);
-        // On a screen titles and keys begin where the map does; print is too narrow for that.
-        let begin = if width_mm.is_some() {
-            left + 4.0
-        } else {
-            left + ROOM[0]
-        };
-        let wide = sheet.width - left - 4.0 - begin;
-        let rows: Vec<String> = notes
-            .iter()
-            .flat_map(|notes| in_rows(notes, wide))
-            .collect();
-        let mut top = BELOW;
-        let mut labels = Vec::new();
-        for (text, size) in [(&title, LETTER)]
-            .into_iter()
-            .chain(rows.iter().map(|row| (row, SMALL)))
-        {
-            let label = Label::new(text.clone(), &[0.0, 1.0])
-                .left()
-                .shifted(0.0, top + 0.3 * ROW)
-                .sized(size);
-            labels.push(if size == LETTER {
-                label
-            } else {
-                label.coloured(SOFT)
-            });
-            top += ROW;
-        }
-        let mut panels = vec![bare("title", [begin, 4.0, inner, top], labels, None)];
-        if let Some(scale) = &scale {
-            let (colours, ticks) = self.bar(scale);
-            let label = |tick: &Tick| {
-                Label::new(tick.label.clone(), &[tick.value, 0.0])
-                    .sized(SMALL)
-                    .shifted(0.0, 10.0)
-            };
-            let frame = [left + ROOM[0], top + 6.0, inner - ROOM[0], BAR];
-            let size = [colours.len(), 1];
-            let image = Image {
-                size,
-                pixels: colours.into_iter().flat_map(|colour| colour.0).collect(),
-            };
-            panels.push(bare(
-                "scale",
-                frame,
-                ticks.iter().map(label).collect(),
-                Some(image),
-            ));
-            top += 6.0 + BAR + BELOW_BAR;
-        }
 
+        let (heading, mut top) = heading(&sheet, is_print, &title, &notes);
+        let mut panels = vec![heading];
+        if let Some(scale) = &scale {
+            panels.push(self.bar_panel(&sheet, scale, top + ABOVE_BAR));
+            top += ABOVE_BAR + BAR + BELOW_BAR;
+        }
         let curves = self.curves();
         let shown: Vec<Curve> = curves.iter().map(|(curve, _)| *curve).collect();
         let slope = self.grid.base().hoop.slope;
@@ -183,36 +159,17 @@ impl Picture {
             .collect();
         let (keys, room) = sheet.keys(entries, top);
         let top = top + room + ABOVE;
-        let height = if width_mm.is_some() {
+        let height = if is_print {
             sheet.height(HEIGHT)
         } else {
             (high - top - BELOW).max(2.0 * ROOM[1])
         };
-        let axes = self.grid.axes();
-        let [x, y] = [0, 1].map(|k| {
-            let ticks = ticks_of(&axes[k], units, 10).into_iter();
-            let ticks = ticks.map(|tick| Tick {
-                value: along(&axes[k], tick.value),
-                label: tick.label,
-            });
-            axis(
-                COLUMNS[k],
-                &axis_name(&axes[k], units),
-                Some(ticks.collect()),
-            )
-        });
-        let layers = self.layers(&curves, scale.as_ref());
-        let content = Content {
-            name: "plane",
-            x,
-            y,
-            layers,
-            labels: Vec::new(),
-        };
+        let [left, inner] = sheet.span();
+        let content = self.content(&curves, scale.as_ref());
         let mut panel = Sheet::panel([left, top, inner, height], content);
         if scale.is_some() || self.regions.regions.is_empty() {
             let [[left, top], [right, bottom]] = panel.axes_frame();
-            let fineness = if width_mm.is_some() { FINENESS } else { pixels };
+            let fineness = if is_print { FINENESS } else { pixels };
             let size = [right - left, bottom - top]
                 .map(|side| libm::ceil(side * fineness).max(1.0) as usize);
             panel.image = Some(self.image(size, scale.as_ref()));
@@ -227,6 +184,49 @@ impl Picture {
         Ok(sheet
             .figure("map", &title, caption, top + height + BELOW, panels)
             .fitted())
+    }
+
+    /// The bar of a scale, with its ticks under it.
+    fn bar_panel(&self, sheet: &Sheet, scale: &Scale, top: f64) -> Panel {
+        let [left, inner] = sheet.span();
+        let (colours, ticks) = self.bar(scale);
+        let label = |tick: &Tick| {
+            Label::new(tick.label.clone(), &[tick.value, 0.0])
+                .sized(SMALL)
+                .shifted(0.0, 10.0)
+        };
+        let image = Image {
+            size: [colours.len(), 1],
+            pixels: colours.into_iter().flat_map(|colour| colour.0).collect(),
+        };
+        bare(
+            "scale",
+            [left + ROOM[0], top, inner - ROOM[0], BAR],
+            ticks.iter().map(label).collect(),
+            Some(image),
+        )
+    }
+
+    /// The axes, and what is drawn over them.
+    fn content(&self, curves: &[(Curve, Vec<Place>)], scale: Option<&Scale>) -> Content {
+        let units = self.units.as_ref();
+        let axes = self.grid.axes();
+        let [x, y] = [0, 1].map(|k| {
+            let ticks = ticks_of(&axes[k], units, 10).into_iter();
+            let ticks = ticks.map(|tick| Tick {
+                value: along(&axes[k], tick.value),
+                label: tick.label,
+            });
+            let title = axis_name(&axes[k], units);
+            axis(COLUMNS[k], &title, Some(ticks.collect()))
+        });
+        Content {
+            name: "plane",
+            x,
+            y,
+            layers: self.layers(curves, scale),
+            labels: Vec::new(),
+        }
     }
 
     /// All that is drawn over the axes.

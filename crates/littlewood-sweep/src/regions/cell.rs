@@ -68,6 +68,32 @@ struct Search {
     keys: [u64; 2],
 }
 
+/// A search that has found a narrow range.
+struct EndedSearch {
+    /// The keys before and after it.
+    keys: [u64; 2],
+    /// What is still to be searched on the side.
+    rest: Option<Search>,
+}
+
+impl Search {
+    /// Ends a search on a side with some crossings that were found earlier.
+    fn end(&self, span: &Span, earlier: &[Crossing], width: f64) -> EndedSearch {
+        let (end, last) = (span.ends[1][span.axis()], span.keys[1]);
+        let mut keys = self.keys;
+        // The keys of a side lead to that of its end.
+        if earlier.len() + 1 == CROSSINGS || self.range[1] + width >= end {
+            keys[1] = last;
+        }
+        let rest = (keys[1] != last).then(|| Self {
+            side: self.side,
+            range: [self.range[1], end],
+            keys: [keys[1], last],
+        });
+        EndedSearch { keys, rest }
+    }
+}
+
 /// Finds where keys change along sides, by bisection of all of them at once.
 pub(super) fn crossed<E>(
     spans: &[Span],
@@ -116,34 +142,19 @@ pub(super) fn crossed<E>(
                 next.push(search);
                 continue;
             }
-            let Search {
-                side,
-                range,
-                mut keys,
-            } = search;
-            let (end, last) = (spans[side].ends[1][spans[side].axis()], spans[side].keys[1]);
-            let crossings = &mut sides[side].crossings;
-            let is_last = crossings.len() + 1 == CROSSINGS || range[1] + width >= end;
-            // The keys of a side lead to that of its end.
-            if is_last {
-                keys[1] = last;
-            }
-            if keys[0] != keys[1] {
-                let at = middle(range);
-                crossings.push(Crossing {
+            let span = &spans[search.side];
+            let ended = search.end(span, &sides[search.side].crossings, width);
+            let [before, after] = ended.keys;
+            if before != after {
+                let at = middle(search.range);
+                sides[search.side].crossings.push(Crossing {
                     node: nodes.len(),
                     at,
-                    keys,
+                    keys: ended.keys,
                 });
-                nodes.push(place(side, at));
+                nodes.push(place(search.side, at));
             }
-            if keys[1] != last {
-                next.push(Search {
-                    side,
-                    range: [range[1], end],
-                    keys: [keys[1], last],
-                });
-            }
+            next.extend(ended.rest);
         }
         searches = next;
     }

@@ -158,6 +158,46 @@ impl<'a> Fine<'a> {
         detail: &Detail,
         ask: &mut Ask<'_, E>,
     ) -> Result<Option<Followed>, E> {
+        let Some(cells) = self.crossed_cells(detail, ask)? else {
+            return Ok(None);
+        };
+        let names: BTreeSet<SideName> = cells.iter().copied().flat_map(sides_of).collect();
+        let spans: Vec<Span> = names
+            .iter()
+            .map(|&name| {
+                let corners = [name.0, far_end(name)];
+                Span {
+                    ends: corners.map(|corner| self.place(corner)),
+                    keys: corners.map(|at| self.key(at)),
+                }
+            })
+            .collect();
+        let mut nodes = Vec::new();
+        let sides = crossed(&spans, &mut nodes, detail.width, ask)?;
+        let sides: BTreeMap<SideName, Side> = names.into_iter().zip(sides).collect();
+        let frame = self.frame(&sides);
+        let cells = cells
+            .into_iter()
+            .map(|[x, y]| Cell {
+                low: self.place([x, y]),
+                high: self.place([x + 1, y + 1]),
+                sides: sides_of([x, y]).map(|name| sides[&name].clone()),
+            })
+            .collect();
+        Ok(Some(Followed {
+            nodes,
+            cells,
+            frame,
+        }))
+    }
+
+    /// The cells through which boundaries run, from neighbour to neighbour; nothing if they are too
+    /// many.
+    fn crossed_cells<E>(
+        &mut self,
+        detail: &Detail,
+        ask: &mut Ask<'_, E>,
+    ) -> Result<Option<BTreeSet<Corner>>, E> {
         let seeds = self.seeds(ask)?;
         let is_coarse = self.parts == 1 && self.cells.iter().all(|count| *count < 4);
         let mut seen: BTreeSet<Corner> = seeds
@@ -191,35 +231,7 @@ impl<'a> Fine<'a> {
             next.sort_unstable();
             front = next;
         }
-
-        let names: BTreeSet<SideName> = cells.iter().copied().flat_map(sides_of).collect();
-        let spans: Vec<Span> = names
-            .iter()
-            .map(|&name| {
-                let corners = [name.0, far_end(name)];
-                Span {
-                    ends: corners.map(|corner| self.place(corner)),
-                    keys: corners.map(|at| self.key(at)),
-                }
-            })
-            .collect();
-        let mut nodes = Vec::new();
-        let sides = crossed(&spans, &mut nodes, detail.width, ask)?;
-        let sides: BTreeMap<SideName, Side> = names.into_iter().zip(sides).collect();
-        let frame = self.frame(&sides);
-        let cells = cells
-            .into_iter()
-            .map(|[x, y]| Cell {
-                low: self.place([x, y]),
-                high: self.place([x + 1, y + 1]),
-                sides: sides_of([x, y]).map(|name| sides[&name].clone()),
-            })
-            .collect();
-        Ok(Some(Followed {
-            nodes,
-            cells,
-            frame,
-        }))
+        Ok(Some(cells))
     }
 
     fn frame(&self, sides: &BTreeMap<SideName, Side>) -> Cell {
