@@ -57,7 +57,7 @@ end_beside() {
 
 compiled=(build) python_side=(python) others=(rust page)
 if [ -n "${LITTLEWOOD_THOROUGH:-}" ]; then
-  compiled=(format first-command clippy rustdoc build core) python_side+=(evidence) others+=(documentation)
+  compiled=(format first-command clippy rustdoc build core) python_side+=(evidence) others+=(documentation instructions)
 fi
 begin_beside environments
 for name in "${compiled[@]}"; do stage "$name"; done

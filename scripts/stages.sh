@@ -140,6 +140,17 @@ stage_bits() {
   done
 }
 
+about instructions 'of motions, counted by valgrind, are those of evidence/bench/instructions.txt to 2 %; `write` writes it anew'
+stage_instructions() {
+  # Other processors have other instructions.
+  [ "$(uname -sm)" = "Linux x86_64" ] || { echo "instructions are compared on Linux on x86-64" && return; }
+  if ! command -v valgrind >/dev/null; then
+    apt-get update
+    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends valgrind
+  fi
+  cargo run --quiet --release --locked -p littlewood-digest --example instructions -- "${1:-check}"
+}
+
 about properties 'property tests and fuzzers for longer, with another PROPTEST_RNG_SEED each time, which a failure prints'
 stage_properties() {
   export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-$(date +%s)}" PROPTEST_CASES="${PROPTEST_CASES:-4096}"

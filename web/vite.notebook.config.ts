@@ -1,4 +1,4 @@
-// The laboratory as one file, for notebooks: `littlewood/laboratory.js` of the Python package, a
+// The laboratory as one file, for notebooks: `littlewood/lab/laboratory.js` of the Python package, a
 // module for anywidget.
 
 import { readFileSync, renameSync, writeFileSync } from 'node:fs';
@@ -43,10 +43,10 @@ function oneFile(): Plugin {
       const widget = readFileSync(place('./notebook/widget.js'), 'utf8');
       const text = widget.replace("'PAGE'", () => JSON.stringify(page));
       // All of it at once: a wheel may be made meanwhile.
-      const module = place('../python/littlewood/laboratory.js');
+      const module = place('../python/littlewood/lab/laboratory.js');
       writeFileSync(`${module}.part`, text);
       renameSync(`${module}.part`, module);
-      this.info(`python/littlewood/laboratory.js ${(text.length / 1000).toFixed(0)} kB`);
+      this.info(`python/littlewood/lab/laboratory.js ${(text.length / 1000).toFixed(0)} kB`);
     },
   };
 }

@@ -126,7 +126,7 @@ def ideal(rate: float, error_px: float) -> lw.FitResult:
     sigma = {"theta": size / HOOP.offset, "x": size, "y": size}
     track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
         return lw.fit(
             track, HOOP, free=FREE, slips_at_start=False, start=START, sigma=sigma, search=False
         )

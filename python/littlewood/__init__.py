@@ -17,20 +17,25 @@ Examples
 ['stick', 'slip', 'lift_off', 'landing']
 """
 
-from . import bouncing, closed_form, motion, phase_plane, plot, scoring, tables, video
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from . import bouncing, closed_form, motion, phase_plane, tables
 from ._core import ParameterError, __version__
 from .cases import CASES, case
-from .fit_result import FitResult
-from .fitting import fit
 from .hoop import Hoop
-from .many import outcome_map, sequence_names, simulate_many
 from .motion import Start
-from .noise import Noise
 from .samples import Samples
-from .track import Track
 from .trajectory import Trajectory
 from .units import Units
-from .video.tracking import track_video
+
+if TYPE_CHECKING:
+    from . import certify, fitting, lab, plot, scoring, style, video
+    from .fitting import FitResult, Noise, Track, fit
+    from .sweep import outcome_map, sequence_names, simulate_many
+    from .video import track_video
 
 __all__ = [
     "CASES",
@@ -46,8 +51,11 @@ __all__ = [
     "__version__",
     "bouncing",
     "case",
+    "certify",
     "closed_form",
     "fit",
+    "fitting",
+    "lab",
     "motion",
     "outcome_map",
     "phase_plane",
@@ -55,7 +63,37 @@ __all__ = [
     "scoring",
     "sequence_names",
     "simulate_many",
+    "style",
     "tables",
     "track_video",
     "video",
 ]
+
+_ROOMS = ("certify", "fitting", "lab", "plot", "scoring", "style", "video")
+_ROOM_OF = {
+    "FitResult": "fitting",
+    "Noise": "fitting",
+    "Track": "fitting",
+    "fit": "fitting",
+    "outcome_map": "sweep",
+    "sequence_names": "sweep",
+    "simulate_many": "sweep",
+    "track_video": "video",
+}
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
+# The type checker knows the names from the imports above.
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> Any:
+        # What one motion does not need is imported when it is used for the first time.
+        if name in _ROOMS:
+            return import_module(f".{name}", __name__)
+        if name in _ROOM_OF:
+            found = globals()[name] = getattr(import_module(f".{_ROOM_OF[name]}", __name__), name)
+            return found
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

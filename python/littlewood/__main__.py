@@ -2,13 +2,12 @@
 
 import sys
 
-from . import fit_command
+from ._commands import fit, score
 from ._core import run_program
+from ._internal.terminal import forgive
 from .certify import __main__ as certify
-from .scoring import command as scoring
-from .terminal import forgive
 
-OF_THE_PACKAGE = {"certify": certify.main, "fit": fit_command.main, "score": scoring.main}
+OF_THE_PACKAGE = {"certify": certify.main, "fit": fit.main, "score": score.main}
 """Commands that the package adds to those of the program."""
 
 

@@ -1,5 +1,5 @@
 from collections.abc import Callable, Sequence
-from typing import Any, final
+from typing import Any, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -10,16 +10,168 @@ _Numbers = Sequence[float]
 _HoopNumbers = Sequence[float | None]
 # The numbers of a hoop and the name of its law of restitution.
 _Hoop = tuple[_HoopNumbers, str | None]
-# θ′, η′ and the rate of the gap.
-_Velocities = tuple[float, float, float]
-# Case, velocities before and after, impulse, works, energy lost.
-_Impact = tuple[str, _Velocities, _Velocities, tuple[float, float], float, float, float]
 _Scales = tuple[float, float, float]
 _Reals = npt.NDArray[np.float64]
 _Pair = tuple[float, float]
 _Pieces = list[list[list[float]]]
+# Numbers of a hoop by the names of HOOP, and those of a start by the names of START.
+_HoopByName = dict[str, Any]
+_StartByName = dict[str, Any]
+
+class _State(TypedDict):
+    time: float
+    theta: float
+    theta_rate: float
+    slip: float
+    x: float
+
+class _Velocities(TypedDict):
+    theta_rate: float
+    slip: float
+    gap_rate: float
+
+class _Impulse(TypedDict):
+    normal: float
+    friction: float
+
+class _Impact(TypedDict):
+    case: str
+    before: _Velocities
+    after: _Velocities
+    impulse: _Impulse
+    normal_work: float
+    friction_work: float
+    energy_lost: float
+
+class _Transition(TypedDict):
+    before: _State
+    after: _State
+    impact: _Impact | None
+    from_mode: str | None
+    to_mode: str | None
+    direction: int
+    cause: str
+
+class _Phase(TypedDict):
+    mode: str
+    direction: int
+    start: _State
+    end: _State | None
+    energy_start: float
+    energy_lost: float
+    is_small_inertia_limit: bool
+    ended_by: int | None
+
+class _Outcome(TypedDict):
+    kind: str
+    state: _State
+    details: dict[str, Any]
+    sentence: str
+
+class _Row(TypedDict):
+    mode: str | None
+    cells: list[str]
+
+class _Block(TypedDict):
+    kind: str
+    head: list[str]
+    rows: list[_Row]
+    numbers: list[int]
+
 # Derivatives of states, number after number, and the reasons why there are none.
-_Rows = tuple[_Reals, list[str]]
+class _Rows(TypedDict):
+    values: _Reals
+    reasons: list[str]
+
+class _DerivativesOfMotion(TypedDict):
+    quantities: list[str]
+    transitions: _Rows
+    outcome: _Rows
+    recurrence: dict[str, list[float]]
+
+class _DerivativesAtTimes(TypedDict):
+    quantities: list[str]
+    rows: _Rows
+
+class _DerivativeColumn(TypedDict):
+    quantity: str
+    long_name: str
+    unit: str
+    scale: str
+
+class _Equilibrium(TypedDict):
+    theta: float
+    stability: str
+    rate: float
+
+class _BouncingOrbit(TypedDict):
+    top_rate: float
+    bottom_rate: float
+    gap_rate: float
+    friction: float
+    period: float
+    start: _StartByName
+
+class _DerivedHoop(TypedDict):
+    mass: float
+    h: float
+    inertia_about_mass_centre: float
+    restitution_law: str | None
+
+class _Units(TypedDict):
+    mass_kg: float
+    length_m: float
+    time_s: float
+    gravity_m_per_s2: float
+
+class _HoopFromSi(TypedDict):
+    hoop: _HoopByName
+    units: _Units
+
+class _StartFromSi(TypedDict):
+    start: _StartByName
+    until: float | None
+
+class _DerivedUnits(TypedDict):
+    rate_rad_per_s: float
+    velocity_m_per_s: float
+    force_n: float
+    energy_j: float
+    inertia_kg_m2: float
+
+class _Refusal(TypedDict):
+    key: str
+    text: str
+    reason: str
+
+class _Link(TypedDict):
+    refusal: _Refusal | None
+    has_problem: bool
+    at: float | None
+
+class _Problem(TypedDict):
+    hoop: _HoopByName
+    restitution_law: str | None
+    units: _Units | None
+    start: _StartByName
+    until: float | None
+
+class _Case(TypedDict):
+    name: str
+    title: str
+    source: str
+    hoop: _HoopByName
+    restitution_law: str | None
+    start: _StartByName
+
+class _Edge(TypedDict):
+    body: str
+    from_mode: str | None
+    cause: str
+    guard: str
+    reset: str
+    to_mode: str | None
+    source: str
 
 __version__: str
 AXES: list[str]
@@ -59,20 +211,12 @@ class ParameterError(ValueError):
 
 @final
 class Trajectory:
-    def phases(
-        self,
-    ) -> list[tuple[str, int, list[float], list[float] | None, float, float, bool, int | None]]: ...
-    def transitions(
-        self,
-    ) -> list[
-        tuple[list[float], list[float], _Impact | None, str | None, str | None, int, str]
-    ]: ...
-    def outcome(self) -> tuple[str, list[float], dict[str, Any], str]: ...
+    def phases(self) -> list[_Phase]: ...
+    def transitions(self) -> list[_Transition]: ...
+    def outcome(self) -> _Outcome: ...
     def text(self) -> str: ...
     def json(self, samples: int | None, scales: _Scales | None) -> str: ...
-    def blocks(
-        self,
-    ) -> list[tuple[str, list[str], list[tuple[str | None, list[str]]], list[int]]]: ...
+    def blocks(self) -> list[_Block]: ...
     def end_time(self) -> float: ...
     def shown_until(self) -> float: ...
     def energy_lost(self) -> float: ...
@@ -80,12 +224,10 @@ class Trajectory:
     def sequence(self) -> str: ...
     def at(self, times: _Reals, is_before: bool) -> dict[str, npt.NDArray[Any]]: ...
     def sample_evenly(self, count: int, until: float) -> dict[str, npt.NDArray[Any]]: ...
-    def derivatives(
-        self, quantities: Sequence[str] | None
-    ) -> tuple[list[str], _Rows, _Rows, dict[str, list[float]]]: ...
+    def derivatives(self, quantities: Sequence[str] | None) -> _DerivativesOfMotion: ...
     def derivatives_at(
         self, times: _Reals, quantities: Sequence[str] | None
-    ) -> tuple[list[str], _Rows]: ...
+    ) -> _DerivativesAtTimes: ...
 
 @final
 class PhasePlane:
@@ -107,23 +249,17 @@ class PhasePlane:
     ) -> tuple[_Pieces, list[float] | None]: ...
     def level(self, energy: float, theta: _Pair, theta_rate: _Pair) -> _Pieces: ...
     def rolling_region(self, theta: _Pair, theta_rate: _Pair) -> _Pieces: ...
-    def equilibria(self) -> list[tuple[float, str, float]]: ...
+    def equilibria(self) -> list[_Equilibrium]: ...
     def regions(self, theta: _Reals, theta_rate: _Reals, slip: _Reals) -> npt.NDArray[np.uint8]: ...
 
-def bouncing_orbit(
-    given: _Hoop, angle: float
-) -> tuple[float, float, float, float, float, list[float]] | None: ...
-def check_hoop(given: _Hoop) -> tuple[float, float, float, str | None]: ...
+def bouncing_orbit(given: _Hoop, angle: float) -> _BouncingOrbit | None: ...
+def check_hoop(given: _Hoop) -> _DerivedHoop: ...
 def check_until(until: float) -> None: ...
 def check_proof(proof: str) -> None: ...
-def hoop_from_si(
-    numbers: _HoopNumbers, law_name: str | None
-) -> tuple[list[float | None], tuple[float, float, float, float]]: ...
-def start_from_si(
-    scales: _Scales, numbers: _Numbers, until_s: float | None
-) -> tuple[list[float], float | None]: ...
+def hoop_from_si(numbers: _HoopNumbers, law_name: str | None) -> _HoopFromSi: ...
+def start_from_si(scales: _Scales, numbers: _Numbers, until_s: float | None) -> _StartFromSi: ...
 def sample_in_si(scales: _Scales, column: str, values: _Reals) -> _Reals: ...
-def derived_units(scales: _Scales) -> tuple[float, float, float, float, float]: ...
+def derived_units(scales: _Scales) -> _DerivedUnits: ...
 def simulate(
     given: _Hoop,
     start_numbers: _Numbers,
@@ -146,20 +282,12 @@ def summaries(
     progress: Callable[[int], object] | None,
     derivatives: Sequence[str],
 ) -> dict[str, npt.NDArray[Any]]: ...
-def derivative_column(name: str) -> tuple[str, list[str]]: ...
+def derivative_column(name: str) -> _DerivativeColumn: ...
 def classes(
     outcome: npt.NDArray[np.uint8], sequence: npt.NDArray[np.uint64], lift_off_time: _Reals
 ) -> npt.NDArray[np.uint8]: ...
-def read_link(link: str) -> tuple[tuple[str, str, str] | None, bool, float | None]: ...
-def problem_of_link(
-    link: str,
-) -> tuple[
-    list[float | None],
-    str | None,
-    tuple[float, float, float, float] | None,
-    list[float],
-    float | None,
-]: ...
+def read_link(link: str) -> _Link: ...
+def problem_of_link(link: str) -> _Problem: ...
 def write_link(
     given: _Hoop, start_numbers: _Numbers, until: float | None, at: float | None, shown: str
 ) -> str: ...
@@ -175,9 +303,9 @@ def marked(sign: str) -> str: ...
 def unicode(text: str) -> str: ...
 def digest_line(block: int) -> str: ...
 def run_program(arguments: Sequence[str]) -> int: ...
-def cases() -> list[tuple[str, str, str, list[float | None], str | None, list[float]]]: ...
+def cases() -> list[_Case]: ...
 def name_of_case(name: str) -> str | None: ...
-def edges() -> list[tuple[str, str | None, str, str, str, str | None, str]]: ...
+def edges() -> list[_Edge]: ...
 def sequence_names(bits: npt.NDArray[np.uint64]) -> list[str]: ...
 def rolling_energy(theta: _Reals, theta_rate: _Reals) -> _Reals: ...
 def alpha(theta: _Reals, theta_rate: _Reals) -> _Reals: ...

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from .motion import Start
-from .tables import START
 
 __all__ = ["BouncingOrbit"]
 
@@ -41,10 +39,3 @@ class BouncingOrbit:
     friction: float
     period: float
     start: Start
-
-    @classmethod
-    def of(cls, angle: float, *numbers: Any) -> BouncingOrbit:
-        """Make one of the numbers of the core."""
-        *rest, start = numbers
-        parts: list[Any] = [angle, *rest, Start(**dict(zip(START, start, strict=True)))]
-        return cls(*parts)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from . import _core
-from .frozen import Frozen
+from ._frozen import Frozen
 from .hoop import Hoop
 from .motion import Start
-from .tables import HOOP, START
 from .trajectory import Trajectory
 
 __all__ = ["CASES", "Case", "case"]
@@ -56,20 +54,18 @@ class Case:
         return self.hoop.simulate(**vars(self.start), until=until)
 
 
-def _case(
-    name: str,
-    title: str,
-    source: str,
-    hoop: Sequence[float | None],
-    law: str | None,
-    start: Sequence[float],
-) -> Case:
-    parameters: dict[str, Any] = dict(zip(HOOP, hoop, strict=True))
-    body = Hoop(**parameters, restitution_law=law, units=None)
-    return Case(name, title, source, body, Start(**dict(zip(START, start, strict=True))))
+def _case(given: _core._Case) -> Case:
+    hoop = Hoop(**given["hoop"], restitution_law=given["restitution_law"])
+    return Case(
+        name=given["name"],
+        title=given["title"],
+        source=given["source"],
+        hoop=hoop,
+        start=Start(**given["start"]),
+    )
 
 
-CASES: Mapping[str, Case] = Frozen({row[0]: _case(*row) for row in _core.cases()})
+CASES: Mapping[str, Case] = Frozen({one["name"]: _case(one) for one in _core.cases()})
 """All cases by their names."""
 
 

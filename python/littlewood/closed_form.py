@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .elementwise import broadcast
+from ._internal.elementwise import broadcast
 from .tables import ROLLING_TYPES
 
 __all__ = [

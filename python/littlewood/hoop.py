@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from typing import Any
 
 from . import _core
+from ._frozen import Frozen
+from ._html import hoop_html
+from ._internal.elementwise import real
 from .bouncing import BouncingOrbit
-from .elementwise import real
-from .frozen import Frozen
-from .html import hoop_html
 from .motion import Classification, Start
 from .phase_plane import PhasePlane
-from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START, START
+from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START
 from .trajectory import Trajectory
 from .units import Units
 
@@ -91,8 +90,7 @@ class Hoop:
             value = getattr(self, name)
             if value is not None or not QUANTITIES[name].is_optional:
                 object.__setattr__(self, name, real(value, name))
-        *_, law = _core.check_hoop(self._given)
-        object.__setattr__(self, "restitution_law", law)
+        object.__setattr__(self, "restitution_law", self._derived["restitution_law"])
 
     @classmethod
     def from_si(
@@ -159,7 +157,7 @@ class Hoop:
             None if name == "restitution" and restitution is None else real(given[name], name)
             for name in SI_HOOP
         ]
-        numbers, units = _core.hoop_from_si(checked, restitution_law)
+        found = _core.hoop_from_si(checked, restitution_law)
         most = disc_mass_kg * radius_m**2
         # The product may be rounded.
         if inertia_kg_m2 > most * (1.0 + 1e-12):
@@ -168,13 +166,17 @@ class Hoop:
                 "(disc_mass_kg radius_m²)",
                 stacklevel=2,
             )
-        parameters: dict[str, Any] = dict(zip(HOOP, numbers, strict=True))
-        return cls(**parameters, restitution_law=restitution_law, units=Units(*units))
+        return cls(**found["hoop"], restitution_law=restitution_law, units=Units(**found["units"]))
 
     @property
     def _given(self) -> tuple[list[float | None], str | None]:
         """The hoop as the core takes it."""
         return [getattr(self, name) for name in HOOP], self.restitution_law
+
+    @property
+    def _derived(self) -> _core._DerivedHoop:
+        """What follows from its parameters."""
+        return _core.check_hoop(self._given)
 
     @property
     def attributes(self) -> dict[str, float | str]:
@@ -189,17 +191,17 @@ class Hoop:
     @property
     def mass(self) -> float:
         """Total mass m = 1 + m1/m2, m2."""
-        return _core.check_hoop(self._given)[0]
+        return self._derived["mass"]
 
     @property
     def h(self) -> float:
         """Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4), R."""
-        return _core.check_hoop(self._given)[1]
+        return self._derived["h"]
 
     @property
     def inertia_about_mass_centre(self) -> float:
         """Moment of inertia about the mass centre, Î of (2.9), m2 R²."""
-        return _core.check_hoop(self._given)[2]
+        return self._derived["inertia_about_mass_centre"]
 
     @property
     def phase_plane(self) -> PhasePlane:
@@ -317,13 +319,13 @@ class Hoop:
             "x_m": x_m,
             "time_s": time_s,
         }
-        numbers, until = _core.start_from_si(
+        found = _core.start_from_si(
             self.require_units().scales,
             [real(given[name], "theta_rad" if name == "theta" else name) for name in SI_START],
             None if until_s is None else real(until_s, "until_s"),
         )
-        start = Start(**dict(zip(START, numbers, strict=True)))
-        return Trajectory(self, start, until, max_transitions, max_slides, proof)
+        start = Start(**found["start"])
+        return Trajectory(self, start, found["until"], max_transitions, max_slides, proof)
 
     def classify(
         self, *, theta: float, theta_rate: float, slip: float = 0.0, gap_rate: float = 0.0
@@ -378,7 +380,17 @@ class Hoop:
         """
         angle = real(angle, "angle")
         found = _core.bouncing_orbit(self._given, angle)
-        return None if found is None else BouncingOrbit.of(angle, *found)
+        if found is None:
+            return None
+        return BouncingOrbit(
+            angle=angle,
+            top_rate=found["top_rate"],
+            bottom_rate=found["bottom_rate"],
+            gap_rate=found["gap_rate"],
+            friction=found["friction"],
+            period=found["period"],
+            start=Start(**found["start"]),
+        )
 
     def require_units(self) -> Units:
         """Return the units, or raise ValueError if the hoop has none."""

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
-from .differentiable import FIRST_ONLY, Problem
-from .extras import require
+from ._internal.extras import require
 from .hoop import Hoop
+from .sweep.differentiable import FIRST_ONLY, Problem
 
 __all__ = ["summary"]
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from . import _core
-from .elementwise import real
+from ._internal.elementwise import real
+from ._internal.terminal import printable
 from .tables import FINAL_OUTCOMES, IMPACT_LABELS, OUTCOME_LABELS, START
-from .terminal import printable
 
 __all__ = [
     "EDGES",
@@ -330,5 +330,5 @@ class Edge:
     source: str
 
 
-EDGES: tuple[Edge, ...] = tuple(Edge(*edge) for edge in _core.edges())
+EDGES: tuple[Edge, ...] = tuple(Edge(**edge) for edge in _core.edges())
 """All edges of the automaton; no motion takes another."""

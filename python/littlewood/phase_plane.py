@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .elementwise import broadcast
-
-if TYPE_CHECKING:
-    from .hoop import Hoop
+from ._internal.elementwise import broadcast
+from ._protocols import HoopLike
 
 __all__ = ["Equilibrium", "PhasePlane"]
 
@@ -56,7 +54,7 @@ class PhasePlane:
     True
     """
 
-    def __init__(self, hoop: Hoop) -> None:
+    def __init__(self, hoop: HoopLike) -> None:
         self.hoop = hoop
         self._core = _core.PhasePlane(hoop._given)
 
@@ -149,4 +147,4 @@ class PhasePlane:
     @property
     def equilibria(self) -> tuple[Equilibrium, ...]:
         """The equilibria in (−π, π]."""
-        return tuple(Equilibrium(*one) for one in self._core.equilibria())
+        return tuple(Equilibrium(**one) for one in self._core.equilibria())

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .elementwise import flat
+from ._internal.elementwise import flat
 from .tables import MODE_CODES, MODES, SAMPLE_COLUMNS
 from .units import Units
 

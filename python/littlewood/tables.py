@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from . import _core
-from .frozen import Frozen
+from ._frozen import Frozen
 
 
 class Quantity(NamedTuple):

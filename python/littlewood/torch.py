@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from .differentiable import Problem
-from .extras import require
+from ._internal.extras import require
 from .hoop import Hoop
+from .sweep.differentiable import Problem
 
 __all__ = ["summary"]
 

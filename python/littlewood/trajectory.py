@@ -11,26 +11,26 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, derivatives
-from .counts import checked_count, checked_limits
-from .elementwise import flat, real, reals
-from .extras import require
-from .frozen import Frozen
-from .html import page_html
+from . import _core
+from ._frozen import Frozen
+from ._html import page_html
+from ._internal import derivatives
+from ._internal.counts import checked_count, checked_limits
+from ._internal.elementwise import flat, real, reals
+from ._internal.extras import require
+from ._internal.terminal import printable
+from ._internal.variables import CONVENTIONS
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition
 from .samples import Samples
 from .tables import CAUSES, IMPACT_CASES, MODES, SAMPLE_COLUMNS, SampleColumn
-from .terminal import printable
-from .variables import CONVENTIONS
 
 if TYPE_CHECKING:
     import pandas
     import xarray
     from matplotlib.figure import Figure
 
-    from .animation import Animation
     from .hoop import Hoop
-    from .laboratory import Laboratory
+    from .plot.animation import Animation
 
 __all__ = ["Trajectory"]
 
@@ -97,16 +97,16 @@ class Trajectory:
         """The phases in order. Empty where no motion, or more than one, is consistent at the start."""
         return tuple(
             Phase(
-                mode,
-                direction,
-                State(*start),
-                None if end is None else State(*end),
-                energy,
-                lost,
-                limit,
-                ended_by,
+                mode=one["mode"],
+                direction=one["direction"],
+                start=State(**one["start"]),
+                end=None if one["end"] is None else State(**one["end"]),
+                energy_start=one["energy_start"],
+                energy_lost=one["energy_lost"],
+                is_small_inertia_limit=one["is_small_inertia_limit"],
+                ended_by=one["ended_by"],
             )
-            for mode, direction, start, end, energy, lost, limit, ended_by in self._core.phases()
+            for one in self._core.phases()
         )
 
     @cached_property
@@ -118,15 +118,15 @@ class Trajectory:
         """
         return tuple(
             Transition(
-                State(*before),
-                State(*after),
-                None if impact is None else _impact(*impact),
-                from_mode,
-                to_mode,
-                direction,
-                cause,
+                state=State(**one["before"]),
+                after=State(**one["after"]),
+                impact=None if one["impact"] is None else _impact(one["impact"]),
+                from_mode=one["from_mode"],
+                to_mode=one["to_mode"],
+                direction=one["direction"],
+                cause=one["cause"],
             )
-            for before, after, impact, from_mode, to_mode, direction, cause in self._core.transitions()
+            for one in self._core.transitions()
         )
 
     def end_of(self, phase: Phase) -> Transition | None:
@@ -175,8 +175,13 @@ class Trajectory:
     @cached_property
     def outcome(self) -> Outcome:
         """How the motion ended."""
-        kind, state, details, sentence = self._core.outcome()
-        return Outcome(kind, State(*state), Frozen(details), sentence)
+        end = self._core.outcome()
+        return Outcome(
+            kind=end["kind"],
+            state=State(**end["state"]),
+            details=Frozen(end["details"]),
+            sentence=end["sentence"],
+        )
 
     @property
     def sequence(self) -> str:
@@ -512,11 +517,11 @@ class Trajectory:
         Animation
             Its `save` writes a GIF or a video.
         """
-        from .animation import Animation
+        from .plot.animation import Animation
 
         return Animation(self, frames=frames, seconds=seconds)
 
-    def lab(self, *, time: float | None = None, height: int = 820) -> Laboratory:
+    def lab(self, *, time: float | None = None, height: int = 820) -> Any:
         """Show the laboratory with this motion in a notebook, where its start can be dragged.
 
         Parameters
@@ -528,7 +533,7 @@ class Trajectory:
 
         Returns
         -------
-        Laboratory
+        littlewood.lab.Laboratory
             A widget. Its `motion` and `time` follow what is done in the page, and the page follows
             them.
 
@@ -539,8 +544,7 @@ class Trajectory:
         RuntimeError
             If the package was built without the page.
         """
-        require("anywidget")
-        from .laboratory import Laboratory
+        from .lab import Laboratory
 
         return Laboratory(self, time=time, height=height)
 
@@ -554,15 +558,15 @@ class Trajectory:
         return page_html(self._core.blocks())
 
 
-def _impact(
-    case: str,
-    before: tuple[float, float, float],
-    after: tuple[float, float, float],
-    impulse: tuple[float, float],
-    *energies: float,
-) -> Impact:
+def _impact(given: _core._Impact) -> Impact:
     return Impact(
-        case, ContactVelocities(*before), ContactVelocities(*after), Impulse(*impulse), *energies
+        case=given["case"],
+        before=ContactVelocities(**given["before"]),
+        after=ContactVelocities(**given["after"]),
+        impulse=Impulse(**given["impulse"]),
+        normal_work=given["normal_work"],
+        friction_work=given["friction_work"],
+        energy_lost=given["energy_lost"],
     )
 
 

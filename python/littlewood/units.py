@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 
 from . import _core
-from .elementwise import real
+from ._internal.elementwise import real
 
 __all__ = ["Units"]
 
@@ -43,24 +43,24 @@ class Units:
     @property
     def rate_rad_per_s(self) -> float:
         """Rate √(g/R), rad/s."""
-        return _core.derived_units(self.scales)[0]
+        return _core.derived_units(self.scales)["rate_rad_per_s"]
 
     @property
     def velocity_m_per_s(self) -> float:
         """Velocity √(gR), m/s."""
-        return _core.derived_units(self.scales)[1]
+        return _core.derived_units(self.scales)["velocity_m_per_s"]
 
     @property
     def force_n(self) -> float:
         """Force m2 g, N."""
-        return _core.derived_units(self.scales)[2]
+        return _core.derived_units(self.scales)["force_n"]
 
     @property
     def energy_j(self) -> float:
         """Energy m2 g R, J."""
-        return _core.derived_units(self.scales)[3]
+        return _core.derived_units(self.scales)["energy_j"]
 
     @property
     def inertia_kg_m2(self) -> float:
         """Moment of inertia m2 R², kg m²."""
-        return _core.derived_units(self.scales)[4]
+        return _core.derived_units(self.scales)["inertia_kg_m2"]

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood.calibration import CALIBRATION, means, shown
-from littlewood.fit_problem import Problem
-from littlewood.noise import Noise, Whitening, estimate_noise
+from littlewood.fitting.calibration import CALIBRATION, means, shown
+from littlewood.fitting.noise import Noise, Whitening, estimate_noise
+from littlewood.fitting.problem import Problem
 
 NOISE = 0.001
 # Constants of a camera as large as somebody who sets it up by eye makes them.
@@ -125,7 +125,7 @@ def test_what_the_camera_shows_wrong_is_found(motion):
     assert np.max(np.abs(pulls(result, motion.hoop))) < 4.0
     assert result.reduced_chi_square == pytest.approx(1.0, abs=0.02)
     # Who believes the camera gets intervals that do not contain the truth, and is told.
-    with pytest.warns(lw.fit_result.FitWarning):
+    with pytest.warns(lw.fitting.FitWarning):
         believed = fit(track, motion)
     assert {"camera", "structure"} & {doubt.name for doubt in believed.doubts}
     assert np.max(np.abs(pulls(believed, motion.hoop))) > 4.0
@@ -203,7 +203,7 @@ def test_slow_errors_are_told_from_others():
 
 
 @pytest.mark.thorough
-@pytest.mark.filterwarnings("ignore::littlewood.fit_result.FitWarning")
+@pytest.mark.filterwarnings("ignore::littlewood.fitting.FitWarning")
 def test_intervals_hold_with_slow_errors(motion):
     """Errors over standard errors of 10 tracks are numbers of size 1, which those of independent errors are not."""
     found, believed = [], []

@@ -229,7 +229,7 @@ def test_what_is_printed_fits_the_terminal(encoding):
     code = """
 import littlewood as lw
 motion = lw.case("figure-3-bounces").simulate()
-for one in (motion, motion.outcome, lw.Noise(0.1, 0.2, 3.0), lw.fit_result.Doubt("held", "μₛ, Δτ ≤ 1, Î, Ŝ²")):
+for one in (motion, motion.outcome, lw.Noise(0.1, 0.2, 3.0), lw.fitting.Doubt("held", "μₛ, Δτ ≤ 1, Î, Ŝ²")):
     print(one)
 """
     environment = {**os.environ, "PYTHONIOENCODING": encoding}

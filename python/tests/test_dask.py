@@ -49,7 +49,7 @@ def test_blocks_are_lazy(hoop):
 
 
 def test_a_block_is_computed_once(hoop, monkeypatch):
-    from littlewood import lazy as module
+    from littlewood.sweep import lazy as module
 
     calls = []
     compute = module.compute

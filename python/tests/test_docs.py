@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import xarray
 
-from littlewood import laboratory
+from littlewood.lab import widget
 
 PYTHON = Path(__file__).parents[1]
 PAGES = [
@@ -42,9 +42,9 @@ def close_figures():
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    if not laboratory._MODULE.exists():
+    if not widget._MODULE.exists():
         # A build without the page: what the widget is in the browser is tested in web/.
-        monkeypatch.setattr(laboratory, "_MODULE", tmp_path / "laboratory.js")
+        monkeypatch.setattr(widget, "_MODULE", tmp_path / "laboratory.js")
         (tmp_path / "laboratory.js").write_text("export default { render() {} };", encoding="utf-8")
     blocks = re.findall(
         r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL

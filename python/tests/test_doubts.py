@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood import doubts
-from littlewood.fit_result import DOUBTS, FitWarning
+from littlewood.fitting import DOUBTS, FitWarning, diagnostics
 
 # It slides, rolls, slips and lifts off.
 THROW = {"theta": -1.7, "theta_rate": 1.0, "slip": -1.6}
@@ -190,11 +189,13 @@ def test_tests_of_residuals_seldom_speak_of_noise():
     for _ in range(2000):
         noise = random.normal(0.0, 0.01, 150)
         frames = np.arange(150)
-        one = doubts._Channel(
-            frames, noise, np.ones(150), doubts._from_frame_to_frame(noise, frames)
+        one = diagnostics._Channel(
+            frames, noise, np.ones(150), diagnostics._from_frame_to_frame(noise, frames)
         )
-        spoken += len(list(doubts._structure({"x": one}))) + len(list(doubts._outliers({"x": one})))
+        spoken += len(list(diagnostics._structure({"x": one}))) + len(
+            list(diagnostics._outliers({"x": one}))
+        )
     assert spoken <= 6
     # The size of what differs from frame to frame is right, with waves or without.
     waves = random.normal(0.0, 0.01, 5000) + np.sin(np.arange(5000) / 30.0)
-    assert doubts._from_frame_to_frame(waves, np.arange(5000)) == pytest.approx(0.01, rel=0.1)
+    assert diagnostics._from_frame_to_frame(waves, np.arange(5000)) == pytest.approx(0.01, rel=0.1)

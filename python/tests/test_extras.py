@@ -43,7 +43,9 @@ def test_a_missing_extra_is_named(module, extra, call):
 
 
 def test_numpy_is_enough():
-    heavy = "xarray pandas dask distributed zarr matplotlib scipy tqdm cv2"
+    heavy = (
+        "xarray pandas dask distributed zarr matplotlib scipy tqdm cv2 jax torch anywidget flint"
+    )
     script = f"import sys, littlewood; print(*[m for m in {heavy.split()!r} if m in sys.modules])"
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True

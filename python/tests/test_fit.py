@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood.fit_problem import Problem
-from littlewood.noise import Noise
+from littlewood.fitting.noise import Noise
+from littlewood.fitting.problem import Problem
 
 # A throw with backspin: it slides, rolls, slips, and lifts off. Few starts tell as much about both
 # coefficients.
@@ -108,7 +108,7 @@ def test_a_known_restitution_follows_the_landing(hoop, guess):
 def test_without_an_impact_there_is_no_restitution_to_see(hoop):
     rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
     with pytest.warns(
-        lw.fit_result.IdentifiabilityWarning, match="restitution .no impact was seen"
+        lw.fitting.IdentifiabilityWarning, match="restitution .no impact was seen"
     ) as caught:
         result = lw.fit(
             tracked(rolling, 1, end=15.0, count=60), hoop, free=("inertia", "restitution")
@@ -127,7 +127,7 @@ def test_given_sigmas_are_taken(hoop, guess):
 def test_without_a_slip_there_is_no_friction_to_see(hoop, guess):
     rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
     with pytest.warns(
-        lw.fit_result.IdentifiabilityWarning, match="mu_s .*only mu_s >= .*mu_k .no slide"
+        lw.fitting.IdentifiabilityWarning, match="mu_s .*only mu_s >= .*mu_k .no slide"
     ) as caught:
         result = lw.fit(tracked(rolling, 1, end=15.0), guess)
     assert caught[0].message.parameters == ("mu_s", "mu_k")
@@ -195,7 +195,7 @@ def test_a_csv_in_si_units(tmp_path):
             )
     guess = dataclasses.replace(hoop, mu_s=0.6, mu_k=0.2, inertia=2.0)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
+        warnings.simplefilter("ignore", lw.fitting.IdentifiabilityWarning)
         result = lw.fit(path, guess, slips_at_start=True)
     estimate = result.estimates["mu_k"]
     assert estimate.identifiable
@@ -237,7 +237,7 @@ def test_a_track_on_a_ramp_of_a_known_slope(hoop, guess, level):
             pulls.append((estimate.value - getattr(hoop, name)) / estimate.std_error)
     assert np.max(np.abs(pulls)) < 4.5
     # The plane for a level one does not fit, and the fit says that it is steep.
-    with pytest.warns(lw.fit_result.FitWarning) as caught:
+    with pytest.warns(lw.fitting.FitWarning) as caught:
         wrong = lw.fit(
             track, guess, slips_at_start=True, sigma=dict.fromkeys(track.channels, NOISE)
         )

@@ -18,9 +18,9 @@ import pytest
 
 import littlewood as lw
 from littlewood import video
-from littlewood.fit_command import MissingAnswerError, WrongClockError, _check_clock, main
-from littlewood.fit_report import report_html
-from littlewood.fit_result import Doubt
+from littlewood._commands.fit import MissingAnswerError, WrongClockError, _check_clock, main
+from littlewood.fitting import Doubt
+from littlewood.fitting.report import report_html
 
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
 RATE = 120.0
@@ -176,7 +176,7 @@ def test_without_a_terminal_nothing_is_asked(film, capsys):
 
 
 def test_at_a_terminal_it_asks(monkeypatch, capsys):
-    from littlewood import fit_command
+    from littlewood._commands import fit as fit_command
 
     class Terminal:
         def isatty(self):
@@ -312,7 +312,7 @@ def test_a_report_with_all_doubts_names_them(motion):
     time = np.linspace(0.0, 2.0, 150)
     seen = motion(time)
     track = lw.Track(time, theta=seen.theta, x=1.05 * seen.x + 0.02 * np.sin(6 * time))
-    with pytest.warns(lw.fit_result.FitWarning):
+    with pytest.warns(lw.fitting.FitWarning):
         result = lw.fit(track, motion.hoop, free=("mu_k",), search=False)
     assert result.doubts
     page = report_html(result, title="A <hoop>")
@@ -330,7 +330,7 @@ def test_a_report_prints_on_one_sheet_with_any_number_of_doubts(motion, tmp_path
     assert len(notes) == 4
     track = lw.Track(time, theta=seen.theta, x=seen.x, y=seen.centre_y, notes=notes)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
         free = ("mu_s", "mu_k", "inertia", "restitution")
         result = lw.fit(
             track, motion.hoop, free=free, search=False, sigma=dict.fromkeys(track.channels, 0.01)

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood import laboratory
-from littlewood.link import LinkError, link_of, motion_of, time_of
+from littlewood.lab import LinkError, link_of, motion_of, time_of, widget
 from littlewood.tables import HOOP
 
 HULA = "disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4"
@@ -18,7 +17,7 @@ def _module(tmp_path, monkeypatch):
     """A module in place of the page, which a build of the package may be without."""
     module = tmp_path / "laboratory.js"
     module.write_text("export default { render() {} };", encoding="utf-8")
-    monkeypatch.setattr(laboratory, "_MODULE", module)
+    monkeypatch.setattr(widget, "_MODULE", module)
 
 
 @pytest.mark.parametrize("name", lw.CASES)
@@ -72,7 +71,7 @@ def test_the_page_follows_python():
 
 
 def test_a_build_without_the_page_says_so(tmp_path, monkeypatch):
-    monkeypatch.setattr(laboratory, "_MODULE", tmp_path / "none.js")
+    monkeypatch.setattr(widget, "_MODULE", tmp_path / "none.js")
     with pytest.raises(
         RuntimeError,
         match=r"run web/build\.sh in the repository .* then build and install the wheel again",

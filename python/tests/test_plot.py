@@ -1,3 +1,4 @@
+import dataclasses
 import io
 import math
 import re
@@ -206,6 +207,36 @@ def test_on_a_ramp_the_hoop_is_drawn_on_the_ramp(slope):
     for x, y in (rim.center for rim in rims):
         assert left < x - 1.0 and x + 1.0 < right and low < y - 1.0 and y + 1.0 < high
     assert motion.animate(frames=3, seconds=0.3)._repr_html_().count("data:image/png;base64") == 3
+
+
+@pytest.mark.parametrize(
+    ("case", "changes", "quantities"),
+    [
+        ("figure-3", {"mu_s": 0.1, "mu_k": 0.05, "restitution": 0.9}, ("normal", "friction")),
+        ("figure-7", {}, ("theta_rate",)),
+    ],
+)
+def test_a_line_that_is_cut_is_marked(case, changes, quantities):
+    case = lw.case(case)
+    case = dataclasses.replace(case, hoop=dataclasses.replace(case.hoop, **changes))
+    motion = case.simulate(until=20.0)
+    axes = plot.history(motion, quantities=quantities)
+    samples = motion.sample(1001)
+    values = samples[quantities[0]]
+    low, high = axes.get_ylim()
+    at = int(np.argmax(values))
+    assert values[at] > high
+    marks = [line for line in axes.get_lines() if line.get_marker() in (6, 7)]
+    assert (samples.time[at], high) in [
+        (line.get_xdata()[0], line.get_ydata()[0]) for line in marks
+    ]
+    # The farthest value, and no mark where nothing is cut.
+    number = "∞" if math.isinf(values[at]) else f"{values[at]:.4g}"
+    assert number in [text.get_text() for text in axes.texts]
+    is_below = any(np.any(samples[name] < low) for name in quantities)
+    assert is_below == any(line.get_marker() == 7 for line in marks)
+    whole = plot.history(motion, quantities=("theta",))
+    assert not any(line.get_marker() in (6, 7) for line in whole.get_lines())
 
 
 def test_axes_of_ones_own(motion):

@@ -13,9 +13,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from littlewood.certify import NoCertificate, Proof, Refused, checker
 from littlewood.certify.__main__ import main
 from littlewood.certify.checker import DOWN, GAP, SLIP, UP, Range
+from littlewood.certify.picture import caption, description, title
 from littlewood.certify.proof import _enclosed
 from littlewood.plot.canvas import PictureError
-from littlewood.plot.proof_chart import caption, description, title
 from littlewood.tables import CAUSE_LABELS
 
 CERTIFICATES = Path(__file__).resolve().parents[2] / "evidence" / "truth" / "certificates"

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import littlewood as lw
+from littlewood._commands.score import main
 from littlewood.certify.checker import digest
 from littlewood.certify.compare import simulated
 from littlewood.scoring.cases import CATEGORIES
-from littlewood.scoring.command import main
 from littlewood.scoring.episodes import Event
 from littlewood.scoring.matching import match
 

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood import _core, style, tables, variables
-from littlewood.many import Quantities
+from littlewood import _core, style, tables
+from littlewood._internal import variables
 from littlewood.plot.canvas import axis_label
+from littlewood.sweep import Quantities
 
 PACKAGE = Path(lw.__file__).parent
 LIMITS = ["until", "max_transitions", "max_slides", "proof"]

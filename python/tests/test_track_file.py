@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood import fit_command
+from littlewood._commands import fit as fit_command
 from littlewood.certify import __main__ as certify
-from littlewood.track import TableFileError
+from littlewood.fitting import TableFileError
 
 TRACKS = Path(__file__).parent / "tracks"
 RADIUS, OFFSET = 0.3, 0.27

@@ -10,7 +10,7 @@ from PIL import Image
 
 import littlewood as lw
 from littlewood import video
-from littlewood.calibration import CALIBRATION
+from littlewood.fitting.calibration import CALIBRATION
 from littlewood.video.capture_rate import capture_rate
 from littlewood.video.synthetic import _instants
 
@@ -90,7 +90,7 @@ def test_a_track_is_the_motion_that_was_filmed(track, motion):
 def fitted(track, hoop, motion, **more):
     start = {"theta": motion.start.theta, "theta_rate": motion.start.theta_rate}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
+        warnings.simplefilter("ignore", lw.fitting.IdentifiabilityWarning)
         free = ("mu_s", "mu_k", "inertia", "restitution")
         return lw.fit(track, hoop, free=free, start=start, search=False, **more)
 
@@ -123,7 +123,7 @@ def test_a_film_tells_that_its_plane_is_wrong(film, hoop, motion):
     for name in ("mu_k", "inertia", "restitution"):
         estimate = result.estimates[name]
         assert abs(estimate.value - getattr(hoop, name)) < 4.0 * estimate.std_error
-    with pytest.warns(lw.fit_result.FitWarning) as caught:
+    with pytest.warns(lw.fitting.FitWarning) as caught:
         believed = fitted(track, hoop, motion, calibration=())
     doubts = {warning.message.doubt.name: warning.message for warning in caught}
     assert {"camera_scale", "camera_floor"} <= set(doubts["camera"].parameters)

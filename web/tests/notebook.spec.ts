@@ -3,7 +3,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { expect, type FrameLocator, type Page, test } from '@playwright/test';
 
-const MODULE = new URL('../../python/littlewood/laboratory.js', import.meta.url);
+const MODULE = new URL('../../python/littlewood/lab/laboratory.js', import.meta.url);
 
 /**
  * A notebook with one cell: a model with a link and a height, and the widget of it, which hears

@@ -67,6 +67,7 @@ mod tests {
         let command = littlewood_cli::command();
         let commands: Vec<&str> = command
             .get_subcommands()
+            .filter(|command| !command.is_hide_set())
             .map(clap::Command::get_name)
             .collect();
         assert!(commands.contains(&"simulate"));

@@ -65,7 +65,7 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
     let made = match kind {
         Kind::Gif => write(output, |writer| {
             let mut encoder = GifFilm::new(writer, &film)?;
-            play(&film, &mut encoder)?;
+            play(&film, &mut encoder, &Progress::new())?;
             encoder.finish().map(drop)
         }),
         Kind::Video(video) => write_with_ffmpeg(output, &film, video),
@@ -113,10 +113,13 @@ fn say_what_is_shown(
     })
 }
 
+/// What a bar says while ffmpeg ends its file.
+const AT_THE_END: &str = "frames are drawn; ffmpeg finishes the film";
+
 /// Draws the film until it is finished or Ctrl-C comes.
-fn play(film: &Film<'_>, encoder: &mut impl Encoder) -> Result<(), FilmError> {
+fn play(film: &Film<'_>, encoder: &mut impl Encoder, bar: &Progress) -> Result<(), FilmError> {
     let stop = interrupt::asked();
-    let (bar, total) = (Progress::new(), film.schedule().frames);
+    let total = film.schedule().frames;
     film.play(encoder, |done| {
         bar.show("frames", Count { done, total });
         !stop.load(Ordering::Relaxed)
@@ -149,8 +152,12 @@ fn write_with_ffmpeg(output: Output, film: &Film<'_>, video: Video) -> Result<()
     };
     let mut encoder = FfmpegFilm::start(OsStr::new("ffmpeg"), temporary.path(), film, video)
         .map_err(Error::Film)?;
-    play(film, &mut encoder)
-        .and_then(|()| encoder.finish())
-        .map_err(Error::Film)?;
+    let bar = Progress::new();
+    play(film, &mut encoder, &bar).map_err(Error::Film)?;
+    // It has frames in hand still, and says nothing of them.
+    let done = film.schedule().frames;
+    bar.show(AT_THE_END, Count { done, total: 0 });
+    encoder.finish().map_err(Error::Film)?;
+    drop(bar);
     output.write(|_| Ok(()))
 }

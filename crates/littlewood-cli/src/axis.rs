@@ -21,17 +21,6 @@ pub(crate) struct TypedAxis {
 }
 
 impl TypedAxis {
-    #[cfg(feature = "sweep")]
-    pub(crate) const fn plain(quantity: Quantity, from: f64, to: f64, count: usize) -> Self {
-        Self {
-            varies: Varies::One(quantity),
-            from,
-            to,
-            count,
-            spacing: Spacing::Even,
-        }
-    }
-
     /// What varies along it, dimensionless.
     pub(crate) const fn varies(&self) -> Varies {
         match self.varies {

@@ -1,7 +1,7 @@
 //! `littlewood figures`: the figures of the paper, of its hoops or of any other.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use littlewood_figures::{
@@ -27,17 +27,13 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     let Some(folder) = &args.out else {
         return Ok(());
     };
-    prepare(folder)?;
+    check(folder)?;
 
-    // All is drawn before anything is written: a figure that cannot be made leaves no others
-    // behind.
-    let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
+    // Before anything is written, all that is quick is drawn and the rest is checked: bad input
+    // leaves no files behind.
     let mut left_out = LeftOut::default();
-    let bar = Bar::new();
-    let total = entries.len() as u64;
-    for (done, entry) in (0..).zip(entries) {
-        bar.show("figures", Count { done, total });
-        let mut watch = |done, total| bar.show(STARTS, Count { done, total });
+    let mut begun: Vec<Begun> = Vec::new();
+    for entry in entries {
         let input = match subject(args, entry) {
             Ok(input) => input,
             // The hoop of the figure's own case does not bear what was asked for.
@@ -51,44 +47,84 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
             }
             Err(error) => return Err(error),
         };
-        match entry.figure_with(&input, &mut watch) {
-            Ok(figure) => {
-                for format in &args.format {
-                    let (ending, bytes) = file(&figure, *format, args)?;
-                    files.push((folder.join(format!("{}.{ending}", entry.name)), bytes));
-                }
-            }
-            // Without names all figures are meant that this hoop has.
-            Err(error) if args.names.is_empty() && is_about_the_hoop(&error) => {
-                let text = error.to_string();
-                let reason = text
-                    .strip_prefix(entry.name)
-                    .unwrap_or(&text)
-                    .trim_start()
-                    .to_owned();
-                left_out.add(entry, reason, Error::of_figure(error));
-            }
-            Err(error) => return Err(Error::of_figure(error)),
+        match entry.figure_if_quick(&input) {
+            Ok(figure) => begun.push(Begun {
+                entry,
+                input,
+                figure,
+            }),
+            Err(error) => left_out.take(args, entry, error)?,
         }
     }
-    drop(bar);
-    if files.is_empty()
+    let mut written: Vec<PathBuf> = Vec::new();
+    let mut result = Ok(());
+    if !begun.is_empty() {
+        make(folder)?;
+        // Each figure is written once it is drawn: what comes later does not undo it.
+        result = begun_to_files(args, folder, begun, &mut left_out, &mut written);
+    }
+    // Where the standard error is closed nobody reads it.
+    if let Some(line) = left_out.line() {
+        let _ = writeln!(anstream::stderr(), "{line}");
+    }
+    if written.is_empty()
+        && result.is_ok()
         && let Some(error) = left_out.last.take()
     {
         return Err(error);
     }
-    for (path, bytes) in &files {
-        Output::open(Some(path))?.write(|writer| writer.write_all(bytes))?;
-    }
     Output::Stdout.write(|writer| {
-        for (path, _) in &files {
-            writeln!(writer, "{}", path.display())?;
+        written
+            .iter()
+            .try_for_each(|path| writeln!(writer, "{}", path.display()))
+    })?;
+    result
+}
+
+/// A figure that can be drawn, or is drawn already.
+struct Begun {
+    entry: &'static FigureEntry,
+    input: FigureInput,
+    figure: Option<Figure>,
+}
+
+/// Draws what is not drawn yet, and writes figure after figure.
+fn begun_to_files(
+    args: &FiguresArgs,
+    folder: &Path,
+    begun: Vec<Begun>,
+    left_out: &mut LeftOut,
+    written: &mut Vec<PathBuf>,
+) -> Result<(), Error> {
+    let bar = Bar::new();
+    let total = begun.len() as u64;
+    for (done, begun) in (0..).zip(begun) {
+        let Begun {
+            entry,
+            input,
+            figure,
+        } = begun;
+        bar.show_of(entry.name, "figures", Count { done, total });
+        let mut watch = |done, total| bar.show_of(entry.name, STARTS, Count { done, total });
+        let drawn = match figure {
+            Some(figure) => Ok(figure),
+            None => entry.figure_with(&input, &mut watch),
+        };
+        let figure = match drawn {
+            Ok(figure) => figure,
+            Err(error) => {
+                left_out.take(args, entry, error)?;
+                continue;
+            }
+        };
+        for format in &args.format {
+            let (ending, bytes) = file(&figure, *format, args)?;
+            let path = folder.join(format!("{}.{ending}", entry.name));
+            Output::open(Some(&path))?.write(|writer| writer.write_all(&bytes))?;
+            written.push(path);
         }
-        match left_out.line() {
-            Some(line) => writeln!(writer, "{line}"),
-            None => Ok(()),
-        }
-    })
+    }
+    Ok(())
 }
 
 /// Figures that cannot be made of a hoop.
@@ -106,6 +142,22 @@ impl LeftOut {
             Some((_, names)) => names.push(entry.name),
             None => self.reasons.push((reason, vec![entry.name])),
         }
+    }
+
+    /// Leaves out a figure that this hoop does not have, unless it was asked for by its name.
+    fn take(
+        &mut self,
+        args: &FiguresArgs,
+        entry: &FigureEntry,
+        error: FigureError,
+    ) -> Result<(), Error> {
+        if !args.names.is_empty() || !is_about_the_hoop(&error) {
+            return Err(Error::of_figure(error));
+        }
+        let text = error.to_string();
+        let reason = text.strip_prefix(entry.name).unwrap_or(&text).trim_start();
+        self.add(entry, reason.to_owned(), Error::of_figure(error));
+        Ok(())
     }
 
     /// All of it in a line.
@@ -159,21 +211,28 @@ fn chosen(names: &[String]) -> Result<Vec<&'static FigureEntry>, Error> {
     Ok(FIGURES.iter().filter(is_chosen).collect())
 }
 
-/// Makes the folder in one that is there, unless it is there itself.
-fn prepare(folder: &Path) -> Result<(), Error> {
-    let unwritable = |source: io::Error| Error::Unwritable {
+fn unwritable(folder: &Path, source: io::Error) -> Error {
+    Error::Unwritable {
         path: folder.to_owned(),
         source,
-    };
-    if folder.exists() && !folder.is_dir() {
-        return Err(unwritable(io::Error::new(
-            io::ErrorKind::NotADirectory,
-            "it is not a folder",
-        )));
     }
-    check_folder(folder)?;
+}
+
+/// Refuses what cannot be the folder.
+fn check(folder: &Path) -> Result<(), Error> {
+    if folder.exists() && !folder.is_dir() {
+        let error = io::Error::new(io::ErrorKind::NotADirectory, "it is not a folder");
+        return Err(unwritable(folder, error));
+    }
+    check_folder(folder)
+}
+
+/// Makes the folder in one that is there, unless it is there itself.
+fn make(folder: &Path) -> Result<(), Error> {
     match fs::create_dir(folder) {
-        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => Err(unwritable(error)),
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
+            Err(unwritable(folder, error))
+        }
         _ => Ok(()),
     }
 }
@@ -209,7 +268,6 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
         FigureError::Parameter(_)
             | FigureError::UnknownCase { .. }
             | FigureError::ImpactNumber { .. }
-            | FigureError::NeedsLevel { .. }
             | FigureError::Draw(_)
             | FigureError::Threads(_)
             | FigureError::Axis(_)

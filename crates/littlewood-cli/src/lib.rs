@@ -5,8 +5,6 @@
 #[cfg(feature = "film")]
 mod animate;
 mod args;
-#[cfg(feature = "sweep")]
-mod atlas;
 mod axis;
 mod cases;
 mod classify;
@@ -64,8 +62,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Map(args) => map::run(&args),
         #[cfg(feature = "sweep")]
         Command::Sweep(args) => sweep::run(&args),
-        #[cfg(feature = "sweep")]
-        Command::Atlas(args) => atlas::run(&args),
         #[cfg(feature = "lab")]
         Command::Lab(args) => lab::run(&args),
         #[cfg(feature = "film")]
@@ -76,8 +72,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Poster(args) => poster::run(&args),
         #[cfg(not(feature = "sweep"))]
         Command::Sweep(_) => Err(not_built("sweep", "sweep")),
-        #[cfg(not(feature = "sweep"))]
-        Command::Atlas(_) => Err(not_built("atlas", "sweep")),
         #[cfg(not(feature = "lab"))]
         Command::Lab(_) => Err(not_built("lab", "lab")),
         #[cfg(not(feature = "film"))]
@@ -89,6 +83,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Fit(_) => Err(error::Error::InPackage { command: "fit" }),
         Command::Score(_) => Err(error::Error::InPackage { command: "score" }),
         Command::Certify(_) => Err(error::Error::InPackage { command: "certify" }),
+        Command::Atlas(_) => Err(error::Error::AtlasRemoved),
     };
     match result {
         Ok(()) => 0,

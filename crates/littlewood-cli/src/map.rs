@@ -4,8 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use littlewood_draw::Figure;
 use littlewood_sweep::{
-    Chunk, Columns, Picture, PictureSize, Progress, Shade, Workers, sweep_grid,
+    Chunk, Columns, Grid, Picture, PictureSize, Progress, Shade, Workers, sweep_grid,
 };
 
 use crate::args::MapArgs;
@@ -21,10 +22,6 @@ use crate::work::{self, Base};
 
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
-    let size = PictureSize {
-        width: args.size.0,
-        height: args.size.1,
-    };
     let kinds = store::kinds(&args.store.out, &Kind::OF_A_MAP)?;
     check_width(args.width_mm, &kinds)?;
     let mut derivatives = args.store.derivatives.clone();
@@ -37,20 +34,13 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         .iter()
         .filter_map(|(kind, path)| kind.target(path, grid.len()))
         .collect();
-    let at_the_end: Vec<(Kind, &Path)> = kinds
-        .iter()
-        .copied()
-        .filter(|(kind, _)| kind.is_written_at_the_end())
-        .collect();
-    if let ([], [(_, path), ..], true) = (&targets[..], &at_the_end[..], args.store.resume) {
-        return Err(Error::Out {
-            path: path.to_path_buf(),
-            reason: "nothing to resume: a picture or a text alone does not store its results"
-                .to_owned(),
-            hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed"
-                .to_owned(),
-        });
+    if args.store.resume && targets.is_empty() {
+        refuse_to_resume(&kinds)?;
     }
+    let size = PictureSize {
+        width: args.size.0,
+        height: args.size.1,
+    };
     let mut picture = Picture::new(&grid, limits, shade, size)?.with_units(units);
     if args.curves {
         picture = picture.with_curves()?;
@@ -58,82 +48,41 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     if args.contours {
         picture = picture.with_contours()?;
     }
-    if args.width_mm.is_some() || at_the_end.iter().any(|(kind, _)| kind.is_drawing()) {
-        picture = picture.in_vectors();
-    }
-    let mut plane = match at_the_end.iter().find(|(kind, _)| !kind.is_picture()) {
-        Some((_, path)) => Some(Plane::new(&grid, path)?),
-        None => None,
-    };
-    let files = at_the_end
-        .iter()
-        .map(|(_, path)| Output::open(Some(path)))
-        .collect::<Result<Vec<_>, Error>>()?;
+    let mut outputs = Outputs::open(&kinds, &grid, picture, args.width_mm)?;
+
     let workers = Workers::new(args.work.threads)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
-    let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));
+    let show = |progress: Progress| {
+        let unit = match progress.total {
+            0 => BOUNDARIES,
+            _ => work::STARTS,
+        };
+        bar.show(unit, work::count(progress));
+    };
     let options = work::options(&args.work, args.store.resume, cancel, &show);
     let began = Instant::now();
-    let mut report = if at_the_end.is_empty() {
+    let mut report = if outputs.files.is_empty() {
         sweep_grid(&grid, limits, &targets, None, &workers, &options)?
     } else {
-        let mut add = |chunk: &Chunk, columns: &Columns| {
-            picture.add(chunk, columns);
-            if let Some(plane) = &mut plane {
-                plane.add(chunk, columns);
-            }
-        };
+        let mut add = |chunk: &Chunk, columns: &Columns| outputs.add(chunk, columns);
         sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
     };
-    let has_picture = at_the_end.iter().any(|(kind, _)| kind.is_picture());
-    if report.complete && has_picture {
-        report.complete = picture.follow(limits, &workers, &options)?;
+    if report.complete && outputs.have_picture() {
+        report.complete = outputs.picture.follow(limits, &workers, &options)?;
     }
     let time = began.elapsed();
     drop(bar);
 
-    let write = |kind: Kind, file: Output| {
-        let bytes = match (kind, &plane) {
-            (Kind::Csv, Some(plane)) => return file.write(|writer| plane.csv(writer)),
-            (Kind::Svg, _) => picture
-                .figure(args.width_mm)
-                .map_err(Error::Drawing)?
-                .svg()
-                .into_bytes(),
-            #[cfg(feature = "figures")]
-            (Kind::Pdf, _) => picture.figure(args.width_mm).map_err(Error::Drawing)?.pdf(),
-            // Such a file is refused before.
-            #[cfg(not(feature = "figures"))]
-            (Kind::Pdf, _) => return Ok(()),
-            (Kind::Picture, _) => match args.width_mm {
-                Some(mm) => picture
-                    .figure(Some(mm))
-                    .and_then(|figure| figure.png(PRINT_SCALE)),
-                None => picture.png(),
-            }
-            .map_err(Error::Drawing)?,
-            // There is a plane where a text is wanted; the others are written chunk by chunk.
-            (Kind::Csv, None) | (Kind::Zarr | Kind::Parquet, _) => return Ok(()),
-        };
-        file.write(|writer| writer.write_all(&bytes))
-    };
-    let mut written = Vec::new();
-    if report.complete {
-        for (file, (kind, path)) in files.into_iter().zip(&at_the_end) {
-            write(*kind, file)?;
-            written.push(path.to_path_buf());
-        }
+    let written = if report.complete {
+        let written = outputs.finish()?;
         remove_partial(&kinds);
+        written
     } else if report.computed + report.reused > 0 {
-        // What is not complete does not take the place of what may be.
-        drop(files);
-        for (kind, path) in &at_the_end {
-            let path = partial(path);
-            write(*kind, Output::open(Some(&path))?)?;
-            written.push(path);
-        }
-    }
+        outputs.partial()?
+    } else {
+        Vec::new()
+    };
     let kept = work::kept(&targets, &report, written);
     Run {
         report,
@@ -143,6 +92,132 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     }
     .finish(args.store.format)
 }
+
+/// Refuses `--resume` if an earlier run cannot have left results.
+fn refuse_to_resume(kinds: &[(Kind, &Path)]) -> Result<(), Error> {
+    let Some((_, path)) = kinds.first() else {
+        return Ok(());
+    };
+    Err(Error::Out {
+        path: path.to_path_buf(),
+        reason: "nothing to resume: a picture or a text alone does not store its results"
+            .to_owned(),
+        hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed"
+            .to_owned(),
+    })
+}
+
+/// The outputs that are written at the end of a run: pictures and a text.
+struct Outputs<'a> {
+    /// Opened before the work begins, so that a wrong path is known at once.
+    files: Vec<OpenOutput<'a>>,
+    picture: Picture,
+    /// The rows of the text, if there is one.
+    plane: Option<Plane<'a>>,
+    width_mm: Option<f64>,
+}
+
+struct OpenOutput<'a> {
+    kind: Kind,
+    path: &'a Path,
+    output: Output,
+}
+
+impl<'a> Outputs<'a> {
+    fn open(
+        kinds: &[(Kind, &'a Path)],
+        grid: &'a Grid,
+        picture: Picture,
+        width_mm: Option<f64>,
+    ) -> Result<Self, Error> {
+        let mut files = Vec::new();
+        let mut plane = None;
+        for &(kind, path) in kinds {
+            if !kind.is_written_at_the_end() {
+                continue;
+            }
+            if !kind.is_picture() && plane.is_none() {
+                plane = Some(Plane::new(grid, path)?);
+            }
+            let output = Output::open(Some(path))?;
+            files.push(OpenOutput { kind, path, output });
+        }
+        let is_drawn = width_mm.is_some() || files.iter().any(|file| file.kind.is_drawing());
+        Ok(Self {
+            files,
+            picture: if is_drawn {
+                picture.in_vectors()
+            } else {
+                picture
+            },
+            plane,
+            width_mm,
+        })
+    }
+
+    fn have_picture(&self) -> bool {
+        self.files.iter().any(|file| file.kind.is_picture())
+    }
+
+    fn add(&mut self, chunk: &Chunk, columns: &Columns) {
+        self.picture.add(chunk, columns);
+        if let Some(plane) = &mut self.plane {
+            plane.add(chunk, columns);
+        }
+    }
+
+    /// Writes everything, and returns the paths.
+    fn finish(mut self) -> Result<Vec<PathBuf>, Error> {
+        let mut written = Vec::new();
+        for file in std::mem::take(&mut self.files) {
+            self.write(file.kind, file.output)?;
+            written.push(file.path.to_path_buf());
+        }
+        Ok(written)
+    }
+
+    /// Writes what there is under other names, since what is not complete does not take the place
+    /// of what may be; returns these names.
+    fn partial(mut self) -> Result<Vec<PathBuf>, Error> {
+        let mut written = Vec::new();
+        for file in std::mem::take(&mut self.files) {
+            let path = partial(file.path);
+            self.write(file.kind, Output::open(Some(&path))?)?;
+            written.push(path);
+        }
+        Ok(written)
+    }
+
+    fn write(&self, kind: Kind, output: Output) -> Result<(), Error> {
+        let bytes = match (kind, &self.plane) {
+            (Kind::Csv, Some(plane)) => return output.write(|writer| plane.csv(writer)),
+            (Kind::Svg, _) => self.figure()?.svg().into_bytes(),
+            #[cfg(feature = "figures")]
+            (Kind::Pdf, _) => self.figure()?.pdf(),
+            // Such a file is refused before.
+            #[cfg(not(feature = "figures"))]
+            (Kind::Pdf, _) => return Ok(()),
+            (Kind::Picture, _) => self.png()?,
+            // There is a plane where a text is wanted; the others are written chunk by chunk.
+            (Kind::Csv, None) | (Kind::Zarr | Kind::Parquet, _) => return Ok(()),
+        };
+        output.write(|writer| writer.write_all(&bytes))
+    }
+
+    fn figure(&self) -> Result<Figure, Error> {
+        self.picture.figure(self.width_mm).map_err(Error::Drawing)
+    }
+
+    fn png(&self) -> Result<Vec<u8>, Error> {
+        let png = match self.width_mm {
+            Some(_) => self.figure()?.png(PRINT_SCALE),
+            None => self.picture.png(),
+        };
+        png.map_err(Error::Drawing)
+    }
+}
+/// What a bar counts while boundaries are followed, which takes as many starts as it takes.
+const BOUNDARIES: &str = "starts along the boundaries";
 
 /// Pixels to 1/96 inch of a PNG with a width in print: 300 to the inch.
 const PRINT_SCALE: f64 = 3.125;

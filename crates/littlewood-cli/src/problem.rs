@@ -5,7 +5,7 @@ use littlewood::cases::{CASES, NamedCase, find_case};
 use littlewood::si::{SiParameters, SiSetup, Units};
 use littlewood::tables::{Group, Presence, Quantity, Setup};
 use littlewood::theory::Classification;
-use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Start, Trajectory};
+use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Proof, Start, Trajectory};
 use littlewood_report::{RESTITUTION_LAW, SAMPLE, Subject, Uncertainty};
 
 use crate::error::{Error, mixed};
@@ -49,72 +49,22 @@ struct Inputs {
 impl Problem {
     /// Puts the layers together and checks the result.
     pub(crate) fn resolve(request: Request) -> Result<Self, Error> {
-        let Request {
-            case,
-            scenario,
-            flags,
-            law,
-            si,
-            max_transitions,
-            max_slides,
-            proof,
-            overrides,
-        } = request;
-        let case = find(case.as_deref(), scenario.as_ref())?;
-        let mut values = case
-            .map(|case| Values::of_case(&case.setup))
-            .unwrap_or_default();
-        if let Some(scenario) = &scenario {
-            if let Some((plain, si)) = find_mixture(&scenario.given) {
-                return Err(mixed_in_file(scenario, plain, si));
-            }
-            values.cover(scenario.given.clone());
-        }
-        refuse_mixture(&flags, si)?;
-        values.cover(flags);
-        values.cover(overrides.given);
-
-        let in_file = scenario.as_ref().map(|scenario| &scenario.run);
-        let max_transitions = max_transitions.or(in_file.and_then(|run| run.max_transitions));
-        let max_slides = max_slides.or(in_file.and_then(|run| run.max_slides));
-        let proof = proof
-            .or(in_file.and_then(|run| run.proof))
-            .unwrap_or(Limits::default().proof);
-        let is_si = overrides.si
-            || si
-            || values.any_si()
-            || scenario.as_ref().is_some_and(|scenario| scenario.is_si);
-        let of_case = || case.and_then(|case| case.setup.hoop.restitution_law);
-        let law = law
-            .map(|law| GivenLaw {
-                law,
-                origin: Origin::Flag,
-            })
-            .or_else(|| scenario.as_ref().and_then(|scenario| scenario.law.clone()))
-            .or_else(|| {
-                of_case().map(|law| GivenLaw {
-                    law,
-                    origin: Origin::Case,
-                })
-            });
+        let case = find(request.case.as_deref(), request.scenario.as_ref())?;
+        let values = layered(case, &request)?;
+        let asked = AskedLimits::of(&request);
+        let is_si = request.is_si() || values.any_si();
         let inputs = Inputs {
             values,
-            law,
-            scenario,
+            law: law_of(&request, case),
+            scenario: request.scenario,
         };
         inputs.refuse_gaps(is_si)?;
-        let (hoop, start, until, units) =
-            inputs.convert(is_si).map_err(|error| inputs.blame(error))?;
-        let or_default = |count: Option<u64>, default: usize| {
-            count.map_or(default, |count| {
-                usize::try_from(count).unwrap_or(usize::MAX)
-            })
-        };
-        let limits = Limits::default()
-            .with_until(until)
-            .with_transitions(or_default(max_transitions, Limits::default().transitions))
-            .with_slides(or_default(max_slides, Limits::default().slides))
-            .with_proof(proof);
+        let Converted {
+            hoop,
+            start,
+            until,
+            units,
+        } = inputs.convert(is_si).map_err(|error| inputs.blame(error))?;
         let changes = case
             .map(|case| inputs.changes(&case.setup))
             .unwrap_or_default();
@@ -123,7 +73,7 @@ impl Problem {
             changes,
             hoop,
             start,
-            limits,
+            limits: asked.limits(until),
             units,
             inputs,
         })
@@ -193,6 +143,79 @@ impl Problem {
     }
 }
 
+/// The dimensionless problem, and units if it was given in SI units.
+struct Converted {
+    hoop: Hoop,
+    start: Start,
+    until: Option<f64>,
+    units: Option<Units>,
+}
+
+/// The limits besides the time limit that were asked for, flags over the scenario.
+struct AskedLimits {
+    transitions: Option<u64>,
+    slides: Option<u64>,
+    proof: Option<Proof>,
+}
+
+impl AskedLimits {
+    fn of(request: &Request) -> Self {
+        let in_file = request.scenario.as_ref().map(|scenario| &scenario.run);
+        Self {
+            transitions: request.max_transitions.or_else(|| in_file?.max_transitions),
+            slides: request.max_slides.or_else(|| in_file?.max_slides),
+            proof: request.proof.or_else(|| in_file?.proof),
+        }
+    }
+
+    fn limits(&self, until: Option<f64>) -> Limits {
+        let default = Limits::default();
+        let count = |asked: Option<u64>, default: usize| {
+            asked.map_or(default, |count| {
+                usize::try_from(count).unwrap_or(usize::MAX)
+            })
+        };
+        default
+            .with_until(until)
+            .with_transitions(count(self.transitions, default.transitions))
+            .with_slides(count(self.slides, default.slides))
+            .with_proof(self.proof.unwrap_or(default.proof))
+    }
+}
+
+/// The numbers of the case, under those of the scenario, the flags and what a sweep sets.
+fn layered(case: Option<&NamedCase>, request: &Request) -> Result<Values, Error> {
+    let mut values = case
+        .map(|case| Values::of_case(&case.setup))
+        .unwrap_or_default();
+    if let Some(scenario) = &request.scenario {
+        if let Some((plain, si)) = find_mixture(&scenario.given) {
+            return Err(mixed_in_file(scenario, plain, si));
+        }
+        values.cover(scenario.given.clone());
+    }
+    refuse_mixture(&request.flags, request.si)?;
+    values.cover(request.flags.clone());
+    values.cover(request.overrides.given.clone());
+    Ok(values)
+}
+
+/// The law of restitution of the flags, else of the scenario, else of the case.
+fn law_of(request: &Request, case: Option<&NamedCase>) -> Option<GivenLaw> {
+    let by_flag = request.law.map(|law| GivenLaw {
+        law,
+        origin: Origin::Flag,
+    });
+    let in_file = || request.scenario.as_ref()?.law.clone();
+    let of_case = || {
+        Some(GivenLaw {
+            law: case?.setup.hoop.restitution_law?,
+            origin: Origin::Case,
+        })
+    };
+    by_flag.or_else(in_file).or_else(of_case)
+}
+
 impl Inputs {
     fn refuse_gaps(&self, is_si: bool) -> Result<(), Error> {
         let setup = Quantity::HOOP.into_iter().chain(Quantity::START);
@@ -226,18 +249,15 @@ impl Inputs {
 
     /// The dimensionless problem. A value that was given without dimension is taken as it is, to
     /// the last bit.
-    fn convert(
-        &self,
-        is_si: bool,
-    ) -> Result<(Hoop, Start, Option<f64>, Option<Units>), ParameterError> {
+    fn convert(&self, is_si: bool) -> Result<Converted, ParameterError> {
         if !is_si {
             let Setup { hoop, start } = self.over(|_| None);
-            return Ok((
-                Hoop::new(self.with_law(hoop))?,
+            return Ok(Converted {
+                hoop: Hoop::new(self.with_law(hoop))?,
                 start,
-                self.values.get(Quantity::Until),
-                None,
-            ));
+                until: self.values.get(Quantity::Until),
+                units: None,
+            });
         }
         let units = SiParameters {
             particle_mass_kg: self.or_default(Quantity::ParticleMassKg),
@@ -268,7 +288,12 @@ impl Inputs {
             Some(until_s) => Some(units.until(until_s, &start)?),
             None => self.values.get(Quantity::Until),
         };
-        Ok((hoop, start, until, Some(units)))
+        Ok(Converted {
+            hoop,
+            start,
+            until,
+            units: Some(units),
+        })
     }
 
     /// The number that was given for a quantity, or its default; NaN, which no check lets through,

@@ -34,6 +34,7 @@ pub(crate) struct Bar {
 
 struct State {
     begun: Instant,
+    of: &'static str,
     unit: &'static str,
     first: Count,
     now: Count,
@@ -44,6 +45,7 @@ struct State {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Count {
     pub(crate) done: u64,
+    /// Of how many; 0 where nobody knows.
     pub(crate) total: u64,
 }
 
@@ -58,6 +60,11 @@ impl Bar {
     /// Tells how many starts, frames or the like are done. Another unit, or another total, is other
     /// work.
     pub(crate) fn show(&self, unit: &'static str, count: Count) {
+        self.show_of("", unit, count);
+    }
+
+    /// The same, with the name of what is made of them.
+    pub(crate) fn show_of(&self, of: &'static str, unit: &'static str, count: Count) {
         // Nobody waits for a bar: another thread has just moved it.
         let Some(mut state) = self.state.as_ref().and_then(|state| state.try_lock().ok()) else {
             return;
@@ -67,6 +74,10 @@ impl Bar {
             *state = State::new(unit, count);
         }
         state.now = count;
+        if state.of != of {
+            state.of = of;
+            state.bar.set_message(of);
+        }
         state.bar.set_position(count.done);
     }
 }
@@ -84,6 +95,7 @@ impl State {
     fn new(unit: &'static str, first: Count) -> Self {
         Self {
             begun: Instant::now(),
+            of: "",
             unit,
             first,
             now: first,
@@ -134,15 +146,20 @@ fn shown() -> MutexGuard<'static, Option<ProgressBar>> {
 fn is_long(elapsed: Duration, first: Count, now: Count) -> bool {
     let share = now.done.saturating_sub(first.done) as f64
         / now.total.saturating_sub(first.done).max(1) as f64;
-    elapsed >= SHORT || elapsed >= SOON && elapsed.as_secs_f64() > share * SHORT.as_secs_f64()
+    elapsed >= SHORT
+        || now.total > 0 && elapsed >= SOON && elapsed.as_secs_f64() > share * SHORT.as_secs_f64()
 }
 
 /// A bar that is not shown yet.
 fn hidden_bar(unit: &'static str, first: Count) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(first.total), ProgressDrawTarget::hidden());
-    let template = format!(
-        "{{bar:32}} {{percent:>3}}%  {{human_pos}} of {{human_len}} {unit}  {{pace}}  {{rest}} left"
-    );
+    let template = if first.total == 0 {
+        format!("{{spinner}} {{human_pos}} {unit}  {{msg}}")
+    } else {
+        format!(
+            "{{bar:32}} {{percent:>3}}%  {{human_pos}} of {{human_len}} {unit}  {{pace}}  {{rest}} left  {{msg}}"
+        )
+    };
     if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style.with_key("pace", pace).with_key("rest", rest));
     }
@@ -191,6 +208,14 @@ mod tests {
         assert!(!is_long(500, 250) && is_long(500, 249));
         assert!(!is_long(1000, 500) && is_long(1000, 499));
         assert!(is_long(2000, 1000));
+    }
+
+    #[test]
+    fn work_without_a_known_end_has_no_pace() {
+        let none = Count { done: 0, total: 0 };
+        let is_long =
+            |millis, done| is_long(Duration::from_millis(millis), none, Count { done, ..none });
+        assert!(!is_long(1900, 0) && !is_long(1900, 5) && is_long(2000, 5));
     }
 
     #[test]

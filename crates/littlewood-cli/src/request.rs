@@ -55,4 +55,13 @@ impl Request {
             overrides: Overrides::default(),
         })
     }
+
+    /// Whether SI units are asked for other than by a number that has one.
+    pub(crate) fn is_si(&self) -> bool {
+        let in_file = self
+            .scenario
+            .as_ref()
+            .is_some_and(|scenario| scenario.is_si);
+        self.si || self.overrides.si || in_file
+    }
 }

@@ -39,6 +39,17 @@ pub(crate) struct Scenario {
     pub(crate) run: Run,
 }
 
+/// The numbers of a hoop and a start in one system of units, and the law of restitution.
+#[derive(Default)]
+struct GivenSetup {
+    given: Vec<Given>,
+    law: Option<GivenLaw>,
+}
+
+fn plain_name(quantity: Quantity) -> Cow<'static, str> {
+    Cow::Borrowed(quantity.name())
+}
+
 /// What `[run]` says besides the time limit.
 #[derive(Debug, Default)]
 pub(crate) struct Run {
@@ -52,22 +63,7 @@ pub(crate) struct Run {
 
 impl Scenario {
     pub(crate) fn read(path: &Path) -> Result<Self, Error> {
-        let unreadable = |source| Error::Unreadable {
-            path: path.to_owned(),
-            source,
-        };
-        let bytes = read_file(path, MOST_BYTES).map_err(unreadable)?;
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let at = error.utf8_error().valid_up_to();
-            unreadable(io::Error::new(
-                ErrorKind::InvalidData,
-                format!("byte {at} is not UTF-8"),
-            ))
-        })?;
-        let source = Source {
-            path: path.to_owned(),
-            text,
-        };
+        let source = Source::read(path)?;
         let document = DeTable::parse(&source.text).map_err(|error| {
             source.complain(
                 error.message().to_owned(),
@@ -86,35 +82,21 @@ impl Scenario {
             Some((_, value)) => Some((whole.text("case", value)?.to_owned(), value.span())),
             None => None,
         };
-        let name = |quantity: Quantity| Cow::Borrowed(quantity.name());
-        let mut given = Vec::new();
-        let mut law = None;
-        if let Some(hoop) = whole.section("hoop", "[hoop]")? {
-            given.extend(hoop.quantities(Quantity::HOOP, name, &[RESTITUTION_LAW])?);
-            law = hoop.law()?;
-        }
-        if let Some(start) = whole.section("start", "[start]")? {
-            given.extend(start.quantities(Quantity::START, name, &[])?);
-        }
+        let GivenSetup { mut given, mut law } = whole.setup()?;
         let mut run = Run::default();
         if let Some(section) = whole.section("run", "[run]")? {
             let limits = Quantity::ALL
                 .into_iter()
                 .filter(|quantity| quantity.group() == Group::Run);
-            given.extend(section.quantities(limits, name, &Run::KEYS)?);
+            given.extend(section.quantities(limits, plain_name, &Run::KEYS)?);
             run = Run::read(&section)?;
         }
         // θ, μs, μk and e with its law, which can stand in both, are taken from [si].
         let si = whole.section("si", "[si]")?;
         if let Some(si) = &si {
-            si.refuse_other_keys(&["hoop", "start"])?;
-            if let Some(hoop) = si.section("hoop", "[si.hoop]")? {
-                given.extend(hoop.quantities(Quantity::SI_HOOP, si_name, &[RESTITUTION_LAW])?);
-                law = hoop.law()?.or(law);
-            }
-            if let Some(start) = si.section("start", "[si.start]")? {
-                given.extend(start.quantities(Quantity::SI_START, si_name, &[])?);
-            }
+            let in_si = si.si_setup()?;
+            given.extend(in_si.given);
+            law = in_si.law.or(law);
         }
         let is_si = si.is_some();
         Ok(Self {
@@ -215,6 +197,25 @@ pub(crate) struct Source {
 }
 
 impl Source {
+    fn read(path: &Path) -> Result<Self, Error> {
+        let unreadable = |source| Error::Unreadable {
+            path: path.to_owned(),
+            source,
+        };
+        let bytes = read_file(path, MOST_BYTES).map_err(unreadable)?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let at = error.utf8_error().valid_up_to();
+            unreadable(io::Error::new(
+                ErrorKind::InvalidData,
+                format!("byte {at} is not UTF-8"),
+            ))
+        })?;
+        Ok(Self {
+            path: path.to_owned(),
+            text,
+        })
+    }
+
     pub(crate) fn excerpt(&self, span: &Range<usize>) -> Excerpt {
         Excerpt::new(&self.path, &self.text, span)
     }
@@ -243,6 +244,37 @@ impl<'a> Section<'a> {
             .iter()
             .find(|(known, _)| known.get_ref() == key)?;
         Some((key.span(), value))
+    }
+
+    /// `[hoop]` and `[start]` of the file.
+    fn setup(&self) -> Result<GivenSetup, Error> {
+        let mut setup = GivenSetup::default();
+        if let Some(hoop) = self.section("hoop", "[hoop]")? {
+            let keys = hoop.quantities(Quantity::HOOP, plain_name, &[RESTITUTION_LAW])?;
+            setup.given.extend(keys);
+            setup.law = hoop.law()?;
+        }
+        if let Some(start) = self.section("start", "[start]")? {
+            let keys = start.quantities(Quantity::START, plain_name, &[])?;
+            setup.given.extend(keys);
+        }
+        Ok(setup)
+    }
+
+    /// `[si.hoop]` and `[si.start]` of `[si]`.
+    fn si_setup(&self) -> Result<GivenSetup, Error> {
+        self.refuse_other_keys(&["hoop", "start"])?;
+        let mut setup = GivenSetup::default();
+        if let Some(hoop) = self.section("hoop", "[si.hoop]")? {
+            let keys = hoop.quantities(Quantity::SI_HOOP, si_name, &[RESTITUTION_LAW])?;
+            setup.given.extend(keys);
+            setup.law = hoop.law()?;
+        }
+        if let Some(start) = self.section("start", "[si.start]")? {
+            let keys = start.quantities(Quantity::SI_START, si_name, &[])?;
+            setup.given.extend(keys);
+        }
+        Ok(setup)
     }
 
     /// A table in this one.

@@ -1,6 +1,6 @@
 //! `littlewood simulate`: follows a motion and reports it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use littlewood::Trajectory;
 use littlewood::derivatives::Derivatives;
@@ -20,32 +20,45 @@ use crate::scenario::Scenario;
 /// of its columns.
 const MOST_ROWS: u64 = 100_000;
 
+/// What is to be written, and where: by flags, else by the scenario.
+struct Wanted {
+    samples: Option<u64>,
+    out: Option<PathBuf>,
+    format: Format,
+}
+
+impl Wanted {
+    fn new(args: &SimulateArgs, scenario: Option<&Scenario>) -> Result<Self, Error> {
+        let run = scenario.map(|scenario| &scenario.run);
+        let samples = args.samples.or_else(|| run?.samples);
+        let out = args.out.clone().or_else(|| scenario?.out());
+        let format = match args.format.or_else(|| run?.format) {
+            Some(format) => format,
+            None => format_of(out.as_deref())?,
+        };
+        if format == Format::Table
+            && let Some(count) = samples.filter(|&count| count > MOST_ROWS)
+        {
+            return Err(Error::LongTable {
+                count,
+                most: MOST_ROWS,
+            });
+        }
+        Ok(Self {
+            samples,
+            out,
+            format,
+        })
+    }
+}
+
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
-    let scenario = problem.scenario();
-    let samples = args
-        .samples
-        .or_else(|| scenario.and_then(|scenario| scenario.run.samples));
-    let out = args
-        .out
-        .clone()
-        .or_else(|| scenario.and_then(Scenario::out));
-    let format = match args
-        .format
-        .or_else(|| scenario.and_then(|scenario| scenario.run.format))
-    {
-        Some(format) => format,
-        None => format_of(out.as_deref())?,
-    };
-
-    if format == Format::Table
-        && let Some(count) = samples.filter(|&count| count > MOST_ROWS)
-    {
-        return Err(Error::LongTable {
-            count,
-            most: MOST_ROWS,
-        });
-    }
+    let Wanted {
+        samples,
+        out,
+        format,
+    } = Wanted::new(args, problem.scenario())?;
     let output = Output::open(out.as_deref())?;
     let trajectory = problem.simulate()?;
     let sampling = samples

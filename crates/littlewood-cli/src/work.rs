@@ -45,8 +45,6 @@ pub(crate) struct Varied {
     pub(crate) quantities: Vec<Quantity>,
     /// Whether an axis of them is in SI units.
     pub(crate) si: bool,
-    /// Numbers that stand above all flags.
-    pub(crate) fixed: Vec<Given>,
 }
 
 impl Varied {
@@ -55,7 +53,6 @@ impl Varied {
         Self {
             quantities: axes.iter().flat_map(TypedAxis::quantities).collect(),
             si: axes.iter().any(TypedAxis::is_si),
-            fixed: Vec::new(),
         }
     }
 }
@@ -65,17 +62,15 @@ pub(crate) fn base(
     run: &RunArgs,
     varied: Varied,
 ) -> Result<Base, Error> {
-    let Varied {
-        quantities,
-        si,
-        fixed,
-    } = varied;
-    let stand_ins = quantities
+    let stand_ins = varied
+        .quantities
         .into_iter()
         .filter_map(|quantity| Some(Given::by_flag(quantity, STAND_IN.get(quantity)?)));
-    let given = fixed.into_iter().chain(stand_ins).collect();
     let request = Request {
-        overrides: Overrides { given, si },
+        overrides: Overrides {
+            given: stand_ins.collect(),
+            si: varied.si,
+        },
         ..Request::new(args, Some(run))?
     };
     let problem = Problem::resolve(request)?;

@@ -3,7 +3,6 @@
 #[cfg(feature = "film")]
 mod animate;
 #[cfg(feature = "sweep")]
-mod atlas;
 mod classify;
 mod features;
 #[cfg(feature = "figures")]

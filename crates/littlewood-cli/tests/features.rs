@@ -5,9 +5,8 @@ use assert_cmd::Command;
 use crate::support::littlewood;
 
 /// The commands of each feature, and whether the program of these tests has them.
-const COMMANDS: [(&str, &str, bool); 6] = [
+const COMMANDS: [(&str, &str, bool); 5] = [
     ("sweep", "sweep", cfg!(feature = "sweep")),
-    ("atlas", "sweep", cfg!(feature = "sweep")),
     ("figures", "figures", cfg!(feature = "figures")),
     ("poster", "figures", cfg!(feature = "figures")),
     ("animate", "film", cfg!(feature = "film")),
@@ -108,7 +107,7 @@ fn a_command_is_there_or_names_its_feature() {
 
 #[test]
 fn commands_of_the_python_package_are_named_and_say_where_they_are() {
-    for command in ["score", "certify"] {
+    for command in ["fit", "score", "certify"] {
         for arguments in [
             &[command][..],
             &[command, "figure-3", "a.csv"],
@@ -127,6 +126,26 @@ fn commands_of_the_python_package_are_named_and_say_where_they_are() {
             );
         }
     }
+}
+
+#[test]
+fn a_removed_command_names_what_does_the_same() {
+    for arguments in [
+        &["atlas"][..],
+        &["atlas", "figure-3", "--first-turn", "--axis", "mu_s=0:1:9"],
+        &["atlas", "--help"],
+    ] {
+        let message = refusal(littlewood(), arguments);
+        for said in [
+            "`littlewood atlas` was removed",
+            "`littlewood map --shade sequence`",
+            "`theron_maritz`",
+        ] {
+            assert!(message.contains(said), "{message}");
+        }
+    }
+    // It is not among the commands of the help.
+    assert!(!help_of(littlewood(), &["--help"]).contains("atlas"));
 }
 
 /// A program of its own, because Cargo builds one for all tests of a run.

@@ -23,6 +23,14 @@ fn files(folder: &Path) -> Vec<String> {
     names
 }
 
+/// What a run prints that leaves figures out, and what it says of them.
+fn printed_and_left_out(arguments: &[&str]) -> [String; 2] {
+    let assert = littlewood().args(arguments).assert().success();
+    let output = assert.get_output();
+    [&output.stdout, &output.stderr]
+        .map(|bytes| String::from_utf8(bytes.clone()).expect("the output is UTF-8"))
+}
+
 /// The complaint of a run that is refused, with exit code 2.
 fn refusal(arguments: &[&str]) -> String {
     let output = littlewood()
@@ -81,7 +89,7 @@ fn a_figure_is_written_as_drawing_picture_data_and_caption() {
 fn without_names_a_hoop_has_all_figures_that_can_show_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
-    let printed = text(&[
+    let [printed, left_out] = printed_and_left_out(&[
         "figures",
         "--out",
         out,
@@ -91,8 +99,9 @@ fn without_names_a_hoop_has_all_figures_that_can_show_it() {
         "2",
     ]);
     let massless = "left out figure-4, figure-5a, figure-5b, figure-6a, figure-6b, figure-7a, figure-7b (shows the massless hoop";
-    assert!(printed.contains(massless), "{printed}");
+    assert!(left_out.contains(massless), "{left_out}");
     let found = files(folder.path());
+    assert_eq!(printed.lines().count(), found.len());
     assert!(
         found.contains(&"figure-2a.txt".to_owned()) && found.contains(&"forces.txt".to_owned())
     );
@@ -119,6 +128,60 @@ fn a_figure_that_cannot_show_the_hoop_is_refused_and_nothing_is_written() {
         "{message}"
     );
     assert_eq!(files(folder.path()), Vec::<String>::new());
+}
+
+#[test]
+fn bad_input_for_a_figure_that_takes_long_is_known_before_any_is_written() {
+    for words in [
+        "energy outcomes --offset 0",
+        "energy atlas --offset 0",
+        "figure-1 bifurcation --along mu_s=0.1:1",
+        "figure-1 outcomes --width-mm 10",
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let out = folder.path().join("figures");
+        let mut arguments = vec!["figures", "--out", out.to_str().expect("UTF-8")];
+        arguments.extend(words.split(' '));
+        refusal(&arguments);
+        assert!(!out.exists(), "{words}");
+    }
+}
+
+#[test]
+fn a_figure_that_fails_late_leaves_those_that_are_done() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    // Near the bottom it rolls for ever, at any of these rates: that is seen at the end.
+    let arguments = "figures figure-1 energy bifurcation --theta 3 --along theta_rate=0.1:0.2 --format txt --out";
+    let assert = littlewood()
+        .args(arguments.split(' '))
+        .arg(out)
+        .assert()
+        .code(2);
+    let output = assert.get_output();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(message.contains("no motion has one"), "{message}");
+    assert_eq!(files(folder.path()), ["energy.txt", "figure-1.txt"]);
+    assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 2);
+}
+
+#[test]
+fn on_a_slope_the_figures_of_a_level_plane_are_left_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let figures = ["figures", "--slope", "0.1", "--out", out, "--format", "txt"];
+    let [_, left_out] = printed_and_left_out(&figures);
+    assert!(
+        left_out.starts_with("left out ") && left_out.contains("shows a level plane"),
+        "{left_out}"
+    );
+    let found = files(folder.path());
+    assert!(
+        found.contains(&"energy.txt".to_owned()) && !found.contains(&"figure-4.txt".to_owned())
+    );
+    // By its name it is refused.
+    let message = refusal(&[&["figures", "figure-4"], &figures[1..]].concat());
+    assert!(message.contains("shows a level plane"), "{message}");
 }
 
 #[test]
@@ -253,7 +316,7 @@ fn the_figure_of_an_impact_shows_the_one_that_is_asked_for() {
 fn without_restitution_the_figures_of_impacts_are_left_out() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
-    let printed = text(&[
+    let [_, printed] = printed_and_left_out(&[
         "figures", "--case", "figure-3", "--out", out, "--format", "txt",
     ]);
     // The one of each also says what else it lacks.
@@ -270,12 +333,11 @@ fn every_named_motion_has_figures_and_a_line_tells_what_is_left_out() {
     for name in names {
         let folder = tempfile::tempdir().expect("a folder");
         let out = folder.path().to_str().expect("UTF-8");
-        let printed = text(&[
+        let [written, printed] = printed_and_left_out(&[
             "figures", "--case", name, "--until", "20", "--out", out, "--format", "txt",
         ]);
-        let (left_out, written): (Vec<&str>, Vec<&str>) = printed
-            .lines()
-            .partition(|line| line.starts_with("left out "));
+        let written: Vec<&str> = written.lines().collect();
+        let left_out: Vec<&str> = printed.lines().collect();
         assert_eq!(written.len(), files(folder.path()).len(), "{name}");
         assert!(written.len() > 4, "{name}: {printed}");
         assert_eq!(left_out.len(), 1, "{name}: {printed}");
@@ -318,7 +380,8 @@ fn a_short_name_means_the_same_motion_everywhere() {
 fn a_balanced_hoop_has_the_figures_that_do_not_need_its_angle() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
-    let printed = text(&["figures", "--offset", "0", "--out", out, "--format", "txt"]);
+    let [_, printed] =
+        printed_and_left_out(&["figures", "--offset", "0", "--out", out, "--format", "txt"]);
     // Without mass the particle has to be off the centre: no hoop of these figures can have the
     // offset 0.
     assert!(

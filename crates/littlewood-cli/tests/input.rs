@@ -351,7 +351,7 @@ fn every_quantity_has_a_flag_with_its_help_and_default() {
     assert!(help.contains("[alias: --theta-rad]"), "{help}");
     // Every command that takes a hoop takes the law of its impacts.
     for command in [
-        "simulate", "classify", "map", "sweep", "atlas", "figures", "poster", "animate",
+        "simulate", "classify", "map", "sweep", "figures", "poster", "animate",
     ] {
         let help = text(&[command, "--help"]);
         assert!(

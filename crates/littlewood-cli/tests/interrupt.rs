@@ -14,7 +14,6 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use crate::support::{complaint, tree};
-use littlewood_figures::FIGURES;
 use littlewood_sweep::ZarrStore;
 
 /// A plane of 180 chunks.
@@ -408,7 +407,7 @@ fn a_place_where_nothing_can_be_written_is_named() {
 }
 
 /// Work that would take minutes, and what it leaves in its folder when it is ended.
-const LONG: [(&str, &str, &[&str]); 5] = [
+const LONG: [(&str, &str, &[&str]); 4] = [
     (
         "simulate",
         "figure-3 --samples 10000000 --format csv --out OUT/motion.csv",
@@ -418,11 +417,6 @@ const LONG: [(&str, &str, &[&str]); 5] = [
     (
         "animate",
         "figure-3 --size 4096x4096 --out OUT/film.gif",
-        &[],
-    ),
-    (
-        "atlas",
-        "figure-3 --axis theta=-3:3:9000 --axis theta_rate=-4:4:9000 --chunk 1000000 --threads 1",
         &[],
     ),
     (
@@ -466,7 +460,18 @@ fn every_command_ends_soon_with_either_signal_and_leaves_nothing_unfinished() {
             message.contains("stopped") && message.contains("hint:"),
             "{command}: {message}"
         );
-        assert_eq!(names(folder.path()), left, "{command}");
+        let mut found = names(folder.path());
+        if command == "figures" {
+            // Those that were done before stay, whole.
+            for name in found.drain(..) {
+                let bytes = fs::read(folder.path().join(&name)).expect("a picture");
+                assert!(
+                    name.ends_with(".png") && bytes.ends_with(b"IEND\xaeB`\x82"),
+                    "{name}"
+                );
+            }
+        }
+        assert_eq!(found, left, "{command}");
         assert!(
             !tree(folder.path())
                 .keys()
@@ -474,6 +479,24 @@ fn every_command_ends_soon_with_either_signal_and_leaves_nothing_unfinished() {
             "{command}"
         );
     }
+}
+
+#[test]
+fn figures_that_are_done_stay_when_the_rest_is_stopped() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().to_str().expect("a path");
+    // The second takes minutes.
+    let words = format!("figures energy outcomes --case jam --format svg,csv --out {path}");
+    let child = littlewood(&words.split(' ').collect::<Vec<_>>())
+        .spawn()
+        .expect("it runs");
+    wait_until(|| folder.path().join("energy.csv").exists());
+    signal(&child, "-INT");
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+    assert_eq!(names(folder.path()), ["energy.csv", "energy.svg"]);
+    let drawing = fs::read_to_string(folder.path().join("energy.svg")).expect("a drawing");
+    assert!(drawing.trim_end().ends_with("</svg>"));
 }
 
 /// The names in a folder, in their order.
@@ -540,12 +563,20 @@ fn work_that_does_not_look_is_ended_all_the_same() {
 /// Runs the program on a terminal of its own, until Ctrl-C comes after some seconds.
 #[cfg(target_os = "linux")]
 fn on_a_terminal(seconds: &str, words: &str) -> String {
+    let path = std::env::var("PATH").expect("programs");
+    on_a_terminal_with(&path, seconds, words)
+}
+
+/// The same, with programs from these folders.
+#[cfg(target_os = "linux")]
+fn on_a_terminal_with(path: &str, seconds: &str, words: &str) -> String {
     let program = env!("CARGO_BIN_EXE_littlewood");
     let command = format!("stty cols 120; timeout --foreground -s INT {seconds} {program} {words}");
     let mut script = Command::new("script");
     let script = script
         .args(["-qec", &command, "/dev/null"])
         .env("TERM", "xterm")
+        .env("PATH", path)
         .stdin(Stdio::null());
     text(&script.output().expect("it runs").stdout)
 }
@@ -559,26 +590,49 @@ fn progress_is_shown_on_a_terminal() {
     // Motions of a second and more, told of before the first of them is in a finished chunk.
     let plane =
         "map figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1";
-    let figures = format!("of {} figures", FIGURES.len());
-    for (words, unit) in [
+    for (words, unit, name) in [
         (
             format!("{plane} --out {path}/a.png"),
             "of 16,000,000 starts",
+            "",
         ),
         (
             format!("figures --scale 16 --format png --out {path}"),
-            &*figures,
+            "figures",
+            "figure-",
         ),
         (
             format!("animate figure-3 --size 4096x4096 --out {path}/film.gif"),
             "frames",
+            "",
         ),
     ] {
         let shown = on_a_terminal("3", &words);
-        for word in ["%", unit, "/s", " left", "stopped"] {
+        for word in ["%", unit, "/s", " left", "stopped", name] {
             assert!(shown.contains(word), "no {word:?} in {shown}");
         }
     }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_has_no_known_end_moves_all_the_same() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let _alone = BUSY.lock();
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().to_str().expect("a path");
+    // The end of a film that another program writes.
+    let slow = folder.path().join("ffmpeg");
+    fs::write(&slow, "#!/bin/sh\ncat >/dev/null\nsleep 4\n").expect("a program");
+    fs::set_permissions(&slow, fs::Permissions::from_mode(0o755)).expect("it is ours");
+    let others = std::env::var("PATH").expect("programs");
+    let film = format!("animate figure-3 --size 160x160 --out {path}/film.mp4");
+    let shown = on_a_terminal_with(&format!("{path}:{others}"), "60", &film);
+    assert!(shown.contains("ffmpeg finishes the film"), "{shown}");
+    // The boundaries of a picture, from a grid that is computed at once.
+    let map = "map figure-3 --x theta=-3:3:40 --y theta_rate=-4:4:40 --restitution 0.9 --mu-s 0.1 --mu-k 0.05";
+    let shown = on_a_terminal("8", &format!("{map} --threads 1 --out {path}/map.svg"));
+    assert!(shown.contains("starts along the boundaries"), "{shown}");
 }
 
 #[cfg(target_os = "linux")]

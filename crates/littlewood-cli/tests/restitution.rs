@@ -1,4 +1,4 @@
-//! `littlewood map`, `sweep` and `atlas` of hoops with restitution.
+//! `littlewood map` and `sweep` of hoops with restitution.
 
 #![allow(
     clippy::excessive_precision,
@@ -204,30 +204,4 @@ fn axes_and_laws_that_have_no_meaning_are_refused() {
             .next()
             .is_none()
     );
-}
-
-#[test]
-fn an_atlas_may_list_coefficients_of_restitution() {
-    let (_folder, path) = folder();
-    let hoops = path("hoops.csv");
-    fs::write(&hoops, "restitution\n0\n0.5\n").expect("written");
-    let start = [
-        "--axis",
-        "theta_rate=2:3:2",
-        "--theta",
-        "1.5707963267948966",
-        "--until",
-        "4",
-    ];
-    let atlas = json(&[&["atlas", "figure-3", "--hoops", &hoops], &start[..]].concat());
-    let hoops = atlas["hoops"].as_array().expect("hoops");
-    assert_eq!(hoops.len(), 2);
-    for (hoop, (restitution, sequence)) in hoops.iter().zip([(0.0, "-R+F-R"), (0.5, "-R+FF")]) {
-        assert_eq!(hoop["hoop"]["restitution"], restitution);
-        let sequences = hoop["sequences"].as_array().expect("sequences");
-        assert!(
-            sequences.iter().any(|it| it["sequence"] == sequence),
-            "{hoop}"
-        );
-    }
 }

@@ -12,14 +12,13 @@ use std::path::PathBuf;
 use crate::support::littlewood;
 
 /// Each command with all its flags.
-const HELP: [&str; 11] = [
+const HELP: [&str; 10] = [
     "--help",
     "simulate --help",
     "classify --help",
     "cases --help",
     "map --help",
     "sweep --help",
-    "atlas --help",
     "figures --help",
     "poster --help",
     "animate --help",
@@ -27,7 +26,7 @@ const HELP: [&str; 11] = [
 ];
 
 /// Bad input of each kind.
-const ERRORS: [&str; 22] = [
+const ERRORS: [&str; 23] = [
     "simulat figure-3",
     "simulate",
     "simulate figure-33",
@@ -50,6 +49,7 @@ const ERRORS: [&str; 22] = [
     "map figure-3 --x theta=0:1:10 --y theta=0:1:10 --out map.png",
     "map figure-3 --x theta=0:1 --y theta_rate=0:1:10 --out map.png",
     "sweep figure-3 --axis colour=0:1:10 --out out.zarr",
+    "atlas figure-3",
 ];
 
 /// The tables that people read.

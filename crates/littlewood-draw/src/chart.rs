@@ -4,17 +4,61 @@ use littlewood_style::width::FINE;
 
 use crate::figure::{Figure, Mark, Panel, PlotAxis, View, tilted};
 use crate::item::{Item, STEPS, Step, Words, holds, outline, steps};
+use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE, edge};
 use crate::primitives::Anchor;
 use crate::space::Space;
-use crate::stroke::{INK, LETTER, PAPER, SMALL, Stroke, TICK};
+use crate::stroke::{INK, LETTER, PAPER, SMALL, SOFT, Stroke, TICK};
 
 /// The shapes and texts of a figure, the lowest first.
 pub(crate) fn items(figure: &Figure) -> Vec<Item> {
     let mut canvas = Canvas::default();
     figure.panels.iter().for_each(|panel| canvas.panel(panel));
+    let lines = note_lines(figure);
+    let top = figure.height - NOTE_ROW * lines.len() as f64 - NOTES_BELOW;
+    for (line, row) in lines.iter().zip(0_u8..) {
+        let middle = top + NOTE_ROW * (f64::from(row) + 0.5);
+        let place = (steps(NOTES_LEFT), steps(middle));
+        canvas.text(line, place, Anchor::Left, SMALL, SOFT);
+    }
     canvas.0
 }
+
+/// The notes in lines as wide as the sheet.
+fn note_lines(figure: &Figure) -> Vec<String> {
+    let room = figure.width - 2.0 * NOTES_LEFT;
+    let mut lines: Vec<String> = Vec::new();
+    // A line does not end within an equation.
+    let notes = figure.notes.iter().map(|note| note.replace(" = ", EQUALS));
+    let notes: Vec<String> = notes.collect();
+    for word in notes.iter().flat_map(|note| note.split(' ')) {
+        let word = &word.replace(EQUALS, " = ");
+        match lines.last_mut() {
+            Some(line) if width(&format!("{line} {word}"), SMALL) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// Room that the notes take below the panels.
+pub(crate) fn room_for_notes(figure: &Figure) -> f64 {
+    match note_lines(figure).len() {
+        0 => 0.0,
+        lines => NOTE_ROW * lines as f64 + NOTES_BELOW,
+    }
+}
+
+/// Stands for an equals sign with its room, as a part of a word.
+const EQUALS: &str = "\u{a0}=\u{a0}";
+
+/// Where notes begin, the height of a line of them, and the room below them, in pixels.
+const NOTES_LEFT: f64 = 10.0;
+const NOTE_ROW: f64 = 17.0;
+const NOTES_BELOW: f64 = 4.0;
 
 impl Canvas {
     fn panel(&mut self, panel: &Panel) {
@@ -87,6 +131,14 @@ impl Canvas {
                 SMALL,
                 INK,
             );
+        }
+        for value in x.small_ticks() {
+            let at = left + libm::round(wide * x.share(value)) as i32;
+            self.line(&[(at, bottom), (at, bottom + mark / 2)], line);
+        }
+        for value in y.small_ticks() {
+            let at = bottom - libm::round(tall * y.share(value)) as i32;
+            self.line(&[(left - mark / 2, at), (left, at)], line);
         }
         for tick in &y.ticks {
             let at = bottom - libm::round(tall * y.share(tick.value)) as i32;
@@ -168,6 +220,12 @@ impl Canvas {
                         [offset, h],
                         rim,
                     );
+                }
+                continue;
+            }
+            if let (Mark::Beyond(colour), Some([(_, top), (_, bottom)])) = (layer.mark, bounds) {
+                for (x, y) in layer.series.pieces.iter().flatten().map(at) {
+                    self.beyond((x, y.clamp(top, bottom)), colour, y <= top);
                 }
                 continue;
             }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use littlewood_style::ticks::Tick;
+use littlewood_style::ticks::{self, Tick};
 use littlewood_style::{Curve, Rgb};
 
 use crate::clip;
@@ -27,6 +27,9 @@ pub struct Figure {
     pub print_mm: Option<f64>,
     /// The panels.
     pub panels: Vec<Panel>,
+    /// What was cut, limited or left out, a sentence each: [`Figure::fitted`] puts them below the
+    /// panels and at the end of the caption.
+    pub notes: Vec<String>,
 }
 
 /// A part of a figure with axes of its own.
@@ -124,6 +127,9 @@ pub struct Layer {
     pub series: Series,
     /// How.
     pub mark: Mark,
+    /// Whether a mark says where it leaves the axes above or below: of a curve that is data, not of
+    /// one that goes on beyond any window.
+    pub is_marked_beyond: bool,
 }
 
 /// Rows that are drawn together, such as the points of a line.
@@ -167,6 +173,8 @@ pub enum Mark {
     Diamond(Rgb, f64),
     /// A cross on each row.
     Cross(Rgb, f64),
+    /// A triangle at the end of the upward axis beyond which each row lies.
+    Beyond(Rgb),
     /// A hoop on each row, whose last column is the angle of its particle: offset of the particle
     /// and of the mass centre in radii.
     Hoop {
@@ -257,6 +265,28 @@ impl PlotAxis {
             scale: Scale::Round,
             ticks: Vec::new(),
         }
+    }
+
+    /// Values with small ticks, which only an axis that is not linear has.
+    pub fn small_ticks(&self) -> Vec<f64> {
+        let [from, to] = self.range;
+        let decade = |size: f64| libm::floor(libm::log10(size)) as i32;
+        let mut values: Vec<f64> = if self.scale == Scale::Nothing {
+            Vec::new()
+        } else if self.scale == Scale::Decades {
+            ticks::of_one_digit(libm::floor(from) as i32, libm::floor(to) as i32)
+                .map(libm::log10)
+                .collect()
+        } else if self.linear.is_finite() {
+            let last = decade(f64::max(from.abs(), to.abs()));
+            ticks::of_one_digit(decade(self.linear), last)
+                .flat_map(|size| [-size, size])
+                .collect()
+        } else {
+            Vec::new()
+        };
+        values.retain(|value| (from..=to).contains(value));
+        values
     }
 
     /// An axis of which nothing is seen.
@@ -362,6 +392,18 @@ impl Series {
         Layer {
             series: self,
             mark: mark.into(),
+            is_marked_beyond: false,
+        }
+    }
+}
+
+impl Layer {
+    /// A mark says where it leaves the axes above or below, and how far it goes.
+    #[must_use]
+    pub fn marked_beyond(self) -> Self {
+        Self {
+            is_marked_beyond: true,
+            ..self
         }
     }
 }
@@ -424,6 +466,13 @@ impl Label {
 }
 
 impl Figure {
+    /// With what was cut, limited or left out, if anything was.
+    #[must_use]
+    pub fn noted(mut self, note: impl Into<Option<String>>) -> Self {
+        self.notes.extend(note.into());
+        self
+    }
+
     /// The series of this name in any panel.
     pub fn series(&self, name: &str) -> Option<&Series> {
         self.panels

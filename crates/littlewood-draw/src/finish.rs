@@ -2,11 +2,14 @@
 
 use littlewood_style::ticks::{self, Tick};
 
-use crate::figure::{Figure, PlotAxis, Scale, View};
+use littlewood_style::Rgb;
+
+use crate::chart::room_for_notes;
+use crate::figure::{Figure, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View};
 use crate::letters::width;
 use crate::place::place;
 use crate::space::length_of;
-use crate::stroke::SMALL;
+use crate::stroke::{SMALL, Stroke};
 use crate::words::short;
 
 /// Most ticks of an axis, and the least room between their labels in pixels.
@@ -21,8 +24,9 @@ const EACH: [f64; 2] = [60.0, 30.0];
 const IN_SPACE: f64 = 36.0;
 
 impl Figure {
-    /// Completes a figure: ticks as many as there is room for, labels where they hide nothing. The
-    /// caption names those for which there is no room.
+    /// Completes a figure: ticks as many as there is room for, marks where data leave their axes,
+    /// labels where they hide nothing. What there is no room for, and what else was left out, stands
+    /// below the panels and in the caption.
     #[must_use]
     pub fn fitted(mut self) -> Self {
         let sheet = [self.width, self.height];
@@ -54,13 +58,114 @@ impl Figure {
                     }
                 }
             }
+            let beyond = beyond(panel);
+            panel.layers.extend(beyond.0);
+            // Numbers that were cut come before names.
+            panel.labels.splice(0..0, beyond.1);
             left_out.extend(place(panel, sheet).into_iter().map(|label| label.text));
         }
-        if !left_out.is_empty() {
-            self.caption += &format!(" Without room for their names: {}.", left_out.join(", "));
+        self.notes.extend(no_room(&left_out));
+        for note in &self.notes {
+            self.caption += " ";
+            self.caption += note;
         }
+        self.height += room_for_notes(&self);
         self
     }
+}
+
+/// Names in a note of those that have no room.
+const NAMED: usize = 8;
+
+/// What a figure notes of names without room: how many, and each that is another once.
+fn no_room(names: &[String]) -> Option<String> {
+    let mut others: Vec<&str> = Vec::new();
+    for name in names {
+        if !others.contains(&name.as_str()) {
+            others.push(name);
+        }
+    }
+    let and_more = if others.len() > NAMED { ", …" } else { "" };
+    others.truncate(NAMED);
+    let others = others.join(", ");
+    match names.len() {
+        0 => None,
+        1 => Some(format!("There is no room for the name {others}.")),
+        count => Some(format!(
+            "There is no room for {count} names: {others}{and_more}."
+        )),
+    }
+}
+
+/// Marks where curves leave the axes of a panel above and below, with the value that is farthest
+/// out on either side.
+fn beyond(panel: &Panel) -> (Vec<Layer>, Vec<Label>) {
+    let View::Plane { x, y, .. } = &panel.view else {
+        return Default::default();
+    };
+    let [low, high] = y.range;
+    let is_out = |value: f64| value < low || value > high;
+    // Where a label stands, its colour, its value: below and above.
+    let mut farthest: [Option<(f64, Rgb, f64)>; 2] = [None; 2];
+    let mut layers = Vec::new();
+    for layer in panel.layers.iter().filter(|layer| layer.is_marked_beyond) {
+        let series = &layer.series;
+        let (Mark::Line(Stroke { colour, .. }), Some(across), Some(up)) = (
+            layer.mark,
+            series.column(&x.column),
+            series.column(&y.column),
+        ) else {
+            continue;
+        };
+        let mut rows: Piece = Vec::new();
+        for piece in &series.pieces {
+            // Each part of it that is out on one side has one mark, where it is farthest.
+            for part in piece
+                .chunk_by(|a, b| is_out(a[up]) && is_out(b[up]) && (a[up] > high) == (b[up] > high))
+            {
+                let Some(row) = part
+                    .iter()
+                    .filter(|row| {
+                        is_out(row[up]) && (x.range[0]..=x.range[1]).contains(&row[across])
+                    })
+                    .max_by(|a, b| a[up].abs().total_cmp(&b[up].abs()))
+                else {
+                    continue;
+                };
+                rows.push(vec![row[across], row[up]]);
+                let side = &mut farthest[usize::from(row[up] > high)];
+                if side.is_none_or(|(.., value)| row[up].abs() > value.abs()) {
+                    *side = Some((row[across], colour, row[up]));
+                }
+            }
+        }
+        if !rows.is_empty() {
+            layers.push(Layer {
+                series: Series {
+                    name: format!("{} beyond the axis", series.name),
+                    columns: vec![x.column.clone(), y.column.clone()],
+                    pieces: vec![rows],
+                },
+                mark: Mark::Beyond(colour),
+                is_marked_beyond: false,
+            });
+        }
+    }
+    let labels = farthest.into_iter().flatten().map(|(at, colour, value)| {
+        let (edge, down) = if value > high {
+            (high, 9.0)
+        } else {
+            (low, -9.0)
+        };
+        let text = if value.is_infinite() {
+            if value > 0.0 { "∞" } else { "−∞" }.to_owned()
+        } else {
+            short(value)
+        };
+        let label = Label::new(text, &[at, edge]).sized(SMALL).coloured(colour);
+        label.left().shifted(7.0, down)
+    });
+    (layers, labels.collect())
 }
 
 /// As many ticks as an axis of so many pixels has room for.
@@ -140,16 +245,40 @@ fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
     }
 }
 
-/// Zero, and on either side of it so many powers of ten, from the largest on.
+/// Zero, and on either side of it as many as there may be of 1, 2 and 5, or 1 and 3, or 1 of each
+/// decade, or 1 of some, down to where the axis begins to be linear.
 fn symmetric(axis: &PlotAxis, most: usize) -> Vec<Tick> {
     let [from, to] = axis.range;
-    let least = libm::ceil(libm::log10(axis.linear)) as i32;
+    let least = libm::log10(axis.linear);
     let last = libm::floor(libm::log10(f64::max(from.abs(), to.abs()))) as i32;
     let sides = (most.saturating_sub(1) / 2).max(1);
-    let each = (last - least + 1).max(1) as usize / sides.max(1);
-    let sizes = (least..=last).rev().step_by(each.max(1)).take(sides);
-    let sizes = sizes.map(|power| libm::pow(10.0, f64::from(power)));
-    let mut values: Vec<f64> = sizes.flat_map(|size| [-size, size]).chain([0.0]).collect();
+    let sizes = |first: i32, every: usize, factors: &[f64]| -> Vec<f64> {
+        let decades = (first..=last).rev().step_by(every);
+        decades
+            .flat_map(|power| {
+                factors
+                    .iter()
+                    .map(move |factor| factor * libm::exp10(f64::from(power)))
+            })
+            .filter(|size| *size <= f64::max(from.abs(), to.abs()))
+            .collect()
+    };
+    let firsts = [libm::floor(least) as i32, libm::ceil(least) as i32];
+    let full = firsts.into_iter().flat_map(|first| {
+        [&[1.0, 2.0, 5.0][..], &[1.0, 3.0], &[1.0]].map(|factors| sizes(first, 1, factors))
+    });
+    let found = full
+        .filter(|sizes| (1..=sides).contains(&sizes.len()))
+        .max_by_key(Vec::len);
+    let found = found.unwrap_or_else(|| {
+        let every = (last - firsts[1] + 1).max(1) as usize;
+        sizes(firsts[1].min(last), every.div_ceil(sides), &[1.0])
+    });
+    let mut values: Vec<f64> = found
+        .into_iter()
+        .flat_map(|size| [-size, size])
+        .chain([0.0])
+        .collect();
     values.sort_by(f64::total_cmp);
     let seen = values
         .into_iter()

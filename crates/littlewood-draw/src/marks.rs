@@ -37,6 +37,9 @@ pub fn lift_off_condition(slope: f64) -> String {
 /// Length and half width of a head of an arrow in pixels.
 const HEAD: [f64; 2] = [9.0, 3.4];
 
+/// Height and half width of the triangle of a curve that goes on beyond its axes, in pixels.
+const BEYOND: [f64; 2] = [7.0, 4.0];
+
 /// Radius of a hoop whose particle has its full size, in pixels.
 const LARGE: f64 = 36.0;
 
@@ -106,6 +109,9 @@ impl Canvas {
                     self.line(&[(x - r, y + r), (x + r, y - r)], stroke);
                 }
             }
+            Mark::Beyond(colour) => {
+                points().for_each(|point| self.beyond(point, colour, true));
+            }
             Mark::Hoop {
                 offset,
                 h,
@@ -142,6 +148,16 @@ impl Canvas {
             self.mark(Mark::Ring(INK, 3.0 * size), &[vec![along(h)]], unit);
         }
         self.dot(centre, INK, 1.8 * size);
+    }
+
+    /// A triangle whose tip is at a place, and points up or down.
+    pub(crate) fn beyond(&mut self, (x, y): Step, colour: Rgb, upwards: bool) {
+        let [high, wide] = BEYOND.map(steps);
+        let base = if upwards { y + high } else { y - high };
+        self.polygon(
+            &[(x, y), (x + wide, base), (x - wide, base)],
+            Paint::Fill(colour),
+        );
     }
 
     /// A line from point to point.

@@ -283,6 +283,7 @@ impl Sheet {
             height,
             print_mm: self.print_mm,
             panels,
+            notes: Vec::new(),
         }
     }
 }

@@ -52,22 +52,49 @@ fn a_label_leaves_a_curve_and_stays_in_the_axes() {
     }
 }
 
-#[test]
-fn what_has_no_room_is_named_in_the_caption() {
-    let names = (0..200).map(|i| Label::new(format!("transition {i}"), &[0.5, 0.5]));
-    let (figure, count) = placed(names.collect());
-    let drawn = figure.panels[0].labels.len();
-    let named = figure.caption.matches("transition ").count();
-    assert!(
-        drawn > 1 && named > 0 && drawn + named == count,
-        "{drawn} and {named} of {count}"
-    );
-    let seen = figure
-        .texts()
+/// The lines of small letters below the panels, together.
+fn below(figure: &Figure) -> String {
+    let bottom = figure
+        .panels
         .iter()
-        .filter(|(text, _)| text.starts_with("transition"))
-        .count();
-    assert_eq!(seen, drawn);
+        .map(|panel| panel.frame[1] + panel.frame[3]);
+    let bottom = bottom.fold(0.0, f64::max);
+    let texts = figure.texts().into_iter();
+    let lines = texts.filter(|(_, [_, top, ..])| *top >= bottom);
+    lines.map(|(text, _)| text).collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn what_has_no_room_is_named_in_the_picture_and_in_the_caption() {
+    for (all, one) in [(200, false), (60, true)] {
+        let name = |i| {
+            if one {
+                "slip".to_owned()
+            } else {
+                format!("transition {i}")
+            }
+        };
+        let names = (0..all).map(|i| Label::new(name(i), &[0.5, 0.5]));
+        let (figure, count) = placed(names.collect());
+        let drawn = figure.panels[0].labels.len();
+        let note = below(&figure);
+        let wanted = format!("There is no room for {} names: ", count - drawn);
+        assert!(drawn > 1 && note.starts_with(&wanted), "{drawn}: {note}");
+        assert!(figure.caption.ends_with(&note), "{}", figure.caption);
+        // A few names, each once, whatever there are: the picture has not more words than lines.
+        let named = note.trim_start_matches(&wanted);
+        if one {
+            assert_eq!(named, "slip.");
+        } else {
+            assert!(
+                named.matches("transition").count() == 8 && named.ends_with(", …."),
+                "{note}"
+            );
+        }
+        assert!(figure.texts().iter().all(|(_, [left, _, right, bottom])| {
+            *left >= 0.0 && *right <= figure.width && *bottom <= figure.height
+        }));
+    }
 }
 
 #[test]

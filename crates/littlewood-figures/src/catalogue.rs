@@ -31,7 +31,14 @@ enum Make {
     /// From one motion, or from none.
     Soon(fn(&FigureInput) -> Result<Figure, FigureError>),
     /// From many motions, which can take long.
-    OfStarts(fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>),
+    OfStarts(OfStarts),
+}
+
+#[derive(Clone, Copy, Debug)]
+struct OfStarts {
+    /// Refuses what can be refused before the first motion.
+    check: fn(&FigureInput) -> Result<(), FigureError>,
+    make: fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>,
 }
 
 impl FigureEntry {
@@ -53,15 +60,33 @@ impl FigureEntry {
         input: &FigureInput,
         watch: &mut Watch<'_>,
     ) -> Result<Figure, FigureError> {
-        let mut figure = match self.make {
+        let figure = match self.make {
             Make::Soon(make) => make(input),
-            Make::OfStarts(make) => make(input, watch),
+            Make::OfStarts(OfStarts { check, make }) => {
+                check(input).and_then(|()| make(input, watch))
+            }
         }?;
+        Ok(Self::finished(figure, input))
+    }
+
+    /// The figure of one motion, or of none. Of a figure that takes many motions only what it is
+    /// made of is checked, so that bad input is known before the long work of any figure.
+    ///
+    /// # Errors
+    /// As [`FigureEntry::figure`].
+    pub fn figure_if_quick(&self, input: &FigureInput) -> Result<Option<Figure>, FigureError> {
+        match self.make {
+            Make::Soon(make) => make(input).map(|figure| Some(Self::finished(figure, input))),
+            Make::OfStarts(OfStarts { check, .. }) => check(input).map(|()| None),
+        }
+    }
+
+    fn finished(mut figure: Figure, input: &FigureInput) -> Figure {
         figure.caption += input.wording().note();
         if let Some(units) = &input.units {
             figure = converted(figure, units);
         }
-        Ok(figure.fitted())
+        figure.fitted()
     }
 
     /// The figure as the paper has it.
@@ -91,13 +116,13 @@ const fn of_starts(
     name: &'static str,
     title: &'static str,
     case: &'static str,
-    make: fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>,
+    work: OfStarts,
 ) -> FigureEntry {
     FigureEntry {
         name,
         title,
         case,
-        make: Make::OfStarts(make),
+        make: Make::OfStarts(work),
     }
 }
 
@@ -263,19 +288,28 @@ pub const FIGURES: &[FigureEntry] = &[
         "atlas",
         "the outcome of each start, and the motions of some",
         "figure-3",
-        atlas::figure,
+        OfStarts {
+            check: atlas::check,
+            make: atlas::figure,
+        },
     ),
     of_starts(
         "outcomes",
         "outcomes of the starts in the phase plane",
         "figure-3",
-        outcomes::figure,
+        OfStarts {
+            check: outcomes::check,
+            make: outcomes::figure,
+        },
     ),
     of_starts(
         "bifurcation",
         "transitions along a line of starts or parameters",
         "figure-3",
-        bifurcation::figure,
+        OfStarts {
+            check: bifurcation::check,
+            make: bifurcation::figure,
+        },
     ),
 ];
 

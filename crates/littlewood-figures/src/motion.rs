@@ -98,8 +98,8 @@ fn crowded(motion: &Trajectory) -> Option<f64> {
     (transitions.len() > CROWD && !is_event).then(|| transitions[SHOWN].time())
 }
 
-/// What a caption says of a motion of which only the beginning is shown, a sentence.
-pub(crate) fn remark(motion: &Trajectory, say: Wording) -> String {
+/// What a figure notes of a motion of which only the beginning is shown.
+pub(crate) fn remark(motion: &Trajectory, say: Wording) -> Option<String> {
     let until = horizon(motion);
     let all = motion.transitions().len();
     let shown = motion
@@ -108,13 +108,13 @@ pub(crate) fn remark(motion: &Trajectory, say: Wording) -> String {
         .filter(|transition| transition.time() <= until)
         .count();
     if shown == all {
-        return String::new();
+        return None;
     }
     let at = say.value(until, Dimension::Time);
-    format!(
-        " Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.",
+    Some(format!(
+        "Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.",
         say.time()
-    )
+    ))
 }
 
 /// The modes of a motion, each with the series of its phases.
@@ -142,6 +142,28 @@ pub(crate) fn by_mode(
             })
         })
         .collect()
+}
+
+/// Adds the end of a motion, if its rate has no bound there: a glide that ends at the plane. Its
+/// line then says that it has no greatest rate.
+pub(crate) fn add_unbounded_end(
+    motion: &Trajectory,
+    modes: &mut [(Mode, Series)],
+    row: &dyn Fn(&Sample) -> Vec<f64>,
+) {
+    let Some(phase) = motion.phases().last() else {
+        return;
+    };
+    let samples = all_instants(motion, phase, horizon(motion));
+    let end = samples
+        .last()
+        .filter(|end| end.state.theta_rate.is_infinite());
+    let own = modes.iter_mut().find(|(mode, _)| *mode == phase.mode());
+    if let (Some(end), Some((_, series))) = (end, own)
+        && let Some(piece) = series.pieces.last_mut()
+    {
+        piece.push(row(end));
+    }
 }
 
 /// Lines of modes, so wide.

@@ -320,6 +320,7 @@ impl Page {
             print_mm: Some(POSTER_MM[0]),
             height,
             panels,
+            notes: Vec::new(),
         }
     }
 }

@@ -151,15 +151,15 @@ pub(crate) fn names(motion: &Trajectory, top: f64, wide: f64) -> Names {
 }
 
 impl Names {
-    pub(crate) fn in_words(&self) -> &'static str {
-        match self.are_all {
-            [true, true] => "dashed verticals: transitions",
-            [false, true] => "dashed verticals: transitions; phases are named where there is room",
-            [true, false] => "dashed verticals: transitions, named where there is room",
-            [false, false] => {
-                "dashed verticals: transitions; both they and phases are named where there is room"
-            }
-        }
+    /// What a figure notes of phases and transitions without a name.
+    pub(crate) fn note(&self) -> Option<String> {
+        let which = match self.are_all {
+            [true, true] => return None,
+            [false, true] => "phases",
+            [true, false] => "transitions",
+            [false, false] => "phases and transitions",
+        };
+        Some(format!("There is no room for the names of all {which}."))
     }
 }
 

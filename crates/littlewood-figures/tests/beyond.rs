@@ -6,7 +6,7 @@ use core::f64::consts::{FRAC_PI_4, PI};
 use crate::support::{Body, THIN, assert_near, columns, figure, series};
 use littlewood::theory::PhasePlane;
 use littlewood::{Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start};
-use littlewood_figures::{Figure, FigureInput, Panel, Series, find_figure};
+use littlewood_figures::{Figure, FigureInput, Mark, Panel, Series, View, find_figure};
 
 fn panel<'a>(figure: &'a Figure, name: &str) -> &'a Panel {
     figure
@@ -105,7 +105,16 @@ fn a_rate_without_bound_does_not_hide_the_rest_of_a_sheet() {
         of_panel(&figure, "theta_rate", Mode::Gliding.name()),
         ["theta_rate"],
     );
-    assert!(rates.iter().all(|[rate]| (0.4..10.0).contains(rate)));
+    // The axis ends at a rate of the glide, and a mark says that the rate has no bound.
+    let View::Plane { y, .. } = &panel(&figure, "theta_rate").view else {
+        panic!("a plane")
+    };
+    assert!(rates[0][0] > 0.4 && y.range[1] < 10.0, "{:?}", y.range);
+    assert_eq!(rates[rates.len() - 1], [f64::INFINITY]);
+    let beyond = of_panel(&figure, "theta_rate", "gliding beyond the axis");
+    assert_eq!(columns(beyond, ["theta_rate"]), [[f64::INFINITY]]);
+    let labels = &panel(&figure, "theta_rate").labels;
+    assert!(labels.iter().any(|label| label.text == "∞"));
     // η′ is finite at the end, −6/5.
     let slips = columns(of_panel(&figure, "slip", Mode::Gliding.name()), ["slip"]);
     assert_near(slips[slips.len() - 1][0], -1.2, 1e-12, "η′");
@@ -353,14 +362,15 @@ fn what_is_drawn_of_a_phase_path_is_in_its_window() {
             .expect("a figure")
             .figure(&input)
             .expect("it can be drawn");
-        let littlewood_figures::View::Plane { x, y, .. } = &figure.panels[0].view else {
+        let View::Plane { x, y, .. } = &figure.panels[0].view else {
             panic!("a plane")
         };
         for layer in &figure.panels[0].layers {
+            let marked = layer.is_marked_beyond || matches!(layer.mark, Mark::Beyond(_));
             for [theta, rate] in columns(&layer.series, ["theta", "theta_rate"]) {
                 let is_head = layer.series.name == "arrow of time" || layer.series.name == "flow";
                 let inside = (x.range[0] - 1e-9..=x.range[1] + 1e-9).contains(&theta)
-                    && (y.range[0] - 1e-9..=y.range[1] + 1e-9).contains(&rate);
+                    && (marked || (y.range[0] - 1e-9..=y.range[1] + 1e-9).contains(&rate));
                 assert!(is_head || inside, "{}: {theta}, {rate}", layer.series.name);
             }
         }
@@ -482,7 +492,7 @@ fn the_region_of_rolling_is_filled_up_to_its_edge() {
             .iter()
             .map(|piece| piece.iter().map(|row| [row[0], row[1]]).collect())
             .collect();
-        let littlewood_figures::View::Plane { y, .. } = &figure.panels[0].view else {
+        let View::Plane { y, .. } = &figure.panels[0].view else {
             panic!("a plane")
         };
         let plane = PhasePlane::new(&hoop);

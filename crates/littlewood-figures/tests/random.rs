@@ -152,6 +152,8 @@ fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
         | Mark::Diamond(..)
         | Mark::Cross(..)
         | Mark::Hoop { .. } => !inside.is_empty(),
+        // It says that something is elsewhere.
+        Mark::Beyond(_) => false,
     }
 }
 

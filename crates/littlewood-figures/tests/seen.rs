@@ -4,8 +4,8 @@ use crate::support::{columns, series};
 use core::f64::consts::PI;
 use littlewood::cases::CASES;
 use littlewood::theory::{PhasePlane, RollingLaw};
-use littlewood::{Hoop, HoopParameters, Limits, OutcomeKind, Start};
-use littlewood_figures::{FIGURES, Figure, FigureInput, Mark, View, find_figure, plain};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Start};
+use littlewood_figures::{FIGURES, Figure, FigureInput, Mark, Scale, View, find_figure, plain};
 use littlewood_style::{Accent, Theme};
 
 /// Figures that follow many motions.
@@ -54,6 +54,128 @@ fn each_key_is_of_something_that_is_drawn() {
             assert!(is_drawn, "{}, {case}: '{}'", figure.name, key.text);
         }
     });
+}
+
+#[test]
+fn a_curve_of_a_motion_that_leaves_its_axes_is_marked_there() {
+    let mut found = 0;
+    all(|figure, case| {
+        for panel in &figure.panels {
+            let View::Plane { x, y, .. } = &panel.view else {
+                continue;
+            };
+            let rows = |is_it: &dyn Fn(&str, Mark) -> bool| -> Vec<[f64; 2]> {
+                let layers = panel.layers.iter();
+                let series = layers
+                    .filter(|layer| is_it(&layer.series.name, layer.mark))
+                    .map(|layer| &layer.series);
+                series
+                    .filter(|series| {
+                        series
+                            .column(&x.column)
+                            .and(series.column(&y.column))
+                            .is_some()
+                    })
+                    .flat_map(|series| columns(series, [&x.column, &y.column]))
+                    .filter(|[across, _]| (x.range[0]..=x.range[1]).contains(across))
+                    .collect()
+            };
+            let is_mode = |name: &str| Mode::ALL.iter().any(|mode| mode.name() == name);
+            let data = rows(&|name, mark| is_mode(name) && matches!(mark, Mark::Line(_)));
+            let marks = rows(&|_, mark| matches!(mark, Mark::Beyond(_)));
+            let [low, high] = y.range;
+            for is_above in [false, true] {
+                let is_out = |value: f64| if is_above { value > high } else { value < low };
+                let farthest = |rows: &[[f64; 2]]| {
+                    let values = rows.iter().map(|row| row[1]);
+                    values
+                        .filter(|value| is_out(*value))
+                        .max_by(|a, b| a.abs().total_cmp(&b.abs()))
+                };
+                let wanted = farthest(&data);
+                let what = || format!("{}, {}, {case}", figure.name, panel.name);
+                assert_eq!(wanted, farthest(&marks), "{}", what());
+                found += usize::from(wanted.is_some());
+            }
+        }
+    });
+    // The rate of a massless hoop, the forces of a light one.
+    assert!(found > 10, "{found}");
+}
+
+#[test]
+fn an_axis_that_is_not_linear_shows_it() {
+    let mut found = 0;
+    all(|figure, case| {
+        for panel in &figure.panels {
+            for axis in panel.axes() {
+                let is_bent = axis.linear.is_finite() || axis.scale == Scale::Decades;
+                if axis.scale == Scale::Nothing {
+                    continue;
+                }
+                let small = axis.small_ticks();
+                let what = || format!("{}, {}, {case}: {small:?}", figure.name, axis.title);
+                assert_eq!(small.len() > 2, is_bent, "{}", what());
+                // The labels are of values with small ticks, or of zero.
+                let is_small = |value: f64| {
+                    small
+                        .iter()
+                        .any(|small| (small - value).abs() <= 1e-12 * value.abs())
+                };
+                assert!(
+                    !is_bent
+                        || axis
+                            .ticks
+                            .iter()
+                            .all(|tick| tick.value == 0.0 || is_small(tick.value)),
+                    "{}: {:?}",
+                    what(),
+                    axis.ticks
+                );
+                found += usize::from(is_bent);
+            }
+        }
+    });
+    assert!(found > 10, "{found}");
+}
+
+/// What figures say of what they do not show begins so.
+const LEFT_OUT: [&str; 5] = [
+    "Shown is",
+    "Shown are",
+    "There is no room",
+    "Outcomes vary",
+    "Phases whose ends",
+];
+
+#[test]
+fn what_a_caption_says_was_left_out_stands_in_the_picture() {
+    let mut found = 0;
+    all(|figure, case| {
+        let texts: Vec<String> = figure.texts().into_iter().map(|(text, _)| text).collect();
+        let seen = texts.join(" ");
+        let caption = plain(&figure.caption);
+        for part in LEFT_OUT {
+            for (at, _) in caption.match_indices(part) {
+                let sentence = &caption[at..];
+                let end = sentence.find(". ").map_or(sentence.len(), |end| end + 1);
+                let sentence = &sentence[..end];
+                assert!(
+                    seen.contains(sentence),
+                    "{}, {case}: {sentence}",
+                    figure.name
+                );
+                found += 1;
+            }
+        }
+        for note in &figure.notes {
+            assert!(
+                caption.contains(&plain(note)) && seen.contains(&plain(note)),
+                "{case}: {note}"
+            );
+        }
+    });
+    assert!(found > 10, "{found}");
 }
 
 #[test]

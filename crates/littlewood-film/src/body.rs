@@ -105,82 +105,107 @@ pub(crate) fn draw_mass_centre(canvas: &mut Canvas, (x, y): Place, radius: f64) 
 /// The weight, the normal force, the friction and the slip velocity, with their letters. Each has a
 /// form of its own, so that they are told apart without colours too.
 pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit: f64) {
-    let style = Style {
-        size: 13.0 * unit,
-        is_bold: true,
-        anchor: 0.5,
-    };
+    let arrows = Arrows { view, scene, unit };
     if let Some(weight) = visible(&scene.weight) {
-        let (tail, head) = ends(view, weight);
+        arrows.draw_weight(canvas, weight);
+    }
+    if let Some(slip) = visible(&scene.slip) {
+        arrows.draw_slip(canvas, slip);
+    }
+    if let Some(friction) = visible(&scene.friction) {
+        arrows.draw_friction(canvas, friction);
+    }
+    if let Some(normal) = visible(&scene.normal) {
+        arrows.draw_normal(canvas, normal);
+    }
+}
+
+/// What the arrows of an instant are drawn with.
+struct Arrows<'a> {
+    view: &'a View,
+    scene: &'a Scene,
+    /// Pixels of a unit of lettering.
+    unit: f64,
+}
+
+impl Arrows<'_> {
+    const fn style(&self) -> Style {
+        Style {
+            size: 13.0 * self.unit,
+            is_bold: true,
+            anchor: 0.5,
+        }
+    }
+
+    fn draw_weight(&self, canvas: &mut Canvas, weight: &DrawnArrow) {
+        let unit = self.unit;
+        let (tail, head) = ends(self.view, weight);
         Shape::Open.draw(canvas, tail, head, SOFT, unit);
         // On the side where the normal force is not.
-        let side = if weight.tail.x > scene.lowest.x {
+        let side = if weight.tail.x > self.scene.lowest.x {
             11.0
         } else {
             -11.0
         };
-        canvas.label(
-            WEIGHT,
-            (head.0 + side * unit, head.1 - 2.0 * unit),
-            style,
-            SOFT,
-        );
+        let place = (head.0 + side * unit, head.1 - 2.0 * unit);
+        canvas.label(WEIGHT, place, self.style(), SOFT);
     }
-    // The slip velocity begins at the contact point too; it is drawn lower, so that F does not
-    // cover it.
-    let lowered = 9.0 * unit;
-    if let Some(slip) = visible(&scene.slip) {
-        let (tail, head) = (view.place(slip.tail), view.place(slip.head));
-        let [tail, head] = [tail, head].map(|place| view.moved(place, 0.0, lowered));
-        let side = Shape::Thin
-            .unless_cut(slip)
-            .draw(canvas, tail, head, SLIP, unit);
+
+    fn draw_slip(&self, canvas: &mut Canvas, slip: &DrawnArrow) {
+        let unit = self.unit;
+        // The slip velocity begins at the contact point, as the friction does; it is drawn lower,
+        // so that F does not cover it.
+        let lowered = 9.0 * unit;
+        let (tail, head) = ends(self.view, slip);
+        let [tail, head] = [tail, head].map(|place| self.view.moved(place, 0.0, lowered));
+        let shape = Shape::Thin.unless_cut(slip);
+        let side = shape.draw(canvas, tail, head, SLIP, unit);
+        let place = (
+            head.0 + 11.0 * unit * side.0,
+            head.1 + 4.0 * unit + 11.0 * unit * side.1,
+        );
         canvas.label(
             &marked(SampleColumn::Slip.sign()),
-            (
-                head.0 + 11.0 * unit * side.0,
-                head.1 + 4.0 * unit + 11.0 * unit * side.1,
-            ),
-            style,
+            place,
+            self.style(),
             SLIP,
         );
     }
-    if let Some(friction) = visible(&scene.friction) {
-        let (tail, head) = ends(view, friction);
+
+    fn draw_friction(&self, canvas: &mut Canvas, friction: &DrawnArrow) {
+        let unit = self.unit;
+        let (tail, head) = ends(self.view, friction);
         // From the edge of the point of contact, so that a short arrow is seen beside it.
         let beside = (CONTACT + 1.2) * unit * if friction.value < 0.0 { -1.0 } else { 1.0 };
-        let [tail, head] = [tail, head].map(|place| view.moved(place, beside, 0.0));
-        let side =
-            Shape::Hollow
-                .unless_cut(friction)
-                .draw(canvas, tail, head, FRICTION_FORCE, unit);
+        let [tail, head] = [tail, head].map(|place| self.view.moved(place, beside, 0.0));
+        let shape = Shape::Hollow.unless_cut(friction);
+        let side = shape.draw(canvas, tail, head, FRICTION_FORCE, unit);
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
+        let beyond = (head.0 + 7.0 * unit * side.0, head.1 + 7.0 * unit * side.1);
         canvas.label(
             &marked(SampleColumn::Friction.sign()),
-            view.moved(
-                (head.0 + 7.0 * unit * side.0, head.1 + 7.0 * unit * side.1),
-                0.0,
-                16.0 * unit,
-            ),
-            style,
+            self.view.moved(beyond, 0.0, 16.0 * unit),
+            self.style(),
             FRICTION_FORCE,
         );
     }
-    if let Some(normal) = visible(&scene.normal) {
-        let (tail, head) = ends(view, normal);
-        Shape::Solid
-            .unless_cut(normal)
-            .draw(canvas, tail, head, NORMAL_FORCE, unit);
+
+    fn draw_normal(&self, canvas: &mut Canvas, normal: &DrawnArrow) {
+        let unit = self.unit;
+        let (tail, head) = ends(self.view, normal);
+        let shape = Shape::Solid.unless_cut(normal);
+        shape.draw(canvas, tail, head, NORMAL_FORCE, unit);
         // On the side where the particle is not.
-        let side = if scene.sample.particle.x > scene.sample.centre.x {
+        let side = if self.scene.sample.particle.x > self.scene.sample.centre.x {
             -11.0
         } else {
             11.0
         };
+        let above = (head.0, head.1 + 6.0 * unit);
         canvas.label(
             &marked(SampleColumn::Normal.sign()),
-            view.moved((head.0, head.1 + 6.0 * unit), side * unit, 0.0),
-            style,
+            self.view.moved(above, side * unit, 0.0),
+            self.style(),
             NORMAL_FORCE,
         );
     }
@@ -223,76 +248,107 @@ impl Shape {
         if length == 0.0 {
             return (0.0, 0.0);
         }
-        let (x, y) = (along.0 / length, along.1 / length);
-        let at =
-            |back: f64, aside: f64| (head.0 - back * x - aside * y, head.1 - back * y + aside * x);
+        let arrow = Arrow {
+            tail,
+            head,
+            length,
+            direction: (along.0 / length, along.1 / length),
+            colour,
+            unit,
+        };
         match self {
-            Self::Solid | Self::Cut => {
-                let tip = (9.0 * unit).min(length);
-                let half = 0.42 * tip;
-                canvas.line(
-                    &[tail, at(0.8 * tip, 0.0)],
-                    (0.3 * tip).max(1.2 * unit),
-                    colour,
-                );
-                for back in
-                    [0.0, 0.75 * tip]
-                        .into_iter()
-                        .take(if self == Self::Cut { 2 } else { 1 })
-                {
-                    let point = at(back, 0.0);
-                    let base = (point.0 - tip * x, point.1 - tip * y);
-                    let side = |half: f64| (base.0 - half * y, base.1 + half * x);
-                    canvas.polygon(&[point, side(half), side(-half)], colour);
-                }
-            }
-            Self::Hollow => {
-                let tip = (10.5 * unit).min(length);
-                let half = 0.5 * tip;
-                canvas.line(
-                    &[tail, at(0.9 * tip, 0.0)],
-                    (0.24 * tip).max(1.4 * unit),
-                    colour,
-                );
-                canvas.polygon(&[head, at(tip, half), at(tip, -half)], colour);
-                let inner = 0.27 * tip;
-                canvas.polygon(
-                    &[
-                        at(inner, 0.0),
-                        at(0.86 * tip, 0.58 * half),
-                        at(0.86 * tip, -0.58 * half),
-                    ],
-                    PAPER,
-                );
-            }
-            Self::Open => {
-                let tip = (8.0 * unit).min(length);
-                canvas.line(&[tail, head], 1.8 * unit, colour);
-                canvas.line(
-                    &[at(tip, 0.55 * tip), head, at(tip, -0.55 * tip)],
-                    1.8 * unit,
-                    colour,
-                );
-            }
-            Self::Thin => {
-                let tip = (9.0 * unit).min(length);
-                canvas.line(
-                    &[tail, at(0.8 * tip, 0.0)],
-                    (0.16 * tip).max(1.2 * unit),
-                    colour,
-                );
-                canvas.polygon(
-                    &[
-                        head,
-                        at(tip, 0.3 * tip),
-                        at(0.75 * tip, 0.0),
-                        at(tip, -0.3 * tip),
-                    ],
-                    colour,
-                );
-            }
+            Self::Solid => arrow.draw_solid(canvas, 1),
+            Self::Cut => arrow.draw_solid(canvas, 2),
+            Self::Hollow => arrow.draw_hollow(canvas),
+            Self::Open => arrow.draw_open(canvas),
+            Self::Thin => arrow.draw_thin(canvas),
         }
-        (x, y)
+        arrow.direction
+    }
+}
+
+/// An arrow of some length in the picture.
+struct Arrow {
+    tail: Place,
+    head: Place,
+    length: f64,
+    /// From the tail to the head, of length 1.
+    direction: (f64, f64),
+    colour: Rgb,
+    /// Pixels of a unit of lettering.
+    unit: f64,
+}
+
+impl Arrow {
+    /// So far back from the head, and to the side.
+    fn at(&self, back: f64, aside: f64) -> Place {
+        let (x, y) = self.direction;
+        (
+            self.head.0 - back * x - aside * y,
+            self.head.1 - back * y + aside * x,
+        )
+    }
+
+    /// Length of the tip: this many units of lettering, but no longer than the arrow.
+    fn tip(&self, units: f64) -> f64 {
+        (units * self.unit).min(self.length)
+    }
+
+    /// The line from the tail to a place behind the head, at least so many units of lettering wide.
+    fn draw_line(&self, canvas: &mut Canvas, back: f64, width: f64, least: f64) {
+        let width = width.max(least * self.unit);
+        canvas.line(&[self.tail, self.at(back, 0.0)], width, self.colour);
+    }
+
+    fn draw_solid(&self, canvas: &mut Canvas, heads: usize) {
+        let tip = self.tip(9.0);
+        let half = 0.42 * tip;
+        self.draw_line(canvas, 0.8 * tip, 0.3 * tip, 1.2);
+        let (x, y) = self.direction;
+        for back in [0.0, 0.75 * tip].into_iter().take(heads) {
+            let point = self.at(back, 0.0);
+            let base = (point.0 - tip * x, point.1 - tip * y);
+            let side = |half: f64| (base.0 - half * y, base.1 + half * x);
+            canvas.polygon(&[point, side(half), side(-half)], self.colour);
+        }
+    }
+
+    fn draw_hollow(&self, canvas: &mut Canvas) {
+        let tip = self.tip(10.5);
+        let half = 0.5 * tip;
+        self.draw_line(canvas, 0.9 * tip, 0.24 * tip, 1.4);
+        let outer = [self.head, self.at(tip, half), self.at(tip, -half)];
+        canvas.polygon(&outer, self.colour);
+        let inner = [
+            self.at(0.27 * tip, 0.0),
+            self.at(0.86 * tip, 0.58 * half),
+            self.at(0.86 * tip, -0.58 * half),
+        ];
+        canvas.polygon(&inner, PAPER);
+    }
+
+    fn draw_open(&self, canvas: &mut Canvas) {
+        let tip = self.tip(8.0);
+        let width = 1.8 * self.unit;
+        canvas.line(&[self.tail, self.head], width, self.colour);
+        let strokes = [
+            self.at(tip, 0.55 * tip),
+            self.head,
+            self.at(tip, -0.55 * tip),
+        ];
+        canvas.line(&strokes, width, self.colour);
+    }
+
+    fn draw_thin(&self, canvas: &mut Canvas) {
+        let tip = self.tip(9.0);
+        self.draw_line(canvas, 0.8 * tip, 0.16 * tip, 1.2);
+        let head = [
+            self.head,
+            self.at(tip, 0.3 * tip),
+            self.at(0.75 * tip, 0.0),
+            self.at(tip, -0.3 * tip),
+        ];
+        canvas.polygon(&head, self.colour);
     }
 }
 

@@ -11,12 +11,12 @@ use crate::schedule::Schedule;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Framing {
-    /// The whole path if the hoop is large all the same, else the camera goes with the hoop
+    /// The whole path where it leaves the hoop large enough, else as `follow`
     #[default]
     Auto,
     /// The whole path, however small the hoop is
     Whole,
-    /// The camera goes with the mass centre; the whole path is shown in small
+    /// The camera moves with the mass centre; an inset shows the whole path
     Follow,
 }
 

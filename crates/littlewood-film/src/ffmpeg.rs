@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::io::{BufRead as _, BufReader, ErrorKind, Write as _};
 use std::path::Path;
-use std::process::{Child, ChildStdin, Command, Stdio};
+use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
 use std::thread::JoinHandle;
 
 use crate::encoder::Encoder;
@@ -43,6 +43,42 @@ impl Video {
     }
 }
 
+/// The call of ffmpeg that reads frames from its standard input and writes them to a file.
+fn command(program: &OsStr, path: &Path, film: &Film<'_>, video: Video) -> Command {
+    let size = film.size().to_string();
+    let fps = film.schedule().fps.to_string();
+    let mut command = Command::new(program);
+    command
+        .args("-hide_banner -loglevel error -nostats -y".split(' '))
+        .args("-f rawvideo -pixel_format rgb24 -video_size".split(' '))
+        .arg(size)
+        .arg("-framerate")
+        .arg(fps)
+        .args("-i pipe:0 -an".split(' '))
+        .args(COLOURS.split(' '))
+        // The same bytes from one version of ffmpeg, whatever the number of cores.
+        .args("-threads 2 -fflags +bitexact -flags:v +bitexact -map_metadata -1".split(' '))
+        .args(video.arguments().split(' '))
+        .arg(path)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped());
+    command
+}
+
+/// The last lines that ffmpeg writes before it ends. All have to be read, for it waits while the
+/// pipe is full.
+fn last_lines(stderr: ChildStderr) -> Vec<String> {
+    let mut kept = Vec::new();
+    for line in BufReader::new(stderr).lines().map_while(Result::ok) {
+        kept.push(line);
+        if kept.len() > KEPT {
+            kept.remove(0);
+        }
+    }
+    kept
+}
+
 /// Writes a video by way of ffmpeg.
 #[derive(Debug)]
 pub struct FfmpegFilm {
@@ -68,58 +104,17 @@ impl FfmpegFilm {
         if size.width() % 2 + size.height() % 2 != 0 {
             return Err(FilmError::OddSize { size });
         }
-        let mut ffmpeg = Command::new(program)
-            .args(["-hide_banner", "-loglevel", "error", "-nostats", "-y"])
-            .args([
-                "-f",
-                "rawvideo",
-                "-pixel_format",
-                "rgb24",
-                "-video_size",
-                &size.to_string(),
-            ])
-            .args([
-                "-framerate",
-                &film.schedule().fps.to_string(),
-                "-i",
-                "pipe:0",
-            ])
-            .arg("-an")
-            .args(COLOURS.split(' '))
-            // The same bytes from one version of ffmpeg, whatever the number of cores.
-            .args([
-                "-threads",
-                "2",
-                "-fflags",
-                "+bitexact",
-                "-flags:v",
-                "+bitexact",
-                "-map_metadata",
-                "-1",
-            ])
-            .args(video.arguments().split(' '))
-            .arg(path)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::null())
-            .stderr(Stdio::piped())
+        let mut ffmpeg = command(program, path, film, video)
             .spawn()
             .map_err(|source| FilmError::NoFfmpeg {
                 program: program.to_string_lossy().into_owned(),
                 source,
             })?;
         let frames = ffmpeg.stdin.take();
-        let messages = ffmpeg.stderr.take().map(|stderr| {
-            std::thread::spawn(move || {
-                let mut kept = Vec::new();
-                for line in BufReader::new(stderr).lines().map_while(Result::ok) {
-                    kept.push(line);
-                    if kept.len() > KEPT {
-                        kept.remove(0);
-                    }
-                }
-                kept
-            })
-        });
+        let messages = ffmpeg
+            .stderr
+            .take()
+            .map(|stderr| std::thread::spawn(move || last_lines(stderr)));
         Ok(Self {
             ffmpeg,
             frames,

@@ -301,70 +301,93 @@ impl<'a> Reel<'a> {
     fn draw(&mut self, index: u64) -> Result<&[u8], FilmError> {
         let Self {
             film,
-            camera,
-            panel,
             canvas,
             trail,
-            pane,
-            inset,
             ground,
+            ..
         } = self;
-        let (scene, unit) = (film.scene(index)?, film.size.unit());
-        let view = camera.view(&scene);
+        let film = *film;
+        let scene = film.scene(index)?;
         trail.extend(film.trajectory, &film.schedule, scene.time());
         canvas.copy(ground);
-        if !camera.is_still() {
-            draw_plane(canvas, &view, film.window(), unit, film.units.as_ref());
+        self.draw_motion(&scene);
+        self.restore_surroundings();
+        if let Some(pane) = &self.pane {
+            pane.draw_moving(&mut self.canvas, &scene.sample);
         }
-        draw_trail(canvas, &view, trail, &scene, unit);
-        draw_body(canvas, &view, &scene, film.trajectory.hoop(), unit);
-        draw_contact(canvas, &view, &scene, &panel.gap(&scene), unit);
-        draw_arrows(canvas, &view, &scene, unit);
-        draw_impulse(canvas, &view, &scene, &panel.impulse(&scene), unit);
-        // A trail or an arrow may have run out of the window.
-        let [width, height] = [film.size.width(), film.size.height()].map(f64::from);
-        if film.with.is_some() {
-            let left = libm::round(film.window().width);
-            canvas.restore(ground, [left, HEAD * unit, width, height]);
+        if let Some(inset) = &self.inset {
+            inset.draw_moving(&mut self.canvas, &scene);
         }
-        if !camera.is_still() {
-            canvas.restore(ground, inset_of(film.size));
-        }
-        canvas.restore(ground, [0.0, 0.0, width, HEAD * unit]);
-        canvas.restore(ground, [0.0, height - FOOT * unit, width, height]);
-        if let Some(pane) = pane {
-            pane.draw_moving(canvas, &scene.sample);
-        }
-        if let Some(inset) = inset {
-            inset.draw_moving(canvas, &scene);
-        }
-        if let (Some(parts), Some(energies)) = (film.energy(index)?, &film.energies) {
-            let Window {
-                left, top, width, ..
-            } = film.window();
-            let top = if camera.is_still() {
-                top
-            } else {
-                beside_inset(film.size)
-            };
-            draw_bar(
-                canvas,
-                [left + width, top, camera.floor()],
-                &Bar {
-                    parts: &parts,
-                    scale: energies.scale,
-                    units: film.units.as_ref(),
-                },
-                unit,
-            );
+        if let Some(parts) = film.energy(index)? {
+            self.draw_energy(&parts);
         }
         let is_last = index + 1 == film.schedule.frames && !film.schedule.closes();
         let outcome = is_last.then(|| film.trajectory.outcome());
+        let (panel, canvas) = (&self.panel, &mut self.canvas);
         panel.draw_moving(canvas, &scene, &film.schedule, outcome);
         if let Some(factor) = film.slow_impacts.filter(|_| film.schedule.is_slow(index)) {
             panel.draw_slow(canvas, factor);
         }
         Ok(canvas.data())
+    }
+
+    /// The plane if it moves, the hoop with its trail, and the arrows.
+    fn draw_motion(&mut self, scene: &Scene) {
+        let Self {
+            film,
+            camera,
+            panel,
+            canvas,
+            trail,
+            ..
+        } = self;
+        let unit = film.size.unit();
+        let view = camera.view(scene);
+        if !camera.is_still() {
+            draw_plane(canvas, &view, film.window(), unit, film.units.as_ref());
+        }
+        draw_trail(canvas, &view, trail, scene, unit);
+        draw_body(canvas, &view, scene, film.trajectory.hoop(), unit);
+        draw_contact(canvas, &view, scene, &panel.gap(scene), unit);
+        draw_arrows(canvas, &view, scene, unit);
+        draw_impulse(canvas, &view, scene, &panel.impulse(scene), unit);
+    }
+
+    /// What stands around the window, over which a trail or an arrow may have run.
+    fn restore_surroundings(&mut self) {
+        let (film, canvas, ground) = (self.film, &mut self.canvas, &self.ground);
+        let unit = film.size.unit();
+        let [width, height] = [film.size.width(), film.size.height()].map(f64::from);
+        if film.with.is_some() {
+            let left = libm::round(film.window().width);
+            canvas.restore(ground, [left, HEAD * unit, width, height]);
+        }
+        if !self.camera.is_still() {
+            canvas.restore(ground, inset_of(film.size));
+        }
+        canvas.restore(ground, [0.0, 0.0, width, HEAD * unit]);
+        canvas.restore(ground, [0.0, height - FOOT * unit, width, height]);
+    }
+
+    /// The bar of the energy, if the film has one.
+    fn draw_energy(&mut self, parts: &EnergyParts) {
+        let film = self.film;
+        let Some(energies) = &film.energies else {
+            return;
+        };
+        let window = film.window();
+        let top = if self.camera.is_still() {
+            window.top
+        } else {
+            beside_inset(film.size)
+        };
+        let bar = Bar {
+            parts,
+            scale: energies.scale,
+            units: film.units.as_ref(),
+        };
+        let place = [window.left + window.width, top, self.camera.floor()];
+        draw_bar(&mut self.canvas, place, &bar, film.size.unit());
     }
 }
 
@@ -374,11 +397,16 @@ fn beside_inset(size: FrameSize) -> f64 {
 }
 
 /// The place of the pane.
-fn pane_of(size: FrameSize) -> [f64; 4] {
+fn pane_of(size: FrameSize) -> Window {
     let u = size.unit();
     let (width, height) = (f64::from(size.width()), f64::from(size.height()));
     let top = beside_inset(size);
-    [width - PANE * u, top, PANE * u, height - FOOT * u - top]
+    Window {
+        left: width - PANE * u,
+        top,
+        width: PANE * u,
+        height: height - FOOT * u - top,
+    }
 }
 
 /// The place of the whole path in small.

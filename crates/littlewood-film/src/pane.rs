@@ -14,6 +14,7 @@ use littlewood_draw::{
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, EnergyPart, EnergyParts, Ledger};
 
+use crate::camera;
 use crate::canvas::Canvas;
 use crate::colour::{FRICTION_FORCE, INK, PAPER, SOFT, of_energy, of_mode};
 use crate::letters::Style;
@@ -68,106 +69,33 @@ pub(crate) struct Pane {
     units: [f64; 2],
 }
 
-/// What is drawn of a motion.
-struct Shown<'a> {
-    with: With,
-    trajectory: &'a Trajectory,
-    units: Option<Units>,
-    ranges: [[f64; 2]; 2],
-    pieces: &'a [Piece],
-    energies: &'a [(f64, EnergyParts)],
-}
-
 impl Pane {
+    /// The pane of a motion at a place of the picture.
     pub(crate) fn new(
         with: With,
         trajectory: &Trajectory,
         schedule: &Schedule,
-        [left, top, width, height]: [f64; 4],
+        place: camera::Window,
         unit: f64,
         units: Option<Units>,
     ) -> Result<Self, DrawError> {
-        let samples: Vec<Sample> = trajectory.sample_evenly(SAMPLES, schedule.end).collect();
-        let times = [schedule.start, schedule.end.max(schedule.start + 1e-9)];
-        let ledger = Ledger::new(trajectory);
-        let parts = |ledger: &Ledger| -> Vec<(f64, EnergyParts)> {
-            let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
-            samples.iter().filter_map(parts).collect()
-        };
-        let energies = ledger.as_ref().map(parts).unwrap_or_default();
-        let ranges = match with {
-            With::Plane => [[-PI, PI], rates(&samples, trajectory)],
-            With::Friction => [times, [0.0, most_demand(trajectory)]],
-            With::Energy => [times, range_of_energies(ledger.as_ref(), &samples)],
-        };
-        let mut pieces: Vec<Piece> = Vec::new();
-        let mut begins = true;
-        for sample in &samples {
-            let Some(point) = place_of(with, sample) else {
-                begins = true;
-                continue;
-            };
-            let entry = (sample.state.time, point);
-            let turns = |last: [f64; 2]| with == With::Plane && (point[0] - last[0]).abs() > PI;
-            let jumps = |piece: &Piece| piece.points.last().is_some_and(|(_, last)| turns(*last));
-            match pieces.last_mut() {
-                Some(piece) if !begins && piece.mode == sample.mode && !jumps(piece) => {
-                    piece.points.push(entry);
-                }
-                _ => pieces.push(Piece {
-                    mode: sample.mode,
-                    points: vec![entry],
-                }),
-            }
-            begins = false;
-        }
-        let shown = Shown {
-            with,
-            trajectory,
-            units,
-            ranges,
-            pieces: &pieces,
-            energies: &energies,
-        };
+        let shown = Shown::new(with, trajectory, schedule, units);
+        let size = [place.width, place.height].map(libm::round);
         let scale = SCALE * unit;
-        let size = [width, height].map(libm::round);
-        let sheet = Sheet::new(None, size[0] / scale)?;
-        let drawn = |is_done| -> Result<(Panel, Image), DrawError> {
-            let (keys, room) = sheet.keys(shown.entries(), 0.0);
-            let ([left, inner], top) = (sheet.span(), room + ABOVE);
-            let mut panel = Sheet::panel(
-                [left, top, inner, size[1] / scale - top - BELOW],
-                shown.content(is_done),
-            );
-            panel.keys = keys;
-            let figure = sheet
-                .figure(
-                    "pane",
-                    "",
-                    String::new(),
-                    size[1] / scale,
-                    vec![panel.clone()],
-                )
-                .fitted();
-            let image = figure.pixels(size.map(|side| side as u32), scale)?;
-            Ok((panel, image))
+        let (panel, still) = shown.draw(size, scale, false)?;
+        let done = match with {
+            With::Plane => None,
+            With::Friction | With::Energy => Some(shown.draw(size, scale, true)?.1),
         };
-        let (panel, still) = drawn(false)?;
-        let done = if with == With::Plane {
-            None
-        } else {
-            Some(drawn(true)?.1)
-        };
-        let (corner, units) = ([left, top].map(libm::round), shown.worth());
         Ok(Self {
             with,
             panel,
-            corner,
+            corner: [place.left, place.top].map(libm::round),
             scale,
             still,
             done,
-            pieces,
-            units,
+            units: shown.worth(),
+            pieces: shown.pieces,
         })
     }
 
@@ -233,7 +161,58 @@ impl Pane {
 const ABOVE: f64 = 10.0;
 const BELOW: f64 = 2.0;
 
-impl Shown<'_> {
+/// What is drawn of a motion.
+struct Shown<'a> {
+    with: With,
+    trajectory: &'a Trajectory,
+    units: Option<Units>,
+    ranges: [[f64; 2]; 2],
+    pieces: Vec<Piece>,
+    energies: Vec<(f64, EnergyParts)>,
+}
+
+impl<'a> Shown<'a> {
+    fn new(
+        with: With,
+        trajectory: &'a Trajectory,
+        schedule: &Schedule,
+        units: Option<Units>,
+    ) -> Self {
+        let samples: Vec<Sample> = trajectory.sample_evenly(SAMPLES, schedule.end).collect();
+        let times = [schedule.start, schedule.end.max(schedule.start + 1e-9)];
+        let ledger = Ledger::new(trajectory);
+        let ranges = match with {
+            With::Plane => [[-PI, PI], rates(&samples, trajectory)],
+            With::Friction => [times, [0.0, most_demand(trajectory)]],
+            With::Energy => [times, range_of_energies(ledger.as_ref(), &samples)],
+        };
+        Self {
+            with,
+            trajectory,
+            units,
+            ranges,
+            pieces: pieces(with, &samples),
+            energies: ledger.map_or_else(Vec::new, |ledger| energies(&ledger, &samples)),
+        }
+    }
+
+    /// The figure in pixels and its panel, with the motion in colour where it is done.
+    fn draw(&self, size: [f64; 2], scale: f64, is_done: bool) -> Result<(Panel, Image), DrawError> {
+        let [width, height] = size.map(|side| side / scale);
+        let sheet = Sheet::new(None, width)?;
+        let (keys, room) = sheet.keys(self.entries(), 0.0);
+        let [left, inner] = sheet.span();
+        let top = room + ABOVE;
+        let frame = [left, top, inner, height - top - BELOW];
+        let mut panel = Sheet::panel(frame, self.content(is_done));
+        panel.keys = keys;
+        let figure = sheet
+            .figure("pane", "", String::new(), height, vec![panel.clone()])
+            .fitted();
+        let image = figure.pixels(size.map(|side| side as u32), scale)?;
+        Ok((panel, image))
+    }
+
     /// What a unit of either axis is worth in the units of the film.
     fn worth(&self) -> [f64; 2] {
         self.dimensions()
@@ -280,7 +259,7 @@ impl Shown<'_> {
             With::Friction => self.limits(),
             With::Energy => self.bands(if is_done { 1.0 } else { 0.3 }),
         };
-        for piece in self.pieces {
+        for piece in &self.pieces {
             let stroke = if is_done {
                 Stroke::solid(of_mode(piece.mode), MOTION)
             } else {
@@ -381,7 +360,7 @@ impl Shown<'_> {
                 };
                 [*time, below + height.max(0.0)]
             };
-            let upper: Vec<[f64; 2]> = lower.iter().zip(self.energies).map(above).collect();
+            let upper: Vec<[f64; 2]> = lower.iter().zip(&self.energies).map(above).collect();
             let area = lower.iter().chain(upper.iter().rev()).copied().collect();
             let colour = of_energy(part).over(PAPER, strength);
             layers.push(self.layer(vec![area], Mark::Fill(colour)));
@@ -428,6 +407,39 @@ const CURVES: [(Curve, &str); 3] = [
 fn of_curve(curve: Curve) -> Mark {
     let stroke = Stroke::of_curve(curve);
     Mark::Line(stroke.wide(0.8 * stroke.width))
+}
+
+/// The parts of a motion in one mode. A new one also begins where the motion comes back into the
+/// pane, and where θ goes beyond ±π in the plane.
+fn pieces(with: With, samples: &[Sample]) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    let mut begins = true;
+    for sample in samples {
+        let Some(point) = place_of(with, sample) else {
+            begins = true;
+            continue;
+        };
+        let entry = (sample.state.time, point);
+        let turns = |last: [f64; 2]| with == With::Plane && (point[0] - last[0]).abs() > PI;
+        let jumps = |piece: &Piece| piece.points.last().is_some_and(|(_, last)| turns(*last));
+        match pieces.last_mut() {
+            Some(piece) if !begins && piece.mode == sample.mode && !jumps(piece) => {
+                piece.points.push(entry);
+            }
+            _ => pieces.push(Piece {
+                mode: sample.mode,
+                points: vec![entry],
+            }),
+        }
+        begins = false;
+    }
+    pieces
+}
+
+/// The parts of the energy of the samples, each with its time.
+fn energies(ledger: &Ledger, samples: &[Sample]) -> Vec<(f64, EnergyParts)> {
+    let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
+    samples.iter().filter_map(parts).collect()
 }
 
 /// Where a motion is in a pane.

@@ -43,6 +43,99 @@ enum Sign {
     Arrow(Shape, Rgb),
 }
 
+/// A sign and what it stands for.
+struct SignEntry {
+    sign: Sign,
+    words: String,
+}
+
+impl SignEntry {
+    fn new(sign: Sign, words: &str) -> Self {
+        let words = words.to_owned();
+        Self { sign, words }
+    }
+
+    /// An arrow, and the letter of a quantity behind the words.
+    fn arrow(shape: Shape, colour: Rgb, words: &str, column: SampleColumn) -> Self {
+        let words = format!("{words} {}", marked(column.sign()));
+        Self {
+            sign: Sign::Arrow(shape, colour),
+            words,
+        }
+    }
+
+    /// Where its words begin, if it begins at x; lengths in units of lettering of u pixels.
+    fn words_at(&self, x: f64, u: f64) -> f64 {
+        let room = match self.sign {
+            Sign::Particle | Sign::MassCentre => 9.0,
+            Sign::Centre => 6.0,
+            Sign::Arrow(..) => 20.0,
+        };
+        x + room * u + 4.0 * u
+    }
+
+    /// Where the next one begins.
+    fn end(&self, x: f64, u: f64) -> f64 {
+        self.words_at(x, u) + style_of_signs(u).width(&self.words) + 11.0 * u
+    }
+
+    fn draw(&self, canvas: &mut Canvas, x: f64, base: f64, u: f64) {
+        let middle = base - 3.6 * u;
+        let words_at = (self.words_at(x, u), base);
+        canvas.words(&self.words, words_at, style_of_signs(u), SOFT);
+        match self.sign {
+            Sign::Particle => canvas.disc((x + 4.5 * u, middle), 4.0 * u, INK),
+            Sign::MassCentre => draw_mass_centre(canvas, (x + 4.5 * u, middle), 4.2 * u),
+            Sign::Centre => {
+                canvas.disc((x + 3.0 * u, middle), 3.0 * u, SOFT);
+                canvas.disc((x + 3.0 * u, middle), 1.6 * u, PAPER);
+            }
+            Sign::Arrow(shape, colour) => {
+                shape.draw(canvas, (x, middle), (x + 19.0 * u, middle), colour, 0.8 * u);
+            }
+        }
+    }
+}
+
+const fn style_of_signs(u: f64) -> Style {
+    Style {
+        size: 10.0 * u,
+        is_bold: false,
+        anchor: 0.0,
+    }
+}
+
+/// The signs in the picture of a hoop.
+fn signs(hoop: &Hoop) -> Vec<SignEntry> {
+    let mut signs = if hoop.mass_ratio() > 0.0 {
+        vec![
+            SignEntry::new(Sign::Particle, "particle"),
+            SignEntry::new(Sign::MassCentre, "mass centre"),
+        ]
+    } else {
+        vec![SignEntry::new(Sign::Particle, "particle = mass centre")]
+    };
+    let normal = SampleColumn::Normal;
+    let weight = Sign::Arrow(Shape::Open, SOFT);
+    signs.extend([
+        SignEntry::new(Sign::Centre, "centre *C*"),
+        SignEntry::arrow(Shape::Solid, NORMAL_FORCE, normal.long_name(), normal),
+        SignEntry::arrow(
+            Shape::Hollow,
+            FRICTION_FORCE,
+            "friction",
+            SampleColumn::Friction,
+        ),
+        SignEntry::new(weight, &format!("weight {WEIGHT}")),
+        SignEntry::arrow(Shape::Thin, SLIP, "slip velocity", SampleColumn::Slip),
+    ]);
+    if hoop.restitution().is_some() {
+        let impulse = Sign::Arrow(Shape::Solid, IMPULSE);
+        signs.push(SignEntry::new(impulse, "impulse (*J*, *P*)"));
+    }
+    signs
+}
+
 impl Panel {
     pub(crate) fn new(size: FrameSize, units: Option<Units>) -> Self {
         let time_decimals = decimals(units.map_or(1.0, |units| units.time_s), 3);
@@ -156,78 +249,23 @@ impl Panel {
 
     /// The signs and what they stand for, in a row, as large as there is room.
     fn draw_signs(&self, canvas: &mut Canvas, hoop: &Hoop) {
-        let (left, base) = (MARGIN * self.unit, self.height - 23.0 * self.unit);
-        let has_disc = hoop.mass_ratio() > 0.0;
-        let arrow =
-            |words: &str, column: SampleColumn| format!("{words} {}", marked(column.sign()));
-        let particle = if has_disc {
-            "particle"
-        } else {
-            "particle = mass centre"
-        };
-        let mut signs = vec![(9.0, particle.to_owned(), Sign::Particle)];
-        signs.extend(has_disc.then(|| (9.0, "mass centre".to_owned(), Sign::MassCentre)));
-        signs.push((6.0, "centre *C*".to_owned(), Sign::Centre));
-        let normal = arrow(SampleColumn::Normal.long_name(), SampleColumn::Normal);
-        signs.extend([
-            (20.0, normal, Sign::Arrow(Shape::Solid, NORMAL_FORCE)),
-            (
-                20.0,
-                arrow("friction", SampleColumn::Friction),
-                Sign::Arrow(Shape::Hollow, FRICTION_FORCE),
-            ),
-            (
-                20.0,
-                format!("weight {WEIGHT}"),
-                Sign::Arrow(Shape::Open, SOFT),
-            ),
-            (
-                20.0,
-                arrow("slip velocity", SampleColumn::Slip),
-                Sign::Arrow(Shape::Thin, SLIP),
-            ),
-        ]);
-        let impulse = || {
-            (
-                20.0,
-                "impulse (*J*, *P*)".to_owned(),
-                Sign::Arrow(Shape::Solid, IMPULSE),
-            )
-        };
-        signs.extend(hoop.restitution().map(|_| impulse()));
-        let style = |u: f64| Style {
-            size: 10.0 * u,
-            is_bold: false,
-            anchor: 0.0,
-        };
-        let after = |x: f64, u: f64, (room, words, _): &(f64, String, Sign)| {
-            x + room * u + 4.0 * u + style(u).width(words) + 11.0 * u
-        };
-        let (room, wide) = (
-            self.width - 2.0 * left,
-            signs.iter().fold(left, |x, sign| after(x, self.unit, sign)) - left,
-        );
+        let left = MARGIN * self.unit;
+        let base = self.height - 23.0 * self.unit;
+        let entries = signs(hoop);
+        let room = self.width - 2.0 * left;
+        let end = entries
+            .iter()
+            .fold(left, |x, entry| entry.end(x, self.unit));
+        let wide = end - left;
         let u = if wide > room {
             self.unit * (room / wide)
         } else {
             self.unit
         };
-        let (mut x, middle) = (left, base - 3.6 * u);
-        for entry in &signs {
-            let (room, words, sign) = entry;
-            canvas.words(words, (x + room * u + 4.0 * u, base), style(u), SOFT);
-            match *sign {
-                Sign::Particle => canvas.disc((x + 4.5 * u, middle), 4.0 * u, INK),
-                Sign::MassCentre => draw_mass_centre(canvas, (x + 4.5 * u, middle), 4.2 * u),
-                Sign::Centre => {
-                    canvas.disc((x + 3.0 * u, middle), 3.0 * u, SOFT);
-                    canvas.disc((x + 3.0 * u, middle), 1.6 * u, PAPER);
-                }
-                Sign::Arrow(shape, colour) => {
-                    shape.draw(canvas, (x, middle), (x + 19.0 * u, middle), colour, 0.8 * u);
-                }
-            }
-            x = after(x, u, entry);
+        let mut x = left;
+        for entry in &entries {
+            entry.draw(canvas, x, base, u);
+            x = entry.end(x, u);
         }
     }
 
@@ -239,6 +277,34 @@ impl Panel {
         schedule: &Schedule,
         outcome: Option<Outcome>,
     ) {
+        let end_of_mode = self.draw_mode(canvas, scene);
+        let impact = || {
+            scene
+                .impulse
+                .map(|impulse| format!("impact: {}", impulse.case.label()))
+        };
+        let u = self.unit;
+        let left = MARGIN * u;
+        if let Some(note) = outcome.as_ref().and_then(note_of).or_else(impact) {
+            let place = (end_of_mode + 10.0 * u, 25.0 * u);
+            canvas.words(&note, place, self.style(13.0, true, 0.0), INK);
+        }
+        canvas.words(
+            &self.clock(scene.time()),
+            (self.width - left, 26.5 * u),
+            self.style(18.0, false, 1.0),
+            INK,
+        );
+        self.draw_values(canvas, scene);
+        // The time, on the line of phases.
+        let x = self.place_of(scene.time(), schedule);
+        let top = self.height - 52.0 * u;
+        canvas.rectangle((x - 2.2 * u, top - 2.5 * u), 4.4 * u, 20.0 * u, PAPER);
+        canvas.rectangle((x - 1.2 * u, top - 2.5 * u), 2.4 * u, 20.0 * u, INK);
+    }
+
+    /// The mode on a ground of its colour; returns where that ends.
+    fn draw_mode(&self, canvas: &mut Canvas, scene: &Scene) -> f64 {
         let u = self.unit;
         let left = MARGIN * u;
         let words = scene.sample.mode.with_arrow(scene.sample.direction);
@@ -250,51 +316,24 @@ impl Panel {
             .fold(0.0, f64::max);
         let wide = widest + 22.0 * u;
         canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));
-        canvas.words(
-            &words,
-            (left + 0.5 * wide, 25.2 * u),
-            style,
-            on_mode(scene.mode()),
-        );
-        let impact = || {
-            scene
-                .impulse
-                .map(|impulse| format!("impact: {}", impulse.case.label()))
-        };
-        if let Some(note) = outcome.as_ref().and_then(note_of).or_else(impact) {
-            canvas.words(
-                &note,
-                (left + wide + 10.0 * u, 25.0 * u),
-                self.style(13.0, true, 0.0),
-                INK,
-            );
-        }
-        let clock = self.style(18.0, false, 1.0);
-        canvas.words(
-            &self.clock(scene.time()),
-            (self.width - left, 26.5 * u),
-            clock,
-            INK,
-        );
-        // The inset begins to the right of them.
+        let middle = (left + 0.5 * wide, 25.2 * u);
+        canvas.words(&words, middle, style, on_mode(scene.mode()));
+        left + wide
+    }
+
+    /// The values in a row, which ends where the inset begins.
+    fn draw_values(&self, canvas: &mut Canvas, scene: &Scene) {
+        let u = self.unit;
+        let bold = self.style(12.0, true, 0.0);
+        let plain = self.style(12.0, false, 0.0);
         for (at, (name, value, colour)) in [0.0, 98.0, 202.0, 324.0]
             .into_iter()
             .zip(self.values(scene))
         {
-            let x = left + at * u;
-            canvas.words(&name, (x, 49.0 * u), self.style(12.0, true, 0.0), colour);
-            let indent = self.style(12.0, true, 0.0).width(&name);
-            canvas.words(
-                &value,
-                (x + indent, 49.0 * u),
-                self.style(12.0, false, 0.0),
-                INK,
-            );
+            let x = MARGIN * u + at * u;
+            canvas.words(&name, (x, 49.0 * u), bold, colour);
+            canvas.words(&value, (x + bold.width(&name), 49.0 * u), plain, INK);
         }
-        let x = self.place_of(scene.time(), schedule);
-        let top = self.height - 52.0 * u;
-        canvas.rectangle((x - 2.2 * u, top - 2.5 * u), 4.4 * u, 20.0 * u, PAPER);
-        canvas.rectangle((x - 1.2 * u, top - 2.5 * u), 2.4 * u, 20.0 * u, INK);
     }
 
     /// How much slower the film is than elsewhere.

@@ -16,22 +16,32 @@ const OUTSIDE: &str = "outside";
 /// The derivatives of states, one row for each state with its numbers in the order of
 /// [`State::COLUMNS`], and the name of the reason for each row. A row without derivatives is NaN; a
 /// row that has them has an empty reason.
-pub(crate) type Rows<'py> = (Bound<'py, PyArray1<f64>>, Vec<&'static str>);
+#[derive(IntoPyObject)]
+pub(crate) struct Rows<'py> {
+    values: Bound<'py, PyArray1<f64>>,
+    reasons: Vec<&'static str>,
+}
 
 #[derive(Default)]
-struct Collected(Vec<f64>, Vec<&'static str>);
+struct Collected {
+    values: Vec<f64>,
+    reasons: Vec<&'static str>,
+}
 
 impl Collected {
     fn push(&mut self, derivative: Result<State, &'static str>) {
         match derivative {
-            Ok(state) => self.0.extend(state.numbers()),
-            Err(_) => self.0.extend([f64::NAN; State::COLUMNS.len()]),
+            Ok(state) => self.values.extend(state.numbers()),
+            Err(_) => self.values.extend([f64::NAN; State::COLUMNS.len()]),
         }
-        self.1.push(derivative.err().unwrap_or_default());
+        self.reasons.push(derivative.err().unwrap_or_default());
     }
 
     fn into_rows(self, py: Python<'_>) -> Rows<'_> {
-        (self.0.into_pyarray(py), self.1)
+        Rows {
+            values: self.values.into_pyarray(py),
+            reasons: self.reasons,
+        }
     }
 }
 
@@ -64,14 +74,27 @@ fn quantities(
 
 /// The names of the quantities, the rows of all transitions, those of the outcome, and by their
 /// names the numbers of its recurrence.
-pub(crate) type All<'py> = (Vec<&'static str>, Rows<'py>, Rows<'py>, Bound<'py, PyDict>);
+#[derive(IntoPyObject)]
+pub(crate) struct OfMotion<'py> {
+    quantities: Vec<&'static str>,
+    transitions: Rows<'py>,
+    outcome: Rows<'py>,
+    recurrence: Bound<'py, PyDict>,
+}
+
+/// The names of the quantities, and the rows of all times.
+#[derive(IntoPyObject)]
+pub(crate) struct AtTimes<'py> {
+    quantities: Vec<&'static str>,
+    rows: Rows<'py>,
+}
 
 /// All derivatives of a motion with respect to these quantities, or to all that it has.
 pub(crate) fn all<'py>(
     py: Python<'py>,
     motion: &Trajectory,
     names: Option<Vec<String>>,
-) -> PyResult<All<'py>> {
+) -> PyResult<OfMotion<'py>> {
     let quantities = quantities(py, motion, names)?;
     let found = py
         .detach(|| motion.derivatives(&quantities))
@@ -96,13 +119,12 @@ pub(crate) fn all<'py>(
             }
         }
     }
-    let names = quantities.into_iter().map(Quantity::name).collect();
-    Ok((
-        names,
-        transitions.into_rows(py),
-        outcome.into_rows(py),
-        numbers,
-    ))
+    Ok(OfMotion {
+        quantities: quantities.into_iter().map(Quantity::name).collect(),
+        transitions: transitions.into_rows(py),
+        outcome: outcome.into_rows(py),
+        recurrence: numbers,
+    })
 }
 
 /// The derivatives of the state at fixed times, time after time.
@@ -111,7 +133,7 @@ pub(crate) fn at<'py>(
     motion: &Trajectory,
     times: &[f64],
     names: Option<Vec<String>>,
-) -> PyResult<(Vec<&'static str>, Rows<'py>)> {
+) -> PyResult<AtTimes<'py>> {
     let quantities = quantities(py, motion, names)?;
     let found = py.detach(|| -> Result<Collected, NotDifferentiable> {
         let mut rows = Collected::default();
@@ -126,8 +148,8 @@ pub(crate) fn at<'py>(
         Ok(rows)
     });
     let rows = found.map_err(|error| not_differentiable(py, error))?;
-    Ok((
-        quantities.into_iter().map(Quantity::name).collect(),
-        rows.into_rows(py),
-    ))
+    Ok(AtTimes {
+        quantities: quantities.into_iter().map(Quantity::name).collect(),
+        rows: rows.into_rows(py),
+    })
 }

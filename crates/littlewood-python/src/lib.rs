@@ -1,6 +1,6 @@
 //! The module `littlewood._core` of the Python package: the core behind NumPy arrays.
 //!
-//! It is thin on purpose. Arrays and lists of numbers come in, arrays, dictionaries and tuples go
+//! It is thin on purpose. Arrays and lists of numbers come in, arrays and dictionaries by name go
 //! out; classes, broadcasting and documentation are those of the package `python/littlewood`, its
 //! only caller. Names, codes, labels, units and colours come from the tables of the core and of
 //! `littlewood-style`. Arrays that are computed here are handed over, not copied.

@@ -5,42 +5,62 @@ use littlewood_report::link::{Link, Problem, Refusal};
 use pyo3::prelude::*;
 
 use crate::error::refuse;
-use crate::record::{GivenHoop, HoopNumbers, StartNumbers, given, hoop, start, start_numbers};
+use crate::record::{
+    ByName, GivenHoop, StartNumbers, hoop, hoop_by_name, law_name, start, start_by_name,
+};
+use crate::units::UnitsDict;
 
-/// m2, R, √(R/g) and g in SI units.
-type UnitNumbers = (f64, f64, f64, f64);
+/// What cannot be read of a link.
+#[derive(IntoPyObject)]
+pub(crate) struct RefusalDict {
+    key: String,
+    text: String,
+    reason: String,
+}
 
-/// Hoop, law of restitution, units if it has some, start and limit.
-type ProblemRow = (
-    HoopNumbers,
-    Option<&'static str>,
-    Option<UnitNumbers>,
-    StartNumbers,
-    Option<f64>,
-);
-
-/// What cannot be read of a link first, key, text and reason, if anything; whether the link says
-/// anything of a motion; its instant.
-#[pyfunction]
-pub(crate) fn read_link(link: &str) -> (Option<(String, String, String)>, bool, Option<f64>) {
-    let read = Link::read(link, "");
-    let refusal = read.refusals.into_iter().next();
-    (
-        refusal.map(|Refusal { key, text, reason }| (key, text, reason)),
-        read.has_problem,
-        read.link.at,
-    )
+/// What cannot be read of a link first, if anything; whether the link says anything of a motion;
+/// its instant.
+#[derive(IntoPyObject)]
+pub(crate) struct LinkDict {
+    refusal: Option<RefusalDict>,
+    has_problem: bool,
+    at: Option<f64>,
 }
 
 #[pyfunction]
-pub(crate) fn problem_of_link(py: Python<'_>, link: &str) -> PyResult<ProblemRow> {
+pub(crate) fn read_link(link: &str) -> LinkDict {
+    let read = Link::read(link, "");
+    let refusal = read.refusals.into_iter().next();
+    LinkDict {
+        refusal: refusal.map(|Refusal { key, text, reason }| RefusalDict { key, text, reason }),
+        has_problem: read.has_problem,
+        at: read.link.at,
+    }
+}
+
+/// The motion of a link, with the units of its hoop if it has some.
+#[derive(IntoPyObject)]
+pub(crate) struct ProblemDict {
+    hoop: ByName<Option<f64>>,
+    restitution_law: Option<&'static str>,
+    units: Option<UnitsDict>,
+    start: ByName<f64>,
+    until: Option<f64>,
+}
+
+#[pyfunction]
+pub(crate) fn problem_of_link(py: Python<'_>, link: &str) -> PyResult<ProblemDict> {
     let problem = Link::read(link, "").link.problem;
     let (setup, units, until) = problem
         .to_setup()
         .map_err(|error| refuse(py, &error, None))?;
-    let (numbers, law) = given(setup.hoop);
-    let units = units.map(|it| (it.mass_kg, it.length_m, it.time_s, it.gravity_m_per_s2));
-    Ok((numbers, law, units, start_numbers(setup.start), until))
+    Ok(ProblemDict {
+        hoop: hoop_by_name(setup.hoop),
+        restitution_law: law_name(setup.hoop),
+        units: units.map(UnitsDict::from),
+        start: start_by_name(setup.start),
+        until,
+    })
 }
 
 /// The link of a motion and an instant, with the view of the link `shown`.

@@ -141,11 +141,26 @@ fn derivative(name: &str) -> PyResult<DerivativeColumn> {
         .map_err(|error: UnknownDerivative| PyValueError::new_err(error.to_string()))
 }
 
+/// A column of derivatives: the quantity by which, and its attributes.
+#[derive(IntoPyObject)]
+pub(crate) struct DerivativeDict {
+    quantity: &'static str,
+    long_name: String,
+    unit: String,
+    scale: String,
+}
+
 /// The quantity, and the long name, the unit and the scale of a derivative.
 #[pyfunction]
-pub(crate) fn derivative_column(name: &str) -> PyResult<(&'static str, [String; 3])> {
+pub(crate) fn derivative_column(name: &str) -> PyResult<DerivativeDict> {
     let column = derivative(name)?;
-    Ok((column.quantity.name(), of_derivative(column)))
+    let [long_name, unit, scale] = of_derivative(column);
+    Ok(DerivativeDict {
+        quantity: column.quantity.name(),
+        long_name,
+        unit,
+        scale,
+    })
 }
 
 /// The class of each motion, from the columns of its summary that decide it.

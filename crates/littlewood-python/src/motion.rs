@@ -19,29 +19,36 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::derivatives::{self, All, Rows};
+use crate::derivatives::{self, AtTimes, OfMotion};
 use crate::error::{refuse, too_large};
-use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, limits, start, start_numbers};
+use crate::record::{
+    ByName, GivenHoop, StartNumbers, StateDict, hoop, limits, start, start_by_name,
+};
 use crate::samples::Samples;
 use crate::units::{Scales, units};
 
-/// Checks the parameters of a hoop; returns its mass m, h, its moment of inertia about the mass
-/// centre, and its law of restitution.
+/// What follows from the parameters of a hoop: m, h, Î, and its law of restitution.
+#[derive(IntoPyObject)]
+pub(crate) struct DerivedHoop {
+    mass: f64,
+    h: f64,
+    inertia_about_mass_centre: f64,
+    restitution_law: Option<&'static str>,
+}
+
+/// Checks the parameters of a hoop.
 #[pyfunction]
-pub(crate) fn check_hoop(
-    py: Python<'_>,
-    given: GivenHoop,
-) -> PyResult<(f64, f64, f64, Option<&'static str>)> {
+pub(crate) fn check_hoop(py: Python<'_>, given: GivenHoop) -> PyResult<DerivedHoop> {
     let hoop = hoop(py, &given)?;
     let law = hoop
         .restitution()
         .map(|restitution| RestitutionLaw::name(restitution.law()));
-    Ok((
-        hoop.mass(),
-        hoop.h(),
-        hoop.body().inertia_about_mass_centre(),
-        law,
-    ))
+    Ok(DerivedHoop {
+        mass: hoop.mass(),
+        h: hoop.h(),
+        inertia_about_mass_centre: hoop.body().inertia_about_mass_centre(),
+        restitution_law: law,
+    })
 }
 
 /// Checks a time limit for a start at τ = 0, before anything is computed.
@@ -64,14 +71,21 @@ pub(crate) fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
 #[pyclass(frozen, module = "littlewood._core")]
 pub(crate) struct Trajectory(Core, Start);
 
-/// A part of a page: what it is, its label or headings, its rows with the mode of each, and the
-/// columns of numbers.
-type BlockRow = (
-    &'static str,
-    Vec<String>,
-    Vec<(Option<&'static str>, Vec<String>)>,
-    Vec<usize>,
-);
+/// A part of a page: what it is, its label or headings, its rows, and the columns of numbers.
+#[derive(IntoPyObject)]
+pub(crate) struct BlockDict {
+    kind: &'static str,
+    head: Vec<String>,
+    rows: Vec<RowDict>,
+    numbers: Vec<usize>,
+}
+
+/// A row of a page, with the mode that it is about, if any.
+#[derive(IntoPyObject)]
+pub(crate) struct RowDict {
+    mode: Option<&'static str>,
+    cells: Vec<String>,
+}
 
 /// Simulates a motion, with the interpreter released.
 #[pyfunction]
@@ -93,60 +107,96 @@ pub(crate) fn simulate(
         .map_err(|error| refuse(py, &error, None))
 }
 
-/// θ′, η′ and the rate of the gap.
-type Velocities = (f64, f64, f64);
+/// The velocities that an impact changes.
+#[derive(IntoPyObject)]
+pub(crate) struct VelocitiesDict {
+    theta_rate: f64,
+    slip: f64,
+    gap_rate: f64,
+}
 
-/// Case, velocities before and after, the impulse upwards and along E1, the works of both, energy
-/// lost.
-type ImpactRow = (
-    &'static str,
-    Velocities,
-    Velocities,
-    (f64, f64),
-    f64,
-    f64,
-    f64,
-);
+impl From<ContactVelocities> for VelocitiesDict {
+    fn from(velocities: ContactVelocities) -> Self {
+        let ContactVelocities {
+            theta_rate,
+            slip,
+            gap_rate,
+        } = velocities;
+        Self {
+            theta_rate,
+            slip,
+            gap_rate,
+        }
+    }
+}
 
-/// Before, after, impact, mode that ends, mode that begins, its direction, cause.
-type TransitionRow = (
-    StateNumbers,
-    StateNumbers,
-    Option<ImpactRow>,
-    Option<&'static str>,
-    Option<&'static str>,
-    i8,
-    &'static str,
-);
+/// The impulse of the plane on the body, upwards and along E1.
+#[derive(IntoPyObject)]
+pub(crate) struct ImpulseDict {
+    normal: f64,
+    friction: f64,
+}
 
-/// Mode, direction, start and end state, energy at the start, energy lost, whether a glide is a
-/// limit of small inertia, and the place of the transition that ends it.
-type PhaseRow = (
-    &'static str,
-    i8,
-    StateNumbers,
-    Option<StateNumbers>,
-    f64,
-    f64,
-    bool,
-    Option<usize>,
-);
+#[derive(IntoPyObject)]
+pub(crate) struct ImpactDict {
+    case: &'static str,
+    before: VelocitiesDict,
+    after: VelocitiesDict,
+    impulse: ImpulseDict,
+    normal_work: f64,
+    friction_work: f64,
+    energy_lost: f64,
+}
 
-fn impact_row(impact: &Impact) -> ImpactRow {
-    let velocities = |ContactVelocities {
-                          theta_rate,
-                          slip,
-                          gap_rate,
-                      }| (theta_rate, slip, gap_rate);
-    (
-        impact.case.name(),
-        velocities(impact.before),
-        velocities(impact.after),
-        (impact.impulse.normal, impact.impulse.friction),
-        impact.normal_work,
-        impact.friction_work,
-        impact.energy_lost(),
-    )
+impl From<&Impact> for ImpactDict {
+    fn from(impact: &Impact) -> Self {
+        Self {
+            case: impact.case.name(),
+            before: impact.before.into(),
+            after: impact.after.into(),
+            impulse: ImpulseDict {
+                normal: impact.impulse.normal,
+                friction: impact.impulse.friction,
+            },
+            normal_work: impact.normal_work,
+            friction_work: impact.friction_work,
+            energy_lost: impact.energy_lost(),
+        }
+    }
+}
+
+/// A transition; `direction` is that of the slip of the mode that begins.
+#[derive(IntoPyObject)]
+pub(crate) struct TransitionDict {
+    before: StateDict,
+    after: StateDict,
+    impact: Option<ImpactDict>,
+    from_mode: Option<&'static str>,
+    to_mode: Option<&'static str>,
+    direction: i8,
+    cause: &'static str,
+}
+
+/// A phase; `ended_by` is the place of the transition that ends it.
+#[derive(IntoPyObject)]
+pub(crate) struct PhaseDict {
+    mode: &'static str,
+    direction: i8,
+    start: StateDict,
+    end: Option<StateDict>,
+    energy_start: f64,
+    energy_lost: f64,
+    is_small_inertia_limit: bool,
+    ended_by: Option<usize>,
+}
+
+/// How a motion ended, with what is known besides, and all of it in a sentence.
+#[derive(IntoPyObject)]
+pub(crate) struct OutcomeDict<'py> {
+    kind: &'static str,
+    state: StateDict,
+    details: Bound<'py, PyDict>,
+    sentence: String,
 }
 
 /// The instant `time`, at a transition just before it; none outside the motion.
@@ -176,62 +226,54 @@ fn after(sample: Sample) -> Instant {
 
 #[pymethods]
 impl Trajectory {
-    fn phases(&self) -> Vec<PhaseRow> {
+    fn phases(&self) -> Vec<PhaseDict> {
         let transitions = self.0.transitions();
         self.0
             .phases()
             .iter()
-            .map(|phase| {
-                (
-                    phase.mode().name(),
-                    Direction::code(phase.direction()),
-                    phase.start().numbers(),
-                    phase.end().map(|end| end.numbers()),
-                    phase.first().energy,
-                    phase.energy_lost(),
-                    !phase.is_outside_small_inertia_limit(),
-                    self.0
-                        .end_of(phase)
-                        .and_then(|end| transitions.element_offset(end)),
-                )
+            .map(|phase| PhaseDict {
+                mode: phase.mode().name(),
+                direction: Direction::code(phase.direction()),
+                start: phase.start().into(),
+                end: phase.end().map(StateDict::from),
+                energy_start: phase.first().energy,
+                energy_lost: phase.energy_lost(),
+                is_small_inertia_limit: !phase.is_outside_small_inertia_limit(),
+                ended_by: self
+                    .0
+                    .end_of(phase)
+                    .and_then(|end| transitions.element_offset(end)),
             })
             .collect()
     }
 
-    fn transitions(&self) -> Vec<TransitionRow> {
+    fn transitions(&self) -> Vec<TransitionDict> {
         self.0
             .transitions()
             .iter()
-            .map(|transition| {
-                (
-                    transition.before.numbers(),
-                    transition.after.numbers(),
-                    transition.impact.as_ref().map(impact_row),
-                    transition.from.map(Mode::name),
-                    transition.to.map(Mode::name),
-                    Direction::code(transition.direction),
-                    transition.cause.name(),
-                )
+            .map(|transition| TransitionDict {
+                before: transition.before.into(),
+                after: transition.after.into(),
+                impact: transition.impact.as_ref().map(ImpactDict::from),
+                from_mode: transition.from.map(Mode::name),
+                to_mode: transition.to.map(Mode::name),
+                direction: Direction::code(transition.direction),
+                cause: transition.cause.name(),
             })
             .collect()
     }
 
-    /// How the motion ended: kind, state, what is known besides, and all of it in a sentence.
-    fn outcome<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(&'static str, StateNumbers, Bound<'py, PyDict>, String)> {
+    fn outcome<'py>(&self, py: Python<'py>) -> PyResult<OutcomeDict<'py>> {
         let outcome = self.0.outcome();
         let details = PyDict::new(py);
         add_details(&details, outcome.details())?;
         add_candidates(&details, outcome.candidates())?;
-        let words = sentence::outcome(&self.0, Scale::new(None));
-        Ok((
-            outcome.kind().name(),
-            outcome.state().numbers(),
+        Ok(OutcomeDict {
+            kind: outcome.kind().name(),
+            state: outcome.state().into(),
             details,
-            words,
-        ))
+            sentence: sentence::outcome(&self.0, Scale::new(None)),
+        })
     }
 
     /// The motion as the command line prints it.
@@ -265,30 +307,38 @@ impl Trajectory {
     }
 
     /// The same in parts: facts, tables and notes.
-    fn blocks(&self) -> Vec<BlockRow> {
-        let plain = |cells: &[String]| {
-            cells
-                .iter()
-                .map(|cell| (None, vec![cell.clone()]))
-                .collect()
+    fn blocks(&self) -> Vec<BlockDict> {
+        let words = |kind, head: &str| BlockDict {
+            kind,
+            head: vec![head.to_owned()],
+            rows: vec![],
+            numbers: vec![],
         };
-        let row = |row: &Row| (row.mode.map(Mode::name), row.cells.clone());
+        let plain = |cell: &String| RowDict {
+            mode: None,
+            cells: vec![cell.clone()],
+        };
+        let row = |row: &Row| RowDict {
+            mode: row.mode.map(Mode::name),
+            cells: row.cells.clone(),
+        };
         let block = |block: &Block| match block {
-            Block::Title(text) => Some(("title", vec![text.clone()], vec![], vec![])),
-            Block::Fact(label, lines) => {
-                Some(("fact", vec![(*label).to_owned()], plain(lines), vec![]))
-            }
+            Block::Title(text) => Some(words("title", text)),
+            Block::Fact(label, lines) => Some(BlockDict {
+                rows: lines.iter().map(plain).collect(),
+                ..words("fact", label)
+            }),
             Block::Table(Table {
                 head,
                 rows,
                 numbers,
-            }) => Some((
-                "table",
-                head.clone(),
-                rows.iter().map(row).collect(),
-                numbers.clone(),
-            )),
-            Block::Note(text) => Some(("note", vec![text.clone()], vec![], vec![])),
+            }) => Some(BlockDict {
+                kind: "table",
+                head: head.clone(),
+                rows: rows.iter().map(row).collect(),
+                numbers: numbers.clone(),
+            }),
+            Block::Note(text) => Some(words("note", text)),
             Block::Gap => None,
         };
         self.page().blocks().iter().filter_map(block).collect()
@@ -367,7 +417,7 @@ impl Trajectory {
         &self,
         py: Python<'py>,
         quantities: Option<Vec<String>>,
-    ) -> PyResult<All<'py>> {
+    ) -> PyResult<OfMotion<'py>> {
         derivatives::all(py, &self.0, quantities)
     }
 
@@ -377,7 +427,7 @@ impl Trajectory {
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
         quantities: Option<Vec<String>>,
-    ) -> PyResult<(Vec<&'static str>, Rows<'py>)> {
+    ) -> PyResult<AtTimes<'py>> {
         let times: Vec<f64> = times.as_array().iter().copied().collect();
         derivatives::at(py, &self.0, &times, quantities)
     }
@@ -475,9 +525,16 @@ pub(crate) fn classify(
     Ok(dict)
 }
 
-/// Rates of the flights over the top and under the bottom, rate of the gap, friction, period,
-/// start.
-type OrbitRow = (f64, f64, f64, f64, f64, StartNumbers);
+/// A motion that bounces for ever.
+#[derive(IntoPyObject)]
+pub(crate) struct OrbitDict {
+    top_rate: f64,
+    bottom_rate: f64,
+    gap_rate: f64,
+    friction: f64,
+    period: f64,
+    start: ByName<f64>,
+}
 
 /// The motion that bounces for ever with impacts at this angle, if there is one.
 #[pyfunction]
@@ -485,23 +542,14 @@ pub(crate) fn bouncing_orbit(
     py: Python<'_>,
     given: GivenHoop,
     angle: f64,
-) -> PyResult<Option<OrbitRow>> {
+) -> PyResult<Option<OrbitDict>> {
     let orbit = BouncingOrbit::new(&hoop(py, &given)?, angle);
-    Ok(orbit.map(|orbit| {
-        let BouncingOrbit {
-            top_rate,
-            bottom_rate,
-            gap_rate,
-            friction,
-            ..
-        } = orbit;
-        (
-            top_rate,
-            bottom_rate,
-            gap_rate,
-            friction,
-            orbit.period(),
-            start_numbers(orbit.start()),
-        )
+    Ok(orbit.map(|orbit| OrbitDict {
+        top_rate: orbit.top_rate,
+        bottom_rate: orbit.bottom_rate,
+        gap_rate: orbit.gap_rate,
+        friction: orbit.friction,
+        period: orbit.period(),
+        start: start_by_name(orbit.start()),
     }))
 }

@@ -9,6 +9,14 @@ use pyo3::prelude::*;
 use crate::error::refuse;
 use crate::record::{GivenHoop, hoop};
 
+/// An equilibrium: its angle, its kind, and its frequency or exponent.
+#[derive(IntoPyObject)]
+pub(crate) struct EquilibriumDict {
+    theta: f64,
+    stability: &'static str,
+    rate: f64,
+}
+
 /// Lines, or outlines, as points.
 type Pieces = Vec<Vec<[f64; 2]>>;
 
@@ -96,15 +104,17 @@ methods! {
         self.plane.rolling_region(&Window { x: theta, y: theta_rate })
     }
 
-    /// Angle, kind and frequency (or exponent) of each equilibrium.
-    fn equilibria(&self) -> Vec<(f64, &'static str, f64)> {
+    fn equilibria(&self) -> Vec<EquilibriumDict> {
         self.plane
             .equilibria()
             .into_iter()
-            .map(|equilibrium| match equilibrium.stability {
-                Stability::Stable { frequency } => (equilibrium.theta, "stable", frequency),
-                Stability::Unstable { exponent } => (equilibrium.theta, "unstable", exponent),
-                Stability::Neutral => (equilibrium.theta, "neutral", 0.0),
+            .map(|equilibrium| {
+                let (stability, rate) = match equilibrium.stability {
+                    Stability::Stable { frequency } => ("stable", frequency),
+                    Stability::Unstable { exponent } => ("unstable", exponent),
+                    Stability::Neutral => ("neutral", 0.0),
+                };
+                EquilibriumDict { theta: equilibrium.theta, stability, rate }
             })
             .collect()
     }

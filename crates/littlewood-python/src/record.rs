@@ -1,5 +1,7 @@
-//! Numbers of a hoop, a start, a state and a setup in SI units, in the order of the tables of the
-//! core.
+//! Hoops, starts, states and setups in SI units. Numbers come in in the order of the tables of the
+//! core, and go out by their names.
+
+use std::collections::BTreeMap;
 
 use littlewood::si::SiSetup;
 use littlewood::tables::{Quantity, Setup, UnknownName};
@@ -20,8 +22,37 @@ pub(crate) type GivenHoop = (HoopNumbers, LawName);
 /// The values of [`Quantity::START`].
 pub(crate) type StartNumbers = [f64; Quantity::START.len()];
 
-/// The values of [`State::COLUMNS`].
-pub(crate) type StateNumbers = [f64; State::COLUMNS.len()];
+/// Values by the names of their quantities.
+pub(crate) type ByName<T> = BTreeMap<&'static str, T>;
+
+/// A state as a dictionary.
+#[derive(IntoPyObject)]
+pub(crate) struct StateDict {
+    time: f64,
+    theta: f64,
+    theta_rate: f64,
+    slip: f64,
+    x: f64,
+}
+
+impl From<State> for StateDict {
+    fn from(state: State) -> Self {
+        let State {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        } = state;
+        Self {
+            time,
+            theta,
+            theta_rate,
+            slip,
+            x,
+        }
+    }
+}
 
 /// The values of [`Quantity::SI_HOOP`]; none for one that is absent.
 pub(crate) type SiHoopNumbers = [Option<f64>; Quantity::SI_HOOP.len()];
@@ -80,21 +111,32 @@ pub(crate) fn hoop(py: Python<'_>, (numbers, name): &GivenHoop) -> PyResult<Hoop
     Hoop::new(setup.hoop).map_err(|error| refuse(py, &error, None))
 }
 
-/// A hoop as the package has it, from its parameters.
-pub(crate) fn given(parameters: HoopParameters) -> (HoopNumbers, Option<&'static str>) {
+/// The values of [`Quantity::HOOP`] by their names; none for one that is absent.
+pub(crate) fn hoop_by_name(parameters: HoopParameters) -> ByName<Option<f64>> {
     let setup = Setup::new(parameters, Start::default());
-    (
-        Quantity::HOOP.map(|quantity| setup.get(quantity)),
-        parameters.restitution_law.map(RestitutionLaw::name),
-    )
+    Quantity::HOOP
+        .into_iter()
+        .map(|quantity| (quantity.name(), setup.get(quantity)))
+        .collect()
+}
+
+/// The name of the law of restitution of a hoop, if it has one.
+pub(crate) fn law_name(parameters: HoopParameters) -> Option<&'static str> {
+    parameters.restitution_law.map(RestitutionLaw::name)
 }
 
 pub(crate) fn start(numbers: StartNumbers) -> Start {
     setup(Quantity::START.into_iter().zip(numbers.map(Some)), None).start
 }
 
-pub(crate) fn start_numbers(start: Start) -> StartNumbers {
-    Setup::new(HoopParameters::default(), start).values(Quantity::START)
+/// The values of [`Quantity::START`] by their names.
+pub(crate) fn start_by_name(start: Start) -> ByName<f64> {
+    let values = Setup::new(HoopParameters::default(), start).values(Quantity::START);
+    Quantity::START
+        .into_iter()
+        .map(Quantity::name)
+        .zip(values)
+        .collect()
 }
 
 /// A setup in SI units.

@@ -16,7 +16,7 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::record::{HoopNumbers, StartNumbers, given, start_numbers};
+use crate::record::{ByName, hoop_by_name, law_name, start_by_name};
 use crate::samples::OUTSIDE;
 
 /// The quantities that a user can set, one dictionary each.
@@ -99,44 +99,43 @@ pub(crate) fn summary_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>
         .collect()
 }
 
-/// A named case: name, title, source, hoop, law of restitution, start.
-type CaseRow = (
-    &'static str,
-    &'static str,
-    &'static str,
-    HoopNumbers,
-    Option<&'static str>,
-    StartNumbers,
-);
+/// A named case.
+#[derive(IntoPyObject)]
+pub(crate) struct CaseDict {
+    name: &'static str,
+    title: &'static str,
+    source: &'static str,
+    hoop: ByName<Option<f64>>,
+    restitution_law: Option<&'static str>,
+    start: ByName<f64>,
+}
 
 #[pyfunction]
-pub(crate) fn cases() -> Vec<CaseRow> {
+pub(crate) fn cases() -> Vec<CaseDict> {
     CASES
         .iter()
-        .map(|case| {
-            let (hoop, law) = given(case.setup.hoop);
-            (
-                case.name,
-                case.title,
-                case.source,
-                hoop,
-                law,
-                start_numbers(case.setup.start),
-            )
+        .map(|case| CaseDict {
+            name: case.name,
+            title: case.title,
+            source: case.source,
+            hoop: hoop_by_name(case.setup.hoop),
+            restitution_law: law_name(case.setup.hoop),
+            start: start_by_name(case.setup.start),
         })
         .collect()
 }
 
-/// An edge of the automaton: body, from, cause, guard, reset, to, source.
-type EdgeRow = (
-    &'static str,
-    Option<&'static str>,
-    &'static str,
-    &'static str,
-    &'static str,
-    Option<&'static str>,
-    &'static str,
-);
+/// An edge of the automaton.
+#[derive(IntoPyObject)]
+pub(crate) struct EdgeDict {
+    body: &'static str,
+    from_mode: Option<&'static str>,
+    cause: &'static str,
+    guard: &'static str,
+    reset: &'static str,
+    to_mode: Option<&'static str>,
+    source: &'static str,
+}
 
 /// The name of the case of this name, or of one that is short for it.
 #[pyfunction]
@@ -145,20 +144,17 @@ pub(crate) fn name_of_case(name: &str) -> Option<&'static str> {
 }
 
 #[pyfunction]
-pub(crate) fn edges() -> Vec<EdgeRow> {
+pub(crate) fn edges() -> Vec<EdgeDict> {
     EDGES
         .iter()
-        .map(|edge| {
-            let (from, to) = (edge.from.map(Mode::name), edge.to.map(Mode::name));
-            (
-                edge.body.name(),
-                from,
-                edge.cause.name(),
-                edge.guard,
-                edge.reset,
-                to,
-                edge.source,
-            )
+        .map(|edge| EdgeDict {
+            body: edge.body.name(),
+            from_mode: edge.from.map(Mode::name),
+            cause: edge.cause.name(),
+            guard: edge.guard,
+            reset: edge.reset,
+            to_mode: edge.to.map(Mode::name),
+            source: edge.source,
         })
         .collect()
 }

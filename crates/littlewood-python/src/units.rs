@@ -8,8 +8,7 @@ use pyo3::prelude::*;
 
 use crate::error::refuse;
 use crate::record::{
-    HoopNumbers, LawName, SiHoopNumbers, SiStartNumbers, StartNumbers, given, law, si_setup,
-    start_numbers,
+    ByName, LawName, SiHoopNumbers, SiStartNumbers, hoop_by_name, law, si_setup, start_by_name,
 };
 
 /// m2, R and g in SI units.
@@ -26,39 +25,75 @@ pub(crate) fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyR
     .map_err(|error| refuse(py, &error, None))
 }
 
-/// A hoop in SI units: the dimensionless one, and m2, R, √(R/g), g.
+/// The units of (2.9) in SI, as a dictionary.
+#[derive(IntoPyObject)]
+pub(crate) struct UnitsDict {
+    mass_kg: f64,
+    length_m: f64,
+    time_s: f64,
+    gravity_m_per_s2: f64,
+}
+
+impl From<Units> for UnitsDict {
+    fn from(units: Units) -> Self {
+        Self {
+            mass_kg: units.mass_kg,
+            length_m: units.length_m,
+            time_s: units.time_s,
+            gravity_m_per_s2: units.gravity_m_per_s2,
+        }
+    }
+}
+
+/// A hoop that was given in SI units: the dimensionless one without its law, and its units.
+#[derive(IntoPyObject)]
+pub(crate) struct HoopFromSi {
+    hoop: ByName<Option<f64>>,
+    units: UnitsDict,
+}
+
+/// A start that was given in SI units, and a time limit if there is one, without dimension.
+#[derive(IntoPyObject)]
+pub(crate) struct StartFromSi {
+    start: ByName<f64>,
+    until: Option<f64>,
+}
+
+/// The SI values of √(g/R), √(gR), m2 g, m2 g R and m2 R².
+#[derive(IntoPyObject)]
+pub(crate) struct DerivedUnits {
+    rate_rad_per_s: f64,
+    velocity_m_per_s: f64,
+    force_n: f64,
+    energy_j: f64,
+    inertia_kg_m2: f64,
+}
+
 #[pyfunction]
 pub(crate) fn hoop_from_si(
     py: Python<'_>,
     numbers: SiHoopNumbers,
     law_name: LawName,
-) -> PyResult<(HoopNumbers, (f64, f64, f64, f64))> {
+) -> PyResult<HoopFromSi> {
     let values: Vec<_> = Quantity::SI_HOOP.into_iter().zip(numbers).collect();
     let si = si_setup(&values, law(py, &law_name)?);
     let (hoop, units) = si
         .hoop
         .to_hoop()
         .map_err(|error| refuse(py, &error, None))?;
-    let (numbers, _) = given(hoop.parameters());
-    Ok((
-        numbers,
-        (
-            units.mass_kg,
-            units.length_m,
-            units.time_s,
-            units.gravity_m_per_s2,
-        ),
-    ))
+    Ok(HoopFromSi {
+        hoop: hoop_by_name(hoop.parameters()),
+        units: units.into(),
+    })
 }
 
-/// A start, and a time limit if there is one, from SI units.
 #[pyfunction]
 pub(crate) fn start_from_si(
     py: Python<'_>,
     scales: Scales,
     numbers: SiStartNumbers,
     until_s: Option<f64>,
-) -> PyResult<(StartNumbers, Option<f64>)> {
+) -> PyResult<StartFromSi> {
     let units = units(py, scales)?;
     let values: Vec<_> = Quantity::SI_START
         .into_iter()
@@ -70,7 +105,10 @@ pub(crate) fn start_from_si(
         let until = until_s
             .map(|until_s| units.until(until_s, &start))
             .transpose()?;
-        Ok((start_numbers(start), until))
+        Ok(StartFromSi {
+            start: start_by_name(start),
+            until,
+        })
     };
     convert().map_err(|error| refuse(py, &error, None))
 }
@@ -100,15 +138,14 @@ pub(crate) fn sample_in_si<'py>(
     Ok(values.into_pyarray(py))
 }
 
-/// The SI values of √(g/R), √(gR), m2 g, m2 g R and m2 R².
 #[pyfunction]
-pub(crate) fn derived_units(py: Python<'_>, scales: Scales) -> PyResult<(f64, f64, f64, f64, f64)> {
+pub(crate) fn derived_units(py: Python<'_>, scales: Scales) -> PyResult<DerivedUnits> {
     let units = units(py, scales)?;
-    Ok((
-        units.unit(Dimension::AngularRate),
-        units.unit(Dimension::Velocity),
-        units.unit(Dimension::Force),
-        units.unit(Dimension::Energy),
-        units.unit(Dimension::Inertia),
-    ))
+    Ok(DerivedUnits {
+        rate_rad_per_s: units.unit(Dimension::AngularRate),
+        velocity_m_per_s: units.unit(Dimension::Velocity),
+        force_n: units.unit(Dimension::Force),
+        energy_j: units.unit(Dimension::Energy),
+        inertia_kg_m2: units.unit(Dimension::Inertia),
+    })
 }

@@ -91,6 +91,20 @@ pub fn logarithmic(a: f64, b: f64, most: usize) -> Vec<Tick> {
         .unwrap_or_default()
 }
 
+/// Most decades whose numbers of one digit have small ticks.
+const FULL: i32 = 8;
+
+/// Small ticks of an axis that is not linear, from which one sees that it is not: at all numbers of
+/// one digit in these decades, or at powers of ten where these are many.
+pub fn of_one_digit(first: i32, last: i32) -> impl Iterator<Item = f64> {
+    let digits = if last - first < FULL { 1..10 } else { 1..2 };
+    (first..=last).flat_map(move |decade| {
+        digits
+            .clone()
+            .map(move |digit| f64::from(digit) * libm::exp10(f64::from(decade)))
+    })
+}
+
 /// A number of one digit and its decade: `0.02`, `500`, `10⁻⁷`, `3·10⁶`.
 fn of_decade(factor: f64, decade: i32) -> String {
     match decade {

@@ -26,7 +26,7 @@ const SOURCES: [(&str, &[&str]); 3] = [
 const GENERATED: [&str; 3] = [
     "web/src/generated",
     "web/src/wasm",
-    "python/littlewood/laboratory.js",
+    "python/littlewood/lab/laboratory.js",
 ];
 
 const QUANTITIES: &str = "crates/littlewood/src/model/quantity.rs";
@@ -56,7 +56,7 @@ const EXCEPTIONS: &[Exception] = &[
         reason: "the limit of a run, not the count of a summary",
     },
     Exception {
-        file: "python/littlewood/track_file.py",
+        file: "python/littlewood/fitting/track_file.py",
         texts: &["angular acceleration"],
         reason: "a column of the programs that track films",
     },

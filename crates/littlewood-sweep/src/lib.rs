@@ -25,8 +25,7 @@
 //! store that xarray opens as a data set, a Parquet file, and a folder of Parquet files
 //! ([`Target`]). Memory stays flat. A run that was stopped can be resumed ([`Options::resume`]);
 //! its files then equal, byte for byte, those of a run that was not. Nothing that exists is
-//! overwritten. [`Picture`] draws a grid with two axes or a store of one, [`Atlas`] lists the
-//! sequences of phases that occur.
+//! overwritten. [`Picture`] draws a grid with two axes or a store of one.
 //!
 //! The features `zarr` and `parquet`, both on by default, bring the formats; without one its
 //! targets are refused.
@@ -41,7 +40,6 @@
     )
 )]
 
-mod atlas;
 mod attributes;
 mod axis;
 mod chunk;
@@ -52,7 +50,6 @@ mod destination;
 mod disk;
 mod error;
 mod file;
-mod first_turn;
 mod getters;
 mod grid;
 mod options;
@@ -71,7 +68,6 @@ mod watch;
 #[cfg(feature = "zarr")]
 mod zarr;
 
-pub use atlas::{Atlas, AtlasEntry};
 pub use attributes::of_derivative;
 pub use axis::{Axis, AxisError, Spacing, Varies};
 pub use chunk::{Chunk, Chunks};
@@ -82,7 +78,6 @@ pub use destination::Target;
 pub use disk::{Disk, FileSystem, UNFINISHED};
 pub use error::SweepError;
 pub use file::{open_file, read_file};
-pub use first_turn::{FirstTurn, Stop};
 pub use grid::Grid;
 pub use options::{CHUNK_POINTS, MOST_CHUNK_POINTS, MOST_CHUNKS, Options, Progress};
 pub use picture::{Picture, PictureError, PictureSize, Shade};

@@ -2,7 +2,6 @@
 
 #![cfg(all(feature = "parquet", feature = "zarr"))]
 
-mod atlas;
 mod compute;
 mod derivatives;
 mod list;

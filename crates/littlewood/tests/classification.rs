@@ -183,7 +183,7 @@ fn a_slide_that_is_unloaded_to_the_bit_is_a_candidate_only_where_p_is_negative()
                     .expect("a valid start");
                 let direction = Direction::of_sign(slip).expect("slips");
                 let law = SlidingLaw::new(&hoop, direction).expect("heavy");
-                let (mode, region) = if law.solvability(theta) > 0.0 {
+                let (mode, region) = if law.painleve(theta) > 0.0 {
                     (Some(Mode::Flight), StartRegion::LossOfContact)
                 } else {
                     (None, StartRegion::Ambiguous)

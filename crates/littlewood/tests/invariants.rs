@@ -88,7 +88,7 @@ pub(crate) fn check_phase(
                     unreachable!()
                 };
                 let law = SlidingLaw::new(hoop, direction).expect("a heavy hoop");
-                if law.solvability(now.state.theta) < 1e-13 {
+                if law.painleve(now.state.theta) < 1e-13 {
                     continue; // P = 0 to rounding: the end of a singular slide, where N is infinite
                 }
                 size = size.max(passing(hoop, slides_since, &now));
@@ -108,7 +108,7 @@ pub(crate) fn check_phase(
                 // N = Î m w/P, and w = 1 − h cos θ θ′² is known to the rounding of θ′.
                 let u = now.state.theta_rate * now.state.theta_rate;
                 let law_at = hoop.body().inertia_about_mass_centre() * hoop.mass()
-                    / law.solvability(now.state.theta);
+                    / law.painleve(now.state.theta);
                 let rounding = 1e-11 * law_at * (1.0 + u) * (1.0 + now.state.theta.abs());
                 prop_assert!(
                     now.normal >= -rounding,

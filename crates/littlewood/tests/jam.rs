@@ -291,7 +291,7 @@ proptest! {
         let motion = hoop.with_restitution(restitution).expect("heavy").simulate(start, limits()).expect("a valid start");
         let direction = littlewood::Direction::of_sign(start.slip).expect("slips");
         let law = SlidingLaw::new(&hoop, direction).expect("heavy");
-        let (p, w) = (law.solvability(start.theta), law.contact(start.theta, start.theta_rate));
+        let (p, w) = (law.painleve(start.theta), law.contact(start.theta, start.theta_rate));
         if p < 0.0 && w > 0.0 {
             prop_assert!(plain.phases().is_empty() && plain.outcome().kind() == OutcomeKind::Inconsistent);
             let jam = motion.transitions().first().expect("jams");

@@ -449,7 +449,7 @@ fn rest_is_proved_to_last_up_to_the_first_zero_of_p() {
                     .map(|direction| SlidingLaw::new(&hoop, direction).expect("heavy"));
                 let first = (0..=20_000)
                     .map(|k| PI * (1.0 - f64::from(k) / 20_000.0))
-                    .find(|theta| laws.iter().any(|law| law.solvability(*theta) <= 0.0));
+                    .find(|theta| laws.iter().any(|law| law.painleve(*theta) <= 0.0));
                 let is_proved =
                     |cos: f64| hoop.never_lifts_off(&State::from(Start::at(libm::acos(cos), 0.0)));
                 if let Some(cos) = first.map(libm::cos) {

@@ -25,7 +25,6 @@ NOT_RUN = {
     "littlewood figures --out figures": "draws everything, which crates/littlewood-figures/tests/gallery.rs does",
     ".mp4": "needs ffmpeg",
     "lab": "serves until it is stopped",
-    "--hoops FILE": "a form, not a command",
 }
 # Grids and pictures are made smaller, so that a page takes seconds.
 SMALLER = (

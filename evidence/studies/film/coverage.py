@@ -46,7 +46,7 @@ def line_of(film: int, search: bool = False) -> list[str]:
     thrown, rate = throw(random), (120.0, 240.0)[film % 2]
     track = track_of(thrown, rate, random)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
         result = lw.fit(
             track,
             thrown.guess if search else thrown.hoop,

@@ -264,7 +264,7 @@ def fitted(fault: str, number: int, search: bool = False) -> tuple[Film, lw.FitR
         y=film.y + length * noise[2],
     )
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
         result = lw.fit(
             track,
             film.hoop,

@@ -172,7 +172,7 @@ def line_of(name: str, number: int) -> list[str]:
         except video.VideoError as error:
             return [*cells, type(error).__name__, "", ""]
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
         result = lw.fit(track, film.thrown.guess, free=FREE, slips_at_start=True)
     told = [one for one in FREE if result.estimates[one].identifiable]
     true = film.thrown.hoop

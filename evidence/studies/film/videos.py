@@ -128,7 +128,7 @@ def fitted(film: Film, track: lw.Track, **more: Any) -> lw.FitResult:
     """Fit the track of a film from the truth."""
     thrown = film.thrown
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.fit_result.FitWarning)
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
         return lw.fit(
             track,
             thrown.hoop,

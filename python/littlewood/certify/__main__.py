@@ -7,10 +7,10 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from ..plot import canvas, proof_chart
+from .._internal.terminal import forgive
+from ..plot import canvas
 from ..tables import QUANTITIES
-from ..terminal import forgive
-from . import Case, CaseError, NoCertificate, Proof, Refused, checker
+from . import Case, CaseError, NoCertificate, Proof, Refused, checker, picture
 from .case import HOOP, HOOP_SI, LAWS, START
 
 EXAMPLE = (
@@ -113,10 +113,10 @@ def _draw(certificate: Any, given: argparse.Namespace) -> None:
     canvas.save(
         found.plot(given.width_mm),
         given.picture,
-        proof_chart.title(found),
-        proof_chart.description(found),
+        picture.title(found),
+        picture.description(found),
     )
-    print(f"{given.picture}: {proof_chart.title(found)}", file=sys.stderr)
+    print(f"{given.picture}: {picture.title(found)}", file=sys.stderr)
 
 
 def main(arguments: list[str] | None = None) -> int:

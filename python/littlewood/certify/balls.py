@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from ..extras import require
+from .._internal.extras import require
 
 flint: Any = require("flint")
 arb, acb, arb_poly, arb_series = flint.arb, flint.acb, flint.arb_poly, flint.arb_series

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
-from . import checker
-from .checker import DOWN, GAP, SLIP, UP, FlightStep, Followed, Given, Guard, Range
+from . import checker, picture
+from .checker import SLIP, FlightStep, Followed, Given, Guard, Range
+from .stretch import Box, Instant, Stretch, quantity_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -16,42 +17,6 @@ if TYPE_CHECKING:
 
 class NoCertificate(ValueError):
     """What has not the shape of a certificate."""
-
-
-class Box(NamedTuple):
-    """Between two times a guard is between two values; it is above 0, but where its zero begins or ends a phase."""
-
-    start: float
-    end: float
-    low: float
-    high: float
-
-
-class Instant(NamedTuple):
-    """An enclosure of θ at a time, with the decimal logarithm of its radius."""
-
-    time: float
-    theta: float
-    radius: float
-
-
-@dataclass(frozen=True)
-class Stretch:
-    """A phase that is proved to be free of events, in the units of its certificate.
-
-    Guards are enclosed from the start up to the time `enclosed`. Where that is not the end, rolling
-    `repeats` itself from there on; or the particle of a massless hoop falls to the plane, by a
-    closed form; or the hoop is at rest, and there are no guards. An endless phase has no end.
-    """
-
-    mode: str
-    start: float
-    enclosed: float
-    end: float | None
-    repeats: bool
-    intervals: int
-    guards: Mapping[str, list[Box]]
-    tube: list[Instant]
 
 
 @dataclass(frozen=True)
@@ -100,22 +65,11 @@ class Proof:
 
     def plot(self, width_mm: float = 120.0) -> Figure:
         """Draw it: :func:`littlewood.plot.proof`."""
-        from ..plot import proof
-
-        return proof(self, width_mm=width_mm)
-
-
-QUANTITY_OF = {SLIP: "slip", GAP: "gap", UP: "normal", DOWN: "normal"}
-"""The quantities that have the units of guards; other guards have none, nor have those of friction without mass."""
+        return picture.draw(self, width_mm)
 
 
 _PARTS = 4
 """Parts of an interval whose ends have an enclosure of θ."""
-
-
-def quantity_of(guard: str, massless: bool) -> str | None:
-    """Return the quantity that has the unit of a guard, if it has one."""
-    return None if massless and guard != SLIP else QUANTITY_OF.get(guard)
 
 
 class _Recorded(checker.Walk):

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 import numpy as np
 
 from .. import _core
-from ..extras import require
+from .._internal.extras import require
+from .._protocols import HoopLike
 from ..samples import Samples
 from ..style import CURVE, CURVE_COLOURS, CURVE_DASHES, CURVE_WIDTHS, FAINT, INK, PAPER
 from ..tables import FRICTION, MODES, QUANTITIES, SAMPLE_COLUMNS
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ..hoop import Hoop
     from .sheet import Sheet
 
 START: dict[str, Any] = {
@@ -236,7 +236,7 @@ def seen_heights(samples: Samples, slope: float) -> tuple[float, float]:
 
 
 def draw_hoop(
-    axes: Axes, hoop: Hoop, x: float, y: float, theta: float, *, alpha: float = 1.0
+    axes: Axes, hoop: HoopLike, x: float, y: float, theta: float, *, alpha: float = 1.0
 ) -> list[Any]:
     """Draw a hoop with its particle and its mass centre on its plane as a level camera sees it; returns the artists."""
     patches, lines = require("matplotlib.patches"), require("matplotlib.lines")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._protocols import MotionLike
 from ..samples import Samples
 from ..style import BOLD, CURVE, FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS
@@ -29,11 +30,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ..trajectory import Trajectory
-
 
 @on_sheet
-def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> Axes:
+def path(motion: MotionLike, axes: Axes | None = None, *, count: int = 1001) -> Axes:
     """Draw the paths of the mass centre (thick) and the geometric centre (thin), as in Figure 3(b).
 
     A plane with a slope is tilted, and the axes are level.
@@ -91,7 +90,7 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> 
     return axes
 
 
-def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -> None:
+def _mark_hoops(motion: MotionLike, axes: Axes, samples: Samples, span: float) -> None:
     # Bounces give way to what happens else.
     events = sorted(
         motion.transitions, key=lambda one: (one.cause, one.to_mode) == ("landing", "flight")
@@ -133,7 +132,7 @@ def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -
 
 @on_sheet
 def history(
-    motion: Trajectory,
+    motion: MotionLike,
     axes: Axes | None = None,
     *,
     quantities: tuple[str, ...] = ("theta_rate", "slip"),
@@ -171,6 +170,7 @@ def history(
             )
     axes.margins(y=0.15)
     _limit(axes, [samples[name] for name in quantities])
+    _mark_beyond(axes, samples, quantities)
     if len(quantities) > 1:
         _name_lines(axes, samples, quantities)
     else:
@@ -196,6 +196,51 @@ def _limit(axes: Axes, lines: list[Any]) -> None:
             min(float(np.max(values)), 1.5 * usual),
         )
         axes.set_ylim(low - 0.05 * (high - low), high)
+
+
+def _mark_beyond(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> None:
+    """Mark each part of a line that is cut, above and below, and write the farthest value.
+
+    A figure of the program does the same.
+    """
+    low, high = axes.get_ylim()
+    for sign_of_side, edge, marker in ((1.0, high, 6), (-1.0, low, 7)):
+        farthest: tuple[float, float, str] | None = None
+        for name in quantities:
+            for mode, part in phase_slices(samples):
+                times, values = samples.time[part], sign_of_side * samples[name][part]
+                (out,) = np.nonzero(values > sign_of_side * edge)
+                for run in np.split(out, np.nonzero(np.diff(out) > 1)[0] + 1):
+                    if len(run) == 0:
+                        continue
+                    at = int(run[np.argmax(values[run])])
+                    # The tip of the triangle is at the frame.
+                    axes.plot(
+                        [times[at]],
+                        [edge],
+                        color=MODE_COLOURS[mode],
+                        marker=marker,
+                        linestyle="none",
+                        linewidth=0.0,
+                    )
+                    if farthest is None or values[at] > farthest[0]:
+                        farthest = float(values[at]), float(times[at]), MODE_COLOURS[mode]
+        if farthest is None:
+            continue
+        size, time, colour = farthest
+        number = "∞" if math.isinf(size) else f"{size:.4g}"
+        # Above the frame no line is in the way; below it are the numbers of the other axis.
+        axes.annotate(
+            number if sign_of_side > 0.0 else f"−{number}",
+            (time, edge),
+            xytext=(0, 2) if sign_of_side > 0.0 else (6, 3),
+            textcoords="offset points",
+            ha="center" if sign_of_side > 0.0 else "left",
+            va="bottom",
+            color=colour,
+            annotation_clip=False,
+        )
+    axes.set_ylim(low, high)
 
 
 def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> None:
@@ -228,7 +273,7 @@ def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> No
 
 
 @on_sheet
-def trajectory(motion: Trajectory) -> Figure:
+def trajectory(motion: MotionLike) -> Figure:
     """Draw the path of a motion, and θ, the rates and the forces over time.
 
     Parameters

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
-from ..elementwise import flat
-from ..extras import require
+from .._internal.elementwise import flat
+from .._internal.extras import require
 from ..style import CLASS_COLOURS, FINE, INK
 from ..tables import CLASS_LABELS, CLASSES
 from .canvas import axis_label, on_sheet, pi_ticks, sheet, sign, words

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
+from .._protocols import MotionLike
+from ..phase_plane import PhasePlane
 from ..style import (
     BOLD,
     CURVE_COLOURS,
@@ -34,19 +36,21 @@ from .canvas import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ..hoop import Hoop
-    from ..trajectory import Trajectory
+
+class _HasPhasePlane(Protocol):
+    @property
+    def phase_plane(self) -> PhasePlane: ...
 
 
 @on_sheet
 def phase_plane(
-    hoop: Hoop,
+    hoop: _HasPhasePlane,
     axes: Axes | None = None,
     *,
     theta: tuple[float, float] = (-math.pi, math.pi),
     theta_rate: tuple[float, float] = (-4.0, 4.0),
     levels: int = 9,
-    motion: Trajectory | None = None,
+    motion: MotionLike | None = None,
 ) -> Axes:
     """Draw the plane of Figures 2(b), 4 and 5: orbits of rolling, region R, the curves f and n.
 
@@ -140,7 +144,7 @@ def phase_plane(
     return axes
 
 
-def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> None:
+def _over_plane(axes: Axes, motion: MotionLike, theta: tuple[float, float]) -> None:
     samples = motion.sample(2001)
     for mode, part in phase_slices(samples):
         angle = samples.theta[part]

@@ -4,7 +4,7 @@
 FILE`` is the same from the command line.
 """
 
-from ..text_table import TableFileError
+from .._internal.text_table import TableFileError
 from .cases import BENCHMARK, CASES, BenchmarkCase
 from .convergence import Convergence, convergence
 from .episodes import Tolerances

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..terminal import printable
+from .._internal.terminal import printable
 from .score import Score
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..elementwise import Reals
+from .._internal.elementwise import Reals
 from .record import Record
 
 if TYPE_CHECKING:

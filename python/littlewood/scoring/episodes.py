@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ..elementwise import Reals
+from .._internal.elementwise import Reals
 from .record import Record
 
 __all__ = ["Episode", "Event", "Tolerances", "read_events"]

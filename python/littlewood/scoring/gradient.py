@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ..elementwise import Reals
-from ..terminal import printable
+from .._internal.elementwise import Reals
+from .._internal.terminal import printable
 from .record import read_table
 
 if TYPE_CHECKING:

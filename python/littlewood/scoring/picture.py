@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from ..extras import require
+from .._internal.extras import require
 from ..plot.canvas import axis_label, key, on_sheet, phase_slices, sheet, sign
 from ..style import CURVE, FAINT, FINE, INK, LINE, LIST_DASHES, MODE_COLOURS, MODE_DASHES
 

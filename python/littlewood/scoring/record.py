@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ..elementwise import Reals, reals
-from ..text_table import NUMBER, TableFileError, TextTable, read_text_table
+from .._internal.elementwise import Reals, reals
+from .._internal.text_table import NUMBER, TableFileError, TextTable, read_text_table
 
 if TYPE_CHECKING:
     from ..units import Units

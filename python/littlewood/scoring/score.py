@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..elementwise import Reals
-from ..terminal import printable
+from .._internal.elementwise import Reals
+from .._internal.terminal import printable
 from .doubts import doubts
 from .episodes import Event, Tolerances, read_events
 from .matching import is_same, match, may_show

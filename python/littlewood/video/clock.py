@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..elementwise import Reals, real
-from ..extras import require
+from .._internal.elementwise import Reals, real
+from .._internal.extras import require
 from .capture_rate import CAPTURE_RATE, capture_rate
 from .errors import UnreadableVideoError
 from .files import open_video

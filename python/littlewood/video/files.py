@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..extras import require
+from .._internal.extras import require
 from .errors import UnreadableVideoError, UnwritableVideoError
 
 __all__ = ["Frame", "FrameWriter", "codecs", "frames", "open_video"]

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..elementwise import Reals
-from ..extras import require
+from .._internal.elementwise import Reals
+from .._internal.extras import require
 from .files import Frame
 from .plane import Plane
 

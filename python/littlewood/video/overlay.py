@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from ..extras import require
-from ..fit_result import FitResult
+from .._internal.extras import require
+from ..fitting.result import FitResult
+from ..fitting.track import Track
 from ..style import ACCENTS, MODE_COLOURS
-from ..track import Track
 from ..trajectory import Trajectory
 from .clock import clock_of
 from .errors import UnreadableVideoError

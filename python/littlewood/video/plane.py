@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from ..elementwise import Reals
+from .._internal.elementwise import Reals
 
 if TYPE_CHECKING:
     from .camera import Camera

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..calibration import CALIBRATION
-from ..extras import progress_bar
+from .._internal.extras import progress_bar
+from ..fitting.calibration import CALIBRATION
+from ..fitting.track import Track
 from ..hoop import Hoop
-from ..track import Track
 from .clock import Clock, clock_of
 from .errors import (
     NoHoopError,

@@ -8,13 +8,15 @@ use littlewood_film::{EnergyBar, Framing, With};
 use super::{ProblemArgs, RunArgs, number, size};
 
 pub(super) const ANIMATE: &str = "\
-Make a film of a motion: hoop, particle, contact point, gap, forces, impulses of impacts, slip velocity, mode and clock.
+Make a film of a motion: hoop, particle, contact point, gap, forces, impulses of impacts, slip \
+velocity, mode and clock.
 
-The motion is given as in `simulate`. A motion that lasts for ever is shown for one oscillation, two periods, or 10 units \
-of time, unless --until says otherwise; the film says so.
+The motion is given as in `simulate`. Without --until an endless motion is shown for one \
+oscillation, two periods or 10 units of time; the film says so.
 
-The ending of --out says what the film is: .gif, or .mp4 (H.264) and .webm (VP9), which need ffmpeg. A GIF has the \
-same bytes on every machine. For a slide an .mp4 of 1280x720 is a megabyte or less.";
+The extension of --out chooses the format: .gif, or .mp4 (H.264) and .webm (VP9), which need \
+ffmpeg. A GIF has the same bytes on every machine. For a presentation an .mp4 of 1280x720 has \
+a megabyte or less.";
 
 pub(super) const ANIMATE_EXAMPLES: &str = "\
 Examples:
@@ -23,7 +25,7 @@ Examples:
   littlewood animate libration --fps 60 --size 1920x1080 --out libration.mp4
   littlewood animate figure-3 --with plane --size 1280x720 --out plane.gif
   littlewood animate figure-3-bounces --slow-impacts 8 --out bounces.gif
-  littlewood animate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --slow 10 --out hula-hoop.gif";
+  littlewood animate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --slow 10 --out hoop.gif";
 
 /// Arguments of `littlewood animate`.
 #[derive(Debug, Args)]
@@ -39,17 +41,23 @@ pub(crate) struct AnimateArgs {
     /// slower than real the film is [default: 10]
     #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
     pub(crate) slow: Option<f64>,
-    /// Frames per second; a GIF can have 50
+    /// Frames per second, at most 50 for a GIF
     #[arg(long, value_name = "N", default_value_t = 25, help_heading = "Film")]
     pub(crate) fps: u32,
     /// Size in pixels
-    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x360", value_parser = size, help_heading = "Film")]
+    #[arg(
+        long,
+        value_name = "WIDTHxHEIGHT",
+        default_value = "640x360",
+        value_parser = size,
+        help_heading = "Film"
+    )]
     pub(crate) size: (u32, u32),
-    /// What the picture shows of the path
+    /// How the camera moves
     #[arg(long, value_enum, default_value_t, help_heading = "Film")]
     pub(crate) camera: Framing,
-    /// Slow motion around impacts, by this factor; each impact is a still while the impulse grows.
-    /// Small bounces are not slowed down
+    /// Slow motion around impacts, by this factor; at each impact the picture stands still while
+    /// the impulse grows. Small bounces are not slowed down
     #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
     pub(crate) slow_impacts: Option<f64>,
     /// Show the energy as a bar: kinetic, potential, lost to friction, lost in impacts
@@ -58,7 +66,7 @@ pub(crate) struct AnimateArgs {
     /// Show a second picture beside the hoop, instead of the energy bar
     #[arg(long, value_enum, help_heading = "Film", conflicts_with = "energy_bar")]
     pub(crate) with: Option<With>,
-    /// Seconds for which the last frame stays [default: 1.5; 0 for an oscillation, which loops]
+    /// Seconds to hold the last frame [default: 1.5; 0 for an oscillation, which loops]
     #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]
     pub(crate) hold: Option<f64>,
 }

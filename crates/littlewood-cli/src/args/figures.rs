@@ -11,13 +11,13 @@ use crate::axis::{TypedAxis, parse_line};
 pub(super) const FIGURES: &str = "\
 Draw the figures of the paper, and more, of its hoops or of any other.
 
-Every figure is computed from the library's results. It is made of its own case (figure-3 for a hoop with inertia, \
-figure-7 for the massless one, figure-3-bounces for impacts) unless --case, --scenario or flags ask for another hoop or start. Without names all \
-figures are drawn that the hoop has; figures 4 to 7 show the massless hoop. With --restitution \
-the motion goes on after a landing.
+Each figure shows its own case (--list names it) unless --case, --scenario or flags give another \
+hoop or start. Without names all figures that apply to the hoop are drawn; figures 4 to 7 apply to \
+the massless hoop. With --restitution the motion continues after a landing.
 
-Each figure is written as SVG, PNG, CSV (the data drawn) and TXT (the caption) into --out. Nothing is written unless \
-all can be drawn; a file is replaced only once it is complete.";
+Each figure is written into --out, in all formats of --format, once it is drawn; a file is replaced
+only once the new one is complete. Bad input is refused before anything is written. Without names
+a figure that does not apply to the hoop is left out, and standard error says why.";
 
 pub(super) const FIGURES_EXAMPLES: &str = "\
 Examples:
@@ -25,21 +25,21 @@ Examples:
   littlewood figures figure-3b outcomes --out figures --format svg,csv
   littlewood figures --case libration --out libration
   littlewood figures --mass-ratio 2 --inertia 2 --mu-s 0.7 --out heavier
-  littlewood figures impact bounces energy --case figure-3 --restitution 0.8 --impact 2 --out bounces
+  littlewood figures impact bounces --case figure-3 --restitution 0.8 --impact 2 --out bounces
   littlewood figures bifurcation --along mu=0.1:1 --theta-rate 1.5 --out friction
   littlewood figures figure-2b --out print --format png --scale 6.25";
 
 /// Arguments of `littlewood figures`.
 #[derive(Debug, Args)]
 pub(crate) struct FiguresArgs {
-    /// Figures to draw, see --list [default: all that the hoop has]
+    /// Figures to draw, see --list [default: all that apply to the hoop]
     #[arg(value_name = "NAME")]
     pub(crate) names: Vec<String>,
-    /// List the figures: name, the case each is made of, what it shows
+    /// List the figures: name, case, contents
     #[arg(long, exclusive = true)]
     pub(crate) list: bool,
-    /// Named case to take instead of each figure's own, see `littlewood cases`; `libration` is
-    /// short for figure-2-libration
+    /// Named case instead of each figure's own, see `littlewood cases`; `libration` is short for
+    /// figure-2-libration
     #[arg(long, value_name = "CASE", conflicts_with = "scenario")]
     case: Option<String>,
     /// Scenario file (TOML): case, [hoop], [start], [run], or [si.hoop] and [si.start]
@@ -52,12 +52,11 @@ pub(crate) struct FiguresArgs {
     /// Which impact of the motion the figure `impact` shows, from 1
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = impact)]
     pub(crate) impact: usize,
-    /// Line along which the figure `bifurcation` shows how a motion changes, such as mu_s=0.4:1,
-    /// mu=0.1:1 or theta=-pi:pi
-    /// [default: theta_rate from 0]
+    /// Range of the quantity that the figure `bifurcation` varies, such as mu_s=0.4:1, mu=0.1:1 or
+    /// theta=-pi:pi [default: theta_rate from 0]
     #[arg(long, value_name = "NAME=FROM:TO", value_parser = parse_line)]
     pub(crate) along: Option<TypedAxis>,
-    /// Folder for the files; it is made if it is not there, in one that is
+    /// Folder for the files; it is created if its parent exists
     #[arg(
         long,
         value_name = "DIR",
@@ -65,7 +64,7 @@ pub(crate) struct FiguresArgs {
         help_heading = "Output"
     )]
     pub(crate) out: Option<PathBuf>,
-    /// Formats, with commas between them
+    /// Formats, separated by commas
     #[arg(
         long,
         value_enum,
@@ -74,12 +73,18 @@ pub(crate) struct FiguresArgs {
         help_heading = "Output"
     )]
     pub(crate) format: Vec<FigureFormat>,
-    /// Width in print in millimetres, 84 for a column and 178 for a page: letters of 7 to 8 points
-    /// at any width [default: as wide as a screen wants]
+    /// Printed width in millimetres, such as 84 for a column and 178 for a page, with letters of 7
+    /// to 8 points [default: the layout for a screen]
     #[arg(long, value_name = "MM", value_parser = number, help_heading = "Output")]
     pub(crate) width_mm: Option<f64>,
-    /// Pixels of a PNG to 1/96 inch of the drawing: 3.125 makes 300 dpi, 6.25 makes 600
-    #[arg(long, value_name = "FACTOR", value_parser = number, default_value_t = 2.0, help_heading = "Output")]
+    /// Pixels of a PNG for 1/96 inch of the drawing: 3.125 gives 300 dpi, 6.25 gives 600
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        value_parser = number,
+        default_value_t = 2.0,
+        help_heading = "Output"
+    )]
     pub(crate) scale: f64,
 }
 
@@ -120,9 +125,9 @@ impl FiguresArgs {
 pub(crate) enum FigureFormat {
     /// Drawing
     Svg,
-    /// Picture of that drawing
+    /// The same drawing in pixels
     Png,
-    /// Data that it shows
+    /// The data drawn
     Csv,
     /// Caption
     Txt,

@@ -23,7 +23,7 @@ pub(crate) use elsewhere::ElsewhereArgs as AnimateArgs;
 #[cfg(not(feature = "lab"))]
 pub(crate) use elsewhere::ElsewhereArgs as LabArgs;
 #[cfg(not(feature = "sweep"))]
-pub(crate) use elsewhere::{ElsewhereArgs as AtlasArgs, ElsewhereArgs as SweepArgs};
+pub(crate) use elsewhere::ElsewhereArgs as SweepArgs;
 #[cfg(not(feature = "figures"))]
 pub(crate) use elsewhere::{ElsewhereArgs as FiguresArgs, ElsewhereArgs as PosterArgs};
 pub(crate) use errors::Names;
@@ -35,10 +35,10 @@ pub(crate) use negative::join_negative_numbers;
 #[cfg(feature = "figures")]
 pub(crate) use poster::PosterArgs;
 pub(crate) use problem::{MAX_SLIDES, MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
+#[cfg(feature = "sweep")]
+pub(crate) use sweep::SweepArgs;
 #[cfg(feature = "film")]
 pub(crate) use sweep::size;
-#[cfg(feature = "sweep")]
-pub(crate) use sweep::{AtlasArgs, SweepArgs};
 pub(crate) use sweep::{MapArgs, WorkArgs};
 
 use std::ops::RangeInclusive;
@@ -51,9 +51,9 @@ use littlewood_report::Sampling;
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
 ///
 /// A hoop (or disc) of mass m1 and radius R carries a particle of mass m2 at the distance l from
-/// its centre and moves on a rough horizontal plane. Each slip, stick, lift-off and landing is
-/// located to machine precision. Equation numbers refer to Bronars and O'Reilly, Proc. R. Soc. A
-/// 475, 2019.
+/// its centre and moves on a rough plane, horizontal or sloping. Each slip, stick, lift-off and
+/// landing is located to machine precision. Equation numbers refer to Bronars and O'Reilly, Proc.
+/// R. Soc. A 475, 2019.
 #[derive(Debug, Parser)]
 #[command(name = "littlewood", version, arg_required_else_help = true, after_help = EXAMPLES)]
 pub(crate) struct Cli {
@@ -69,11 +69,11 @@ Examples:
   littlewood classify figure-7
   littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out map.png
 
-The folders of outputs must exist.
+An output file needs an existing folder.
 
-Exit codes: 0 for every result; 1 for failures of the system, such as a full disk; 2 for bad input, such as an output that
-cannot be written; 130 after Ctrl-C or a signal such as SIGTERM, which removes unfinished files (a second signal exits at
-once).";
+Exit codes: 0 for every result; 1 for failures of the system, such as a full disk; 2 for bad \
+input, such as an output that cannot be written; 130 after Ctrl-C or a signal such as SIGTERM, \
+which removes unfinished files (a second signal exits at once).";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -90,23 +90,31 @@ pub(crate) enum Command {
     #[command(long_about = sweep::map(), after_help = sweep::MAP_EXAMPLES)]
     Map(Box<MapArgs>),
     /// Simulate a grid of starts with any number of axes, or a list
-    #[cfg_attr(feature = "sweep", command(long_about = sweep::SWEEP, after_help = sweep::SWEEP_EXAMPLES))]
+    #[cfg_attr(
+        feature = "sweep",
+        command(long_about = sweep::sweep(), after_help = sweep::SWEEP_EXAMPLES)
+    )]
     #[cfg_attr(not(feature = "sweep"), doc = "(requires the feature `sweep`)")]
     Sweep(Box<SweepArgs>),
-    /// Count the sequences of phases that occur on a grid of starts, with an example of each
-    #[cfg_attr(feature = "sweep", command(long_about = sweep::ATLAS, after_help = sweep::ATLAS_EXAMPLES))]
-    #[cfg_attr(not(feature = "sweep"), doc = "(requires the feature `sweep`)")]
-    Atlas(Box<AtlasArgs>),
     /// Draw the figures of the paper and others, for any hoop
-    #[cfg_attr(feature = "figures", command(long_about = figures::FIGURES, after_help = figures::FIGURES_EXAMPLES))]
+    #[cfg_attr(
+        feature = "figures",
+        command(long_about = figures::FIGURES, after_help = figures::FIGURES_EXAMPLES)
+    )]
     #[cfg_attr(not(feature = "figures"), doc = "(requires the feature `figures`)")]
     Figures(Box<FiguresArgs>),
     /// Draw a poster of a hoop, its motion and its laws
-    #[cfg_attr(feature = "figures", command(long_about = poster::POSTER, after_help = poster::POSTER_EXAMPLES))]
+    #[cfg_attr(
+        feature = "figures",
+        command(long_about = poster::POSTER, after_help = poster::POSTER_EXAMPLES)
+    )]
     #[cfg_attr(not(feature = "figures"), doc = "(requires the feature `figures`)")]
     Poster(Box<PosterArgs>),
     /// Make a film of a motion: GIF, MP4 or WebM
-    #[cfg_attr(feature = "film", command(long_about = animate::ANIMATE, after_help = animate::ANIMATE_EXAMPLES))]
+    #[cfg_attr(
+        feature = "film",
+        command(long_about = animate::ANIMATE, after_help = animate::ANIMATE_EXAMPLES)
+    )]
     #[cfg_attr(not(feature = "film"), doc = "(requires the feature `film`)")]
     Animate(Box<AnimateArgs>),
     /// Open the laboratory in the browser: drag a start and watch the hoop
@@ -120,20 +128,27 @@ pub(crate) enum Command {
     /// Certify a motion by ball arithmetic, with a proof that no event is missed (in the Python
     /// package)
     Certify(ElsewhereArgs),
+    /// Removed: `map --shade sequence` shows the sequences of phases
+    #[command(hide = true)]
+    Atlas(ElsewhereArgs),
 }
 
 const SIMULATE: &str = "\
 Simulate a motion to its end: phases, transitions, outcome.
 
-The motion is given by a named case, a scenario file or flags; flags override the others. Five numbers define \
-the hoop (2.9), and theta and theta' the start; slip, x and time are 0 unless given. Without --until the motion is \
-followed to a final outcome: a landing, rolling for ever, or a state beyond which the model has no unique motion. \
-Each of these is a result, not a failure.
+The motion is given by a named case, a scenario file or flags; flags override the others. Without \
+a case or a scenario, give the mass ratio, the offset, the inertia and the two coefficients of \
+friction of the hoop (2.9), and theta and theta' of the start; everything else has a default.
 
-With --restitution the motion continues after a landing: each impact is solved exactly, with friction, by the law of \
---restitution-law, and accumulating bounces are summed to their end. Where no motion is consistent the hoop then jams \
-(Painleve). With --restitution 1 bounces end by friction alone, if they stick, or never: give --until. A massless \
-hoop has no impact: its rim has no inertia.";
+Without --until the motion is simulated to its outcome: a landing, an endless motion, a state \
+beyond which the model has no unique motion, or a limit such as --max-transitions. Each of these \
+is a result, not a failure.
+
+With --restitution the motion continues after a landing: each impact is solved exactly, with \
+friction, by the law of --restitution-law, and infinitely many bounces in a finite time are \
+summed. Where no motion is consistent (Painleve), the hoop then jams. With --restitution 1 bounces \
+lose energy to friction only and may never end: give --until. A massless hoop cannot have \
+--restitution: its rim has no inertia.";
 
 const SIMULATE_EXAMPLES: &str = "\
 Examples:
@@ -150,8 +165,9 @@ Examples:
 const CLASSIFY: &str = "\
 Classify a start: its region and the motion that begins there, without simulating it.
 
-The regions are those of (2.14) and (3.10); for Littlewood's massless hoop the type I, II or III of its rolling motion \
-(section 3a) is given too. Takes the hoop and the start as `simulate` does.";
+The regions are those of (2.14) and (3.10); for Littlewood's massless hoop the output includes the \
+type I, II or III of its rolling motion (section 3a). Takes the hoop and the start as `simulate` \
+does.";
 
 const CLASSIFY_EXAMPLES: &str = "\
 Examples:
@@ -172,27 +188,44 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_enum, help_heading = "Output")]
     pub(crate) format: Option<Format>,
     /// Sample N instants, evenly spaced in time, and every transition. An endless motion is sampled
-    /// for two periods of its last phase (10 units of time if it has no period), or to --until; one
-    /// that ends at its start has one sample
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(SAMPLES), help_heading = "Output")]
+    /// to --until, or for two periods of its last phase (10 units of time if it has no period); a
+    /// motion that ends at its start has one sample
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u64).range(SAMPLES),
+        help_heading = "Output"
+    )]
     pub(crate) samples: Option<u64>,
     /// Print a row for every bounce and phase; by default bounces share a row and long motions are
     /// shortened
     #[arg(long, help_heading = "Output")]
     pub(crate) all_bounces: bool,
-    /// Estimate the trusted digits of each transition, from neighbouring starts and perturbed
-    /// rounding
+    /// Estimate how many digits of each transition are correct, from neighbouring starts and
+    /// perturbed rounding
     #[arg(long, help_heading = "Output")]
     pub(crate) digits: bool,
-    /// Derivatives of each transition and of the outcome with respect to these quantities of hoop
-    /// and start, with commas between their names, such as mu_k,theta_rate; or to all. They are
-    /// dimensionless
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = errors::parse_names, help_heading = "Output")]
+    /// Print the dimensionless derivatives of each transition and of the outcome with respect to
+    /// these quantities of the hoop and the start, separated by commas, such as mu_k,theta_rate, or
+    /// all
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        value_parser = errors::parse_names,
+        help_heading = "Output"
+    )]
     pub(crate) derivatives: Vec<Names>,
-    /// Standard errors of hoop and start, such as mu_k=0.02,theta=0.5deg: those of each transition
-    /// and of the outcome, to first order and in a sample of 10,000 motions, with a warning where
-    /// they differ (in the table and in JSON, dimensionless)
-    #[arg(long, value_name = "NAME=ERROR", value_delimiter = ',', value_parser = errors::parse_error, help_heading = "Output")]
+    /// Standard errors of quantities of the hoop and the start, such as mu_k=0.02,theta=0.5deg.
+    /// Prints those of each transition and of the outcome, dimensionless, to first order and from a
+    /// sample of 10,000 motions, with a warning where the two differ (table and JSON only)
+    #[arg(
+        long,
+        value_name = "NAME=ERROR",
+        value_delimiter = ',',
+        value_parser = errors::parse_error,
+        help_heading = "Output"
+    )]
     pub(crate) uncertainty: Vec<(Quantity, f64)>,
     /// Output file; an existing file is replaced once the output is complete
     #[arg(long, value_name = "FILE", help_heading = "Output")]

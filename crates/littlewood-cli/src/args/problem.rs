@@ -32,7 +32,12 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(MAX_TRANSITIONS),
           help = max_transitions())]
     pub(crate) max_transitions: Option<u64>,
-    #[arg(long, value_name = "LENGTH", value_parser = clap::value_parser!(u64).range(MAX_SLIDES), help = max_slides())]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        value_parser = clap::value_parser!(u64).range(MAX_SLIDES),
+        help = max_slides()
+    )]
     pub(crate) max_slides: Option<u64>,
     #[arg(long, value_name = "PROOF", value_parser = proofs(), help = proof())]
     pub(crate) proof: Option<Proof>,
@@ -46,16 +51,17 @@ pub(crate) const MAX_SLIDES: RangeInclusive<u64> = 1..=u64::MAX;
 
 fn max_slides() -> String {
     format!(
-        "Stop after slides of this length in time and angle, all together: a slide counts for at most 32 times \
-         1 + ln(1 + m/Î). On planes of next to no friction slides are long and many [default: {}]",
+        "Stop when the total length of the slides, measured in time and angle, exceeds this; a \
+         slide counts for at most 32 (1 + ln(1 + m/Î)), where m = 1 + m1/m2. On planes with very \
+         little friction slides are long and many [default: {}]",
         Limits::default().slides
     )
 }
 
 fn max_transitions() -> String {
     format!(
-        "Stop after this many transitions. Light hoops on nearly smooth planes make very many, and lossless bounces never \
-         end [default: {}]",
+        "Stop after this many transitions. Light hoops on nearly smooth planes have very many, and \
+         lossless bounces never end [default: {}]",
         Limits::default().transitions
     )
 }

@@ -83,7 +83,10 @@ fn degrees_flag(quantity: Quantity) -> Option<String> {
 /// The flag of an angle in degrees, if the quantity is one.
 fn in_degrees(quantity: Quantity) -> Option<Arg> {
     let flag = degrees_flag(quantity)?;
-    let help = format!("{quantity} in degrees, instead of radians");
+    let help = format!(
+        "The same in degrees, instead of --{}",
+        hyphened(quantity.name())
+    );
     let argument = Arg::new(flag.clone())
         .long(flag)
         .action(ArgAction::Set)
@@ -101,7 +104,8 @@ fn in_degrees(quantity: Quantity) -> Option<Arg> {
 fn law_argument() -> Arg {
     let names = RestitutionLaw::ALL.map(|law| PossibleValue::new(law.name()).help(law.label()));
     let help = format!(
-        "Definition of the coefficient of restitution, also with SI parameters [default: {}]",
+        "Definition of the coefficient of restitution: the ratio of works, impulses or velocities; \
+         also with SI parameters [default: {}]",
         RestitutionLaw::default()
     );
     Arg::new(RESTITUTION_LAW)
@@ -156,12 +160,17 @@ impl<const PLACE: bool> SetupArgs<PLACE> {
 
 impl<const PLACE: bool> Args for SetupArgs<PLACE> {
     fn augment_args(mut command: Command) -> Command {
-        let switch = Arg::new(SI).long(SI).action(ArgAction::SetTrue).help_heading(SI_HEADING).help(format!(
-            "Take and show SI units; any of the flags below implies it. With a named case, {} and {} say how large it \
-             is",
+        let help = format!(
+            "Read and print SI units; any of the flags below implies it. With a named case, {} and \
+             {} set the scale",
             flag(Quantity::ParticleMassKg),
             flag(Quantity::RadiusM),
-        ));
+        );
+        let switch = Arg::new(SI)
+            .long(SI)
+            .action(ArgAction::SetTrue)
+            .help_heading(SI_HEADING)
+            .help(help);
         let (si, plain): (Vec<_>, Vec<_>) =
             Self::quantities().partition(|quantity| quantity.is_si());
         for quantity in plain {

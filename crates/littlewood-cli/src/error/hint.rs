@@ -2,8 +2,6 @@
 
 use std::borrow::Cow;
 
-#[cfg(feature = "sweep")]
-use littlewood::tables::Quantity;
 use littlewood_draw::DrawError;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
@@ -28,21 +26,16 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
         #[cfg(feature = "lab")]
         Error::NoPage { hint, .. } => hint.as_str().into(),
         Error::Missing { flags, .. } => format!(
-            "give {}, or start from a case (`littlewood cases` lists them) or a scenario file (--scenario)",
+            "give {}, or start from a case (`littlewood cases` lists them) or a scenario file \
+             (--scenario)",
             flags.join(", ")
-        ).into(),
+        )
+        .into(),
         Error::Unreadable { .. } => "--scenario takes the path of a TOML file in UTF-8".into(),
         Error::Unwritable { .. } => "outputs need an existing folder that can be written to".into(),
         Error::LongTable { .. } => "give --format csv, or --out NAME.csv".into(),
         Error::WriteFile { .. } => "the existing file is unchanged".into(),
         Error::Sweep(error) => of_sweep(error),
-        #[cfg(feature = "sweep")]
-        Error::Hoop { source, .. } => of_axis(source),
-        #[cfg(feature = "sweep")]
-        Error::HoopColumn { .. } => format!(
-            "columns of --hoops are those of {} that no --axis varies",
-            Quantity::HOOP.map(Quantity::name).join(", ")
-        ).into(),
         #[cfg(feature = "figures")]
         Error::Figure(error) => of_figure(error),
         Error::TwoErrors { .. } => "give each quantity once".into(),
@@ -50,11 +43,19 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
         Error::Drawing(error) => of_drawing(error).into(),
         Error::Stopped => "unfinished files are removed; finished ones are kept".into(),
         Error::NotBuilt { feature, .. } => format!(
-            "build it with `cargo run --release --features {feature} -- …`, or with `--all-features`; released programs \
-             have all features"
-        ).into(),
-        Error::InPackage { command } => {
-            format!("`pip install littlewood`, and then `python -m littlewood {command} --help`").into()
+            "build it with `cargo run --release --features {feature} -- …`, or with \
+             `--all-features`"
+        )
+        .into(),
+        Error::InPackage { command } => format!(
+            "install the package from python/ of the repository, as its README says, then \
+                 `python -m littlewood {command} --help`"
+        )
+        .into(),
+        Error::AtlasRemoved => {
+            "`littlewood map --shade sequence` shows the sequences of phases on a grid; the \
+             example `theron_maritz` of the crate littlewood-sweep counts those of first turns"
+                .into()
         }
         #[cfg(feature = "lab")]
         Error::Port { .. } => "give another --port, or leave the flag out for a free one".into(),
@@ -140,13 +141,21 @@ fn of_sweep(error: &SweepError) -> Cow<'_, str> {
 
 fn of_list(error: &ListError) -> Cow<'_, str> {
     match error {
-        ListError::BadValue { source, .. } | ListError::Fixed { source, .. } => source.hint().into(),
-        ListError::Changed { .. } => "give the command again when nothing writes to the list".into(),
-        ListError::UnknownFormat { .. } => {
-            "a list is a CSV file, NAME.csv, which a data frame writes with `to_csv(..., index=False)`".into()
+        ListError::BadValue { source, .. } | ListError::Fixed { source, .. } => {
+            source.hint().into()
         }
-        _ => "a list is a CSV file with a header; columns are named as axes are, cells are finite numbers"
-            .into(),
+        ListError::Changed { .. } => {
+            "give the command again when nothing writes to the list".into()
+        }
+        ListError::UnknownFormat { .. } => {
+            "a list is a CSV file, NAME.csv; a data frame writes it with `to_csv(..., index=False)`"
+                .into()
+        }
+        _ => {
+            "a list is a CSV file with a header; columns have the names of axes, cells are finite \
+             numbers"
+                .into()
+        }
     }
 }
 
@@ -156,7 +165,8 @@ fn of_axis(error: &AxisError) -> Cow<'_, str> {
         AxisError::TooMany { .. } => "take fewer points".into(),
         AxisError::Twice { .. } => "take each quantity for one axis".into(),
         AxisError::NoFactor { .. } => {
-            "an axis of equal factors (log) begins and ends on the same side of 0, such as mu=0.01:1:200:log"
+            "a logarithmic axis (log) begins and ends on the same side of 0, such as \
+             mu=0.01:1:200:log"
                 .into()
         }
         _ => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".into(),

@@ -16,8 +16,6 @@ use littlewood_draw::DrawError;
 use littlewood_figures::FigureError;
 #[cfg(feature = "film")]
 use littlewood_film::FilmError;
-#[cfg(feature = "sweep")]
-use littlewood_sweep::AxisError;
 use littlewood_sweep::{StoreError, SweepError, ThreadsError};
 use thiserror::Error;
 
@@ -73,20 +71,6 @@ pub(crate) enum Error {
     Write { target: String, source: io::Error },
     #[error("{0}")]
     Sweep(Box<SweepError>),
-    #[cfg(feature = "sweep")]
-    #[error("{}, line {line}: {source}", path.display())]
-    Hoop {
-        path: PathBuf,
-        line: u64,
-        source: Box<AxisError>,
-    },
-    #[cfg(feature = "sweep")]
-    #[error("{}: column {column} {reason}", path.display())]
-    HoopColumn {
-        path: PathBuf,
-        column: Quantity,
-        reason: String,
-    },
     #[error("--out {}: {reason}", path.display())]
     Out {
         path: PathBuf,
@@ -114,6 +98,8 @@ pub(crate) enum Error {
     NotBuilt { what: String, feature: &'static str },
     #[error("`littlewood {command}` is part of the Python package")]
     InPackage { command: &'static str },
+    #[error("`littlewood atlas` was removed")]
+    AtlasRemoved,
     #[cfg(feature = "lab")]
     #[error("{reason}")]
     NoPage { reason: String, hint: String },

@@ -1,7 +1,5 @@
 //! The results as text: for a person ([`table`]) and for programs ([`json`], [`csv`]).
 
-#[cfg(feature = "sweep")]
-pub(crate) mod atlas;
 pub(crate) mod sweep;
 pub(crate) mod table;
 

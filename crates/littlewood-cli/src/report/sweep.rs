@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Duration;
 
+use littlewood::tables::Class;
 use littlewood_report::sheet::Sheet;
 use littlewood_sweep::Report;
 use serde_json::{Map, Value, json};
@@ -36,37 +37,9 @@ impl Run {
 
     fn table(&self) -> Sheet {
         let mut sheet = Sheet::default();
-        let rows = self
-            .report
-            .tally
-            .iter()
-            .map(|(class, count)| {
-                let share = 100.0 * count as f64 / self.report.points as f64;
-                vec![
-                    class.label().to_owned(),
-                    grouped(count),
-                    format!("{share:.2} %"),
-                ]
-            })
-            .collect();
-        sheet.table(
-            ["Class", "Starts", "Share"].map(str::to_owned).to_vec(),
-            rows,
-            &[1, 2],
-        );
+        self.show_classes(&mut sheet);
         sheet.gap();
-        let mut starts = format!(
-            "{} of {}",
-            grouped(self.done()),
-            grouped(self.report.points)
-        );
-        if self.report.reused > 0 {
-            starts.push_str(&format!(
-                ", {} of them from before",
-                grouped(self.report.reused)
-            ));
-        }
-        sheet.fact("Starts", vec![starts]);
+        sheet.fact("Starts", vec![self.starts()]);
         if let Some(rate) = self.rate() {
             let threads = if self.threads == 1 {
                 "thread"
@@ -87,14 +60,41 @@ impl Run {
             );
             sheet.fact("Repair", vec![repaired]);
         }
-        sheet.fact(
-            "Written",
-            self.kept
-                .iter()
-                .map(|path| path.display().to_string())
-                .collect(),
-        );
+        sheet.fact("Written", self.paths());
         sheet
+    }
+
+    /// The number of starts of each class, and their share of all.
+    fn show_classes(&self, sheet: &mut Sheet) {
+        let Report { tally, points, .. } = &self.report;
+        let row = |(class, count): (Class, u64)| {
+            let share = 100.0 * count as f64 / *points as f64;
+            vec![
+                class.label().to_owned(),
+                grouped(count),
+                format!("{share:.2} %"),
+            ]
+        };
+        let heads = ["Class", "Starts", "Share"].map(str::to_owned);
+        sheet.table(heads.to_vec(), tally.iter().map(row).collect(), &[1, 2]);
+    }
+
+    /// How many starts are done.
+    fn starts(&self) -> String {
+        let Report { points, reused, .. } = self.report;
+        let done = format!("{} of {}", grouped(self.done()), grouped(points));
+        if reused > 0 {
+            format!("{done}, {} of them from before", grouped(reused))
+        } else {
+            done
+        }
+    }
+
+    fn paths(&self) -> Vec<String> {
+        self.kept
+            .iter()
+            .map(|path| path.display().to_string())
+            .collect()
     }
 
     fn json(&self, writer: &mut dyn Write) -> io::Result<()> {
@@ -115,10 +115,11 @@ impl Run {
             "seconds": self.time.as_secs_f64(),
             "starts_per_second": self.rate(),
             "threads": self.threads,
-            "out": self.kept.iter().map(|path| path.display().to_string()).collect::<Vec<_>>(),
+            "out": self.paths(),
         });
         json::write(writer, &document)
     }
+
     /// Prints the summary, and complains if not all was done.
     pub(crate) fn finish(self, format: ShortFormat) -> Result<(), Error> {
         print(format, None, || self.table(), |writer| self.json(writer))?;

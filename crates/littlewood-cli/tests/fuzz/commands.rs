@@ -62,8 +62,7 @@ fn words(draw: &mut Draw) -> Vec<String> {
             format(draw, &["table", "json"]),
         ]
         .concat(),
-        5 | 6 => plane(draw, &setup, limits),
-        7 => atlas(draw, &setup, limits),
+        5..=7 => plane(draw, &setup, limits),
         8 => figures(draw, &setup, limits),
         _ => animate(draw, &setup, limits),
     };
@@ -258,21 +257,6 @@ fn plane(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
             _ => "400x300",
         };
         words.extend(["--size".to_owned(), size.to_owned()]);
-    }
-    words.extend(format(draw, &["table", "json"]));
-    words
-}
-
-fn atlas(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
-    let mut words = vec!["atlas".to_owned()];
-    words.extend(problem(draw, setup, false));
-    if draw.comes(0.3) {
-        words.push("--first-turn".to_owned());
-    } else {
-        words.extend(limit_words(limits));
-    }
-    for _ in 0..1 + draw.below(2) {
-        words.extend(["--axis".to_owned(), axis(draw)]);
     }
     words.extend(format(draw, &["table", "json"]));
     words

@@ -174,6 +174,12 @@ fn in_order(chosen: &mut [Chosen], length: &dyn Fn(&Chosen, usize) -> f64) {
     }
 }
 
+/// Refuses what cannot be drawn, before any motion is followed.
+pub(crate) fn check(input: &FigureInput) -> Result<(), FigureError> {
+    input.loaded(NAME)?;
+    input.sheet(WIDTH).map(drop)
+}
+
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     wide(input, WIDTH, watch)
 }
@@ -184,6 +190,7 @@ pub(crate) fn wide(
     width: f64,
     watch: &mut Watch<'_>,
 ) -> Result<Figure, FigureError> {
+    input.loaded(NAME)?;
     let outcomes = outcomes::figure(
         &FigureInput {
             width_mm: None,

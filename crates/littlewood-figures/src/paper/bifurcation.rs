@@ -24,6 +24,8 @@ use crate::timeline::CLOSE;
 use crate::wording::Wording;
 
 const NAME: &str = "bifurcation";
+/// Width of the sheet on a screen, in pixels.
+const SHEET: f64 = 640.0;
 /// Motions along the line that are compared first.
 const MOTIONS: usize = 401;
 /// How closely a boundary is located, in parts of the line.
@@ -590,8 +592,14 @@ fn panel_of_times(
     )
 }
 
-pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+/// Refuses what cannot be drawn, before any motion is followed.
+pub(crate) fn check(input: &FigureInput) -> Result<(), FigureError> {
     input.loaded(NAME)?;
+    Line::new(input)?;
+    input.sheet(SHEET).map(drop)
+}
+
+pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     let mut line = Line::new(input)?;
     let total = 2 * MOTIONS as u64;
     let mut workers = Workers::new(None)?;
@@ -637,7 +645,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     };
 
     let say = input.wording();
-    let sheet = input.sheet(640.0)?;
+    let sheet = input.sheet(SHEET)?;
     let [left, inner] = sheet.span();
     let x = say.varied(varies, [from, to]);
     let upper = panel_of_bands(&line, &bands, x.clone(), inner - ROOM[0]);
@@ -645,11 +653,18 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let classes = Class::ALL
         .into_iter()
         .filter(|own| bands.iter().any(|band| class(band) == *own));
+    let cut = limits.transitions < input.limits.transitions
+        && bands.iter().any(|band| class(band) == Class::InContact);
     let entries = classes
         .map(|own| {
+            let after = if cut && own == Class::InContact {
+                format!(" after {} transitions", limits.transitions)
+            } else {
+                String::new()
+            };
             (
                 Mark::Fill(of_class(own, THEME)),
-                fates.label(own).to_owned(),
+                fates.label(own).to_owned() + &after,
             )
         })
         .chain(phases)
@@ -668,21 +683,18 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
             .any(|band| band.phases.codes().any(|own| own == Ok(*code)))
     };
     let except: Vec<Quantity> = varies.quantities().collect();
-    let cut = limits.transitions < input.limits.transitions
-        && bands.iter().any(|band| class(band) == Class::InContact);
     let others = MOTIONS - 1;
     let finer = format!(
-        " Outcomes vary more finely than drawn: of {others} other motions {amiss} have another outcome."
+        "Outcomes vary more finely than drawn: of {others} other motions {amiss} have another outcome."
     );
-    let finer = if amiss > 0 { &*finer } else { "" };
-    let cut_short = if drawn.iter().any(Drawn::is_cut) {
-        " Phases whose ends change faster than can be drawn are among the further ones."
-    } else {
-        ""
-    };
+    let cut_short = "Phases whose ends change faster than can be drawn are among the further ones.";
+    let cut_short = drawn
+        .iter()
+        .any(Drawn::is_cut)
+        .then(|| cut_short.to_owned());
     let caption = format!(
         "Motions{} that differ in {}. Above: the sequence of phases ({}) and the outcome. Below: the mode at each time, white where the motion has ended, in the \
-         colour of its outcome where none begins; where two transitions meet the sequence changes.{cut_short} {}{finer} {}.",
+         colour of its outcome where none begins; where two transitions meet the sequence changes. {} {}.",
         if cut {
             format!(", followed to {} transitions,", limits.transitions)
         } else {
@@ -694,11 +706,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         say.setup_except(&input.hoop, &input.start, &except)
     );
     let bottom = top + band_height + CLOSE + height + 6.0;
-    Ok(sheet.figure(
-        NAME,
-        "Transitions along a line of starts or parameters",
-        caption,
-        bottom,
-        panels,
-    ))
+    let title = "Transitions along a line of starts or parameters";
+    let figure = sheet.figure(NAME, title, caption, bottom, panels);
+    Ok(figure.noted(cut_short).noted((amiss > 0).then_some(finer)))
 }

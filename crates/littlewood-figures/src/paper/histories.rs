@@ -25,13 +25,13 @@ const WIDTH: f64 = 640.0;
 /// The demand for friction is shown larger where it is less than this part of μk.
 const SMALL_SHARE: f64 = 0.1;
 
-/// Normal force, with the room that names take above, and what the verticals are.
+/// Normal force, with the room that names take above, and which have none.
 fn normal_panel(
     motion: &Trajectory,
     range: [f64; 2],
     normal: Series,
     (say, wide): (Wording, f64),
-) -> (Content, f64, &'static str) {
+) -> (Content, f64, Option<String>) {
     let weight = normal_weight(motion.hoop());
     let axis = say.axis(
         NORMAL,
@@ -52,7 +52,7 @@ fn normal_panel(
         normal.drawn(Stroke::solid(NORMAL_FORCE, 2.0)),
     ];
     let names = names(motion, axis.range[1], wide);
-    let (height, words) = (names.height, names.in_words());
+    let (height, unnamed) = (names.height, names.note());
     let mut labels = names.labels;
     labels.push(name_of_weight);
     let name = SampleColumn::Normal.long_name();
@@ -65,7 +65,7 @@ fn normal_panel(
             labels,
         },
         height,
-        words,
+        unnamed,
     )
 }
 
@@ -184,7 +184,7 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     let say = input.wording();
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
-    let (first, down, verticals) = normal_panel(&motion, range, normal, (say, inner - ROOM[0]));
+    let (first, down, unnamed) = normal_panel(&motion, range, normal, (say, inner - ROOM[0]));
     let mut contents = vec![first, friction_panel(&motion, range, say)];
     contents.extend(spikes.panel(&motion, range, say));
     contents.push(demand_panel(&motion, range, &spikes, say));
@@ -198,18 +198,19 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         .enumerate()
         .map(|(i, content)| Sheet::panel(frame(i), content))
         .collect();
-    Ok(sheet.figure(
+    let figure = sheet.figure(
         NAME,
         "Forces of a motion",
         format!(
-            "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; {verticals}. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
+            "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; dashed verticals: transitions. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
              jump where a slide begins or ends.{} {}.",
             if spikes.impulses.is_empty() { "" } else { " Spikes: the impulses *P* and *J* of the impacts; dots: |*J*|/*P*." },
             input.in_words()
-        ) + &remark(&motion, say),
+        ),
         tops(last) + height + 6.0,
         panels,
-    ))
+    );
+    Ok(figure.noted(unnamed).noted(remark(&motion, say)))
 }
 
 /// Where the energy falls in impacts: from before to after.
@@ -334,7 +335,7 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     let sheet = input.sheet(WIDTH)?;
     let [left, inner] = sheet.span();
     let names = names(&motion, axis.range[1], inner - ROOM[0]);
-    let verticals = names.in_words();
+    let unnamed = names.note();
     let mut layers = vec![
         transitions(&motion, &axis, ENERGY),
         zero(range, ENERGY),
@@ -358,18 +359,19 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     };
     let (below, low) = (top + height - ROOM[1] + CLOSE, sheet.height(150.0));
     let lost = Sheet::panel([left, below, inner, low], lost_panel(&motion, range, say));
-    Ok(sheet.figure(
+    let figure = sheet.figure(
         NAME,
         "Energy of a motion",
         format!(
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
-             against time, and below what has been lost; {verticals}. {}. {}.",
+             against time, and below what has been lost; dashed verticals: transitions. {}. {}.",
             losses(&motion, say),
             input.in_words()
-        ) + &remark(&motion, say),
+        ),
         below + low + 6.0,
         vec![panel, lost],
-    ))
+    );
+    Ok(figure.noted(unnamed).noted(remark(&motion, say)))
 }
 
 /// What has been lost since the start, on an axis of its own.

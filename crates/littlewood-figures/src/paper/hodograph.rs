@@ -325,7 +325,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             ""
         },
         input.in_words()
-    ) + &remark(&motion, say);
+    );
     let mut keys: Entries = Vec::new();
     let mut contents = Vec::new();
     for (content, own) in forces
@@ -341,11 +341,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     match <[Content; 2]>::try_from(contents) {
         Ok(contents) => Ok(input
             .sheet(860.0)?
-            .pair(NAME, title, caption, 362.0, contents, keys)),
+            .pair(NAME, title, caption, 362.0, contents, keys)
+            .noted(remark(&motion, say))),
         Err(mut contents) => match contents.pop() {
             Some(content) => Ok(input
                 .sheet(580.0)?
-                .plot(NAME, title, caption, 402.0, content, keys)),
+                .plot(NAME, title, caption, 402.0, content, keys)
+                .noted(remark(&motion, say))),
             None => Err(FigureError::NoForce {
                 figure: NAME,
                 outcome: motion.outcome().kind(),

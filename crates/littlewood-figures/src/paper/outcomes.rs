@@ -23,6 +23,8 @@ use crate::plane::Portrait;
 use littlewood::theory::Window;
 
 const NAME: &str = "outcomes";
+/// Width of the sheet on a screen, in pixels.
+const SHEET: f64 = 620.0;
 /// How closely boundaries are located where motions take long, in parts of the plane, and how often
 /// a cell is halved in which they meet: to a tenth of a pixel, and to a third.
 const WIDTH: f64 = 2e-4;
@@ -192,6 +194,11 @@ fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Piece> {
         .collect()
 }
 
+fn at_time(input: &FigureInput, time: f64) -> String {
+    let say = input.wording();
+    format!("at {} = {}", say.time(), say.value(time, Dimension::Time))
+}
+
 /// How long the motions are followed, some of which are `cut` before they end.
 fn followed(input: &FigureInput, limits: Limits, cut: bool) -> String {
     let say = input.wording();
@@ -207,8 +214,13 @@ fn followed(input: &FigureInput, limits: Limits, cut: bool) -> String {
     }
 }
 
-pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+/// Refuses what cannot be drawn, before any motion is followed.
+pub(crate) fn check(input: &FigureInput) -> Result<(), FigureError> {
     input.loaded(NAME)?;
+    input.sheet(SHEET).map(drop)
+}
+
+pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     let hoop = &input.hoop;
     let window = if input.is_massless() {
         Window {
@@ -234,8 +246,17 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     };
     let mut layers = Vec::new();
     let mut legend: Entries = Vec::new();
-    let cuts = is_cut && plan.limits.transitions < input.limits.transitions;
     let mut cut = false;
+    // What goes on does so when it is no longer followed.
+    let goes_on = [
+        is_cut.then(|| format!("after {} transitions", plan.limits.transitions)),
+        input.limits.until.map(|until| at_time(input, until)),
+    ];
+    let goes_on: String = goes_on
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>()
+        .join(" or ");
     let mut draw = |name: &'static str, label: &str, mark: Mark, is_part: &dyn Fn(u64) -> bool| {
         let parts: Vec<&Region> = regions
             .iter()
@@ -261,8 +282,14 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     for class in Class::ALL {
         let mark = Mark::Region(of_class(class, THEME));
         let is_part = |key: u64| key & !LIFTS == u64::from(class.code());
-        let is_there = draw(class.name(), fates.label(class), mark, &is_part);
-        cut |= is_there && cuts && class == Class::InContact;
+        let is_limited = class == Class::InContact && !goes_on.is_empty();
+        let label = if is_limited {
+            format!("{} {goes_on}", fates.label(class))
+        } else {
+            fates.label(class).to_owned()
+        };
+        let is_there = draw(class.name(), &label, mark, &is_part);
+        cut |= is_there && is_cut && class == Class::InContact;
     }
     if fates.go_on {
         draw(
@@ -305,16 +332,15 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         )
     };
     let finer = format!(
-        " Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
+        "Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
     );
-    let finer = if amiss > UNSAID { &*finer } else { "" };
     let say = input.wording();
-    Ok(input.sheet(620.0)?.plot(
+    let figure = input.sheet(SHEET)?.plot(
         NAME,
         "Outcome",
         format!(
             "Outcome of each start with *η*′ = 0, followed {}{}{}. Each point of a boundary lies between two starts with \
-             different outcomes.{finer}{remark} {}.",
+             different outcomes.{remark} {}.",
             if fates.go_on { "through all landings " } else { "" },
             followed(input, plan.limits, cut),
             if fates.go_on { "; hatched: the body lifts off before" } else { "" },
@@ -323,5 +349,6 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         430.0,
         Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels: Vec::new() },
         legend,
-    ))
+    );
+    Ok(figure.noted((amiss > UNSAID).then_some(finer)))
 }

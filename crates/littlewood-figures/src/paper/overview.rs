@@ -82,7 +82,7 @@ impl History {
             let rows: Piece = samples
                 .iter()
                 .map(|sample| vec![sample.state.time, value(sample)])
-                .filter(|row| row[1].is_finite())
+                .filter(|row| !row[1].is_nan())
                 .collect();
             match by_mode.iter_mut().find(|(known, _)| known == mode) {
                 Some((_, pieces)) => pieces.push(rows),
@@ -92,13 +92,7 @@ impl History {
         let range = span(&values);
         let by_mode = by_mode
             .into_iter()
-            .map(|(mode, mut pieces)| {
-                // The end of a phase may be out of sight.
-                for piece in &mut pieces {
-                    piece.retain(|row| (range[0]..=range[1]).contains(&row[1]));
-                }
-                (mode, Series::new(mode.name(), &[TIME, name], pieces))
-            })
+            .map(|(mode, pieces)| (mode, Series::new(mode.name(), &[TIME, name], pieces)))
             .collect();
         Self { by_mode, range }
     }
@@ -193,7 +187,8 @@ fn panel(
     layers.extend(beside.map(|series| series.drawn(OF_MASS_CENTRE)));
     let modes = by_mode.iter().map(|(mode, _)| *mode).collect();
     for (mode, series) in by_mode {
-        layers.push(series.drawn(Stroke::of_mode(mode)));
+        // The end of a phase may be out of sight.
+        layers.push(series.drawn(Stroke::of_mode(mode)).marked_beyond());
     }
     (
         Content {
@@ -241,7 +236,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     contents.extend(impulses);
     let (keys, room) = sheet.keys(entries, 6.0);
     let over = names(&motion, contents[0].y.range[1], inner - ROOM[0]);
-    let verticals = over.in_words();
+    let unnamed = over.note();
     contents[0].labels.extend(over.labels);
     if let Some(last) = contents.last_mut() {
         last.x = say.clock(times);
@@ -261,9 +256,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     panels[0].keys = keys;
     let caption = format!(
         "Angle *θ* and its rate, slip velocity *η*′, position (*x*, *y*) of the geometric centre *C* and of the mass centre \
-         *X̄*, gap under the rim, normal force *N* and friction force *F* against time; {verticals}. {}.",
+         *X̄*, gap under the rim, normal force *N* and friction force *F* against time; dashed verticals: transitions. {}.",
         input.in_words()
-    ) + &remark(&motion, say);
+    );
     let bottom = top + step * (count - 1.0) + height + 6.0;
-    Ok(sheet.figure(NAME, "A motion on one sheet", caption, bottom, panels))
+    let figure = sheet.figure(NAME, "A motion on one sheet", caption, bottom, panels);
+    Ok(figure.noted(unnamed).noted(remark(&motion, say)))
 }

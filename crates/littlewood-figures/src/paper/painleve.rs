@@ -68,7 +68,7 @@ impl Threshold {
     fn at(&self, theta: f64) -> Option<f64> {
         match self {
             Self::Heavy { smooth, rough } => {
-                let (without, with) = (smooth.solvability(theta), rough.solvability(theta));
+                let (without, with) = (smooth.painleve(theta), rough.painleve(theta));
                 (without > with).then(|| without / (without - with))
             }
             Self::Massless(plane) => {

@@ -314,9 +314,10 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
         } else {
             " *m*_{2} = *R* = *g* = 1."
         }
-    ) + &remark(&motion, say);
+    );
     let title = "Figure 3(b): paths of the centre and of the mass centre";
-    Ok(picture.figure(NAME, title, caption, keys))
+    let figure = picture.figure(NAME, title, caption, keys);
+    Ok(figure.noted(remark(&motion, say)))
 }
 
 /// Figure 7(b).

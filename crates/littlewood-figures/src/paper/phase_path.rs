@@ -13,7 +13,7 @@ use crate::axes::plane_window;
 use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{arrows, bounds, by_mode, entries, horizon, lines, remark};
+use crate::motion::{add_unbounded_end, arrows, bounds, by_mode, entries, horizon, lines, remark};
 use crate::plane::Portrait;
 use littlewood::theory::Window;
 use littlewood_style::Curve;
@@ -76,11 +76,11 @@ fn is_inside(window: Window, row: &[f64]) -> bool {
     (window.x[0]..=window.x[1]).contains(&row[1]) && (window.y[0]..=window.y[1]).contains(&row[2])
 }
 
-/// Each piece, cut where it leaves the window.
+/// Each piece, cut where it leaves the window to the left or to the right.
 fn inside(series: Series, window: Window) -> Series {
     let pieces = series.pieces.iter().flat_map(|piece| {
         piece
-            .split(|row| !is_inside(window, row))
+            .split(|row| !(window.x[0]..=window.x[1]).contains(&row[1]))
             .filter(|part| part.len() > 1)
             .map(<[Vec<f64>]>::to_vec)
     });
@@ -186,7 +186,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         0.0
     };
     let row = |sample: &Sample| row(sample, turns);
-    let modes: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row);
+    let mut modes: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row);
     let mut all: Piece = modes
         .iter()
         .flat_map(|(_, series)| series.rows())
@@ -205,10 +205,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         keys.push((TRANSITION, "transition".to_owned()));
     }
     keys.extend(curves);
+    add_unbounded_end(&motion, &mut modes, &row);
     let modes = modes
         .into_iter()
         .map(|(mode, series)| (mode, inside(series, window)));
-    layers.extend(lines(modes.collect(), BOLD));
+    layers.extend(lines(modes.collect(), BOLD).map(Layer::marked_beyond));
     layers.extend(arrows(&motion, 0.5, &COLUMNS, &row, |_, rows| {
         let part = |i: usize, range: [f64; 2]| (rows[1][i] - rows[0][i]) / (range[1] - range[0]);
         is_inside(window, &rows[0])
@@ -226,21 +227,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let caption = format!(
         "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows an orbit, a line of constant energy (grey). Sliding and \
          flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; dots and \
-         rings: stable and unstable equilibria.{}{} {}.",
-        if is_short {
-            " Shown are the first turns."
-        } else {
-            ""
-        },
+         rings: stable and unstable equilibria.{} {}.",
         portrait.remark(),
         input.in_words()
-    ) + &remark(&motion, say);
+    );
     let axes = portrait.axes(say);
-    input.plane(
-        [NAME, "A motion in the phase portrait"],
-        caption,
-        axes,
-        (layers, labels),
-        keys,
-    )
+    let titles = [NAME, "A motion in the phase portrait"];
+    let figure = input.plane(titles, caption, axes, (layers, labels), keys)?;
+    let turns = is_short.then(|| "Shown are the first turns.".to_owned());
+    Ok(figure.noted(turns).noted(remark(&motion, say)))
 }

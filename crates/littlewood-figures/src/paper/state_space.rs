@@ -12,7 +12,9 @@ use littlewood_draw::{
 use crate::columns::{SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{all_instants, arrows, bounds, by_mode, horizon, lines, remark};
+use crate::motion::{
+    add_unbounded_end, all_instants, arrows, bounds, by_mode, horizon, lines, remark,
+};
 use crate::plane::{Portrait, unloading_lines};
 use crate::timeline::VERTICAL;
 use crate::wording::Wording;
@@ -135,9 +137,10 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             ""
         },
         input.in_words()
-    ) + &remark(&motion, say);
+    );
     let title = "Figure 3(a): the motion in the space of states";
-    in_space(input, [x, y, z], (NAME, title, caption), (layers, labels))
+    let figure = in_space(input, [x, y, z], (NAME, title, caption), (layers, labels))?;
+    Ok(figure.noted(remark(&motion, say)))
 }
 
 /// A figure of the space of states: θ across, η′ upwards, θ′ to the back.
@@ -209,7 +212,8 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     };
     let portrait = Portrait::new(&input.hoop, window);
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
-    let modes = by_mode(&motion, "", &COLUMNS, &row);
+    let mut modes = by_mode(&motion, "", &COLUMNS, &row);
+    add_unbounded_end(&motion, &mut modes, &row);
     let mut plane = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     plane.push(unloading_lines(theta_s).drawn(Stroke::of_curve(Curve::NormalForceZero).wide(1.2)));
     if let Some((_, limit)) = portrait.massless_limit() {
@@ -238,21 +242,7 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     for (mode, series) in &modes {
         let mark = Mark::Line(Stroke::of_mode(*mode).wide(BOLD));
-        let inside = Series {
-            pieces: series
-                .pieces
-                .iter()
-                .map(|piece| {
-                    piece
-                        .iter()
-                        .filter(|row| row[2].abs() <= window.y[1])
-                        .cloned()
-                        .collect()
-                })
-                .collect(),
-            ..series.clone()
-        };
-        plane.push(inside.drawn(mark));
+        plane.push(series.clone().drawn(mark).marked_beyond());
         if let Some(middle) = series
             .pieces
             .first()
@@ -327,11 +317,13 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     } else {
         ""
     };
-    let modes: Vec<&str> = motion
+    // Where the slip changes its direction gliding goes on.
+    let mut modes: Vec<&str> = motion
         .phases()
         .iter()
         .map(|phase| phase.mode().name())
         .collect();
+    modes.dedup();
     let caption = format!(
         "A massless hoop: {}. First: in the phase plane, with 𝓡 shaded. Second: slip velocity *η*′, zero while \
          the hoop rolls; dashed verticals: transitions.{times} *μ*_{{s}} = {}; {}. Gliding follows (3.17) with \

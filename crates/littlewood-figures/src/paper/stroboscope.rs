@@ -211,16 +211,19 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         });
     let labels = labels.chain(bar_label).collect();
     let caption = format!(
-        "The hoop at {count} instants, {} apart.{}{scale}{} Grey: path of the particle. {}.",
+        "The hoop at {count} instants, {} apart.{scale}{} Grey: path of the particle. {}.",
         say.quantity(step, Dimension::Time),
-        if until < horizon(&motion) {
-            " Shown is the beginning of the motion."
-        } else {
-            ""
-        },
         camera(slope),
         input.in_words()
     );
+    let is_short = until < horizon(&motion);
+    let cut = is_short.then(|| {
+        let at = say.value(until, Dimension::Time);
+        format!(
+            "Shown is the beginning of the motion, to {} = {at}.",
+            say.time()
+        )
+    });
     let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
     let [x, y] = axes(say, x, y, slope);
     let content = Content {
@@ -236,11 +239,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         keys,
         ..Sheet::tilted([edge, top, inner, height], content, slope)
     };
-    Ok(sheet.figure(
+    let bottom = top + height + 6.0;
+    let figure = sheet.figure(
         NAME,
         "The hoop in equal times",
         caption,
-        top + height + 6.0,
+        bottom,
         vec![panel],
-    ))
+    );
+    Ok(figure.noted(cut))
 }

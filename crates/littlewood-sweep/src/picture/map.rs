@@ -351,11 +351,8 @@ impl Picture {
             ..exact
         };
         let detail = if self.is_in_vectors { exact } else { pixels };
-        let quiet = Options {
-            cancel: options.cancel,
-            ..Options::default()
-        };
-        let ledger = Ledger::new(&quiet, 0, 0);
+        // Nobody knows how many starts it takes.
+        let ledger = Ledger::new(options, 0, 0);
         let mut ask = |places: &[Place]| -> Result<Vec<u64>, Halt> {
             let points: Vec<_> = places
                 .iter()

@@ -126,7 +126,7 @@ impl HoopModel {
         let u = start.u();
         let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
         let sigma = slide.slip.sign();
-        let slip_coefficient = law.lever(angle.sin, angle.cos);
+        let slip_coefficient = law.slip_coefficient(angle.sin, angle.cos);
         solve_slide(SlideProblem {
             frame: MotionFrame {
                 laws: &self.sliding,

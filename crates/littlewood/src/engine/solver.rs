@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use crate::ablation::{Part, is_on};
 use crate::math::trig::Angle;
-use crate::mechanics::{FrictionlessIntegrals, Settling, contact};
+use crate::mechanics::{ContactMotion, FrictionlessIntegrals, Loads, Settling, contact};
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
 use crate::modes::{Entry, Flight, GlideEntry, RollingLimit, Stiction, TakeOff};
 use crate::walk::candidates::{ModeInputs, RestInputs, SlipInputs, may_wedge, select_mode};
@@ -58,7 +58,7 @@ const EQUILIBRIUM_TOLERANCE_ON_SLOPES: f64 = 1e-3;
 /// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays
 /// so close to rest at the bottom, that rounding tells whether it passes, or which way it goes.
 fn is_next_to_equilibrium(body: &Heavy, place: &EngineState) -> bool {
-    let energy = FrictionlessIntegrals::new(body, &place.state, place.angle.pair()).energy;
+    let energy = FrictionlessIntegrals::new(body, &place.state, place.angle).energy;
     let over_bottom = energy + 2.0 * body.offset;
     let tolerance = if body.tilt == 0.0 {
         EQUILIBRIUM_TOLERANCE
@@ -247,8 +247,8 @@ impl<'a> FastSolver<'a> {
     fn clear_rest(&self, place: &EngineState, w: f64, arrival: Arrival) -> Option<RestInputs> {
         let law = &self.model.rolling;
         let u = place.u();
-        let effective_inertia = law.denominator_of(place.angle.pair());
-        let forces = law.forces_at(place.angle.pair(), [1.0, u], effective_inertia);
+        let effective_inertia = law.denominator_of(place.angle);
+        let forces = law.forces_at(place.angle, Loads::of(u), effective_inertia);
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
         let size = law.mass * (1.0 + u + law.tilt.abs()) * (1.0 + self.hoop.mu_s());
         let stiction = match arrival {
@@ -346,7 +346,7 @@ impl<'a> FastSolver<'a> {
     ) -> State {
         let state = place.state;
         let law = self.model.sliding(direction);
-        let path = law.path([state.theta_rate, state.slip, state.x], place.angle.pair());
+        let path = law.path(ContactMotion::of(&state), place.angle);
         let end = State {
             time: if is_cut {
                 self.until()
@@ -356,7 +356,7 @@ impl<'a> FastSolver<'a> {
             theta: event.theta,
             theta_rate: event.theta_rate,
             slip: event.slip,
-            x: path.x(event.elapsed, event.angle.pair()),
+            x: path.x(event.elapsed, event.angle),
         };
         self.add_phase_error(&end);
         end
@@ -584,7 +584,8 @@ impl Solver for FastSolver<'_> {
             Ok(SlideEnd::Cut(event)) => {
                 let end = self.slide_end(place, direction, &event, true);
                 // η′ has not fallen over a whole period: there is no event at all.
-                let never_stops = direction.sign() * self.model.sliding(direction).drag() <= 0.0;
+                let never_stops =
+                    direction.sign() * self.model.sliding(direction).mean_slip_loss() <= 0.0;
                 if never_stops && event.is_behind_a_period(state.theta, is_conservative) {
                     Self::slides_forever(state, Some(end))
                 } else {
@@ -614,15 +615,13 @@ impl Solver for FastSolver<'_> {
         let flight = match take_off {
             TakeOff::Grazing => {
                 let heading = place.heading();
-                match jump::angles(
+                match jump::extent(
                     heading * state.theta,
                     place.angle.mirrored_by(heading),
                     -self.contact_margin(place),
                 ) {
-                    Some(angles) => {
-                        Flight::with_angles(body, state, take_off, place.angle.pair(), angles)
-                    }
-                    None => Flight::from_direction(body, state, take_off, place.angle.pair()),
+                    Some(extent) => Flight::with_extent(body, state, take_off, place.angle, extent),
+                    None => Flight::at_angle(body, state, take_off, place.angle),
                 }
             }
             // So close to w = 0 the exact rules have decided, with their own cosine.
@@ -632,7 +631,7 @@ impl Solver for FastSolver<'_> {
                 Flight::new(body, state, take_off)
             }
             TakeOff::Unloaded | TakeOff::Rising { .. } => {
-                Flight::from_direction(body, state, take_off, place.angle.pair())
+                Flight::at_angle(body, state, take_off, place.angle)
             }
         };
         let duration = flight.duration();

@@ -10,7 +10,7 @@ pub(crate) struct Bracket {
     pub(crate) high: f64,
 }
 
-pub(crate) struct Step {
+pub(crate) struct RootStep {
     /// Value at the beginning of the step.
     pub(crate) value: f64,
     pub(crate) step: f64,
@@ -62,7 +62,7 @@ fn halley((value, slope, curvature): (f64, f64, f64), of: f64, length: f64) -> (
     (step, is_last)
 }
 
-impl Step {
+impl RootStep {
     /// Newton's method, from the value and the slope at a point.
     pub(crate) fn newton(at: f64, (value, slope): (f64, f64)) -> Self {
         Self {
@@ -111,7 +111,7 @@ impl Bracket {
     /// positive at `high`.
     pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
         self.iterate(0.5 * (self.low + self.high), |x| {
-            Step::newton(x, function(x))
+            RootStep::newton(x, function(x))
         })
     }
 
@@ -127,9 +127,9 @@ impl Bracket {
         } else {
             0.5 * (low + high)
         };
-        self.iterate(guess, |x| Step {
+        self.iterate(guess, |x| RootStep {
             last: LAST_NEWTON_STEP,
-            ..Step::newton(x, function(x))
+            ..RootStep::newton(x, function(x))
         })
     }
 
@@ -137,7 +137,7 @@ impl Bracket {
     /// evaluates the function and proposes a step. A proposal that leaves the bracket, or is longer
     /// than half the previous step, is replaced by bisection. The guess may lie outside the
     /// bracket.
-    pub(crate) fn iterate(self, guess: f64, mut next_step: impl FnMut(f64) -> Step) -> f64 {
+    pub(crate) fn iterate(self, guess: f64, mut next_step: impl FnMut(f64) -> RootStep) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         if high <= low {
             return low;
@@ -149,7 +149,7 @@ impl Bracket {
         };
         let mut width = high - low;
         loop {
-            let Step { value, step, last } = next_step(x);
+            let RootStep { value, step, last } = next_step(x);
             match value.partial_cmp(&0.0) {
                 Some(Ordering::Equal) => return x,
                 Some(Ordering::Greater) => low = x,
@@ -189,7 +189,7 @@ mod tests {
                 let (sin, cos) = libm::sincos(point + step);
                 (sin, cos, -sin)
             };
-            Step::by_model(point, model(0.0), (reach, 1.0), model)
+            RootStep::by_model(point, model(0.0), (reach, 1.0), model)
         });
         (root, models)
     }

@@ -3,6 +3,8 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::math::trig::Angle;
+
 /// A number in which an equation is written.
 pub trait Number:
     Copy
@@ -21,9 +23,13 @@ pub trait Number:
     /// A function of this number, from its value and its derivative.
     fn map(self, value: f64, derivative: f64) -> Self;
 
-    fn sincos(self) -> (Self, Self) {
+    /// Sine and cosine, by `libm`.
+    fn angle(self) -> Angle<Self> {
         let (sin, cos) = libm::sincos(self.value());
-        (self.map(sin, cos), self.map(cos, -sin))
+        Angle {
+            sin: self.map(sin, cos),
+            cos: self.map(cos, -sin),
+        }
     }
 
     fn sqrt(self) -> Self {

@@ -2,6 +2,8 @@
 
 use std::sync::OnceLock;
 
+use core::ops::Range;
+
 use crate::math::number::Number;
 
 pub(crate) const NODES: usize = 16;
@@ -112,7 +114,10 @@ pub(crate) fn largest(values: &[f64; NODES]) -> f64 {
 /// it, or its rounding, which the function gives as a part of its value.
 pub(crate) fn integral<T: Number>(
     tolerance: f64,
-    [from, to]: [f64; 2],
+    Range {
+        start: from,
+        end: to,
+    }: Range<f64>,
     f: impl Fn(f64) -> (T, f64),
 ) -> T {
     let rule = Rule::get();

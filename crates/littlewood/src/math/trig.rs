@@ -108,7 +108,7 @@ fn polynomial(coefficients: &[f64], x: f64) -> f64 {
 
 /// 1 + cos θ without cancellation near the bottom.
 #[inline]
-pub(crate) fn above_bottom<T: Number>((sin, cos): (T, T)) -> T {
+pub(crate) fn above_bottom<T: Number>(Angle { sin, cos }: Angle<T>) -> T {
     if cos.value() < 0.0 {
         sin * sin / (-cos + 1.0)
     } else {
@@ -164,20 +164,16 @@ fn core_sincos(r: f64, rest: f64) -> (f64, f64) {
 
 /// An angle by its sine and cosine, which solvers compute once and pass on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Angle {
-    pub(crate) sin: f64,
-    pub(crate) cos: f64,
+pub struct Angle<T = f64> {
+    pub(crate) sin: T,
+    pub(crate) cos: T,
 }
 
 impl Angle {
+    /// By [`sincos`]; [`Number::angle`] uses `libm`, whose last digit can differ.
     pub(crate) fn of(theta: f64) -> Self {
         let (sin, cos) = sincos(theta);
         Self { sin, cos }
-    }
-
-    /// For functions that take a pair.
-    pub(crate) const fn pair(self) -> (f64, f64) {
-        (self.sin, self.cos)
     }
 
     /// The angle −θ.

@@ -1,8 +1,8 @@
 //! The equations of motion, each written once: those of rolling (2.8, 2.11, 2.12), of sliding
 //! (2.15, 2.16, 2.18), and 1 − h cos θ θ′² of contact.
 //!
-//! The formulas take sin θ, cos θ and u = θ′², which solvers have already computed. A formula that
-//! is linear in (1, u) or (1, sin θ, cos θ) takes the 1 as its first argument; applied to
+//! The formulas take the sine and cosine of θ and u = θ′², which solvers have already computed. A
+//! formula that is linear in (1, sin θ, cos θ) takes the 1 as its first argument; applied to
 //! coefficients of power series it gives the series.
 //!
 //! | equation | quantity | function |
@@ -19,7 +19,7 @@
 
 use crate::math::form::Trigonometric;
 use crate::math::number::Number;
-use crate::math::trig::above_bottom;
+use crate::math::trig::{Angle, above_bottom};
 use crate::model::{Body, Direction, Heavy, Hoop, State};
 
 /// Contact forces, in m2 g.
@@ -33,6 +33,12 @@ pub struct ContactForces<T = f64> {
 }
 
 impl ContactForces {
+    /// No contact.
+    pub(crate) const NONE: Self = Self {
+        normal: 0.0,
+        friction: 0.0,
+    };
+
     /// Friction demand |F|/N, the least coefficient of friction for this motion. Infinite for
     /// N ≤ 0.
     pub fn demand(&self) -> f64 {
@@ -53,6 +59,59 @@ pub struct Accelerations<T = f64> {
     pub slip: T,
 }
 
+/// The quantities in which accelerations and forces are linear.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Loads<T = f64> {
+    /// Gravity normal to the plane.
+    pub(crate) gravity: T,
+    /// u = θ′².
+    pub(crate) u: T,
+}
+
+impl<T: Number> Loads<T> {
+    /// In the units of the solvers, in which gravity normal to the plane is 1.
+    #[inline]
+    pub(crate) fn of(u: T) -> Self {
+        Self {
+            gravity: T::constant(1.0),
+            u,
+        }
+    }
+}
+
+/// Height of the rim over the plane, and its rate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clearance<T = f64> {
+    pub(crate) gap: T,
+    pub(crate) gap_rate: T,
+}
+
+impl Clearance {
+    /// In contact.
+    pub(crate) const NONE: Self = Self {
+        gap: 0.0,
+        gap_rate: 0.0,
+    };
+}
+
+/// The rate, the slip velocity and the position of a body in contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ContactMotion<T = f64> {
+    pub(crate) theta_rate: T,
+    pub(crate) slip: T,
+    pub(crate) x: T,
+}
+
+impl ContactMotion {
+    pub(crate) const fn of(state: &State) -> Self {
+        Self {
+            theta_rate: state.theta_rate,
+            slip: state.slip,
+            x: state.x,
+        }
+    }
+}
+
 /// w = 1 − h cos θ θ′², from cos θ θ′². A hoop can stay in contact while w > 0; sliding lifts off
 /// where w = 0 (2.18), independent of μk.
 #[inline]
@@ -67,25 +126,30 @@ pub(crate) fn leaves_plane(w: f64, sin: f64, theta_rate: f64) -> bool {
 }
 
 /// σ η″ at η′ = 0 where rolling violates static friction: −σ D (F + μk σ N)/(m P) with N and F of
-/// (2.12), from `drive` = |F| − μk N and D.
+/// (2.12), from `net_slip_force` = |F| − μk N and D.
 #[inline]
-pub(crate) fn slip_acceleration_at_rest(mass: f64, denominator: f64, drive: f64, p: f64) -> f64 {
-    denominator * drive / (mass * p)
+pub(crate) fn slip_acceleration_at_rest(
+    mass: f64,
+    denominator: f64,
+    net_slip_force: f64,
+    p: f64,
+) -> f64 {
+    denominator * net_slip_force / (mass * p)
 }
 
 /// Kinetic plus potential energy of a body in contact or above the plane (2.8).
 pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64 {
-    energy_at(hoop, state, libm::sincos(state.theta), (gap, gap_rate))
+    energy_at(
+        hoop,
+        state,
+        state.theta.angle(),
+        Clearance { gap, gap_rate },
+    )
 }
 
-/// [`energy`], from (sin θ, cos θ).
+/// [`energy`], with the sine and cosine of θ.
 #[inline]
-pub(crate) fn energy_at(
-    hoop: &Hoop,
-    state: &State,
-    direction: (f64, f64),
-    (gap, gap_rate): (f64, f64),
-) -> f64 {
+pub(crate) fn energy_at(hoop: &Hoop, state: &State, angle: Angle, clearance: Clearance) -> f64 {
     let inertia = hoop.body().inertia_about_mass_centre();
     let [mass, h, offset, tilt] = [hoop.mass(), hoop.h(), hoop.offset(), hoop.tilt()];
     let body = Heavy {
@@ -95,12 +159,7 @@ pub(crate) fn energy_at(
         inertia,
         tilt,
     };
-    energy_of(
-        &body,
-        [state.theta_rate, state.slip, state.x],
-        direction,
-        [gap, gap_rate],
-    )
+    energy_of(&body, ContactMotion::of(state), angle, clearance)
 }
 
 /// [`energy`] of a body with inertia or without, from θ′, η′ and x.
@@ -113,9 +172,13 @@ pub(crate) fn energy_of<T: Number>(
         inertia,
         tilt,
     }: &Heavy<T>,
-    [rate, slip, x]: [T; 3],
-    (sin, cos): (T, T),
-    [gap, gap_rate]: [T; 2],
+    ContactMotion {
+        theta_rate: rate,
+        slip,
+        x,
+    }: ContactMotion<T>,
+    Angle { sin, cos }: Angle<T>,
+    Clearance { gap, gap_rate }: Clearance<T>,
 ) -> T {
     let vx = slip - (h * cos + 1.0) * rate;
     let vy = gap_rate - h * sin * rate;
@@ -134,13 +197,13 @@ pub struct RollingLaw<T = f64> {
     /// D(π) = Î + m(1 − h)². Zero only for a massless hoop with the particle on the rim.
     pub(crate) bottom: T,
     /// D − (m + ℓ̂ cos θ) = Î + ℓ̂(h + cos θ) at θ = 0 and π: of a heavy hoop a small part of D.
-    pub(crate) beyond_mass: [T; 2],
+    pub(crate) inertia_excess: [T; 2],
     /// tan α, or −0.
     pub(crate) tilt: T,
     /// m Î.
-    pub(crate) own: T,
+    pub(crate) mass_inertia: T,
     /// Gravity normal to the plane: cos α for users, 1 for the solvers ([`crate::walk::Origin`]).
-    pub(crate) weight: T,
+    pub(crate) normal_gravity: T,
 }
 
 impl<T: Number> RollingLaw<T> {
@@ -160,17 +223,17 @@ impl<T: Number> RollingLaw<T> {
             offset,
             top: inertia + mass * outer * outer,
             bottom: inertia + mass * inner * inner,
-            beyond_mass: [inertia + offset * outer, inertia - offset * inner],
-            own: mass * inertia,
+            inertia_excess: [inertia + offset * outer, inertia - offset * inner],
+            mass_inertia: mass * inertia,
             tilt,
-            weight: T::constant(1.0),
+            normal_gravity: T::constant(1.0),
         }
     }
 
-    /// D(θ) from (sin θ, cos θ).
+    /// D(θ).
     #[inline]
-    pub(crate) fn denominator_of(&self, direction: (T, T)) -> T {
-        self.bottom + self.offset * 2.0 * above_bottom(direction)
+    pub(crate) fn denominator_of(&self, angle: Angle<T>) -> T {
+        self.bottom + self.offset * 2.0 * above_bottom(angle)
     }
 
     /// D(π/2), the mean of D over a turn.
@@ -181,28 +244,33 @@ impl<T: Number> RollingLaw<T> {
 
     /// D θ″ = ℓ̂ sin θ (1 + u) + (m + ℓ̂ cos θ) tan α, from 1, sin θ, cos θ and sin θ (1 + u).
     #[inline]
-    pub(crate) fn drive(&self, one: T, cos: T, levered: T) -> T {
-        self.offset * levered + (self.mass * one + self.offset * cos) * self.tilt
+    pub(crate) fn driving_moment(&self, one: T, cos: T, weighted_sin: T) -> T {
+        self.offset * weighted_sin + (self.mass * one + self.offset * cos) * self.tilt
     }
 
-    /// The gain of D u over an angle, from the direction of its middle, its chord 2 sin(½ angle),
-    /// and the angle.
+    /// The gain of D u over an arc, from the angle of its middle, its chord 2 sin(½ arc), and the
+    /// arc.
     #[inline]
-    pub(crate) fn gain(&self, (sin, cos): (T, T), chord: T, angle: T) -> T {
-        (self.offset * chord * (sin + self.tilt * cos) + self.tilt * self.mass * angle) * 2.0
+    pub(crate) fn gain(&self, Angle { sin, cos }: Angle<T>, chord: T, arc: T) -> T {
+        (self.offset * chord * (sin + self.tilt * cos) + self.tilt * self.mass * arc) * 2.0
     }
 
     /// θ″ = [ℓ̂ sin θ (1 + u) + (m + ℓ̂ cos θ) tan α]/D, (2.11) on a level plane; from D.
     #[inline]
-    pub(crate) fn acceleration(&self, (sin, cos): (T, T), [one, u]: [T; 2], denominator: T) -> T {
+    pub(crate) fn acceleration(
+        &self,
+        Angle { sin, cos }: Angle<T>,
+        Loads { gravity, u }: Loads<T>,
+        denominator: T,
+    ) -> T {
         let pull = (self.mass + self.offset * cos) * self.tilt;
-        (self.offset * sin * (one + u) + pull * one) / denominator
+        (self.offset * sin * (gravity + u) + pull * gravity) / denominator
     }
 
-    /// E of (2.8) from the kinetic energy, θ and (sin θ, cos θ).
-    pub(crate) fn energy_of(&self, kinetic: T, theta: T, (sin, cos): (T, T)) -> T {
+    /// E of (2.8) from the kinetic energy and θ, with its sine and cosine.
+    pub(crate) fn energy_of(&self, kinetic: T, theta: T, Angle { sin, cos }: Angle<T>) -> T {
         let fallen = (self.mass * theta + self.offset * sin) * self.tilt;
-        kinetic + self.weight * (self.offset * cos) - self.weight * fallen
+        kinetic + self.normal_gravity * (self.offset * cos) - self.normal_gravity * fallen
     }
 
     /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12),
@@ -211,17 +279,21 @@ impl<T: Number> RollingLaw<T> {
     #[inline]
     pub(crate) fn forces_at(
         &self,
-        (sin, cos): (T, T),
-        [one, u]: [T; 2],
+        angle: Angle<T>,
+        loads: Loads<T>,
         denominator: T,
     ) -> ContactForces<T> {
-        let acceleration = self.acceleration((sin, cos), [one, u], denominator);
-        let beyond_mass = self.beyond_mass[1] + self.offset * above_bottom((sin, cos));
-        let arm = self.offset * sin;
-        let level = arm * (u * beyond_mass - one * (self.mass + self.offset * cos));
+        let Angle { sin, cos } = angle;
+        let Loads { gravity, u } = loads;
+        let acceleration = self.acceleration(angle, loads, denominator);
+        let inertia_excess = self.inertia_excess[1] + self.offset * above_bottom(angle);
+        let offset_sin = self.offset * sin;
+        // F D of a level plane; the slope adds its own term.
+        let level = offset_sin * (u * inertia_excess - gravity * (self.mass + self.offset * cos));
         ContactForces {
-            normal: self.mass * one - self.offset * (sin * acceleration + cos * u),
-            friction: (level + (self.own + arm * arm) * self.tilt * one) / denominator,
+            normal: self.mass * gravity - self.offset * (sin * acceleration + cos * u),
+            friction: (level + (self.mass_inertia + offset_sin * offset_sin) * self.tilt * gravity)
+                / denominator,
         }
     }
 }
@@ -231,7 +303,7 @@ impl RollingLaw {
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         Self {
-            weight: libm::cos(hoop.slope()),
+            normal_gravity: libm::cos(hoop.slope()),
             ..Self::of(hoop)
         }
     }
@@ -265,8 +337,11 @@ impl RollingLaw {
     /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
         self.acceleration(
-            libm::sincos(theta),
-            [self.weight, theta_rate * theta_rate],
+            theta.angle(),
+            Loads {
+                gravity: self.normal_gravity,
+                u: theta_rate * theta_rate,
+            },
             self.denominator(theta),
         )
     }
@@ -275,8 +350,11 @@ impl RollingLaw {
     /// those that rolling would require.
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         self.forces_at(
-            libm::sincos(theta),
-            [self.weight, theta_rate * theta_rate],
+            theta.angle(),
+            Loads {
+                gravity: self.normal_gravity,
+                u: theta_rate * theta_rate,
+            },
             self.denominator(theta),
         )
     }
@@ -285,7 +363,7 @@ impl RollingLaw {
     /// Littlewood's hoop), where x = −θ.
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
         let kinetic = 0.5 * self.denominator(theta) * theta_rate * theta_rate;
-        self.energy_of(kinetic, theta, libm::sincos(theta))
+        self.energy_of(kinetic, theta, theta.angle())
     }
 
     /// The angles of the unstable and of the stable equilibrium, sin(θ + α) = −sin α/h: 0 and π on
@@ -328,7 +406,7 @@ pub struct SlidingLaw<T = f64> {
     /// μk σ.
     pub(crate) friction: T,
     /// Gravity normal to the plane, as in [`RollingLaw`].
-    pub(crate) weight: T,
+    pub(crate) normal_gravity: T,
 }
 
 impl<T: Number> SlidingLaw<T> {
@@ -336,7 +414,7 @@ impl<T: Number> SlidingLaw<T> {
         Self {
             body,
             friction: mu_k * direction.sign(),
-            weight: T::constant(1.0),
+            normal_gravity: T::constant(1.0),
         }
     }
 
@@ -358,22 +436,26 @@ impl<T: Number> SlidingLaw<T> {
 
     /// μk σ + tan α, the rate at which η′ decreases on average.
     #[inline]
-    pub(crate) fn drag(&self) -> T {
+    pub(crate) fn mean_slip_loss(&self) -> T {
         self.friction + self.body.tilt
     }
 
     /// 1 + h cos θ + μk σ h sin θ, the coefficient of θ′ in the first integral.
     #[inline]
-    pub(crate) fn lever(&self, sin: T, cos: T) -> T {
+    pub(crate) fn slip_coefficient(&self, sin: T, cos: T) -> T {
         self.body.h * (cos + self.friction * sin) + 1.0
     }
 
-    /// θ″ and η″ of (2.16), solved, from (sin θ, cos θ) and θ′.
-    pub(crate) fn accelerations_at(&self, (sin, cos): (T, T), theta_rate: T) -> Accelerations<T> {
+    /// θ″ and η″ of (2.16), solved, from θ′.
+    pub(crate) fn accelerations_at(
+        &self,
+        Angle { sin, cos }: Angle<T>,
+        theta_rate: T,
+    ) -> Accelerations<T> {
         let Heavy {
             mass, h, inertia, ..
         } = self.body;
-        let w = self.weight - h * (cos * (theta_rate * theta_rate));
+        let w = self.normal_gravity - h * (cos * (theta_rate * theta_rate));
         let q = self.q(1.0, sin, cos);
         let p = self.p(sin, q);
         let theta_acceleration = mass * q * w / p;
@@ -383,13 +465,22 @@ impl<T: Number> SlidingLaw<T> {
             slip: (h * cos + 1.0) * theta_acceleration
                 - self.friction * normal_over_mass
                 - h * sin * theta_rate * theta_rate
-                - self.body.pull() * self.weight,
+                - self.body.pull() * self.normal_gravity,
         }
     }
 
     /// The second integral, x̄ + μk σ (ȳ + τ²/2) + tan α τ²/2 minus a linear function of τ, of the
-    /// slide from an angle, a rate, a slip velocity and an x.
-    pub(crate) fn path(&self, [rate, slip, x]: [T; 3], (sin, cos): (T, T)) -> SlidePath<T> {
+    /// slide from an angle.
+    pub(crate) fn path(
+        &self,
+        start: ContactMotion<T>,
+        Angle { sin, cos }: Angle<T>,
+    ) -> SlidePath<T> {
+        let ContactMotion {
+            theta_rate: rate,
+            slip,
+            x,
+        } = start;
         let h = self.body.h;
         let vx = slip - (h * cos + 1.0) * rate;
         let vy = -h * sin * rate;
@@ -411,7 +502,7 @@ impl SlidingLaw {
             Body::Heavy(body) => {
                 let law = Self::of_body(body, hoop.mu_k(), direction);
                 Some(Self {
-                    weight: libm::cos(hoop.slope()),
+                    normal_gravity: libm::cos(hoop.slope()),
                     ..law
                 })
             }
@@ -421,7 +512,7 @@ impl SlidingLaw {
 
     /// a = 2 θ″/w of the linear equation du/dθ = a w.
     #[inline]
-    pub(crate) fn drive(&self, sin: f64, cos: f64) -> f64 {
+    pub(crate) fn u_growth(&self, sin: f64, cos: f64) -> f64 {
         let q = self.q(1.0, sin, cos);
         2.0 * self.body.mass * q / self.p(sin, q)
     }
@@ -441,7 +532,7 @@ impl SlidingLaw {
     /// w = 0, independent of μk.
     pub fn contact(&self, theta: f64, theta_rate: f64) -> f64 {
         contact(
-            self.weight,
+            self.normal_gravity,
             self.body.h,
             libm::cos(theta) * (theta_rate * theta_rate),
         )
@@ -449,15 +540,15 @@ impl SlidingLaw {
 
     /// P = Î + m h sin θ q. Where P ≤ 0, sliding has no solution with N > 0, or the motion is not
     /// unique.
-    pub fn solvability(&self, theta: f64) -> f64 {
-        let (sin, cos) = libm::sincos(theta);
+    pub fn painleve(&self, theta: f64) -> f64 {
+        let Angle { sin, cos } = theta.angle();
         self.p(sin, self.q(1.0, sin, cos))
     }
 
     /// N = Î m w/P and F = −μk σ N (2.15, 2.18).
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         let normal = self.body.inertia * self.body.mass * self.contact(theta, theta_rate)
-            / self.solvability(theta);
+            / self.painleve(theta);
         ContactForces {
             normal,
             friction: -self.friction * normal,
@@ -466,14 +557,14 @@ impl SlidingLaw {
 
     /// θ″ and η″ of (2.16), solved.
     pub fn accelerations(&self, theta: f64, theta_rate: f64) -> Accelerations {
-        self.accelerations_at(libm::sincos(theta), theta_rate)
+        self.accelerations_at(theta.angle(), theta_rate)
     }
 
     /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + (μk σ cos α + sin α) τ.
     pub fn momentum_integral(&self, state: &State) -> f64 {
-        let (sin, cos) = libm::sincos(state.theta);
-        state.slip - state.theta_rate * self.lever(sin, cos)
-            + self.drag() * self.weight * state.time
+        let Angle { sin, cos } = state.theta.angle();
+        state.slip - state.theta_rate * self.slip_coefficient(sin, cos)
+            + self.mean_slip_loss() * self.normal_gravity * state.time
     }
 }
 
@@ -490,9 +581,9 @@ pub(crate) struct SlidePath<T = f64> {
 }
 
 impl<T: Number> SlidePath<T> {
-    /// x after the time `elapsed`, at the angle of this sine and cosine.
+    /// x after the time `elapsed`, at this angle.
     #[inline]
-    pub(crate) fn x(&self, elapsed: T, (sin, cos): (T, T)) -> T {
+    pub(crate) fn x(&self, elapsed: T, Angle { sin, cos }: Angle<T>) -> T {
         let fall = self.h * (cos - self.cos_start) + elapsed * 0.5 * elapsed;
         let pulled = self.pull * 0.5 * elapsed * elapsed;
         let mass_centre = self.mass_centre_x + self.drift * elapsed - self.friction * fall - pulled;

@@ -1,6 +1,6 @@
 //! First integrals of slides without kinetic friction, and the zeros of η′ that they determine.
 
-use crate::math::trig::{above_bottom, sincos};
+use crate::math::trig::{Angle, above_bottom};
 use crate::model::{Heavy, State};
 
 /// Longest first step of Newton's method, rad: a longer one may lead to another zero.
@@ -31,7 +31,7 @@ pub(crate) struct FrictionlessIntegrals {
 
 impl FrictionlessIntegrals {
     /// The integrals at a state, with the sine and cosine of its angle.
-    pub(crate) fn new(body: &Heavy, state: &State, (sin, cos): (f64, f64)) -> Self {
+    pub(crate) fn new(body: &Heavy, state: &State, Angle { sin, cos }: Angle) -> Self {
         let Heavy {
             mass,
             h,
@@ -57,18 +57,18 @@ impl FrictionlessIntegrals {
             ..
         } = *body;
         let (square, product) = (self.momentum * self.momentum, mass * h * h);
-        let lever = 1.0 + h * cos;
+        let height = 1.0 + h * cos;
         let [kinetic, slope] = [self.energy - 2.0 * offset * cos, -2.0 * offset];
         [
             [
                 square * (inertia + product * (1.0 - cos) * (1.0 + cos)),
-                -kinetic * lever * lever,
+                -kinetic * height * height,
             ],
             [
                 -2.0 * square * product * cos,
-                -(kinetic * 2.0 * h + slope * lever) * lever,
+                -(kinetic * 2.0 * h + slope * height) * height,
             ],
-            [-square * product, -(kinetic * h + slope * 2.0 * lever) * h],
+            [-square * product, -(kinetic * h + slope * 2.0 * height) * h],
             [0.0, -slope * h * h],
         ]
     }
@@ -105,19 +105,21 @@ impl FrictionlessIntegrals {
             ..
         } = *body;
         let theta = converge(theta, |theta| {
-            let (sin, cos) = sincos(theta);
-            let lever = lever(h, (sin, cos));
-            let u = (self.momentum / lever) * (self.momentum / lever);
+            let angle = Angle::of(theta);
+            let Angle { sin, cos } = angle;
+            let height = mass_centre_height(h, angle);
+            let u = (self.momentum / height) * (self.momentum / height);
             let kinetic = (inertia + mass * (h * sin) * (h * sin)) * u;
-            let slope = 2.0 * sin * (mass * h * h * cos * u + kinetic * h / lever - offset);
+            let slope = 2.0 * sin * (mass * h * h * cos * u + kinetic * h / height - offset);
             (kinetic + 2.0 * offset * cos - self.energy) / slope
         })?;
-        Some((theta, self.rate_at_rest(body, sincos(theta))))
+        Some((theta, self.rate_at_rest(body, Angle::of(theta))))
     }
 
-    /// θ′ where η′ vanishes. Next to the bottom A, over a lever that is small for a particle near
+    /// θ′ where η′ vanishes. Next to the bottom A, over a height that is small for a particle near
     /// the rim, magnifies the rounding of the angle; at a turning point C does so.
-    pub(crate) fn rate_at_rest(&self, body: &Heavy, (sin, cos): (f64, f64)) -> f64 {
+    pub(crate) fn rate_at_rest(&self, body: &Heavy, angle: Angle) -> f64 {
+        let Angle { sin, cos } = angle;
         let Heavy {
             mass,
             h,
@@ -125,10 +127,10 @@ impl FrictionlessIntegrals {
             offset,
             ..
         } = *body;
-        let lever = lever(h, (sin, cos));
-        let from_momentum = -self.momentum / lever;
+        let height = mass_centre_height(h, angle);
+        let from_momentum = -self.momentum / height;
         let (kinetic, potential) = (self.energy - 2.0 * offset * cos, 2.0 * offset * cos);
-        if (self.energy.abs() + potential.abs()) * lever < 2.0 * kinetic * (h * sin).abs() {
+        if (self.energy.abs() + potential.abs()) * height < 2.0 * kinetic * (h * sin).abs() {
             (kinetic / (inertia + mass * (h * sin) * (h * sin)))
                 .sqrt()
                 .copysign(from_momentum)
@@ -154,6 +156,6 @@ pub(crate) fn converge(mut theta: f64, step: impl Fn(f64) -> f64) -> Option<f64>
 }
 
 /// 1 + h c without cancellation near the bottom, where it is small for a particle near the rim.
-fn lever(h: f64, direction: (f64, f64)) -> f64 {
-    (1.0 - h) + h * above_bottom(direction)
+fn mass_centre_height(h: f64, angle: Angle) -> f64 {
+    (1.0 - h) + h * above_bottom(angle)
 }

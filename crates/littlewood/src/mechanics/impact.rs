@@ -17,8 +17,9 @@
 use thiserror::Error;
 
 use crate::math::number::Number;
+use crate::math::trig::Angle;
 use crate::model::{
-    Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, getters, named,
+    Body, Direction, Friction, Heavy, Hoop, Restitution, RestitutionLaw, State, getters, named,
 };
 
 /// The impulse of the plane on the body, in m2 √(gR).
@@ -160,11 +161,11 @@ impl Hoop {
         let Heavy {
             mass, h, inertia, ..
         } = body;
-        let (arm, lever) = (h * libm::sin(theta), 1.0 + h * libm::cos(theta));
+        let (h_sin, height) = (h * libm::sin(theta), 1.0 + h * libm::cos(theta));
         Some(Compliance {
-            a: 1.0 / mass + lever * lever / inertia,
-            b: arm * lever / inertia,
-            c: 1.0 / mass + arm * arm / inertia,
+            a: 1.0 / mass + height * height / inertia,
+            b: h_sin * height / inertia,
+            c: 1.0 / mass + h_sin * h_sin / inertia,
         })
     }
 
@@ -225,7 +226,7 @@ impl Hoop {
             return Err(ImpactError::Opening { gap_rate });
         }
         let before = ContactVelocities::of(state, gap_rate);
-        Ok(Contact::new(self, &body, state.theta).impact(before, restitution.parts()))
+        Ok(Contact::new(self, &body, state.theta).impact(before, restitution))
     }
 
     /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or
@@ -237,21 +238,27 @@ impl Hoop {
         };
         let direction = Direction::of_sign(state.slip)?;
         let contact = Contact::new(self, &body, state.theta);
-        Some(contact.jam(
-            ContactVelocities::of(state, 0.0),
-            direction,
-            restitution.parts(),
-        ))
+        Some(contact.jam(ContactVelocities::of(state, 0.0), direction, restitution))
     }
+}
+
+/// An impact whose slip ends in a stick, by its slopes with respect to the normal impulse.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sticking {
+    /// k1 and k2: the slopes of the gap rate in slip and in stick.
+    pub(crate) in_slip: f64,
+    pub(crate) in_stick: f64,
+    /// The rate at which the slip decreases.
+    pub(crate) braking: f64,
 }
 
 /// The coefficients of an impact at one angle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contact<T = f64> {
     mass: T,
-    /// h sin θ and 1 + h cos θ.
-    arm: T,
-    lever: T,
+    /// h sin θ and 1 + h cos θ, from the contact point to the mass centre.
+    h_sin: T,
+    height: T,
     /// In slip with σ = −1 and σ = +1.
     slipping: [Slope<T>; 2],
     /// After slip has ended, and whether the contact slips again.
@@ -261,47 +268,53 @@ pub(crate) struct Contact<T = f64> {
 
 impl Contact {
     pub(crate) fn new(hoop: &Hoop, body: &Heavy, theta: f64) -> Self {
-        Self::of(body, [hoop.mu_s(), hoop.mu_k()], libm::sincos(theta))
+        Self::of(body, hoop.friction(), theta.angle())
     }
 
-    /// The slopes of the gap rate in slip in this direction and in stick, and the rate at which the
-    /// slip decreases, all with respect to the normal impulse; `None` where the slip does not end
-    /// in a stick.
-    pub(crate) fn sticking(&self, direction: Direction) -> Option<([f64; 2], f64)> {
+    /// The slopes of an impact that begins with slip in this direction; `None` where the slip does
+    /// not end in a stick.
+    pub(crate) fn sticking(&self, direction: Direction) -> Option<Sticking> {
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
-        (braking > 0.0 && !self.reverses)
-            .then_some(([slipping.gap_rate, self.at_rest.gap_rate], braking))
+        (braking > 0.0 && !self.reverses).then_some(Sticking {
+            in_slip: slipping.gap_rate,
+            in_stick: self.at_rest.gap_rate,
+            braking,
+        })
     }
 }
 
 impl<T: Number> Contact<T> {
-    /// The contact of a body with coefficients of static and kinetic friction, at (sin θ, cos θ).
-    pub(crate) fn of(body: &Heavy<T>, [mu_s, mu_k]: [T; 2], (sin, cos): (T, T)) -> Self {
-        let (mass, arm, lever) = (body.mass, body.h * sin, body.h * cos + 1.0);
+    /// The contact of a body at an angle.
+    pub(crate) fn of(
+        body: &Heavy<T>,
+        Friction { mu_s, mu_k }: Friction<T>,
+        Angle { sin, cos }: Angle<T>,
+    ) -> Self {
+        let (mass, h_sin, height) = (body.mass, body.h * sin, body.h * cos + 1.0);
         let slope = |friction: T, spin: T| Slope {
             friction,
             spin,
-            slip: friction / mass + lever * spin,
-            gap_rate: T::constant(1.0) / mass + arm * spin,
+            slip: friction / mass + height * spin,
+            gap_rate: T::constant(1.0) / mass + h_sin * spin,
         };
         let slipping = Direction::ALL.map(|direction| {
             let friction = -mu_k * direction.sign();
-            slope(friction, (arm + friction * lever) / body.inertia)
+            slope(friction, (h_sin + friction * height) / body.inertia)
         });
         // m Î A and m Î B: sticking requires |B|/A ≤ μs.
-        let (a, b) = (body.inertia + mass * lever * lever, mass * arm * lever);
+        let (a, b) = (body.inertia + mass * height * height, mass * h_sin * height);
         let stuck = Slope {
             slip: T::constant(0.0),
-            ..slope(-b / a, arm / a)
+            ..slope(-b / a, h_sin / a)
         };
         let reversed =
             Direction::of_sign(b.value()).filter(|_| b.value().abs() > mu_s.value() * a.value());
         let at_rest = reversed.map_or(stuck, |direction| slipping[direction.index()]);
         Self {
             mass,
-            arm,
-            lever,
+            h_sin,
+            height,
             slipping,
             at_rest,
             reverses: reversed.is_some(),
@@ -312,12 +325,11 @@ impl<T: Number> Contact<T> {
         self.slipping[direction.index()]
     }
 
-    /// The impact with these velocities, for a gap rate ≤ 0, by a coefficient and law of
-    /// restitution.
+    /// The impact with these velocities, for a gap rate ≤ 0.
     pub(crate) fn impact(
         &self,
         before: ContactVelocities<T>,
-        restitution: (T, RestitutionLaw),
+        restitution: Restitution<T>,
     ) -> Impact<T> {
         let direction = Direction::of_sign(before.slip.value());
         let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
@@ -346,14 +358,14 @@ impl<T: Number> Contact<T> {
         &self,
         before: ContactVelocities<T>,
         direction: Direction,
-        restitution: (T, RestitutionLaw),
+        restitution: Restitution<T>,
     ) -> Impact<T> {
         let slope = self.slope(direction);
         let slipping = if slope.gap_rate.value() <= 0.0 {
             slope
         } else {
-            let spin = T::constant(-1.0) / (self.mass * self.arm);
-            let slip = slope.friction / self.mass + self.lever * spin;
+            let spin = T::constant(-1.0) / (self.mass * self.h_sin);
+            let slip = slope.friction / self.mass + self.height * spin;
             Slope {
                 spin,
                 slip,
@@ -411,7 +423,11 @@ struct End<T> {
 
 impl<T: Number> Course<'_, T> {
     /// The end of the impact by the law of restitution.
-    fn end(&self, jams: bool, (e, law): (T, RestitutionLaw)) -> End<T> {
+    fn end(&self, jams: bool, restitution: Restitution<T>) -> End<T> {
+        let Restitution {
+            coefficient: e,
+            law,
+        } = restitution;
         let closing = -self.before.gap_rate;
         let (k1, k2, first) = (
             self.slipping.gap_rate,
@@ -470,7 +486,7 @@ impl<T: Number> Course<'_, T> {
         }
     }
 
-    fn impact(&self, jams: bool, restitution: (T, RestitutionLaw)) -> Impact<T> {
+    fn impact(&self, jams: bool, restitution: Restitution<T>) -> Impact<T> {
         let End {
             case,
             normal,

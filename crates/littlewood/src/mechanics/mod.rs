@@ -14,11 +14,11 @@ pub(crate) mod solvability;
 
 pub(crate) use self::closed_form::{RollingType, rolling_energy};
 pub(crate) use self::equations::{
-    Accelerations, ContactForces, RollingLaw, SlidePath, SlidingLaw, contact, energy, energy_at,
-    energy_of, leaves_plane, slip_acceleration_at_rest,
+    Accelerations, Clearance, ContactForces, ContactMotion, Loads, RollingLaw, SlidePath,
+    SlidingLaw, contact, energy, energy_at, energy_of, leaves_plane, slip_acceleration_at_rest,
 };
 pub(crate) use self::frictionless::{FrictionlessIntegrals, converge};
 pub(crate) use self::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};
 pub(crate) use self::lift_off::ContactProof;
-pub(crate) use self::settling::{Bounces, Settling};
+pub(crate) use self::settling::{BounceConditions, Bounces, Settling};
 pub(crate) use self::solvability::lowest_zero;

@@ -3,7 +3,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::mechanics::{ContactForces, RollingLaw};
+use crate::math::number::Number;
+use crate::mechanics::{ContactForces, Loads, RollingLaw};
 use crate::model::{Body, Direction, Hoop};
 
 /// The phase plane of the rolling motions of one hoop.
@@ -84,8 +85,18 @@ impl PhasePlane {
 
     /// N and F as linear functions of u = θ′² at an angle: the constants and the slopes.
     fn line(&self, theta: f64) -> [ContactForces; 2] {
-        let (direction, d) = (libm::sincos(theta), self.law.denominator(theta));
-        [[1.0, 0.0], [0.0, 1.0]].map(|one_u| self.law.forces_at(direction, one_u, d))
+        let (angle, d) = (theta.angle(), self.law.denominator(theta));
+        let (constant, slope) = (
+            Loads {
+                gravity: 1.0,
+                u: 0.0,
+            },
+            Loads {
+                gravity: 0.0,
+                u: 1.0,
+            },
+        );
+        [constant, slope].map(|loads| self.law.forces_at(angle, loads, d))
     }
 
     /// |θ′| on the curve n, N = 0 in rolling; `None` where N ≠ 0 at every rate.

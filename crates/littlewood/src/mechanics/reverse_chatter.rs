@@ -6,13 +6,15 @@
 //! stick, the ratio of successive bounces exceeds e only if a B > 0 and M > 0. It exceeds 1 where p
 //! lies between two numbers of the angle, and so θ′² between two linear forms.
 
+use crate::mechanics::impact::Sticking;
 use crate::mechanics::region::PhasePlane;
 use crate::mechanics::settling::RATIO_ROUNDING;
 use crate::mechanics::{Contact, ContactVelocities, contact};
 use crate::model::{Body, Direction, Heavy, Restitution, RestitutionLaw};
 
-/// The values of p between which bounces grow, from k1 and k2 > k1.
-fn growing(restitution: Restitution, [k1, k2]: [f64; 2]) -> Option<[f64; 2]> {
+/// The values of p between which bounces grow; k2 > k1.
+fn growing(restitution: Restitution, slopes: &Sticking) -> Option<[f64; 2]> {
+    let (k1, k2) = (slopes.in_slip, slopes.in_stick);
     let e = restitution.coefficient();
     let gain = k2 - k1;
     let (low, high) = match restitution.law() {
@@ -69,7 +71,7 @@ impl PhasePlane {
             gap_rate: -1.0,
         };
         let ratio = Contact::new(&self.hoop, &body, theta)
-            .impact(before, restitution.parts())
+            .impact(before, restitution)
             .after
             .gap_rate;
         (ratio.is_finite() && ratio > 1.0 + RATIO_ROUNDING).then_some(ratio)
@@ -84,11 +86,11 @@ impl PhasePlane {
             return None;
         }
         let direction = Direction::of_sign(sin)?;
-        let (slopes, braking) = Contact::new(&self.hoop, &body, theta).sticking(direction)?;
-        let [low, high] = growing(restitution, slopes)?;
+        let slopes = Contact::new(&self.hoop, &body, theta).sticking(direction)?;
+        let [low, high] = growing(restitution, &slopes)?;
         // |a| over w lies between ½ M p, and both are linear in u: constant + slope u > 0.
         let beyond = |share: f64| [pull.abs() - share, -body.h * (sin.abs() - share * cos)];
-        let [least, most] = [low, high].map(|p| 0.5 * braking * p);
+        let [least, most] = [low, high].map(|p| 0.5 * slopes.braking * p);
         let until = if most.is_finite() {
             beyond(most).map(|term| -term)
         } else {

@@ -12,7 +12,7 @@ use thiserror::Error;
 
 use crate::math::number::Number;
 use crate::mechanics::{Contact, ContactVelocities, Impact, ImpactCase, Impulse, contact};
-use crate::model::{Body, Heavy, Hoop, Restitution, RestitutionLaw, State};
+use crate::model::{Body, Friction, Heavy, Hoop, Restitution, State};
 
 /// Longest time summed with fixed coefficients, also in units of 1/|θ′|. The error is of the order
 /// of its square.
@@ -104,8 +104,8 @@ impl Hoop {
         if !(gap_rate.is_finite() && gap_rate > 0.0) {
             return Err(NoSettling::Closed { gap_rate });
         }
-        let weight = libm::cos(self.slope());
-        Bounces::new(self, (&body, weight), state, restitution)?
+        let gravity = libm::cos(self.slope());
+        Bounces::new(self, &body, state, restitution, gravity)?
             .sum(ContactVelocities::of(state, gap_rate), f64::INFINITY)
     }
 
@@ -123,7 +123,7 @@ impl Hoop {
             return None;
         }
         let pace = 1.0 + state.theta_rate.abs();
-        let bounces = Bounces::new(self, (body, 1.0), state, restitution).ok()?;
+        let bounces = Bounces::new(self, body, state, restitution, 1.0).ok()?;
         if 2.0 * gap_rate / bounces.contact_force * pace > MAX_SETTLING_TIME {
             return None;
         }
@@ -152,7 +152,7 @@ impl Hoop {
                 theta_rate: state.theta_rate + part * spin,
                 ..*state
             };
-            let sum = Bounces::new(self, (body, 1.0), &later, restitution).and_then(|bounces| {
+            let sum = Bounces::new(self, body, &later, restitution, 1.0).and_then(|bounces| {
                 bounces.sum(
                     ContactVelocities::of(&later, gap_rate),
                     2.0 * MAX_SETTLING_TIME,
@@ -175,10 +175,21 @@ impl Hoop {
     }
 }
 
+/// What stays fixed in all bounces.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BounceConditions<T = f64> {
+    pub(crate) theta: T,
+    pub(crate) theta_rate: T,
+    pub(crate) friction: Friction<T>,
+    pub(crate) restitution: Restitution<T>,
+    /// Gravity normal to the plane: cos α for users, 1 for the solvers.
+    pub(crate) gravity: f64,
+}
+
 /// Bounces at a fixed angle and rate.
 pub(crate) struct Bounces<T = f64> {
     contact: Contact<T>,
-    restitution: (T, RestitutionLaw),
+    restitution: Restitution<T>,
     /// W = cos α − h cos θ θ′².
     contact_force: T,
     /// a = −h sin θ θ′² − sin α.
@@ -221,44 +232,45 @@ impl<T: Number> Sums<T> {
 }
 
 impl Bounces {
-    /// `weight` is gravity normal to the plane: cos α for users, 1 for the solvers.
     fn new(
         hoop: &Hoop,
-        (body, weight): (&Heavy, f64),
+        body: &Heavy,
         state: &State,
         restitution: Restitution,
+        gravity: f64,
     ) -> Result<Self, NoSettling> {
-        let friction = [hoop.mu_s(), hoop.mu_k()];
-        Self::of(
-            body,
-            (friction, weight),
-            (state.theta, state.theta_rate),
-            restitution.parts(),
-        )
+        let conditions = BounceConditions {
+            theta: state.theta,
+            theta_rate: state.theta_rate,
+            friction: hoop.friction(),
+            restitution,
+            gravity,
+        };
+        Self::of(body, conditions)
     }
 }
 
 impl<T: Number> Bounces<T> {
-    /// The bounces of a body with coefficients of static and kinetic friction, at an angle and a
-    /// rate.
-    pub(crate) fn of(
-        body: &Heavy<T>,
-        (friction, weight): ([T; 2], f64),
-        (theta, rate): (T, T),
-        restitution: (T, RestitutionLaw),
-    ) -> Result<Self, NoSettling> {
-        let (sin, cos) = theta.sincos();
-        let contact_force = contact(weight, body.h, cos * (rate * rate));
+    pub(crate) fn of(body: &Heavy<T>, conditions: BounceConditions<T>) -> Result<Self, NoSettling> {
+        let BounceConditions {
+            theta,
+            theta_rate: rate,
+            friction,
+            restitution,
+            gravity,
+        } = conditions;
+        let angle = theta.angle();
+        let contact_force = contact(gravity, body.h, angle.cos * (rate * rate));
         if contact_force.value() <= 0.0 {
             return Err(NoSettling::LeavesPlane {
                 contact: contact_force.value(),
             });
         }
         Ok(Self {
-            contact: Contact::of(body, friction, (sin, cos)),
+            contact: Contact::of(body, friction, angle),
             restitution,
             contact_force,
-            slip_acceleration: -body.h * sin * (rate * rate) - body.pull() * weight,
+            slip_acceleration: -body.h * angle.sin * (rate * rate) - body.pull() * gravity,
         })
     }
 

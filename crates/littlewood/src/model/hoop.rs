@@ -114,6 +114,21 @@ pub struct Heavy<T = f64> {
     pub tilt: T,
 }
 
+/// The coefficients of static and kinetic friction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Friction<T = f64> {
+    pub(crate) mu_s: T,
+    pub(crate) mu_k: T,
+}
+
+/// What a body is made of: mass ratio m̂1, offset ℓ̂ and moment of inertia Î_zz.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Composition<T = f64> {
+    pub(crate) mass_ratio: T,
+    pub(crate) offset: T,
+    pub(crate) inertia: T,
+}
+
 /// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Constructed by [`Hoop::new`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -155,6 +170,10 @@ getters! {
     pub slope: f64 = self.parameters.slope;
     /// The restitution of an impact; `None` if a motion ends at a landing.
     pub restitution: Option<Restitution> = self.restitution;
+    pub(crate) friction: Friction = Friction {
+        mu_s: self.parameters.mu_s,
+        mu_k: self.parameters.mu_k,
+    };
     /// The body with or without inertia.
     pub body: Body = self.body;
     /// Total mass m = 1 + m̂1.
@@ -194,7 +213,14 @@ impl Hoop {
         }
         within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
-        let heavy = Heavy::of([mass_ratio, offset, inertia], slope);
+        let heavy = Heavy::of(
+            Composition {
+                mass_ratio,
+                offset,
+                inertia,
+            },
+            slope,
+        );
         let body = if heavy.inertia > 0.0 {
             if heavy.inertia < MIN_INERTIA {
                 return Err(ParameterError::NearlyMassless {
@@ -264,7 +290,14 @@ impl Hoop {
             slope,
             ..
         } = self.parameters;
-        Heavy::of([mass_ratio, offset, inertia], slope)
+        Heavy::of(
+            Composition {
+                mass_ratio,
+                offset,
+                inertia,
+            },
+            slope,
+        )
     }
 
     /// √cos α: velocities over it are those in units in which gravity normal to the plane is 1. It
@@ -283,9 +316,13 @@ impl Hoop {
 }
 
 impl<T: Number> Heavy<T> {
-    /// The body of a mass ratio, an offset and a moment of inertia Î_zz, on a slope; without
-    /// inertia also that of a massless hoop.
-    pub(crate) fn of([mass_ratio, offset, inertia]: [T; 3], slope: T) -> Self {
+    /// The body on a slope; without inertia also that of a massless hoop.
+    pub(crate) fn of(composition: Composition<T>, slope: T) -> Self {
+        let Composition {
+            mass_ratio,
+            offset,
+            inertia,
+        } = composition;
         let (_, cos) = libm::sincos(slope.value());
         let tilt = if slope.value() == 0.0 {
             -0.0

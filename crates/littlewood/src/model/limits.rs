@@ -14,15 +14,15 @@ named! {
     /// Label for help and messages.
     pub label: &'static str {
         /// No other: a motion ends in a phase without end or at a limit.
-        None = 0, "none" => "only that a phase lasts for ever";
+        None = 0, "none" => "that a phase lasts for ever";
         /// The motion is periodic ([`crate::Outcome::RepeatsForever`],
         /// [`crate::Outcome::SlidesForever`]) or slips for ever ([`crate::Outcome::SlipsForever`]);
         /// at a limit of transitions or slides, it stays in contact.
         #[default]
-        Endless = 1, "endless" => "that the motion repeats itself or slips for ever; at a limit, that it stays in contact";
+        Endless = 1, "endless" => "the same, or that the motion repeats itself or slips for ever; at a limit, that it stays in contact";
         /// As `Endless`; a proof that the hoop never lifts off ([`crate::Outcome::StaysInContact`])
         /// ends a motion at any time.
-        Contact = 2, "contact" => "the same, and as soon as it is known that the hoop never lifts off";
+        Contact = 2, "contact" => "the same, or at any time that the hoop never lifts off";
     }
 }
 

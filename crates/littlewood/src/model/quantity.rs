@@ -32,21 +32,22 @@ named! {
         /// Coefficient of static friction μs of (2.13).
         MuS = 3, "mu_s" => row((DIMENSIONLESS, Group::Hoop, D::Ratio, None), ["mu_s", "μₛ"],
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of static friction",
-            "Coefficient of static friction (2.13), with SI parameters too")
+            "Coefficient of static friction (2.13), also with SI parameters")
             .with_hint("coefficients of friction are not negative: 0 <= mu_k <= mu_s");
         /// Coefficient of kinetic friction μk of (2.15).
         MuK = 4, "mu_k" => row((DIMENSIONLESS, Group::Hoop, D::Ratio, None), ["mu_k", "μₖ"],
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of kinetic friction",
-            "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too")
+            "Coefficient of kinetic friction (2.15), 0 <= mu_k <= mu_s, also with SI parameters")
             .with_hint("kinetic friction is never stronger than static friction: 0 <= mu_k <= mu_s");
         /// Angle θ of the particle from the upward vertical.
         Theta = 5, "theta" => row((DIMENSIONLESS, Group::Start, D::Angle, None), ["theta", "θ"],
             (COORDINATE, Presence::Required, [-3.1, 6.2]), "angle of the particle from the upward vertical",
-            "Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too");
+            "Angle theta of the particle from the upward normal of the plane, counterclockwise, also with SI \
+             parameters");
         /// Rate θ′ = dθ/dτ.
         ThetaRate = 6, "theta_rate" => row((DIMENSIONLESS, Group::Start, D::AngularRate, Some(Self::ThetaRateRadPerS)), ["theta'", "θ′"],
             (RATE, Presence::Required, [-4.0, 4.0]), "rate of the angle",
-            "Rate theta' in sqrt(g/R) rad");
+            "Angular velocity theta' in sqrt(g/R)");
         /// Slip velocity η′ of (2.7).
         Slip = 7, "slip" => row((DIMENSIONLESS, Group::Start, D::Velocity, Some(Self::SlipMPerS)), ["eta'", "η′"],
             (RATE, Presence::Default(0.0), [-2.0, 2.0]), "slip velocity of the contact point",
@@ -54,7 +55,7 @@ named! {
         /// Horizontal position x of the geometric centre.
         X = 8, "x" => row((DIMENSIONLESS, Group::Place, D::Length, Some(Self::XM)), ["x", "x"],
             (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
-            "Horizontal position of the centre in R");
+            "Position of the centre along the plane, in R");
         /// Time τ.
         Time = 9, "time" => row((DIMENSIONLESS, Group::Place, D::Time, Some(Self::TimeS)), ["tau", "τ"],
             (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "time",
@@ -91,7 +92,7 @@ named! {
         /// Rate dθ/dt in radians per second.
         ThetaRateRadPerS = 17, "theta_rate_rad_per_s" => row((SI, Group::Start, D::AngularRate, Some(Self::ThetaRate)),
             ["d theta/dt", "dθ/dt"], (FINITE, Presence::Required, [-20.0, 20.0]), "rate of the angle",
-            "Rate d theta/dt, rad/s");
+            "Angular velocity d theta/dt, rad/s");
         /// Slip velocity dη/dt in metres per second.
         SlipMPerS = 18, "slip_m_per_s" => row((SI, Group::Start, D::Velocity, Some(Self::Slip)), ["d eta/dt", "dη/dt"],
             (FINITE, Presence::Default(0.0), [-5.0, 5.0]), "slip velocity of the contact point",
@@ -99,7 +100,7 @@ named! {
         /// Horizontal position in metres.
         XM = 19, "x_m" => row((SI, Group::Place, D::Length, Some(Self::X)), ["x", "x"],
             (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
-            "Horizontal position of the centre, m");
+            "Position of the centre along the plane, m");
         /// Time in seconds.
         TimeS = 20, "time_s" => row((SI, Group::Place, D::Time, Some(Self::Time)), ["t", "t"],
             (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "time",
@@ -107,12 +108,12 @@ named! {
         /// Time limit in seconds.
         UntilS = 21, "until_s" => row((SI, Group::Run, D::Time, Some(Self::Until)), ["t", "t"],
             (FINITE, Presence::Optional, [0.0, 10.0]), "time limit",
-            "Stop at this time in SI units, s");
+            "Stop at this time, s");
         /// Coefficient of restitution e of an impact.
         Restitution = 22, "restitution" => row((DIMENSIONLESS, Group::Hoop, D::Ratio, None), ["e", "e"],
             (FRACTION, Presence::Optional, [0.0, 1.0]), "coefficient of restitution",
-            "Coefficient of restitution of the impact of the rim on the plane, 0 to 1, with SI parameters too; \
-             without it the motion ends where the rim lands")
+            "Coefficient of restitution of the rim on the plane, 0 to 1, also with SI parameters; without it the \
+             motion ends where the rim lands")
             .with_hint("0 is an impact without rebound, 1 one that gives everything back");
         /// Rate at which the gap under the rim opens.
         GapRate = 23, "gap_rate" => row((DIMENSIONLESS, Group::Start, D::Velocity, Some(Self::GapRateMPerS)), ["gap'", "gap′"],
@@ -126,8 +127,8 @@ named! {
         /// Angle α by which the plane rises to the right.
         Slope = 25, "slope" => row((DIMENSIONLESS, Group::Hoop, D::Angle, None), ["alpha", "α"],
             (SLOPE, Presence::Default(0.0), [-1.0, 1.0]), "angle by which the plane rises to the right",
-            "Angle by which the plane rises to the right, in radians, between -pi/2 and pi/2, with SI parameters too; \
-             x is then measured along the plane and theta from its normal")
+            "Angle by which the plane rises to the right, in radians, between -pi/2 and pi/2, also with SI \
+             parameters")
             .with_hint("a slope is an angle in radians: 30 degrees are 0.5236");
     }
 }

@@ -23,9 +23,9 @@ named! {
 
 /// A coefficient of restitution 0 ≤ e ≤ 1 with its law.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Restitution {
-    pub(super) coefficient: f64,
-    pub(super) law: RestitutionLaw,
+pub struct Restitution<T = f64> {
+    pub(crate) coefficient: T,
+    pub(crate) law: RestitutionLaw,
 }
 
 getters! {
@@ -34,5 +34,4 @@ getters! {
     pub coefficient: f64 = self.coefficient;
     /// The law.
     pub law: RestitutionLaw = self.law;
-    pub(crate) parts: (f64, RestitutionLaw) = (self.coefficient, self.law);
 }

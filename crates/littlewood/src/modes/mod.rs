@@ -24,12 +24,12 @@ pub(crate) mod rolling;
 pub(crate) mod sample;
 pub(crate) mod sliding;
 
-pub(crate) use self::flight::TakeOff;
+pub(crate) use self::flight::{FlightExtent, TakeOff};
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
 pub(crate) use self::rolling::{Levels, Stiction};
 pub(crate) use self::sample::{Instant, Sample};
 pub(crate) use self::sliding::{
-    Entry, Onset, PhasePoint, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE,
+    Entry, Onset, PhasePoint, SlideBudget, SlideSeries, SlidingEnd, TRUNCATION_TOLERANCE,
 };
 
 pub use self::flight::Flight;
@@ -91,7 +91,7 @@ impl PhaseSolution {
             Self::Rolling(rolling) => rolling.sample(hoop, state),
             Self::Sliding(slide) => slide.sample(hoop, state),
             Self::Gliding(glide) => glide.sample(hoop, state),
-            Self::Flight(flight) => flight.sample(hoop, state, flight.gap(elapsed)),
+            Self::Flight(flight) => flight.sample(hoop, state, elapsed),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Kinematics, forces and energy at one instant of a motion.
 
-use crate::mechanics::energy;
+use crate::mechanics::{Accelerations, Clearance, ContactForces, energy};
 use crate::model::{Direction, Hoop, Mode, State};
 
 /// Kinematics, forces and energy at one instant of a motion.
@@ -62,17 +62,14 @@ pub struct Position {
 pub(crate) struct Instant {
     pub(crate) mode: Mode,
     pub(crate) direction: Option<Direction>,
-    /// θ″ and η″.
-    pub(crate) accelerations: (f64, f64),
-    /// N and F.
-    pub(crate) forces: (f64, f64),
-    /// The gap and its rate.
-    pub(crate) gap: (f64, f64),
+    pub(crate) accelerations: Accelerations,
+    pub(crate) forces: ContactForces,
+    pub(crate) clearance: Clearance,
 }
 
 impl Instant {
     pub(crate) fn sample(self, hoop: &Hoop, state: State) -> Sample {
-        let (gap, gap_rate) = self.gap;
+        let Clearance { gap, gap_rate } = self.clearance;
         let (sin, cos) = libm::sincos(state.theta);
         let centre = Position {
             x: state.x,
@@ -86,10 +83,10 @@ impl Instant {
             state,
             mode: self.mode,
             direction: self.direction,
-            theta_acceleration: self.accelerations.0,
-            slip_acceleration: self.accelerations.1,
-            normal: self.forces.0,
-            friction: self.forces.1,
+            theta_acceleration: self.accelerations.theta,
+            slip_acceleration: self.accelerations.slip,
+            normal: self.forces.normal,
+            friction: self.forces.friction,
             gap,
             gap_rate,
             energy: energy(hoop, &state, gap, gap_rate),

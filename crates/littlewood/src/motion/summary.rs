@@ -1,7 +1,7 @@
 //! The summary of a motion: outcome, sequence of phases, end, first slip, lift-off and jump.
 
-use crate::math::trig::sincos;
-use crate::mechanics::{Impact, energy_at};
+use crate::math::trig::Angle;
+use crate::mechanics::{Clearance, Impact, energy_at};
 use crate::model::{Direction, Hoop, Mode, State};
 use crate::walk::{
     Cause, Event, Origin, OutcomeKind, PhaseDetail, PhaseRecord, PhaseSequence, Recorder, Solution,
@@ -195,7 +195,12 @@ impl<'a> SummaryRecorder<'a> {
             (last, gap_rate) = start;
         }
         if !summary.sequence.is_empty() {
-            let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, gap_rate));
+            let energy = energy_at(
+                hoop,
+                &last,
+                Angle::of(last.theta),
+                Clearance { gap: 0.0, gap_rate },
+            );
             // The energy is NaN if a rate is infinite.
             summary.energy = if energy.is_finite() {
                 origin.energy(energy)

@@ -1,6 +1,6 @@
 //! A motion: its phases, the transitions between them, its outcome, and the state at any time.
 
-use crate::mechanics::energy;
+use crate::mechanics::{Accelerations, Clearance, ContactForces, energy};
 use crate::model::{Direction, Hoop, Mode, State, getters};
 use crate::modes::{Instant, PhaseSolution, Recurrence, Sample};
 use crate::motion::summary::Summary;
@@ -231,13 +231,18 @@ impl Trajectory {
     /// Accelerations and forces are NaN, and the mode is meaningless. None for a motion with a
     /// phase.
     pub fn only_instant(&self) -> Option<Sample> {
-        let unknown = (f64::NAN, f64::NAN);
         let instant = Instant {
             mode: Mode::Rolling,
             direction: None,
-            accelerations: unknown,
-            forces: unknown,
-            gap: (0.0, 0.0),
+            accelerations: Accelerations {
+                theta: f64::NAN,
+                slip: f64::NAN,
+            },
+            forces: ContactForces {
+                normal: f64::NAN,
+                friction: f64::NAN,
+            },
+            clearance: Clearance::NONE,
         };
         self.phases.is_empty().then(|| {
             self.origin

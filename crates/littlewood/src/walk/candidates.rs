@@ -277,7 +277,7 @@ fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> M
         contact_margin,
         lifts_off,
         slip,
-        painleve: laws.map(|law| law.solvability(theta)),
+        painleve: laws.map(|law| law.painleve(theta)),
         keeps_contact: arrival != Arrival::Start,
         on_limit: arrival == Arrival::BackOnLimit(None),
     }

@@ -5,8 +5,8 @@ use core::cell::Cell;
 use crate::mechanics::{Settling, SlidingLaw};
 use crate::model::{Direction, Heavy, Hoop, Limits, Massless, Proof, State};
 use crate::modes::{
-    Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideLimit, Sliding,
-    SlidingEnd, TakeOff,
+    Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideBudget,
+    SlideLimit, Sliding, SlidingEnd, TakeOff,
 };
 use crate::walk::{
     Arrival, Cause, NextMotion, Outcome, PhaseEnd, PhaseResult, Solution, Solver, next_motion,
@@ -179,11 +179,11 @@ impl Solver for Exact<'_> {
         entry: Entry,
     ) -> PhaseResult<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
-        let bounds = (
-            self.allowed(state),
-            self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE),
-        );
-        let (slide, end) = Sliding::run(law, *state, direction, entry, bounds);
+        let budget = SlideBudget {
+            time_left: self.allowed(state),
+            steps: self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE),
+        };
+        let (slide, end) = Sliding::run(law, *state, direction, entry, budget);
         if slide.work() > MAX_STEPS_OF_EASY_SLIDE {
             self.steps
                 .set(self.steps.get().saturating_sub(slide.work()));
@@ -201,7 +201,7 @@ impl Solver for Exact<'_> {
             },
             SlidingEnd::Singular(state) => PhaseEnd::Singular {
                 state,
-                solvability: law.solvability(state.theta),
+                solvability: law.painleve(state.theta),
             },
             SlidingEnd::Unresolved(state) => {
                 Self::without_event(state, Outcome::Unresolved { state })

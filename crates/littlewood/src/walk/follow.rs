@@ -577,7 +577,7 @@ fn land<T: Solver>(
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
-    let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution.parts());
+    let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
     after_impact(solver, cursor, &body, event, impact)
 }
 

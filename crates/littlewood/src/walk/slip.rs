@@ -15,7 +15,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::math::trig::sincos;
+use crate::math::trig::{Angle, sincos};
 use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
 use crate::model::{Body, Direction, Heavy, Hoop, State};
 use crate::modes::{Onset, PhasePoint};
@@ -80,7 +80,7 @@ impl LastSlip {
     /// quantities. None if they are not conserved, or if the state is not told from others.
     pub(crate) fn correct_rest(&self, body: &Heavy, state: &State) -> Option<Rest> {
         let [integrals, here] = [&self.state, state]
-            .map(|state| FrictionlessIntegrals::new(body, state, sincos(state.theta)));
+            .map(|state| FrictionlessIntegrals::new(body, state, Angle::of(state.theta)));
         if !is_same(integrals.energy, here.energy) || !is_same(integrals.momentum, here.momentum) {
             return None;
         }
@@ -140,7 +140,7 @@ impl LastSlip {
         };
         let (theta, theta_rate) = if integrals.deflation_is_better(body, at_slip, other) {
             let theta = self.at_cosine(other, state.theta)?;
-            (theta, integrals.rate_at_rest(body, sincos(theta)))
+            (theta, integrals.rate_at_rest(body, Angle::of(theta)))
         } else {
             integrals.standstill_near(body, state.theta)?
         };

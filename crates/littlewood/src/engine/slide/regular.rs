@@ -242,3 +242,47 @@ impl SlideSegment for RegularSegment {
         2.0 * self.width * half * sum
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::TAU;
+
+    use super::*;
+
+    /// The farthest point of the ellipse about a segment, with half axes that are these parts of
+    /// its length, from t = 0: by its points, not by its formula.
+    fn farthest(Span { start, end }: Span) -> f64 {
+        let (centre, length) = (0.5 * (start + end), end - start);
+        (0..360)
+            .map(|degrees| {
+                let (sin, cos) = libm::sincos(f64::from(degrees) * (TAU / 360.0));
+                libm::hypot(centre + 1.3 * length * cos, 1.2 * length * sin)
+            })
+            .fold(0.0, f64::max)
+    }
+
+    /// One term beside the first, a little smaller and a little larger than the part of it that it
+    /// may be on the ellipse.
+    #[test]
+    fn u_has_no_zero_where_its_terms_on_the_ellipse_are_small() {
+        for (start, end) in [(0.0, 1.0), (-1.0, 1.0), (-0.9, -0.2), (0.3, 0.5)] {
+            let span = Span { start, end };
+            let radius = farthest(span);
+            for degree in 1..=DEGREE {
+                for u0 in [1e-6, 1.0, 30.0] {
+                    for (part, is_free) in [(0.89, true), (0.91, false)] {
+                        for sign in [-1.0, 1.0] {
+                            let mut u = [0.0; DEGREE + 1];
+                            u[0] = u0;
+                            u[degree] = sign * part * u0 / libm::pow(radius, degree as f64);
+                            let told = RegularSegment::is_zero_free(&u, span);
+                            assert_eq!(told, is_free, "{span:?} {degree} {u0} {part}");
+                            let may_be = RegularSegment::may_be_zero_free(u0, u[1], span);
+                            assert_eq!(may_be, is_free || degree > 1, "{span:?} {degree} {part}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -559,6 +559,29 @@ mod tests {
         assert_eq!(rest.smooth(bound), None);
     }
 
+    /// Where P is as small as it may be, and what the sum leaves out as large: the largest η″ at
+    /// which the sum does not tell the sign.
+    #[test]
+    fn the_sign_of_a_slip_acceleration_is_uncertain_up_to_the_largest_that_may_have_either() {
+        for (remainder, min_p) in [(0.01, 1.0), (0.01, 0.1), (0.03, 7.0), (1e-9, 0.3)] {
+            let at = |part: f64| remainder * (4.0 * part - 2.0);
+            let sum = TruncatedPolynomial {
+                low: core::array::from_fn(|k| at(k as f64 / SIGN_DEGREE as f64)),
+                remainder,
+            };
+            let values = (0..=1_000).map(|k| at(f64::from(k) / 1_000.0));
+            let largest = values
+                .filter(|low| low.abs() <= remainder)
+                .flat_map(|low| [low - remainder, low + remainder])
+                .fold(0.0_f64, |largest, value| largest.max(value.abs() / min_p));
+            let told = sum.slip_signs(min_p).sign_uncertainty;
+            assert!(
+                told >= largest && told < 1.01 * largest,
+                "{remainder} {min_p}: {told} {largest}"
+            );
+        }
+    }
+
     #[test]
     fn sign_patterns_are_known_only_where_all_signs_are_certain() {
         let [up, down] = [[5.0; SIGN_DEGREE + 1], [-5.0; SIGN_DEGREE + 1]];

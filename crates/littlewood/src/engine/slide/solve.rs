@@ -79,7 +79,7 @@ impl MotionFrame<'_> {
 
     /// By how much σ η′ is smaller at the same angle after this time.
     fn slip_loss(&self, elapsed: f64) -> f64 {
-        self.sigma * self.law().drag() * elapsed
+        self.sigma * self.law().mean_slip_loss() * elapsed
     }
 
     const fn context<'b, S: SlideSegment>(&'b self, segment: &'b S) -> SegmentContext<'b, S> {
@@ -251,7 +251,7 @@ impl<'a> Slide<'a> {
         let Self { frame, point, .. } = *self;
         let (Angle { sin, cos }, law) = (point.angle, frame.law());
         // du/dz: where u is steep intervals must be narrow, or there is none.
-        let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * point.u);
+        let slope = 2.0 * law.u_growth(sin, cos) * contact(1.0, law.body.h, cos * point.u);
         let min_halvings = (0..=HALVINGS)
             .find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= point.u * (1_u32 << k) as f64)?;
         let mut intervals = (min_halvings..=HALVINGS)
@@ -587,7 +587,8 @@ fn exit_point(frame: &MotionFrame<'_>, crossing: &Crossing<'_>, elapsed: f64) ->
         u,
         elapsed,
         slip: frame.sigma
-            * (frame.integral + u.sqrt() * exit.slip_coefficient - frame.law().drag() * elapsed),
+            * (frame.integral + u.sqrt() * exit.slip_coefficient
+                - frame.law().mean_slip_loss() * elapsed),
         slip_acceleration: frame.sigma * (exit.alpha + exit.beta * u),
         angle: exit.angle,
     }

@@ -103,3 +103,44 @@ impl SlideSegment for TurningSegment {
         half * sum
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::SlidingLaw;
+    use crate::model::{Body, Direction, Hoop};
+
+    /// The width is as large as the sum of the time allows: the sum over the whole segment is that
+    /// over many parts of it, and a width larger by a quarter would break the bound.
+    #[test]
+    fn segments_about_turning_points_are_as_wide_as_the_time_is_exact() {
+        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else {
+            unreachable!("it has mass")
+        };
+        let law = SlidingLaw::of_body(body, 0.4, Direction::Positive);
+        let (mut bounded, mut worst) = (0, 0.0_f64);
+        for k in 1..200 {
+            let angle = Angle::of(0.031 * f64::from(k));
+            let expansion = Expansion::new(&law, 1.0, angle, 0.0);
+            let Some(segment) = TurningSegment::new(&expansion, angle) else {
+                continue;
+            };
+            let parts = 64;
+            let at = |part: i32| f64::from(part) / f64::from(parts);
+            let sum: f64 = (-parts..parts)
+                .map(|part| segment.time(at(part), at(part + 1)))
+                .sum();
+            worst = worst.max((segment.time(-1.0, 1.0) / sum - 1.0).abs());
+            if segment.width < 0.999 * expansion.convergence_radius(1) {
+                bounded += 1;
+                let far = 2.8 * 1.25 * segment.width;
+                let terms: f64 = (2..=DEGREE)
+                    .map(|k| expansion.u[k].abs() * libm::pow(far, (k - 1) as f64))
+                    .sum();
+                assert!(terms > 0.9 * expansion.u[1], "{k}: {terms}");
+            }
+        }
+        assert!(worst < 4e-15, "{worst:e}");
+        assert!(bounded > 20, "{bounded}");
+    }
+}

@@ -2,7 +2,7 @@
 //!
 //! In the direction of motion, at the distance φ from the beginning of a table, G = D ϑ′² is g +
 //! γ(φ), with a function γ of the body and the slope, and one number g of the orbit. The first to
-//! vanish of the two margins of static friction ([`Limits`]) and G decides what happens.
+//! vanish of the two margins of static friction ([`MarginSeries`]) and G decides what happens.
 
 mod table;
 
@@ -14,7 +14,7 @@ use crate::math::series::{shifted, value};
 use crate::math::trig::{Angle, without_turns};
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
-use crate::modes::rolling::Limits;
+use crate::modes::rolling::MarginSeries;
 
 use super::fallback::Fallback;
 use super::orbit::OrbitPoint;
@@ -43,14 +43,14 @@ const MAX_STEPS: u32 = 12;
 /// the same whichever orbit that is.
 #[derive(Clone, Debug)]
 pub(super) struct SlopeTables {
-    limits: Limits,
+    limits: MarginSeries,
     tables: [OnceLock<Box<RollTable>>; TABLES],
 }
 
 impl SlopeTables {
     pub(super) fn new(hoop: &Hoop, heading: f64) -> Self {
         Self {
-            limits: Limits::new(hoop, heading),
+            limits: MarginSeries::new(hoop, heading),
             tables: [const { OnceLock::new() }; TABLES],
         }
     }
@@ -523,7 +523,7 @@ impl<'a> Orbit<'a> {
         };
         let theta = heading * start.state.theta;
         let angle = start.angle.mirrored_by(heading);
-        let twice_kinetic = ahead.law().denominator_of(angle.pair()) * u;
+        let twice_kinetic = ahead.law().denominator_of(angle) * u;
         let expansion = LocalExpansion::new(ahead.law(), angle, 0.0);
         // Next to a turning point the distance from it has all digits.
         let side = if expansion.slope < 0.0 { 1.0 } else { -1.0 };

@@ -10,7 +10,7 @@ use crate::math::bracket::Bracket;
 use crate::math::series::{DEGREE, Series, convolve, crossing, shifted, value};
 use crate::math::trig::{Angle, taylor};
 use crate::mechanics::RollingLaw;
-use crate::modes::rolling::Limits;
+use crate::modes::rolling::MarginSeries;
 
 /// Tiles of a turn, and the angle of one.
 pub(super) const TABLES: usize = 16;
@@ -149,7 +149,8 @@ pub(super) struct LocalExpansion {
 }
 
 impl LocalExpansion {
-    pub(super) fn new(law: &RollingLaw, Angle { sin, cos }: Angle, g: f64) -> Self {
+    pub(super) fn new(law: &RollingLaw, angle: Angle, g: f64) -> Self {
+        let Angle { sin, cos } = angle;
         let RollingLaw {
             offset, mass, tilt, ..
         } = *law;
@@ -158,7 +159,7 @@ impl LocalExpansion {
             slope: 2.0 * (offset * sin + tilt * (mass + offset * cos)),
             g_sine: 2.0 * offset * (sin + tilt * cos),
             g_versine: 2.0 * offset * (cos - tilt * sin),
-            d: law.denominator_of((sin, cos)),
+            d: law.denominator_of(angle),
             d_sine: -2.0 * offset * sin,
             d_versine: -2.0 * offset * cos,
             g_bend: CURVATURE * offset * (1.0 + tilt * tilt).sqrt(),
@@ -276,11 +277,11 @@ pub(super) struct RollTable {
 }
 
 impl RollTable {
-    pub(super) fn new(limits: &Limits, number: usize) -> Self {
+    pub(super) fn new(limits: &MarginSeries, number: usize) -> Self {
         let law = &limits.law;
         let angle = Angle::of(WIDTH * number as f64);
-        let gains = limits.kinetic(angle.pair(), 0.0);
-        let margins = limits.heavy(angle.pair()).map(|[a, b]| {
+        let gains = limits.kinetic(angle, 0.0);
+        let margins = limits.heavy(angle).map(|[a, b]| {
             let with_gain = core::array::from_fn(|n| a[n] + convolve([(&gains, &b)], n)[0]);
             Linear::new([with_gain, b])
         });
@@ -310,7 +311,7 @@ impl RollTable {
         };
         let gains = core::array::from_fn(|j| middle.g + middle.gain(from_middle(j)));
         let weights = core::array::from_fn(|j| {
-            let d = law.denominator_of(rotated(angle, half + from_middle(j)).pair());
+            let d = law.denominator_of(rotated(angle, half + from_middle(j)));
             half * LONG_WEIGHT[j / 2] * d.sqrt()
         });
         let g_range = margins.iter().map(|margin| margin.g_range(0.0));

@@ -5,7 +5,7 @@ mod turn;
 use std::sync::OnceLock;
 
 use crate::math::bernstein::Bernstein;
-use crate::math::trig::sincos;
+use crate::math::trig::Angle;
 use crate::mechanics::{FrictionlessIntegrals, energy, lowest_zero};
 use crate::model::{Body, Heavy, Hoop, State};
 use turn::{ENERGY_ROUNDING, WholeTurns, at_most};
@@ -69,9 +69,9 @@ impl ContactProof {
         let energy = at_most(energy(hoop, state, 0.0, 0.0));
         let suffices = || {
             let turning =
-                at_most(FrictionlessIntegrals::new(&body, state, sincos(state.theta)).energy);
+                at_most(FrictionlessIntegrals::new(&body, state, Angle::of(state.theta)).energy);
             let (energy, needed) = (2.0 * energy, 2.0 * needed);
-            let whole_turns = || WholeTurns::new(&body, [hoop.mu_s(), hoop.mu_k()], needed);
+            let whole_turns = || WholeTurns::new(&body, hoop.friction(), needed);
             turning < needed
                 && (turns_too_slowly(&body, energy, needed)
                     || self

@@ -4,7 +4,7 @@
 use core::f64::consts::PI;
 use std::sync::LazyLock;
 
-use crate::model::Heavy;
+use crate::model::{Friction, Heavy};
 
 /// Bound on the relative rounding error of an energy.
 pub(super) const ENERGY_ROUNDING: f64 = 1e-12;
@@ -38,11 +38,25 @@ pub(super) struct WholeTurns {
     pub(super) energy: f64,
 }
 
+/// The cosines of the angles in a cell.
+#[derive(Clone, Copy, Debug)]
+struct CosineRange {
+    low: f64,
+    high: f64,
+}
+
+/// Bounds of C.
+#[derive(Clone, Copy, Debug)]
+struct EnergyRange {
+    min: f64,
+    max: f64,
+}
+
 /// Bounds in a cell, for sin θ of either sign.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
     /// Least ω.
-    least_velocity: f64,
+    min_velocity: f64,
     /// Half the largest gain of C, with φ = μs.
     gain: f64,
     /// Half the least loss of C, with φ = −μk.
@@ -51,22 +65,28 @@ struct Cell {
 
 impl WholeTurns {
     /// The bounds for a hoop with P > 0 at every angle, with `needed` = L. `None` if L − Δ ≤ 2 ℓ̂.
-    pub(super) fn new(body: &Heavy, friction: [f64; 2], needed: f64) -> Option<Self> {
-        let ends = || COSINES.windows(2).map(|ends| [ends[0], ends[1]]);
+    pub(super) fn new(body: &Heavy, friction: Friction, needed: f64) -> Option<Self> {
+        let cells = || {
+            COSINES.windows(2).map(|ends| CosineRange {
+                low: ends[0],
+                high: ends[1],
+            })
+        };
         let separatrix = 2.0 * body.offset;
         let room = 0.5 * (needed - separatrix);
-        let gain = ends().try_fold(0.0, |gain, ends| {
-            let gain = gain + Cell::new(body, friction, ends, [separatrix, needed]).gain;
+        let between = |min: f64| EnergyRange { min, max: needed };
+        let gain = cells().try_fold(0.0, |gain, cosines| {
+            let gain = gain + Cell::new(body, friction, cosines, between(separatrix)).gain;
             (gain < room).then_some(gain)
         })?;
         let turning = needed - at_most(2.0 * gain);
         if turning <= at_most(separatrix) {
             return None;
         }
-        let mut cells: Vec<Cell> = ends()
-            .map(|ends| Cell::new(body, friction, ends, [turning, needed]))
+        let mut cells: Vec<Cell> = cells()
+            .map(|cosines| Cell::new(body, friction, cosines, between(turning)))
             .collect();
-        cells.sort_unstable_by(|a, b| a.least_velocity.total_cmp(&b.least_velocity));
+        cells.sort_unstable_by(|a, b| a.min_velocity.total_cmp(&b.min_velocity));
         let mut work = -cells.iter().map(|cell| cell.loss).sum::<f64>() * (1.0 - ENERGY_ROUNDING);
         let fastest = cells.iter().find(|cell| {
             work += (cell.gain + cell.loss) * (1.0 + ENERGY_ROUNDING);
@@ -74,7 +94,7 @@ impl WholeTurns {
         });
         // Without friction C is constant.
         let velocity = fastest.map_or(f64::INFINITY, |cell| {
-            cell.least_velocity * (1.0 - ENERGY_ROUNDING)
+            cell.min_velocity * (1.0 - ENERGY_ROUNDING)
         });
         Some(Self {
             turning,
@@ -84,12 +104,12 @@ impl WholeTurns {
 }
 
 impl Cell {
-    /// The bounds between two cosines, the lower first, for C between `least` and `most`.
+    /// The bounds in a range of cosines, for C in a range.
     fn new(
         body: &Heavy,
-        [mu_s, mu_k]: [f64; 2],
-        [low, high]: [f64; 2],
-        [least, most]: [f64; 2],
+        Friction { mu_s, mu_k }: Friction,
+        CosineRange { low, high }: CosineRange,
+        energy: EnergyRange,
     ) -> Self {
         let Heavy {
             mass,
@@ -105,8 +125,8 @@ impl Cell {
         let [light, heavy] = [spin(outer), spin(inner)];
         let [short, long] = [1.0 + h * low, 1.0 + h * high];
         let [slow, fast] = [
-            (least - 2.0 * offset * high) / heavy,
-            (most - 2.0 * offset * low) / light,
+            (energy.min - 2.0 * offset * high) / heavy,
+            (energy.max - 2.0 * offset * low) / light,
         ];
         // w = 1 − h cos θ u, non-negative before a lift-off.
         let [weak, strong] = if is_above {
@@ -119,7 +139,7 @@ impl Cell {
         let denominator = light - coupling * coupling * sine_square(inner) / light;
         let scale = 2.0 * PI / CELLS_PER_HALF_TURN as f64 * mass * inertia;
         Self {
-            least_velocity: short * slow.max(0.0).sqrt(),
+            min_velocity: short * slow.max(0.0).sqrt(),
             gain: if denominator > MIN_DENOMINATOR_RATIO * light {
                 scale * mu_s * strong * long / denominator
             } else {

@@ -2,8 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::math::bracket::{Bracket, Step};
-use crate::math::trig::{TruncatedSeries, taylor, without_turns};
+use crate::math::bracket::{Bracket, RootStep};
+use crate::math::trig::{Angle, TruncatedSeries, taylor, without_turns};
 
 /// The gap as a function of an argument p: the angle φ, or the time if the gap is concave (h θ′² ≤
 /// 1).
@@ -118,7 +118,7 @@ impl Expansion {
 
 /// Whether sin θ at a lift-off is more accurate from θ′ than from θ. Rounding of θ changes sin θ by
 /// cos θ ε |θ|/2; the four roundings from θ′ to cos θ change it by 4 (ε/2) cos² θ/sin θ.
-pub(crate) fn sine_follows_from_rate(theta: f64, (sin, cos): (f64, f64)) -> bool {
+pub(crate) fn sine_follows_from_rate(theta: f64, Angle { sin, cos }: Angle) -> bool {
     (sin * theta).abs() > 4.0 * cos
 }
 
@@ -139,7 +139,13 @@ impl Gap {
     /// sets b = 0 and c0 = 1/(h θ′²), and takes s0 from the more accurate of θ0 and θ′.
     pub(super) fn at_lift_off(self) -> Self {
         let cos = self.weight / self.h;
-        let sin = if sine_follows_from_rate(self.theta, (self.sin, self.cos)) {
+        let sin = if sine_follows_from_rate(
+            self.theta,
+            Angle {
+                sin: self.sin,
+                cos: self.cos,
+            },
+        ) {
             -((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt()
         } else {
             self.sin
@@ -219,7 +225,7 @@ impl Gap {
             last = Some(near);
             let here = quantity(at, [near.gap, near.slope, near.curvature, near.jerk]);
             let model = |step| quantity(at + step, near.derivatives(step));
-            Step::by_model(at, here, (near.reach(), 1.0 / near.spin), model)
+            RootStep::by_model(at, here, (near.reach(), 1.0 / near.spin), model)
         });
         match last {
             Some(near) if (root - near.at).abs() <= near.reach() => {

@@ -15,8 +15,9 @@
 
 mod gap;
 
-use crate::math::trig::sincos;
-use crate::mechanics::energy;
+use crate::math::number::Number;
+use crate::math::trig::{Angle, sincos};
+use crate::mechanics::{Accelerations, Clearance, ContactForces, energy};
 use crate::model::{Heavy, Hoop, Mode, State, getters};
 use crate::modes::{Instant, Sample};
 
@@ -32,6 +33,13 @@ pub(crate) enum TakeOff {
     Unloaded,
     /// The gap opens at this rate.
     Rising { gap_rate: f64 },
+}
+
+/// Arguments, in the angle φ or the time, of the landing and of the maximum of the gap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FlightExtent {
+    pub(crate) landing: f64,
+    pub(crate) apex: f64,
 }
 
 /// A phase of flight.
@@ -70,17 +78,12 @@ impl Flight {
     /// From a state with the rim on the plane. The decision on flight used the same cosine, so 1 −
     /// h cos θ θ′² has the same sign here.
     pub(crate) fn new(body: &Heavy, start: State, take_off: TakeOff) -> Self {
-        Self::from_direction(body, start, take_off, libm::sincos(start.theta))
+        Self::at_angle(body, start, take_off, start.theta.angle())
     }
 
     /// [`Self::new`] with the sine and cosine of the angle.
-    pub(crate) fn from_direction(
-        body: &Heavy,
-        start: State,
-        take_off: TakeOff,
-        (sin, cos): (f64, f64),
-    ) -> Self {
-        let flight = Self::without_landing(body, start, take_off, (sin, cos));
+    pub(crate) fn at_angle(body: &Heavy, start: State, take_off: TakeOff, angle: Angle) -> Self {
+        let flight = Self::without_landing(body, start, take_off, angle);
         if flight.is_concave() {
             return Self {
                 landing: flight.gap.only_landing(),
@@ -95,16 +98,16 @@ impl Flight {
         }
     }
 
-    /// [`Self::new`] with known angles φ of the landing and of the maximum of the gap.
-    pub(crate) fn with_angles(
+    /// [`Self::new`] with known angles φ.
+    pub(crate) fn with_extent(
         body: &Heavy,
         start: State,
         take_off: TakeOff,
-        (sin, cos): (f64, f64),
-        angles: [f64; 2],
+        angle: Angle,
+        extent: FlightExtent,
     ) -> Self {
-        let flight = Self::without_landing(body, start, take_off, (sin, cos));
-        let [landing, apex] = angles.map(|phi| flight.gap.bound(phi));
+        let flight = Self::without_landing(body, start, take_off, angle);
+        let [landing, apex] = [extent.landing, extent.apex].map(|phi| flight.gap.bound(phi));
         Self {
             landing,
             apex: Some(apex),
@@ -117,7 +120,7 @@ impl Flight {
         body: &Heavy,
         start: State,
         take_off: TakeOff,
-        (sin, cos): (f64, f64),
+        Angle { sin, cos }: Angle,
     ) -> Self {
         let h = body.h;
         let rate = start.theta_rate;
@@ -176,11 +179,11 @@ impl Flight {
 
     /// Infinitely many bounces of total duration `duration`, as one flight.
     pub(crate) fn settling(body: &Heavy, start: State, gap_rate: f64, duration: f64) -> Self {
-        let (sin, cos) = libm::sincos(start.theta);
+        let angle = start.theta.angle();
         let rate = start.theta_rate;
         let take_off = TakeOff::Rising { gap_rate };
-        let flight = Self::without_landing(body, start, take_off, (sin, cos));
-        let opening = body.h * (cos * (rate * rate)) - 1.0;
+        let flight = Self::without_landing(body, start, take_off, angle);
+        let opening = body.h * (angle.cos * (rate * rate)) - 1.0;
         let gap = Gap {
             rise: gap_rate,
             opening,
@@ -212,8 +215,11 @@ impl Flight {
     }
 
     /// Arguments of the landing and of the maximum of the gap.
-    pub(crate) fn angles(&self) -> [f64; 2] {
-        [self.landing.at, self.highest().at]
+    pub(crate) fn extent(&self) -> FlightExtent {
+        FlightExtent {
+            landing: self.landing.at,
+            apex: self.highest().at,
+        }
     }
 
     /// Whether there is a landing. On a steep slope a flight may last for more turns than can be
@@ -264,17 +270,18 @@ impl Flight {
         (self.vx - self.pull * elapsed, self.vy - elapsed)
     }
 
-    pub(crate) fn sample(&self, hoop: &Hoop, state: State, gap: (f64, f64)) -> Sample {
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State, elapsed: f64) -> Sample {
+        let (gap, gap_rate) = self.gap(elapsed);
         let rate = state.theta_rate;
         let instant = Instant {
             mode: Mode::Flight,
             direction: None,
-            accelerations: (
-                0.0,
-                -self.h * libm::sin(state.theta) * rate * rate - self.pull,
-            ),
-            forces: (0.0, 0.0),
-            gap,
+            accelerations: Accelerations {
+                theta: 0.0,
+                slip: -self.h * libm::sin(state.theta) * rate * rate - self.pull,
+            },
+            forces: ContactForces::NONE,
+            clearance: Clearance { gap, gap_rate },
         };
         // The energy of the start: at an angle of many turns, the rounding of θ times the rate
         // dominates the velocities.

@@ -12,6 +12,8 @@ mod rest;
 mod tilted;
 
 use crate::math::number::Number;
+use crate::math::trig::Angle;
+use crate::mechanics::{Accelerations, Clearance, ContactForces, Loads};
 use crate::model::{Direction, Hoop, Massless, Mode, State};
 use crate::modes::{Instant, Sample};
 
@@ -69,22 +71,27 @@ impl GlidingIntegrals {
 /// Accelerations θ″ and η″ of gliding (3.17), for a particle at 0 < ℓ̂ ≤ 1. Not defined at θ = 0,
 /// ±π.
 pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f64, f64) {
-    let u = theta_rate * theta_rate;
-    accelerations(
-        [hoop.offset, hoop.pull()],
-        [hoop.weight(), u],
-        libm::sincos(theta),
-    )
+    let loads = Loads {
+        gravity: hoop.weight(),
+        u: theta_rate * theta_rate,
+    };
+    let accelerations = accelerations(hoop.offset, hoop.pull(), loads, theta.angle());
+    (accelerations.theta, accelerations.slip)
 }
 
-/// θ″ and η″ from ℓ̂ and the pull of the slope, gravity normal to the plane and u.
+/// θ″ and η″ from ℓ̂ and the pull of the slope.
 pub(crate) fn accelerations<T: Number>(
-    [l, pull]: [T; 2],
-    [weight, u]: [T; 2],
-    (sin, cos): (T, T),
-) -> (T, T) {
-    let slip = (weight * (l * cos + 1.0) - u * l * (l + cos)) / (l * sin) - pull * weight;
-    ((weight - l * cos * u) / (l * sin), slip)
+    offset: T,
+    pull: T,
+    Loads { gravity, u }: Loads<T>,
+    Angle { sin, cos }: Angle<T>,
+) -> Accelerations<T> {
+    let offset_sin = offset * sin;
+    Accelerations {
+        theta: (gravity - offset * cos * u) / offset_sin,
+        slip: (gravity * (offset * cos + 1.0) - u * offset * (offset + cos)) / offset_sin
+            - pull * gravity,
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -187,12 +194,13 @@ impl Gliding {
             mode: Mode::Gliding,
             direction: Some(self.direction),
             accelerations: accelerations(
-                [self.body.offset, self.body.pull()],
-                [1.0, state.theta_rate * state.theta_rate],
-                libm::sincos(state.theta),
+                self.body.offset,
+                self.body.pull(),
+                Loads::of(state.theta_rate * state.theta_rate),
+                state.theta.angle(),
             ),
-            forces: (0.0, 0.0),
-            gap: (0.0, 0.0),
+            forces: ContactForces::NONE,
+            clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)
     }

@@ -66,9 +66,9 @@ pub(crate) enum Stiction {
 impl Stiction {
     /// From the margins that become negative at once, by their values and in the frame of the
     /// motion.
-    pub(super) fn of(negative: impl Iterator<Item = (f64, RollingLimit)>, travel: f64) -> Self {
+    pub(super) fn of(negative: impl Iterator<Item = (f64, RollingLimit)>, heading: f64) -> Self {
         negative.fold(Self::Holds, |stiction, (margin, limit)| {
-            match (stiction, in_body_frame(limit, travel)) {
+            match (stiction, in_body_frame(limit, heading)) {
                 // Both margins are negative only where N < 0.
                 (Self::Slips { .. } | Self::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
                     Self::NoNormalForce
@@ -83,9 +83,9 @@ impl Stiction {
 }
 
 /// Converts a limit from the frame of the motion, where ϑ increases, to the frame of the body.
-pub(super) fn in_body_frame(limit: RollingLimit, travel: f64) -> RollingLimit {
+pub(super) fn in_body_frame(limit: RollingLimit, heading: f64) -> RollingLimit {
     match limit {
-        RollingLimit::Friction(direction) if travel < 0.0 => {
+        RollingLimit::Friction(direction) if heading < 0.0 => {
             RollingLimit::Friction(direction.reversed())
         }
         other => other,
@@ -105,7 +105,7 @@ fn forces(law: &RollingLaw, one: f64, excess: [f64; 2], k: f64) -> ([f64; 4], [f
     let inertial: [f64; 4] = product(&d2, &carried);
     let c_d: [f64; 3] = product(&[l, -l], &d);
     let centripetal: [f64; 4] = product(&[c_d[0], c_d[1] + 4.0 * l * l, c_d[2]], &HALF_ANGLE_NORM);
-    let driven: [f64; 3] = product(&excess, &law.beyond_mass);
+    let driven: [f64; 3] = product(&excess, &law.inertia_excess);
     let held: [f64; 3] = product(&d, &carried);
     (
         core::array::from_fn(|i| one * inertial[i] - k * centripetal[i]),
@@ -189,19 +189,22 @@ impl Boundary {
 }
 
 /// What a slope adds to the margins: −T ℓ̂ s (m + ℓ̂c) D to N D², and T (m Î + ℓ̂² s²) D to F D².
-fn pulled(law: &RollingLaw, travel: f64, mu: f64) -> [Form<7>; 2] {
+fn pulled(law: &RollingLaw, heading: f64, mu: f64) -> [Form<7>; 2] {
     let RollingLaw {
         mass,
         offset: l,
         top,
         bottom,
-        own,
+        mass_inertia,
         tilt,
         ..
     } = *law;
-    let (pull, d) = (travel * tilt, [top, bottom]);
+    let (pull, d) = (heading * tilt, [top, bottom]);
     let normal: [f64; 3] = product(&[mass + l, mass - l], &d);
-    let friction: [f64; 4] = product(&[own, 2.0 * own + 4.0 * l * l, own], &d);
+    let friction: [f64; 4] = product(
+        &[mass_inertia, 2.0 * mass_inertia + 4.0 * l * l, mass_inertia],
+        &d,
+    );
     [-1.0, 1.0].map(|sign| {
         let mut form = [0.0; 7];
         for i in 0..4 {
@@ -216,8 +219,8 @@ fn pulled(law: &RollingLaw, travel: f64, mu: f64) -> [Form<7>; 2] {
 
 /// The margins (μs N − F) D² and (μs N + F) D² = A + E B with E = K − D(π), on a level plane twice
 /// the energy over the bottom: for each, A and B as forms of degree six in (cos θ/2, sin θ/2), in
-/// the direction `travel` of motion; none for a massless hoop.
-pub(crate) fn margin_forms(hoop: &Hoop, travel: f64) -> Option<[[Form<7>; 2]; 2]> {
+/// the direction `heading` of motion; none for a massless hoop.
+pub(crate) fn margin_forms(hoop: &Hoop, heading: f64) -> Option<[[Form<7>; 2]; 2]> {
     let Body::Heavy(_) = hoop.body() else {
         return None;
     };
@@ -225,7 +228,7 @@ pub(crate) fn margin_forms(hoop: &Hoop, travel: f64) -> Option<[[Form<7>; 2]; 2]
     let part = |one, excess, k| margins(hoop.mu_s(), law.offset, forces(&law, one, excess, k));
     let [minus, plus] = part(1.0, [-4.0 * law.offset, 0.0], law.bottom);
     let [minus_driven, plus_driven] = part(0.0, [1.0, 1.0], 1.0);
-    let [pulled_minus, pulled_plus] = pulled(&law, travel, hoop.mu_s());
+    let [pulled_minus, pulled_plus] = pulled(&law, heading, hoop.mu_s());
     let with = |form: Form<7>, pulled: Form<7>| {
         if law.tilt == 0.0 {
             form

@@ -17,7 +17,9 @@ use core::f64::consts::PI;
 use std::sync::OnceLock;
 
 use crate::math::form::Trigonometric;
-use crate::mechanics::{RollingLaw, SlidingLaw};
+use crate::math::number::Number;
+use crate::math::trig::Angle;
+use crate::mechanics::{Loads, RollingLaw, SlidingLaw};
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, State};
 
 use super::boundary::margin_forms;
@@ -108,7 +110,7 @@ pub(crate) struct Levels {
 #[derive(Clone, Debug)]
 struct Level {
     /// L = K − D(π), twice the energy over the bottom.
-    over_bottom: f64,
+    orbit_level: f64,
     angle: f64,
     at_turning_point: bool,
     /// The grazing orbit at this level, if any; computed on demand.
@@ -116,9 +118,9 @@ struct Level {
 }
 
 impl Level {
-    const fn new(over_bottom: f64, angle: f64, at_turning_point: bool) -> Self {
+    const fn new(orbit_level: f64, angle: f64, at_turning_point: bool) -> Self {
         Self {
-            over_bottom,
+            orbit_level,
             angle,
             at_turning_point,
             orbit: OnceLock::new(),
@@ -144,8 +146,8 @@ impl Levels {
             .minus(&a.times(&b.derivative()))
             .sign_changes();
         let inside = extrema.into_iter().filter_map(|angle| {
-            let over_bottom = -a.value(angle) / b.value(angle);
-            (over_bottom > law.height(angle)).then(|| Level::new(over_bottom, angle, false))
+            let orbit_level = -a.value(angle) / b.value(angle);
+            (orbit_level > law.height(angle)).then(|| Level::new(orbit_level, angle, false))
         });
         // At rest |F| = μs N where A + (D − D(π)) B = 0.
         let at_rest = a
@@ -154,7 +156,7 @@ impl Levels {
             .into_iter();
         let at_rest = at_rest.map(|angle| Level::new(law.height(angle), angle, true));
         let mut levels: Vec<Level> = inside.chain(at_rest).collect();
-        levels.sort_by(|a, b| a.over_bottom.total_cmp(&b.over_bottom));
+        levels.sort_by(|a, b| a.orbit_level.total_cmp(&b.orbit_level));
         levels.dedup_by(|a, b| {
             (a.angle - b.angle).abs() < SAME_ANGLE_TOLERANCE
                 && a.at_turning_point == b.at_turning_point
@@ -170,8 +172,8 @@ impl Levels {
     }
 
     /// L/2 − ℓ̂.
-    fn energy_of(&self, over_bottom: f64) -> f64 {
-        0.5 * over_bottom - self.law.offset
+    fn energy_of(&self, orbit_level: f64) -> f64 {
+        0.5 * orbit_level - self.law.offset
     }
 
     pub(crate) fn energy(&self, state: &State) -> f64 {
@@ -188,9 +190,9 @@ impl Levels {
     fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
         let above = self
             .levels
-            .partition_point(|level| self.energy_of(level.over_bottom) < energy);
+            .partition_point(|level| self.energy_of(level.orbit_level) < energy);
         let rotates = energy > self.law.separatrix_energy();
-        let swing = |level: &Level| rotates == (level.over_bottom > 4.0 * self.law.offset);
+        let swing = |level: &Level| rotates == (level.orbit_level > 4.0 * self.law.offset);
         (0..above)
             .rev()
             .take_while(|at| swing(&self.levels[*at]))
@@ -204,37 +206,38 @@ impl Levels {
     /// The grazing orbit at a level, if orbits above exceed the limit and orbits below do not.
     fn orbit_at(&self, hoop: &Hoop, at: usize) -> Option<GrazingOrbit> {
         let Level {
-            over_bottom,
+            orbit_level,
             angle,
             at_turning_point,
             ..
         } = self.levels[at];
         let over_top = 4.0 * self.law.offset;
-        let lowest = if over_bottom > over_top {
+        let lowest = if orbit_level > over_top {
             over_top
         } else {
             0.0
         };
         let floor = at
             .checked_sub(1)
-            .map_or(lowest, |lower| self.levels[lower].over_bottom.max(lowest));
+            .map_or(lowest, |lower| self.levels[lower].orbit_level.max(lowest));
         let ceiling = self
             .levels
             .get(at + 1)
-            .map_or(f64::INFINITY, |next| self.energy_of(next.over_bottom));
+            .map_or(f64::INFINITY, |next| self.energy_of(next.orbit_level));
 
         let d = self.law.denominator(angle);
-        let (sin, cos) = libm::sincos(angle);
+        let direction = angle.angle();
+        let Angle { sin, cos } = direction;
         let u = if at_turning_point {
             0.0
         } else {
-            (over_bottom - self.law.height(angle)) / d
+            (orbit_level - self.law.height(angle)) / d
         };
-        let margin = self.constant.plus(&self.slope.scaled(over_bottom));
+        let margin = self.constant.plus(&self.slope.scaled(orbit_level));
         let slope = margin.derivative();
         let (rise, fall) = if at_turning_point {
             let steepness = -2.0 * self.law.offset * sin;
-            let acceleration = self.law.acceleration((sin, cos), [1.0, 0.0], d);
+            let acceleration = self.law.acceleration(direction, Loads::of(0.0), d);
             let along = slope.value(angle);
             (
                 -(self.slope.value(angle) + along / steepness),
@@ -247,26 +250,26 @@ impl Levels {
             )
         };
         let sliding = SlidingLaw::of_body(self.body, self.mu_k, Direction::Negative);
-        let solvability = sliding.p(sin, sliding.q(1.0, sin, cos));
-        let normal = self.law.forces_at((sin, cos), [1.0, u], d).normal;
-        let begins = solvability > 0.0 && normal > 0.0 && rise > 0.0 && fall > 0.0;
-        (begins && self.holds(hoop, 0.5 * (floor + over_bottom))).then(|| {
+        let painleve = sliding.p(sin, sliding.q(1.0, sin, cos));
+        let normal = self.law.forces_at(direction, Loads::of(u), d).normal;
+        let begins = painleve > 0.0 && normal > 0.0 && rise > 0.0 && fall > 0.0;
+        (begins && self.holds(hoop, 0.5 * (floor + orbit_level))).then(|| {
             let theta_rate = u.sqrt();
             GrazingOrbit {
-                energy: self.energy_of(over_bottom),
+                energy: self.energy_of(orbit_level),
                 theta: if angle > PI { 2.0 * PI - angle } else { angle },
                 theta_rate,
                 recurrence: RollingOrbit::of(hoop, angle, theta_rate).recurrence(),
                 loss: 9.0 * self.mu_k * normal * rise * rise
-                    / (self.body.mass * solvability * d * fall),
+                    / (self.body.mass * painleve * d * fall),
                 ceiling,
             }
         })
     }
 
     /// Whether static friction holds on the whole orbit of a level.
-    fn holds(&self, hoop: &Hoop, over_bottom: f64) -> bool {
-        let u = over_bottom / self.law.bottom;
+    fn holds(&self, hoop: &Hoop, orbit_level: f64) -> bool {
+        let u = orbit_level / self.law.bottom;
         RollingOrbit::of(hoop, PI, u.max(0.0).sqrt())
             .end()
             .is_none()

@@ -8,21 +8,22 @@
 //! ```
 
 use core::f64::consts::{FRAC_PI_8, PI, TAU};
+use core::ops::Range;
 
-use crate::math::bracket::{Bracket, Step, last_of};
+use crate::math::bracket::{Bracket, RootStep, last_of};
 use crate::math::panel::{ROUNDING, TAIL_TOLERANCE, integral};
 use crate::math::series::{Series, crossing};
-use crate::math::trig::{sincos, without_turns};
+use crate::math::trig::{Angle, sincos, without_turns};
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop, MAX_COORDINATE};
 
 use super::boundary::{RollingEnd, RollingLimit, Stiction, in_body_frame};
-use super::limits::Limits;
+use super::margin_series::MarginSeries;
 use super::recurrence::Recurrence;
 
 /// How often a panel is halved before its series are computed, which cost some ten times as much as
 /// a look at the margins.
-const SCREENINGS: u32 = 3;
+const MAX_SCREEN_DEPTH: u32 = 3;
 
 /// Number of terms summed one by one before the formula of Euler and Maclaurin: its first omitted
 /// term is then below 1e-16 of a term.
@@ -32,7 +33,7 @@ const SINGLE_TERMS: u32 = 32;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Incline {
     /// Direction of motion at the start.
-    travel: f64,
+    heading: f64,
     /// Up to the first turning point.
     first: Leg,
     /// From there, the other way.
@@ -43,16 +44,25 @@ pub(super) struct Incline {
 /// A part of an orbit in one direction, in which its angle increases.
 #[derive(Clone, Copy, Debug)]
 struct Leg {
-    limits: Limits,
+    margins: MarginSeries,
     /// ϑ at the beginning, without whole turns, and these.
     angle: f64,
     turned: f64,
     /// G at the beginning; 0 at a turning point.
     kinetic: f64,
     /// The turning point, if any.
-    reach: Option<Distance>,
+    turning_distance: Option<Distance>,
     /// The distance of the turning point behind the beginning, if it is in the same turn.
     behind: Option<f64>,
+}
+
+/// The beginning of a leg: its angle is the sum of whole turns, in rad, and a rest.
+#[derive(Clone, Copy, Debug)]
+struct LegStart {
+    turned: f64,
+    rest: f64,
+    /// G.
+    kinetic: f64,
 }
 
 /// A distance in whole turns and a rest: each number is computed from the rest, which resolves it
@@ -71,7 +81,7 @@ impl Distance {
 
 /// A point of a leg: the distances from its beginning and to its turning point.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct LegPoint {
     passed: Distance,
     left: f64,
 }
@@ -83,24 +93,34 @@ impl Incline {
         // At a turning point gravity decides the direction of motion.
         let pulled = law.offset * sin + law.tilt * (law.mass + law.offset * cos);
         let moving = if kinetic == 0.0 { pulled } else { theta_rate };
-        let travel = Direction::of_sign(moving).map_or(1.0, Direction::sign);
-        let limits = Limits::new(hoop, travel);
-        let first = Leg::new(limits, [0.0, travel * theta], kinetic);
-        let back = first.reach.map(|reach| {
+        let heading = Direction::of_sign(moving).map_or(1.0, Direction::sign);
+        let margins = MarginSeries::new(hoop, heading);
+        let first = Leg::new(
+            margins,
+            LegStart {
+                turned: 0.0,
+                rest: heading * theta,
+                kinetic,
+            },
+        );
+        let back = first.turning_distance.map(|reach| {
             let turned = first.turned + TAU * reach.turns;
             Leg::new(
-                limits.reversed(),
-                [-turned, -(first.angle + reach.rest)],
-                0.0,
+                margins.reversed(),
+                LegStart {
+                    turned: -turned,
+                    rest: -(first.angle + reach.rest),
+                    kinetic: 0.0,
+                },
             )
         });
         // Both turning points round to the angle of the start.
         let width = back
-            .and_then(|back| back.reach)
+            .and_then(|back| back.turning_distance)
             .map_or(f64::INFINITY, |reach| reach.total());
         let rests = moving == 0.0 || width <= f64::EPSILON * theta.abs();
         Self {
-            travel,
+            heading,
             first,
             back,
             rests,
@@ -116,42 +136,42 @@ impl Incline {
 
     pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
         if self.rests {
-            return (self.travel * self.first.start(), 0.0);
+            return (self.heading * self.first.start(), 0.0);
         }
-        let (leg, place, way) = self.at(elapsed);
-        let rate = (leg.kinetic_at(place) / leg.denominator(place)).sqrt();
+        let (leg, point, way) = self.at(elapsed);
+        let rate = (leg.kinetic_at(point) / leg.denominator(point)).sqrt();
         let frame = self.frame(&leg);
-        (frame * leg.angle_at(place), frame * way * rate)
+        (frame * leg.angle_at(point), frame * way * rate)
     }
 
     /// The sign of θ in the frame of a leg.
     fn frame(&self, leg: &Leg) -> f64 {
         if leg.law().tilt == self.first.law().tilt {
-            self.travel
+            self.heading
         } else {
-            -self.travel
+            -self.heading
         }
     }
 
-    /// The leg and the place after a time, and the direction of motion in the frame of the leg.
-    fn at(&self, elapsed: f64) -> (Leg, Place, f64) {
+    /// The leg and the point after a time, and the direction of motion in the frame of the leg.
+    fn at(&self, elapsed: f64) -> (Leg, LegPoint, f64) {
         let Some(back) = self.back else {
-            return (self.first, self.first.place_at(elapsed), 1.0);
+            return (self.first, self.first.point_at(elapsed), 1.0);
         };
         let outward = self.first.whole();
         if elapsed <= outward {
-            return (self.first, self.first.place_at(elapsed), 1.0);
+            return (self.first, self.first.point_at(elapsed), 1.0);
         }
         let since = elapsed - outward;
-        if back.reach.is_none() {
-            return (back, back.place_at(since), 1.0);
+        if back.turning_distance.is_none() {
+            return (back, back.point_at(since), 1.0);
         }
         let half = back.whole();
         let within = since - 2.0 * half * (since / (2.0 * half)).floor();
         if within <= half {
-            (back, back.place_at(within), 1.0)
+            (back, back.point_at(within), 1.0)
         } else {
-            (back, back.place_at(2.0 * half - within), -1.0)
+            (back, back.point_at(2.0 * half - within), -1.0)
         }
     }
 
@@ -159,7 +179,7 @@ impl Incline {
         if self.rests {
             return None;
         }
-        let (leg, before, (place, limit)) = match self.first.end() {
+        let (leg, before, (point, limit)) = match self.first.end() {
             Some(end) => (self.first, 0.0, end),
             None => {
                 let back = self.back.filter(|_| !self.first.leaves_bounds())?;
@@ -167,10 +187,10 @@ impl Incline {
             }
         };
         let frame = self.frame(&leg);
-        let rate = (leg.kinetic_at(place) / leg.denominator(place)).sqrt();
+        let rate = (leg.kinetic_at(point) / leg.denominator(point)).sqrt();
         Some(RollingEnd {
-            elapsed: before + leg.time(place),
-            theta: frame * leg.angle_at(place),
+            elapsed: before + leg.time(point),
+            theta: frame * leg.angle_at(point),
             theta_rate: frame * rate,
             limit: in_body_frame(limit, frame),
         })
@@ -180,10 +200,13 @@ impl Incline {
         if self.rests {
             return Recurrence::Rest;
         }
-        let Some((back, reach)) = self.back.and_then(|back| Some((back, back.reach?))) else {
+        let Some((back, reach)) = self
+            .back
+            .and_then(|back| Some((back, back.turning_distance?)))
+        else {
             // The centre moves by −θ.
             let law = self.first.law();
-            let acceleration = -law.mass * (self.travel * law.tilt) / law.mean_denominator();
+            let acceleration = -law.mass * (self.heading * law.tilt) / law.mean_denominator();
             return Recurrence::Downhill { acceleration };
         };
         let frame = self.frame(&back);
@@ -203,9 +226,9 @@ impl Incline {
 
     pub(super) fn stiction(&self) -> Stiction {
         let leg = &self.first;
-        let d = leg.denominator(leg.place(0.0, 0.0));
+        let d = leg.denominator(leg.point(0.0, 0.0));
         let negative = leg
-            .margins(leg.place(0.0, 0.0))
+            .margins(leg.point(0.0, 0.0))
             .filter_map(|(margin, limit)| {
                 let first = if self.rests {
                     Some(&margin[0])
@@ -218,7 +241,7 @@ impl Incline {
                     Some((margin[0] / (d * d), limit))
                 }
             });
-        Stiction::of(negative, self.travel)
+        Stiction::of(negative, self.heading)
     }
 }
 
@@ -226,23 +249,27 @@ impl Leg {
     /// 2 [ℓ̂ (cos a − cos b) + T (m (b − a) + ℓ̂ (sin b − sin a))] for b = a + `by`.
     fn gain(&self, from: f64, by: f64) -> f64 {
         self.law()
-            .gain(sincos(from + 0.5 * by), 2.0 * libm::sin(0.5 * by), by)
+            .gain(Angle::of(from + 0.5 * by), 2.0 * libm::sin(0.5 * by), by)
     }
 
-    /// The angle at the beginning is the sum of whole turns and a rest.
-    fn new(limits: Limits, [turned, rest]: [f64; 2], kinetic: f64) -> Self {
+    fn new(margins: MarginSeries, start: LegStart) -> Self {
+        let LegStart {
+            turned,
+            rest,
+            kinetic,
+        } = start;
         let angle = without_turns(rest);
         let leg = Self {
-            limits,
+            margins,
             angle,
             turned: turned + (rest - angle),
             kinetic,
-            reach: None,
+            turning_distance: None,
             behind: Some(0.0),
         };
         let behind = || {
             let back = Self {
-                limits: limits.reversed(),
+                margins: margins.reversed(),
                 angle: -angle,
                 ..leg
             };
@@ -252,7 +279,7 @@ impl Leg {
         };
         let behind = if kinetic == 0.0 { Some(0.0) } else { behind() };
         Self {
-            reach: leg.turning_point(),
+            turning_distance: leg.turning_point(),
             behind,
             ..leg
         }
@@ -260,7 +287,7 @@ impl Leg {
 
     /// The law, with tan α positive downhill.
     const fn law(&self) -> &RollingLaw {
-        &self.limits.law
+        &self.margins.law
     }
 
     /// ϑ at the beginning.
@@ -269,16 +296,19 @@ impl Leg {
     }
 
     /// How far it goes at least within the bounds of θ.
-    fn room(&self) -> f64 {
+    fn distance_to_bounds(&self) -> f64 {
         MAX_COORDINATE - self.start().abs()
     }
 
     fn leaves_bounds(&self) -> bool {
-        self.law().offset > 0.0 && self.reach.is_none_or(|reach| reach.total() > self.room())
+        self.law().offset > 0.0
+            && self
+                .turning_distance
+                .is_none_or(|reach| reach.total() > self.distance_to_bounds())
     }
 
-    fn angle_at(&self, place: Place) -> f64 {
-        (self.turned + TAU * place.passed.turns) + (self.angle + place.passed.rest)
+    fn angle_at(&self, point: LegPoint) -> f64 {
+        (self.turned + TAU * point.passed.turns) + (self.angle + point.passed.rest)
     }
 
     /// The gain of G in a turn.
@@ -295,36 +325,36 @@ impl Leg {
         offset * sin + tilt * (mass + offset * cos)
     }
 
-    fn place(&self, turns: f64, rest: f64) -> Place {
+    fn point(&self, turns: f64, rest: f64) -> LegPoint {
         let left = |reach: Distance| TAU * (reach.turns - turns) + (reach.rest - rest);
-        Place {
+        LegPoint {
             passed: Distance { turns, rest },
-            left: self.reach.map_or(f64::INFINITY, left),
+            left: self.turning_distance.map_or(f64::INFINITY, left),
         }
     }
 
-    fn denominator(&self, place: Place) -> f64 {
+    fn denominator(&self, point: LegPoint) -> f64 {
         self.law()
-            .denominator_of(sincos(self.angle + place.passed.rest))
+            .denominator_of(Angle::of(self.angle + point.passed.rest))
     }
 
     /// G, from the nearer end.
-    fn kinetic_at(&self, place: Place) -> f64 {
-        self.kinetic_and_terms(place).0
+    fn kinetic_at(&self, point: LegPoint) -> f64 {
+        self.kinetic_and_terms(point).0
     }
 
     /// G, and the sum of the sizes of its terms.
     fn kinetic_and_terms(
         &self,
-        Place {
+        LegPoint {
             passed: Distance { turns, rest },
             left,
-        }: Place,
+        }: LegPoint,
     ) -> (f64, f64) {
         let RollingLaw {
             offset, mass, tilt, ..
         } = *self.law();
-        let (begins, from, by, turns) = match self.reach {
+        let (begins, from, by, turns) = match self.turning_distance {
             Some(reach) if left < TAU * turns + rest => {
                 let whole = (left / TAU).floor();
                 (0.0, self.angle + reach.rest, TAU * whole - left, -whole)
@@ -337,14 +367,14 @@ impl Leg {
         (kinetic.max(0.0), begins + 2.0 * swing + fall.abs())
     }
 
-    /// √(D/G) at a place, and its rounding as a part of it.
-    fn slowness(&self, place: Place) -> (f64, f64) {
-        let (kinetic, terms) = self.kinetic_and_terms(place);
-        let angle = self.angle + place.passed.rest;
-        let (sin, cos) = sincos(angle);
-        let d = self.law().denominator_of((sin, cos));
+    /// √(D/G) at a point, and its rounding as a part of it.
+    fn slowness(&self, point: LegPoint) -> (f64, f64) {
+        let (kinetic, terms) = self.kinetic_and_terms(point);
+        let angle = self.angle + point.passed.rest;
+        let direction = Angle::of(angle);
+        let d = self.law().denominator_of(direction);
         // The angle itself is rounded, which tells next to the bottom of a light hoop.
-        let of_angle = angle.abs() * (self.law().offset * sin).abs() / d;
+        let of_angle = angle.abs() * (self.law().offset * direction.sin).abs() / d;
         (
             (d / kinetic).sqrt(),
             ROUNDING * (terms / kinetic + of_angle),
@@ -354,7 +384,7 @@ impl Leg {
     /// The first zero of G ahead.
     fn turning_point(&self) -> Option<Distance> {
         let Self {
-            limits: Limits { law, .. },
+            margins: MarginSeries { law, .. },
             angle,
             kinetic,
             ..
@@ -363,7 +393,7 @@ impl Leg {
         let value = |turns: f64, rest: f64| kinetic + self.gain(angle, rest) + turns * self.fall();
         let root = |turns: f64, low: f64, high: f64| {
             let rest = Bracket { low, high }.iterate(high, |rest| {
-                Step::newton(rest, (value(turns, rest), 2.0 * self.slope(rest)))
+                RootStep::newton(rest, (value(turns, rest), 2.0 * self.slope(rest)))
             });
             if rest < 0.0 {
                 Distance {
@@ -381,7 +411,7 @@ impl Leg {
             return (pull < 0.0).then(|| {
                 let [low, high] = [((kinetic - swing) / per).max(0.0), (kinetic + swing) / per];
                 let turns = (low / TAU).floor();
-                // Of 2⁵³ turns and more, doubles do not tell the place in the last.
+                // Of 2⁵³ turns and more, doubles do not tell the point in the last.
                 let rest = (low - TAU * turns).clamp(0.0, TAU);
                 root(turns, rest, rest + (high - low) + (1e-15 * high).min(TAU))
             });
@@ -414,20 +444,20 @@ impl Leg {
 
     /// Time from the beginning to the turning point; infinite without one.
     fn whole(&self) -> f64 {
-        self.reach.map_or(f64::INFINITY, |passed| {
-            self.time(Place { passed, left: 0.0 })
+        self.turning_distance.map_or(f64::INFINITY, |passed| {
+            self.time(LegPoint { passed, left: 0.0 })
         })
     }
 
-    /// Time from the beginning to a place.
-    fn time(&self, place: Place) -> f64 {
-        let turns = place.passed.turns;
+    /// Time from the beginning to a point.
+    fn time(&self, point: LegPoint) -> f64 {
+        let turns = point.passed.turns;
         if turns < 3.0 {
             let passed = Distance {
                 turns: 0.0,
-                rest: place.passed.total(),
+                rest: point.passed.total(),
             };
-            return self.time_between(0.0, Place { passed, ..place });
+            return self.time_between(0.0, LegPoint { passed, ..point });
         }
         // The first turn, whose kinetic energy may vanish, then turns that differ by the gain of a
         // turn, then the rest.
@@ -436,20 +466,20 @@ impl Leg {
         } else {
             1.0
         };
-        let summed = integral(TAIL_TOLERANCE, [0.0, TAU], |rest| {
-            let place = self.place(slowest, rest);
-            let (slowness, rounding) = self.slowness(place);
-            let kinetic = self.kinetic_at(place);
+        let summed = integral(TAIL_TOLERANCE, 0.0..TAU, |rest| {
+            let point = self.point(slowest, rest);
+            let (slowness, rounding) = self.slowness(point);
+            let kinetic = self.kinetic_at(point);
             let sum = sum_of_roots(kinetic, self.fall().abs(), turns - 1.0);
             (slowness * kinetic.sqrt() * sum, rounding)
         });
-        self.time_between(0.0, self.place(0.0, TAU)) + summed + self.time_between(0.0, place)
+        self.time_between(0.0, self.point(0.0, TAU)) + summed + self.time_between(0.0, point)
     }
 
-    /// Time between a place in the same turn, at this rest, and a place.
-    fn time_between(&self, from: f64, to: Place) -> f64 {
+    /// Time between a point in the same turn, at this rest, and a point.
+    fn time_between(&self, from: f64, to: LegPoint) -> f64 {
         let turns = to.passed.turns;
-        let at = |rest: f64| self.slowness(self.place(turns, rest));
+        let at = |rest: f64| self.slowness(self.point(turns, rest));
         // Next to a turning point, with the root of the distance as the variable.
         let at_root = |s: f64, (slowness, rounding): (f64, f64)| (2.0 * s * slowness, rounding);
         // Next to a turning point the square root of the distance is the variable.
@@ -463,16 +493,16 @@ impl Leg {
         let mut time = match self.behind {
             Some(behind) if turns == 0.0 && from == 0.0 && behind <= first_end => {
                 let near = first_end.min(PI);
-                let roots = [behind, behind + near].map(f64::sqrt);
+                let roots = behind.sqrt()..(behind + near).sqrt();
                 integral(TAIL_TOLERANCE, roots, |s| at_root(s, at(s * s - behind)))
-                    + integral(TAIL_TOLERANCE, [near, first_end], at)
+                    + integral(TAIL_TOLERANCE, near..first_end, at)
             }
-            Some(_) | None => integral(TAIL_TOLERANCE, [from, first_end], at),
+            Some(_) | None => integral(TAIL_TOLERANCE, from..first_end, at),
         };
         if to.passed.rest > middle {
             let near = (end - middle).min(PI).max(to.left);
             let back = |left: f64| {
-                self.slowness(Place {
+                self.slowness(LegPoint {
                     passed: Distance {
                         turns,
                         rest: end - left,
@@ -480,21 +510,23 @@ impl Leg {
                     left,
                 })
             };
-            time += integral(TAIL_TOLERANCE, [middle, end - near], at);
-            time += integral(TAIL_TOLERANCE, [to.left.sqrt(), near.sqrt()], |s| {
+            time += integral(TAIL_TOLERANCE, middle..end - near, at);
+            time += integral(TAIL_TOLERANCE, to.left.sqrt()..near.sqrt(), |s| {
                 at_root(s, back(s * s))
             });
         }
         time
     }
 
-    /// The place after a time, by inversion of the increasing function of the time.
-    fn place_at(&self, time: f64) -> Place {
+    /// The point after a time, by inversion of the increasing function of the time.
+    fn point_at(&self, time: f64) -> LegPoint {
         if time <= 0.0 {
-            return self.place(0.0, 0.0);
+            return self.point(0.0, 0.0);
         }
-        let most = self.reach.map_or(f64::INFINITY, |reach| reach.turns);
-        let begins = |turns: f64| self.time(self.place(turns, 0.0));
+        let most = self
+            .turning_distance
+            .map_or(f64::INFINITY, |reach| reach.turns);
+        let begins = |turns: f64| self.time(self.point(turns, 0.0));
         let (mut turns, mut beyond) = (0.0, 1.0);
         while beyond <= most && begins(beyond) <= time && beyond < f64::MAX / 4.0 {
             (turns, beyond) = (beyond, 2.0 * beyond);
@@ -505,10 +537,10 @@ impl Leg {
         // two.
         let begins_at_rest = self.kinetic == 0.0 && turns == 0.0;
         let last = self
-            .reach
+            .turning_distance
             .filter(|reach| reach.turns <= turns)
             .map(|reach| reach.rest);
-        let place = |p: f64| match (begins_at_rest, last) {
+        let point = |p: f64| match (begins_at_rest, last) {
             (true, Some(rest)) => {
                 let (sin, cos) = sincos(0.5 * p);
                 let passed = Distance {
@@ -516,7 +548,7 @@ impl Leg {
                     rest: rest * sin * sin,
                 };
                 (
-                    Place {
+                    LegPoint {
                         passed,
                         left: rest * cos * cos,
                     },
@@ -526,7 +558,7 @@ impl Leg {
             (false, Some(rest)) => {
                 let root = rest.sqrt() - p;
                 (
-                    Place {
+                    LegPoint {
                         passed: Distance {
                             turns,
                             rest: rest - root * root,
@@ -536,8 +568,8 @@ impl Leg {
                     2.0 * root,
                 )
             }
-            (true, None) => (self.place(turns, p * p), 2.0 * p),
-            (false, None) => (self.place(turns, p), 1.0),
+            (true, None) => (self.point(turns, p * p), 2.0 * p),
+            (false, None) => (self.point(turns, p), 1.0),
         };
         let high = match (begins_at_rest, last) {
             (true, Some(_)) => PI,
@@ -546,33 +578,33 @@ impl Leg {
             (false, None) => TAU,
         };
         let p = Bracket { low: 0.0, high }.iterate(0.5 * high, |p| {
-            let (place, stretch) = place(p);
-            let value = time - self.time(place);
-            let rate = (self.kinetic_at(place) / self.denominator(place)).sqrt() / stretch;
-            Step {
+            let (point, stretch) = point(p);
+            let value = time - self.time(point);
+            let rate = (self.kinetic_at(point) / self.denominator(point)).sqrt() / stretch;
+            RootStep {
                 value,
                 step: value * rate,
                 last: f64::EPSILON * p.abs(),
             }
         });
-        place(p).0
+        point(p).0
     }
 
-    /// The margins about a place, each with the limit that is reached when it becomes negative.
-    fn margins(&self, place: Place) -> impl Iterator<Item = (Series, RollingLimit)> {
-        let direction = sincos(self.angle + place.passed.rest);
-        self.limits
-            .margins(direction, self.kinetic_at(place))
+    /// The margins about a point, each with the limit that is reached when it becomes negative.
+    fn margins(&self, point: LegPoint) -> impl Iterator<Item = (Series, RollingLimit)> {
+        let direction = Angle::of(self.angle + point.passed.rest);
+        self.margins
+            .at(direction, self.kinetic_at(point))
             .into_iter()
             .flatten()
     }
 
-    /// Whether no limit is reached within a distance of a place, as far as [`Limits::holds_about`]
+    /// Whether no limit is reached within a distance of a point, as far as [`MarginSeries::holds_about`]
     /// tells of it, or of its halves, `depth` times.
     fn holds_about(&self, turns: f64, rest: f64, reach: f64, depth: u32) -> bool {
-        let kinetic = self.kinetic_at(self.place(turns, rest));
-        self.limits
-            .holds_about(sincos(self.angle + rest), kinetic, reach)
+        let kinetic = self.kinetic_at(self.point(turns, rest));
+        self.margins
+            .holds_about(Angle::of(self.angle + rest), kinetic, reach)
             || (depth > 0
                 && [-0.5, 0.5].into_iter().all(|side| {
                     self.holds_about(turns, rest + side * reach, 0.5 * reach, depth - 1)
@@ -580,33 +612,39 @@ impl Leg {
     }
 
     /// The first crossing of a limit in a turn, between two rests.
-    fn crossing(&self, turns: f64, [from, to]: [f64; 2]) -> Option<(Place, RollingLimit)> {
+    fn crossing(&self, turns: f64, rests: Range<f64>) -> Option<(LegPoint, RollingLimit)> {
+        let Range {
+            start: from,
+            end: to,
+        } = rests;
         let pieces = ((to - from) / FRAC_PI_8).ceil().max(1.0);
         let width = (to - from) / pieces;
         (0..pieces as u32).find_map(|piece| {
             let begin = from + width * f64::from(piece);
-            if self.holds_about(turns, begin + 0.5 * width, 0.5 * width, SCREENINGS) {
+            if self.holds_about(turns, begin + 0.5 * width, 0.5 * width, MAX_SCREEN_DEPTH) {
                 return None;
             }
-            let margins = self.margins(self.place(turns, begin));
+            let margins = self.margins(self.point(turns, begin));
             let crossings =
                 margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
-            Some((self.place(turns, (begin + at).min(to)), limit))
+            Some((self.point(turns, (begin + at).min(to)), limit))
         })
     }
 
-    fn end(&self) -> Option<(Place, RollingLimit)> {
+    fn end(&self) -> Option<(LegPoint, RollingLimit)> {
         if self.law().offset == 0.0 {
             // The forces are constant.
             return None;
         }
-        let reach = self.reach.map_or(f64::INFINITY, |reach| reach.total());
-        if let Some(end) = self.crossing(0.0, [0.0, reach.min(2.0 * TAU)]) {
+        let reach = self
+            .turning_distance
+            .map_or(f64::INFINITY, |reach| reach.total());
+        if let Some(end) = self.crossing(0.0, 0.0..reach.min(2.0 * TAU)) {
             return Some(end);
         }
-        let turn = |turns: f64| self.crossing(turns, [0.0, TAU]);
-        let whole = (reach.min(self.room()) / TAU).floor();
+        let turn = |turns: f64| self.crossing(turns, 0.0..TAU);
+        let whole = (reach.min(self.distance_to_bounds()) / TAU).floor();
         // Rolling holds in turn `low` and before.
         let mut low = 1.0;
         while low < whole - 1.0 {
@@ -616,9 +654,9 @@ impl Leg {
             }
             low = high;
         }
-        let is_last = reach > 2.0 * TAU && reach <= self.room();
+        let is_last = reach > 2.0 * TAU && reach <= self.distance_to_bounds();
         is_last
-            .then(|| self.crossing(whole, [0.0, reach - TAU * whole]))
+            .then(|| self.crossing(whole, 0.0..reach - TAU * whole))
             .flatten()
     }
 }

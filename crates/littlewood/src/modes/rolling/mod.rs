@@ -8,7 +8,7 @@ mod boundary;
 mod grazing;
 mod half_angle;
 mod incline;
-mod limits;
+mod margin_series;
 mod orbit;
 mod recurrence;
 mod rim;
@@ -18,11 +18,11 @@ pub(crate) use boundary::{Stiction, margin_forms};
 pub use grazing::GrazingOrbit;
 pub(crate) use grazing::Levels;
 pub(crate) use half_angle::{HalfAngleOrbit, OrbitEnergy, OrbitPass, ReducedAngle};
-pub(crate) use limits::Limits;
+pub(crate) use margin_series::MarginSeries;
 pub use orbit::RollingOrbit;
 pub use recurrence::{Recurrence, RecurrenceKind};
 
-use crate::mechanics::RollingLaw;
+use crate::mechanics::{Accelerations, Clearance, RollingLaw};
 use crate::model::{Hoop, Mode, State};
 use crate::modes::{Instant, Sample};
 
@@ -70,16 +70,15 @@ impl Rolling {
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
-        let forces = self.law.forces(state.theta, state.theta_rate);
         let instant = Instant {
             mode: Mode::Rolling,
             direction: None,
-            accelerations: (
-                self.law.theta_acceleration(state.theta, state.theta_rate),
-                0.0,
-            ),
-            forces: (forces.normal, forces.friction),
-            gap: (0.0, 0.0),
+            accelerations: Accelerations {
+                theta: self.law.theta_acceleration(state.theta, state.theta_rate),
+                slip: 0.0,
+            },
+            forces: self.law.forces(state.theta, state.theta_rate),
+            clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)
     }

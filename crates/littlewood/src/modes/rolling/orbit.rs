@@ -4,8 +4,9 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::math::bernstein::Bernstein;
-use crate::math::bracket::{Bracket, Step};
+use crate::math::bracket::{Bracket, RootStep};
 use crate::math::form::{HalfAngle, on_arc};
+use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
@@ -22,13 +23,13 @@ const QUARTER: Angle = Angle { sin: 1.0, cos: 0.0 };
 /// The orbit of a rolling body through a state.
 #[derive(Clone, Copy, Debug)]
 pub struct RollingOrbit {
-    kind: Kind,
+    shape: OrbitShape,
     /// √cos α for users, 1 for the solvers ([`crate::walk::Origin`]).
     pace: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Kind {
+enum OrbitShape {
     Elliptic(Elliptic),
     Rim(RimOrbit),
     Incline(Incline),
@@ -39,17 +40,17 @@ enum Kind {
 struct Elliptic {
     law: RollingLaw,
     boundary: Boundary,
-    /// Direction of motion at the start: ϑ = travel·θ increases.
-    travel: f64,
-    motion: Swing,
+    /// Direction of motion at the start: ϑ = heading·θ increases.
+    heading: f64,
+    kind: OrbitKind,
     orbit: HalfAngleOrbit,
     /// Time from the bottom to the start, and from the bottom to the top or the turning point.
-    entered: f64,
-    quarter: f64,
+    start_time: f64,
+    quarter_period: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Swing {
+enum OrbitKind {
     Rest,
     Libration,
     Rotation,
@@ -69,33 +70,33 @@ impl RollingOrbit {
     /// The orbit in units in which gravity normal to the plane is 1.
     pub(crate) fn of(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
         let law = RollingLaw::of(hoop);
-        let kind = if hoop.slope() != 0.0 {
-            Kind::Incline(Incline::new(hoop, law, theta, theta_rate))
+        let shape = if hoop.slope() != 0.0 {
+            OrbitShape::Incline(Incline::new(hoop, law, theta, theta_rate))
         } else if law.bottom > 0.0 {
-            Kind::Elliptic(Elliptic::new(hoop, law, theta, theta_rate))
+            OrbitShape::Elliptic(Elliptic::new(hoop, law, theta, theta_rate))
         } else {
-            Kind::Rim(RimOrbit::new(hoop.mu_s(), theta, theta_rate))
+            OrbitShape::Rim(RimOrbit::new(hoop.mu_s(), theta, theta_rate))
         };
-        Self { kind, pace: 1.0 }
+        Self { shape, pace: 1.0 }
     }
 
     /// (θ, θ′) after the time `elapsed`.
     pub fn position(&self, elapsed: f64) -> (f64, f64) {
         let elapsed = elapsed * self.pace;
-        let (theta, theta_rate) = match &self.kind {
-            Kind::Elliptic(orbit) => orbit.position(elapsed),
-            Kind::Rim(orbit) => orbit.position(elapsed),
-            Kind::Incline(orbit) => orbit.position(elapsed),
+        let (theta, theta_rate) = match &self.shape {
+            OrbitShape::Elliptic(orbit) => orbit.position(elapsed),
+            OrbitShape::Rim(orbit) => orbit.position(elapsed),
+            OrbitShape::Incline(orbit) => orbit.position(elapsed),
         };
         (theta, theta_rate * self.pace)
     }
 
     /// The first point ahead at which rolling ends; none proves that the body rolls for ever.
     pub fn end(&self) -> Option<RollingEnd> {
-        let end = match &self.kind {
-            Kind::Elliptic(orbit) => orbit.end(false),
-            Kind::Rim(orbit) => orbit.end(),
-            Kind::Incline(orbit) => orbit.end(),
+        let end = match &self.shape {
+            OrbitShape::Elliptic(orbit) => orbit.end(false),
+            OrbitShape::Rim(orbit) => orbit.end(),
+            OrbitShape::Incline(orbit) => orbit.end(),
         }?;
         Some(RollingEnd {
             elapsed: end.elapsed / self.pace,
@@ -106,20 +107,20 @@ impl RollingOrbit {
 
     /// [`Self::end`] for a start with |F| = μs N after which static friction holds: the start is no end.
     pub(crate) fn end_from_limit(&self) -> Option<RollingEnd> {
-        match &self.kind {
-            Kind::Elliptic(orbit) => orbit.end(true),
-            Kind::Rim(orbit) => orbit.end(),
-            Kind::Incline(orbit) => orbit.end(),
+        match &self.shape {
+            OrbitShape::Elliptic(orbit) => orbit.end(true),
+            OrbitShape::Rim(orbit) => orbit.end(),
+            OrbitShape::Incline(orbit) => orbit.end(),
         }
     }
 
     /// Recurrence of the orbit while the limits of friction and of the normal force are not
     /// reached.
     pub fn recurrence(&self) -> Recurrence {
-        let recurrence = match &self.kind {
-            Kind::Elliptic(orbit) => orbit.recurrence(),
-            Kind::Rim(orbit) => orbit.recurrence(),
-            Kind::Incline(orbit) => orbit.recurrence(),
+        let recurrence = match &self.shape {
+            OrbitShape::Elliptic(orbit) => orbit.recurrence(),
+            OrbitShape::Rim(orbit) => orbit.recurrence(),
+            OrbitShape::Incline(orbit) => orbit.recurrence(),
         };
         recurrence.at_pace(self.pace)
     }
@@ -127,17 +128,17 @@ impl RollingOrbit {
     /// Whether an unbalanced hoop leaves the bounds of θ on a slope: rolling then ends, if only
     /// beyond them.
     pub(crate) fn leaves_bounds(&self) -> bool {
-        match &self.kind {
-            Kind::Incline(orbit) => orbit.leaves_bounds(),
-            Kind::Elliptic(_) | Kind::Rim(_) => false,
+        match &self.shape {
+            OrbitShape::Incline(orbit) => orbit.leaves_bounds(),
+            OrbitShape::Elliptic(_) | OrbitShape::Rim(_) => false,
         }
     }
 
     pub(crate) fn stiction(&self) -> Stiction {
-        match &self.kind {
-            Kind::Elliptic(orbit) => orbit.stiction(),
-            Kind::Rim(orbit) => orbit.stiction(),
-            Kind::Incline(orbit) => orbit.stiction(),
+        match &self.shape {
+            OrbitShape::Elliptic(orbit) => orbit.stiction(),
+            OrbitShape::Rim(orbit) => orbit.stiction(),
+            OrbitShape::Incline(orbit) => orbit.stiction(),
         }
     }
 }
@@ -145,58 +146,54 @@ impl RollingOrbit {
 impl Elliptic {
     fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
         // At a turning point gravity decides the direction of motion.
-        let travel =
+        let heading =
             match Direction::of_sign(theta_rate).or_else(|| Direction::of_sign(libm::sin(theta))) {
                 Some(direction) => direction.sign(),
                 None => 1.0,
             };
-        let half = libm::sincos(0.5 * (travel * theta));
-        let half = Angle {
-            sin: half.0,
-            cos: half.1,
-        };
-        let path = HalfAngleOrbit::new(&law, travel * theta, half, theta_rate);
+        let half = (0.5 * (heading * theta)).angle();
+        let path = HalfAngleOrbit::new(&law, heading * theta, half, theta_rate);
         if path.twice_kinetic == 0.0 && theta_rate != 0.0 {
             // The kinetic energy underflows: the start is a turning point, where gravity decides.
             return Self::new(hoop, law, theta, 0.0);
         }
-        let motion = match (
+        let kind = match (
             path.rotates,
             theta_rate == 0.0 && libm::sin(theta) * law.offset == 0.0,
         ) {
-            (_, true) => Swing::Rest,
-            (true, false) => Swing::Rotation,
-            (false, false) => Swing::Libration,
+            (_, true) => OrbitKind::Rest,
+            (true, false) => OrbitKind::Rotation,
+            (false, false) => OrbitKind::Libration,
         };
         let mut orbit = Self {
             law,
             boundary: Boundary::new(hoop, &law, (path.over_top(), path.orbit_level())),
-            travel,
-            motion,
+            heading,
+            kind,
             orbit: path,
-            entered: 0.0,
-            quarter: f64::INFINITY,
+            start_time: 0.0,
+            quarter_period: f64::INFINITY,
         };
-        if motion == Swing::Libration && orbit.amplitude() <= 0.5 * f64::EPSILON * theta.abs() {
+        if kind == OrbitKind::Libration && orbit.amplitude() <= 0.5 * f64::EPSILON * theta.abs() {
             // Both turning points round to the angle of the start.
-            orbit.motion = Swing::Rest;
+            orbit.kind = OrbitKind::Rest;
         }
-        if orbit.motion != Swing::Rest {
+        if orbit.kind != OrbitKind::Rest {
             let ReducedAngle { z, y, .. } = path.start;
-            orbit.entered = match orbit.motion {
-                Swing::Libration if path.twice_kinetic == 0.0 => {
+            orbit.start_time = match orbit.kind {
+                OrbitKind::Libration if path.twice_kinetic == 0.0 => {
                     -path.energy.time_from_bottom(QUARTER)
                 }
-                Swing::Libration => path.energy.time_from_bottom(Angle {
+                OrbitKind::Libration => path.energy.time_from_bottom(Angle {
                     sin: path.phase_sine(z),
                     cos: (path.twice_kinetic / path.energy.beta).sqrt(),
                 }),
-                Swing::Rest | Swing::Rotation => {
+                OrbitKind::Rest | OrbitKind::Rotation => {
                     path.energy.time_from_bottom(Angle { sin: z, cos: y })
                 }
             };
             if path.energy.separatrix_gap > 0.0 {
-                orbit.quarter = path.energy.time_from_bottom(QUARTER);
+                orbit.quarter_period = path.energy.time_from_bottom(QUARTER);
             }
         }
         orbit
@@ -212,9 +209,9 @@ impl Elliptic {
 
     /// ψ at z, y and D ϑ′².
     fn phase(&self, z: f64, y: f64, twice_kinetic: f64) -> Angle {
-        match self.motion {
-            Swing::Rest => Angle { sin: z, cos: y },
-            Swing::Rotation | Swing::Libration => self.orbit.phase(z, y, twice_kinetic),
+        match self.kind {
+            OrbitKind::Rest => Angle { sin: z, cos: y },
+            OrbitKind::Rotation | OrbitKind::Libration => self.orbit.phase(z, y, twice_kinetic),
         }
     }
 
@@ -224,10 +221,10 @@ impl Elliptic {
     }
 
     /// Time from the start to a point of the same turn on the way up or down, with its z² − z0².
-    fn time_since_start(&self, to: Angle, rise: f64) -> f64 {
-        let gain = match self.motion {
-            Swing::Rest | Swing::Rotation => rise,
-            Swing::Libration => self.orbit.four_l * rise / self.orbit.energy.beta,
+    fn time_since_start(&self, to: Angle, delta_z2: f64) -> f64 {
+        let gain = match self.kind {
+            OrbitKind::Rest | OrbitKind::Rotation => delta_z2,
+            OrbitKind::Libration => self.orbit.four_l * delta_z2 / self.orbit.energy.beta,
         };
         self.orbit.energy.time_between(self.start_phase(), to, gain)
     }
@@ -236,7 +233,7 @@ impl Elliptic {
     fn time_to_quarter(&self, phase: Angle) -> f64 {
         let energy = &self.orbit.energy;
         if phase.sin <= 0.0 {
-            self.quarter - energy.time_from_bottom(phase)
+            self.quarter_period - energy.time_from_bottom(phase)
         } else {
             energy.time_between(phase, QUARTER, phase.cos * phase.cos)
         }
@@ -249,9 +246,9 @@ impl Elliptic {
     }
 
     fn position(&self, elapsed: f64) -> (f64, f64) {
-        if self.motion == Swing::Rest {
+        if self.kind == OrbitKind::Rest {
             return (
-                self.travel
+                self.heading
                     * self.angle_of(
                         self.orbit.start.turn,
                         self.orbit.start.z,
@@ -260,10 +257,10 @@ impl Elliptic {
                 0.0,
             );
         }
-        let total = self.entered + elapsed;
-        let half_period = 2.0 * self.quarter;
+        let total = self.start_time + elapsed;
+        let half_period = 2.0 * self.quarter_period;
         let (turns, local) = if half_period.is_finite() {
-            let turns = ((total + self.quarter) / half_period).floor();
+            let turns = ((total + self.quarter_period) / half_period).floor();
             (turns, total - half_period * turns)
         } else {
             (0.0, total)
@@ -273,12 +270,12 @@ impl Elliptic {
             cos: cosine,
         } = self.phase_at(local);
         let d = self.law.bottom + self.orbit.energy.beta * sine * sine;
-        if self.motion == Swing::Rotation {
+        if self.kind == OrbitKind::Rotation {
             let theta = self.angle_of(self.orbit.start.turn + turns, sine, cosine);
             let rate =
                 ((self.orbit.energy.separatrix_gap + self.orbit.energy.beta * cosine * cosine) / d)
                     .sqrt();
-            (self.travel * theta, self.travel * rate)
+            (self.heading * theta, self.heading * rate)
         } else {
             let back = if turns.rem_euclid(2.0) == 0.0 {
                 1.0
@@ -292,8 +289,8 @@ impl Elliptic {
                 .sqrt();
             let rate = back * cosine * (self.orbit.energy.beta / d).sqrt();
             (
-                self.travel * self.angle_of(self.orbit.start.turn, z, y),
-                self.travel * rate,
+                self.heading * self.angle_of(self.orbit.start.turn, z, y),
+                self.heading * rate,
             )
         }
     }
@@ -307,8 +304,8 @@ impl Elliptic {
                 cos: cos.max(0.0),
             }
         };
-        let guess = if self.quarter.is_finite() {
-            local / self.quarter * FRAC_PI_2
+        let guess = if self.quarter_period.is_finite() {
+            local / self.quarter_period * FRAC_PI_2
         } else {
             0.0
         };
@@ -321,7 +318,7 @@ impl Elliptic {
                 let phase = phase(psi);
                 let value = local - self.orbit.energy.time_from_bottom(phase);
                 let last = f64::EPSILON * psi.abs().max(f64::EPSILON);
-                Step {
+                RootStep {
                     value,
                     step: value / self.phase_slowness(phase),
                     last,
@@ -330,25 +327,25 @@ impl Elliptic {
         )
     }
 
-    /// ϑ in turn `lap`, from z = −cos(ϑ/2) and y = sin(ϑ/2).
-    fn angle_of(&self, lap: f64, z: f64, y: f64) -> f64 {
-        TAU * lap + 2.0 * libm::atan2(y, -z)
+    /// ϑ in turn `turn`, from z = −cos(ϑ/2) and y = sin(ϑ/2).
+    fn angle_of(&self, turn: f64, z: f64, y: f64) -> f64 {
+        TAU * turn + 2.0 * libm::atan2(y, -z)
     }
 
     fn recurrence(&self) -> Recurrence {
-        match self.motion {
-            Swing::Rest => Recurrence::Rest,
-            Swing::Rotation if self.quarter.is_finite() => Recurrence::Rotation {
-                period: 2.0 * self.quarter,
+        match self.kind {
+            OrbitKind::Rest => Recurrence::Rest,
+            OrbitKind::Rotation if self.quarter_period.is_finite() => Recurrence::Rotation {
+                period: 2.0 * self.quarter_period,
             },
-            Swing::Rotation => Recurrence::Asymptotic {
-                theta: self.travel * self.angle_of(self.orbit.start.turn, 1.0, 0.0),
+            OrbitKind::Rotation => Recurrence::Asymptotic {
+                theta: self.heading * self.angle_of(self.orbit.start.turn, 1.0, 0.0),
             },
-            Swing::Libration => {
-                let bottom = self.travel * self.angle_of(self.orbit.start.turn, 0.0, 1.0);
+            OrbitKind::Libration => {
+                let bottom = self.heading * self.angle_of(self.orbit.start.turn, 0.0, 1.0);
                 let amplitude = self.amplitude();
                 Recurrence::Libration {
-                    period: 4.0 * self.quarter,
+                    period: 4.0 * self.quarter_period,
                     theta_min: bottom - amplitude,
                     theta_max: bottom + amplitude,
                 }
@@ -357,58 +354,59 @@ impl Elliptic {
     }
 
     /// The arcs ahead, which together cover the orbit.
-    fn arcs(&self) -> impl Iterator<Item = Arc> {
+    fn arcs(&self) -> impl Iterator<Item = OrbitArc> {
         let four_l = 4.0 * self.law.offset;
-        let here = Place {
+        let here = OrbitPoint {
             x: -self.orbit.start.z,
             y: self.orbit.start.y,
-            kinetic: self.orbit.twice_kinetic,
+            twice_kinetic: self.orbit.twice_kinetic,
         };
-        let bottom = Place {
+        let bottom = OrbitPoint {
             x: 0.0,
             y: 1.0,
-            kinetic: self.orbit.twice_kinetic + four_l * self.orbit.start.z * self.orbit.start.z,
+            twice_kinetic: self.orbit.twice_kinetic
+                + four_l * self.orbit.start.z * self.orbit.start.z,
         };
         let past_bottom = self.orbit.start.z >= 0.0;
         // From here to an end of the arc, and on from the bottom.
-        let first = |to: Place, apart: f64| {
+        let first = |to: OrbitPoint, sin_width: f64| {
             let ahead = if past_bottom {
-                Arc {
+                OrbitArc {
                     from: here,
                     to,
-                    apart,
+                    sin_width,
                     pass: OrbitPass::First,
                 }
             } else {
-                Arc {
+                OrbitArc {
                     from: bottom,
                     to,
-                    apart: -to.x,
+                    sin_width: -to.x,
                     pass: OrbitPass::First,
                 }
             };
-            let down = Arc {
+            let down = OrbitArc {
                 from: here,
                 to: bottom,
-                apart: here.x,
+                sin_width: here.x,
                 pass: OrbitPass::First,
             };
             [(!past_bottom).then_some(down), Some(ahead)]
         };
-        let arcs = match self.motion {
-            Swing::Rest => [None; 4],
-            Swing::Rotation => {
-                let top = |x: f64| Place {
+        let arcs = match self.kind {
+            OrbitKind::Rest => [None; 4],
+            OrbitKind::Rotation => {
+                let top = |x: f64| OrbitPoint {
                     x,
                     y: 0.0,
-                    kinetic: self.orbit.energy.separatrix_gap,
+                    twice_kinetic: self.orbit.energy.separatrix_gap,
                 };
                 let [a, b] = first(top(-1.0), self.orbit.start.y);
-                let again = |from, to, apart| {
-                    self.quarter.is_finite().then_some(Arc {
+                let again = |from, to, sin_width| {
+                    self.quarter_period.is_finite().then_some(OrbitArc {
                         from,
                         to,
-                        apart,
+                        sin_width,
                         pass: OrbitPass::NextTurn,
                     })
                 };
@@ -428,22 +426,26 @@ impl Elliptic {
                     },
                 ]
             }
-            Swing::Libration => {
+            OrbitKind::Libration => {
                 let (k, y) = (
                     (self.orbit.energy.beta / four_l).sqrt(),
                     (self.orbit.energy.separatrix_gap / four_l).sqrt(),
                 );
-                let turn = |x: f64| Place { x, y, kinetic: 0.0 };
+                let turn = |x: f64| OrbitPoint {
+                    x,
+                    y,
+                    twice_kinetic: 0.0,
+                };
                 let [a, b] = first(
                     turn(-k),
                     self.orbit.twice_kinetic
                         / (four_l * (k * self.orbit.start.y + y * self.orbit.start.z)),
                 );
                 let back = |from, to| {
-                    Some(Arc {
+                    Some(OrbitArc {
                         from,
                         to,
-                        apart: k,
+                        sin_width: k,
                         pass: OrbitPass::WayBack,
                     })
                 };
@@ -478,7 +480,7 @@ impl Elliptic {
     }
 
     /// The limit whose margin is nearest to zero at the start.
-    fn limit_at_start(&self, arc: &Arc) -> Option<RollingLimit> {
+    fn limit_at_start(&self, arc: &OrbitArc) -> Option<RollingLimit> {
         let margins = self
             .boundary
             .on_arc(arc.from.direction(), arc.to.direction())
@@ -488,31 +490,33 @@ impl Elliptic {
             .map(|nearest| nearest.1)
     }
 
-    fn end_at(&self, arc: &Arc, at: f64, limit: RollingLimit) -> RollingEnd {
+    fn end_at(&self, arc: &OrbitArc, at: f64, limit: RollingLimit) -> RollingEnd {
         let [x, y] = on_arc(arc.from.direction(), arc.to.direction(), at);
         let z = -x;
         let four_l = 4.0 * self.law.offset;
         // z² − z² at the start of the arc, from the half angle that is passed.
-        let rise = arc.passed(at) * (y * -arc.from.x + z * arc.from.y);
-        let kinetic = match self.motion {
-            Swing::Rest | Swing::Rotation => self.orbit.energy.separatrix_gap + four_l * y * y,
-            Swing::Libration => (arc.from.kinetic - four_l * rise).max(0.0),
+        let delta_z2 = arc.passed(at) * (y * -arc.from.x + z * arc.from.y);
+        let twice_kinetic = match self.kind {
+            OrbitKind::Rest | OrbitKind::Rotation => {
+                self.orbit.energy.separatrix_gap + four_l * y * y
+            }
+            OrbitKind::Libration => (arc.from.twice_kinetic - four_l * delta_z2).max(0.0),
         };
-        let speed = (kinetic / (self.law.bottom + four_l * z * z)).sqrt();
-        let there = self.phase(z, y, kinetic);
+        let speed = (twice_kinetic / (self.law.bottom + four_l * z * z)).sqrt();
+        let there = self.phase(z, y, twice_kinetic);
         let next = || self.time_to_quarter(self.start_phase());
-        let (elapsed, lap, rate) = match arc.pass {
+        let (elapsed, turn, rate) = match arc.pass {
             OrbitPass::First
                 if arc.from.direction() == [-self.orbit.start.z, self.orbit.start.y] =>
             {
                 (
-                    self.time_since_start(there, rise),
+                    self.time_since_start(there, delta_z2),
                     self.orbit.start.turn,
                     speed,
                 )
             }
             OrbitPass::First => (
-                self.orbit.energy.time_from_bottom(there) - self.entered,
+                self.orbit.energy.time_from_bottom(there) - self.start_time,
                 self.orbit.start.turn,
                 speed,
             ),
@@ -529,9 +533,9 @@ impl Elliptic {
         };
         RollingEnd {
             elapsed: elapsed.max(0.0),
-            theta: self.travel * self.angle_of(lap, z, y),
-            theta_rate: self.travel * rate,
-            limit: in_body_frame(limit, self.travel),
+            theta: self.heading * self.angle_of(turn, z, y),
+            theta_rate: self.heading * rate,
+            limit: in_body_frame(limit, self.heading),
         }
     }
 
@@ -550,7 +554,7 @@ impl Elliptic {
                 Some((start_value(&margin) / (d * d), limit))
             }
         });
-        Stiction::of(negative, self.travel)
+        Stiction::of(negative, self.heading)
     }
 }
 
@@ -560,33 +564,33 @@ fn start_value(margin: &Bernstein) -> f64 {
 
 /// A half angle, and D ϑ′² there.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct OrbitPoint {
     x: f64,
     y: f64,
-    kinetic: f64,
+    twice_kinetic: f64,
 }
 
-impl Place {
+impl OrbitPoint {
     const fn direction(&self) -> HalfAngle {
         [self.x, self.y]
     }
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Arc {
-    from: Place,
-    to: Place,
+struct OrbitArc {
+    from: OrbitPoint,
+    to: OrbitPoint,
     /// Sine of the half angle between them.
-    apart: f64,
+    sin_width: f64,
     pass: OrbitPass,
 }
 
-impl Arc {
+impl OrbitArc {
     /// Sine of the half angle that is passed at a barycentric coordinate, against the motion
     /// negative.
     fn passed(&self, at: f64) -> f64 {
         let along = self.from.x * self.to.x + self.from.y * self.to.y;
-        let sine = at * self.apart;
+        let sine = at * self.sin_width;
         let passed = sine / libm::hypot(sine, 1.0 - at + at * along);
         if self.pass == OrbitPass::WayBack {
             -passed

@@ -15,7 +15,7 @@ use super::recurrence::Recurrence;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RimOrbit {
     /// Number of turns to the nearest top.
-    lap: f64,
+    turn: f64,
     /// Z0 = sin(θ0/2) and 2Z0′.
     a: f64,
     b: f64,
@@ -26,11 +26,11 @@ pub(super) struct RimOrbit {
 
 impl RimOrbit {
     pub(super) fn new(mu_s: f64, theta: f64, theta_rate: f64) -> Self {
-        let lap = (theta / TAU).round();
+        let turn = (theta / TAU).round();
         let (sin, cos) = libm::sincos(0.5 * theta);
         let flip = if cos < 0.0 { -1.0 } else { 1.0 };
         Self {
-            lap,
+            turn,
             a: flip * sin,
             b: theta_rate * cos.abs(),
             theta_rate,
@@ -40,7 +40,7 @@ impl RimOrbit {
 
     pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
         if self.a == 0.0 && self.b == 0.0 {
-            return (TAU * self.lap, 0.0);
+            return (TAU * self.turn, 0.0);
         }
         let growth = libm::exp(0.5 * elapsed);
         let (out, back) = (
@@ -53,7 +53,7 @@ impl RimOrbit {
     /// θ and θ′ from Z and 2Z′.
     fn angle(&self, z: f64, twice_rate: f64) -> (f64, f64) {
         let x = (1.0 - z * z).max(0.0).sqrt();
-        (TAU * self.lap + 2.0 * libm::atan2(z, x), twice_rate / x)
+        (TAU * self.turn + 2.0 * libm::atan2(z, x), twice_rate / x)
     }
 
     /// sin²(θ/2) at N = 0, that is, θ′² = 1, on this orbit.
@@ -87,7 +87,7 @@ impl RimOrbit {
             Recurrence::Rest
         } else {
             Recurrence::Asymptotic {
-                theta: TAU * self.lap,
+                theta: TAU * self.turn,
             }
         }
     }

@@ -1,18 +1,20 @@
 //! A phase of sliding: Taylor steps, each searched for events, and leaps over whole turns.
 
 use core::f64::consts::TAU;
+use core::ops::ControlFlow;
 
 use crate::ablation::{Part, is_on};
+use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{WholeTurns, split_turns};
-use crate::mechanics::{SlidePath, SlidingLaw};
+use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
-use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
+use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
 use super::onset::Onset;
 use super::series::{INITIAL_MAX_STEP, PhasePoint, SlideSeries};
-use super::singular::{Approach, Ending, Fate};
+use super::singular::{Approach, SingularEnd, SingularFate};
 
 /// Least step relative to the time. A shorter step means a singularity of the equations.
 const MIN_RELATIVE_STEP: f64 = 4.0 * f64::EPSILON;
@@ -28,7 +30,7 @@ const LEAP_COST_IN_STEPS: usize = 100;
 const DISTANCE_FOR_EXPANSION: f64 = 1e-7;
 
 /// Distance from the section below which an angle counts as on it; the leap then begins one turn
-/// later.
+/// delta_time.
 const SECTION_TOLERANCE: f64 = 1e-9;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,8 +74,8 @@ pub struct Sliding {
     /// Whole turns of the start, which restore its angle exactly.
     turns: WholeTurns,
     path: SlidePath,
-    steps: Vec<Step>,
-    leaps: Vec<Leap>,
+    steps: Vec<TaylorStep>,
+    leaps: Vec<TurnSkip>,
     attempts: usize,
     /// Time and angle of the turning points; recorded only while the slip does not decrease on
     /// average.
@@ -91,16 +93,16 @@ struct Cycle {
 
 /// A leap over turns, or periods, between two steps.
 #[derive(Clone, Debug)]
-struct Leap {
+struct TurnSkip {
     /// Time since the start of the phase.
     begin: f64,
-    /// θ minus the angle of [`Turns`]: the whole turns before the leap.
+    /// θ minus the angle of [`ProvedTurns`]: the whole turns before the leap.
     turned: f64,
-    passed: Turns,
+    passed: ProvedTurns,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Step {
+struct TaylorStep {
     /// Time since the start of the phase.
     begin: f64,
     /// θ minus its series: whole turns.
@@ -110,14 +112,34 @@ struct Step {
     slip: Series,
 }
 
-impl Step {
-    fn new(from: &SlidePoint, [theta, theta_rate, slip]: [Series; 3]) -> Self {
+impl TaylorStep {
+    fn new(from: &SlidePoint, series: &SlideSeries) -> Self {
         Self {
             begin: from.elapsed,
             turned: from.turned,
-            theta,
-            theta_rate,
-            slip,
+            theta: series.theta,
+            theta_rate: series.theta_rate,
+            slip: series.slip,
+        }
+    }
+
+    /// Straight lines between two points; constants at the second if no time passes.
+    fn straight(from: &SlidePoint, to: &SlidePoint, time: f64) -> Self {
+        let line = |from: f64, to: f64| {
+            let mut series: Series = [0.0; DEGREE + 1];
+            if time > 0.0 {
+                (series[0], series[1]) = (from, (to - from) / time);
+            } else {
+                series[0] = to;
+            }
+            series
+        };
+        Self {
+            begin: from.elapsed,
+            turned: from.turned,
+            theta: line(from.place.theta, to.place.theta),
+            theta_rate: line(from.place.rate, to.place.rate),
+            slip: line(from.slip, to.slip),
         }
     }
 
@@ -146,12 +168,73 @@ struct SlidePoint {
     slip: f64,
 }
 
+/// The ends of a step.
+#[derive(Clone, Copy, Debug)]
+struct StepEnds {
+    here: SlidePoint,
+    next: SlidePoint,
+}
+
+impl StepEnds {
+    fn turns_back(&self) -> bool {
+        self.next.place.rate * self.here.place.rate < 0.0
+    }
+}
+
+/// The limits of a slide.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SlideBudget {
+    pub(crate) time_left: Option<f64>,
+    pub(crate) steps: usize,
+}
+
+/// The series of a step. The first `known_roots` coefficients of η′ are zero.
+struct Expansion {
+    series: SlideSeries,
+    known_roots: usize,
+}
+
+/// The width of a step, and whether it reaches the time limit.
+#[derive(Clone, Copy, Debug)]
+struct StepWidth {
+    width: f64,
+    is_last: bool,
+}
+
+/// Where a leap can begin, and the turns that it passes, if they are proved free of events.
+struct LeapStart {
+    begin: f64,
+    turned: f64,
+    passed: Option<ProvedTurns>,
+}
+
 #[derive(Clone, Copy, Debug, Default)]
 struct LeapSearch {
+    /// Time of the last turning point.
     turning: Option<f64>,
-    /// Minimum and maximum of the oscillating part of σ η′ at the steps since then.
-    range: Option<(f64, f64)>,
+    /// Of the oscillating part of σ η′ at the steps since then.
+    slip_extremes: Option<SlipExtremes>,
+    /// Number of steps before the next attempt.
     next_attempt: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct SlipExtremes {
+    min: f64,
+    max: f64,
+}
+
+impl LeapSearch {
+    fn include(&mut self, slip: f64) {
+        let SlipExtremes { min, max } = self.slip_extremes.unwrap_or(SlipExtremes {
+            min: slip,
+            max: slip,
+        });
+        self.slip_extremes = Some(SlipExtremes {
+            min: min.min(slip),
+            max: max.max(slip),
+        });
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -162,16 +245,16 @@ enum Event {
 }
 
 impl Sliding {
-    /// Integrates the slide to its end, for at most the time `allowed` and `most` steps.
+    /// Integrates the slide to its end, or to a limit.
     pub(crate) fn run(
         law: SlidingLaw,
         start: State,
         direction: Direction,
         entry: Entry,
-        (allowed, most): (Option<f64>, usize),
+        budget: SlideBudget,
     ) -> (Self, SlidingEnd) {
         let mut slide = Self::new(law, start, direction);
-        let end = slide.follow(entry, (allowed, most), LeapSearch::default());
+        let end = slide.integrate(entry, budget, LeapSearch::default());
         (slide, end)
     }
 
@@ -182,10 +265,7 @@ impl Sliding {
             direction,
             start: State { theta, ..start },
             turns,
-            path: law.path(
-                [start.theta_rate, start.slip, start.x],
-                libm::sincos(start.theta),
-            ),
+            path: law.path(ContactMotion::of(&start), start.theta.angle()),
             steps: Vec::new(),
             leaps: Vec::new(),
             attempts: 0,
@@ -194,264 +274,268 @@ impl Sliding {
         }
     }
 
-    fn follow(
+    fn integrate(
         &mut self,
         entry: Entry,
-        (allowed, most): (Option<f64>, usize),
+        budget: SlideBudget,
         mut search: LeapSearch,
     ) -> SlidingEnd {
-        let sign = self.direction.sign();
-        let start = self.start;
         let place = PhasePoint {
-            theta: start.theta,
-            rate: start.theta_rate,
+            theta: self.start.theta,
+            rate: self.start.theta_rate,
         };
         let mut here = SlidePoint {
             elapsed: 0.0,
             turned: -0.0,
             place,
-            slip: start.slip,
+            slip: self.start.slip,
         };
         loop {
-            let mut series = SlideSeries::new(&self.law, here.place, here.slip);
-            let mut known_roots = 0;
-            if let (Entry::FromRest { slip_acceleration }, true) = (entry, self.steps.is_empty()) {
-                series.slip[0] = 0.0;
-                series.slip[1] = slip_acceleration;
-                known_roots = if slip_acceleration != 0.0 {
-                    1
-                } else if self.law.friction != 0.0 {
-                    2
-                } else {
-                    Onset::of(&self.law, here.place).map_or(2, |onset| onset.order.max(2))
-                };
-                series.slip[1..known_roots]
-                    .iter_mut()
-                    .skip(1)
-                    .for_each(|c| *c = 0.0);
-            }
-            // P ≥ Î except where it tends to zero.
-            let is_near_zero = series.solvability[0] < 0.5 * self.law.body.inertia;
-            let reach = if self.law.body.h == 0.0 {
-                series.straight_reach()
-            } else {
-                series.reach(max_step(self.steps.len()))
+            here = match self.advance(here, entry, budget, &mut search) {
+                ControlFlow::Continue(next) => next,
+                ControlFlow::Break(end) => return end,
             };
-            if self.work() >= most
-                || self
-                    .leaps
-                    .last()
-                    .is_some_and(|leap| leap.passed.is_longest())
-            {
-                let state = self.state_from(here);
-                return SlidingEnd::StepLimit {
-                    state,
-                    time_left: self.time_left(&here),
-                };
-            }
-            if reach <= MIN_RELATIVE_STEP * (start.time + here.elapsed).abs().max(1.0) {
-                return if is_near_zero {
-                    self.singular_end(here)
-                } else {
-                    SlidingEnd::Unresolved(self.state_from(here))
-                };
-            }
-            let last = allowed.is_some_and(|allowed| here.elapsed + reach >= allowed);
-            let time_left = (series.slip[0] / series.slip[1]).abs();
-            if !last && self.law.body.h == 0.0 && series.slip[1] != 0.0 && time_left > MAX_TIME {
-                // The slip of a balanced hoop, with very small friction.
-                return SlidingEnd::StepLimit {
-                    state: self.state_from(here),
-                    time_left,
-                };
-            }
-            let width = match allowed {
-                Some(allowed) if last => allowed - here.elapsed,
-                _ => reach,
-            };
-            let step = Step::new(&here, [series.theta, series.theta_rate, series.slip]);
-            self.steps.push(step);
-            if let Some((at, event)) = first_event(&series, sign, known_roots, width) {
-                let found = step.at(at);
-                return match event {
-                    Event::Rest => SlidingEnd::Rest(State {
-                        slip: 0.0,
-                        ..self.state_from(found)
-                    }),
-                    Event::LiftOff => SlidingEnd::LiftOff(self.state_from(found)),
-                    Event::Singular => self.singular_end(found),
-                };
-            }
-            let reached = self.with_energy(series.point(width));
-            let next = self.here(here.elapsed + width, here.turned, reached);
-            if self.law.body.h == 0.0 && self.law.body.tilt != 0.0 && sign * series.slip[1] >= 0.0 {
-                // The pull of the slope along the plane is at least the friction force, at all
-                // times.
-                let acceleration = series.slip[1] - series.theta_rate[1];
-                return SlidingEnd::Endless(Recurrence::Downhill { acceleration });
-            }
-            // On a level plane, and against the pull of a slope, only a slide without kinetic
-            // friction can last for ever.
-            if sign * self.law.drag() <= 0.0 {
-                if next.place.rate * here.place.rate < 0.0 {
-                    let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
-                    self.turnings
-                        .push((here.elapsed + at, value(&series.theta, at)));
-                }
-                if let Some(recurrence) = self.recurrence(&series, &here, &next) {
-                    return SlidingEnd::Endless(recurrence);
-                }
-            }
-            if last {
-                return SlidingEnd::TimeLimit(self.state_from(next));
-            }
-            here = self
-                .leap(&mut search, &series, (here, next), allowed)
-                .unwrap_or(next);
         }
+    }
+
+    /// One Taylor step from a point, and the leap that follows it, if any.
+    fn advance(
+        &mut self,
+        here: SlidePoint,
+        entry: Entry,
+        budget: SlideBudget,
+        search: &mut LeapSearch,
+    ) -> ControlFlow<SlidingEnd, SlidePoint> {
+        let Expansion {
+            series,
+            known_roots,
+        } = self.expansion(&here, entry);
+        let StepWidth { width, is_last } = self.step_width(&series, here, budget)?;
+        let step = TaylorStep::new(&here, &series);
+        self.steps.push(step);
+        if let Some((at, event)) = first_event(&series, self.direction.sign(), known_roots, width) {
+            return ControlFlow::Break(self.end_at(event, step.at(at)));
+        }
+        let reached = self.with_energy(series.point(width));
+        let next = self.here(here.elapsed + width, here.turned, reached);
+        if let Some(recurrence) = self.endless(&series, StepEnds { here, next }, width) {
+            return ControlFlow::Break(SlidingEnd::Endless(recurrence));
+        }
+        if is_last {
+            return ControlFlow::Break(SlidingEnd::TimeLimit(self.state_from(next)));
+        }
+        let leap = self.leap(search, &series, StepEnds { here, next }, budget.time_left);
+        ControlFlow::Continue(leap.unwrap_or(next))
+    }
+
+    /// The series about a point. At a start from rest, coefficients of η′ that vanish, but for
+    /// rounding, are set to zero: they must not give an event there.
+    fn expansion(&self, here: &SlidePoint, entry: Entry) -> Expansion {
+        let mut series = SlideSeries::new(&self.law, here.place, here.slip);
+        let Entry::FromRest { slip_acceleration } = entry else {
+            return Expansion {
+                series,
+                known_roots: 0,
+            };
+        };
+        if !self.steps.is_empty() {
+            return Expansion {
+                series,
+                known_roots: 0,
+            };
+        }
+        series.slip[0] = 0.0;
+        series.slip[1] = slip_acceleration;
+        let known_roots = if slip_acceleration != 0.0 {
+            1
+        } else if self.law.friction != 0.0 {
+            2
+        } else {
+            Onset::of(&self.law, here.place).map_or(2, |onset| onset.order.max(2))
+        };
+        series.slip[1..known_roots]
+            .iter_mut()
+            .skip(1)
+            .for_each(|c| *c = 0.0);
+        Expansion {
+            series,
+            known_roots,
+        }
+    }
+
+    /// The width of the step from a point, or the end of a slide that no step continues.
+    fn step_width(
+        &mut self,
+        series: &SlideSeries,
+        here: SlidePoint,
+        budget: SlideBudget,
+    ) -> ControlFlow<SlidingEnd, StepWidth> {
+        let is_balanced = self.law.body.h == 0.0;
+        let reach = if is_balanced {
+            series.straight_step()
+        } else {
+            series.convergence_radius(max_step(self.steps.len()))
+        };
+        let is_limited = self
+            .leaps
+            .last()
+            .is_some_and(|leap| leap.passed.is_limited());
+        if self.work() >= budget.steps || is_limited {
+            return ControlFlow::Break(SlidingEnd::StepLimit {
+                state: self.state_from(here),
+                time_left: self.time_left(&here),
+            });
+        }
+        if reach <= MIN_RELATIVE_STEP * (self.start.time + here.elapsed).abs().max(1.0) {
+            // P ≥ Î except where it tends to zero.
+            let is_near_zero = series.painleve[0] < 0.5 * self.law.body.inertia;
+            return ControlFlow::Break(if is_near_zero {
+                self.singular_end(here)
+            } else {
+                SlidingEnd::Unresolved(self.state_from(here))
+            });
+        }
+        if let Some(time_left) = budget.time_left
+            && here.elapsed + reach >= time_left
+        {
+            return ControlFlow::Continue(StepWidth {
+                width: time_left - here.elapsed,
+                is_last: true,
+            });
+        }
+        let time_left = (series.slip[0] / series.slip[1]).abs();
+        if is_balanced && series.slip[1] != 0.0 && time_left > MAX_TIME {
+            // The slip of a balanced hoop, with very small friction.
+            return ControlFlow::Break(SlidingEnd::StepLimit {
+                state: self.state_from(here),
+                time_left,
+            });
+        }
+        ControlFlow::Continue(StepWidth {
+            width: reach,
+            is_last: false,
+        })
+    }
+
+    fn end_at(&mut self, event: Event, point: SlidePoint) -> SlidingEnd {
+        match event {
+            Event::Rest => SlidingEnd::Rest(State {
+                slip: 0.0,
+                ..self.state_from(point)
+            }),
+            Event::LiftOff => SlidingEnd::LiftOff(self.state_from(point)),
+            Event::Singular => self.singular_end(point),
+        }
+    }
+
+    /// The recurrence of a slide that is known to last for ever, after a step without an event.
+    fn endless(&mut self, series: &SlideSeries, ends: StepEnds, width: f64) -> Option<Recurrence> {
+        let StepEnds { here, next } = ends;
+        let sign = self.direction.sign();
+        if self.law.body.h == 0.0 && self.law.body.tilt != 0.0 && sign * series.slip[1] >= 0.0 {
+            // The pull of the slope along the plane is at least the friction force, at all times.
+            let acceleration = series.slip[1] - series.theta_rate[1];
+            return Some(Recurrence::Downhill { acceleration });
+        }
+        // On a level plane, and against the pull of a slope, only a slide without kinetic friction
+        // can last for ever.
+        if sign * self.law.mean_slip_loss() > 0.0 {
+            return None;
+        }
+        if next.place.rate * here.place.rate < 0.0 {
+            let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
+            self.turnings
+                .push((here.elapsed + at, value(&series.theta, at)));
+        }
+        self.recurrence(series, &here, &next)
     }
 
     /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time.
     fn singular_end(&mut self, here: SlidePoint) -> SlidingEnd {
-        let theta = here.place.theta;
-        let loss = self.law.drag() * here.elapsed;
-        let (sin, cos) = libm::sincos(self.start.theta);
-        let terms = self.start.slip.abs()
-            + self.start.theta_rate.abs()
-                * (1.0 + self.law.body.h * (cos.abs() + (self.law.friction * sin).abs()));
-        let steps = self.steps.len() as f64;
-        let approach = Approach {
-            law: &self.law,
-            place: here.place,
-            rest: self.integral() - loss,
-            error: f64::EPSILON * (8.0 * terms + (8.0 + steps) * loss.abs()),
-        };
-        let is_earlier = |step: &&Step| (step.theta[0] - theta).abs() >= DISTANCE_FOR_EXPANSION;
-        let same_turn = |step: &&Step| step.turned.to_bits() == here.turned.to_bits();
-        let earlier = self.steps.iter().rev().take_while(same_turn);
-        let earlier = earlier.clone().find(is_earlier).or(earlier.last());
-        let earlier = earlier.map_or(here.place, |step| step.at(0.0).place);
-        let Some(Ending {
+        let approach = self.approach(&here);
+        let Some(SingularEnd {
             fate,
             rate,
-            ahead,
-            later,
-        }) = approach.end(earlier)
+            delta_theta,
+            delta_time,
+        }) = approach.end(self.point_before(&here))
         else {
             return SlidingEnd::Unresolved(self.state_from(here));
         };
-        let theta = theta + ahead;
+        let theta = here.place.theta + delta_theta;
         let (sin, cos) = libm::sincos(theta);
         let slip = match fate {
-            Fate::Sticks => 0.0,
-            Fate::Jams | Fate::LiftsOff => approach.rest + rate * self.law.lever(sin, cos),
+            SingularFate::Sticks => 0.0,
+            SingularFate::Jams | SingularFate::LiftsOff => {
+                approach.integral + rate * self.law.slip_coefficient(sin, cos)
+            }
         };
-        let elapsed = here.elapsed + later;
         let end = SlidePoint {
-            elapsed,
+            elapsed: here.elapsed + delta_time,
             place: PhasePoint { theta, rate },
             slip,
             ..here
         };
         // The steps before do not reach the end.
-        let between = |[from, to]: [f64; 2]| -> Series {
-            let slope = if later > 0.0 {
-                (to - from) / later
-            } else {
-                0.0
-            };
-            core::array::from_fn(|n| {
-                [if later > 0.0 { from } else { to }, slope]
-                    .get(n)
-                    .copied()
-                    .unwrap_or(0.0)
-            })
-        };
-        let ends = [
-            [here.place.theta, theta],
-            [here.place.rate, rate],
-            [here.slip, slip],
-        ];
-        self.steps.push(Step::new(&here, ends.map(between)));
+        self.steps
+            .push(TaylorStep::straight(&here, &end, delta_time));
         let state = self.state_from(end);
         match fate {
-            Fate::Jams => SlidingEnd::Singular(state),
-            Fate::LiftsOff => SlidingEnd::LiftOff(state),
-            Fate::Sticks => SlidingEnd::Rest(state),
+            SingularFate::Jams => SlidingEnd::Singular(state),
+            SingularFate::LiftsOff => SlidingEnd::LiftOff(state),
+            SingularFate::Sticks => SlidingEnd::Rest(state),
         }
     }
 
-    /// Leaps from a point between `here` and `next`, if turns or periods can be skipped there;
+    /// The state next to P = 0, with the first integral there and its error bound.
+    fn approach(&self, here: &SlidePoint) -> Approach<'_> {
+        let loss = self.law.mean_slip_loss() * here.elapsed;
+        let (sin, cos) = libm::sincos(self.start.theta);
+        let terms = self.start.slip.abs()
+            + self.start.theta_rate.abs()
+                * (1.0 + self.law.body.h * (cos.abs() + (self.law.friction * sin).abs()));
+        let steps = self.steps.len() as f64;
+        Approach {
+            law: &self.law,
+            place: here.place,
+            integral: self.integral() - loss,
+            error: f64::EPSILON * (8.0 * terms + (8.0 + steps) * loss.abs()),
+        }
+    }
+
+    /// The beginning of the last step in the same turn that is far enough from P = 0 for the
+    /// leading-order terms, or else of the first.
+    fn point_before(&self, here: &SlidePoint) -> PhasePoint {
+        let theta = here.place.theta;
+        let is_far = |step: &&TaylorStep| (step.theta[0] - theta).abs() >= DISTANCE_FOR_EXPANSION;
+        let same_turn = |step: &&TaylorStep| step.turned.to_bits() == here.turned.to_bits();
+        let earlier = self.steps.iter().rev().take_while(same_turn);
+        let earlier = earlier.clone().find(is_far).or(earlier.last());
+        earlier.map_or(here.place, |step| step.at(0.0).place)
+    }
+
+    /// Leaps from a point between the ends of a step, if turns or periods can be skipped there;
     /// returns the point after the leap.
     fn leap(
         &mut self,
         search: &mut LeapSearch,
         series: &SlideSeries,
-        (here, next): (SlidePoint, SlidePoint),
-        allowed: Option<f64>,
+        ends: StepEnds,
+        time_left: Option<f64>,
     ) -> Option<SlidePoint> {
-        let SlidingLaw { body, friction, .. } = self.law;
-        let (drag, sign) = (self.law.drag(), self.direction.sign());
-        if friction == 0.0 || body.h == 0.0 || !is_on(Part::WholeTurns) {
+        if self.law.friction == 0.0 || self.law.body.h == 0.0 || !is_on(Part::WholeTurns) {
             return None;
         }
-        let integral = self.integral();
-        let bounds = |elapsed: f64| LeapLimits {
-            slip: sign * (integral - drag * elapsed),
-            drag: sign * drag,
-            allowed: allowed.map_or(f64::INFINITY, |allowed| allowed - elapsed),
-        };
-        let width = next.elapsed - here.elapsed;
-        let swings = sign * (here.slip - integral + drag * here.elapsed);
-        let (least, most) = search.range.unwrap_or((swings, swings));
-        let (least, most) = (least.min(swings), most.max(swings));
-        search.range = Some((least, most));
-        let is_ready = self.steps.len() >= search.next_attempt;
-        let (begin, turned, passed) = if next.place.rate * here.place.rate < 0.0 {
-            let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
-            let begin = here.elapsed + at;
-            search.range = None;
-            let swing = begin - search.turning.replace(begin)?;
-            // The third turning point proves that a slide without loss has no end.
-            if sign * drag <= 0.0 {
-                return None;
-            }
-            // θ′ changes sign on the way back.
-            if !is_ready || bounds(begin).longest(least.min(-most)) < 2.0 * MIN_LEAP_TURNS * swing {
-                return None;
-            }
-            let theta = value(&series.theta, at);
-            (
-                begin,
-                here.turned,
-                Turns::periods(&self.law, theta, bounds(begin)),
-            )
+        search.include(self.oscillating_slip(&ends.here));
+        let LeapStart {
+            begin,
+            turned,
+            passed,
+        } = if ends.turns_back() {
+            self.leap_over_periods(search, series, ends, time_left)
         } else {
-            let travel = here.place.rate.signum();
-            let rate = here.place.rate.abs().max(next.place.rate.abs());
-            if !is_ready || bounds(here.elapsed).longest(least) * rate < MIN_LEAP_TURNS * TAU {
-                return None;
-            }
-            let section = section_of(&self.law, travel);
-            let (sin, cos) = libm::sincos(here.place.theta);
-            let mut ahead = (travel * (section - libm::atan2(sin, cos))).rem_euclid(TAU);
-            if ahead < SECTION_TOLERANCE {
-                ahead += TAU;
-            }
-            let mut gain = series.theta;
-            gain[0] = 0.0;
-            if travel * value(&gain, width) < ahead {
-                return None;
-            }
-            let at = root(&gain, travel * ahead, -travel, width);
-            let begin = here.elapsed + at;
-            let turned = here.turned + here.place.theta + travel * ahead - section;
-            (
-                begin,
-                turned,
-                Turns::new(&self.law, value(&series.theta_rate, at), bounds(begin)),
-            )
-        };
+            self.leap_over_turns(search, series, ends, time_left)
+        }?;
         self.attempts += 1;
         let Some(passed) = passed else {
             search.next_attempt = 2 * self.steps.len();
@@ -459,12 +543,101 @@ impl Sliding {
         };
         *search = LeapSearch::default();
         let (duration, place, advance) = passed.begin(passed.count);
-        self.leaps.push(Leap {
+        self.leaps.push(TurnSkip {
             begin,
             turned,
             passed,
         });
         Some(self.here(begin + duration, turned + advance, place))
+    }
+
+    /// A leap over the periods of a libration, from a turning point.
+    fn leap_over_periods(
+        &self,
+        search: &mut LeapSearch,
+        series: &SlideSeries,
+        StepEnds { here, next }: StepEnds,
+        time_left: Option<f64>,
+    ) -> Option<LeapStart> {
+        let width = next.elapsed - here.elapsed;
+        let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
+        let begin = here.elapsed + at;
+        let extremes = search.slip_extremes.take()?;
+        let swing = begin - search.turning.replace(begin)?;
+        // The third turning point proves that a slide without loss has no end.
+        if self.direction.sign() * self.law.mean_slip_loss() <= 0.0 {
+            return None;
+        }
+        let limits = self.leap_limits(begin, time_left);
+        // θ′ changes sign on the way back.
+        let min_slip = extremes.min.min(-extremes.max);
+        if self.steps.len() < search.next_attempt
+            || limits.time_until_event(min_slip) < 2.0 * MIN_LEAP_TURNS * swing
+        {
+            return None;
+        }
+        let theta = value(&series.theta, at);
+        Some(LeapStart {
+            begin,
+            turned: here.turned,
+            passed: ProvedTurns::periods(&self.law, theta, limits),
+        })
+    }
+
+    /// A leap over the turns of a rotation, from the section, if the step crosses it.
+    fn leap_over_turns(
+        &self,
+        search: &LeapSearch,
+        series: &SlideSeries,
+        StepEnds { here, next }: StepEnds,
+        time_left: Option<f64>,
+    ) -> Option<LeapStart> {
+        let heading = here.place.rate.signum();
+        let rate = here.place.rate.abs().max(next.place.rate.abs());
+        let limits = self.leap_limits(here.elapsed, time_left);
+        if self.steps.len() < search.next_attempt
+            || limits.time_until_event(search.slip_extremes?.min) * rate < MIN_LEAP_TURNS * TAU
+        {
+            return None;
+        }
+        let section = section_of(&self.law, heading);
+        let (sin, cos) = libm::sincos(here.place.theta);
+        let mut ahead = (heading * (section - libm::atan2(sin, cos))).rem_euclid(TAU);
+        if ahead < SECTION_TOLERANCE {
+            ahead += TAU;
+        }
+        let width = next.elapsed - here.elapsed;
+        let mut gain = series.theta;
+        gain[0] = 0.0;
+        if heading * value(&gain, width) < ahead {
+            return None;
+        }
+        let at = root(&gain, heading * ahead, -heading, width);
+        let begin = here.elapsed + at;
+        Some(LeapStart {
+            begin,
+            turned: here.turned + here.place.theta + heading * ahead - section,
+            passed: ProvedTurns::new(
+                &self.law,
+                value(&series.theta_rate, at),
+                self.leap_limits(begin, time_left),
+            ),
+        })
+    }
+
+    fn leap_limits(&self, elapsed: f64, time_left: Option<f64>) -> LeapLimits {
+        let (mean_slip_loss, sign) = (self.law.mean_slip_loss(), self.direction.sign());
+        LeapLimits {
+            slip: sign * (self.integral() - mean_slip_loss * elapsed),
+            mean_slip_loss: sign * mean_slip_loss,
+            time_left: time_left.map_or(f64::INFINITY, |time_left| time_left - elapsed),
+        }
+    }
+
+    /// The oscillating part of σ η′ at a point.
+    fn oscillating_slip(&self, here: &SlidePoint) -> f64 {
+        self.direction.sign()
+            * (here.slip - self.integral() + self.law.mean_slip_loss() * here.elapsed)
     }
 
     /// η′ − θ′ (1 + h c + μk σ h s) + (μk σ + tan α) τ at the start.
@@ -513,8 +686,8 @@ impl Sliding {
     /// A point of the slide, with η′ from the first integral.
     fn here(&self, elapsed: f64, turned: f64, place: PhasePoint) -> SlidePoint {
         let (sin, cos) = libm::sincos(place.theta);
-        let slip =
-            self.integral() + place.rate * self.law.lever(sin, cos) - self.law.drag() * elapsed;
+        let slip = self.integral() + place.rate * self.law.slip_coefficient(sin, cos)
+            - self.law.mean_slip_loss() * elapsed;
         SlidePoint {
             elapsed,
             turned,
@@ -527,7 +700,8 @@ impl Sliding {
     fn time_left(&self, here: &SlidePoint) -> f64 {
         let steady = |theta: f64, theta_rate: f64, slip: f64| {
             let (sin, cos) = libm::sincos(theta);
-            self.direction.sign() * (slip - theta_rate * (self.law.lever(sin, cos) - 1.0))
+            self.direction.sign()
+                * (slip - theta_rate * (self.law.slip_coefficient(sin, cos) - 1.0))
         };
         let State {
             theta,
@@ -645,7 +819,7 @@ impl Sliding {
             };
         };
         let leaps = self.leaps.partition_point(|leap| leap.begin <= within);
-        if let Some(Leap {
+        if let Some(TurnSkip {
             begin,
             turned,
             passed,
@@ -657,7 +831,7 @@ impl Sliding {
         }
         let mut here = step.at(within - step.begin);
         here.place.theta += gained;
-        here.slip -= self.law.drag() * (elapsed - within);
+        here.slip -= self.law.mean_slip_loss() * (elapsed - within);
         self.state_from(SlidePoint { elapsed, ..here })
     }
 
@@ -679,19 +853,17 @@ impl Sliding {
             theta: self.with_turns(turned + place.theta),
             theta_rate: place.rate,
             slip,
-            x: self.path.x(elapsed, libm::sincos(place.theta)),
+            x: self.path.x(elapsed, place.theta.angle()),
         }
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
-        let forces = self.law.forces(state.theta, state.theta_rate);
-        let accelerations = self.law.accelerations(state.theta, state.theta_rate);
         let instant = Instant {
             mode: Mode::Sliding,
             direction: Some(self.direction),
-            accelerations: (accelerations.theta, accelerations.slip),
-            forces: (forces.normal, forces.friction),
-            gap: (0.0, 0.0),
+            accelerations: self.law.accelerations(state.theta, state.theta_rate),
+            forces: self.law.forces(state.theta, state.theta_rate),
+            clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)
     }
@@ -716,7 +888,7 @@ fn first_event(
     }
     let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
     let lift_off = crossing(&series.contact, width).map(|at| (at, Event::LiftOff));
-    let singular = crossing(&series.solvability, width).map(|at| (at, Event::Singular));
+    let singular = crossing(&series.painleve, width).map(|at| (at, Event::Singular));
     [rest, lift_off, singular]
         .into_iter()
         .flatten()
@@ -741,7 +913,14 @@ mod tests {
                 next_attempt,
                 ..LeapSearch::default()
             };
-            let end = slide.follow(Entry::Moving, (allowed, 200_000), search);
+            let end = slide.integrate(
+                Entry::Moving,
+                SlideBudget {
+                    time_left: allowed,
+                    steps: 200_000,
+                },
+                search,
+            );
             (slide, end)
         })
     }
@@ -804,7 +983,7 @@ mod tests {
             let allowed = tolerance + difference(&end, &shaken);
             prop_assert!(difference(&end, &expected) < allowed, "{end:?} {expected:?}");
             let last = end.time.min(expected.time).min(shaken.time);
-            let seams = by_leaps.leaps.iter().flat_map(|Leap { begin, passed, .. }| {
+            let seams = by_leaps.leaps.iter().flat_map(|TurnSkip { begin, passed, .. }| {
                 [0.0, 1.0, 7.0, passed.count - 1.0, passed.count].map(|n| begin + passed.begin(n).0)
             });
             let seams = seams.flat_map(|time| [-1e-9, 0.0, 1e-9].map(|shift| (time + shift).clamp(0.0, last)));

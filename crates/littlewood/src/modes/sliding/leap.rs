@@ -16,8 +16,8 @@ use crate::math::bracket::last_of;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::mechanics::SlidingLaw;
 
+use super::return_map::{EnergyRange, ReturnMap, section};
 use super::series::{PhasePoint, SlideSeries};
-use super::turn::{Turn, section};
 
 /// Least number of turns, or periods, of a leap; fewer are integrated step by step.
 pub(super) const MIN_LEAP_TURNS: f64 = 16.0;
@@ -31,11 +31,11 @@ const MAX_SINGLY_SUMMED: usize = 8;
 
 const NODES: usize = 16;
 
-/// Largest ratio of min u between the turns of a stretch. The zero of u is then five half widths
+/// Largest ratio of min u between the turns of a block. The zero of u is then five half widths
 /// from the middle, and the interpolation error through 16 nodes is (5 + √24)^−16 = 9.9^−16.
 const MAX_ENERGY_RATIO: f64 = 1.5;
 
-/// Largest |κ| times the number of turns of a stretch: ε_k is then nearly quadratic in k.
+/// Largest |κ| times the number of turns of a block: ε_k is then nearly quadratic in k.
 const MAX_GROWTH: f64 = 0.5;
 
 /// Relative margin of a proof, for some tens of roundings.
@@ -56,78 +56,79 @@ pub(super) struct LeapLimits {
     /// σ η′ − σ θ′ (1 + h c + f h s) at the beginning.
     pub(super) slip: f64,
     /// μk + σ tan α, the rate at which σ η′ decreases on average.
-    pub(super) drag: f64,
+    pub(super) mean_slip_loss: f64,
     /// Time left until the time limit, or infinity.
-    pub(super) allowed: f64,
+    pub(super) time_left: f64,
 }
 
 impl LeapLimits {
-    /// Time to the time limit, or to η′ = 0 if the oscillating part of σ η′ is `lowest`.
-    pub(super) fn longest(&self, lowest: f64) -> f64 {
-        let left = self.slip + lowest;
-        let sticks = if self.drag > 0.0 {
-            left / self.drag
+    /// Time to the time limit, or to η′ = 0 if the oscillating part of σ η′ is `min_slip`.
+    pub(super) fn time_until_event(&self, min_slip: f64) -> f64 {
+        let left = self.slip + min_slip;
+        let sticks = if self.mean_slip_loss > 0.0 {
+            left / self.mean_slip_loss
         } else if left > 0.0 {
             f64::INFINITY
         } else {
             0.0
         };
-        sticks.min(self.allowed)
+        sticks.min(self.time_left)
     }
 
     /// Whether σ η′ > 0, and the time is left, up to this time, if the oscillating part of σ η′ is
-    /// at least `lowest`.
-    fn holds(&self, time: f64, lowest: f64) -> bool {
+    /// at least `min_slip`.
+    fn holds(&self, time: f64, min_slip: f64) -> bool {
         // A slip that grows on average is least at the beginning.
-        let lost = (self.drag * time).max(0.0);
-        let margin = PROOF_MARGIN * (self.slip.abs() + lost + lowest.abs());
-        time <= self.allowed && self.slip - lost + lowest - margin > 0.0
+        let lost = (self.mean_slip_loss * time).max(0.0);
+        let margin = PROOF_MARGIN * (self.slip.abs() + lost + min_slip.abs());
+        time <= self.time_left && self.slip - lost + min_slip - margin > 0.0
     }
 }
 
 /// A turn, or a swing from a turning point to the next, in Taylor steps.
-struct Probe {
+struct TurnCheck {
     time: f64,
     /// Minimum and maximum of θ′ (1 + h c + f h s).
-    range: (f64, f64),
+    slip_range: (f64, f64),
 }
 
-impl Probe {
+impl TurnCheck {
     /// The turn from a start with θ′ ≠ 0, or the swing from one with θ′ = 0; none if an event comes
     /// first.
     fn new(law: &SlidingLaw, start: PhasePoint) -> Option<Self> {
-        let travel = start.rate.signum();
-        let end = start.theta + TAU.copysign(travel);
-        let mut probe = Self {
+        let heading = start.rate.signum();
+        let end = start.theta + TAU.copysign(heading);
+        let mut check = Self {
             time: 0.0,
-            range: (f64::INFINITY, f64::NEG_INFINITY),
+            slip_range: (f64::INFINITY, f64::NEG_INFINITY),
         };
-        let mut here = start;
+        let mut point = start;
         for _ in 0..MAX_STEPS_PER_TURN {
-            let (sin, cos) = libm::sincos(here.theta);
-            let mut series = SlideSeries::new(law, here, here.rate * law.lever(sin, cos));
-            series.slip[1] += law.drag();
-            let width = series.reach(f64::INFINITY);
+            let (sin, cos) = libm::sincos(point.theta);
+            let mut series =
+                SlideSeries::new(law, point, point.rate * law.slip_coefficient(sin, cos));
+            series.slip[1] += law.mean_slip_loss();
+            let width = series.convergence_radius(f64::INFINITY);
             if !(width > 0.0 && width.is_finite())
                 || crossing(&series.contact, width).is_some()
-                || crossing(&series.solvability, width).is_some()
+                || crossing(&series.painleve, width).is_some()
             {
                 return None;
             }
-            probe.widen(&series.slip, width);
+            check.widen(&series.slip, width);
             let next = series.point(width);
             let last = if start.rate == 0.0 {
-                (here.rate * next.rate < 0.0)
-                    .then(|| root(&series.theta_rate, 0.0, here.rate.signum(), width))
+                (point.rate * next.rate < 0.0)
+                    .then(|| root(&series.theta_rate, 0.0, point.rate.signum(), width))
             } else {
-                (travel * (next.theta - end) >= 0.0)
-                    .then(|| root(&series.theta, end, -travel, width))
+                (heading * (next.theta - end) >= 0.0)
+                    .then(|| root(&series.theta, end, -heading, width))
             };
-            probe.time += last.unwrap_or(width);
+            check.time += last.unwrap_or(width);
             if last.is_some() {
-                return Some(probe);
+                return Some(check);
             }
-            here = next;
+            point = next;
         }
         None
     }
@@ -138,7 +139,7 @@ impl Probe {
         let extrema = Bernstein::from_taylor(&slope, width).sign_changes();
         for at in extrema.into_iter().map(|at| at * width).chain([0.0, width]) {
             let value = value(series, at);
-            self.range = (self.range.0.min(value), self.range.1.max(value));
+            self.slip_range = (self.slip_range.0.min(value), self.slip_range.1.max(value));
         }
     }
 }
@@ -153,15 +154,15 @@ enum Times {
 
 /// Consecutive turns whose times are summed together.
 #[derive(Clone, Debug)]
-struct Stretch {
+struct TurnBlock {
     first: f64,
     turns: f64,
     begin: f64,
     times: Times,
 }
 
-impl Stretch {
-    /// Time at the beginning of turn `n` of the leap, a turn of the stretch or the next turn.
+impl TurnBlock {
+    /// Time at the beginning of turn `n` of the leap, a turn of the block or the next turn.
     fn time(&self, n: f64) -> f64 {
         let within = n - self.first;
         let passed = match &self.times {
@@ -175,7 +176,7 @@ impl Stretch {
     }
 }
 
-/// Coefficients of D(x) − D(−1) from the values of p at the Chebyshev nodes of a stretch of `turns`
+/// Coefficients of D(x) − D(−1) from the values of p at the Chebyshev nodes of a block of `turns`
 /// turns.
 fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
     // Coefficients of p in powers of x, by the recurrence of the Chebyshev polynomials.
@@ -231,54 +232,60 @@ fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
     sum
 }
 
-fn in_travel_direction(law: &SlidingLaw, travel: f64) -> SlidingLaw {
+fn along_heading(law: &SlidingLaw, heading: f64) -> SlidingLaw {
     SlidingLaw {
-        friction: travel * law.friction,
+        friction: heading * law.friction,
         ..*law
     }
 }
 
 /// Angle of the section at which a leap can begin, up to whole turns.
-pub(super) fn section_of(law: &SlidingLaw, travel: f64) -> f64 {
-    travel * section(&in_travel_direction(law, travel))
+pub(super) fn section_of(law: &SlidingLaw, heading: f64) -> f64 {
+    heading * section(&along_heading(law, heading))
 }
 
 /// The turns, or periods, that a leap passes.
 #[derive(Clone, Debug)]
-pub(super) struct Turns {
+pub(super) struct ProvedTurns {
     /// The sign of θ′; zero for the periods of a libration.
-    travel: f64,
+    heading: f64,
     /// Angle at the beginning of a turn, without whole turns.
     theta: f64,
-    turn: Turn,
+    map: ReturnMap,
     /// ε at the beginning.
     energy: f64,
     /// Upper bound of the number of turns whose times can be summed.
-    most: f64,
-    stretches: Vec<Stretch>,
+    max_turns: f64,
+    blocks: Vec<TurnBlock>,
     /// Number of turns that are proved free of events.
     pub(super) count: f64,
 }
 
-impl Turns {
+impl ProvedTurns {
     /// The turns from the section with the rate θ′ that are proved free of events; none if fewer
     /// than [`MIN_LEAP_TURNS`].
     pub(super) fn new(law: &SlidingLaw, rate: f64, bounds: LeapLimits) -> Option<Self> {
-        let travel = rate.signum();
-        let ahead = in_travel_direction(law, travel);
-        let coarse = Turn::new(&ahead, None)?;
+        let heading = rate.signum();
+        let ahead = along_heading(law, heading);
+        let coarse = ReturnMap::new(&ahead, None)?;
         let energy = coarse.energy(rate);
-        let most = most_turns(&ahead, &coarse, energy, bounds)?;
-        let last = coarse.after(energy, most - 1.0);
-        let turn = Turn::new(&ahead, Some((energy.min(last), energy.max(last))))?;
-        let theta = section_of(law, travel);
+        let max_turns = max_summable_turns(&ahead, &coarse, energy, bounds)?;
+        let last = coarse.after(energy, max_turns - 1.0);
+        let map = ReturnMap::new(
+            &ahead,
+            Some(EnergyRange {
+                low: energy.min(last),
+                high: energy.max(last),
+            }),
+        )?;
+        let theta = section_of(law, heading);
         let mut turns = Self {
-            travel,
+            heading,
             theta,
-            turn,
+            map,
             energy,
-            most,
-            stretches: Vec::new(),
+            max_turns,
+            blocks: Vec::new(),
             count: 0.0,
         };
         turns.count = turns.proved(law, bounds)?;
@@ -288,31 +295,33 @@ impl Turns {
     /// The periods from a turning point that are proved free of events. The preceding swing had no
     /// event.
     pub(super) fn periods(law: &SlidingLaw, theta: f64, bounds: LeapLimits) -> Option<Self> {
-        let swing = Probe::new(law, PhasePoint { theta, rate: 0.0 })?;
+        let swing = TurnCheck::new(law, PhasePoint { theta, rate: 0.0 })?;
         let period = 2.0 * swing.time;
         // θ′ changes sign on the way back.
-        let lowest = swing.range.0.min(-swing.range.1);
-        let most = ((bounds.longest(lowest) / period).min(MAX_LEAP_TURNS) - 1.0).floor();
-        let is_proved =
-            |count: &f64| *count >= MIN_LEAP_TURNS && bounds.holds((count + 1.0) * period, lowest);
-        let count = [most, most - 1.0].into_iter().find(is_proved)?;
+        let min_slip = swing.slip_range.0.min(-swing.slip_range.1);
+        let max_turns =
+            ((bounds.time_until_event(min_slip) / period).min(MAX_LEAP_TURNS) - 1.0).floor();
+        let is_proved = |count: &f64| {
+            *count >= MIN_LEAP_TURNS && bounds.holds((count + 1.0) * period, min_slip)
+        };
+        let count = [max_turns, max_turns - 1.0].into_iter().find(is_proved)?;
         let times = Times::Equal {
             before: 0.0,
             each: period,
         };
-        let stretches = vec![Stretch {
+        let blocks = vec![TurnBlock {
             first: 0.0,
             turns: count,
             begin: 0.0,
             times,
         }];
         Some(Self {
-            travel: 0.0,
+            heading: 0.0,
             theta,
-            turn: Turn::still(1.0),
+            map: ReturnMap::identity(1.0),
             energy: 0.0,
-            most,
-            stretches,
+            max_turns,
+            blocks,
             count,
         })
     }
@@ -320,72 +329,79 @@ impl Turns {
     /// Number of turns that are proved free of events.
     fn proved(&mut self, law: &SlidingLaw, bounds: LeapLimits) -> Option<f64> {
         let side = law.friction.signum();
-        let probe = |turns: &Self, n: f64| {
-            let probe = Probe::new(law, turns.point(n))?;
-            let quadrature = turns.turn.time(turns.energy_at(n));
-            let same = (probe.time - quadrature).abs() <= MAX_TIME_MISMATCH * quadrature;
+        let check = |turns: &Self, n: f64| {
+            let check = TurnCheck::new(law, turns.point(n))?;
+            let quadrature = turns.map.time(turns.energy_at(n));
+            let same = (check.time - quadrature).abs() <= MAX_TIME_MISMATCH * quadrature;
             same.then_some(if side > 0.0 {
-                probe.range.0
+                check.slip_range.0
             } else {
-                -probe.range.1
+                -check.slip_range.1
             })
         };
-        // If the lever of θ′ can be negative, the oscillating part of the slip need not decrease
+        // If the coefficient L of θ′ can be negative, the oscillating part of the slip need not decrease
         // from turn to turn.
         let f = law.friction;
         let first = if law.body.h * (1.0 + f * f).sqrt() < 1.0 {
             f64::INFINITY
         } else {
-            probe(self, 0.0)?
+            check(self, 0.0)?
         };
-        // The minimum over the nodes exceeds the true minimum, by nearly the same amount in
-        // neighbouring turns.
-        let mut excess = 0.0;
+        // The count is guessed from minima over the nodes, which exceed the true ones by nearly the
+        // same amount in neighbouring turns. Turn n is then integrated for its true minimum. If the
+        // slip stays positive until that turn ends, all earlier turns are free of events, too,
+        // because the minima fall from turn to turn (`first` covers an L that changes sign).
+        // Otherwise the guess is lowered by the error just seen.
+        let mut overestimate = 0.0;
         for _ in 0..MAX_PROOFS {
-            let n = self.last(bounds, first, excess);
+            let n = self.last(bounds, first, overestimate);
             if n < MIN_LEAP_TURNS {
                 return None;
             }
-            let Some(lowest) = probe(self, n).map(|lowest| lowest.min(first)) else {
+            let Some(min_slip) = check(self, n).map(|min_slip| min_slip.min(first)) else {
                 // A lift-off in this turn.
-                self.most = n;
+                self.max_turns = n;
                 continue;
             };
-            if bounds.holds(self.time(n + 1.0), lowest) {
+            if bounds.holds(self.time(n + 1.0), min_slip) {
                 return Some(n);
             }
-            let found = self.turn.lowest_slip(self.energy_at(n)) - lowest;
-            excess = if found > excess { found } else { 2.0 * excess };
+            let found = self.map.min_slip(self.energy_at(n)) - min_slip;
+            overestimate = if found > overestimate {
+                found
+            } else {
+                2.0 * overestimate
+            };
         }
         None
     }
 
-    /// The last turn that ends with σ η′ > 0, from the minimum over the nodes less `excess`; −1 if
-    /// the first does not.
-    fn last(&mut self, bounds: LeapLimits, first: f64, excess: f64) -> f64 {
+    /// The last turn that ends with σ η′ > 0, from the minimum over the nodes less `overestimate`;
+    /// −1 if the first does not.
+    fn last(&mut self, bounds: LeapLimits, first: f64, overestimate: f64) -> f64 {
         let holds = |turns: &Self, n: f64| {
-            let lowest = turns.turn.lowest_slip(turns.energy_at(n)) - excess;
-            bounds.holds(turns.time(n + 1.0), lowest.min(first))
+            let min_slip = turns.map.min_slip(turns.energy_at(n)) - overestimate;
+            bounds.holds(turns.time(n + 1.0), min_slip.min(first))
         };
         loop {
             let summed = self
-                .stretches
+                .blocks
                 .last()
                 .map_or(0.0, |last| last.first + last.turns);
-            let is_over = summed > 0.0 && !holds(self, summed.min(self.most) - 1.0);
-            if is_over || summed >= self.most {
-                return last_of(-1.0, summed.min(self.most), |n| holds(self, n));
+            let is_over = summed > 0.0 && !holds(self, summed.min(self.max_turns) - 1.0);
+            if is_over || summed >= self.max_turns {
+                return last_of(-1.0, summed.min(self.max_turns), |n| holds(self, n));
             }
             self.extend(summed);
         }
     }
 
-    /// Adds a stretch, or some turns one by one, from turn `first`.
+    /// Adds a block, or some turns one by one, from turn `first`.
     fn extend(&mut self, first: f64) {
         let begin = self.time(first);
         // The minimum of u lies at the end of a turn if u decreases, and at its beginning if u
         // increases.
-        let falls = self.turn.beta() < 0.0;
+        let falls = self.map.beta() < 0.0;
         let least = self.energy_at(if falls { first + 1.0 } else { first });
         let then = if falls {
             least / MAX_ENERGY_RATIO
@@ -393,18 +409,18 @@ impl Turns {
             least * MAX_ENERGY_RATIO
         };
         let smooth = self
-            .turn
+            .map
             .turns(least, then)
-            .min(MAX_GROWTH / self.turn.kappa().abs());
-        let turns = smooth.min(self.most - first).floor();
+            .min(MAX_GROWTH / self.map.kappa().abs());
+        let turns = smooth.min(self.max_turns - first).floor();
         if turns > MAX_SINGLY_SUMMED as f64 {
             let values = core::array::from_fn(|k| {
                 let x = libm::cos(PI * (2 * k + 1) as f64 / (2 * NODES) as f64);
-                self.turn
+                self.map
                     .time(self.energy_at(first + 0.5 * ((x + 1.0) * turns - 1.0)))
             });
             let times = Times::Smooth(sum_of_turns(&values, turns));
-            self.stretches.push(Stretch {
+            self.blocks.push(TurnBlock {
                 first,
                 turns,
                 begin,
@@ -415,11 +431,11 @@ impl Turns {
         let mut before = 0.0;
         for n in (0..MAX_SINGLY_SUMMED)
             .map(|k| first + k as f64)
-            .take_while(|n| *n < self.most)
+            .take_while(|n| *n < self.max_turns)
         {
-            let each = self.turn.time(self.energy_at(n));
+            let each = self.map.time(self.energy_at(n));
             let times = Times::Equal { before, each };
-            self.stretches.push(Stretch {
+            self.blocks.push(TurnBlock {
                 first: n,
                 turns: 1.0,
                 begin,
@@ -430,86 +446,89 @@ impl Turns {
     }
 
     fn energy_at(&self, n: f64) -> f64 {
-        self.turn.after(self.energy, n)
+        self.map.after(self.energy, n)
     }
 
     /// Time at the beginning of turn `n`.
     fn time(&self, n: f64) -> f64 {
         let index = self
-            .stretches
-            .partition_point(|stretch| stretch.first <= n)
+            .blocks
+            .partition_point(|block| block.first <= n)
             .saturating_sub(1);
-        self.stretches
-            .get(index)
-            .map_or(0.0, |stretch| stretch.time(n))
+        self.blocks.get(index).map_or(0.0, |block| block.time(n))
     }
 
     /// Angle and rate at the beginning of turn `n`, without whole turns.
     fn point(&self, n: f64) -> PhasePoint {
         PhasePoint {
             theta: self.theta,
-            rate: self.travel * self.turn.rate(self.energy_at(n)),
+            rate: self.heading * self.map.rate(self.energy_at(n)),
         }
     }
 
     /// Time, angle and rate at the beginning of turn `n`, and the change of θ over the whole turns
     /// before.
     pub(super) fn begin(&self, n: f64) -> (f64, PhasePoint, f64) {
-        (self.time(n), self.point(n), self.travel * n * TAU)
+        (self.time(n), self.point(n), self.heading * n * TAU)
     }
 
     /// Whether the leap reaches [`MAX_LEAP_TURNS`].
-    pub(super) fn is_longest(&self) -> bool {
+    pub(super) fn is_limited(&self) -> bool {
         self.count >= MAX_LEAP_TURNS - 1.0
     }
 
     /// Angle and rate after a time within the leap, and the change of θ over the whole turns
     /// before.
     pub(super) fn at(&self, law: &SlidingLaw, time: f64) -> (PhasePoint, f64) {
-        let (begin, mut here, gained) =
+        let (begin, mut point, delta_theta) =
             self.begin(last_of(0.0, self.count, |n| self.time(n) <= time));
         let mut left = time - begin;
         for _ in 0..MAX_STEPS_PER_TURN {
-            let series = SlideSeries::new(law, here, 0.0);
-            let width = series.reach(f64::INFINITY).min(left);
-            here = series.point(width);
+            let series = SlideSeries::new(law, point, 0.0);
+            let width = series.convergence_radius(f64::INFINITY).min(left);
+            point = series.point(width);
             left -= width;
             if left <= 0.0 {
                 break;
             }
         }
-        (here, gained)
+        (point, delta_theta)
     }
 }
 
 /// Upper bound of the number of turns whose times can be summed; none if it is below
 /// [`MIN_LEAP_TURNS`].
-fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) -> Option<f64> {
+fn max_summable_turns(
+    law: &SlidingLaw,
+    map: &ReturnMap,
+    energy: f64,
+    bounds: LeapLimits,
+) -> Option<f64> {
     let LeapLimits {
         slip,
-        drag,
-        allowed,
+        mean_slip_loss,
+        time_left,
     } = bounds;
-    let (h, beta) = (law.body.h, turn.beta());
+    let (h, beta) = (law.body.h, map.beta());
     // The first turn lifts off.
-    if turn.load_at_top(h, energy) >= 1.0 {
+    if map.load_at_top(h, energy) >= 1.0 {
         return None;
     }
     let ends = if beta < 0.0 {
         // The first turn is the fastest; half its time is below the time of any turn.
-        let shortest = 0.5 * turn.time(energy);
-        let most_slip = slip + turn.largest_slip(energy);
-        let sticks = if drag > 0.0 {
-            most_slip / (drag * shortest) + 1.0
+        let shortest = 0.5 * map.time(energy);
+        let max_slip = slip + map.max_slip(energy);
+        let sticks = if mean_slip_loss > 0.0 {
+            max_slip / (mean_slip_loss * shortest) + 1.0
         } else {
             f64::INFINITY
         };
-        turn.turns(energy, -2.0 * beta)
+        map.turns(energy, -2.0 * beta)
             .min(sticks)
-            .min(allowed / shortest + 1.0)
+            .min(time_left / shortest + 1.0)
     } else {
-        turn.turns(energy, turn.lift_off_energy(h))
+        map.turns(energy, map.lift_off_energy(h))
     };
-    let most = ends.min(MAX_LEAP_TURNS).floor();
-    (most >= MIN_LEAP_TURNS).then_some(most)
+    let max_turns = ends.min(MAX_LEAP_TURNS).floor();
+    (max_turns >= MIN_LEAP_TURNS).then_some(max_turns)
 }

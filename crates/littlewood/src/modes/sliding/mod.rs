@@ -5,12 +5,12 @@
 mod arc;
 mod leap;
 mod onset;
+mod return_map;
 mod series;
 mod singular;
-mod turn;
 
 pub use arc::Sliding;
-pub(crate) use arc::{Entry, SlidingEnd};
+pub(crate) use arc::{Entry, SlideBudget, SlidingEnd};
 pub(crate) use onset::Onset;
 pub(crate) use series::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
 

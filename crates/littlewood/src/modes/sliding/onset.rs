@@ -7,6 +7,7 @@
 //! coefficient of the series of η′ counts only if it exceeds the rounding of its terms.
 
 use crate::math::series::{DEGREE, Series, convolve};
+use crate::math::trig::Angle;
 use crate::mechanics::SlidingLaw;
 use crate::model::{Direction, Heavy};
 
@@ -53,15 +54,18 @@ struct Sizes {
 }
 
 impl Sizes {
-    fn new(law: &SlidingLaw, place: PhasePoint, most: usize) -> Self {
+    fn new(law: &SlidingLaw, place: PhasePoint, max_order: usize) -> Self {
         let (sin, cos) = libm::sincos(place.theta);
         let (sin, cos) = (sin.abs(), cos.abs());
         let Heavy { mass, h, .. } = law.body;
         let p = law.p(sin, h * sin);
-        let sum = |direction| sum_of_sizes(law, p, direction, place.rate.abs(), most);
+        let sum = |angle| sum_of_sizes(law, p, angle, place.rate.abs(), max_order);
         Self {
-            terms: sum([sin, cos]),
-            turned: sum([sin + cos; 2]),
+            terms: sum(Angle { sin, cos }),
+            turned: sum(Angle {
+                sin: sin + cos,
+                cos: sin + cos,
+            }),
             angle: 0.5 * f64::EPSILON * place.theta.abs(),
             steepness: 2.0 * mass * h * h * sin * cos / p,
         }
@@ -78,23 +82,17 @@ impl Sizes {
     }
 }
 
-/// The recurrence of [`SlideSeries`], of the sizes of its terms, up to the order `most`; from P.
-fn sum_of_sizes(
-    law: &SlidingLaw,
-    p: f64,
-    [sin0, cos0]: [f64; 2],
-    rate0: f64,
-    most: usize,
-) -> Series {
+/// The recurrence of [`SlideSeries`], of the sizes of its terms, up to `max_order`; from P.
+fn sum_of_sizes(law: &SlidingLaw, p: f64, angle: Angle, rate0: f64, max_order: usize) -> Series {
     let Heavy {
         mass, h, inertia, ..
     } = law.body;
     let zero: Series = [0.0; DEGREE + 1];
     let (mut sin, mut cos, mut turn, mut rate) = (zero, zero, zero, zero);
-    let (mut u, mut contact, mut solvability, mut acceleration) = (zero, zero, zero, zero);
-    let (mut lever, mut slip) = (zero, zero);
-    (sin[0], cos[0], rate[0]) = (sin0, cos0, rate0);
-    for n in 0..=most {
+    let (mut u, mut contact, mut painleve, mut acceleration) = (zero, zero, zero, zero);
+    let (mut height, mut slip) = (zero, zero);
+    (sin[0], cos[0], rate[0]) = (angle.sin, angle.cos, rate0);
+    for n in 0..=max_order {
         let order = n as f64;
         if n > 0 {
             rate[n] = acceleration[n - 1] / order;
@@ -105,18 +103,19 @@ fn sum_of_sizes(
         }
         let one = if n == 0 { 1.0 } else { 0.0 };
         [u[n]] = convolve([(&rate, &rate)], n);
-        lever[n] = one + h * cos[n];
-        let [cos_u, square, levered] = convolve([(&cos, &u), (&sin, &sin), (&rate, &lever)], n);
+        height[n] = one + h * cos[n];
+        let [cos_u, square, height_rate] =
+            convolve([(&cos, &u), (&sin, &sin), (&rate, &height)], n);
         contact[n] = one + h * cos_u;
-        solvability[n] = inertia * one + mass * h * h * square;
-        slip[n] = levered;
+        painleve[n] = inertia * one + mass * h * h * square;
+        slip[n] = height_rate;
         let [driven] = convolve([(&sin, &contact)], n);
         let mut sum = mass * h * driven;
         for j in 1..=n {
-            sum += solvability[j] * acceleration[n - j];
+            sum += painleve[j] * acceleration[n - j];
         }
         acceleration[n] = sum / p;
     }
-    slip[1] += law.drag().abs();
+    slip[1] += law.mean_slip_loss().abs();
     slip
 }

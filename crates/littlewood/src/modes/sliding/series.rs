@@ -30,7 +30,7 @@ pub(crate) struct SlideSeries<T = f64> {
     /// w = 1 − h cos θ θ′², proportional to the normal force: N = Î m w/P.
     pub(crate) contact: Series<T>,
     /// P = Î + m h s q: sliding has a unique solution while P > 0 (Painlevé).
-    pub(crate) solvability: Series<T>,
+    pub(crate) painleve: Series<T>,
 }
 
 impl<T: Number> SlideSeries<T> {
@@ -53,10 +53,10 @@ impl<T: Number> SlideSeries<T> {
             theta_rate: zero,
             slip: zero,
             contact: zero,
-            solvability: zero,
+            painleve: zero,
         };
         let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
-        let (mut lever, mut acceleration) = (zero, zero);
+        let (mut slip_coefficient, mut acceleration) = (zero, zero);
         // j θ_j: coefficients of dθ in sin θ = ∫ cos θ dθ and cos θ = −∫ sin θ dθ.
         let mut increment = zero;
 
@@ -67,11 +67,12 @@ impl<T: Number> SlideSeries<T> {
             let acceleration = m * -friction / inertia;
             (s.theta[1], s.theta[2]) = (rate, acceleration * 0.5);
             s.theta_rate[1] = acceleration;
-            (s.contact[0], s.solvability[0]) = (T::constant(1.0), inertia);
-            (s.slip[0], s.slip[1]) = (slip, acceleration - law.drag());
+            (s.contact[0], s.painleve[0]) = (T::constant(1.0), inertia);
+            (s.slip[0], s.slip[1]) = (slip, acceleration - law.mean_slip_loss());
             return s;
         }
-        (sin[0], cos[0]) = theta.sincos();
+        let angle = theta.angle();
+        (sin[0], cos[0]) = (angle.sin, angle.cos);
         let mut order = 0.0;
         for n in 0..=DEGREE {
             if n > 0 {
@@ -94,24 +95,26 @@ impl<T: Number> SlideSeries<T> {
             }
             let constant = if n == 0 { 1.0 } else { 0.0 };
             q[n] = law.q(constant, sin[n], cos[n]);
-            lever[n] = h * cos[n] + constant + friction * h * sin[n];
-            let [cos_u, sin_q, levered] =
-                convolve([(&cos, &u), (&sin, &q), (&s.theta_rate, &lever)], n);
+            slip_coefficient[n] = h * cos[n] + constant + friction * h * sin[n];
+            let [cos_u, sin_q, coefficient_rate] = convolve(
+                [(&cos, &u), (&sin, &q), (&s.theta_rate, &slip_coefficient)],
+                n,
+            );
             s.contact[n] = contact(constant, h, cos_u);
-            s.solvability[n] = inertia * constant + m * h * sin_q;
-            s.slip[n] = levered;
+            s.painleve[n] = inertia * constant + m * h * sin_q;
+            s.slip[n] = coefficient_rate;
             let [driven] = convolve([(&q, &s.contact)], n);
             let mut remainder = m * driven;
             for j in 1..=n {
-                remainder = remainder - s.solvability[j] * acceleration[n - j];
+                remainder = remainder - s.painleve[j] * acceleration[n - j];
             }
-            acceleration[n] = remainder / s.solvability[0];
+            acceleration[n] = remainder / s.painleve[0];
             order += 1.0;
         }
         // First integral of sliding: η′ = const − (μk σ + tan α) τ + θ′ (1 + h cos θ + μk σ h sin
         // θ).
         s.slip[0] = slip;
-        s.slip[1] = s.slip[1] - law.drag();
+        s.slip[1] = s.slip[1] - law.mean_slip_loss();
         s
     }
 
@@ -128,7 +131,7 @@ impl<T: Number> SlideSeries<T> {
 impl SlideSeries {
     /// Step of a balanced hoop, ℓ = 0. Its accelerations are constant and the series finite, so one
     /// step covers the slide up to η′ = 0, or one turn without friction.
-    pub(super) fn straight_reach(&self) -> f64 {
+    pub(super) fn straight_step(&self) -> f64 {
         let time = |speed: f64, over: f64| {
             if speed == 0.0 {
                 0.0
@@ -146,18 +149,13 @@ impl SlideSeries {
     }
 
     /// Step on which the series converges to rounding, from its last two coefficients
-    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); at most `longest`.
-    pub(super) fn reach(&self, longest: f64) -> f64 {
+    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); at most `max_radius`.
+    pub(super) fn convergence_radius(&self, max_radius: f64) -> f64 {
         let (rate, acceleration) = (self.theta_rate[0].abs(), self.theta_rate[1].abs());
-        let mut reach = longest;
-        let all = [
-            &self.theta_rate,
-            &self.slip,
-            &self.contact,
-            &self.solvability,
-        ];
+        let mut radius = max_radius;
+        let all = [&self.theta_rate, &self.slip, &self.contact, &self.painleve];
         if all.iter().any(|series| !series[DEGREE].is_finite()) {
-            // Coefficients grow like reach^−n, so overflow means a reach below 1e-13.
+            // Coefficients grow like radius^−n, so overflow means a radius below 1e-13.
             return 0.0;
         }
         for order in [DEGREE - 1, DEGREE] {
@@ -176,9 +174,9 @@ impl SlideSeries {
                 } else {
                     of(acceleration, order)
                 };
-                reach = reach.min(of(rate, order).max(grown));
+                radius = radius.min(of(rate, order).max(grown));
             }
         }
-        reach
+        radius
     }
 }

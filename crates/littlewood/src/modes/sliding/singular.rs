@@ -28,7 +28,7 @@ const SUM_ERROR: f64 = 8.0 * f64::EPSILON;
 const MAX_NEWTON_STEPS: usize = 8;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Fate {
+pub(super) enum SingularFate {
     /// Reaches P = 0 with η′ ≠ 0 and unbounded N.
     Jams,
     /// The normal force vanishes before.
@@ -38,23 +38,23 @@ pub(super) enum Fate {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ending {
-    pub(super) fate: Fate,
+pub(super) struct SingularEnd {
+    pub(super) fate: SingularFate,
     /// The limit of θ′.
     pub(super) rate: f64,
     /// The angle and the time from the approach to the end; zero where they are below the
     /// resolution of the time.
-    pub(super) ahead: f64,
-    pub(super) later: f64,
+    pub(super) delta_theta: f64,
+    pub(super) delta_time: f64,
 }
 
-impl Ending {
-    const fn here(fate: Fate, rate: f64) -> Self {
+impl SingularEnd {
+    const fn at_once(fate: SingularFate, rate: f64) -> Self {
         Self {
             fate,
             rate,
-            ahead: 0.0,
-            later: 0.0,
+            delta_theta: 0.0,
+            delta_time: 0.0,
         }
     }
 }
@@ -64,15 +64,15 @@ pub(super) struct Approach<'a> {
     pub(super) law: &'a SlidingLaw,
     pub(super) place: PhasePoint,
     /// η′ − θ′ L.
-    pub(super) rest: f64,
-    /// Error bound of `rest`.
+    pub(super) integral: f64,
+    /// Error bound of `integral`.
     pub(super) error: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Zero {
     /// Angle relative to that of the approach.
-    ahead: f64,
+    delta_theta: f64,
     sin: f64,
     cos: f64,
     /// P_θ and P_θθ.
@@ -89,8 +89,8 @@ impl Zero {
         } = law.body;
         let (sin, cos) = libm::sincos(theta);
         let reduced = libm::atan2(sin, cos);
-        let at = |ahead: f64| {
-            let (sin, cos) = libm::sincos(reduced + ahead);
+        let at = |delta_theta: f64| {
+            let (sin, cos) = libm::sincos(reduced + delta_theta);
             let (q, turned) = (law.q(1.0, sin, cos), h * (cos + law.friction * sin));
             let slope = mass * h * (cos * q + sin * turned);
             let bend = mass * h * (sin * (h * (law.friction * cos - sin) - q) + 2.0 * cos * turned);
@@ -100,7 +100,7 @@ impl Zero {
             (
                 law.p(sin, q),
                 Self {
-                    ahead,
+                    delta_theta,
                     sin,
                     cos,
                     slope,
@@ -114,7 +114,7 @@ impl Zero {
             if p.abs() <= zero.error * zero.slope.abs() {
                 break;
             }
-            (p, zero) = at(zero.ahead - p / zero.slope);
+            (p, zero) = at(zero.delta_theta - p / zero.slope);
         }
         // Rejects NaN, too.
         (p.abs() <= zero.error * zero.slope.abs()).then_some(zero)
@@ -124,45 +124,49 @@ impl Zero {
 impl Approach<'_> {
     /// The end, from an earlier angle and rate at which the leading-order terms hold. None if
     /// rounding decides, or if P = 0 is not the cause.
-    pub(super) fn end(&self, earlier: PhasePoint) -> Option<Ending> {
+    pub(super) fn end(&self, earlier: PhasePoint) -> Option<SingularEnd> {
         let Self {
             law,
             place: PhasePoint { theta, rate },
-            rest,
+            integral,
             error,
         } = *self;
         let (h, sigma) = (law.body.h, law.friction.signum());
         let zero = Zero::near(law, theta).filter(|zero| zero.slope * rate < 0.0)?;
         let Zero { sin, cos, .. } = zero;
-        let lever = law.lever(sin, cos);
+        let slip_coefficient = law.slip_coefficient(sin, cos);
         let is_from_above = sigma * rate < 0.0;
         if is_from_above && cos <= 0.0 {
-            return Some(self.rest(&zero));
+            return Some(self.end_of_slip(&zero));
         }
         let last = if is_from_above {
             -sigma / (h * cos).sqrt()
         } else {
             -rate
         };
-        let slip = sigma * (last * lever + rest);
+        let slip = sigma * (last * slip_coefficient + integral);
         let tilt = if is_from_above { 0.5 * sin / cos } else { 0.0 };
-        let by_angle = (last * (lever * tilt + h * (law.friction * cos - sin))).abs();
-        let doubt = error + SUM_ERROR * (last * lever).abs() + by_angle * zero.error;
-        if slip < -doubt {
-            Some(self.rest(&zero))
-        } else if slip > doubt && is_from_above {
-            Some(Ending::here(self.without_force(&zero, earlier)?, last))
+        let by_angle = (last * (slip_coefficient * tilt + h * (law.friction * cos - sin))).abs();
+        let uncertainty =
+            error + SUM_ERROR * (last * slip_coefficient).abs() + by_angle * zero.error;
+        if slip < -uncertainty {
+            Some(self.end_of_slip(&zero))
+        } else if slip > uncertainty && is_from_above {
+            Some(SingularEnd::at_once(
+                self.without_force(&zero, earlier)?,
+                last,
+            ))
         } else {
             None
         }
     }
 
     /// The end of the slip, where θ′ L = −(η′ − θ′ L).
-    fn rest(&self, zero: &Zero) -> Ending {
+    fn end_of_slip(&self, zero: &Zero) -> SingularEnd {
         let Self {
             law,
             place: PhasePoint { theta, rate },
-            rest,
+            integral,
             ..
         } = *self;
         let scale = 2.0 * law.body.inertia / (law.body.h * zero.sin * zero.slope);
@@ -184,24 +188,27 @@ impl Approach<'_> {
                 libm::log1p(exponent * gained / slope) / exponent
             }
         };
-        let mut end = Ending::here(Fate::Sticks, -rest / law.lever(zero.sin, zero.cos));
-        // The lever changes by the distance, so that each round gains its digits.
+        let mut end = SingularEnd::at_once(
+            SingularFate::Sticks,
+            -integral / law.slip_coefficient(zero.sin, zero.cos),
+        );
+        // The coefficient L changes by the distance, so that each round gains its digits.
         for _ in 0..3 {
             let y = y_of(end.rate * end.rate);
             // Rounding puts the end before the approach.
             if y > 0.0 || y.is_nan() {
-                return Ending::here(Fate::Sticks, end.rate);
+                return SingularEnd::at_once(SingularFate::Sticks, end.rate);
             }
-            end.ahead = -zero.ahead * libm::expm1(y);
-            let (sin, cos) = libm::sincos(theta + end.ahead);
-            end.rate = -rest / law.lever(sin, cos);
+            end.delta_theta = -zero.delta_theta * libm::expm1(y);
+            let (sin, cos) = libm::sincos(theta + end.delta_theta);
+            end.rate = -integral / law.slip_coefficient(sin, cos);
             // Simpson's rule in the distance; a slide that turns back passes θ′ = 0, in a time that
             // is not resolved.
             let between = libm::log1p(0.5 * libm::expm1(y));
             let slowness = 1.0 / rate + 4.0 / u_at(between).sqrt().copysign(rate) + 1.0 / end.rate;
             let is_ahead = end.rate * rate > 0.0 && slowness.is_finite();
-            end.later = if is_ahead {
-                end.ahead * slowness / 6.0
+            end.delta_time = if is_ahead {
+                end.delta_theta * slowness / 6.0
             } else {
                 0.0
             };
@@ -210,7 +217,7 @@ impl Approach<'_> {
     }
 
     /// Jam or lift-off, from λ and C.
-    fn without_force(&self, zero: &Zero, earlier: PhasePoint) -> Option<Fate> {
+    fn without_force(&self, zero: &Zero, earlier: PhasePoint) -> Option<SingularFate> {
         let law = self.law;
         let Zero {
             sin,
@@ -220,18 +227,18 @@ impl Approach<'_> {
             ..
         } = *zero;
         let exponent = 2.0 * law.body.inertia * cos / (sin * slope);
-        let distance = (earlier.theta - self.place.theta - zero.ahead).abs();
+        let distance = (earlier.theta - self.place.theta - zero.delta_theta).abs();
         // The regular part of w, to first order.
         let tangent = sin.abs() / cos;
         let smooth = tangent / (1.0 - exponent);
         let force = law.contact(earlier.theta, earlier.rate);
         let next = distance * ((bend / slope).abs() + tangent + 1.0 / tangent);
-        let doubt =
+        let uncertainty =
             SUM_ERROR * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
-        if exponent >= 1.0 || force - smooth * distance < -doubt {
-            Some(Fate::LiftsOff)
+        if exponent >= 1.0 || force - smooth * distance < -uncertainty {
+            Some(SingularFate::LiftsOff)
         } else {
-            (force - smooth * distance > doubt).then_some(Fate::Jams)
+            (force - smooth * distance > uncertainty).then_some(SingularFate::Jams)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The conditions of the events that end phases.
 
 use crate::math::number::{Dual, Number};
-use crate::mechanics::{RollingLaw, contact};
+use crate::mechanics::{Loads, RollingLaw, contact};
 use crate::model::{Heavy, State};
 use crate::walk::Cause;
 
@@ -53,22 +53,18 @@ impl Event {
         instant: &PhaseInstant<T>,
     ) -> T {
         let PhaseInstant { point: at, elapsed } = instant;
-        let (sin, cos) = at.theta.sincos();
+        let angle = at.theta.angle();
         let u = at.rate * at.rate;
         let forces = || {
             let law = RollingLaw::of_body(&plane.body);
-            law.forces_at(
-                (sin, cos),
-                [T::constant(1.0), u],
-                law.denominator_of((sin, cos)),
-            )
+            law.forces_at(angle, Loads::of(u), law.denominator_of(angle))
         };
         match (self, motion) {
-            (Self::Slip, _) => plane.mu_s * forces().normal - forces().friction.abs(),
+            (Self::Slip, _) => plane.friction.mu_s * forces().normal - forces().friction.abs(),
             (Self::Unloaded, _) => forces().normal,
             (Self::Landing, Motion::Flies(flight)) => plane.gap(flight, T::constant(*elapsed)).0,
             (Self::Rest | Self::Landing, _) => at.slip,
-            (Self::LiftOff, _) => contact(1.0, plane.body.h, cos * u),
+            (Self::LiftOff, _) => contact(1.0, plane.body.h, angle.cos * u),
         }
     }
 
@@ -88,9 +84,11 @@ impl Event {
                 let turned = (flight.point.rate.value * elapsed).abs();
                 elapsed * flight.gap_rate.value + h.value * turned * turned * turned.min(1.0)
             }
-            (Self::Slip, _) => (1.0 + plane.mu_s.value) * mass.value * weight,
+            (Self::Slip, _) => (1.0 + plane.friction.mu_s.value) * mass.value * weight,
             (Self::Unloaded, _) => mass.value * weight,
-            (Self::Rest | Self::Landing, _) => (1.0 + h.value) * rate + plane.mu_k.value * elapsed,
+            (Self::Rest | Self::Landing, _) => {
+                (1.0 + h.value) * rate + plane.friction.mu_k.value * elapsed
+            }
             (Self::LiftOff, _) => weight,
         }
     }

@@ -6,9 +6,9 @@
 
 use crate::math::number::{Dual, Number};
 use crate::math::series::{DEGREE, Series, convolve, value};
-use crate::math::trig::TruncatedSeries;
-use crate::mechanics::{Accelerations, RollingLaw, SlidingLaw};
-use crate::model::{Direction, Heavy, State};
+use crate::math::trig::{Angle, TruncatedSeries};
+use crate::mechanics::{Accelerations, ContactMotion, Loads, RollingLaw, SlidingLaw};
+use crate::model::{Direction, Friction, Heavy, State};
 use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE, gliding};
 
 use super::NoDerivative;
@@ -82,8 +82,7 @@ pub(super) struct PhaseInstant<T> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane<T> {
     pub(super) body: Heavy<T>,
-    pub(super) mu_s: T,
-    pub(super) mu_k: T,
+    pub(super) friction: Friction<T>,
 }
 
 impl<T: Number> Plane<T> {
@@ -104,48 +103,46 @@ impl<T: Number> Plane<T> {
                 inertia: f(inertia),
                 tilt: f(tilt),
             },
-            mu_s: f(self.mu_s),
-            mu_k: f(self.mu_k),
+            friction: Friction {
+                mu_s: f(self.friction.mu_s),
+                mu_k: f(self.friction.mu_k),
+            },
         }
     }
 
     fn sliding(&self, direction: Direction) -> SlidingLaw<T> {
-        SlidingLaw::of_body(self.body, self.mu_k, direction)
+        SlidingLaw::of_body(self.body, self.friction.mu_k, direction)
     }
 
     pub(super) fn rates(&self, motion: &Motion<T>, at: &Point<T>) -> Point<T> {
-        let (sin, cos) = at.theta.sincos();
+        let angle = at.theta.angle();
         let Point { rate, slip, .. } = *at;
         let Heavy { h, .. } = self.body;
-        let (spin, slips) = match motion {
+        let accelerations = match motion {
             Motion::Rolls => {
                 let law = RollingLaw::of_body(&self.body);
-                let one = T::constant(1.0);
-                let spin = law.acceleration(
-                    (sin, cos),
-                    [one, rate * rate],
-                    law.denominator_of((sin, cos)),
-                );
-                (spin, T::constant(0.0))
+                Accelerations {
+                    theta: law.acceleration(
+                        angle,
+                        Loads::of(rate * rate),
+                        law.denominator_of(angle),
+                    ),
+                    slip: T::constant(0.0),
+                }
             }
-            Motion::Slides(direction) => {
-                let Accelerations { theta, slip } =
-                    self.sliding(*direction).accelerations_at((sin, cos), rate);
-                (theta, slip)
-            }
+            Motion::Slides(direction) => self.sliding(*direction).accelerations_at(angle, rate),
             Motion::Glides => {
-                let one = T::constant(1.0);
-                gliding::accelerations([h, self.body.pull()], [one, rate * rate], (sin, cos))
+                gliding::accelerations(h, self.body.pull(), Loads::of(rate * rate), angle)
             }
-            Motion::Flies(_) => (
-                T::constant(0.0),
-                -(h * sin * rate * rate) - self.body.pull(),
-            ),
+            Motion::Flies(_) => Accelerations {
+                theta: T::constant(0.0),
+                slip: -(h * angle.sin * rate * rate) - self.body.pull(),
+            },
         };
         Point {
             theta: rate,
-            rate: spin,
-            slip: slips,
+            rate: accelerations.theta,
+            slip: accelerations.slip,
             x: slip - rate,
         }
     }
@@ -159,7 +156,7 @@ impl<T: Number> Plane<T> {
         } = *flight;
         let Heavy { h, .. } = self.body;
         // The mirror image that turns forwards has the same gap.
-        let (sin, cos) = from.theta.sincos();
+        let Angle { sin, cos } = from.theta.angle();
         let rate = from.rate.abs();
         let sin = if from.rate.value() < 0.0 { -sin } else { sin };
         let turned = rate * elapsed;
@@ -244,14 +241,23 @@ impl<const K: usize> Plane<Dual<K>> {
                     let series = SlideSeries::new(&law, place, from.slip);
                     [series.theta, series.theta_rate]
                 };
-                let lever = |(sin, cos)| law.lever(sin, cos);
-                let start = from.theta.sincos();
-                let path = law.path([from.rate, from.slip, from.x], start);
+                let coefficient =
+                    |Angle { sin, cos }: Angle<Dual<K>>| law.slip_coefficient(sin, cos);
+                let start = from.theta.angle();
+                let path = law.path(
+                    ContactMotion {
+                        theta_rate: from.rate,
+                        slip: from.slip,
+                        x: from.x,
+                    },
+                    start,
+                );
                 in_steps(from, times, series, |elapsed, place| {
                     give(place.map(|PhasePoint { theta, rate }| {
-                        let (end, time) = (theta.sincos(), Dual::constant(elapsed));
-                        let slip = from.slip - from.rate * lever(start) + rate * lever(end)
-                            - law.drag() * time;
+                        let (end, time) = (theta.angle(), Dual::constant(elapsed));
+                        let slip = from.slip - from.rate * coefficient(start)
+                            + rate * coefficient(end)
+                            - law.mean_slip_loss() * time;
                         Point {
                             theta,
                             rate,
@@ -272,12 +278,12 @@ impl<const K: usize> Plane<Dual<K>> {
 
     fn fly(&self, from: &Point<Dual<K>>, elapsed: f64) -> Point<Dual<K>> {
         let Heavy { h, .. } = self.body;
-        let (start, theta) = (from.theta.sincos(), from.theta + from.rate * elapsed);
-        let (sin, cos) = theta.sincos();
-        let vx = from.slip - (h * start.1 + 1.0) * from.rate;
+        let (start, theta) = (from.theta.angle(), from.theta + from.rate * elapsed);
+        let Angle { sin, cos } = theta.angle();
+        let vx = from.slip - (h * start.cos + 1.0) * from.rate;
         let pulled = self.body.pull() * elapsed;
         let slip = vx - pulled + (h * cos + 1.0) * from.rate;
-        let x = from.x - h * start.0 + (vx - pulled * 0.5) * elapsed + h * sin;
+        let x = from.x - h * start.sin + (vx - pulled * 0.5) * elapsed + h * sin;
         Point {
             theta,
             rate: from.rate,
@@ -289,7 +295,7 @@ impl<const K: usize> Plane<Dual<K>> {
     /// The free fall of the particle of a massless hoop.
     fn glide(&self, from: &Point<Dual<K>>, elapsed: f64) -> Result<Point<Dual<K>>, NoDerivative> {
         let h = self.body.h;
-        let (sin, cos) = from.theta.sincos();
+        let Angle { sin, cos } = from.theta.angle();
         let rise = -(h * sin * from.rate);
         let cosine = cos + (rise - 0.5 * elapsed) * elapsed / h;
         let turns = libm::floor(from.theta.value() / core::f64::consts::PI) * core::f64::consts::PI;
@@ -307,7 +313,7 @@ impl<const K: usize> Plane<Dual<K>> {
             turns + half_turn - angle
         };
         let theta = cosine.map(theta, -side / root);
-        let (sine, _) = theta.sincos();
+        let sine = theta.angle().sin;
         let rate = (-rise + elapsed) / (h * sine);
         let drift = from.slip - from.rate * (h * cos + 1.0);
         let pulled = self.body.pull() * elapsed;
@@ -332,7 +338,8 @@ fn roll_series<T: Number>(
     let (mut sin, mut cos, mut u, mut increment) = (zero, zero, zero, zero);
     let (mut denominator, mut acceleration) = (zero, zero);
     (angle[0], spin[0]) = (theta, rate);
-    (sin[0], cos[0]) = theta.sincos();
+    let start = theta.angle();
+    (sin[0], cos[0]) = (start.sin, start.cos);
     let mut order = 0.0;
     for n in 0..=DEGREE {
         if n > 0 {
@@ -346,12 +353,12 @@ fn roll_series<T: Number>(
         u[n] = square;
         let [sin_u] = convolve([(&sin, &u)], n);
         denominator[n] = if n == 0 {
-            law.denominator_of((sin[0], cos[0]))
+            law.denominator_of(start)
         } else {
             law.offset * 2.0 * cos[n]
         };
         let one = T::constant(if n == 0 { 1.0 } else { 0.0 });
-        let mut remainder = law.drive(one, cos[n], sin[n] + sin_u);
+        let mut remainder = law.driving_moment(one, cos[n], sin[n] + sin_u);
         for j in 1..=n {
             remainder = remainder - denominator[j] * acceleration[n - j];
         }

@@ -43,12 +43,14 @@ pub(super) fn turning_point<const K: usize>(
     from: &Point<Dual<K>>,
     theta: f64,
 ) -> Dual<K> {
-    let kinetic = law.denominator_of(from.theta.sincos()) * 0.5 * from.rate * from.rate;
-    let energy = law.energy_of(kinetic, from.theta, from.theta.sincos());
+    let kinetic = law.denominator_of(from.theta.angle()) * 0.5 * from.rate * from.rate;
+    let energy = law.energy_of(kinetic, from.theta, from.theta.angle());
     let at = Dual::constant(theta);
-    let (sin, cos) = at.sincos();
-    let excess = energy - law.energy_of(Dual::constant(0.0), at, (sin, cos));
-    let slope = -law.drive(Dual::constant(1.0), cos, sin).value;
+    let angle = at.angle();
+    let excess = energy - law.energy_of(Dual::constant(0.0), at, angle);
+    let slope = -law
+        .driving_moment(Dual::constant(1.0), angle.cos, angle.sin)
+        .value;
     Dual {
         value: theta,
         parts: excess.parts.map(|part| part / slope),
@@ -82,15 +84,15 @@ pub(super) fn of_libration<const K: usize>(
             from,
             by,
             start: 0.0,
-            inertia: law.denominator_of((from + by).sincos()),
-            twice_kinetic: law.gain((from + half).sincos(), half.sincos().0 * 2.0, by),
+            inertia: law.denominator_of((from + by).angle()),
+            twice_kinetic: law.gain((from + half).angle(), half.angle().sin * 2.0, by),
         };
         (
             (node.inertia * passed * left / node.twice_kinetic).sqrt(),
             node.rounding(law),
         )
     };
-    integral(TOLERANCE, [0.0, PI], integrand) * 2.0
+    integral(TOLERANCE, 0.0..PI, integrand) * 2.0
 }
 
 /// The time of a turn on a level plane, ∫ √(D/G) dθ.
@@ -98,16 +100,16 @@ pub(super) fn of_rotation<const K: usize>(
     law: &RollingLaw<Dual<K>>,
     from: &Point<Dual<K>>,
 ) -> Dual<K> {
-    let start = law.denominator_of(from.theta.sincos()) * from.rate * from.rate;
+    let start = law.denominator_of(from.theta.angle()) * from.rate * from.rate;
     let integrand = |theta: f64| {
         let by = -from.theta + theta;
         let half = by * 0.5;
-        let gain = law.gain((from.theta + half).sincos(), half.sincos().0 * 2.0, by);
+        let gain = law.gain((from.theta + half).angle(), half.angle().sin * 2.0, by);
         let node = Node {
             from: from.theta,
             by,
             start: start.value,
-            inertia: law.denominator_of(Dual::constant(theta).sincos()),
+            inertia: law.denominator_of(Dual::constant(theta).angle()),
             twice_kinetic: start + gain,
         };
         (
@@ -115,5 +117,5 @@ pub(super) fn of_rotation<const K: usize>(
             node.rounding(law),
         )
     };
-    integral(TOLERANCE, [0.0, TAU], integrand)
+    integral(TOLERANCE, 0.0..TAU, integrand)
 }

@@ -3,8 +3,11 @@
 use core::f64::consts::TAU;
 
 use crate::math::number::{Dual, Number};
-use crate::mechanics::{Bounces, Contact, ContactVelocities, RollingLaw, contact, energy_of};
-use crate::model::{Body, Heavy, Mode, Quantity, RestitutionLaw, State};
+use crate::mechanics::{
+    BounceConditions, Bounces, Clearance, Contact, ContactMotion, ContactVelocities, RollingLaw,
+    contact, energy_of,
+};
+use crate::model::{Body, Composition, Friction, Heavy, Mode, Quantity, Restitution, State};
 use crate::modes::{PhaseSolution, Recurrence};
 use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{Cause, Outcome, Transition};
@@ -94,7 +97,7 @@ impl<const K: usize> Repeats<K> {
 pub(super) struct Tangents<'a, const K: usize> {
     pub(super) motion: &'a Trajectory,
     pub(super) plane: Plane<Dual<K>>,
-    restitution: Option<(Dual<K>, RestitutionLaw)>,
+    restitution: Option<Restitution<Dual<K>>>,
     /// √cos α, the unit of velocity.
     pace: Dual<K>,
     /// Time and x of the start.
@@ -117,14 +120,14 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let parameters = motion.hoop.parameters();
         let slope = seed(Quantity::Slope, parameters.slope);
         let body = Heavy::of(
-            [
-                seed(Quantity::MassRatio, parameters.mass_ratio),
-                seed(Quantity::Offset, parameters.offset),
-                seed(Quantity::Inertia, parameters.inertia),
-            ],
+            Composition {
+                mass_ratio: seed(Quantity::MassRatio, parameters.mass_ratio),
+                offset: seed(Quantity::Offset, parameters.offset),
+                inertia: seed(Quantity::Inertia, parameters.inertia),
+            },
             slope,
         );
-        let pace = slope.sincos().1.sqrt();
+        let pace = slope.angle().cos.sqrt();
         let State {
             theta_rate,
             slip,
@@ -143,13 +146,15 @@ impl<'a, const K: usize> Tangents<'a, K> {
             motion,
             plane: Plane {
                 body,
-                mu_s: seed(Quantity::MuS, parameters.mu_s),
-                mu_k: seed(Quantity::MuK, parameters.mu_k),
+                friction: Friction {
+                    mu_s: seed(Quantity::MuS, parameters.mu_s),
+                    mu_k: seed(Quantity::MuK, parameters.mu_k),
+                },
             },
-            restitution: motion
-                .hoop
-                .restitution()
-                .map(|it| (seed(Quantity::Restitution, it.coefficient()), it.law())),
+            restitution: motion.hoop.restitution().map(|it| Restitution {
+                coefficient: seed(Quantity::Restitution, it.coefficient()),
+                law: it.law(),
+            }),
             pace,
             origin: [seed(Quantity::Time, time), seed(Quantity::X, x)],
             now: Instant {
@@ -202,12 +207,18 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// The energy in the units of the results.
     pub(super) fn energy(&self, at: &Point<Dual<K>>, gap_rate: Dual<K>) -> Dual<K> {
         let Heavy { mass, tilt, .. } = self.plane.body;
-        let numbers = [at.rate, at.slip, at.x];
         let energy = energy_of(
             &self.plane.body,
-            numbers,
-            at.theta.sincos(),
-            [Dual::constant(0.0), gap_rate],
+            ContactMotion {
+                theta_rate: at.rate,
+                slip: at.slip,
+                x: at.x,
+            },
+            at.theta.angle(),
+            Clearance {
+                gap: Dual::constant(0.0),
+                gap_rate,
+            },
         );
         self.difference(energy + mass * tilt * self.origin[1])
     }
@@ -388,8 +399,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             return Err(NoDerivative::Singular);
         };
         let at = before.point;
-        let friction = [self.plane.mu_s, self.plane.mu_k];
-        let contact = Contact::of(&self.plane.body, friction, at.theta.sincos());
+        let contact = Contact::of(&self.plane.body, self.plane.friction, at.theta.angle());
         let velocities = ContactVelocities {
             theta_rate: at.rate,
             slip: at.slip,
@@ -499,19 +509,20 @@ impl<'a, const K: usize> Tangents<'a, K> {
             return Err(NoDerivative::Singular);
         };
         let from = self.now.point;
-        let friction = [self.plane.mu_s, self.plane.mu_k];
+        let conditions = BounceConditions {
+            theta: from.theta,
+            theta_rate: from.rate,
+            friction: self.plane.friction,
+            restitution,
+            gravity: 1.0,
+        };
         let start = ContactVelocities {
             theta_rate: from.rate,
             slip: from.slip,
             gap_rate: flight.gap_rate,
         };
-        let sum = Bounces::of(
-            &self.plane.body,
-            (friction, 1.0),
-            (from.theta, from.rate),
-            restitution,
-        )
-        .and_then(|bounces| bounces.sum(start, f64::INFINITY));
+        let sum = Bounces::of(&self.plane.body, conditions)
+            .and_then(|bounces| bounces.sum(start, f64::INFINITY));
         let Ok(settling) = sum else {
             return Err(NoDerivative::Singular);
         };

@@ -1,0 +1,21 @@
+"""Fits: tracks of a motion, their errors, estimates of what is not known, and what speaks against them."""
+
+from .diagnostics import DOUBTS, Doubt
+from .estimate import Estimate
+from .least_squares import fit
+from .noise import Noise
+from .result import FitResult, FitWarning, IdentifiabilityWarning
+from .track import TableFileError, Track
+
+__all__ = [
+    "DOUBTS",
+    "Doubt",
+    "Estimate",
+    "FitResult",
+    "FitWarning",
+    "IdentifiabilityWarning",
+    "Noise",
+    "TableFileError",
+    "Track",
+    "fit",
+]

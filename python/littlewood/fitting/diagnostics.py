@@ -1,0 +1,270 @@
+"""Doubts about a fit: what the residuals, the bounds and other fits say against it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from statistics import NormalDist
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from .._internal.elementwise import Reals
+from .._internal.extras import require
+from .._internal.terminal import printable
+from .calibration import CALIBRATION, determined
+
+if TYPE_CHECKING:
+    from .problem import Problem
+
+__all__ = ["DOUBTS", "Doubt", "doubts_of_residuals"]
+
+
+DOUBTS: Mapping[str, str] = {
+    "identifiability": "a free parameter leaves no trace in the motion",
+    "held": "the track contradicts a value that the fit holds",
+    "camera": "the track shows a constant error of the camera that the fit does not estimate",
+    "bound": "a free parameter ends at its bound",
+    "sequences": "another sequence of phases explains the track nearly as well",
+    "interval": "the normal interval of a parameter is wrong: its likelihood is not a parabola",
+    "structure": "residuals are not independent: the model, or the camera, is wrong by more than noise",
+    "outliers": "some frames are far from the motion",
+    "misfit": "the residuals are larger than the given errors",
+}
+"""Names of the doubts about a fit, and what they mean."""
+
+_CAMERA = "camera_"
+# Frames further off than so many standard deviations are outliers: of normal errors one in 10⁹ is.
+_OUTLIER = 6.0
+# Tests of residuals speak up beyond so many standard deviations: with some twenty tests of a track,
+# one good track in 300 is doubted.
+_LOUD = 4.2
+_LAGS = 12
+# No tracker resolves a millionth of a radius; residuals of that size are those of the arithmetic.
+_LEAST_ERROR = 1e-6
+# Of what else can be wrong, what explains at least this part of the best is named with it.
+_ALSO = 0.8
+# A cause explains at least this part of what the squares of the residuals have too much.
+_EXPLAINS = 0.4
+# What nobody weighs, and by which part somebody may take it wrong.
+_COEFFICIENTS = ("mu_s", "mu_k", "restitution")
+_DOUBTFUL = 0.1
+# A derivative of which less is left beside those of the free parameters cannot be told from theirs.
+_SEPARATE = 1e-3
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """A doubt about a fit.
+
+    Attributes
+    ----------
+    name : str
+        One of :data:`littlewood.fitting.DOUBTS`.
+    message : str
+        What was found.
+    parameters : tuple of str
+        What it is about: parameters, constants of the camera, or channels.
+    """
+
+    name: str
+    message: str
+    parameters: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return printable(f"{self.name}: {self.message}")
+
+
+@dataclass(frozen=True)
+class _Channel:
+    """Residuals of a channel where it was seen, over relative errors; `sigma` is what differs from frame to frame."""
+
+    frames: npt.NDArray[np.intp]
+    residuals: Reals
+    relative: Reals
+    sigma: float
+
+    @property
+    def scaled(self) -> Reals:
+        return np.asarray(self.residuals / self.sigma)
+
+
+def doubts_of_residuals(
+    problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool
+) -> list[Doubt]:
+    """Return the doubts that the residuals of a fit raise; `known` are the channels whose errors were given."""
+    known = set(known)
+    residuals = problem.seen(problem.residuals(unknowns))
+    relative = problem.seen({name: problem.track.relative_errors(name) for name in residuals})
+    places = problem.seen(
+        {name: np.arange(problem.track.time.size, dtype=np.float64) for name in residuals}
+    )
+    frames = {name: values.astype(np.intp) for name, values in places.items()}
+    channels = {}
+    for name, values in residuals.items():
+        scaled = values / relative[name]
+        sigma = (
+            problem.noise[name].sigma
+            if name in known
+            else _from_frame_to_frame(scaled, frames[name])
+        )
+        channels[name] = _Channel(frames[name], scaled, relative[name], max(sigma, _LEAST_ERROR))
+    found = [*_contradictions(problem, unknowns, channels), *_structure(channels)]
+    if not robust:
+        found += [*_outliers(channels), *_misfit(channels, known, unknowns.size)]
+    return found
+
+
+def _from_frame_to_frame(residuals: Reals, frames: npt.NDArray[np.intp]) -> float:
+    """Return the standard deviation of what differs from frame to frame: by second differences."""
+    near = (frames[2:] - frames[:-2]) == 2
+    # Waves leave second differences as they are.
+    second = (residuals[2:] - 2.0 * residuals[1:-1] + residuals[:-2])[near]
+    if second.size < 5:
+        return float(np.std(residuals))
+    # Of normal errors half are within 0.6745 standard deviations; a second difference has six
+    # variances.
+    return float(np.median(np.abs(second))) / (0.6745 * math.sqrt(6.0))
+
+
+def _outliers(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
+    for name, one in channels.items():
+        typical = max(float(np.median(np.abs(one.residuals))) / 0.6745, one.sigma)
+        far = np.flatnonzero(np.abs(one.residuals) > _OUTLIER * typical)
+        if far.size:
+            places = ", ".join(str(one.frames[k]) for k in far[:5]) + (
+                ", …" if far.size > 5 else ""
+            )
+            frames = "1 frame is" if far.size == 1 else f"{far.size} frames are"
+            yield Doubt(
+                "outliers",
+                f"{frames} more than {_OUTLIER:g} standard deviations of {name} off (number {places}): "
+                'did the tracker lose the hoop? loss="soft_l1" bears some',
+                (name,),
+            )
+
+
+def _contradictions(
+    problem: Problem, unknowns: Reals, channels: Mapping[str, _Channel]
+) -> Iterator[Doubt]:
+    """Score tests of what is held: whether the residuals lean along its derivative, apart from those of the fit."""
+    weights = {name: 1.0 / (one.sigma * one.relative) for name, one in channels.items()}
+
+    def stacked(columns: Mapping[str, Reals]) -> Reals:
+        return np.concatenate(
+            [(values.T * weights[name]).T for name, values in problem.seen(dict(columns)).items()]
+        )
+
+    free = stacked(problem.derivatives(unknowns))
+    norms = np.linalg.norm(free, axis=0)
+    norms = np.where(norms > 0.0, norms, 1.0)
+    basis, singular, rows = np.linalg.svd(free / norms, full_matrices=False)
+    kept = singular > 1e-8 * singular[0]
+    basis, singular, rows = basis[:, kept], singular[kept], rows[kept]
+    of_hoop = [k for k, name in enumerate(problem.names) if name in problem.holdable]
+    errors = np.linalg.norm(rows / singular[:, None], axis=0) / norms
+    residuals = np.concatenate([one.scaled for one in channels.values()])
+    # Outliers have a doubt of their own.
+    residuals = np.clip(residuals, -_OUTLIER, _OUTLIER)
+    residuals = residuals - basis @ (basis.T @ residuals)
+    values = problem.values(unknowns)
+    camera = [_CAMERA + name for name in determined(CALIBRATION, channels)]
+    found = []
+    for name in (*problem.holdable, *camera):
+        if name in problem.names:
+            continue
+        columns = problem.derivative_by(name, values)
+        if columns is None:
+            continue
+        slope = stacked(columns)
+        if name in _COEFFICIENTS:
+            change = _DOUBTFUL * float(values[name])
+            moved = (
+                np.abs(rows.T @ ((basis.T @ slope) / singular) / norms)
+                * change
+                / np.where(errors > 0.0, errors, 1.0)
+            )
+            # Not to first order alone: a curved valley hides more than its tangent.
+            unseen = float(np.linalg.norm(slope - basis @ (basis.T @ slope))) * change < 2.0 * _LOUD
+            k = max(of_hoop, key=lambda one: float(moved[one]), default=None)
+            if unseen and k is not None and moved[k] > _LOUD:
+                yield Doubt(
+                    "held",
+                    f"if {name}, held at {values[name]:.3g}, is wrong by {_DOUBTFUL:.0%}, {problem.names[k]} is by "
+                    f"{moved[k]:.0f} standard errors, and the track does not show it: estimate {name}, too",
+                    (name, problem.names[k]),
+                )
+        apart = slope - basis @ (basis.T @ slope)
+        size = float(np.linalg.norm(apart))
+        if size <= _SEPARATE * float(np.linalg.norm(slope)):
+            continue
+        score = float(residuals @ apart) / size
+        found.append((abs(score), name, values.get(name, 0.0) - score / size, 1.0 / size))
+    found.sort(reverse=True)
+    # What explains little of waves in the residuals is not their cause.
+    excess = float(residuals @ residuals) - residuals.size
+    if not found or found[0][0] < max(_LOUD, math.sqrt(max(0.0, _EXPLAINS * excess))):
+        return
+    shown = [one for one in found if one[0] >= _ALSO * found[0][0]][:3]
+    words = [
+        f"{name} {value:.3g} ± {error:.1g} in place of {values.get(name, 0.0):.3g}"
+        for _, name, value, error in shown
+    ]
+    of_camera = shown[0][1].startswith(_CAMERA)
+    yield Doubt(
+        "camera" if of_camera else "held",
+        f"by {found[0][0]:.0f} standard errors the track asks for {' or '.join(words)}",
+        tuple(name for _, name, _, _ in shown),
+    )
+
+
+def _structure(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
+    limit = 2.0 * NormalDist().cdf(-_LOUD)
+    for name, one in channels.items():
+        count = one.residuals.size
+        if count < 2 * _LAGS:
+            continue
+        above = one.residuals > 0.0
+        ups = int(above.sum())
+        downs = count - ups
+        runs = 1 + int(np.count_nonzero(above[1:] != above[:-1]))
+        mean = 1.0 + 2.0 * ups * downs / count
+        spread = math.sqrt(max((mean - 1.0) * (mean - 2.0) / (count - 1.0), 1e-300))
+        too_few = (mean - runs) / spread
+        typical = max(float(np.median(np.abs(one.residuals))) / 0.6745, one.sigma)
+        clipped = np.clip(one.residuals, -_OUTLIER * typical, _OUTLIER * typical)
+        power = float(clipped @ clipped)
+        after = [float(clipped[lag:] @ clipped[:-lag]) / power for lag in range(1, _LAGS + 1)]
+        portmanteau = (
+            count
+            * (count + 2.0)
+            * sum(r * r / (count - lag) for lag, r in enumerate(after, start=1))
+        )
+        # Residuals below the resolution of any tracker are those of the arithmetic.
+        resolved = float(np.std(one.residuals)) > 2.0 * _LEAST_ERROR
+        if resolved and (
+            too_few > _LOUD or require("scipy.special").chdtrc(_LAGS, portmanteau) < limit
+        ):
+            size = float(np.sqrt(np.mean(np.square(one.residuals))))
+            yield Doubt(
+                "structure",
+                f"residuals of {name} come in waves ({runs} runs of one sign, {mean:.0f} expected; correlation "
+                f"with the next {after[0]:.2f}; {size:.2g}, of which {one.sigma:.2g} differs from frame to frame)",
+                (name,),
+            )
+
+
+def _misfit(channels: Mapping[str, _Channel], known: set[str], unknowns: int) -> Iterator[Doubt]:
+    """Compare sums of squares with given errors."""
+    for name in known & set(channels):
+        scaled = channels[name].scaled
+        excess = (float(scaled @ scaled) - scaled.size) / math.sqrt(2.0 * scaled.size)
+        if excess > _LOUD:
+            ratio = math.sqrt(float(scaled @ scaled) / max(1, scaled.size - unknowns))
+            yield Doubt(
+                "misfit",
+                f"residuals of {name} are {ratio:.2g} times as large as the given sigma",
+                (name,),
+            )

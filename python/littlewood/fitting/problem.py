@@ -1,0 +1,395 @@
+"""What a fit minimises: residuals as a function of the unknowns."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .._internal.derivatives import columns_at
+from .._internal.elementwise import Reals
+from .._internal.extras import require
+from ..hoop import Hoop
+from ..trajectory import Trajectory
+from .calibration import means, shown
+from .noise import Noise, Whitening, estimate_noise
+from .track import Track
+
+__all__ = ["CLOCK", "FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
+
+
+OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution", "slope")
+# What is weighed and measured, and a stretch of all times: a fit asks whether the track contradicts
+# them.
+_MEASURED = ("mass_ratio", "offset")
+CLOCK = "clock"
+# Least inertia that is tried: without any, a hoop without mass is another body, with other
+# equations.
+LEAST_INERTIA = 1e-6
+# Largest coefficient of friction and inertia that are tried: beyond them a motion no longer depends
+# on them.
+_LARGEST_FRICTION = 1e3
+_LARGEST_INERTIA = 1e6
+_STEEPEST = 1.57
+_CAMERA = "camera_"
+_EXPOSURE = "camera_exposure"
+# Bounds of what may be held.
+_HELD = {"mu_k": (0.0, math.inf), "inertia": (LEAST_INERTIA, math.inf), "restitution": (0.0, 1.0)}
+_HELD[_EXPOSURE] = (0.0, math.inf)
+_HELD |= {"slope": (-_STEEPEST, _STEEPEST), "mass_ratio": (0.0, math.inf), "offset": (0.0, 1.0)}
+# Part of a value, or of 1, by which differences for derivatives go to either side.
+_STEP = 6e-6
+_TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
+# By which part the sum of squares still changes in the last step: on the way, and at the end.
+ROUGH, FINE = 1e-6, 1e-12
+_MOST_STEPS = 100
+# What the constants of a camera are before the video is seen: 0 ± 0.1, R or rad. A video tells them
+# far better as a rule; where it does not, they stay reasonable. An exposure is anything from none
+# to the time between two frames.
+_PRIOR = 0.1
+
+
+@dataclass(eq=False)
+class Problem:
+    """Residuals as a function of the unknowns.
+
+    These are, by their `names`, those of the hoop, of the start, and last those of the camera.
+    `first` is the guess of the start; the hoop `slips` there or not.
+    """
+
+    track: Track
+    hoop: Hoop
+    names: tuple[str, ...]
+    first: dict[str, float]
+    noise: dict[str, Noise]
+    slips: bool
+
+    holdable = (*OF_HOOP, *_MEASURED, CLOCK)
+    """What is either free or held, but for the camera."""
+
+    def __post_init__(self) -> None:
+        self._seen = {name: np.isfinite(values) for name, values in self.track.channels.items()}
+        self._white = {
+            name: Whitening(
+                self.noise[name], self.track.time[seen], self.track.relative_errors(name)[seen]
+            )
+            for name, seen in self._seen.items()
+        }
+        step = self._longest = float(np.median(np.diff(self.track.time)))
+        camera = np.array(self.camera_names, dtype=object)
+        self._before = np.where(camera == _EXPOSURE, 0.5 * step, 0.0)
+        self._deviation = np.where(camera == _EXPOSURE, step / math.sqrt(12.0), _PRIOR)
+        self._last: tuple[tuple[float, ...], dict[str, Reals]] | None = None
+
+    def with_camera(self, camera: tuple[str, ...], unknowns: Reals) -> tuple[Problem, Reals]:
+        """Return the same with constants of the camera among the unknowns, and these."""
+        names = self.names + tuple(_CAMERA + name for name in camera)
+        found = replace(self, names=names)
+        return found, np.concatenate([unknowns, found._before])
+
+    def camera_of(self, unknowns: Reals) -> Reals:
+        """Return the unknowns with the constants of the camera that belong to the others."""
+        rest = len(self.names) - len(self.camera_names)
+
+        def scaled(constants: Reals) -> Reals:
+            return self.scaled(np.concatenate([unknowns[:rest], constants]))
+
+        low, high = self.bounds()
+        bounds = (low[rest:], high[rest:])
+        found = require("scipy.optimize").least_squares(
+            scaled, unknowns[rest:], bounds=bounds, x_scale="jac"
+        )
+        return np.concatenate([unknowns[:rest], found.x])
+
+    @property
+    def camera_names(self) -> list[str]:
+        """The constants of the camera, the last of the unknowns."""
+        return [name for name in self.names if name.startswith(_CAMERA)]
+
+    def guess(self, **values: float) -> Reals:
+        """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
+        known = {name: getattr(self.hoop, name) for name in OF_HOOP} | values
+        if known["restitution"] is None:
+            known["restitution"] = _TRY_RESTITUTION[0]
+        known["mu_s"] = (
+            max(known["mu_s"] - known["mu_k"], 1e-6) if "mu_k" in self.names else known["mu_s"]
+        )
+        known |= {f"start_{name}": value for name, value in {**self.first, **values}.items()}
+        return np.array([known[name] for name in self.names])
+
+    def with_restitutions(self, guess: Reals) -> list[Reals]:
+        """Return a guess as it is, and with other coefficients of restitution if that is free."""
+        if "restitution" not in self.names:
+            return [guess]
+        place = self.names.index("restitution")
+        return [guess, *(np.insert(np.delete(guess, place), place, e) for e in _TRY_RESTITUTION)]
+
+    def part(self, part: float) -> Problem:
+        """Return the same for the first part of the track."""
+        begin, end = float(self.track.time[0]), float(self.track.time[-1])
+        return (
+            self
+            if part == 1.0
+            else replace(self, track=self.track.until(begin + part * (end - begin)))
+        )
+
+    def bounds(self) -> tuple[list[float], list[float]]:
+        """Return the least and the largest values of the unknowns."""
+        within = {
+            "mu_s": (0.0 if "mu_k" in self.names else self.hoop.mu_k, _LARGEST_FRICTION),
+            "mu_k": (0.0, _LARGEST_FRICTION if "mu_s" in self.names else self.hoop.mu_s),
+            "inertia": (LEAST_INERTIA, _LARGEST_INERTIA),
+            "restitution": (0.0, 1.0),
+            "slope": (-_STEEPEST, _STEEPEST),
+            _EXPOSURE: (0.0, self._longest),
+        }
+        pairs = [within.get(name, (-math.inf, math.inf)) for name in self.names]
+        return [low for low, _ in pairs], [high for _, high in pairs]
+
+    def limits(self, name: str) -> tuple[float, float]:
+        """Return the least and the largest value of a parameter, not of the unknown that stands for it."""
+        if name == "mu_s" and "mu_k" in self.names:
+            return 0.0, _LARGEST_FRICTION
+        low, high = self.bounds()
+        place = self.names.index(name)
+        return low[place], high[place]
+
+    def values(self, unknowns: Reals) -> dict[str, Any]:
+        """Return everything by name; a coefficient of restitution may be absent."""
+        found = {name: getattr(self.hoop, name) for name in (*OF_HOOP, *_MEASURED)}
+        found |= {f"start_{name}": value for name, value in self.first.items()}
+        found[_EXPOSURE] = self.track.exposure
+        found[CLOCK] = 0.0
+        found |= dict(zip(self.names, map(float, unknowns), strict=True))
+        if "mu_s" in self.names and "mu_k" in self.names:
+            found["mu_s"] += found["mu_k"]
+        return found
+
+    def motion(self, unknowns: Reals) -> Trajectory:
+        """Simulate the motion while the video was taken."""
+        return self._motion_of(self.values(unknowns))
+
+    def _motion_of(self, values: dict[str, Any]) -> Trajectory:
+        hoop = replace(
+            self.hoop,
+            units=self.hoop.units,
+            **{name: values[name] for name in (*OF_HOOP, *_MEASURED)},
+        )
+        begin, end = float(self.track.time[0]), float(self.track.time[-1])
+        return hoop.simulate(
+            theta=values["start_theta"],
+            theta_rate=values["start_theta_rate"],
+            slip=values["start_slip"] if self.slips else 0.0,
+            x=values["start_x"],
+            time=begin,
+            until=begin + (end - begin) * (1.0 + values[CLOCK]) + values[_EXPOSURE],
+        )
+
+    def residuals(self, unknowns: Reals) -> dict[str, Reals]:
+        """Return what was measured less what the camera would have shown, by channel."""
+        return self.residuals_of(self.values(unknowns))
+
+    def residuals_of(self, values: dict[str, Any]) -> dict[str, Reals]:
+        """Return the residuals for everything by name."""
+        camera = {
+            name.removeprefix(_CAMERA): value
+            for name, value in values.items()
+            if name.startswith(_CAMERA)
+        }
+        found = shown(self.track.as_seen(self._plane(values), values["slope"]), camera)
+        return {name: measured - found[name] for name, measured in self.track.channels.items()}
+
+    def _plane(self, values: dict[str, Any]) -> dict[str, Reals]:
+        """Return θ, x and y of the plane in the frames: the same for all constants of the camera but the exposure."""
+        key = tuple(
+            value
+            for name, value in values.items()
+            if not name.startswith(_CAMERA) or name == _EXPOSURE
+        )
+        if self._last is None or self._last[0] != key:
+            begin = self.track.time[0]
+            time = begin + (self.track.time - begin) * (1.0 + values[CLOCK])
+            self._last = key, means(self._motion_of(values), time, values[_EXPOSURE])
+        return self._last[1]
+
+    def seen(self, by_channel: dict[str, Reals]) -> dict[str, Reals]:
+        """Return values, or columns of them, of the frames in which a channel was seen."""
+        return {name: values[self._seen[name]] for name, values in by_channel.items()}
+
+    def scaled(self, unknowns: Reals) -> Reals:
+        """Return the residuals as numbers that are independent and of size 1, and then the constants of the camera."""
+        residuals = self.residuals(unknowns)
+        parts = [
+            self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()
+        ]
+        # Constants of the camera are the last of the unknowns.
+        camera = unknowns[unknowns.size - self._before.size :]
+        return np.concatenate([*parts, (camera - self._before) / self._deviation])
+
+    def misfit(self, unknowns: Reals) -> float:
+        """Return the mean size of the residuals."""
+        return float(np.mean(np.abs(self.scaled(unknowns))))
+
+    def reduced_chi_square(self, unknowns: Reals) -> float:
+        """Return the sum of squares over the number of measurements less that of unknowns."""
+        white = self.scaled(unknowns)[: -self._before.size or None]
+        return float(white @ white) / max(1, white.size - unknowns.size)
+
+    def noise_of(
+        self, unknowns: Reals, known: dict[str, Noise], loss: str, correlated: bool
+    ) -> dict[str, Noise]:
+        """Estimate the errors of each channel from the residuals."""
+        relative = {
+            name: self.track.relative_errors(name)[seen] for name, seen in self._seen.items()
+        }
+        residuals = self.seen(self.residuals(unknowns))
+        if loss != "linear":
+            typical = {
+                name: float(np.sqrt(np.mean(np.square(residuals[name] / relative[name]))))
+                for name in relative
+            }
+            return {name: Noise(max(value, 1e-12)) for name, value in typical.items()} | known
+        times = {name: self.track.time[seen] for name, seen in self._seen.items()}
+        slopes = self.seen(self.derivatives(unknowns))
+        return estimate_noise(times, relative, residuals, slopes, known, correlated)
+
+    def derivatives(self, unknowns: Reals) -> dict[str, Reals]:
+        """Return the derivatives of the residuals of each channel by the unknowns.
+
+        They are those of the motion, where it has them and a frame shows an instant; else
+        differences within bounds.
+        """
+        values = self.values(unknowns)
+        exact = self._tangents(values)
+        columns: dict[str, list[Reals]] = {name: [] for name in self.track.channels}
+        low, high = self.bounds()
+        for k, value in enumerate(unknowns):
+            if exact is not None and not self.names[k].startswith(_CAMERA):
+                found = self._seen_along(
+                    values, self.names[k], {name: rows[:, k] for name, rows in exact.items()}
+                )
+                for name in columns:
+                    columns[name].append(-found[name])
+                continue
+            step = _STEP * max(1.0, abs(value))
+            ends = max(value - step, low[k]), min(value + step, high[k])
+            below, above = (
+                self.residuals(np.concatenate([unknowns[:k], [end], unknowns[k + 1 :]]))
+                for end in ends
+            )
+            for name in columns:
+                columns[name].append((above[name] - below[name]) / (ends[1] - ends[0]))
+        return {name: np.column_stack(values) for name, values in columns.items()}
+
+    def _tangents(self, values: dict[str, Any]) -> dict[str, Reals] | None:
+        """Return the derivatives of θ, x and y by the unknowns of hoop and start, if the motion has all."""
+        if values[_EXPOSURE] != 0.0 or _EXPOSURE in self.names or values[CLOCK] != 0.0:
+            return None
+        motion = self._motion_of(values)
+        shows_height = "y" in self.track.channels or self._is_turned(values) or self.camera_names
+        if shows_height and any(phase.mode == "flight" for phase in motion.phases):
+            # Those of the height of a flight are not among the derivatives of a state.
+            return None
+        names = [name for name in self.names if not name.startswith(_CAMERA)]
+        found = columns_at(
+            motion._core, self.track.time, [name.removeprefix("start_") for name in names]
+        )
+        exact = {name: np.array(found[name]) for name in ("theta", "x")}
+        if not all(np.isfinite(rows).all() for rows in exact.values()):
+            return None
+        if "mu_s" in names and "mu_k" in names:
+            # The unknown is the excess of mu_s over mu_k.
+            for rows in exact.values():
+                rows[:, names.index("mu_k")] += rows[:, names.index("mu_s")]
+        return exact | {"y": np.zeros_like(exact["x"])}
+
+    def _is_turned(self, values: dict[str, Any]) -> bool:
+        """Whether the axes of the track are not those of the plane."""
+        return self.track.level and (values["slope"] != 0.0 or "slope" in self.names)
+
+    def _seen_along(
+        self, values: dict[str, Any], name: str, change: dict[str, Reals]
+    ) -> dict[str, Reals]:
+        """Return the derivative of what the camera shows, where the motion changes like this."""
+        camera = {
+            name.removeprefix(_CAMERA): value
+            for name, value in values.items()
+            if name.startswith(_CAMERA)
+        }
+        plane = self._plane(values)
+        largest = max(1.0, *(float(np.max(np.abs(rows))) for rows in change.values()))
+
+        def at(step: float) -> dict[str, Reals]:
+            moved = {channel: rows + step * change[channel] for channel, rows in plane.items()}
+            slope = values["slope"] + (step if name == "slope" else 0.0)
+            return shown(self.track.as_seen(moved, slope), camera)
+
+        if not self._is_turned(values) and not any(camera.values()):
+            return change
+        # What a camera shows is smooth in θ, x and y, however these depend on what is unknown.
+        step = _STEP / largest
+        below, above = at(-step), at(step)
+        return {channel: (above[channel] - below[channel]) / (2.0 * step) for channel in below}
+
+    def jacobian(self, unknowns: Reals) -> Reals:
+        """Return the derivatives of :meth:`scaled`."""
+        parts = [
+            self._white[name](columns)
+            for name, columns in self.seen(self.derivatives(unknowns)).items()
+        ]
+        rest = unknowns.size - self._before.size
+        return np.vstack([*parts, np.eye(unknowns.size)[rest:] / self._deviation[:, None]])
+
+    def derivative_by(self, name: str, values: dict[str, Any]) -> dict[str, Reals] | None:
+        """Return the derivatives of the residuals by something that is held; None without a motion on both sides."""
+        value = values.get(name, 0.0)
+        low, high = _HELD.get(name, (-math.inf, math.inf))
+        if value is None or value < low:
+            return None
+        step = _STEP * max(1.0, abs(value))
+        low = values["mu_k"] if name == "mu_s" else low
+        high = values["mu_s"] if name == "mu_k" else high
+        ends = max(value - step, low), min(value + step, high)
+        if ends[0] >= ends[1]:
+            return None
+        below, above = (self.residuals_of(values | {name: end}) for end in ends)
+        return {
+            channel: (above[channel] - below[channel]) / (ends[1] - ends[0]) for channel in below
+        }
+
+    def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, Reals] | None:
+        """Return the same with a parameter of the hoop fixed, and a guess of the others; None where no hoop has it."""
+        value, values = values[name], values | {"mu_k": max(values["mu_k"], 0.0)}
+        if values["mu_s"] < values["mu_k"]:
+            # The other coefficient gives way, if it may.
+            other = "mu_k" if name == "mu_s" else "mu_s"
+            if other not in self.names:
+                return None
+            values[other] = value
+        held = {one: values[one] for one in OF_HOOP if one == name or one not in self.names}
+        held |= {"mu_s": max(values["mu_s"], values["mu_k"]), "mu_k": values["mu_k"]}
+        hoop = replace(self.hoop, units=self.hoop.units, **held)
+        found = replace(self, hoop=hoop, names=tuple(one for one in self.names if one != name))
+        if "mu_s" in found.names and "mu_k" in found.names:
+            values["mu_s"] -= values["mu_k"]
+        low, high = found.bounds()
+        return found, np.clip([values[one] for one in found.names], low, high)
+
+    def refine(
+        self, unknowns: Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS
+    ) -> Any:
+        """Minimise from a guess, until the sum of squares changes by less than a part, in a number of steps."""
+        return require("scipy.optimize").least_squares(
+            self.scaled,
+            unknowns,
+            bounds=self.bounds(),
+            jac=self.jacobian,
+            x_scale="jac",
+            loss=loss,
+            ftol=tolerance,
+            xtol=tolerance,
+            gtol=tolerance,
+            max_nfev=most,
+        )

@@ -1,0 +1,278 @@
+"""A motion as a video shows it: times, angles, positions of the centre."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from .._internal.elementwise import Reals, reals
+from .._internal.text_table import TableFileError
+from .calibration import checked
+from .track_file import PlaneLike, read_track
+
+if TYPE_CHECKING:
+    from ..units import Units
+
+__all__ = ["TableFileError", "Track"]
+
+
+def _column(name: str, values: npt.ArrayLike | None, count: int) -> Reals | None:
+    if values is None:
+        return None
+    # A masked value was not seen.
+    column = np.array(reals(values, name))
+    if column.shape != (count,):
+        raise ValueError(
+            f"{name} has shape {column.shape}, time has ({count},): they must be the same"
+        )
+    return column
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """A tracked motion, dimensionless. NaN where tracking failed.
+
+    Parameters
+    ----------
+    time : array_like
+        Times τ, √(R/g), of shape (n,), growing.
+    theta : array_like, optional
+        Angle θ of the particle from the normal of the plane, counterclockwise, rad, shape (n,). It
+        may jump by 2π.
+    x : array_like, optional
+        Position of the geometric centre along the plane, to the right, R, shape (n,).
+    y : array_like, optional
+        Distance of the geometric centre from the plane, R, shape (n,): 1 in contact.
+    level : bool, optional
+        Whether the axes are those of a level camera instead: `x` to the right and `y` upwards from
+        a point of the plane, and `theta` from the upward vertical. On a level plane the two are the
+        same.
+    errors : mapping, optional
+        Standard errors of `theta`, `x`, `y`, frame by frame, if the tracker estimates them. A fit
+        uses their ratios only, and finds their size from the residuals.
+    exposure : float, optional
+        Exposure of a frame from its time on, √(R/g), over which the track is the mean. 0 for
+        instants.
+    calibration : iterable of str, optional
+        Constant errors of the camera that a fit estimates: names of :func:`fit`.
+    notes : iterable of str, optional
+        What is to be known of how it was measured, as sentences.
+
+    Raises
+    ------
+    ValueError
+        If times do not grow, shapes differ, there is neither `theta` nor `x`, an error is not
+        positive where something was seen, or there is no such exposure or calibration.
+    """
+
+    time: Reals
+    theta: Reals | None = None
+    x: Reals | None = None
+    y: Reals | None = None
+    errors: Mapping[str, Reals] | None = None
+    exposure: float = 0.0
+    calibration: tuple[str, ...] = ()
+    level: bool = False
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        time = np.array(reals(self.time, "time"))
+        if time.ndim != 1 or not np.all(np.isfinite(time)):
+            raise ValueError("time must be a list of finite numbers")
+        falls = np.flatnonzero(np.diff(time) <= 0.0)
+        if falls.size:
+            i = int(falls[0])
+            raise ValueError(
+                f"time[{i + 1}] = {time[i + 1]} must be greater than time[{i}] = {time[i]}"
+            )
+        object.__setattr__(self, "time", time)
+        for name in ("theta", "x", "y"):
+            column = _column(name, getattr(self, name), time.size)
+            object.__setattr__(self, name, column)
+            if column is not None and np.any(np.isinf(column)):
+                i = int(np.flatnonzero(np.isinf(column))[0])
+                raise ValueError(
+                    f"{name}[{i}] = {column[i]} must be finite, or NaN where it was not seen"
+                )
+            if column is not None and not np.any(np.isfinite(column)):
+                raise ValueError(f"{name} has no finite value: leave it out if it was not tracked")
+        if self.theta is None and self.x is None:
+            raise ValueError("a track needs theta or x")
+        if self.theta is not None:
+            seen = np.isfinite(self.theta)
+            self.theta[seen] = np.unwrap(self.theta[seen])
+        if self.errors is not None:
+            object.__setattr__(self, "errors", self._checked(self.errors))
+        if not (self.exposure >= 0.0 and math.isfinite(self.exposure)):
+            raise ValueError(f"exposure = {self.exposure} must be finite and not negative")
+        object.__setattr__(self, "notes", tuple(self.notes))
+        object.__setattr__(self, "calibration", checked(self.calibration, self.channels))
+
+    def _checked(self, errors: Mapping[str, npt.ArrayLike]) -> Mapping[str, Reals]:
+        unknown = [name for name in errors if name not in self.channels]
+        if unknown:
+            raise ValueError(
+                f"errors has {', '.join(unknown)}, the track has {', '.join(self.channels)}"
+            )
+        found = {}
+        for name, values in errors.items():
+            column = _column(f"errors of {name}", values, self.time.size)
+            assert column is not None
+            if np.any(~(column > 0.0) & np.isfinite(self.channels[name])):
+                raise ValueError(f"an error of {name} is not positive where {name} was seen")
+            found[name] = column
+        return found
+
+    def as_seen(self, plane: Mapping[str, Reals], slope: float) -> dict[str, Reals]:
+        """Return θ, x and y of the coordinates of the plane in the axes of the track.
+
+        Parameters
+        ----------
+        plane : mapping
+            `theta`, `x` and `y`.
+        slope : float
+            Angle by which the plane rises to the right, rad.
+        """
+        if not self.level or slope == 0.0:
+            return dict(plane)
+        sin, cos, x, y = math.sin(slope), math.cos(slope), plane["x"], plane["y"]
+        return {"theta": plane["theta"] + slope, "x": x * cos - y * sin, "y": x * sin + y * cos}
+
+    def relative_errors(self, name: str) -> Reals:
+        """Return the errors of a channel over their median; 1 without errors."""
+        if self.errors is None or name not in self.errors:
+            return np.ones(self.time.size)
+        seen = np.isfinite(self.channels[name])
+        return self.errors[name] / float(np.median(self.errors[name][seen]))
+
+    @classmethod
+    def from_si(
+        cls,
+        units: Units,
+        *,
+        time_s: npt.ArrayLike,
+        theta_rad: npt.ArrayLike | None = None,
+        x_m: npt.ArrayLike | None = None,
+        y_m: npt.ArrayLike | None = None,
+        level: bool = False,
+    ) -> Track:
+        """Make a track from SI units.
+
+        Parameters
+        ----------
+        units : Units
+            Those of the hoop, `hoop.units`.
+        time_s, theta_rad, x_m, y_m : array_like
+            As those of :class:`Track`, in s, rad, m and m.
+        level : bool, optional
+            As that of :class:`Track`.
+
+        Returns
+        -------
+        Track
+        """
+
+        def over(name: str, values: npt.ArrayLike | None, unit: float) -> Reals | None:
+            return None if values is None else reals(values, name) / unit
+
+        return cls(
+            reals(time_s, "time_s") / units.time_s,
+            over("theta_rad", theta_rad, 1.0),
+            over("x_m", x_m, units.length_m),
+            over("y_m", y_m, units.length_m),
+            level=level,
+        )
+
+    @classmethod
+    def from_csv(
+        cls,
+        path: str | Path,
+        units: Units | None = None,
+        *,
+        level: bool = False,
+        centre: str | None = None,
+        marker: str | None = None,
+        run: int | None = None,
+        fps: float | None = None,
+        plane: PlaneLike | None = None,
+        length_unit: str = "m",
+        ignore: Iterable[str] = (),
+    ) -> Track:
+        """Read a track from a table of numbers with a line of names, as spreadsheets and trackers write it.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file. Its columns are `time`, `theta`, `x`, `y`, or in SI units `time_s`,
+            `theta_rad` (or `theta_deg`), `x_m`, `y_m`; an empty cell is a frame in which something
+            was not seen. Exports of Tracker, Kinovea and PASCO Capstone are read as they are.
+        units : Units, optional
+            Those of the hoop; SI columns need them.
+        level : bool, optional
+            As that of :class:`Track`.
+        centre, marker : str, optional
+            Names of the points that are the centre of the hoop and the marker of its particle, in
+            exports that name points. A single point is the centre; of two the names may say it
+            ("centre", "marker").
+        run : int, optional
+            Number of the run, in exports with several.
+        fps : float, optional
+            Rate at which frames were taken, 1/s, in files that have their numbers and no times.
+        plane : littlewood.video.Plane, optional
+            The plane of the motion in a frame: the positions are in pixels.
+        length_unit : {"m", "cm", "mm"}, optional
+            Unit of positions in exports of Tracker and Kinovea, whose files do not have it.
+        ignore : iterable of str, optional
+            Columns to pass over. Velocities and other quantities that are computed from the track
+            are passed over anyhow; any other unknown column is refused.
+
+        Returns
+        -------
+        Track
+
+        Raises
+        ------
+        littlewood.fitting.TableFileError
+            With file, line, column, value and hint, for what cannot be read: nothing is left out in
+            silence.
+        """
+        found = read_track(
+            path,
+            units,
+            centre=centre,
+            marker=marker,
+            run=run,
+            fps=fps,
+            plane=plane,
+            length_unit=length_unit,
+            ignore=ignore,
+        )
+        if not found.is_si or units is None:
+            return cls(found.time, found.theta, found.x, found.y, level=level)
+        return cls.from_si(
+            units, time_s=found.time, theta_rad=found.theta, x_m=found.x, y_m=found.y, level=level
+        )
+
+    @property
+    def channels(self) -> dict[str, Reals]:
+        """The measured channels, by name."""
+        found = {"theta": self.theta, "x": self.x, "y": self.y}
+        return {name: values for name, values in found.items() if values is not None}
+
+    def until(self, time: float) -> Track:
+        """Return the part up to a time τ, √(R/g)."""
+        kept = self.time <= time
+        errors = (
+            None
+            if self.errors is None
+            else {name: values[kept] for name, values in self.errors.items()}
+        )
+        channels = {name: values[kept] for name, values in self.channels.items()}
+        theta, x, y = (channels.get(name) for name in ("theta", "x", "y"))
+        return replace(self, time=self.time[kept], theta=theta, x=x, y=y, errors=errors)
