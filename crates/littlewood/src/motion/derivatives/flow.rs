@@ -236,36 +236,7 @@ impl<const K: usize> Plane<Dual<K>> {
                 );
             }
             Motion::Slides(direction) => {
-                let law = self.sliding(*direction);
-                let series = |place| {
-                    let series = SlideSeries::new(&law, place, from.slip);
-                    [series.theta, series.theta_rate]
-                };
-                let coefficient =
-                    |Angle { sin, cos }: Angle<Dual<K>>| law.slip_coefficient(sin, cos);
-                let start = from.theta.angle();
-                let path = law.path(
-                    ContactMotion {
-                        theta_rate: from.rate,
-                        slip: from.slip,
-                        x: from.x,
-                    },
-                    start,
-                );
-                in_steps(from, times, series, |elapsed, place| {
-                    give(place.map(|PhasePoint { theta, rate }| {
-                        let (end, time) = (theta.angle(), Dual::constant(elapsed));
-                        let slip = from.slip - from.rate * coefficient(start)
-                            + rate * coefficient(end)
-                            - law.mean_slip_loss() * time;
-                        Point {
-                            theta,
-                            rate,
-                            slip,
-                            x: path.x(time, end),
-                        }
-                    }));
-                });
+                self.slide_to(&self.sliding(*direction), from, times, give);
             }
             Motion::Glides => times
                 .iter()
@@ -274,6 +245,42 @@ impl<const K: usize> Plane<Dual<K>> {
                 .iter()
                 .for_each(|elapsed| give(Ok(self.fly(from, *elapsed)))),
         }
+    }
+
+    fn slide_to(
+        &self,
+        law: &SlidingLaw<Dual<K>>,
+        from: &Point<Dual<K>>,
+        times: &[f64],
+        mut give: impl FnMut(Result<Point<Dual<K>>, NoDerivative>),
+    ) {
+        let series = |place| {
+            let series = SlideSeries::new(law, place, from.slip);
+            [series.theta, series.theta_rate]
+        };
+        let coefficient = |Angle { sin, cos }: Angle<Dual<K>>| law.slip_coefficient(sin, cos);
+        let start = from.theta.angle();
+        let path = law.path(
+            ContactMotion {
+                theta_rate: from.rate,
+                slip: from.slip,
+                x: from.x,
+            },
+            start,
+        );
+        in_steps(from, times, series, |elapsed, place| {
+            give(place.map(|PhasePoint { theta, rate }| {
+                let (end, time) = (theta.angle(), Dual::constant(elapsed));
+                let slip = from.slip - from.rate * coefficient(start) + rate * coefficient(end)
+                    - law.mean_slip_loss() * time;
+                Point {
+                    theta,
+                    rate,
+                    slip,
+                    x: path.x(time, end),
+                }
+            }));
+        });
     }
 
     fn fly(&self, from: &Point<Dual<K>>, elapsed: f64) -> Point<Dual<K>> {
