@@ -1,8 +1,9 @@
 //! The energy of the start as a bar of its parts: kinetic, potential, and what has been lost.
 
+use littlewood::energy::EnergyParts;
 use littlewood::si::Units;
 use littlewood::tables::Dimension;
-use littlewood_style::{EnergyPart, EnergyParts, Rgb};
+use littlewood_style::{EnergyPart, Rgb};
 
 use crate::canvas::Canvas;
 use crate::colour::{self, INK, PAPER, SOFT};
@@ -52,7 +53,7 @@ impl Bar<'_> {
     fn stack(&self) -> [(EnergyPart, [f64; 2]); EnergyPart::ALL.len()] {
         let mut below = 0.0;
         EnergyPart::ALL.map(|part| {
-            let value = self.parts.part(part);
+            let value = part.of(self.parts);
             let above = match part {
                 EnergyPart::Potential => self.place(value),
                 EnergyPart::Kinetic | EnergyPart::Friction | EnergyPart::Impacts => {
@@ -76,7 +77,7 @@ impl Bar<'_> {
         } else {
             2
         };
-        let text = format!("{:.digits$}", worth * self.parts.part(part));
+        let text = format!("{:.digits$}", worth * part.of(self.parts));
         match text.strip_prefix('-') {
             Some(zero) if zero.bytes().all(|it| matches!(it, b'0' | b'.')) => zero.to_owned(),
             Some(size) => format!("−{size}"),

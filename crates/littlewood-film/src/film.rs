@@ -1,8 +1,8 @@
 //! A film: a motion, and how it is shown.
 
+use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::si::Units;
 use littlewood::{Sample, Trajectory};
-use littlewood_style::{EnergyParts, Ledger};
 
 use crate::bar::{Bar, COLUMN, draw_bar};
 use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};
@@ -54,13 +54,13 @@ pub struct Film<'a> {
 /// The energy of a motion, and from where to where the bar has to show it.
 #[derive(Debug)]
 struct Energies {
-    ledger: Ledger,
+    ledger: EnergyLedger,
     scale: [f64; 2],
 }
 
 impl Energies {
     fn new(trajectory: &Trajectory, end: f64) -> Option<Self> {
-        let ledger = Ledger::new(trajectory)?;
+        let ledger = EnergyLedger::new(trajectory)?;
         let samples: Vec<Sample> = trajectory.sample_evenly(EXAMINED, end).collect();
         let scale = ledger.scale(&samples);
         Some(Self { ledger, scale })

@@ -3,6 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use littlewood::theory::{PhasePlane, Window};
@@ -12,7 +13,7 @@ use littlewood_draw::{
     Scale, Series, Sheet, Stroke, marked,
 };
 use littlewood_style::width::FINE;
-use littlewood_style::{Curve, EnergyPart, EnergyParts, Ledger};
+use littlewood_style::{Curve, EnergyPart};
 
 use crate::camera;
 use crate::canvas::Canvas;
@@ -180,7 +181,7 @@ impl<'a> Shown<'a> {
     ) -> Self {
         let samples: Vec<Sample> = trajectory.sample_evenly(SAMPLES, schedule.end).collect();
         let times = [schedule.start, schedule.end.max(schedule.start + 1e-9)];
-        let ledger = Ledger::new(trajectory);
+        let ledger = EnergyLedger::new(trajectory);
         let ranges = match with {
             With::Plane => [[-PI, PI], rates(&samples, trajectory)],
             With::Friction => [times, [0.0, most_demand(trajectory)]],
@@ -353,7 +354,7 @@ impl<'a> Shown<'a> {
         let mut layers = Vec::new();
         for part in EnergyPart::ALL {
             let above = |([time, below], (_, parts)): (&[f64; 2], &(f64, EnergyParts))| {
-                let value = parts.part(part);
+                let value = part.of(parts);
                 let height = match part {
                     EnergyPart::Potential => value - least,
                     EnergyPart::Kinetic | EnergyPart::Friction | EnergyPart::Impacts => value,
@@ -382,7 +383,7 @@ impl<'a> Shown<'a> {
                 let is_seen = |part: &EnergyPart| {
                     self.energies
                         .iter()
-                        .map(|(_, parts)| parts.part(*part).abs())
+                        .map(|(_, parts)| part.of(parts).abs())
                         .fold(0.0, f64::max)
                         > 1e-6 * (most - least)
                 };
@@ -437,7 +438,7 @@ fn pieces(with: With, samples: &[Sample]) -> Vec<Piece> {
 }
 
 /// The parts of the energy of the samples, each with its time.
-fn energies(ledger: &Ledger, samples: &[Sample]) -> Vec<(f64, EnergyParts)> {
+fn energies(ledger: &EnergyLedger, samples: &[Sample]) -> Vec<(f64, EnergyParts)> {
     let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
     samples.iter().filter_map(parts).collect()
 }
@@ -489,7 +490,7 @@ fn most_demand(trajectory: &Trajectory) -> f64 {
 
 /// The scale of the energies of a motion with a little air above; of one that does not begin, or
 /// that does not move, something.
-fn range_of_energies(ledger: Option<&Ledger>, samples: &[Sample]) -> [f64; 2] {
+fn range_of_energies(ledger: Option<&EnergyLedger>, samples: &[Sample]) -> [f64; 2] {
     let [low, high] = ledger.map_or([0.0; 2], |ledger| ledger.scale(samples));
     let span = if high > low { high - low } else { 1.0 };
     [low, low + 1.05 * span]

@@ -2,11 +2,11 @@
 //! said to.
 
 use littlewood::cases::{CASES, find_case};
+use littlewood::energy::EnergyParts;
 use littlewood::{
     Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory,
 };
 use littlewood_film::{EnergyBar, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Schedule};
-use littlewood_style::EnergyParts;
 
 const PACE: Pace = Pace {
     fps: 25,

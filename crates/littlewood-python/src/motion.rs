@@ -7,8 +7,7 @@ use littlewood::impact::{BouncingOrbit, ContactVelocities, Impact};
 use littlewood::tables::Detail;
 use littlewood::theory::{Candidates, Classification, RollingType};
 use littlewood::{
-    Direction, Hoop, HoopParameters, Limits, Mode, Phase, RestitutionLaw, Sample, Start,
-    Trajectory as Core,
+    Direction, Limits, Mode, Phase, RestitutionLaw, Sample, Start, Trajectory as Core,
 };
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
@@ -54,10 +53,8 @@ pub(crate) fn check_hoop(py: Python<'_>, given: GivenHoop) -> PyResult<DerivedHo
 /// Checks a time limit for a start at τ = 0, before anything is computed.
 #[pyfunction]
 pub(crate) fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
-    // The simulation has the rule: a thin hoop at rest is soon simulated.
-    Hoop::new(HoopParameters::thin(1.0))
-        .and_then(|hoop| hoop.simulate(Start::default(), Limits::until(until).with_transitions(0)))
-        .map(drop)
+    Limits::until(until)
+        .check(&Start::default())
         .map_err(|error| refuse(py, &error, None))
 }
 

@@ -1,5 +1,7 @@
 //! The parts into which the energy at the start goes.
 
+use littlewood::energy::EnergyParts;
+
 use crate::accent::Accent;
 use crate::arrow::Arrow;
 use crate::named::named;
@@ -30,6 +32,16 @@ impl EnergyPart {
             Self::Potential => "potential",
             Self::Friction => "lost to friction",
             Self::Impacts => "lost in impacts",
+        }
+    }
+
+    /// The amount of this part.
+    pub const fn of(self, parts: &EnergyParts) -> f64 {
+        match self {
+            Self::Kinetic => parts.kinetic,
+            Self::Potential => parts.potential,
+            Self::Friction => parts.friction,
+            Self::Impacts => parts.impacts,
         }
     }
 

@@ -1,13 +1,14 @@
 //! A simulated motion.
 
 use littlewood::cases::{NamedCase, find_case};
+use littlewood::energy::EnergyLedger;
 use littlewood::impact::{ContactVelocities, Impulse};
 use littlewood::tables::SampleColumn;
 use littlewood::{Cause, Mode, OutcomeKind, Sample, Trajectory, Transition};
 use littlewood_report::scale::Scale;
 use littlewood_report::sheet::Table;
 use littlewood_report::{Sampling, ShownImpact, Subject, csv, json as documents, page, sentence};
-use littlewood_style::{EnergyPart, Ledger};
+use littlewood_style::EnergyPart;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -124,16 +125,17 @@ impl Motion {
             .trajectory
             .sample_evenly(EXAMINED, self.horizon())
             .collect();
-        let scale = |ledger: Ledger| ledger.scale(&samples).to_vec();
-        Ledger::new(&self.trajectory).map_or_else(Vec::new, scale)
+        let scale = |ledger: EnergyLedger| ledger.scale(&samples).to_vec();
+        EnergyLedger::new(&self.trajectory).map_or_else(Vec::new, scale)
     }
 
     /// The parts of the energy at a time, over m2 g R, in the order of `EnergyPart` of the style
     /// crate. They add up to the energy of the start; empty outside the motion.
     pub fn energies(&self, time: f64) -> Vec<f64> {
-        let parts = || Ledger::new(&self.trajectory)?.parts(&self.trajectory.at(time)?, false);
+        let parts =
+            || EnergyLedger::new(&self.trajectory)?.parts(&self.trajectory.at(time)?, false);
         parts().map_or_else(Vec::new, |it| {
-            EnergyPart::ALL.map(|part| it.part(part)).to_vec()
+            EnergyPart::ALL.map(|part| part.of(&it)).to_vec()
         })
     }
 

@@ -203,6 +203,27 @@ pub mod derivatives {
     };
 }
 
+pub mod energy {
+    //! Where the energy of a motion goes: what is kinetic and potential at an instant, and what has
+    //! been lost to friction and in impacts.
+    //!
+    //! ```
+    //! use littlewood::cases::find_case;
+    //! use littlewood::energy::EnergyLedger;
+    //!
+    //! let motion = find_case("figure-3").expect("a named case").simulate()?;
+    //! let ledger = EnergyLedger::new(&motion).expect("a phase");
+    //! let end = motion.at(motion.end_time()).expect("an instant of the motion");
+    //! let parts = ledger.parts(&end, false).expect("an instant of the motion");
+    //! // Two slides lose energy, and the motion ends before the impact.
+    //! let total = parts.kinetic + parts.potential + parts.friction;
+    //! assert!(parts.friction > 0.0 && (total - parts.start).abs() < 1e-12);
+    //! # Ok::<(), littlewood::ParameterError>(())
+    //! ```
+
+    pub use crate::motion::energy::{EnergyLedger, EnergyParts};
+}
+
 pub mod si {
     //! SI units: a hoop and its start in kilograms, metres and seconds, and the units that convert
     //! its motion.

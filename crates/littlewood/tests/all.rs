@@ -14,6 +14,7 @@ mod degenerate;
 mod derivatives;
 mod digits;
 mod documentation;
+mod energy;
 mod engine;
 mod equations;
 mod errata;

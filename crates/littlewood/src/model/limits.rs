@@ -78,7 +78,20 @@ pub(crate) fn length_of_slide(from: &State, to: &State) -> f64 {
 }
 
 impl Limits {
-    pub(crate) fn check(&self, start: &Start) -> Result<(), ParameterError> {
+    /// Checks the time limit of a motion from a start, as each simulation does.
+    ///
+    /// ```
+    /// use littlewood::{Limits, Start};
+    ///
+    /// let start = Start::at(1.0, 0.0);
+    /// assert!(Limits::until(20.0).check(&start).is_ok());
+    /// let error = Limits::until(-1.0).check(&start).unwrap_err();
+    /// assert!(error.to_string().contains("until"));
+    /// ```
+    ///
+    /// # Errors
+    /// A time limit that is not finite, out of its bounds, or before the start.
+    pub fn check(&self, start: &Start) -> Result<(), ParameterError> {
         if let Some(until) = self.until {
             Quantity::Until.check(until)?;
             within(

@@ -2,7 +2,7 @@
 
 use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
-use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, named};
+use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, State, named};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
 use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart, next_motion};
 
@@ -60,6 +60,23 @@ pub struct Classification {
     pub candidates: Option<Candidates>,
 }
 
+impl Classification {
+    /// Adds how rolling from a state ends, or what recurs if it does not.
+    fn add_rolling(&mut self, hoop: &Hoop, state: &State, origin: &Origin, on_limit: bool) {
+        let (theta, theta_rate) = (state.theta, state.theta_rate);
+        let orbit = RollingOrbit::of(hoop, theta, theta_rate);
+        let end = if on_limit {
+            orbit.end_from_limit()
+        } else {
+            orbit.end()
+        };
+        self.rolling_type = hoop.rolling_type(theta, theta_rate, end);
+        let is_endless = end.is_none() && !orbit.leaves_bounds();
+        self.recurrence = is_endless.then(|| origin.recurrence(orbit.recurrence()));
+        self.rolling_end = end.map(|end| origin.rolling_end(end));
+    }
+}
+
 impl Hoop {
     /// Kinetic and potential energy of a start (2.8); on a slope the potential energy includes m x̄
     /// sin α.
@@ -111,16 +128,7 @@ impl Hoop {
         (found.region, found.mode, found.direction) =
             match next_motion(self, &state, Arrival::Start) {
                 NextMotion::Roll { on_limit } => {
-                    let orbit = RollingOrbit::of(self, theta, theta_rate);
-                    let end = if on_limit {
-                        orbit.end_from_limit()
-                    } else {
-                        orbit.end()
-                    };
-                    found.rolling_type = self.rolling_type(theta, theta_rate, end);
-                    let endless = end.is_none() && !orbit.leaves_bounds();
-                    found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));
-                    found.rolling_end = end.map(|end| origin.rolling_end(end));
+                    found.add_rolling(self, &state, &origin, on_limit);
                     found.reverse_chatter =
                         PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);
                     (StartRegion::Rolling, Some(Mode::Rolling), None)

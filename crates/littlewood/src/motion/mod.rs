@@ -5,6 +5,7 @@ pub(crate) mod classify;
 pub(crate) mod columns;
 pub(crate) mod derivatives;
 pub(crate) mod digits;
+pub(crate) mod energy;
 pub(crate) mod simulate;
 pub(crate) mod summary;
 pub(crate) mod trajectory;

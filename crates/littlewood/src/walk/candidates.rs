@@ -340,7 +340,7 @@ pub(crate) fn select_mode(
         SlipInputs::AtRest(rest) if rest.stiction == Stiction::Holds => (true, None),
         // A slide that presses with w < 0 has P < 0, and begins only where rolling holds, too.
         SlipInputs::AtRest(_) if lifts_off => (false, None),
-        SlipInputs::AtRest(rest) => (false, slip_onset(hoop, body, state, (rest, painleve))),
+        SlipInputs::AtRest(rest) => (false, slip_onset(hoop, body, state, rest, painleve)),
     };
     match (rolls, slide, lifts_off) {
         (true, None, false) => NextMotion::Roll { on_limit },
@@ -361,7 +361,7 @@ pub(crate) fn select_mode(
                 take_off,
             }
         }
-        (_, slide, _) => undecided(hoop, state, inputs, (rolls, slide)),
+        (_, slide, _) => undecided(hoop, state, inputs, rolls, slide),
     }
 }
 
@@ -371,7 +371,8 @@ fn undecided(
     hoop: &Hoop,
     state: &State,
     inputs: &ModeInputs,
-    (rolling, slide): (bool, Option<Slide>),
+    rolling: bool,
+    slide: Option<Slide>,
 ) -> NextMotion {
     let slides = |direction| {
         slide
@@ -399,7 +400,8 @@ fn slip_onset(
     hoop: &Hoop,
     body: &Heavy,
     state: &State,
-    (rest, painleve): (&RestInputs, [f64; 2]),
+    rest: &RestInputs,
+    painleve: [f64; 2],
 ) -> Option<Slide> {
     if hoop.mu_s() == 0.0 {
         // Where F is rounding, the first derivative of η′ that does not vanish decides.
@@ -431,7 +433,7 @@ fn slip_onset(
     };
     // The excess over μs N has decided against rolling, and the force follows from it, so that
     // their signs agree.
-    let onward = net_slip_force(hoop, forces, (direction, excess));
+    let onward = net_slip_force(hoop, forces, direction, excess);
     // On the limit N, with a large μs also F, may be rounding, and the direction, too. Then the
     // slide the other way is the consistent one.
     let back = direction.sign() * forces.friction - hoop.mu_k() * forces.normal;
@@ -458,7 +460,8 @@ fn slip_onset(
 pub(crate) fn net_slip_force(
     hoop: &Hoop,
     forces: &ContactForces,
-    (direction, excess): (Direction, f64),
+    direction: Direction,
+    excess: f64,
 ) -> f64 {
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
     if mu_s <= 1.0 {

@@ -105,6 +105,55 @@ impl<'a> Exact<'a> {
             outcome,
         }
     }
+
+    /// How a slide from `start` ends the phase, or the motion.
+    fn slide_end(
+        &self,
+        start: &State,
+        slide: &Sliding,
+        law: &SlidingLaw,
+        end: SlidingEnd,
+    ) -> ExactEnd {
+        match end {
+            SlidingEnd::Rest(point) => PhaseEnd::Event {
+                point,
+                cause: Cause::Stick,
+                arrival: Arrival::InContact,
+            },
+            SlidingEnd::LiftOff(point) => PhaseEnd::Event {
+                point,
+                cause: Cause::LiftOff,
+                arrival: Arrival::LiftOff,
+            },
+            SlidingEnd::Singular(state) => PhaseEnd::Singular {
+                state,
+                solvability: law.painleve(state.theta),
+            },
+            SlidingEnd::Unresolved(state) => {
+                Self::without_event(state, Outcome::Unresolved { state })
+            }
+            SlidingEnd::StepLimit { state, .. }
+                if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
+            {
+                Self::without_event(state, Outcome::StaysInContact { state })
+            }
+            SlidingEnd::StepLimit { state, time_left } => {
+                let limit = SlideLimit::One {
+                    steps: slide.work(),
+                    time_left,
+                };
+                Self::without_event(state, Outcome::StepLimit { state, limit })
+            }
+            SlidingEnd::TimeLimit(state) => self.stopped(state),
+            SlidingEnd::Endless(recurrence) => {
+                let outcome = Outcome::SlidesForever {
+                    since: *start,
+                    recurrence,
+                };
+                self.endless(start, |allowed| slide.state(allowed), outcome)
+            }
+        }
+    }
 }
 
 impl Solver for Exact<'_> {
@@ -188,45 +237,7 @@ impl Solver for Exact<'_> {
             self.steps
                 .set(self.steps.get().saturating_sub(slide.work()));
         }
-        let end = match end {
-            SlidingEnd::Rest(point) => PhaseEnd::Event {
-                point,
-                cause: Cause::Stick,
-                arrival: Arrival::InContact,
-            },
-            SlidingEnd::LiftOff(point) => PhaseEnd::Event {
-                point,
-                cause: Cause::LiftOff,
-                arrival: Arrival::LiftOff,
-            },
-            SlidingEnd::Singular(state) => PhaseEnd::Singular {
-                state,
-                solvability: law.painleve(state.theta),
-            },
-            SlidingEnd::Unresolved(state) => {
-                Self::without_event(state, Outcome::Unresolved { state })
-            }
-            SlidingEnd::StepLimit { state, .. }
-                if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
-            {
-                Self::without_event(state, Outcome::StaysInContact { state })
-            }
-            SlidingEnd::StepLimit { state, time_left } => {
-                let limit = SlideLimit::One {
-                    steps: slide.work(),
-                    time_left,
-                };
-                Self::without_event(state, Outcome::StepLimit { state, limit })
-            }
-            SlidingEnd::TimeLimit(state) => self.stopped(state),
-            SlidingEnd::Endless(recurrence) => {
-                let outcome = Outcome::SlidesForever {
-                    since: *state,
-                    recurrence,
-                };
-                self.endless(state, |allowed| slide.state(allowed), outcome)
-            }
-        };
+        let end = self.slide_end(state, &slide, &law, end);
         let solution = PhaseSolution::Sliding(Box::new(slide));
         PhaseResult {
             solution,

@@ -402,7 +402,25 @@ fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
         end: end.state(T::state),
     };
     log.recorder.phase(record, solution);
-    let step = match end {
+    let step = after_phase(solver, cursor, log.recorder, record, end)?;
+    Ok(PhaseStep {
+        theta_range,
+        ..step
+    })
+}
+
+/// Moves the cursor past the end of a phase; or records the event that ends the motion, and returns
+/// the outcome.
+#[inline(always)]
+fn after_phase<T: Solver, R: Recorder<T::Solution>>(
+    solver: &T,
+    cursor: &mut Cursor<T::Point>,
+    recorder: &mut R,
+    phase: PhaseRecord,
+    end: PhaseEnd<T::Point, T::Outcome>,
+) -> Result<PhaseStep, T::Outcome> {
+    let mode = phase.mode;
+    match end {
         PhaseEnd::Event {
             point,
             cause,
@@ -410,25 +428,27 @@ fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
         } => {
             let ended = EndedPhase {
                 mode,
-                direction,
+                direction: phase.direction,
                 point,
                 cause,
                 arrival,
             };
-            PhaseStep {
+            Ok(PhaseStep {
                 event: after_event(solver, cursor, ended),
                 impact: None,
                 theta_range: None,
-            }
+            })
         }
-        PhaseEnd::Settled { state, settling } => after_settling(solver, cursor, state, &settling),
+        PhaseEnd::Settled { state, settling } => {
+            Ok(after_settling(solver, cursor, state, &settling))
+        }
         PhaseEnd::Landing { state, gap_rate } => {
             let end = MotionEnd {
                 event: Some(Event::new(state, mode, Cause::Landing)),
                 outcome: Outcome::Landing { state, gap_rate },
             };
             let rebound = land(solver, cursor, state, gap_rate);
-            rebound_or_end(log.recorder, rebound, end)?
+            rebound_or_end(recorder, rebound, end)
         }
         PhaseEnd::Singular { state, solvability } => {
             let end = MotionEnd {
@@ -436,7 +456,7 @@ fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
                 outcome: Outcome::Singular { state, solvability },
             };
             let rebound = jam(solver, cursor, Some(mode), state);
-            rebound_or_end(log.recorder, rebound, end)?
+            rebound_or_end(recorder, rebound, end)
         }
         PhaseEnd::Motion {
             event,
@@ -445,15 +465,11 @@ fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
         } => {
             if let Some((cause, before)) = event {
                 let event = Event::new(before, mode, cause);
-                log.recorder.transition(&event, None, None);
+                recorder.transition(&event, None, None);
             }
-            return Err(outcome);
+            Err(outcome)
         }
-    };
-    Ok(PhaseStep {
-        theta_range,
-        ..step
-    })
+    }
 }
 
 /// The event of an impact. The motion ends before the impact if the state after it is not

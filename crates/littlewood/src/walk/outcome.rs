@@ -248,21 +248,13 @@ impl Outcome {
             Self::TransitionLimit { transitions, .. } => {
                 vec![("transitions", Detail::Count(transitions))]
             }
-            Self::StepLimit {
-                limit: SlideLimit::All { slides },
-                ..
-            } => {
-                vec![("slides", Detail::Count(slides))]
-            }
-            Self::StepLimit {
-                limit: SlideLimit::One { steps, time_left },
-                ..
-            } => {
-                vec![
+            Self::StepLimit { limit, .. } => match limit {
+                SlideLimit::All { slides } => vec![("slides", Detail::Count(slides))],
+                SlideLimit::One { steps, time_left } => vec![
                     ("steps", Detail::Count(steps)),
                     ("time_left", Detail::Real(time_left, Dimension::Time)),
-                ]
-            }
+                ],
+            },
             Self::Singular { solvability, .. } => {
                 vec![("solvability", Detail::Real(solvability, Dimension::Ratio))]
             }

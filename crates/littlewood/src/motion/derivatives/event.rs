@@ -5,7 +5,7 @@ use crate::mechanics::{Loads, RollingLaw, contact};
 use crate::model::{Heavy, State};
 use crate::walk::Cause;
 
-use super::flow::{Motion, Plane, Point};
+use super::flow::{Motion, PhaseInstant, Plane};
 use super::{Derivative, NoDerivative};
 
 /// The rounding of a condition of some tens of operations, relative to the size of its terms.
@@ -48,10 +48,11 @@ impl Event {
     /// The quantity that vanishes at the event.
     pub(super) fn condition<T: Number>(
         self,
-        (plane, mu_s): (&Plane<T>, T),
+        plane: &Plane<T>,
         motion: &Motion<T>,
-        (at, elapsed): (&Point<T>, f64),
+        instant: &PhaseInstant<T>,
     ) -> T {
+        let PhaseInstant { point: at, elapsed } = instant;
         let angle = at.theta.angle();
         let u = at.rate * at.rate;
         let forces = || {
@@ -59,16 +60,9 @@ impl Event {
             law.forces_at(angle, Loads::of(u), law.denominator_of(angle))
         };
         match (self, motion) {
-            (Self::Slip, _) => mu_s * forces().normal - forces().friction.abs(),
+            (Self::Slip, _) => plane.friction.mu_s * forces().normal - forces().friction.abs(),
             (Self::Unloaded, _) => forces().normal,
-            (
-                Self::Landing,
-                Motion::Flies {
-                    from,
-                    rise,
-                    lifts_off,
-                },
-            ) => plane.gap((from, *rise, *lifts_off), T::constant(elapsed)).0,
+            (Self::Landing, Motion::Flies(flight)) => plane.gap(flight, T::constant(*elapsed)).0,
             (Self::Rest | Self::Landing, _) => at.slip,
             (Self::LiftOff, _) => contact(1.0, plane.body.h, angle.cos * u),
         }
@@ -77,21 +71,24 @@ impl Event {
     /// The size of the terms of the condition.
     pub(super) fn size<const K: usize>(
         self,
-        (plane, mu_s): (&Plane<Dual<K>>, f64),
+        plane: &Plane<Dual<K>>,
         motion: &Motion<Dual<K>>,
-        (at, elapsed): (&Point<Dual<K>>, f64),
+        instant: &PhaseInstant<Dual<K>>,
     ) -> f64 {
+        let PhaseInstant { point: at, elapsed } = *instant;
         let Heavy { mass, h, .. } = plane.body;
         let rate = at.rate.value.abs();
         let weight = 1.0 + h.value * rate * rate;
         match (self, motion) {
-            (Self::Landing, Motion::Flies { from, rise, .. }) => {
-                let turned = (from.rate.value * elapsed).abs();
-                elapsed * rise.value + h.value * turned * turned * turned.min(1.0)
+            (Self::Landing, Motion::Flies(flight)) => {
+                let turned = (flight.point.rate.value * elapsed).abs();
+                elapsed * flight.gap_rate.value + h.value * turned * turned * turned.min(1.0)
             }
-            (Self::Slip, _) => (1.0 + mu_s) * mass.value * weight,
+            (Self::Slip, _) => (1.0 + plane.friction.mu_s.value) * mass.value * weight,
             (Self::Unloaded, _) => mass.value * weight,
-            (Self::Rest | Self::Landing, _) => (1.0 + h.value) * rate + plane.mu_k.value * elapsed,
+            (Self::Rest | Self::Landing, _) => {
+                (1.0 + h.value) * rate + plane.friction.mu_k.value * elapsed
+            }
             (Self::LiftOff, _) => weight,
         }
     }

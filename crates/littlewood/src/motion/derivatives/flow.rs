@@ -8,7 +8,7 @@ use crate::math::number::{Dual, Number};
 use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::math::trig::{Angle, TruncatedSeries};
 use crate::mechanics::{Accelerations, ContactMotion, Loads, RollingLaw, SlidingLaw};
-use crate::model::{Direction, Heavy, State};
+use crate::model::{Direction, Friction, Heavy, State};
 use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE, gliding};
 
 use super::NoDerivative;
@@ -52,29 +52,66 @@ impl From<&State> for Point<f64> {
     }
 }
 
-/// A mode with its direction of slip, and the rate of the gap at the start of a flight; none at a
-/// lift-off, where the gap opens with the third power of the time.
+/// A mode with its direction of slip, or with the start of a flight.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Motion<T> {
     Rolls,
     Slides(Direction),
     Glides,
-    Flies {
-        from: Point<T>,
-        rise: T,
-        lifts_off: bool,
-    },
+    Flies(FlightStart<T>),
 }
 
+/// The start of a flight.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FlightStart<T> {
+    pub(super) point: Point<T>,
+    /// The rate of the gap; zero at a lift-off.
+    pub(super) gap_rate: T,
+    /// Whether the gap opens with the third power of the time.
+    pub(super) lifts_off: bool,
+}
+
+/// A point of a phase, and the time since the start of the phase, the same for all motions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PhaseInstant<T> {
+    pub(super) point: Point<T>,
+    pub(super) elapsed: f64,
+}
+
+/// A body on a plane with friction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane<T> {
     pub(super) body: Heavy<T>,
-    pub(super) mu_k: T,
+    pub(super) friction: Friction<T>,
 }
 
 impl<T: Number> Plane<T> {
+    /// Applies a function to each number.
+    pub(super) fn map<B>(self, f: impl Fn(T) -> B) -> Plane<B> {
+        let Heavy {
+            mass,
+            h,
+            offset,
+            inertia,
+            tilt,
+        } = self.body;
+        Plane {
+            body: Heavy {
+                mass: f(mass),
+                h: f(h),
+                offset: f(offset),
+                inertia: f(inertia),
+                tilt: f(tilt),
+            },
+            friction: Friction {
+                mu_s: f(self.friction.mu_s),
+                mu_k: f(self.friction.mu_k),
+            },
+        }
+    }
+
     fn sliding(&self, direction: Direction) -> SlidingLaw<T> {
-        SlidingLaw::of_body(self.body, self.mu_k, direction)
+        SlidingLaw::of_body(self.body, self.friction.mu_k, direction)
     }
 
     pub(super) fn rates(&self, motion: &Motion<T>, at: &Point<T>) -> Point<T> {
@@ -97,7 +134,7 @@ impl<T: Number> Plane<T> {
             Motion::Glides => {
                 gliding::accelerations(h, self.body.pull(), Loads::of(rate * rate), angle)
             }
-            Motion::Flies { .. } => Accelerations {
+            Motion::Flies(_) => Accelerations {
                 theta: T::constant(0.0),
                 slip: -(h * angle.sin * rate * rate) - self.body.pull(),
             },
@@ -111,8 +148,14 @@ impl<T: Number> Plane<T> {
     }
 
     /// The gap of a flight after a time, and its rate.
-    pub(super) fn gap(&self, (from, rise, lifts_off): (&Point<T>, T, bool), elapsed: T) -> (T, T) {
+    pub(super) fn gap(&self, flight: &FlightStart<T>, elapsed: T) -> (T, T) {
+        let FlightStart {
+            point: from,
+            gap_rate: rise,
+            lifts_off,
+        } = *flight;
         let Heavy { h, .. } = self.body;
+        // The mirror image that turns forwards has the same gap.
         let Angle { sin, cos } = from.theta.angle();
         let rate = from.rate.abs();
         let sin = if from.rate.value() < 0.0 { -sin } else { sin };
@@ -156,19 +199,19 @@ impl<T: Number> Plane<T> {
 
 impl<const K: usize> Plane<Dual<K>> {
     /// The state after a time that is the same for all motions.
-    pub(super) fn follow(
+    pub(super) fn evolve(
         &self,
         motion: &Motion<Dual<K>>,
         from: &Point<Dual<K>>,
         elapsed: f64,
     ) -> Result<Point<Dual<K>>, NoDerivative> {
         let mut last = Err(NoDerivative::Singular);
-        self.follow_to(motion, from, &[elapsed], |point| last = point);
+        self.evolve_to(motion, from, &[elapsed], |point| last = point);
         last
     }
 
     /// The states after times that are the same for all motions, and do not decrease.
-    pub(super) fn follow_to(
+    pub(super) fn evolve_to(
         &self,
         motion: &Motion<Dual<K>>,
         from: &Point<Dual<K>>,
@@ -193,44 +236,51 @@ impl<const K: usize> Plane<Dual<K>> {
                 );
             }
             Motion::Slides(direction) => {
-                let law = self.sliding(*direction);
-                let series = |place| {
-                    let series = SlideSeries::new(&law, place, from.slip);
-                    [series.theta, series.theta_rate]
-                };
-                let coefficient =
-                    |Angle { sin, cos }: Angle<Dual<K>>| law.slip_coefficient(sin, cos);
-                let start = from.theta.angle();
-                let path = law.path(
-                    ContactMotion {
-                        theta_rate: from.rate,
-                        slip: from.slip,
-                        x: from.x,
-                    },
-                    start,
-                );
-                in_steps(from, times, series, |elapsed, place| {
-                    give(place.map(|PhasePoint { theta, rate }| {
-                        let (end, time) = (theta.angle(), Dual::constant(elapsed));
-                        let slip = from.slip - from.rate * coefficient(start)
-                            + rate * coefficient(end)
-                            - law.mean_slip_loss() * time;
-                        Point {
-                            theta,
-                            rate,
-                            slip,
-                            x: path.x(time, end),
-                        }
-                    }));
-                });
+                self.slide_to(&self.sliding(*direction), from, times, give);
             }
             Motion::Glides => times
                 .iter()
                 .for_each(|elapsed| give(self.glide(from, *elapsed))),
-            Motion::Flies { .. } => times
+            Motion::Flies(_) => times
                 .iter()
                 .for_each(|elapsed| give(Ok(self.fly(from, *elapsed)))),
         }
+    }
+
+    fn slide_to(
+        &self,
+        law: &SlidingLaw<Dual<K>>,
+        from: &Point<Dual<K>>,
+        times: &[f64],
+        mut give: impl FnMut(Result<Point<Dual<K>>, NoDerivative>),
+    ) {
+        let series = |place| {
+            let series = SlideSeries::new(law, place, from.slip);
+            [series.theta, series.theta_rate]
+        };
+        let coefficient = |Angle { sin, cos }: Angle<Dual<K>>| law.slip_coefficient(sin, cos);
+        let start = from.theta.angle();
+        let path = law.path(
+            ContactMotion {
+                theta_rate: from.rate,
+                slip: from.slip,
+                x: from.x,
+            },
+            start,
+        );
+        in_steps(from, times, series, |elapsed, place| {
+            give(place.map(|PhasePoint { theta, rate }| {
+                let (end, time) = (theta.angle(), Dual::constant(elapsed));
+                let slip = from.slip - from.rate * coefficient(start) + rate * coefficient(end)
+                    - law.mean_slip_loss() * time;
+                Point {
+                    theta,
+                    rate,
+                    slip,
+                    x: path.x(time, end),
+                }
+            }));
+        });
     }
 
     fn fly(&self, from: &Point<Dual<K>>, elapsed: f64) -> Point<Dual<K>> {

@@ -14,7 +14,7 @@
 //! derivatives ([`crate::math::number`]); there is no difference quotient. Where a derivative does
 //! not exist, [`NoDerivative`] says why.
 //!
-//! [`tangents`] passes from phase to phase, [`flow`] follows a phase, and [`event`] has the conditions g.
+//! [`tangents`] passes from phase to phase, [`flow`] evolves a state in a phase, and [`event`] has the conditions g.
 
 mod event;
 mod flow;
@@ -29,7 +29,8 @@ use crate::modes::Recurrence;
 use crate::motion::columns::SummaryColumn;
 use crate::motion::trajectory::Trajectory;
 
-use tangents::{Passed, Tangents};
+use summary::PassedMotion;
+use tangents::{EventJump, Tangents};
 
 named! {
     /// Why a derivative does not exist.
@@ -283,7 +284,7 @@ impl Group for Instants<'_> {
             if rest.is_empty() {
                 break;
             }
-            failed = walk.pass(phase).err();
+            failed = walk.pass_phase(phase).err();
         }
         for (_, place) in rest {
             found[*place].iter_mut().for_each(|states| {
@@ -305,7 +306,7 @@ impl Group for Events<'_> {
         let mut failed = None;
         let mut passed = vec![None; motion.transitions.len()];
         for phase in &motion.phases {
-            match walk.pass(phase) {
+            match walk.pass_phase(phase) {
                 Ok(event) => {
                     if let (Some(number), Some(event)) = (phase.ended_by, event) {
                         passed[number] = Some(event);
@@ -322,7 +323,7 @@ impl Group for Events<'_> {
                 let event = event
                     .as_ref()
                     .ok_or(failed.unwrap_or(NoDerivative::Singular));
-                let derivative = event.map(|Passed { before, after, .. }| {
+                let derivative = event.map(|EventJump { before, after, .. }| {
                     let [before, after] = [before, after].map(|at| walk.state(at, k));
                     EventDerivative { before, after }
                 });
@@ -333,8 +334,12 @@ impl Group for Events<'_> {
             Some(reason) => Err(reason),
             None => walk.outcome(&passed),
         };
-        let numbers = summary::of(&walk, &passed, end.map(|(at, _)| at));
-        for (row, number) in all.summary.iter_mut().zip(numbers) {
+        let passed = PassedMotion {
+            walk: &walk,
+            events: &passed,
+            end: end.map(|(at, _)| at),
+        };
+        for (row, number) in all.summary.iter_mut().zip(passed.numbers()) {
             row.extend(
                 quantities
                     .iter()

@@ -11,19 +11,30 @@ use super::flow::Point;
 /// Derivatives of an integrand that has converged converge a little later.
 const TOLERANCE: f64 = 1e-2 * TAIL_TOLERANCE;
 
-/// The rounding of √(D/G), as a part of it, where G has begun with a value: that of its terms, and
-/// of D, whose angles are rounded themselves.
-fn rounding<const K: usize>(
-    law: &RollingLaw<Dual<K>>,
-    (from, by, begins): (Dual<K>, Dual<K>, f64),
-    (d, kinetic): (Dual<K>, Dual<K>),
-) -> f64 {
-    let [offset, mass, tilt] = [law.offset, law.mass, law.tilt].map(|it| it.value.abs());
-    let (turned, angle) = (by.value.abs(), from.value.abs() + by.value.abs());
-    let swing = offset * turned.min(2.0) * (1.0 + tilt) * (1.0 + angle);
-    let terms = begins + 2.0 * (swing + tilt * mass * turned);
-    let of_angle = angle * offset * libm::sin(from.value + by.value).abs();
-    ROUNDING * (terms / kinetic.value.abs() + of_angle / d.value)
+/// An angle on an orbit of rolling, at which the integrand √(D/G) is evaluated.
+struct Node<const K: usize> {
+    /// The angle from which G is followed, and the angle turned from there.
+    from: Dual<K>,
+    by: Dual<K>,
+    /// G at `from`.
+    start: f64,
+    /// D and G at the angle.
+    inertia: Dual<K>,
+    twice_kinetic: Dual<K>,
+}
+
+impl<const K: usize> Node<K> {
+    /// The rounding of √(D/G), as a part of it: that of the terms of G, and of D, whose angles are
+    /// rounded themselves.
+    fn rounding(&self, law: &RollingLaw<Dual<K>>) -> f64 {
+        let [offset, mass, tilt] = [law.offset, law.mass, law.tilt].map(|it| it.value.abs());
+        let [from, by] = [self.from, self.by].map(Dual::value);
+        let (turned, angle) = (by.abs(), from.abs() + by.abs());
+        let swing = offset * turned.min(2.0) * (1.0 + tilt) * (1.0 + angle);
+        let terms = self.start + 2.0 * (swing + tilt * mass * turned);
+        let of_angle = angle * offset * libm::sin(from + by).abs();
+        ROUNDING * (terms / self.twice_kinetic.value.abs() + of_angle / self.inertia.value)
+    }
 }
 
 /// The turning point at an angle, which has the energy of a state.
@@ -55,24 +66,30 @@ pub(super) fn turning_point<const K: usize>(
 /// whose integrand is smooth.
 pub(super) fn of_libration<const K: usize>(
     law: &RollingLaw<Dual<K>>,
-    [a, b]: [Dual<K>; 2],
+    turning_points: [Dual<K>; 2],
 ) -> Dual<K> {
+    let [a, b] = turning_points;
     let width = b - a;
     let integrand = |psi: f64| {
         let (sin, cos) = libm::sincos(0.5 * psi);
         let [passed, left] = [width * (sin * sin), width * (cos * cos)];
         // From the nearer of the two, next to which G vanishes.
-        let (begins, by) = if psi < 0.5 * PI {
+        let (from, by) = if psi < 0.5 * PI {
             (a, passed)
         } else {
             (b, -left)
         };
         let half = by * 0.5;
-        let gained = law.gain((begins + half).angle(), half.angle().sin * 2.0, by);
-        let d = law.denominator_of((begins + by).angle());
+        let node = Node {
+            from,
+            by,
+            start: 0.0,
+            inertia: law.denominator_of((from + by).angle()),
+            twice_kinetic: law.gain((from + half).angle(), half.angle().sin * 2.0, by),
+        };
         (
-            (d * passed * left / gained).sqrt(),
-            rounding(law, (begins, by, 0.0), (d, gained)),
+            (node.inertia * passed * left / node.twice_kinetic).sqrt(),
+            node.rounding(law),
         )
     };
     integral(TOLERANCE, 0.0..PI, integrand) * 2.0
@@ -87,11 +104,17 @@ pub(super) fn of_rotation<const K: usize>(
     let integrand = |theta: f64| {
         let by = -from.theta + theta;
         let half = by * 0.5;
-        let kinetic = start + law.gain((from.theta + half).angle(), half.angle().sin * 2.0, by);
-        let d = law.denominator_of(Dual::constant(theta).angle());
+        let gain = law.gain((from.theta + half).angle(), half.angle().sin * 2.0, by);
+        let node = Node {
+            from: from.theta,
+            by,
+            start: start.value,
+            inertia: law.denominator_of(Dual::constant(theta).angle()),
+            twice_kinetic: start + gain,
+        };
         (
-            (d / kinetic).sqrt(),
-            rounding(law, (from.theta, by, start.value), (d, kinetic)),
+            (node.inertia / node.twice_kinetic).sqrt(),
+            node.rounding(law),
         )
     };
     integral(TOLERANCE, 0.0..TAU, integrand)

@@ -7,7 +7,8 @@ use crate::motion::columns::{DerivativeColumn, SummaryColumn, SummaryValue};
 use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{Cause, Transition};
 
-use super::tangents::{Instant, Passed, Tangents};
+use super::flow::FlightStart;
+use super::tangents::{Begun, EventJump, Instant, Tangents};
 use super::{Derivative, NoDerivative, NotDifferentiable};
 
 impl Trajectory {
@@ -36,133 +37,159 @@ impl Trajectory {
     }
 }
 
-/// The numbers of [`SummaryColumn::reals`], of a motion with these events and this end.
-pub(super) fn of<const K: usize>(
-    walk: &Tangents<'_, K>,
-    passed: &[Option<Passed<K>>],
-    end: Derivative<Instant<K>>,
-) -> Vec<Derivative<Dual<K>>> {
-    let summary = walk.motion.summary();
-    SummaryColumn::reals()
-        .map(|column| {
-            let is_absent =
-                matches!(column.of(&summary), SummaryValue::F64(value) if value.is_nan());
-            if is_absent {
-                Ok(absent())
-            } else {
-                number(walk, passed, end, column)
+/// A motion whose phases are passed: its events, and its end.
+pub(super) struct PassedMotion<'a, const K: usize> {
+    pub(super) walk: &'a Tangents<'a, K>,
+    /// The event of each transition, up to one without a derivative.
+    pub(super) events: &'a [Option<EventJump<K>>],
+    pub(super) end: Derivative<Instant<K>>,
+}
+
+impl<const K: usize> PassedMotion<'_, K> {
+    /// The numbers of [`SummaryColumn::reals`].
+    pub(super) fn numbers(&self) -> Vec<Derivative<Dual<K>>> {
+        let summary = self.walk.motion.summary();
+        SummaryColumn::reals()
+            .map(|column| {
+                let is_absent =
+                    matches!(column.of(&summary), SummaryValue::F64(value) if value.is_nan());
+                if is_absent {
+                    Ok(absent())
+                } else {
+                    self.number(column)
+                }
+            })
+            .collect()
+    }
+
+    fn number(&self, column: SummaryColumn) -> Derivative<Dual<K>> {
+        let walk = self.walk;
+        match column {
+            SummaryColumn::EndTime => self.end_number(0),
+            SummaryColumn::EndTheta => self.end_number(1),
+            SummaryColumn::EndThetaRate => self.end_number(2),
+            SummaryColumn::EndSlip => self.end_number(3),
+            SummaryColumn::EndX => self.end_number(4),
+            SummaryColumn::Energy => self.energy(),
+            SummaryColumn::FirstSlipTime => {
+                Ok(walk.time(&self.event(self.first(Cause::Slip))?.before))
             }
-        })
-        .collect()
+            SummaryColumn::LiftOffTime => {
+                let mut phases = walk.motion.phases.iter();
+                let flight = phases.position(|phase| phase.mode() == Mode::Flight);
+                Ok(walk.time(&self.begun(flight)?.at))
+            }
+            SummaryColumn::JumpLength => {
+                let landing = self.event(self.first(Cause::Landing))?;
+                Ok((landing.before.point.x - self.begun(self.jump())?.at.point.x).abs())
+            }
+            SummaryColumn::JumpHeight => self.jump_height(),
+            SummaryColumn::ImpactEnergyLost => {
+                let lost = (0..walk.motion.transitions.len())
+                    .map(|number| Ok(-self.event(Some(number))?.work));
+                let sum = lost.reduce(|sum, lost| Ok(sum? + lost?));
+                Ok(walk.difference(sum.unwrap_or(Ok(Dual::constant(0.0)))?))
+            }
+            SummaryColumn::SettleTime => {
+                // The last impact after which the hoop does not fly.
+                let settles = |transition: &Transition| {
+                    transition.impact.is_some()
+                        && transition.from == Some(Mode::Flight)
+                        && transition.to != Some(Mode::Flight)
+                };
+                let last = walk.motion.transitions.iter().rposition(settles);
+                Ok(walk.time(&self.event(last)?.before))
+            }
+            SummaryColumn::Outcome
+            | SummaryColumn::Sequence
+            | SummaryColumn::Transitions
+            | SummaryColumn::Painleve
+            | SummaryColumn::Landings => Ok(absent()),
+        }
+    }
+
+    /// Why a number has no derivative whose event was not passed.
+    fn missing(&self) -> NoDerivative {
+        self.end.err().unwrap_or(NoDerivative::Singular)
+    }
+
+    /// The event of a transition.
+    fn event(&self, number: Option<usize>) -> Derivative<EventJump<K>> {
+        number
+            .and_then(|number| self.events[number])
+            .ok_or_else(|| self.missing())
+    }
+
+    /// The start of a phase.
+    fn begun(&self, number: Option<usize>) -> Derivative<&Begun<K>> {
+        number
+            .and_then(|number| self.walk.begun.get(number))
+            .ok_or_else(|| self.missing())
+    }
+
+    /// The first transition with a cause.
+    fn first(&self, cause: Cause) -> Option<usize> {
+        let mut transitions = self.walk.motion.transitions.iter();
+        transitions.position(|transition| transition.cause == cause)
+    }
+
+    /// The flight that ends in the first landing.
+    fn jump(&self) -> Option<usize> {
+        let landing = self.first(Cause::Landing)?;
+        let mut phases = self.walk.motion.phases.iter();
+        phases.position(|phase| phase.ended_by == Some(landing))
+    }
+
+    fn end_number(&self, place: usize) -> Derivative<Dual<K>> {
+        Ok(self.walk.numbers(&self.end?)[place])
+    }
+
+    fn energy(&self) -> Derivative<Dual<K>> {
+        let Trajectory {
+            transitions,
+            phases,
+            ..
+        } = self.walk.motion;
+        let is_landed = |phase: &Phase| {
+            phase
+                .ended_by
+                .is_some_and(|number| transitions[number].impact.is_some())
+        };
+        let flies = phases
+            .last()
+            .is_some_and(|phase| phase.mode() == Mode::Flight && !is_landed(phase));
+        if flies {
+            // The energy of a flight is that of its start.
+            let start = self.begun(phases.len().checked_sub(1))?;
+            Ok(self.walk.energy(&start.at.point, start.gap_rate))
+        } else {
+            Ok(self.walk.energy(&self.end?.point, self.walk.gap_rate))
+        }
+    }
+
+    fn jump_height(&self) -> Derivative<Dual<K>> {
+        let number = self.jump();
+        let begun = self.begun(number)?;
+        let solution = number.map(|number| &self.walk.motion.phases[number].solution);
+        let Some(PhaseSolution::Flight(flight)) = solution else {
+            return Err(self.missing());
+        };
+        let start = FlightStart {
+            point: begun.at.point,
+            gap_rate: begun.gap_rate,
+            lifts_off: flight.lifts_off(),
+        };
+        // At the highest point the gap has no rate: the derivative of the height is that at a fixed
+        // time.
+        let (time, _) = flight.apex();
+        let (height, _) = self.walk.plane.gap(&start, Dual::constant(time));
+        Ok(height)
+    }
 }
 
 const fn absent<const K: usize>() -> Dual<K> {
     Dual {
         value: f64::NAN,
         parts: [f64::NAN; K],
-    }
-}
-
-fn number<const K: usize>(
-    walk: &Tangents<'_, K>,
-    passed: &[Option<Passed<K>>],
-    end: Derivative<Instant<K>>,
-    column: SummaryColumn,
-) -> Derivative<Dual<K>> {
-    let Trajectory {
-        transitions,
-        phases,
-        ..
-    } = walk.motion;
-    let missing = end.err().unwrap_or(NoDerivative::Singular);
-    let event = |number: Option<usize>| number.and_then(|number| passed[number]).ok_or(missing);
-    let begun = |number: Option<usize>| {
-        number
-            .and_then(|number| walk.begun.get(number))
-            .ok_or(missing)
-    };
-    let first = |cause| {
-        transitions
-            .iter()
-            .position(|transition| transition.cause == cause)
-    };
-    let end_number = |place: usize| Ok(walk.numbers(&end?)[place]);
-    // The flight that ends in the first landing.
-    let landing = first(Cause::Landing);
-    let jump = || {
-        phases
-            .iter()
-            .position(|phase| landing.is_some() && phase.ended_by == landing)
-    };
-    match column {
-        SummaryColumn::EndTime => end_number(0),
-        SummaryColumn::EndTheta => end_number(1),
-        SummaryColumn::EndThetaRate => end_number(2),
-        SummaryColumn::EndSlip => end_number(3),
-        SummaryColumn::EndX => end_number(4),
-        SummaryColumn::Energy => {
-            let is_landed = |phase: &&Phase| {
-                phase
-                    .ended_by
-                    .is_some_and(|number| transitions[number].impact.is_some())
-            };
-            let flight = phases
-                .last()
-                .filter(|phase| phase.mode() == Mode::Flight && !is_landed(phase));
-            if flight.is_some() {
-                // The energy of a flight is that of its start.
-                let start = begun(phases.len().checked_sub(1))?;
-                Ok(walk.energy(&start.at.point, start.gap_rate))
-            } else {
-                Ok(walk.energy(&end?.point, walk.gap_rate))
-            }
-        }
-        SummaryColumn::FirstSlipTime => Ok(walk.time(&event(first(Cause::Slip))?.before)),
-        SummaryColumn::LiftOffTime => {
-            Ok(walk.time(&begun(phases.iter().position(|phase| phase.mode() == Mode::Flight))?.at))
-        }
-        SummaryColumn::JumpLength => {
-            Ok((event(landing)?.before.point.x - begun(jump())?.at.point.x).abs())
-        }
-        SummaryColumn::JumpHeight => {
-            let number = jump();
-            let (from, solution) = (
-                begun(number)?,
-                number.map(|number| &phases[number].solution),
-            );
-            let Some(PhaseSolution::Flight(flight)) = solution else {
-                return Err(missing);
-            };
-            let (at, _) = flight.apex();
-            // At the highest point the gap has no rate: the derivative of the height is that at a
-            // fixed time.
-            Ok(walk
-                .plane
-                .gap(
-                    (&from.at.point, from.gap_rate, flight.lifts_off()),
-                    Dual::constant(at),
-                )
-                .0)
-        }
-        SummaryColumn::ImpactEnergyLost => {
-            let lost = (0..transitions.len()).map(|number| Ok(-event(Some(number))?.work));
-            let sum = lost.reduce(|sum, lost| Ok(sum? + lost?));
-            Ok(walk.difference(sum.unwrap_or(Ok(Dual::constant(0.0)))?))
-        }
-        SummaryColumn::SettleTime => {
-            let lands = |transition: &Transition| {
-                let modes = (
-                    transition.from == Some(Mode::Flight),
-                    transition.to == Some(Mode::Flight),
-                );
-                transition.impact.is_some() && modes == (true, false)
-            };
-            Ok(walk.time(&event(transitions.iter().rposition(lands))?.before))
-        }
-        SummaryColumn::Outcome
-        | SummaryColumn::Sequence
-        | SummaryColumn::Transitions
-        | SummaryColumn::Painleve
-        | SummaryColumn::Landings => Ok(absent()),
     }
 }

@@ -13,7 +13,7 @@ use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{Cause, Outcome, Transition};
 
 use super::event::{Event, GRAZING};
-use super::flow::{Motion, Plane, Point};
+use super::flow::{FlightStart, Motion, PhaseInstant, Plane, Point};
 use super::{Derivative, NoDerivative, period};
 
 /// A state with the time since the start of the motion, in the units of the solvers.
@@ -32,7 +32,7 @@ pub(super) struct Begun<const K: usize> {
 
 /// The states before and after an event, and the work of its impacts.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Passed<const K: usize> {
+pub(super) struct EventJump<const K: usize> {
     pub(super) before: Instant<K>,
     pub(super) after: Instant<K>,
     pub(super) work: Dual<K>,
@@ -97,7 +97,6 @@ impl<const K: usize> Repeats<K> {
 pub(super) struct Tangents<'a, const K: usize> {
     pub(super) motion: &'a Trajectory,
     pub(super) plane: Plane<Dual<K>>,
-    mu_s: Dual<K>,
     restitution: Option<Restitution<Dual<K>>>,
     /// √cos α, the unit of velocity.
     pace: Dual<K>,
@@ -147,9 +146,11 @@ impl<'a, const K: usize> Tangents<'a, K> {
             motion,
             plane: Plane {
                 body,
-                mu_k: seed(Quantity::MuK, parameters.mu_k),
+                friction: Friction {
+                    mu_s: seed(Quantity::MuS, parameters.mu_s),
+                    mu_k: seed(Quantity::MuK, parameters.mu_k),
+                },
             },
-            mu_s: seed(Quantity::MuS, parameters.mu_s),
             restitution: motion.hoop.restitution().map(|it| Restitution {
                 coefficient: seed(Quantity::Restitution, it.coefficient()),
                 law: it.law(),
@@ -256,15 +257,11 @@ impl<'a, const K: usize> Tangents<'a, K> {
             PhaseSolution::Rolling(_) => Motion::Rolls,
             PhaseSolution::Sliding(slide) => Motion::Slides(slide.direction()),
             PhaseSolution::Gliding(_) => Motion::Glides,
-            PhaseSolution::Flight(flight) => {
-                let rise = self.gap_rate.at(flight.take_off_rate());
-                let lifts_off = flight.lifts_off();
-                Motion::Flies {
-                    from: self.now.point,
-                    rise,
-                    lifts_off,
-                }
-            }
+            PhaseSolution::Flight(flight) => Motion::Flies(FlightStart {
+                point: self.now.point,
+                gap_rate: self.gap_rate.at(flight.take_off_rate()),
+                lifts_off: flight.lifts_off(),
+            }),
         }
     }
 
@@ -294,7 +291,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// The states of a phase after times that are the same for all motions, and do not decrease.
-    fn follow(
+    fn propagate(
         &self,
         phase: &Phase,
         motion: &Motion<Dual<K>>,
@@ -305,7 +302,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let longest = times.last().copied().unwrap_or(0.0);
         let repeats = self.recurrence(phase, longest);
         let Some(repeats) = repeats else {
-            return self.plane.follow_to(motion, from, times, give);
+            return self.plane.evolve_to(motion, from, times, give);
         };
         let period = repeats.period();
         let turn = match repeats {
@@ -322,7 +319,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
                 .map(|time| (time - periods * period.value).max(0.0))
                 .collect();
             let later = period.parts.map(|part| -periods * part);
-            self.plane.follow_to(motion, from, &rest, |point| {
+            self.plane.evolve_to(motion, from, &rest, |point| {
                 give(point.map(|point| {
                     let moved = self.to_event(motion, &point, later);
                     Point {
@@ -336,7 +333,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// Passes a phase and the event that ends it.
-    pub(super) fn pass(&mut self, phase: &Phase) -> Derivative<Option<Passed<K>>> {
+    pub(super) fn pass_phase(&mut self, phase: &Phase) -> Derivative<Option<EventJump<K>>> {
         self.begin(phase)?;
         self.begun.push(Begun {
             at: self.now,
@@ -354,58 +351,75 @@ impl<'a, const K: usize> Tangents<'a, K> {
         if transition.cause == Cause::Settle {
             return self.settle(&motion, &end).map(Some);
         }
+        // All motions at the time of the event: that of some comes earlier or later.
         let mut found = Err(NoDerivative::Singular);
-        self.follow(phase, &motion, &[elapsed], |point| found = point);
+        self.propagate(phase, &motion, &[elapsed], |point| found = point);
         let point = found?.zip(Point::from(&end), Dual::at);
         if !(point.rate.value.is_finite() && point.slip.value.is_finite()) {
             return Err(NoDerivative::Singular);
         }
+        let instant = PhaseInstant { point, elapsed };
         let event = Event::of(transition.cause, &end)?;
-        let later = self.delay(&motion, event, (&point, elapsed))?;
-        let at = self.to_event(&motion, &point, later);
+        let later = self.delay(&motion, event, &instant)?;
         let mut time = self.now.elapsed.at(end.time);
         for (part, later) in time.parts.iter_mut().zip(later) {
             *part += later;
         }
         let mut before = Instant {
             elapsed: time,
-            point: at,
+            point: self.to_event(&motion, &point, later),
         };
         if event == Event::Rest {
+            // At the event of each motion, whenever it comes.
             before.point.slip = Dual::constant(0.0);
         }
-        let (mut after, mut work) = (before, Dual::constant(0.0));
-        if let Some(impact) = &transition.impact {
-            let Some(restitution) = self.restitution else {
-                return Err(NoDerivative::Singular);
-            };
-            let contact = Contact::of(&self.plane.body, self.friction(), at.theta.angle());
-            let gap_rate = self
-                .gap_rate_at(&motion, (&point, elapsed), later)
-                .at(impact.before.gap_rate / self.pace.value);
-            let velocities = ContactVelocities {
-                theta_rate: at.rate,
-                slip: at.slip,
-                gap_rate,
-            };
-            let result = contact.impact(velocities, restitution);
-            work = result.normal_work + result.friction_work;
-            let result = result.after;
-            after.point = Point {
-                rate: result.theta_rate,
-                slip: result.slip,
+        let jump = match &transition.impact {
+            Some(impact) => {
+                let gap_rate = self
+                    .gap_rate_at(&motion, &instant, later)
+                    .at(impact.before.gap_rate / self.pace.value);
+                self.impact(before, gap_rate)?
+            }
+            None => {
+                self.gap_rate = Dual::constant(0.0);
+                EventJump {
+                    before,
+                    after: before,
+                    work: Dual::constant(0.0),
+                }
+            }
+        };
+        self.now = jump.after;
+        Ok(Some(jump))
+    }
+
+    /// The impact of a landing at a gap rate.
+    fn impact(&mut self, before: Instant<K>, gap_rate: Dual<K>) -> Derivative<EventJump<K>> {
+        let Some(restitution) = self.restitution else {
+            return Err(NoDerivative::Singular);
+        };
+        let at = before.point;
+        let contact = Contact::of(&self.plane.body, self.plane.friction, at.theta.angle());
+        let velocities = ContactVelocities {
+            theta_rate: at.rate,
+            slip: at.slip,
+            gap_rate,
+        };
+        let impact = contact.impact(velocities, restitution);
+        self.gap_rate = impact.after.gap_rate;
+        let after = Instant {
+            point: Point {
+                rate: impact.after.theta_rate,
+                slip: impact.after.slip,
                 ..at
-            };
-            self.gap_rate = result.gap_rate;
-        } else {
-            self.gap_rate = Dual::constant(0.0);
-        }
-        self.now = after;
-        Ok(Some(Passed {
+            },
+            ..before
+        };
+        Ok(EventJump {
             before,
             after,
-            work,
-        }))
+            work: impact.normal_work + impact.friction_work,
+        })
     }
 
     /// The derivatives of the time of an event, from the state at its time.
@@ -413,14 +427,14 @@ impl<'a, const K: usize> Tangents<'a, K> {
         &self,
         motion: &Motion<Dual<K>>,
         event: Event,
-        (at, elapsed): (&Point<Dual<K>>, f64),
+        instant: &PhaseInstant<Dual<K>>,
     ) -> Derivative<[f64; K]> {
-        let condition = event.condition((&self.plane, self.mu_s), motion, (at, elapsed));
-        let (rate, curvature) = self.rate_of(motion, event, (at, elapsed));
+        let condition = event.condition(&self.plane, motion, instant);
+        let (rate, curvature) = self.rate_of(motion, event, instant);
         // To second order the condition falls below zero by as much: less than the rounding of what
         // it is made of is a graze.
         let depth = rate * rate / (2.0 * curvature);
-        let rounding = GRAZING * event.size((&self.plane, self.mu_s.value), motion, (at, elapsed));
+        let rounding = GRAZING * event.size(&self.plane, motion, instant);
         if depth <= rounding || depth.is_nan() {
             return Err(NoDerivative::Grazing);
         }
@@ -432,58 +446,32 @@ impl<'a, const K: usize> Tangents<'a, K> {
         &self,
         motion: &Motion<Dual<K>>,
         event: Event,
-        (at, elapsed): (&Point<Dual<K>>, f64),
+        instant: &PhaseInstant<Dual<K>>,
     ) -> (f64, f64) {
-        if let Motion::Flies {
-            from,
-            rise,
-            lifts_off,
-        } = motion
-        {
-            let (_, slope) = self
-                .plane
-                .gap((from, *rise, *lifts_off), Dual::constant(elapsed));
+        let at = &instant.point;
+        if let Motion::Flies(flight) = motion {
+            let (_, slope) = self.plane.gap(flight, Dual::constant(instant.elapsed));
             let u = at.rate.value * at.rate.value;
             return (slope.value, 1.0 + self.plane.body.h.value * u);
         }
-        let constant = |number: Dual<K>| Dual::<4>::constant(number.value);
-        let Heavy {
-            mass,
-            h,
-            offset,
-            inertia,
-            tilt,
-        } = self.plane.body;
-        let [mass, h, offset, inertia, tilt] = [mass, h, offset, inertia, tilt].map(constant);
-        let plane = Plane {
-            body: Heavy {
-                mass,
-                h,
-                offset,
-                inertia,
-                tilt,
-            },
-            mu_k: constant(self.plane.mu_k),
-        };
+        // The rate is the gradient of the condition, over a point whose four numbers vary, times
+        // the rates of these numbers. In contact no condition depends on the motion.
         let variable = |number: Dual<K>, place: usize| {
-            let mut variable = constant(number);
+            let mut variable = Dual::<4>::constant(number.value);
             variable.parts[place] = 1.0;
             variable
         };
-        let seeded = Point {
-            theta: variable(at.theta, 0),
-            rate: variable(at.rate, 1),
-            slip: variable(at.slip, 2),
-            x: variable(at.x, 3),
+        let varied = PhaseInstant {
+            point: Point {
+                theta: variable(at.theta, 0),
+                rate: variable(at.rate, 1),
+                slip: variable(at.slip, 2),
+                x: variable(at.x, 3),
+            },
+            elapsed: instant.elapsed,
         };
-        let in_contact = Motion::Rolls;
-        let gradient = event
-            .condition(
-                (&plane, constant(self.mu_s)),
-                &in_contact,
-                (&seeded, elapsed),
-            )
-            .parts;
+        let plane = self.plane.map(|number| Dual::constant(number.value));
+        let gradient = event.condition(&plane, &Motion::Rolls, &varied).parts;
         let rates = self.plane.rates(motion, at);
         let rates = [rates.theta, rates.rate, rates.slip, rates.x].map(Dual::value);
         let terms = gradient
@@ -500,20 +488,14 @@ impl<'a, const K: usize> Tangents<'a, K> {
     fn gap_rate_at(
         &self,
         motion: &Motion<Dual<K>>,
-        (at, elapsed): (&Point<Dual<K>>, f64),
+        instant: &PhaseInstant<Dual<K>>,
         later: [f64; K],
     ) -> Dual<K> {
-        let Motion::Flies {
-            from,
-            rise,
-            lifts_off,
-        } = motion
-        else {
+        let Motion::Flies(flight) = motion else {
             return Dual::constant(0.0);
         };
-        let (_, mut rate) = self
-            .plane
-            .gap((from, *rise, *lifts_off), Dual::constant(elapsed));
+        let at = &instant.point;
+        let (_, mut rate) = self.plane.gap(flight, Dual::constant(instant.elapsed));
         let u = at.rate.value * at.rate.value;
         let fall = contact(1.0, self.plane.body.h.value, libm::cos(at.theta.value) * u);
         for (part, later) in rate.parts.iter_mut().zip(later) {
@@ -522,29 +504,22 @@ impl<'a, const K: usize> Tangents<'a, K> {
         rate
     }
 
-    fn friction(&self) -> Friction<Dual<K>> {
-        Friction {
-            mu_s: self.mu_s,
-            mu_k: self.plane.mu_k,
-        }
-    }
-
-    fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<Passed<K>> {
-        let (Some(restitution), Motion::Flies { rise, .. }) = (self.restitution, motion) else {
+    fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<EventJump<K>> {
+        let (Some(restitution), Motion::Flies(flight)) = (self.restitution, motion) else {
             return Err(NoDerivative::Singular);
         };
         let from = self.now.point;
         let conditions = BounceConditions {
             theta: from.theta,
             theta_rate: from.rate,
-            friction: self.friction(),
+            friction: self.plane.friction,
             restitution,
             gravity: 1.0,
         };
         let start = ContactVelocities {
             theta_rate: from.rate,
             slip: from.slip,
-            gap_rate: *rise,
+            gap_rate: flight.gap_rate,
         };
         let sum = Bounces::of(&self.plane.body, conditions)
             .and_then(|bounces| bounces.sum(start, f64::INFINITY));
@@ -554,7 +529,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let elapsed = settling.duration;
         let point = self
             .plane
-            .follow(motion, &from, elapsed.value)?
+            .evolve(motion, &from, elapsed.value)?
             .zip(Point::from(end), Dual::at);
         let at = self.to_event(motion, &point, elapsed.parts);
         let before = Instant {
@@ -572,7 +547,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             ..before
         };
         (self.now, self.gap_rate) = (after, Dual::constant(0.0));
-        Ok(Passed {
+        Ok(EventJump {
             before,
             after,
             work,
@@ -597,7 +572,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             .collect();
         let [start, _] = self.origin;
         let mut times = times.iter();
-        self.follow(phase, &motion, &within, |point| {
+        self.propagate(phase, &motion, &within, |point| {
             let Some(elapsed) = times.next() else { return };
             // A fixed time of the results is later or earlier in the time of the solvers, and since
             // the start of the phase.
@@ -621,7 +596,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// The derivatives of the outcome, after all phases with these events.
     pub(super) fn outcome(
         &mut self,
-        passed: &[Option<Passed<K>>],
+        passed: &[Option<EventJump<K>>],
     ) -> Derivative<(Instant<K>, Option<Repeats<K>>)> {
         if self.jam.is_some() {
             return Err(NoDerivative::Singular);

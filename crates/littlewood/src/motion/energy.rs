@@ -1,8 +1,8 @@
 //! Where the energy of the start has gone.
 
-use littlewood::{Hoop, Mode, Sample, Trajectory};
-
-use crate::energy::EnergyPart;
+use crate::model::{Hoop, Mode};
+use crate::modes::Sample;
+use crate::motion::trajectory::Trajectory;
 
 /// The energy at the start by what it has become, over m2 g R. The parts add up to it; one that is
 /// less than its own rounding is zero.
@@ -20,28 +20,15 @@ pub struct EnergyParts {
     pub start: f64,
 }
 
-impl EnergyParts {
-    /// A part.
-    pub const fn part(&self, part: EnergyPart) -> f64 {
-        match part {
-            EnergyPart::Kinetic => self.kinetic,
-            EnergyPart::Potential => self.potential,
-            EnergyPart::Friction => self.friction,
-            EnergyPart::Impacts => self.impacts,
-        }
-    }
-}
-
 /// The losses of a motion up to each of its phases.
 #[derive(Clone, Debug)]
-pub struct Ledger {
+pub struct EnergyLedger {
     hoop: Hoop,
     start: f64,
-    /// Time at the start of each phase, its energy then, and what had been lost to friction and in
-    /// impacts.
     phases: Vec<Entry>,
 }
 
+/// The start of a phase: its time and energy, and what had been lost to friction and in impacts.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     time: f64,
@@ -50,7 +37,7 @@ struct Entry {
     impacts: f64,
 }
 
-impl Ledger {
+impl EnergyLedger {
     /// None for a motion that does not begin.
     pub fn new(trajectory: &Trajectory) -> Option<Self> {
         let hoop = *trajectory.hoop();

@@ -1,15 +1,15 @@
 //! The parts of the energy add up to that of the start.
 
 use littlewood::cases::CASES;
+use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::{Hoop, Limits, Mode, RestitutionLaw, Trajectory};
-use littlewood_style::{EnergyParts, Ledger};
 
 fn sum(energies: &EnergyParts) -> f64 {
     energies.kinetic + energies.potential + energies.friction + energies.impacts
 }
 
 fn at(motion: &Trajectory, time: f64) -> Option<EnergyParts> {
-    Ledger::new(motion)?.parts(&motion.at(time)?, false)
+    EnergyLedger::new(motion)?.parts(&motion.at(time)?, false)
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn the_energy_has_the_zero_of_the_paper() {
     assert_eq!((first.potential, first.kinetic), (0.0, 8.0));
     assert_eq!(first.start, motion.phases()[0].first().energy);
     let samples: Vec<_> = motion.sample_evenly(2000, 6.0).collect();
-    let [low, high] = Ledger::new(&motion).unwrap().scale(&samples);
+    let [low, high] = EnergyLedger::new(&motion).unwrap().scale(&samples);
     assert!((-1.0..-0.999).contains(&low), "{low}");
     assert_eq!(high, 8.0);
 }
@@ -94,7 +94,10 @@ fn on_a_slope_what_rises_gains() {
     let (sin, cos) = libm::sincos(case.setup.hoop.slope);
     for sample in motion.sample_evenly(300, 10.0) {
         let wanted = 2.0 * (cos * (sample.mass_centre.y - 1.0) + sin * sample.mass_centre.x);
-        let parts = Ledger::new(&motion).unwrap().parts(&sample, false).unwrap();
+        let parts = EnergyLedger::new(&motion)
+            .unwrap()
+            .parts(&sample, false)
+            .unwrap();
         assert!((parts.potential - wanted).abs() < 1e-13, "{parts:?}");
     }
 }
