@@ -99,7 +99,7 @@ const WORKS: [Work; 11] = [
     Work {
         name: "little-friction",
         method: Method::Prepared,
-        hoop: || Hoop::figure_2(1e-3, 1e-3),
+        hoop: || Hoop::equal_masses(1e-3, 1e-3),
         starts: || {
             plane(8)
                 .into_iter()
@@ -111,7 +111,7 @@ const WORKS: [Work; 11] = [
     Work {
         name: "no-friction",
         method: Method::Prepared,
-        hoop: || Hoop::figure_2(0.0, 0.0),
+        hoop: || Hoop::equal_masses(0.0, 0.0),
         starts: || plane(16),
         limits: Limits::default,
     },
@@ -132,7 +132,7 @@ const WORKS: [Work; 11] = [
 ];
 
 fn figure_2() -> Result<Hoop, littlewood::ParameterError> {
-    Hoop::figure_2(0.5, 0.4)
+    Hoop::equal_masses(0.5, 0.4)
 }
 
 fn sloping(slope: f64) -> Result<Hoop, littlewood::ParameterError> {

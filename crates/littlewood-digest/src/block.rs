@@ -3,7 +3,7 @@
 use littlewood::impact::Impact;
 use littlewood::tables::{SampleColumn, Setup, SummaryColumn, SummaryValue};
 use littlewood::{
-    Direction, Engine, Hoop, Limits, Mode, OutcomeKind, ParameterError, Phase, Sample, Start,
+    Engine, Hoop, Limits, Mode, OutcomeKind, ParameterError, Phase, Sample, SlipDirection, Start,
     State, Summary, Trajectory,
 };
 
@@ -78,7 +78,7 @@ fn trajectory(hash: &mut Hash, motion: &Trajectory) {
                 .map_or(u64::MAX, |mode| u64::from(Mode::code(mode))),
         );
         hash.word(u64::from(
-            Direction::code(transition.direction).cast_unsigned(),
+            SlipDirection::code(transition.direction).cast_unsigned(),
         ));
         state(hash, &transition.before);
         state(hash, &transition.after);

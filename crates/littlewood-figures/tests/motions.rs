@@ -245,7 +245,7 @@ fn what_cannot_be_shown_is_refused_with_the_reason() {
             "{name}"
         );
     }
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     for name in ["figure-3a", "forces"] {
         assert!(
             refused(name, hoop, Start::at(0.0, 3.5)).contains("leaves the plane at once"),

@@ -151,7 +151,7 @@ fn the_body_leaves_the_plane_beyond_the_curve_of_figure_outcomes() {
 fn classes_are_those_of_the_simulation() {
     use littlewood::{Cause, Hoop, Limits, Mode, Outcome, Start};
     let figure = figure("outcomes");
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("a hoop");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("a hoop");
     let regions = ["leaves_at_once", "lifts_off_later", "rolls_forever"]
         .map(|name| (name, outlines(series(&figure, name)[0], PLANE)));
     let mut wrong = 0;

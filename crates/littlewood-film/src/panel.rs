@@ -2,7 +2,7 @@
 
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn, Setup};
-use littlewood::{Direction, Hoop, Mode, Outcome, Start, Trajectory, Transition};
+use littlewood::{Hoop, Mode, Outcome, SlipDirection, Start, Trajectory, Transition};
 use littlewood_draw::marked;
 
 use crate::body::{Shape, WEIGHT, draw_mass_centre};
@@ -312,7 +312,7 @@ impl Panel {
         // Wide enough for the longest, so that it does not change its size.
         let widest = Mode::ALL
             .into_iter()
-            .map(|mode| style.width(&mode.with_arrow(Some(Direction::Positive))))
+            .map(|mode| style.width(&mode.with_arrow(Some(SlipDirection::Positive))))
             .fold(0.0, f64::max);
         let wide = widest + 22.0 * u;
         canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));

@@ -7,7 +7,7 @@ use littlewood::impact::{BouncingOrbit, ContactVelocities, Impact};
 use littlewood::tables::Detail;
 use littlewood::theory::{Candidates, Classification, RollingType};
 use littlewood::{
-    Direction, Limits, Mode, Phase, RestitutionLaw, Sample, Start, Trajectory as Core,
+    Limits, Mode, Phase, RestitutionLaw, Sample, SlipDirection, Start, Trajectory as Core,
 };
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
@@ -230,7 +230,7 @@ impl Trajectory {
             .iter()
             .map(|phase| PhaseDict {
                 mode: phase.mode().name(),
-                direction: Direction::code(phase.direction()),
+                direction: SlipDirection::code(phase.direction()),
                 start: phase.start().into(),
                 end: phase.end().map(StateDict::from),
                 energy_start: phase.first().energy,
@@ -254,7 +254,7 @@ impl Trajectory {
                 impact: transition.impact.as_ref().map(ImpactDict::from),
                 from_mode: transition.from.map(Mode::name),
                 to_mode: transition.to.map(Mode::name),
-                direction: Direction::code(transition.direction),
+                direction: SlipDirection::code(transition.direction),
                 cause: transition.cause.name(),
             })
             .collect()
@@ -478,7 +478,7 @@ fn add_candidates(dict: &Bound<'_, PyDict>, candidates: Option<Candidates>) -> P
     };
     let consistent: Vec<(&str, i8)> = candidates
         .consistent()
-        .map(|(mode, direction)| (mode.name(), Direction::code(direction)))
+        .map(|(mode, direction)| (mode.name(), SlipDirection::code(direction)))
         .collect();
     dict.set_item("consistent", consistent)?;
     add_details(dict, candidates.details())
@@ -497,7 +497,7 @@ pub(crate) fn classify(
     let dict = PyDict::new(py);
     dict.set_item("region", found.region.name())?;
     dict.set_item("mode", found.mode.map(Mode::name))?;
-    dict.set_item("direction", Direction::code(found.direction))?;
+    dict.set_item("direction", SlipDirection::code(found.direction))?;
     dict.set_item("energy", found.energy)?;
     dict.set_item("rolling_normal", found.rolling_forces.normal)?;
     dict.set_item("rolling_friction", found.rolling_forces.friction)?;

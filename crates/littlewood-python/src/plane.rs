@@ -1,7 +1,7 @@
 //! The (θ, θ′) plane of rolling over arrays. What is not there is NaN.
 
 use littlewood::theory::{PhasePlane as Core, RollingLaw, Stability, Window};
-use littlewood::{Direction, Hoop, Start};
+use littlewood::{Hoop, SlipDirection, Start};
 use littlewood_style::Curve;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -59,8 +59,8 @@ methods! {
     in_contact_region(plane, theta, theta_rate) -> bool = plane.in_contact_region(theta, theta_rate);
     in_rolling_region(plane, theta, theta_rate) -> bool = plane.in_rolling_region(theta, theta_rate);
     normal_force_rate(plane, theta) -> f64 = plane.normal_force_rate(theta).unwrap_or(f64::NAN);
-    positive_slip_rate(plane, theta) -> f64 = plane.slip_rate(theta, Direction::Positive).unwrap_or(f64::NAN);
-    negative_slip_rate(plane, theta) -> f64 = plane.slip_rate(theta, Direction::Negative).unwrap_or(f64::NAN);
+    positive_slip_rate(plane, theta) -> f64 = plane.slip_rate(theta, SlipDirection::Positive).unwrap_or(f64::NAN);
+    negative_slip_rate(plane, theta) -> f64 = plane.slip_rate(theta, SlipDirection::Negative).unwrap_or(f64::NAN);
     lift_off_rate(plane, theta) -> f64 = plane.lift_off_rate(theta).unwrap_or(f64::NAN);
     separatrix_rate(plane, theta) -> f64 = plane.separatrix_rate(theta);
     reverse_chatter(plane, theta, theta_rate) -> f64 = plane.reverse_chatter(theta, theta_rate).unwrap_or(f64::NAN);

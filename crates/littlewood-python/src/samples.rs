@@ -3,7 +3,7 @@
 use std::collections::TryReserveError;
 
 use littlewood::tables::{SampleColumn, SampleValue};
-use littlewood::{Direction, Mode, Sample};
+use littlewood::{Mode, Sample, SlipDirection};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -67,7 +67,7 @@ impl Samples {
         for (column, values) in &mut self.0 {
             match values {
                 Values::Code(codes) if *column == SampleColumn::Mode => codes.push(OUTSIDE),
-                Values::Code(codes) => codes.push(Direction::code(None)),
+                Values::Code(codes) => codes.push(SlipDirection::code(None)),
                 Values::Real(reals) => {
                     reals.push(if *column == SampleColumn::Time {
                         time
@@ -96,7 +96,7 @@ impl Samples {
 fn code(value: SampleValue) -> i8 {
     match value {
         SampleValue::Mode(mode) => mode.code().cast_signed(),
-        SampleValue::Direction(direction) => Direction::code(direction),
+        SampleValue::Direction(direction) => SlipDirection::code(direction),
         SampleValue::Real(_) => OUTSIDE,
     }
 }

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use littlewood::tables::{Bound, Quantity, Setup};
 use littlewood::theory::{Body, PhasePlane};
-use littlewood::{Direction, Hoop, HoopParameters, Limits, RestitutionLaw, Start};
+use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, SlipDirection, Start};
 
 /// Small numbers, each of which some computation may take for zero.
 const TINY: [f64; 12] = [
@@ -413,8 +413,8 @@ pub const BOUNDARIES: usize = 5;
 pub fn boundary_rate(plane: &PhasePlane, theta: f64, which: usize) -> Option<f64> {
     match which {
         0 => plane.normal_force_rate(theta),
-        1 => plane.slip_rate(theta, Direction::Positive),
-        2 => plane.slip_rate(theta, Direction::Negative),
+        1 => plane.slip_rate(theta, SlipDirection::Positive),
+        2 => plane.slip_rate(theta, SlipDirection::Negative),
         3 => plane.lift_off_rate(theta),
         _ => Some(plane.separatrix_rate(theta)),
     }

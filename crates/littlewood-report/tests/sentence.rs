@@ -42,7 +42,7 @@ fn figure_3_begins_with_too_little_friction() {
 
 #[test]
 fn lengths_and_times_have_the_units_that_are_asked_for() {
-    let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+    let hoop = Hoop::equal_masses(0.5, 0.4).unwrap();
     let motion = hoop
         .simulate(Start::at(0.0, 4.0), Limits::default())
         .unwrap();
@@ -67,7 +67,7 @@ fn lengths_and_times_have_the_units_that_are_asked_for() {
 
 #[test]
 fn what_a_start_says_is_what_the_equations_say_there() {
-    let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+    let hoop = Hoop::equal_masses(0.5, 0.4).unwrap();
     let first = |theta, rate| {
         sentence::start(
             &hoop

@@ -8,7 +8,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use littlewood::{Engine, Hoop, HoopParameters, Limits, Restitution, RestitutionLaw, Start};
 
 fn engine(criterion: &mut Criterion) {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     criterion.bench_function("preparation of the Figure 2 hoop", |bencher| {
         bencher.iter(|| Engine::new(black_box(&hoop)));
     });
@@ -121,7 +121,7 @@ fn regimes(criterion: &mut Criterion) {
         });
     }
     for mu in [0.05, 1e-2, 1e-3] {
-        let engine = Engine::new(&Hoop::figure_2(mu, mu).expect("a hoop"));
+        let engine = Engine::new(&Hoop::equal_masses(mu, mu).expect("a hoop"));
         let starts = scattered(COUNT, |theta, theta_rate| {
             Start::at(theta, theta_rate).with_slip(1.0)
         });
@@ -134,7 +134,7 @@ fn regimes(criterion: &mut Criterion) {
             });
         });
     }
-    let engine = Engine::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
+    let engine = Engine::new(&Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2"));
     let starts = scattered(COUNT, |theta, slip| Start::at(theta, 0.0).with_slip(slip));
     group.bench_function("angle against slip", |bencher| {
         bencher.iter(|| {

@@ -49,7 +49,7 @@
 //! ```
 //! use littlewood::{Cause, Hoop, Limits, Mode, Restitution, RestitutionLaw, Start};
 //!
-//! let hoop = Hoop::figure_2(0.5, 0.4)?.with_restitution(Restitution::new(0.5, RestitutionLaw::Energetic)?)?;
+//! let hoop = Hoop::equal_masses(0.5, 0.4)?.with_restitution(Restitution::new(0.5, RestitutionLaw::Energetic)?)?;
 //! let motion = hoop.simulate(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
 //! let settled = motion.transitions().iter().find(|transition| transition.cause == Cause::Settle).expect("settles");
 //! assert_eq!(settled.to, Some(Mode::Rolling));
@@ -98,7 +98,7 @@ pub use engine::Engine;
 pub use model::error::ParameterError;
 pub use model::hoop::{Hoop, HoopParameters};
 pub use model::limits::{Limits, Proof};
-pub use model::mode::{Direction, Mode};
+pub use model::mode::{Mode, SlipDirection};
 pub use model::restitution::{Restitution, RestitutionLaw};
 pub use model::state::{Start, State};
 pub use modes::sample::Sample;
@@ -177,7 +177,7 @@ pub mod many {
     //! ```
     //! use littlewood::{Engine, Hoop, Limits, OutcomeKind, Start};
     //!
-    //! let engine = Engine::builder(&Hoop::figure_2(0.5, 0.4)?).expected_starts(100).build();
+    //! let engine = Engine::builder(&Hoop::equal_masses(0.5, 0.4)?).expected_starts(100).build();
     //! let starts = (0..100).map(|i| Start::at(1.0, 0.04 * f64::from(i)));
     //! let mut rolls = 0;
     //! for summary in engine.summaries(starts, Limits::default()) {

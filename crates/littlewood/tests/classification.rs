@@ -2,7 +2,9 @@
 
 use crate::common::{heavy_motion, massless_hoop, start};
 use littlewood::theory::{RollingType, SlidingLaw, StartRegion, closed_form};
-use littlewood::{Cause, Direction, Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, Start};
+use littlewood::{
+    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, SlipDirection, Start,
+};
 use proptest::prelude::*;
 
 /// Compares what is said of a start with the first phase of its motion.
@@ -181,7 +183,7 @@ fn a_slide_that_is_unloaded_to_the_bit_is_a_candidate_only_where_p_is_negative()
                 let said = hoop
                     .classify(Start::at(theta, rate).with_slip(slip))
                     .expect("a valid start");
-                let direction = Direction::of_sign(slip).expect("slips");
+                let direction = SlipDirection::of_sign(slip).expect("slips");
                 let law = SlidingLaw::new(&hoop, direction).expect("heavy");
                 let (mode, region) = if law.painleve(theta) > 0.0 {
                     (Some(Mode::Flight), StartRegion::LossOfContact)

@@ -4,7 +4,7 @@
 //! the numbers of the start, and the states between, change by an ulp.
 #![allow(clippy::panic)]
 
-use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Phase, Proof, Start, State};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, Phase, Proof, SlipDirection, Start, State};
 use serde_json::Value;
 
 const REFERENCE: &str = include_str!("../../../evidence/reference/coincidences.json");
@@ -90,7 +90,7 @@ fn events_that_all_but_coincide_are_those_of_40_digits() {
         let motion = hoop.simulate(start, limits).expect("a valid start");
         let first = motion.phases().first().expect("a phase");
         assert_eq!(reference["first"][0], first.mode().name(), "{name}");
-        let code = |direction: Option<Direction>| i64::from(Direction::code(direction));
+        let code = |direction: Option<SlipDirection>| i64::from(SlipDirection::code(direction));
         assert_eq!(
             reference["first"][1].as_i64(),
             Some(code(Phase::direction(first))),

@@ -7,8 +7,8 @@ use crate::common::dd::Dd;
 use crate::common::engines;
 use littlewood::theory::{Body, Classification, SlidingLaw, StartRegion};
 use littlewood::{
-    Direction, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Proof, Restitution,
-    RestitutionLaw, Start, State, Trajectory,
+    Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Proof, Restitution, RestitutionLaw,
+    SlipDirection, Start, State, Trajectory,
 };
 use littlewood_random::Draw;
 
@@ -196,7 +196,7 @@ fn modes(hoop: &Hoop, start: &Start) -> Modes {
         value: opening,
         rounding: sizes.contact,
     };
-    let sliding = Direction::ALL.map(|direction| {
+    let sliding = SlipDirection::ALL.map(|direction| {
         let sigma = direction.sign();
         let bound = added(normal, scaled(friction, -mu_k * sigma));
         let [_, n, acceleration] = solve([spin, bound, slip], right);
@@ -208,7 +208,7 @@ fn modes(hoop: &Hoop, start: &Start) -> Modes {
             Some(n > 0.0)
         };
         if !is_at_rest {
-            let goes_on = Direction::of_sign(start.slip) == Some(direction);
+            let goes_on = SlipDirection::of_sign(start.slip) == Some(direction);
             return both(Some(goes_on), is_pressed);
         }
         // The library has it as −D (F + μk σ N)/(m P) from the forces of rolling.
@@ -278,7 +278,7 @@ impl Sizes {
     }
 
     /// P, and the bound on its rounding.
-    fn painleve(&self, direction: Direction) -> (f64, f64) {
+    fn painleve(&self, direction: SlipDirection) -> (f64, f64) {
         let (arm, lever) = (self.h * self.sin, 1.0 + self.h * self.cos);
         let f = self.mu_k * direction.sign();
         let p = self.inertia + self.mass * arm * (arm - f * lever);
@@ -288,7 +288,7 @@ impl Sizes {
 }
 
 /// The modes that the library finds.
-fn said(found: &Classification) -> Vec<(Mode, Option<Direction>)> {
+fn said(found: &Classification) -> Vec<(Mode, Option<SlipDirection>)> {
     found.mode.map_or_else(
         || {
             let candidates = found.candidates.expect("a mode, or candidates");
@@ -299,14 +299,14 @@ fn said(found: &Classification) -> Vec<(Mode, Option<Direction>)> {
 }
 
 /// Whether the library says the same of a state.
-fn agrees(modes: &Modes, said: &[(Mode, Option<Direction>)]) -> bool {
+fn agrees(modes: &Modes, said: &[(Mode, Option<SlipDirection>)]) -> bool {
     let slides = |direction| said.contains(&(Mode::Sliding, Some(direction)));
     let has = |mode| said.iter().any(|(its, _)| *its == mode);
     let [negative, positive] = modes.sliding;
     [
         (modes.rolling, has(Mode::Rolling)),
-        (negative, slides(Direction::Negative)),
-        (positive, slides(Direction::Positive)),
+        (negative, slides(SlipDirection::Negative)),
+        (positive, slides(SlipDirection::Positive)),
         (modes.gliding, has(Mode::Gliding)),
         (modes.flight, has(Mode::Flight)),
     ]
@@ -405,7 +405,7 @@ fn the_modes_of_two_million_states_are_those_of_newtons_equations() {
 }
 
 /// A phase of a motion: its mode, its direction of slip, and when it ends.
-type Stretch = (Mode, Option<Direction>, f64);
+type Stretch = (Mode, Option<SlipDirection>, f64);
 
 /// Phases that last for less tell of rounding on a boundary alone: next to it η′, or N, is a square
 /// of the time, and ε is that of 1.5e-8.
@@ -457,7 +457,7 @@ fn goes_on(motion: &Trajectory, state: State, mode: Mode) -> Option<bool> {
     let follow = |nudge| hoop.simulate(start(nudge), Limits::until(UNTIL).with_transitions(60));
     let again = follow(0.0).ok()?;
     if again.outcome().kind() == OutcomeKind::Ambiguous && again.phases().is_empty() {
-        let law = SlidingLaw::new(hoop, Direction::Positive).expect("heavy");
+        let law = SlidingLaw::new(hoop, SlipDirection::Positive).expect("heavy");
         let w = law.contact(state.theta, state.theta_rate);
         assert!(
             mode == Mode::Rolling && hoop.slope() != 0.0 && w < 1e-12,
@@ -655,7 +655,7 @@ fn an_engine_finds_the_same_modes() {
 #[derive(Clone, Copy, Debug)]
 enum Contact {
     Rolls,
-    Slides(Direction, f64),
+    Slides(SlipDirection, f64),
 }
 
 impl Contact {
@@ -742,7 +742,7 @@ fn a_start_on_the_limit_of_static_friction_goes_to_the_side_that_comes_next() {
         }
         let of = balances(&hoop, &start);
         let [_, _, friction] = solve([of.spin, of.normal, of.friction], of.right);
-        let against = Direction::of_sign(-friction);
+        let against = SlipDirection::of_sign(-friction);
         let (expected, contact) = match against {
             Some(direction) if late > 0.0 => (
                 (Mode::Sliding, against),

@@ -13,7 +13,7 @@ use littlewood::{Hoop, Limits, Mode, OutcomeKind, Start};
 /// both event-driven, which agree.
 #[test]
 fn outcomes_of_the_figure_2_plane() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     let (mut at_once, mut later, mut in_contact) = (0, 0, 0);
     for i in 0..200 {
         for j in 0..200 {
@@ -41,7 +41,7 @@ fn outcomes_of_the_figure_2_plane() {
 /// In the band between N_roll = 0 and lift-off the hoop slides: 2,264 of those starts.
 #[test]
 fn the_sliding_band_of_the_figure_2_plane() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     let mut band = 0;
     for i in 0..200 {
         for j in 0..200 {

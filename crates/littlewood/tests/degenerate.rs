@@ -9,8 +9,8 @@ use littlewood::modes::{PhaseSolution, Recurrence};
 use littlewood::tables::{Bound, Quantity, Setup};
 use littlewood::theory::{PhasePlane, RollingLaw, StartRegion};
 use littlewood::{
-    Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Start,
-    Trajectory,
+    Cause, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, SlipDirection,
+    Start, Trajectory,
 };
 use proptest::prelude::*;
 
@@ -248,7 +248,11 @@ fn frictionless_planes_still_have_a_direction_of_slip() {
         let first = run(&smooth, Start::at(theta, 0.0)).phases()[0].clone();
         assert_eq!(first.mode(), Mode::Sliding);
         let needed = PhasePlane::new(&smooth).forces(theta, 0.0).friction;
-        assert_eq!(first.direction(), Direction::of_sign(-needed), "{theta}");
+        assert_eq!(
+            first.direction(),
+            SlipDirection::of_sign(-needed),
+            "{theta}"
+        );
     }
 }
 
@@ -261,7 +265,7 @@ fn equal_coefficients_slip_with_a_vanishing_acceleration() {
     let slip = motion.transitions()[1];
     assert_eq!(
         (slip.cause, slip.direction),
-        (Cause::Slip, Some(Direction::Positive))
+        (Cause::Slip, Some(SlipDirection::Positive))
     );
     let slide = &motion.phases()[2];
     assert!(slide.first().slip_acceleration.abs() < 1e-14);
@@ -276,7 +280,7 @@ fn a_start_on_the_slip_boundary_goes_where_the_orbit_goes() {
     let mut seen = [false; 2];
     for i in 0..200 {
         let theta = -PI + 2.0 * PI * f64::from(i) / 199.0;
-        for direction in [Direction::Negative, Direction::Positive] {
+        for direction in [SlipDirection::Negative, SlipDirection::Positive] {
             let Some(rate) = plane.slip_rate(theta, direction) else {
                 continue;
             };
@@ -693,11 +697,15 @@ fn a_reversal_just_after_a_slip_next_to_type_ii_is_not_missed() {
     assert_eq!(
         found,
         [
-            (Cause::Slip, Some(Mode::Gliding), Some(Direction::Positive)),
+            (
+                Cause::Slip,
+                Some(Mode::Gliding),
+                Some(SlipDirection::Positive)
+            ),
             (
                 Cause::Reversal,
                 Some(Mode::Gliding),
-                Some(Direction::Negative)
+                Some(SlipDirection::Negative)
             ),
             (Cause::ParticleAtPlane, None, None),
         ]

@@ -414,7 +414,7 @@ fn a_derivative_that_does_not_exist_says_why() {
         long.outcome()
     );
     // The orbit that touches the limit of friction.
-    let hoop = Hoop::figure_2(0.5, 0.5).expect("a hoop");
+    let hoop = Hoop::equal_masses(0.5, 0.5).expect("a hoop");
     let law = RollingLaw::new(&hoop);
     let orbit = GrazingOrbit::below(&hoop, 10.0).expect("an orbit");
     let (mut grazes, mut slips) = (0, 0);

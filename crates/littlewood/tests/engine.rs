@@ -303,7 +303,7 @@ fn random_starts(count: usize) -> impl Iterator<Item = Start> {
 
 #[test]
 fn the_figure_2_plane_has_the_outcomes_of_the_simulation() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     let engine = Engine::new(&hoop);
     assert!(engine.is_prepared());
     for start in random_starts(40_000) {
@@ -351,7 +351,7 @@ fn moved_phases(motion: &Trajectory) -> impl Iterator<Item = (Start, [Start; 6])
 
 #[test]
 fn the_figure_2_plane_has_the_bounces_of_the_simulation() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     for (e, law) in [
         (0.0, RestitutionLaw::Energetic),
         (0.5, RestitutionLaw::Energetic),
@@ -390,7 +390,7 @@ fn the_figure_2_plane_has_the_bounces_of_the_simulation() {
 #[test]
 fn counts_of_the_figure_2_plane() {
     // As in tests/counts.rs, where their origin is told.
-    let engine = Engine::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
+    let engine = Engine::new(&Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2"));
     let (mut at_once, mut later, mut in_contact) = (0, 0, 0);
     for i in 0..200 {
         for j in 0..200 {
@@ -413,7 +413,7 @@ fn counts_of_the_figure_2_plane() {
 
 #[test]
 fn figure_3_has_the_times_of_the_40_digit_table() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     for engine in engines(&hoop) {
         let summary = engine
             .summary(Start::at(PI / 2.0, 2.0), Limits::default())
@@ -452,7 +452,7 @@ fn bodies_that_cannot_be_prepared_are_simulated() {
 
 #[test]
 fn many_starts_have_the_summaries_of_each() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     for engine in engines(&hoop) {
         let starts: Vec<Start> = random_starts(100).collect();
         let summaries = engine.summaries(starts.iter().copied(), Limits::default());
@@ -478,7 +478,7 @@ fn many_starts_have_the_summaries_of_each() {
 
 #[test]
 fn bad_starts_and_limits_are_refused_as_by_the_simulation() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     let engine = Engine::new(&hoop);
     for (start, limits) in [
         (Start::at(f64::NAN, 0.0), Limits::default()),
@@ -494,16 +494,16 @@ fn bad_starts_and_limits_are_refused_as_by_the_simulation() {
 
 #[test]
 fn a_sequence_of_phases_keeps_its_length_in_64_bits() {
-    use littlewood::{Direction, Mode};
+    use littlewood::{Mode, SlipDirection};
     let mut sequence = PhaseSequence::default();
     assert!(sequence.is_empty());
     for i in 0..25_u32 {
         sequence.push(
             Mode::Sliding,
             Some(if i % 2 == 0 {
-                Direction::Positive
+                SlipDirection::Positive
             } else {
-                Direction::Negative
+                SlipDirection::Negative
             }),
         );
         assert_eq!(sequence.len(), (i + 1).min(PhaseSequence::CAPACITY));
@@ -572,7 +572,7 @@ fn agree_to(
 /// tables or not.
 #[test]
 fn the_whole_accepted_range_has_the_outcomes_of_the_simulation() {
-    let figure_2 = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let figure_2 = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     let bounces = Restitution::new(0.5, RestitutionLaw::Energetic).expect("a coefficient");
     let bouncing = figure_2.with_restitution(bounces).expect("heavy");
     let limits = |_: &Start| Limits::default().with_transitions(60);
@@ -608,7 +608,7 @@ fn the_whole_accepted_range_has_the_outcomes_of_the_simulation() {
 /// lift-off is no slide.
 #[test]
 fn a_lift_off_is_not_followed_by_a_slide_that_rounding_makes() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     for (start, sequence, transitions) in [
         (
             Start::at(31_568_288.730_131_123, 1.850_239_055_064_361_3),
@@ -648,14 +648,14 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
     let start = Start::at(-0.377_337_068_499_461_6, 1.255_452_380_525_089_2);
     let mut reached = 0;
     for (hoop, start, slides) in [
-        (Hoop::figure_2(0.05, 1e-5), start, [1, 10, 100, 1_000]),
+        (Hoop::equal_masses(0.05, 1e-5), start, [1, 10, 100, 1_000]),
         (
-            Hoop::figure_2(0.05, 0.049),
+            Hoop::equal_masses(0.05, 0.049),
             Start::at(-3.0, -2.5),
             [1, 5, 20, 60],
         ),
         (
-            Hoop::figure_2(0.5, 0.499),
+            Hoop::equal_masses(0.5, 0.499),
             Start::at(-3.0, -2.5),
             [1, 3, 10, 20],
         ),
@@ -679,7 +679,7 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
         }
     }
     assert!(reached >= 9, "{reached}");
-    let hoop = Hoop::figure_2(0.05, 1e-5).expect("a hoop like that of Figure 2");
+    let hoop = Hoop::equal_masses(0.05, 1e-5).expect("a hoop like that of Figure 2");
     let theirs = hoop
         .simulate(start, Limits::default())
         .expect("a valid start")
@@ -991,7 +991,7 @@ fn chains_of_slips_down_slopes_are_those_of_the_simulation() {
 #[test]
 fn motions_from_the_top_have_their_whole_turns() {
     // They roll, and slip on the way down.
-    let hoop = Hoop::figure_2(0.2, 0.1).expect("a hoop like that of Figure 2");
+    let hoop = Hoop::equal_masses(0.2, 0.1).expect("a hoop like that of Figure 2");
     let limits = Limits::default().with_transitions(2);
     for engine in engines(&hoop) {
         for turns in -9..=9 {
@@ -1145,7 +1145,7 @@ proptest! {
 /// would notice.
 #[test]
 fn little_is_left_to_the_simulation() {
-    let figure_2 = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let figure_2 = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     let painleve = HoopParameters::thin(0.2)
         .with_inertia(0.1)
         .with_friction(1.5, 1.4);

@@ -7,7 +7,7 @@ use littlewood::modes::{PhaseSolution, RollingOrbit};
 use littlewood::theory::{
     Body, ContactForces, PhasePlane, RollingLaw, SlidingLaw, Window, gliding_accelerations,
 };
-use littlewood::{Direction, Hoop, HoopParameters, Start};
+use littlewood::{Hoop, HoopParameters, SlipDirection, Start};
 use proptest::prelude::*;
 
 fn inertia(hoop: &Hoop) -> f64 {
@@ -54,7 +54,7 @@ proptest! {
     /// The matrix equation (2.16), (2.17), multiplied out: M (η″, θ″) + … = ….
     #[test]
     fn sliding_satisfies_2_16_and_2_17(hoop in heavy_hoop(), start in start(), positive in any::<bool>()) {
-        let direction = if positive { Direction::Positive } else { Direction::Negative };
+        let direction = if positive { SlipDirection::Positive } else { SlipDirection::Negative };
         let law = SlidingLaw::new(&hoop, direction).expect("a heavy hoop");
         prop_assume!(law.painleve(start.theta).abs() > 1e-9);
         let found = law.accelerations(start.theta, start.theta_rate);
@@ -131,7 +131,7 @@ proptest! {
             let size = hoop.mass() + hoop.offset() * (1.0 + rate * rate) * (1.0 + 1.0 / RollingLaw::new(&hoop).denominator(theta));
             prop_assert!(plane.forces(theta, rate).normal.abs() < 1e-13 * size);
         }
-        let direction = if positive { Direction::Positive } else { Direction::Negative };
+        let direction = if positive { SlipDirection::Positive } else { SlipDirection::Negative };
         if let Some(rate) = plane.slip_rate(theta, direction) {
             let forces = plane.forces(theta, rate);
             let size = hoop.mass() + hoop.offset() * (1.0 + rate * rate) * (1.0 + 1.0 / RollingLaw::new(&hoop).denominator(theta));

@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use littlewood::cases::find_case;
 use littlewood::modes::{PhaseSolution, RollingOrbit};
 use littlewood::theory::{Body, GlidingIntegrals, Massless, PhasePlane, SlidingLaw, closed_form};
-use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Start};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, SlipDirection, Start};
 
 fn massless(offset: f64) -> Massless {
     let hoop = Hoop::new(HoopParameters::thin(0.0).with_offset(offset)).expect("a massless hoop");
@@ -157,7 +157,7 @@ fn slip_through_zero_is_located_and_not_stopped_at_a_threshold() {
 fn a_negative_normal_force_of_rolling_is_no_lift_off() {
     // §2(a): "N vanishes immediately". In the band between n and 1 = h cos θ θ′² the body slides
     // with N > 0.
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     let plane = PhasePlane::new(&hoop);
     for theta in [-1.0, -0.7, 0.4, 0.9] {
         let (n, lift) = (
@@ -286,7 +286,7 @@ fn littlewoods_closed_forms_agree_with_each_other() {
 #[test]
 fn the_equilibria_of_figure_2_are_stable_at_the_bottom_and_unstable_at_the_top() {
     use littlewood::theory::Stability;
-    let plane = PhasePlane::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
+    let plane = PhasePlane::new(&Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2"));
     let [top, bottom] = plane.equilibria()[..] else {
         panic!("two equilibria")
     };
@@ -306,7 +306,11 @@ fn the_equilibria_of_figure_2_are_stable_at_the_bottom_and_unstable_at_the_top()
     );
     assert!((plane.separatrix_rate(PI) - 2.0_f64.sqrt()).abs() < 1e-15);
     assert!(
-        plane.slip_rate(FRAC_PI_2, Direction::Positive).is_none()
-            || plane.slip_rate(FRAC_PI_2, Direction::Negative).is_none()
+        plane
+            .slip_rate(FRAC_PI_2, SlipDirection::Positive)
+            .is_none()
+            || plane
+                .slip_rate(FRAC_PI_2, SlipDirection::Negative)
+                .is_none()
     );
 }

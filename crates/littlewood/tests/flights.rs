@@ -90,7 +90,7 @@ fn landings_over_the_whole_range_are_those_of_the_parabola() {
 /// 1 = h cos θ θ′². Its mass centre rises at h θ′, and falls back to that height after 2 h θ′.
 #[test]
 fn a_fast_hoop_that_has_turned_long_comes_down() {
-    let light = Hoop::figure_2(0.5, 0.4).expect("a valid hoop");
+    let light = Hoop::equal_masses(0.5, 0.4).expect("a valid hoop");
     let heavy = HoopParameters::thin(4.258_053_794_098_504e-8).with_inertia(70_006_042.823_695_11);
     let heavy = Hoop::new(heavy.with_friction(0.857_365_504_918_691, 0.0)).expect("a valid hoop");
     let turned = |turns: f64, rate: f64| {

@@ -219,7 +219,7 @@ fn reversals_next_to_each_other_have_their_digits() {
 /// apart.
 #[test]
 fn pairs_of_reversals_next_to_the_top_are_found_in_each_turn() {
-    let hoop = Hoop::figure_2(0.0, 0.0).expect("a valid hoop");
+    let hoop = Hoop::equal_masses(0.0, 0.0).expect("a valid hoop");
     for theta in [1e-3_f64, 1e-4, 1e-5, 1e-6, 1e-7] {
         let start = Start::at(theta, 0.7);
         let motion = hoop
@@ -317,7 +317,7 @@ fn follows_newton_and_euler(hoop: &Hoop, start: Start) -> Result<(), TestCaseErr
         .iter()
         .map(|it| (it.mode(), it.direction()))
         .collect();
-    let direction = littlewood::Direction::of_sign(expected);
+    let direction = littlewood::SlipDirection::of_sign(expected);
     prop_assert_eq!(
         modes,
         [(Mode::Sliding, direction)],
@@ -395,7 +395,7 @@ fn the_first_derivative_that_does_not_vanish_decides_how_a_slide_begins() {
         assert_eq!(first.mode(), Mode::Sliding, "{start:?}");
         assert_eq!(
             first.direction(),
-            littlewood::Direction::of_sign(early),
+            littlewood::SlipDirection::of_sign(early),
             "{start:?}"
         );
         let end = motion.outcome().state();

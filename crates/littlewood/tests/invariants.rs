@@ -10,7 +10,9 @@ use crate::common::{
 };
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{Body, GlidingIntegrals, SlidingLaw};
-use littlewood::{Cause, Direction, Hoop, Mode, Outcome, Phase, Sample, Start, State, Trajectory};
+use littlewood::{
+    Cause, Hoop, Mode, Outcome, Phase, Sample, SlipDirection, Start, State, Trajectory,
+};
 use proptest::prelude::*;
 
 /// Where the particle passes the vertical, a light hoop turns with θ′² up to 2(E + ℓ̂)/Î, between
@@ -40,8 +42,8 @@ pub(crate) fn size(hoop: &Hoop, sample: &Sample) -> f64 {
     terms * (1.0 + theta.abs())
 }
 
-fn sign(direction: Option<Direction>) -> f64 {
-    direction.map_or(0.0, Direction::sign)
+fn sign(direction: Option<SlipDirection>) -> f64 {
+    direction.map_or(0.0, SlipDirection::sign)
 }
 
 /// A phase; `slides_since` is the first instant of the slides that it goes on, which carry what
@@ -164,7 +166,7 @@ pub(crate) fn check_phase(
 fn margins(
     hoop: &Hoop,
     sample: &Sample,
-    direction: Option<Direction>,
+    direction: Option<SlipDirection>,
 ) -> Vec<(&'static str, f64, f64)> {
     let size = size(hoop, sample);
     match sample.mode {

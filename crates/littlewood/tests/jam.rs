@@ -289,7 +289,7 @@ proptest! {
         let plain = hoop.simulate(start, limits()).expect("a valid start");
         let restitution = Restitution::new(e, RestitutionLaw::Energetic).expect("a coefficient");
         let motion = hoop.with_restitution(restitution).expect("heavy").simulate(start, limits()).expect("a valid start");
-        let direction = littlewood::Direction::of_sign(start.slip).expect("slips");
+        let direction = littlewood::SlipDirection::of_sign(start.slip).expect("slips");
         let law = SlidingLaw::new(&hoop, direction).expect("heavy");
         let (p, w) = (law.painleve(start.theta), law.contact(start.theta, start.theta_rate));
         if p < 0.0 && w > 0.0 {

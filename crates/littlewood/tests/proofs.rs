@@ -7,7 +7,8 @@ use std::f64::consts::PI;
 use littlewood::modes::GrazingOrbit;
 use littlewood::theory::{RollingLaw, SlidingLaw};
 use littlewood::{
-    Cause, Direction, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, Start, State, Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, SlipDirection, Start, State,
+    Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -261,7 +262,7 @@ proptest! {
 /// A hoop that turns too slowly for a lift-off is turned faster where it slips fast, and lifts off.
 #[test]
 fn a_fast_slip_may_lift_a_hoop_that_turns_slowly() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("Figure 2's hoop");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("Figure 2's hoop");
     let start = State {
         time: 0.0,
         theta: 3.0,
@@ -351,7 +352,7 @@ fn the_greatest_energies_without_a_lift_off_are_those_of_a_quadrature() {
 
 #[test]
 fn the_least_energy_of_a_lift_off_is_reached_at_the_top() {
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("Figure 2's hoop");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("Figure 2's hoop");
     let needed = hoop.lift_off_energy().expect("a heavy hoop");
     // Past the top by a little, a little faster than 1/√h, the mass centre at rest but for its
     // fall.
@@ -403,7 +404,7 @@ fn grazing_orbits_are_those_of_a_search_with_40_digits() {
 #[test]
 fn a_motion_passes_where_one_family_of_slips_nearly_ends_before_the_next_begins() {
     let mu = 0.129_598_662_207_357_86;
-    let hoop = Hoop::figure_2(mu, mu).expect("Figure 2's hoop");
+    let hoop = Hoop::equal_masses(mu, mu).expect("Figure 2's hoop");
     let excess = |k: i32| largest_excess(&hoop, 1.4 + 0.01 * f64::from(k));
     let least = (0..=100).map(excess).fold(f64::INFINITY, f64::min);
     // Every orbit slips, and those between hardly do.
@@ -445,7 +446,7 @@ fn rest_is_proved_to_last_up_to_the_first_zero_of_p() {
                     .with_offset(h)
                     .with_inertia(bound * part);
                 let hoop = Hoop::new(parameters.with_friction(mu, mu)).expect("a valid hoop");
-                let laws = [Direction::Negative, Direction::Positive]
+                let laws = [SlipDirection::Negative, SlipDirection::Positive]
                     .map(|direction| SlidingLaw::new(&hoop, direction).expect("heavy"));
                 let first = (0..=20_000)
                     .map(|k| PI * (1.0 - f64::from(k) / 20_000.0))

@@ -171,7 +171,7 @@ fn motions_agree_with_newton_euler_at_40_digits() {
                 "{name}"
             );
             assert_eq!(ours.to.map(Mode::name), theirs["to"].as_str(), "{name}");
-            let direction = ours.direction.map_or(0.0, littlewood::Direction::sign);
+            let direction = ours.direction.map_or(0.0, littlewood::SlipDirection::sign);
             assert_eq!(
                 direction,
                 theirs["direction"].as_f64().unwrap_or(0.0),

@@ -44,7 +44,7 @@ pub(crate) fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCas
         );
         prop_assert_eq!(
             ours.direction,
-            theirs.direction.map(littlewood::Direction::reversed)
+            theirs.direction.map(littlewood::SlipDirection::reversed)
         );
     }
     for (ours, theirs) in a.phases().iter().zip(b.phases()) {

@@ -16,7 +16,8 @@ use littlewood::tables::{
 };
 use littlewood::theory::{BodyClass, EDGES, StartRegion};
 use littlewood::{
-    Cause, Direction, Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, Start,
+    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, SlipDirection,
+    Start,
 };
 
 /// Each name and each code leads back to its item, and no other does.
@@ -139,29 +140,29 @@ fn a_mode_with_its_direction_is_one_code_and_back() {
         let arrow = mode.with_arrow(direction);
         assert_eq!(
             arrow.contains('→'),
-            direction == Some(Direction::Positive),
+            direction == Some(SlipDirection::Positive),
             "{arrow}"
         );
         assert_eq!(
             arrow.contains('←'),
-            direction == Some(Direction::Negative),
+            direction == Some(SlipDirection::Negative),
             "{arrow}"
         );
         assert!(arrow.starts_with(mode.name()));
     }
-    for direction in Direction::ALL {
-        assert_eq!(Direction::of_sign(direction.sign()), Some(direction));
+    for direction in SlipDirection::ALL {
+        assert_eq!(SlipDirection::of_sign(direction.sign()), Some(direction));
         assert_eq!(direction.reversed().sign(), -direction.sign());
         assert_eq!(
-            f64::from(Direction::code(Some(direction))),
+            f64::from(SlipDirection::code(Some(direction))),
             direction.sign()
         );
     }
     assert_eq!(
         (
-            Direction::of_sign(0.0),
-            Direction::of_sign(f64::NAN),
-            Direction::code(None)
+            SlipDirection::of_sign(0.0),
+            SlipDirection::of_sign(f64::NAN),
+            SlipDirection::code(None)
         ),
         (None, None, 0)
     );
@@ -231,7 +232,7 @@ fn columns_of_a_sample_are_its_fields() {
     );
     assert_eq!(
         SampleColumn::Direction.of(&sample),
-        SampleValue::Direction(Some(Direction::Positive))
+        SampleValue::Direction(Some(SlipDirection::Positive))
     );
     assert_eq!(value(SampleColumn::Direction), 1.0);
     assert_eq!(value(SampleColumn::Mode), f64::from(Mode::Sliding.code()));
@@ -521,7 +522,7 @@ fn refusals_name_what_would_have_to_change() {
         hints.insert(error.hint());
     }
     assert_eq!(hints.len(), 8);
-    let figure_2 = Hoop::figure_2(0.5, 0.4).expect("a hoop");
+    let figure_2 = Hoop::equal_masses(0.5, 0.4).expect("a hoop");
     let error = figure_2
         .simulate(Start::at(1e300, 0.0), Limits::default())
         .expect_err("refused");
@@ -544,7 +545,7 @@ fn refusals_name_what_would_have_to_change() {
 
 #[test]
 fn recurrences_come_back_after_their_period() {
-    let hoop = Hoop::figure_2(2.0, 1.0).expect("a hoop");
+    let hoop = Hoop::equal_masses(2.0, 1.0).expect("a hoop");
     let kinds = [
         (Start::at(std::f64::consts::PI, 0.0), RecurrenceKind::Rest),
         (Start::at(3.0, 0.1), RecurrenceKind::Libration),
@@ -602,7 +603,7 @@ fn outcomes_say_what_is_known_of_them() {
     );
     assert_eq!(details("figure-7"), [""; 0]);
     assert_eq!(details("painleve"), [""; 0]);
-    let hoop = Hoop::figure_2(0.5, 0.4).expect("a hoop");
+    let hoop = Hoop::equal_masses(0.5, 0.4).expect("a hoop");
     let limits = Limits::default().with_transitions(2);
     let motion = hoop
         .simulate(Start::at(1.5, 2.0), limits)

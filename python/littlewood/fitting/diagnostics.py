@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["DOUBTS", "Doubt", "doubts_of_residuals"]
 
 
+# Names of the doubts about a fit, and what they mean.
 DOUBTS: Mapping[str, str] = {
     "identifiability": "a free parameter leaves no trace in the motion",
     "held": "the track contradicts a value that the fit holds",
@@ -33,7 +34,6 @@ DOUBTS: Mapping[str, str] = {
     "outliers": "some frames are far from the motion",
     "misfit": "the residuals are larger than the given errors",
 }
-"""Names of the doubts about a fit, and what they mean."""
 
 _CAMERA = "camera_"
 # Frames further off than so many standard deviations are outliers: of normal errors one in 10⁹ is.

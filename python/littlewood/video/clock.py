@@ -185,7 +185,7 @@ def clock_of(path: str | Path) -> Clock:
 def rate_of(path: str | Path) -> float:
     """Return the frames per second at which a file is played, by the times of its frames.
 
-    Slow motion is played slower than it was taken: see :class:`Clock`.
+    Slow motion is played slower than it was taken: see :class:`littlewood.video.Clock`.
     """
     return clock_of(path).rate
 

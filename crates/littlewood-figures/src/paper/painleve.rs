@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 
 use littlewood::tables::Quantity;
 use littlewood::theory::{Body, PhasePlane, SlidingLaw};
-use littlewood::{Direction, Hoop, HoopParameters, ParameterError};
+use littlewood::{Hoop, HoopParameters, ParameterError, SlipDirection};
 use littlewood_draw::{
     FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series, Stroke, marked,
     short,
@@ -54,7 +54,7 @@ impl Threshold {
     fn new(hoop: &Hoop) -> Result<Option<Self>, ParameterError> {
         let law = |mu: f64| {
             let hoop = Hoop::new(hoop.parameters().with_friction(mu, mu))?;
-            Ok::<_, ParameterError>(SlidingLaw::new(&hoop, Direction::Positive))
+            Ok::<_, ParameterError>(SlidingLaw::new(&hoop, SlipDirection::Positive))
         };
         Ok(match hoop.body() {
             Body::Heavy(_) => law(0.0)?

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use littlewood::si::Units;
 use littlewood::tables::{Detail, Dimension};
-use littlewood::{Direction, Mode};
+use littlewood::{Mode, SlipDirection};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 #[derive(Clone, Copy, Debug)]
@@ -39,9 +39,9 @@ impl From<Option<Mode>> for Value {
 }
 
 /// σ; 0 where there is no slip.
-impl From<Option<Direction>> for Value {
-    fn from(direction: Option<Direction>) -> Self {
-        Self::Sign(Direction::code(direction))
+impl From<Option<SlipDirection>> for Value {
+    fn from(direction: Option<SlipDirection>) -> Self {
+        Self::Sign(SlipDirection::code(direction))
     }
 }
 

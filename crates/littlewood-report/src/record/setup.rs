@@ -3,7 +3,7 @@
 use littlewood::cases::NamedCase;
 use littlewood::si::{SiSetup, Units};
 use littlewood::tables::{Detail, Dimension, Quantity, Setup};
-use littlewood::{Direction, HoopParameters, Mode, Phase, Start, Trajectory};
+use littlewood::{HoopParameters, Mode, Phase, SlipDirection, Start, Trajectory};
 use serde::Serialize;
 
 use super::fields::{Fields, Value};
@@ -62,7 +62,7 @@ impl StartRecord {
     pub(crate) fn new(
         at: Start,
         mode: Option<Mode>,
-        direction: Option<Direction>,
+        direction: Option<SlipDirection>,
         units: Option<&Units>,
     ) -> Self {
         let begins = [("mode", mode.into()), ("direction", direction.into())];
@@ -81,7 +81,7 @@ impl StartRecord {
 
 /// The mode and the direction of slip with which a motion begins. Where the start jams, none begins
 /// before the impact.
-pub(crate) fn opening(trajectory: &Trajectory) -> (Option<Mode>, Option<Direction>) {
+pub(crate) fn opening(trajectory: &Trajectory) -> (Option<Mode>, Option<SlipDirection>) {
     let jams = trajectory
         .transitions()
         .first()

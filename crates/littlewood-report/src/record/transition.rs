@@ -4,7 +4,7 @@ use littlewood::derivatives::Derivatives;
 use littlewood::impact::Impact;
 use littlewood::si::Units;
 use littlewood::tables::{Detail, Dimension, SampleColumn};
-use littlewood::{Digits, Direction, Mode, Transition};
+use littlewood::{Digits, Mode, SlipDirection, Transition};
 use serde::Serialize;
 
 use super::derivatives::{DerivativesRecord, of_transition};
@@ -16,7 +16,7 @@ use super::instant::{si_state, state};
 pub(crate) fn edge(
     from: Option<Mode>,
     to: Option<Mode>,
-    direction: Option<Direction>,
+    direction: Option<SlipDirection>,
     cause: Option<&'static str>,
 ) -> Fields {
     [

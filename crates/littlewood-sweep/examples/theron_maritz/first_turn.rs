@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 
 use littlewood::tables::PhaseSequence;
 use littlewood::{
-    Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, Proof, Start,
+    Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, Proof, SlipDirection, Start,
 };
 
 /// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of
@@ -84,7 +84,7 @@ impl FirstTurn {
             .with_proof(Proof::None);
         let motion = hoop.simulate(start, limits)?;
         let mut sequence = PhaseSequence::default();
-        let Some(travel) = Direction::of_sign(start.theta_rate) else {
+        let Some(travel) = SlipDirection::of_sign(start.theta_rate) else {
             for phase in motion.phases() {
                 sequence.push(phase.mode(), phase.direction());
             }

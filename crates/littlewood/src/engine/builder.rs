@@ -14,7 +14,7 @@ const MANY: u64 = 256;
 /// ```
 /// use littlewood::{Engine, Hoop};
 ///
-/// let hoop = Hoop::figure_2(0.5, 0.4)?;
+/// let hoop = Hoop::equal_masses(0.5, 0.4)?;
 /// // Where each start has its own hoop, only long motions use tables.
 /// assert!(!Engine::builder(&hoop).expected_starts(1).prepares());
 /// assert!(Engine::builder(&hoop).expected_starts(40_000).prepares());
@@ -47,7 +47,7 @@ impl EngineBuilder {
     /// ```
     /// use littlewood::{Engine, Hoop};
     ///
-    /// let hoop = Hoop::figure_2(0.5, 0.499)?;
+    /// let hoop = Hoop::equal_masses(0.5, 0.499)?;
     /// assert!(!Engine::new(&hoop).interpolates_slips());
     /// assert!(Engine::builder(&hoop).interpolate_slips().build().interpolates_slips());
     /// # Ok::<(), littlewood::ParameterError>(())
@@ -101,7 +101,7 @@ impl Engine {
     /// use littlewood::many::StartError;
     /// use littlewood::{Engine, Hoop, Limits, Start, Summary};
     ///
-    /// let engine = Engine::new(&Hoop::figure_2(0.5, 0.4)?);
+    /// let engine = Engine::new(&Hoop::equal_masses(0.5, 0.4)?);
     /// let starts = [Start::at(1.0, 2.0), Start::at(1.0, f64::NAN)];
     /// let summaries: Vec<Result<Summary, StartError>> = engine.summaries(starts, Limits::default()).collect();
     /// assert!(summaries[0].is_ok());

@@ -73,7 +73,7 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 /// ```
 /// use littlewood::{Engine, Hoop, Limits, Start};
 ///
-/// let hoop = Hoop::figure_2(0.5, 0.4)?;
+/// let hoop = Hoop::equal_masses(0.5, 0.4)?;
 /// let engine = Engine::new(&hoop);
 /// let summary = engine.summary(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
 /// assert_eq!(summary.sequence.to_string(), "-R+F");
@@ -274,7 +274,7 @@ mod tests {
     #[test]
     fn slips_towards_a_grazing_orbit_are_passed_by_the_thousand() {
         for mu_k in [0.498, 0.499, 0.4999] {
-            let hoop = Hoop::figure_2(0.5, mu_k).unwrap();
+            let hoop = Hoop::equal_masses(0.5, mu_k).unwrap();
             let passed = passed_from(&hoop, Start::at(-3.0, -2.5), 4_000);
             assert!(passed > 1_000, "{mu_k}: {passed}");
         }
@@ -283,7 +283,7 @@ mod tests {
     /// A hoop that goes over the top of a gentle slope slips in each turn, as in the turn before.
     #[test]
     fn slips_down_a_slope_are_passed_by_the_thousand() {
-        let level = Hoop::figure_2(0.5, 0.4).unwrap();
+        let level = Hoop::equal_masses(0.5, 0.4).unwrap();
         for (slope, rate) in [(0.005, 2.0), (-0.005, -2.0), (0.01, 2.0)] {
             let hoop = Hoop::new(level.parameters().with_slope(slope)).unwrap();
             let passed = passed_from(&hoop, Start::at(3.0 * rate / 2.0, rate), 200);

@@ -2,7 +2,7 @@
 
 use crate::mechanics::solvability::is_solvable;
 use crate::mechanics::{RollingLaw, SlidingLaw};
-use crate::model::{Body, Direction, Heavy, Hoop};
+use crate::model::{Body, Heavy, Hoop, SlipDirection};
 use crate::modes::rolling::HalfAngleOrbit;
 
 use super::fallback::{Fallback, FallbackCounts};
@@ -31,7 +31,7 @@ pub(super) struct HoopModel {
 /// How a slide begins, and for how long it is followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlideStart {
-    pub(super) slip: Direction,
+    pub(super) slip: SlipDirection,
     /// Whether η′ = η″ = 0.
     pub(super) from_limit: bool,
     pub(super) time_left: f64,
@@ -46,7 +46,8 @@ impl HoopModel {
         Some(Self {
             body,
             sliding: [body, body.mirrored()].map(|body| {
-                Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction))
+                SlipDirection::ALL
+                    .map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction))
             }),
             rolling: RollingLaw::of(hoop),
             margins: margins_of(hoop, 1.0)?,
@@ -59,10 +60,10 @@ impl HoopModel {
         })
     }
 
-    pub(super) const fn sliding(&self, direction: Direction) -> &SlidingLaw {
+    pub(super) const fn sliding(&self, direction: SlipDirection) -> &SlidingLaw {
         match direction {
-            Direction::Negative => &self.sliding[0][0],
-            Direction::Positive => &self.sliding[0][1],
+            SlipDirection::Negative => &self.sliding[0][0],
+            SlipDirection::Positive => &self.sliding[0][1],
         }
     }
 

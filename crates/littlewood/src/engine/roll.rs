@@ -6,13 +6,13 @@ use std::sync::OnceLock;
 use crate::math::bracket::Bracket;
 use crate::math::form::{Form, HalfAngle, on_arc};
 use crate::math::trig::Angle;
-use crate::model::{Direction, Hoop};
+use crate::model::{Hoop, SlipDirection};
 use crate::modes::rolling::{HalfAngleOrbit, OrbitPass, ReducedAngle, margin_forms};
 
 use super::fallback::Fallback;
 
 /// A direction of slip in a frame that is mirrored for −1.
-pub(super) const fn mirrored_slip(slip: Direction, mirror: f64) -> Direction {
+pub(super) const fn mirrored_slip(slip: SlipDirection, mirror: f64) -> SlipDirection {
     if mirror < 0.0 { slip.reversed() } else { slip }
 }
 
@@ -36,7 +36,7 @@ pub(super) struct RollSlip {
     pub(super) elapsed: f64,
     pub(super) theta: f64,
     pub(super) theta_rate: f64,
-    pub(super) slip: Direction,
+    pub(super) slip: SlipDirection,
     pub(super) angle: Angle,
 }
 
@@ -82,7 +82,7 @@ impl MarginForm {
     }
 }
 
-/// The margins of the two directions of slip in the frame of motion, by [`Direction::index`].
+/// The margins of the two directions of slip in the frame of motion, by [`SlipDirection::index`].
 pub(super) type Margins = [MarginForm; 2];
 
 /// The margins of a hoop that moves in a direction; none of a massless one.
@@ -240,7 +240,7 @@ impl MarginTable {
     }
 
     /// The margin of a direction of slip; `is_up` if the half angle grows.
-    fn margin(&self, slip: Direction, orbit_level: f64, is_up: bool) -> TabulatedMargin {
+    fn margin(&self, slip: SlipDirection, orbit_level: f64, is_up: bool) -> TabulatedMargin {
         let form = self.margins[slip.index()].on_orbit(orbit_level);
         let mut in_order = form.0;
         if !is_up {
@@ -375,7 +375,7 @@ impl OrbitArc {
 struct MarginZero {
     /// The barycentric coordinate.
     at: f64,
-    slip: Direction,
+    slip: SlipDirection,
 }
 
 /// One orbit.
@@ -384,7 +384,7 @@ struct RollProblem<'a> {
     orbit_level: f64,
     margins: &'a Margins,
     /// The direction of slip whose margin is zero at the start, where static friction holds behind.
-    limit: Option<Direction>,
+    limit: Option<SlipDirection>,
 }
 
 /// Follows an orbit on which rolling holds where it is entered, perhaps just so (`on_limit`).
@@ -407,16 +407,16 @@ pub(super) fn solve_roll(
         .map(|margin| margin.at(half, orbit_level));
     let limit = on_limit.then(|| {
         if positive.value.abs() < negative.value.abs() {
-            Direction::Positive
+            SlipDirection::Positive
         } else {
-            Direction::Negative
+            SlipDirection::Negative
         }
     });
     // So close to the limit, rounding would decide whether the hoop slips at once.
     let holds = match limit {
         None => negative.is_clearly_positive() && positive.is_clearly_positive(),
-        Some(Direction::Negative) => positive.is_clearly_positive(),
-        Some(Direction::Positive) => negative.is_clearly_positive(),
+        Some(SlipDirection::Negative) => positive.is_clearly_positive(),
+        Some(SlipDirection::Positive) => negative.is_clearly_positive(),
     };
     if !holds {
         return Err(Fallback::FrictionLimit);
@@ -461,10 +461,14 @@ impl RollProblem<'_> {
                 continue;
             }
             let is_up = arc.is_up();
-            let known = Direction::ALL.map(|slip| table.margin(slip, self.orbit_level, is_up));
+            let known = SlipDirection::ALL.map(|slip| table.margin(slip, self.orbit_level, is_up));
             let falling = match &known {
-                [falls, holds] if is_only_fall(falls, holds) => Some((Direction::Negative, falls)),
-                [holds, falls] if is_only_fall(falls, holds) => Some((Direction::Positive, falls)),
+                [falls, holds] if is_only_fall(falls, holds) => {
+                    Some((SlipDirection::Negative, falls))
+                }
+                [holds, falls] if is_only_fall(falls, holds) => {
+                    Some((SlipDirection::Positive, falls))
+                }
                 [_, _] => None,
             };
             let (begin, end) = (OCTANT_ENDS[octant], OCTANT_ENDS[octant + 1]);
@@ -488,7 +492,7 @@ impl RollProblem<'_> {
                     },
                 );
             }
-            let holds = |slip: Direction| known[slip.index()].signs == MarginSigns::Holds;
+            let holds = |slip: SlipDirection| known[slip.index()].signs == MarginSigns::Holds;
             if let Some(zero) = self.first_zero(&arc, limit, holds) {
                 return self.slip(&arc, zero);
             }
@@ -501,11 +505,11 @@ impl RollProblem<'_> {
     fn first_zero(
         &self,
         arc: &OrbitArc,
-        limit: Option<Direction>,
-        holds: impl Fn(Direction) -> bool,
+        limit: Option<SlipDirection>,
+        holds: impl Fn(SlipDirection) -> bool,
     ) -> Option<MarginZero> {
         let mut first: Option<MarginZero> = None;
-        for slip in Direction::ALL {
+        for slip in SlipDirection::ALL {
             if holds(slip) {
                 continue;
             }
@@ -652,7 +656,9 @@ mod tests {
             let hoop = Hoop::new(hoop).unwrap();
             let (margins, law) = (margins_of(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
             let curve = SlipCurves::new(margins, law);
-            for (step, slip) in (0..300).flat_map(|step| Direction::ALL.map(|slip| (step, slip))) {
+            for (step, slip) in
+                (0..300).flat_map(|step| SlipDirection::ALL.map(|slip| (step, slip)))
+            {
                 let theta = 0.021 * f64::from(step) - 3.1;
                 let Some(u) = curve.slip_rate_squared(slip, theta).filter(|u| *u > 1e-2) else {
                     continue;

@@ -5,7 +5,7 @@ use core::cell::Cell;
 use crate::ablation::{Part, is_on};
 use crate::math::trig::Angle;
 use crate::mechanics::{ContactMotion, FrictionlessIntegrals, Loads, Settling, contact};
-use crate::model::{Direction, Heavy, Hoop, Limits, Massless, State};
+use crate::model::{Heavy, Hoop, Limits, Massless, SlipDirection, State};
 use crate::modes::{
     Entry, Flight, ForceRounding, GlideEntry, PhasePoint, RollingLimit, Stiction, TakeOff,
 };
@@ -215,12 +215,12 @@ impl<'a> FastSolver<'a> {
         if !self.sign_is_certain(w, 1.0 + h * place.u()) {
             return None;
         }
-        let slip = match Direction::of_sign(state.slip) {
+        let slip = match SlipDirection::of_sign(state.slip) {
             Some(direction) => SlipInputs::Moving(direction),
             None if !self.resolves_forces(w, 1.0 + h * place.u()) => return None,
             None => SlipInputs::AtRest(self.clear_rest(place, w, arrival)?),
         };
-        let painleve = Direction::ALL.map(|direction| {
+        let painleve = SlipDirection::ALL.map(|direction| {
             let law = self.model.sliding(direction);
             law.p(sin, law.q(1.0, sin, cos))
         });
@@ -279,7 +279,7 @@ impl<'a> FastSolver<'a> {
                     Stiction::Holds
                 } else {
                     Stiction::Slips {
-                        direction: Direction::of_sign(-forces.friction)?,
+                        direction: SlipDirection::of_sign(-forces.friction)?,
                         excess,
                     }
                 }
@@ -331,7 +331,12 @@ impl<'a> FastSolver<'a> {
     }
 
     /// The end of a slide from a place by an event.
-    fn slide_event(&self, place: &EngineState, direction: Direction, event: &SlideEvent) -> Ended {
+    fn slide_event(
+        &self,
+        place: &EngineState,
+        direction: SlipDirection,
+        event: &SlideEvent,
+    ) -> Ended {
         let (cause, arrival) = if event.lifts_off {
             (Cause::LiftOff, Arrival::LiftOff)
         } else {
@@ -351,7 +356,7 @@ impl<'a> FastSolver<'a> {
     fn slide_end(
         &self,
         place: &EngineState,
-        direction: Direction,
+        direction: SlipDirection,
         event: &SlideEvent,
         is_cut: bool,
     ) -> State {
@@ -428,7 +433,7 @@ impl LinkSolver for FastSolver<'_> {
         maps: &SlipMaps,
         slip: SlipPoint,
         theta_rate: f64,
-    ) -> Option<(State, Direction, f64, PhaseSequence)> {
+    ) -> Option<(State, SlipDirection, f64, PhaseSequence)> {
         let solver = Self::new(self.hoop, self.model, &Limits::default());
         let mirror = maps.mirror();
         let state = mirrored_by(
@@ -552,7 +557,7 @@ impl Solver for FastSolver<'_> {
         &self,
         place: &EngineState,
         body: &Heavy,
-        direction: Direction,
+        direction: SlipDirection,
         entry: Entry,
     ) -> PhaseResult<Self> {
         let state = place.state;
@@ -681,7 +686,7 @@ impl Solver for FastSolver<'_> {
     fn skip_links(
         &self,
         place: &EngineState,
-        direction: Direction,
+        direction: SlipDirection,
         budget: &SkipBudget<'_>,
     ) -> Option<SkippedLinks<EngineState>> {
         let (state, heading) = (place.state, place.heading());

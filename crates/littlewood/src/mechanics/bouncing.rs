@@ -44,7 +44,7 @@ impl BouncingOrbit {
     /// use littlewood::impact::BouncingOrbit;
     /// use littlewood::Hoop;
     ///
-    /// let hoop = Hoop::figure_2(0.5, 0.4)?;
+    /// let hoop = Hoop::equal_masses(0.5, 0.4)?;
     /// let orbit = BouncingOrbit::new(&hoop, 1.0).expect("bounces");
     /// assert!((orbit.gap_rate - (1.0 / orbit.top_rate - 0.5 * 1.0_f64.sin() * orbit.top_rate)).abs() < 1e-14);
     /// # Ok::<(), littlewood::ParameterError>(())

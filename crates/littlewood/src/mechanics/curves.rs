@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::mechanics::closed_form::slip_angle;
 use crate::mechanics::region::PhasePlane;
-use crate::model::{Body, Direction};
+use crate::model::{Body, SlipDirection};
 
 /// A part of a plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -205,7 +205,7 @@ impl PhasePlane {
                 let ends = [window.y[0].max(-most), window.y[1].min(most)];
                 (ends[0] < ends[1]).then(|| ends.map(|rate| [at, rate]).to_vec())
             });
-        let branches = [Direction::Positive, Direction::Negative].into_iter();
+        let branches = [SlipDirection::Positive, SlipDirection::Negative].into_iter();
         let branches = branches
             .flat_map(|direction| self.graph(window, &|theta| self.slip_rate(theta, direction)));
         branches.chain(verticals).collect()

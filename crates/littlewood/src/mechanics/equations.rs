@@ -20,7 +20,7 @@
 use crate::math::form::Trigonometric;
 use crate::math::number::Number;
 use crate::math::trig::{Angle, above_bottom};
-use crate::model::{Body, Direction, Heavy, Hoop, State};
+use crate::model::{Body, Heavy, Hoop, SlipDirection, State};
 
 /// Contact forces, in m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -410,7 +410,7 @@ pub struct SlidingLaw<T = f64> {
 }
 
 impl<T: Number> SlidingLaw<T> {
-    pub(crate) fn of_body(body: Heavy<T>, mu_k: T, direction: Direction) -> Self {
+    pub(crate) fn of_body(body: Heavy<T>, mu_k: T, direction: SlipDirection) -> Self {
         Self {
             body,
             friction: mu_k * direction.sign(),
@@ -497,7 +497,7 @@ impl<T: Number> SlidingLaw<T> {
 
 impl SlidingLaw {
     /// The equations of a hoop that slips in `direction`; `None` for a massless hoop, which glides.
-    pub fn new(hoop: &Hoop, direction: Direction) -> Option<Self> {
+    pub fn new(hoop: &Hoop, direction: SlipDirection) -> Option<Self> {
         match hoop.body() {
             Body::Heavy(body) => {
                 let law = Self::of_body(body, hoop.mu_k(), direction);

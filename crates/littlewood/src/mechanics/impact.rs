@@ -19,7 +19,7 @@ use thiserror::Error;
 use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::model::{
-    Body, Direction, Friction, Heavy, Hoop, Restitution, RestitutionLaw, State, getters, named,
+    Body, Friction, Heavy, Hoop, Restitution, RestitutionLaw, SlipDirection, State, getters, named,
 };
 
 /// The impulse of the plane on the body, in m2 √(gR).
@@ -177,7 +177,7 @@ impl Hoop {
             return Vec::new();
         };
         let contact = Contact::new(self, &body, theta);
-        let direction = Direction::of_sign(impact.before.slip);
+        let direction = SlipDirection::of_sign(impact.before.slip);
         let slipping = direction.map_or(contact.at_rest, |direction| contact.slope(direction));
         let first = contact.course(impact.before, direction, slipping).first;
         let bend = (first > 0.0 && first < impact.impulse.normal).then_some(Impulse {
@@ -236,7 +236,7 @@ impl Hoop {
         let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else {
             return None;
         };
-        let direction = Direction::of_sign(state.slip)?;
+        let direction = SlipDirection::of_sign(state.slip)?;
         let contact = Contact::new(self, &body, state.theta);
         Some(contact.jam(ContactVelocities::of(state, 0.0), direction, restitution))
     }
@@ -273,7 +273,7 @@ impl Contact {
 
     /// The slopes of an impact that begins with slip in this direction; `None` where the slip does
     /// not end in a stick.
-    pub(crate) fn sticking(&self, direction: Direction) -> Option<Sticking> {
+    pub(crate) fn sticking(&self, direction: SlipDirection) -> Option<Sticking> {
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
         (braking > 0.0 && !self.reverses).then_some(Sticking {
@@ -298,7 +298,7 @@ impl<T: Number> Contact<T> {
             slip: friction / mass + height * spin,
             gap_rate: T::constant(1.0) / mass + h_sin * spin,
         };
-        let slipping = Direction::ALL.map(|direction| {
+        let slipping = SlipDirection::ALL.map(|direction| {
             let friction = -mu_k * direction.sign();
             slope(friction, (h_sin + friction * height) / body.inertia)
         });
@@ -308,8 +308,8 @@ impl<T: Number> Contact<T> {
             slip: T::constant(0.0),
             ..slope(-b / a, h_sin / a)
         };
-        let reversed =
-            Direction::of_sign(b.value()).filter(|_| b.value().abs() > mu_s.value() * a.value());
+        let reversed = SlipDirection::of_sign(b.value())
+            .filter(|_| b.value().abs() > mu_s.value() * a.value());
         let at_rest = reversed.map_or(stuck, |direction| slipping[direction.index()]);
         Self {
             mass,
@@ -321,7 +321,7 @@ impl<T: Number> Contact<T> {
         }
     }
 
-    fn slope(&self, direction: Direction) -> Slope<T> {
+    fn slope(&self, direction: SlipDirection) -> Slope<T> {
         self.slipping[direction.index()]
     }
 
@@ -331,7 +331,7 @@ impl<T: Number> Contact<T> {
         before: ContactVelocities<T>,
         restitution: Restitution<T>,
     ) -> Impact<T> {
-        let direction = Direction::of_sign(before.slip.value());
+        let direction = SlipDirection::of_sign(before.slip.value());
         let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
         let jams = direction.is_some() && slipping.gap_rate.value() <= 0.0;
         if before.gap_rate.value() == 0.0 && !jams {
@@ -357,7 +357,7 @@ impl<T: Number> Contact<T> {
     pub(crate) fn jam(
         &self,
         before: ContactVelocities<T>,
-        direction: Direction,
+        direction: SlipDirection,
         restitution: Restitution<T>,
     ) -> Impact<T> {
         let slope = self.slope(direction);
@@ -380,7 +380,7 @@ impl<T: Number> Contact<T> {
     fn course(
         &self,
         before: ContactVelocities<T>,
-        direction: Option<Direction>,
+        direction: Option<SlipDirection>,
         slipping: Slope<T>,
     ) -> Course<'_, T> {
         let first = match direction {

@@ -5,17 +5,17 @@ use core::f64::consts::{PI, TAU};
 
 use crate::math::number::Number;
 use crate::mechanics::{ContactForces, Loads, RollingLaw};
-use crate::model::{Body, Direction, Hoop};
+use crate::model::{Body, Hoop, SlipDirection};
 
 /// The phase plane of the rolling motions of one hoop.
 ///
 /// ```
 /// use littlewood::theory::PhasePlane;
-/// use littlewood::{Direction, Hoop};
+/// use littlewood::{SlipDirection, Hoop};
 ///
-/// let plane = PhasePlane::new(&Hoop::figure_2(0.5, 0.4)?);
+/// let plane = PhasePlane::new(&Hoop::equal_masses(0.5, 0.4)?);
 /// assert!(plane.in_rolling_region(0.5, 0.2));
-/// let rate = plane.slip_rate(4.0, Direction::Positive).expect("the curve f passes over θ = 4");
+/// let rate = plane.slip_rate(4.0, SlipDirection::Positive).expect("the curve f passes over θ = 4");
 /// let forces = plane.forces(4.0, rate);
 /// assert!((forces.demand() - 0.5).abs() < 1e-14);
 /// # Ok::<(), littlewood::ParameterError>(())
@@ -108,7 +108,7 @@ impl PhasePlane {
     /// |θ′| on the branch of the curve f, |F| = μs N with N ≥ 0 in rolling, where slip begins in this direction; `None`
     /// where the branch has no point at θ. For a massless hoop f is a vertical line:
     /// [`crate::mechanics::closed_form::slip_angle`].
-    pub fn slip_rate(&self, theta: f64, direction: Direction) -> Option<f64> {
+    pub fn slip_rate(&self, theta: f64, direction: SlipDirection) -> Option<f64> {
         if matches!(self.hoop.body(), Body::Massless(_)) {
             return None;
         }

@@ -10,7 +10,7 @@ use crate::mechanics::impact::Sticking;
 use crate::mechanics::region::PhasePlane;
 use crate::mechanics::settling::RATIO_ROUNDING;
 use crate::mechanics::{Contact, ContactVelocities, contact};
-use crate::model::{Body, Direction, Heavy, Restitution, RestitutionLaw};
+use crate::model::{Body, Heavy, Restitution, RestitutionLaw, SlipDirection};
 
 /// The values of p between which bounces grow; k2 > k1.
 fn growing(restitution: Restitution, slopes: &Sticking) -> Option<[f64; 2]> {
@@ -85,7 +85,7 @@ impl PhasePlane {
         if pull * sin >= 0.0 {
             return None;
         }
-        let direction = Direction::of_sign(sin)?;
+        let direction = SlipDirection::of_sign(sin)?;
         let slopes = Contact::new(&self.hoop, &body, theta).sticking(direction)?;
         let [low, high] = growing(restitution, &slopes)?;
         // |a| over w lies between ½ M p, and both are linear in u: constant + slope u > 0.

@@ -262,11 +262,12 @@ impl Hoop {
         Self::new(HoopParameters::thin(0.0).with_friction(mu_s, mu_k))
     }
 
-    /// The thin hoop of Figures 2 and 3: m1 = m2, ℓ = R, I_zz = m1 R².
+    /// A thin hoop with a particle of its own mass on the rim: m1 = m2, ℓ = R, I_zz = m1 R² (Figures 2
+    /// and 3).
     ///
     /// # Errors
     /// As [`Hoop::new`].
-    pub fn figure_2(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
+    pub fn equal_masses(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
         Self::new(HoopParameters::thin(1.0).with_friction(mu_s, mu_k))
     }
 

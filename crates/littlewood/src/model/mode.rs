@@ -34,7 +34,7 @@ impl Mode {
     }
 
     /// The mode with an arrow for the direction of slip, for tables and films: `sliding ←`.
-    pub fn with_arrow(self, direction: Option<Direction>) -> String {
+    pub fn with_arrow(self, direction: Option<SlipDirection>) -> String {
         direction.map_or_else(
             || self.to_string(),
             |direction| format!("{self} {}", direction.arrow()),
@@ -45,14 +45,14 @@ impl Mode {
 /// Direction of slip, σ = sign(η′).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Direction {
+pub enum SlipDirection {
     /// σ = −1.
     Negative,
     /// σ = +1.
     Positive,
 }
 
-impl Direction {
+impl SlipDirection {
     /// Both directions.
     pub const ALL: [Self; 2] = [Self::Negative, Self::Positive];
 

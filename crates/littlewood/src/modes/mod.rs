@@ -7,16 +7,16 @@
 //! ```
 //! use littlewood::cases::find_case;
 //! use littlewood::modes::{PhaseSolution, RollingLimit};
-//! use littlewood::Direction;
+//! use littlewood::SlipDirection;
 //!
 //! let motion = find_case("figure-3").expect("a named case").simulate()?;
 //! let PhaseSolution::Rolling(rolling) = motion.phases()[1].solution() else { panic!("rolls") };
 //! let end = rolling.orbit().end().expect("slips");
-//! assert_eq!(end.limit, RollingLimit::Friction(Direction::Positive));
+//! assert_eq!(end.limit, RollingLimit::Friction(SlipDirection::Positive));
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 
-use crate::model::{Direction, Hoop, Mode, State};
+use crate::model::{Hoop, Mode, SlipDirection, State};
 
 pub(crate) mod flight;
 pub(crate) mod gliding;
@@ -68,7 +68,7 @@ impl PhaseSolution {
     }
 
     /// Direction of slip; none for rolling and flight.
-    pub(crate) fn direction(&self) -> Option<Direction> {
+    pub(crate) fn direction(&self) -> Option<SlipDirection> {
         match self {
             Self::Sliding(slide) => Some(slide.direction()),
             Self::Gliding(glide) => glide.direction(),

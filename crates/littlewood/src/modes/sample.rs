@@ -1,7 +1,7 @@
 //! Kinematics, forces and energy at one instant of a motion.
 
 use crate::mechanics::{Accelerations, Clearance, ContactForces, energy};
-use crate::model::{Direction, Hoop, Mode, State};
+use crate::model::{Hoop, Mode, SlipDirection, State};
 
 /// Kinematics, forces and energy at one instant of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub struct Sample {
     /// Mode of motion.
     pub mode: Mode,
     /// Direction of slip; none for rolling and flight.
-    pub direction: Option<Direction>,
+    pub direction: Option<SlipDirection>,
     /// Angular acceleration θ″.
     pub theta_acceleration: f64,
     /// Acceleration η″ of the slip.
@@ -61,7 +61,7 @@ pub struct Position {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant {
     pub(crate) mode: Mode,
-    pub(crate) direction: Option<Direction>,
+    pub(crate) direction: Option<SlipDirection>,
     pub(crate) accelerations: Accelerations,
     pub(crate) forces: ContactForces,
     pub(crate) clearance: Clearance,

@@ -2,7 +2,7 @@
 
 use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
-use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, State, named};
+use crate::model::{Body, Hoop, Limits, Mode, ParameterError, SlipDirection, Start, State, named};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
 use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart, next_motion};
 
@@ -40,7 +40,7 @@ pub struct Classification {
     pub mode: Option<Mode>,
     /// Direction of slip that begins; none for rolling and flight, and for a glide from η′ = 0,
     /// whose solution determines it.
-    pub direction: Option<Direction>,
+    pub direction: Option<SlipDirection>,
     /// Energy E (2.8).
     pub energy: f64,
     /// N and F that rolling would need (2.12).
@@ -144,7 +144,7 @@ impl Hoop {
                 NextMotion::Glide { .. } => (
                     StartRegion::Gliding,
                     Some(Mode::Gliding),
-                    Direction::of_sign(state.slip),
+                    SlipDirection::of_sign(state.slip),
                 ),
                 NextMotion::Fly { .. } | NextMotion::Settle { .. } => {
                     (StartRegion::LossOfContact, Some(Mode::Flight), None)

@@ -5,7 +5,7 @@ use core::str::FromStr;
 
 use thiserror::Error;
 
-use crate::model::{Dimension, Direction, Mode, Quantity, State, getters, named};
+use crate::model::{Dimension, Mode, Quantity, SlipDirection, State, getters, named};
 use crate::modes::Sample;
 use crate::motion::summary::Summary;
 use crate::walk::{OutcomeKind, PhaseSequence};
@@ -85,7 +85,7 @@ pub enum SampleValue {
     /// A mode.
     Mode(Mode),
     /// A direction of slip.
-    Direction(Option<Direction>),
+    Direction(Option<SlipDirection>),
     /// A number.
     Real(f64),
 }
@@ -95,7 +95,7 @@ impl SampleValue {
     pub fn number(self) -> f64 {
         match self {
             Self::Mode(mode) => f64::from(mode.code()),
-            Self::Direction(direction) => f64::from(Direction::code(direction)),
+            Self::Direction(direction) => f64::from(SlipDirection::code(direction)),
             Self::Real(value) => value,
         }
     }

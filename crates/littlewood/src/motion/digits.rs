@@ -9,7 +9,8 @@ use core::cell::Cell;
 
 use crate::mechanics::{Impact, Settling};
 use crate::model::{
-    Direction, Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, Start, State,
+    Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, SlipDirection, Start,
+    State,
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhaseSolution, TakeOff};
 use crate::walk::{
@@ -64,7 +65,7 @@ impl Hoop {
     /// ```
     /// use littlewood::{Hoop, Limits, Start};
     ///
-    /// let hoop = Hoop::figure_2(0.5, 0.4)?;
+    /// let hoop = Hoop::equal_masses(0.5, 0.4)?;
     /// let digits = hoop.digits(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
     /// assert!(digits.iter().all(|at| at.is_some_and(|at| at.time >= 13 && at.theta >= 13)));
     /// # Ok::<(), littlewood::ParameterError>(())
@@ -199,7 +200,7 @@ impl Digits {
 #[derive(Clone, Copy, Debug)]
 struct EventRecord {
     state: State,
-    kind: (Cause, Option<Mode>, Option<Mode>, Option<Direction>),
+    kind: (Cause, Option<Mode>, Option<Mode>, Option<SlipDirection>),
 }
 
 struct Events {
@@ -210,7 +211,7 @@ struct Events {
 impl Recorder<PhaseSolution> for Events {
     fn phase(&mut self, _: PhaseRecord, _: PhaseSolution) {}
 
-    fn transition(&mut self, event: &Event, _: Option<&Impact>, direction: Option<Direction>) {
+    fn transition(&mut self, event: &Event, _: Option<&Impact>, direction: Option<SlipDirection>) {
         let Event {
             state,
             from,
@@ -468,7 +469,7 @@ impl Solver for PerturbedSolver<'_> {
         &self,
         state: &State,
         body: &Heavy,
-        direction: Direction,
+        direction: SlipDirection,
         entry: Entry,
     ) -> PhaseResult<Self> {
         let perturbed_start = self.perturbed_start(state);
@@ -496,7 +497,7 @@ impl Solver for PerturbedSolver<'_> {
                 Mode::Sliding,
                 steps,
             );
-            if Direction::of_sign(cut.slip) != Some(direction) {
+            if SlipDirection::of_sign(cut.slip) != Some(direction) {
                 break;
             }
             from = cut;

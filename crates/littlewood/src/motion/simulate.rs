@@ -1,7 +1,7 @@
 //! The simulation: the walk along the automaton with exact solutions, recorded as a trajectory.
 
 use crate::mechanics::Impact;
-use crate::model::{Body, Direction, Hoop, Limits, ParameterError, Start, State};
+use crate::model::{Body, Hoop, Limits, ParameterError, SlipDirection, Start, State};
 use crate::modes::{Flight, PhaseSolution};
 use crate::motion::summary::SummaryRecorder;
 use crate::motion::trajectory::{Phase, Trajectory};
@@ -22,7 +22,7 @@ impl Hoop {
     /// use littlewood::{Hoop, Limits, Mode, Start};
     ///
     /// // Figure 3 of the paper: slides, rolls, slides, jumps.
-    /// let hoop = Hoop::figure_2(0.5, 0.4)?;
+    /// let hoop = Hoop::equal_masses(0.5, 0.4)?;
     /// let start = Start::at(std::f64::consts::FRAC_PI_2, 2.0);
     /// let motion = hoop.simulate(start, Limits::default())?;
     /// let modes: Vec<Mode> = motion.phases().iter().map(|phase| phase.mode()).collect();
@@ -105,7 +105,12 @@ impl Recorder<PhaseSolution> for Recording<'_> {
         });
     }
 
-    fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>) {
+    fn transition(
+        &mut self,
+        event: &Event,
+        impact: Option<&Impact>,
+        direction: Option<SlipDirection>,
+    ) {
         Recorder::<&PhaseSolution>::transition(&mut self.summary, event, impact, direction);
         let Event {
             state: before,

@@ -2,7 +2,7 @@
 
 use crate::math::trig::Angle;
 use crate::mechanics::{Clearance, Impact, energy_at};
-use crate::model::{Direction, Hoop, Mode, State};
+use crate::model::{Hoop, Mode, SlipDirection, State};
 use crate::walk::{
     Cause, Event, Origin, OutcomeKind, PhaseDetail, PhaseRecord, PhaseSequence, Recorder, Solution,
 };
@@ -110,7 +110,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     }
 
     #[inline]
-    fn transition(&mut self, event: &Event, impact: Option<&Impact>, _: Option<Direction>) {
+    fn transition(&mut self, event: &Event, impact: Option<&Impact>, _: Option<SlipDirection>) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
         match event.cause {
             Cause::Slip if self.summary.first_slip_time.is_nan() => {

@@ -1,7 +1,7 @@
 //! A motion: its phases, the transitions between them, its outcome, and the state at any time.
 
 use crate::mechanics::{Accelerations, Clearance, ContactForces, energy};
-use crate::model::{Direction, Hoop, Mode, State, getters};
+use crate::model::{Hoop, Mode, SlipDirection, State, getters};
 use crate::modes::{Instant, PhaseSolution, Recurrence, Sample};
 use crate::motion::summary::Summary;
 use crate::walk::{Origin, Outcome, Transition};
@@ -31,7 +31,7 @@ getters! {
 
 impl Phase {
     /// Direction of slip; none for rolling and flight.
-    pub fn direction(&self) -> Option<Direction> {
+    pub fn direction(&self) -> Option<SlipDirection> {
         self.solution.direction()
     }
 

@@ -4,7 +4,7 @@
 //! that motions take every edge.
 
 use crate::mechanics::Impact;
-use crate::model::{Direction, Mode, State, getters, named};
+use crate::model::{Mode, SlipDirection, State, getters, named};
 use crate::modes::RollingLimit;
 
 named! {
@@ -173,7 +173,7 @@ pub struct Transition {
     /// Mode that begins; none if the simulation ends.
     pub to: Option<Mode>,
     /// Direction of slip of the motion that begins.
-    pub direction: Option<Direction>,
+    pub direction: Option<SlipDirection>,
     /// Event.
     pub cause: Cause,
 }

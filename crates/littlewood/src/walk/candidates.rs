@@ -10,7 +10,7 @@ use crate::mechanics::{
     ContactForces, RollingLaw, Settling, SlidingLaw, contact, leaves_plane,
     slip_acceleration_at_rest,
 };
-use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
+use crate::model::{Body, Detail, Dimension, Heavy, Hoop, Massless, Mode, SlipDirection, State};
 use crate::modes::{
     Entry, GlideEntry, Onset, PhasePoint, RollingLimit, RollingOrbit, StaticLimit, Stiction,
     TakeOff,
@@ -83,16 +83,16 @@ impl Candidates {
     }
 
     /// The consistent motions, with their direction of slip.
-    pub fn consistent(&self) -> impl Iterator<Item = (Mode, Option<Direction>)> {
+    pub fn consistent(&self) -> impl Iterator<Item = (Mode, Option<SlipDirection>)> {
         [
             (self.rolling, (Mode::Rolling, None)),
             (
                 self.sliding_negative,
-                (Mode::Sliding, Some(Direction::Negative)),
+                (Mode::Sliding, Some(SlipDirection::Negative)),
             ),
             (
                 self.sliding_positive,
-                (Mode::Sliding, Some(Direction::Positive)),
+                (Mode::Sliding, Some(SlipDirection::Positive)),
             ),
             (self.gliding, (Mode::Gliding, None)),
             (self.flight, (Mode::Flight, None)),
@@ -111,7 +111,7 @@ pub(crate) enum NextMotion {
     },
     Slide {
         body: Heavy,
-        direction: Direction,
+        direction: SlipDirection,
         entry: Entry,
     },
     Glide {
@@ -143,7 +143,7 @@ impl NextMotion {
     }
 
     /// The direction of slip, if it is known before the phase is solved.
-    pub(crate) const fn direction(&self) -> Option<Direction> {
+    pub(crate) const fn direction(&self) -> Option<SlipDirection> {
         if let Self::Slide { direction, .. } = self {
             Some(*direction)
         } else {
@@ -165,7 +165,7 @@ pub(crate) enum Arrival {
     RollingLimit(RollingLimit),
     /// A slide without kinetic friction returns to the limit of static friction. The slip continues
     /// in this direction, or none if static friction holds.
-    BackOnLimit(Option<Direction>),
+    BackOnLimit(Option<SlipDirection>),
     /// The normal force of a slide vanishes, with w decreasing: only flight follows.
     LiftOff,
 }
@@ -212,7 +212,7 @@ pub(crate) struct ModeInputs {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum SlipInputs {
     /// η′ ≠ 0.
-    Moving(Direction),
+    Moving(SlipDirection),
     /// η′ = 0.
     AtRest(RestInputs),
 }
@@ -238,11 +238,12 @@ pub(crate) fn may_wedge(body: &Heavy, sin: f64, u: f64) -> bool {
 fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> ModeInputs {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
     let sin = libm::sin(theta);
-    let laws = Direction::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
+    let laws =
+        SlipDirection::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
     let contact_margin = laws[0].contact(theta, theta_rate);
     let lifts_off = leaves_plane(contact_margin, sin, theta_rate);
     let mut on_limit = arrival == Arrival::BackOnLimit(None);
-    let slip = Direction::of_sign(state.slip).map_or_else(
+    let slip = SlipDirection::of_sign(state.slip).map_or_else(
         || {
             let rolling = RollingLaw::of(hoop);
             let rolling_forces = rolling.forces(theta, theta_rate);
@@ -302,7 +303,7 @@ fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> M
 
 /// A slide that is consistent.
 struct Slide {
-    direction: Direction,
+    direction: SlipDirection,
     entry: Entry,
 }
 
@@ -382,8 +383,8 @@ fn undecided(
     let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
     let candidates = Box::new(Candidates {
         rolling,
-        sliding_negative: slides(Direction::Negative),
-        sliding_positive: slides(Direction::Positive),
+        sliding_negative: slides(SlipDirection::Negative),
+        sliding_positive: slides(SlipDirection::Positive),
         flight: inputs.lifts_off,
         ..Candidates::none(forces, inputs.contact_margin, inputs.painleve)
     });
@@ -405,7 +406,7 @@ fn slip_onset(
 ) -> Option<Slide> {
     if hoop.mu_s() == 0.0 {
         // Where F is rounding, the first derivative of η′ that does not vanish decides.
-        let law = SlidingLaw::of_body(*body, 0.0, Direction::Positive);
+        let law = SlidingLaw::of_body(*body, 0.0, SlipDirection::Positive);
         let place = PhasePoint {
             theta: state.theta,
             rate: state.theta_rate,
@@ -424,7 +425,7 @@ fn slip_onset(
         Stiction::Holds => return None,
         Stiction::Slips { direction, excess } => (direction, excess),
         Stiction::NoNormalForce => {
-            let direction = Direction::of_sign(forces.friction)?.reversed();
+            let direction = SlipDirection::of_sign(forces.friction)?.reversed();
             (
                 direction,
                 forces.friction.abs() - hoop.mu_s() * forces.normal,
@@ -460,7 +461,7 @@ fn slip_onset(
 pub(crate) fn net_slip_force(
     hoop: &Hoop,
     forces: &ContactForces,
-    direction: Direction,
+    direction: SlipDirection,
     excess: f64,
 ) -> f64 {
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());

@@ -3,7 +3,7 @@
 use core::cell::Cell;
 
 use crate::mechanics::{Settling, SlidingLaw};
-use crate::model::{Direction, Heavy, Hoop, Limits, Massless, Proof, State};
+use crate::model::{Heavy, Hoop, Limits, Massless, Proof, SlipDirection, State};
 use crate::modes::{
     Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideBudget,
     SlideLimit, Sliding, SlidingEnd, TakeOff,
@@ -224,7 +224,7 @@ impl Solver for Exact<'_> {
         &self,
         state: &State,
         body: &Heavy,
-        direction: Direction,
+        direction: SlipDirection,
         entry: Entry,
     ) -> PhaseResult<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);

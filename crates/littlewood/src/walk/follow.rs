@@ -6,7 +6,8 @@
 
 use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
 use crate::model::{
-    Body, Direction, Heavy, Hoop, Limits, Mode, Quantity, State, length_of_slide, weight_of_slides,
+    Body, Heavy, Hoop, Limits, Mode, Quantity, SlipDirection, State, length_of_slide,
+    weight_of_slides,
 };
 use crate::modes::{RollingLimit, SlideLimit, TakeOff};
 use crate::walk::solver::SkipBudget;
@@ -29,7 +30,7 @@ struct Cursor<P> {
     /// The last slip, while the slides after it conserve energy and horizontal momentum.
     last_slip: Option<LastSlip>,
     /// The direction of slip, if rolling has just ended in this slip.
-    slip_out_of_rolling: Option<Direction>,
+    slip_out_of_rolling: Option<SlipDirection>,
 }
 
 impl<P> Cursor<P> {
@@ -51,7 +52,7 @@ impl<P> Cursor<P> {
     }
 
     /// At a slip out of rolling.
-    fn at_slip<T: Solver<Point = P>>(solver: &T, point: P, direction: Direction) -> Self {
+    fn at_slip<T: Solver<Point = P>>(solver: &T, point: P, direction: SlipDirection) -> Self {
         let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
         let next = solver.select_mode(&point, arrival);
         let slip_out_of_rolling = next.direction();
@@ -83,7 +84,7 @@ impl<'a, R> EventLog<'a, R> {
 
     /// Records the event that ended a phase, or keeps it if a glide begins.
     #[inline(always)]
-    fn add<S>(&mut self, event: Event, impact: Option<&Impact>, direction: Option<Direction>)
+    fn add<S>(&mut self, event: Event, impact: Option<&Impact>, direction: Option<SlipDirection>)
     where
         R: Recorder<S>,
     {
@@ -96,7 +97,7 @@ impl<'a, R> EventLog<'a, R> {
 
     /// Records the event that waits, with the direction of the motion that it begins.
     #[inline]
-    fn flush<S>(&mut self, direction: Option<Direction>)
+    fn flush<S>(&mut self, direction: Option<SlipDirection>)
     where
         R: Recorder<S>,
     {
@@ -117,7 +118,7 @@ struct PhaseStep {
 /// A phase that ended without an impact.
 struct EndedPhase<P> {
     mode: Mode,
-    direction: Option<Direction>,
+    direction: Option<SlipDirection>,
     point: P,
     cause: Cause,
     arrival: Arrival,
@@ -271,7 +272,7 @@ fn skip_links<T: Solver, R: Recorder<T::Solution>>(
 /// A slip out of rolling, and the cost of the slides since the one before it.
 pub(crate) struct NextSlip {
     pub(crate) state: State,
-    pub(crate) direction: Direction,
+    pub(crate) direction: SlipDirection,
     pub(crate) slide_cost: f64,
 }
 
@@ -280,8 +281,8 @@ pub(crate) struct NextSlip {
 pub(crate) fn next_slip<T: Solver>(
     solver: &T,
     slip: T::Point,
-    direction: Direction,
-    accepts: impl FnMut(Mode, Option<Direction>) -> bool,
+    direction: SlipDirection,
+    accepts: impl FnMut(Mode, Option<SlipDirection>) -> bool,
 ) -> Option<NextSlip> {
     let mut checker = ModeChecker {
         accepts,
@@ -312,7 +313,7 @@ struct ModeChecker<F> {
     slide_length: f64,
 }
 
-impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for ModeChecker<F> {
+impl<S, F: FnMut(Mode, Option<SlipDirection>) -> bool> Recorder<S> for ModeChecker<F> {
     fn phase(&mut self, phase: PhaseRecord, _: S) {
         let touches = matches!(phase.mode, Mode::Rolling | Mode::Sliding);
         self.accepted &= touches && (self.accepts)(phase.mode, phase.direction);
@@ -321,7 +322,7 @@ impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for ModeChecker<F
         }
     }
 
-    fn transition(&mut self, _: &Event, _: Option<&Impact>, _: Option<Direction>) {}
+    fn transition(&mut self, _: &Event, _: Option<&Impact>, _: Option<SlipDirection>) {}
 }
 
 /// Solves and records the phase that begins at the cursor, and moves the cursor past the event that

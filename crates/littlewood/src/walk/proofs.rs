@@ -11,7 +11,7 @@
 use core::f64::consts::TAU;
 
 use crate::mechanics::{ContactProof, RollingLaw};
-use crate::model::{Body, Direction, Hoop, Limits, Mode, Proof, State};
+use crate::model::{Body, Hoop, Limits, Mode, Proof, SlipDirection, State};
 use crate::modes::{Levels, Recurrence};
 use crate::walk::{Cause, Event, Outcome};
 
@@ -72,7 +72,7 @@ enum Kind<'a> {
 struct Visit {
     state: State,
     cause: Cause,
-    direction: Option<Direction>,
+    direction: Option<SlipDirection>,
     /// Whether it ends a slide, and the range of its angle, where it is data.
     slid: bool,
     theta_range: Option<(f64, f64)>,
@@ -138,7 +138,7 @@ impl<'a> Proofs<'a> {
         &mut self,
         event: &Event,
         after: &State,
-        direction: Option<Direction>,
+        direction: Option<SlipDirection>,
         theta_range: Option<(f64, f64)>,
     ) -> Option<Outcome> {
         let endless = match &mut self.kind {

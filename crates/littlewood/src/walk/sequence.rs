@@ -2,23 +2,23 @@
 
 use core::fmt;
 
-use crate::model::{Direction, Mode, getters, named};
+use crate::model::{Mode, SlipDirection, getters, named};
 
 named! {
     /// The code of a phase in a sequence: mode and direction of slip.
     pub enum PhaseCode, "phase",
     /// Mode and direction, and the meaning of the letter.
-    row: ((Mode, Option<Direction>), &'static str) {
+    row: ((Mode, Option<SlipDirection>), &'static str) {
         /// Rolling.
         Rolling = 1, "R" => ((Mode::Rolling, None), "rolling");
         /// Sliding with negative slip velocity.
-        SlidingNegative = 2, "-" => ((Mode::Sliding, Some(Direction::Negative)), "sliding with negative slip velocity");
+        SlidingNegative = 2, "-" => ((Mode::Sliding, Some(SlipDirection::Negative)), "sliding with negative slip velocity");
         /// Sliding with positive slip velocity.
-        SlidingPositive = 3, "+" => ((Mode::Sliding, Some(Direction::Positive)), "sliding with positive slip velocity");
+        SlidingPositive = 3, "+" => ((Mode::Sliding, Some(SlipDirection::Positive)), "sliding with positive slip velocity");
         /// Gliding with negative slip velocity.
-        GlidingNegative = 4, "n" => ((Mode::Gliding, Some(Direction::Negative)), "gliding with negative slip velocity");
+        GlidingNegative = 4, "n" => ((Mode::Gliding, Some(SlipDirection::Negative)), "gliding with negative slip velocity");
         /// Gliding with positive slip velocity.
-        GlidingPositive = 5, "g" => ((Mode::Gliding, Some(Direction::Positive)), "gliding with positive slip velocity");
+        GlidingPositive = 5, "g" => ((Mode::Gliding, Some(SlipDirection::Positive)), "gliding with positive slip velocity");
         /// Gliding without slip.
         GlidingWithoutSlip = 6, "G" => ((Mode::Gliding, None), "gliding without slip");
         /// Flight.
@@ -29,7 +29,7 @@ named! {
 getters! {
     PhaseCode, self:
     /// The mode and the direction of slip.
-    pub mode: (Mode, Option<Direction>) = self.row().0;
+    pub mode: (Mode, Option<SlipDirection>) = self.row().0;
     /// Meaning of the letter, for legends.
     pub meaning: &'static str = self.row().1;
 }
@@ -37,13 +37,13 @@ getters! {
 impl PhaseCode {
     /// The code of a mode and a direction of slip.
     #[must_use]
-    pub const fn new(mode: Mode, direction: Option<Direction>) -> Self {
+    pub const fn new(mode: Mode, direction: Option<SlipDirection>) -> Self {
         match (mode, direction) {
             (Mode::Rolling, _) => Self::Rolling,
-            (Mode::Sliding, Some(Direction::Positive)) => Self::SlidingPositive,
-            (Mode::Sliding, Some(Direction::Negative) | None) => Self::SlidingNegative,
-            (Mode::Gliding, Some(Direction::Negative)) => Self::GlidingNegative,
-            (Mode::Gliding, Some(Direction::Positive)) => Self::GlidingPositive,
+            (Mode::Sliding, Some(SlipDirection::Positive)) => Self::SlidingPositive,
+            (Mode::Sliding, Some(SlipDirection::Negative) | None) => Self::SlidingNegative,
+            (Mode::Gliding, Some(SlipDirection::Negative)) => Self::GlidingNegative,
+            (Mode::Gliding, Some(SlipDirection::Positive)) => Self::GlidingPositive,
             (Mode::Gliding, None) => Self::GlidingWithoutSlip,
             (Mode::Flight, _) => Self::Flight,
         }
@@ -59,7 +59,7 @@ impl PhaseCode {
 /// ```
 /// use littlewood::{Hoop, Limits, Start};
 ///
-/// let hoop = Hoop::figure_2(0.5, 0.4)?;
+/// let hoop = Hoop::equal_masses(0.5, 0.4)?;
 /// let motion = hoop.simulate(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
 /// assert_eq!(motion.summary().sequence.to_string(), "-R+F");
 /// # Ok::<(), littlewood::ParameterError>(())
@@ -107,7 +107,7 @@ impl PhaseSequence {
     }
 
     /// Adds a phase.
-    pub const fn push(&mut self, mode: Mode, direction: Option<Direction>) {
+    pub const fn push(&mut self, mode: Mode, direction: Option<SlipDirection>) {
         let length = self.len();
         if length < Self::CAPACITY {
             self.0 |= (PhaseCode::new(mode, direction).code() as u64) << (Self::BITS * length);
@@ -141,7 +141,7 @@ impl PhaseSequence {
     }
 
     /// The first phase, if any.
-    pub fn first(self) -> Option<(Mode, Option<Direction>)> {
+    pub fn first(self) -> Option<(Mode, Option<SlipDirection>)> {
         self.codes()
             .next()
             .and_then(Result::ok)

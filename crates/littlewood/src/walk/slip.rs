@@ -17,7 +17,7 @@ use core::f64::consts::TAU;
 
 use crate::math::trig::{Angle, sincos};
 use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
-use crate::model::{Body, Direction, Heavy, Hoop, State};
+use crate::model::{Body, Heavy, Hoop, SlipDirection, State};
 use crate::modes::{Onset, PhasePoint, RollingOrbit, Stiction};
 use crate::walk::{Arrival, is_same};
 
@@ -30,7 +30,7 @@ const MIN_STANDSTILL_DISTANCE: f64 = 1e-6;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LastSlip {
     state: State,
-    direction: Direction,
+    direction: SlipDirection,
     /// Whether the slip began with |F| = μs N, as where it ended rolling.
     is_on_limit: bool,
     /// The order of the first derivative of η′ that does not vanish there.
@@ -55,7 +55,11 @@ struct RestPoint {
 impl LastSlip {
     /// A slip that ended rolling; none with kinetic friction, which dissipates energy, nor on a
     /// slope, which changes the momentum.
-    pub(crate) fn out_of_rolling(hoop: &Hoop, state: State, direction: Direction) -> Option<Self> {
+    pub(crate) fn out_of_rolling(
+        hoop: &Hoop,
+        state: State,
+        direction: SlipDirection,
+    ) -> Option<Self> {
         (hoop.mu_k() == 0.0 && hoop.slope() == 0.0).then_some(Self {
             state,
             direction,
@@ -65,7 +69,11 @@ impl LastSlip {
     }
 
     /// The start of a motion, if it slides from η′ = 0: there |F| of rolling is at least μs N.
-    pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
+    pub(crate) fn at_start(
+        hoop: &Hoop,
+        state: State,
+        slides: Option<SlipDirection>,
+    ) -> Option<Self> {
         let direction =
             slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.slope() == 0.0)?;
         Some(Self {
@@ -210,7 +218,7 @@ fn order_at_start(hoop: &Hoop, state: &State) -> usize {
     if hoop.mu_s() > 0.0 {
         return 1;
     }
-    let law = SlidingLaw::of_body(body, 0.0, Direction::Positive);
+    let law = SlidingLaw::of_body(body, 0.0, SlipDirection::Positive);
     let place = PhasePoint {
         theta: state.theta,
         rate: state.theta_rate,

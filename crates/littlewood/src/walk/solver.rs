@@ -1,7 +1,7 @@
 //! What the loop over phases asks of a [`Solver`], and gives to a [`Recorder`].
 
 use crate::mechanics::{Impact, Settling};
-use crate::model::{Direction, Heavy, Hoop, Massless, Mode, State};
+use crate::model::{Heavy, Hoop, Massless, Mode, SlipDirection, State};
 use crate::modes::{Entry, Flight, GlideEntry, TakeOff};
 use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence};
 
@@ -44,7 +44,7 @@ pub(crate) trait Solver {
         &self,
         point: &Self::Point,
         body: &Heavy,
-        direction: Direction,
+        direction: SlipDirection,
         entry: Entry,
     ) -> PhaseResult<Self>;
     /// A flight up to the next landing of the rim; the loop computes the impact.
@@ -58,7 +58,7 @@ pub(crate) trait Solver {
     fn skip_links(
         &self,
         _slip: &Self::Point,
-        _direction: Direction,
+        _direction: SlipDirection,
         _budget: &SkipBudget<'_>,
     ) -> Option<SkippedLinks<Self::Point>> {
         None
@@ -81,7 +81,7 @@ pub(crate) struct SkipBudget<'a> {
 pub(crate) struct SkippedLinks<P> {
     /// Where the later slip begins, and its direction.
     pub(crate) point: P,
-    pub(crate) direction: Direction,
+    pub(crate) direction: SlipDirection,
     pub(crate) transitions: u32,
     pub(crate) slide_cost: f64,
     pub(crate) phases: PhaseSequence,
@@ -100,7 +100,7 @@ pub(crate) trait Solution {
 pub(crate) struct PhaseResult<T: Solver + ?Sized> {
     pub(crate) solution: T::Solution,
     /// Direction of slip; for a glide from η′ = 0 it follows from the solution.
-    pub(crate) direction: Option<Direction>,
+    pub(crate) direction: Option<SlipDirection>,
     pub(crate) end: PhaseEnd<T::Point, T::Outcome>,
 }
 
@@ -151,7 +151,12 @@ pub(crate) trait Recorder<S> {
     fn phase(&mut self, phase: PhaseRecord, solution: S);
     /// Records an event, with its impact and the direction of slip of the motion that begins. It
     /// ends the last phase if its `from` is a mode.
-    fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
+    fn transition(
+        &mut self,
+        event: &Event,
+        impact: Option<&Impact>,
+        direction: Option<SlipDirection>,
+    );
     /// Links are skipped only if no solutions are needed.
     fn detail(&self) -> PhaseDetail {
         PhaseDetail::Solutions
@@ -174,7 +179,7 @@ pub(crate) enum PhaseDetail {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PhaseRecord {
     pub(crate) mode: Mode,
-    pub(crate) direction: Option<Direction>,
+    pub(crate) direction: Option<SlipDirection>,
     pub(crate) start: State,
     pub(crate) end: Option<State>,
 }

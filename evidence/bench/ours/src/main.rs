@@ -11,7 +11,7 @@ use std::time::Instant;
 use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, Start, Summary};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let hoop = Hoop::figure_2(0.5, 0.4)?;
+    let hoop = Hoop::equal_masses(0.5, 0.4)?;
     let engine = Engine::new(&hoop);
     for line in std::io::stdin().lines() {
         let line = line?;

@@ -1,7 +1,7 @@
 //! The curves on which rolling slips, |F| = μs N, and coordinates on them.
 
 use crate::math::bracket::Bracket;
-use crate::model::Direction;
+use crate::model::SlipDirection;
 
 use super::slip_curves::{SlipCurves, SlipPoint};
 
@@ -24,7 +24,7 @@ enum Coordinate {
 
 #[derive(Clone, Debug)]
 struct CurvePart {
-    slip: Direction,
+    slip: SlipDirection,
     /// Angles between which the level is monotone.
     piece: Bracket,
     coordinate: Coordinate,
@@ -53,7 +53,7 @@ const POLE_TOLERANCE: f64 = 1e-9;
 impl Curves {
     pub(super) fn new(slips: SlipCurves) -> Self {
         let mut parts = Vec::new();
-        for side in Direction::ALL {
+        for side in SlipDirection::ALL {
             let (rests, extrema) = slips.rests_and_extrema(side);
             for piece in slips.slips(side) {
                 let inside = |cuts: &[f64]| -> Vec<f64> {

@@ -10,7 +10,7 @@ mod slip_curves;
 mod tree;
 mod value;
 
-use crate::model::{Direction, Heavy, Hoop, State};
+use crate::model::{Heavy, Hoop, SlipDirection, State};
 use crate::modes::Levels;
 use crate::walk::PhaseSequence;
 
@@ -39,7 +39,7 @@ pub(super) trait LinkSolver {
         maps: &SlipMaps,
         slip: SlipPoint,
         theta_rate: f64,
-    ) -> Option<(State, Direction, f64, PhaseSequence)>;
+    ) -> Option<(State, SlipDirection, f64, PhaseSequence)>;
 }
 
 /// The maps from slip to slip of one body.
@@ -103,7 +103,7 @@ impl SlipMaps {
 
     /// The point of the curves at which a slip in this direction begins. On a slope each direction
     /// of motion has its own curves; for a state that moves the other way the result is `None`.
-    pub(super) fn point(&self, state: &State, direction: Direction) -> Option<CurvePoint> {
+    pub(super) fn point(&self, state: &State, direction: SlipDirection) -> Option<CurvePoint> {
         if self.heading.is_some() && state.theta_rate < 0.0 {
             return None;
         }

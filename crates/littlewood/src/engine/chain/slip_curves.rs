@@ -11,18 +11,18 @@ use crate::engine::state::heading;
 use crate::math::bracket::Bracket;
 use crate::math::form::Trigonometric;
 use crate::mechanics::RollingLaw;
-use crate::model::{Direction, State};
+use crate::model::{SlipDirection, State};
 
 /// Where rolling has slipped, in the frame of motion: the direction of slip, and the angle reduced
 /// to a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::engine) struct SlipPoint {
-    pub(in crate::engine) slip: Direction,
+    pub(in crate::engine) slip: SlipDirection,
     pub(in crate::engine) angle: f64,
 }
 
 impl SlipPoint {
-    pub(super) fn of(state: &State, direction: Direction) -> Self {
+    pub(super) fn of(state: &State, direction: SlipDirection) -> Self {
         let heading = heading(state);
         let theta = heading * state.theta;
         Self {
@@ -63,7 +63,11 @@ impl SlipCurves {
     }
 
     /// θ′² where the margin of a direction of slip vanishes on the orbit that reaches it at this angle.
-    pub(in crate::engine) fn slip_rate_squared(&self, slip: Direction, angle: f64) -> Option<f64> {
+    pub(in crate::engine) fn slip_rate_squared(
+        &self,
+        slip: SlipDirection,
+        angle: f64,
+    ) -> Option<f64> {
         let (y, x) = libm::sincos(0.5 * angle);
         let MarginForm { a, b } = &self.margins[slip.index()];
         let level = -a.value([x, y]) / b.value([x, y]);
@@ -71,7 +75,11 @@ impl SlipCurves {
     }
 
     /// The same with its derivative by the angle.
-    pub(super) fn slip_rate_squared_and_slope(&self, slip: Direction, angle: f64) -> (f64, f64) {
+    pub(super) fn slip_rate_squared_and_slope(
+        &self,
+        slip: SlipDirection,
+        angle: f64,
+    ) -> (f64, f64) {
         let (y, x) = libm::sincos(0.5 * angle);
         let MarginForm { a, b } = &self.margins[slip.index()];
         let [(a, a_slope), (b, b_slope)] =
@@ -88,7 +96,7 @@ impl SlipCurves {
 
     /// The angles at which θ′² of [`SlipCurves::slip_rate_squared`] vanishes, and those at which it has an
     /// extremum.
-    pub(super) fn rests_and_extrema(&self, slip: Direction) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn rests_and_extrema(&self, slip: SlipDirection) -> (Vec<f64>, Vec<f64>) {
         let MarginForm { a, b } = &self.margins[slip.index()];
         let [a, b] = [a, b].map(Trigonometric::from_form);
         // u = (K − D)/D with K = −(A − D(π) B)/B.
@@ -102,7 +110,7 @@ impl SlipCurves {
     }
 
     /// 1/K of the orbit whose margin of a direction of slip vanishes at this angle.
-    pub(super) fn inverse_level(&self, slip: Direction, angle: f64) -> f64 {
+    pub(super) fn inverse_level(&self, slip: SlipDirection, angle: f64) -> f64 {
         let (y, x) = libm::sincos(0.5 * angle);
         let MarginForm { a, b } = &self.margins[slip.index()];
         let [a, b] = [a, b].map(|form| form.value([x, y]));
@@ -110,7 +118,7 @@ impl SlipCurves {
     }
 
     /// The pieces of a turn on which orbits pass from a positive to a negative margin of a direction of slip.
-    pub(super) fn slips(&self, slip: Direction) -> Vec<(f64, f64)> {
+    pub(super) fn slips(&self, slip: SlipDirection) -> Vec<(f64, f64)> {
         let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
         for MarginForm { a, b } in &self.margins {
             // The poles of −A/B, and its extrema, the zeros of A′B − AB′.
@@ -142,7 +150,7 @@ impl SlipCurves {
     }
 
     /// The margin of a direction of slip on the orbit with a level, and its derivative by the angle.
-    fn margin(&self, slip: Direction, level: f64, angle: f64) -> (f64, f64) {
+    fn margin(&self, slip: SlipDirection, level: f64, angle: f64) -> (f64, f64) {
         let (y, x) = libm::sincos(0.5 * angle);
         let MarginForm { a, b } = &self.margins[slip.index()];
         let [(a, a_slope), (b, b_slope)] =
@@ -151,7 +159,7 @@ impl SlipCurves {
     }
 
     /// The angle on a piece at which the orbit with a level slips.
-    pub(super) fn slip_on(&self, piece: Bracket, slip: Direction, level: f64) -> Option<f64> {
+    pub(super) fn slip_on(&self, piece: Bracket, slip: SlipDirection, level: f64) -> Option<f64> {
         level
             .is_finite()
             .then(|| piece.refine(|angle| self.margin(slip, level, angle)))
@@ -174,7 +182,7 @@ mod tests {
                 .with_friction(mu_s, mu_s);
             let hoop = Hoop::new(hoop).unwrap();
             let curves = SlipCurves::new(margins_of(&hoop, 1.0).unwrap(), RollingLaw::of(&hoop));
-            for slip in Direction::ALL {
+            for slip in SlipDirection::ALL {
                 let mut compared = 0;
                 for k in 1..200 {
                     let angle = TAU / 200.0 * f64::from(k);

@@ -374,7 +374,7 @@ mod tests {
     use super::*;
     use crate::engine::slide::regular::RegularSegment;
     use crate::engine::slide::series::{Expansion, SignPattern};
-    use crate::model::{Body, Direction, Hoop};
+    use crate::model::{Body, Hoop, SlipDirection};
 
     /// A segment that counts the angles it is asked for: one for each evaluation of η′.
     struct Counted {
@@ -406,10 +406,10 @@ mod tests {
 
     /// Segments of slides of the Figure 2 hoop, with their laws and the signs of η′.
     fn segments() -> impl Iterator<Item = (SlidingLaw, f64, Counted)> {
-        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else {
+        let Body::Heavy(body) = Hoop::equal_masses(0.5, 0.4).unwrap().body() else {
             unreachable!("it has mass")
         };
-        Direction::ALL.into_iter().flat_map(move |direction| {
+        SlipDirection::ALL.into_iter().flat_map(move |direction| {
             let (law, sigma) = (SlidingLaw::of_body(body, 0.4, direction), direction.sign());
             (0..500).filter_map(move |k| {
                 let angle = Angle::of(0.4 * f64::from(k));

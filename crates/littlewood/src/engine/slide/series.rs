@@ -496,7 +496,7 @@ fn sign_pattern(coefficients: &Low, band: f64) -> SignPattern {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Body, Direction, Hoop};
+    use crate::model::{Body, Hoop, SlipDirection};
 
     /// The sign_pattern of coefficients that are these multiples of the band.
     fn pattern_of(coefficients: [f64; SIGN_DEGREE + 1]) -> SignPattern {
@@ -506,10 +506,10 @@ mod tests {
     /// Near rest, where u is small and hardly changes, too.
     #[test]
     fn widths_are_as_wide_as_they_may_be() {
-        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else {
+        let Body::Heavy(body) = Hoop::equal_masses(0.5, 0.4).unwrap().body() else {
             unreachable!("it has mass")
         };
-        let law = SlidingLaw::of_body(body, 0.4, Direction::Positive);
+        let law = SlidingLaw::of_body(body, 0.4, SlipDirection::Positive);
         let mut narrower = 0;
         for (theta, u) in [0.3, 1.8, 2.9, 3.1, 4.4]
             .into_iter()

@@ -415,14 +415,14 @@ impl SlideTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Body, Direction, Hoop, HoopParameters};
+    use crate::model::{Body, Hoop, HoopParameters, SlipDirection};
 
     /// All tables of a hoop whose intervals are halved so often, with their laws and signs.
     fn tables(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, AngleInterval, SlideTable)> {
         let Body::Heavy(body) = hoop.body() else {
             unreachable!("it has mass")
         };
-        let laws = [Direction::Negative, Direction::Positive].map(|direction| {
+        let laws = [SlipDirection::Negative, SlipDirection::Positive].map(|direction| {
             (
                 SlidingLaw::of_body(body, hoop.mu_k(), direction),
                 direction.sign(),
@@ -507,7 +507,7 @@ mod tests {
     /// Where η″ rises through zero it is nowhere less than the bound.
     #[test]
     fn slip_accelerations_are_no_less_than_their_bound() {
-        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        let hoop = Hoop::equal_masses(0.5, 0.4).unwrap();
         let mut falls = 0;
         for (law, sigma, interval, table) in tables(&hoop, 0) {
             for u_centre in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {

@@ -108,16 +108,16 @@ impl SlideSegment for TurningSegment {
 mod tests {
     use super::*;
     use crate::mechanics::SlidingLaw;
-    use crate::model::{Body, Direction, Hoop};
+    use crate::model::{Body, Hoop, SlipDirection};
 
     /// The width is as large as the sum of the time allows: the sum over the whole segment is that
     /// over many parts of it, and a width larger by a quarter would break the bound.
     #[test]
     fn segments_about_turning_points_are_as_wide_as_the_time_is_exact() {
-        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else {
+        let Body::Heavy(body) = Hoop::equal_masses(0.5, 0.4).unwrap().body() else {
             unreachable!("it has mass")
         };
-        let law = SlidingLaw::of_body(body, 0.4, Direction::Positive);
+        let law = SlidingLaw::of_body(body, 0.4, SlipDirection::Positive);
         let (mut bounded, mut worst) = (0, 0.0_f64);
         for k in 1..200 {
             let angle = Angle::of(0.031 * f64::from(k));

@@ -13,7 +13,7 @@ use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::series::{shifted, value};
 use crate::math::trig::{Angle, without_turns};
 use crate::mechanics::RollingLaw;
-use crate::model::{Direction, Hoop};
+use crate::model::{Hoop, SlipDirection};
 use crate::modes::rolling::MarginSeries;
 
 use super::fallback::Fallback;
@@ -102,7 +102,10 @@ struct TablePoint {
 }
 
 enum LegEnd {
-    Slip { point: TablePoint, slip: Direction },
+    Slip {
+        point: TablePoint,
+        slip: SlipDirection,
+    },
     Turn(TablePoint),
 }
 
@@ -323,10 +326,10 @@ impl<'a> Leg<'a> {
             .map(|margin| margin.crossing(point.g, point.at, false));
         let slip = match (negative, positive) {
             (Some(negative), Some(positive)) if positive < negative => {
-                Some((positive, Direction::Positive))
+                Some((positive, SlipDirection::Positive))
             }
-            (Some(negative), _) => Some((negative, Direction::Negative)),
-            (None, positive) => positive.map(|positive| (positive, Direction::Positive)),
+            (Some(negative), _) => Some((negative, SlipDirection::Negative)),
+            (None, positive) => positive.map(|positive| (positive, SlipDirection::Positive)),
         };
         if let Some((at, slip)) = slip
             && turn.is_none_or(|turn| at < turn)
@@ -460,7 +463,12 @@ impl<'a> Leg<'a> {
     }
 
     /// The slip at a point, of a leg that begins at the time `before`.
-    fn slip(&self, point: &TablePoint, slip: Direction, before: f64) -> Result<RollEnd, Fallback> {
+    fn slip(
+        &self,
+        point: &TablePoint,
+        slip: SlipDirection,
+        before: f64,
+    ) -> Result<RollEnd, Fallback> {
         let OrbitPoint { theta, theta_rate } = self.orbit_point(point);
         if theta_rate.abs() < MIN_RATE {
             return Err(Fallback::Standstill);

@@ -22,7 +22,7 @@ impl Hoop {
     /// never lifts off.
     ///
     /// ```
-    /// let hoop = littlewood::Hoop::figure_2(0.5, 0.4)?;
+    /// let hoop = littlewood::Hoop::equal_masses(0.5, 0.4)?;
     /// assert_eq!(hoop.lift_off_energy(), Some(2.5));
     /// # Ok::<(), littlewood::ParameterError>(())
     /// ```

@@ -14,7 +14,7 @@ mod tilted;
 use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::{Accelerations, Clearance, ContactForces, Loads};
-use crate::model::{Direction, Hoop, Massless, Mode, State};
+use crate::model::{Hoop, Massless, Mode, SlipDirection, State};
 use crate::modes::{Instant, Sample};
 
 use self::particle::{Particle, ParticleState};
@@ -26,7 +26,7 @@ use self::rest::Slip;
 pub struct Gliding {
     body: Massless,
     start: State,
-    direction: Direction,
+    direction: SlipDirection,
     particle: Particle,
     limit_of_small_inertia: bool,
 }
@@ -155,7 +155,7 @@ impl Gliding {
     }
 
     /// Direction of slip.
-    pub const fn direction(&self) -> Option<Direction> {
+    pub const fn direction(&self) -> Option<SlipDirection> {
         Some(self.direction)
     }
 

@@ -9,7 +9,7 @@
 
 use crate::math::bernstein::{Bernstein, first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
-use crate::model::Direction;
+use crate::model::SlipDirection;
 
 use super::particle::{Particle, ParticleState};
 
@@ -27,9 +27,9 @@ pub(crate) enum GlideEntry {
 impl GlideEntry {
     /// The direction of a slip velocity, if it is not zero, and G = `pull`: zero where the
     /// preceding event determined another sign of N, which is that of G except for rounding.
-    pub(super) fn begun(self, slip: f64, pull: f64) -> (Option<Direction>, f64) {
+    pub(super) fn begun(self, slip: f64, pull: f64) -> (Option<SlipDirection>, f64) {
         match self {
-            Self::Moving => (Direction::of_sign(slip), pull),
+            Self::Moving => (SlipDirection::of_sign(slip), pull),
             Self::FromRest { presses } if presses.is_none_or(|presses| presses == (pull > 0.0)) => {
                 (None, pull)
             }
@@ -41,7 +41,7 @@ impl GlideEntry {
 /// The slip of a glide: its direction, and its first zero, if any.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slip {
-    pub(super) direction: Direction,
+    pub(super) direction: SlipDirection,
     pub(super) rest: Option<ParticleState>,
 }
 
@@ -105,9 +105,9 @@ impl Slip {
             let down = if particle.rise > 0.0 { -1.0 } else { 1.0 };
             let towards = -particle.side * down * initial_sign(&terms.about_start(down));
             if towards < 0.0 {
-                Direction::Negative
+                SlipDirection::Negative
             } else {
-                Direction::Positive
+                SlipDirection::Positive
             }
         });
         Self {

@@ -5,7 +5,7 @@
 //! without cancelling terms.
 
 use crate::math::series::shifted;
-use crate::model::Direction;
+use crate::model::SlipDirection;
 
 use super::particle::{Particle, ParticleState};
 use super::rest::{Along, GlideEntry, Slip, first_rest};
@@ -80,9 +80,9 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
             side * pull
         };
         if towards < 0.0 {
-            Direction::Negative
+            SlipDirection::Negative
         } else {
-            Direction::Positive
+            SlipDirection::Positive
         }
     });
     let end = particle.end();

@@ -16,21 +16,21 @@ use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};
 use crate::math::series::product;
 use crate::mechanics::RollingLaw;
-use crate::model::{Body, Direction, Hoop};
+use crate::model::{Body, Hoop, SlipDirection};
 
 /// The limit at which rolling ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum RollingLimit {
     /// |F| = μs N: the body begins to slip in this direction, against the friction force.
-    Friction(Direction),
+    Friction(SlipDirection),
     /// N = 0 before |F| = μs N: only for a massless hoop, where N and F vanish together.
     NormalForce,
 }
 
 impl RollingLimit {
     /// The direction in which the body begins to slip; none at N = 0.
-    pub const fn direction(self) -> Option<Direction> {
+    pub const fn direction(self) -> Option<SlipDirection> {
         match self {
             Self::Friction(direction) => Some(direction),
             Self::NormalForce => None,
@@ -58,7 +58,10 @@ pub(crate) enum Stiction {
     /// Rolling holds for some time.
     Holds,
     /// |F| exceeds μs N by `excess` ≥ 0; zero on the boundary if the orbit leaves 𝓡.
-    Slips { direction: Direction, excess: f64 },
+    Slips {
+        direction: SlipDirection,
+        excess: f64,
+    },
     /// N < 0, or N = 0 and decreasing.
     NoNormalForce,
 }
@@ -169,8 +172,8 @@ impl Boundary {
         from: HalfAngle,
         to: HalfAngle,
     ) -> impl Iterator<Item = (Bernstein, RollingLimit)> + use<> {
-        let negative = RollingLimit::Friction(Direction::Negative);
-        let positive = RollingLimit::Friction(Direction::Positive);
+        let negative = RollingLimit::Friction(SlipDirection::Negative);
+        let positive = RollingLimit::Friction(SlipDirection::Positive);
         match self {
             Self::Heavy([minus, plus]) => [
                 Some((minus.on_arc(from, to), negative)),

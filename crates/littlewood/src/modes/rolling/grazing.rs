@@ -20,7 +20,7 @@ use crate::math::form::Trigonometric;
 use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::{Loads, RollingLaw, SlidingLaw};
-use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, State};
+use crate::model::{Body, Detail, Dimension, Heavy, Hoop, SlipDirection, State};
 
 use super::boundary::margin_forms;
 use super::orbit::RollingOrbit;
@@ -249,7 +249,7 @@ impl Levels {
                 0.5 * slope.derivative().value(angle) * u,
             )
         };
-        let sliding = SlidingLaw::of_body(self.body, self.mu_k, Direction::Negative);
+        let sliding = SlidingLaw::of_body(self.body, self.mu_k, SlipDirection::Negative);
         let painleve = sliding.p(sin, sliding.q(1.0, sin, cos));
         let normal = self.law.forces_at(direction, Loads::of(u), d).normal;
         let begins = painleve > 0.0 && normal > 0.0 && rise > 0.0 && fall > 0.0;

@@ -15,7 +15,7 @@ use crate::math::panel::{ROUNDING, TAIL_TOLERANCE, integral};
 use crate::math::series::{Series, crossing};
 use crate::math::trig::{Angle, sincos, without_turns};
 use crate::mechanics::RollingLaw;
-use crate::model::{Direction, Hoop, MAX_COORDINATE};
+use crate::model::{Hoop, MAX_COORDINATE, SlipDirection};
 
 use super::boundary::{RollingEnd, RollingLimit, Stiction, in_body_frame};
 use super::margin_series::MarginSeries;
@@ -93,7 +93,7 @@ impl Incline {
         // At a turning point gravity decides the direction of motion.
         let pulled = law.offset * sin + law.tilt * (law.mass + law.offset * cos);
         let moving = if kinetic == 0.0 { pulled } else { theta_rate };
-        let heading = Direction::of_sign(moving).map_or(1.0, Direction::sign);
+        let heading = SlipDirection::of_sign(moving).map_or(1.0, SlipDirection::sign);
         let margins = MarginSeries::new(hoop, heading);
         let first = Leg::new(
             margins,

@@ -11,7 +11,7 @@
 use crate::math::series::{DEGREE, Series, convolve};
 use crate::math::trig::{Angle, above_bottom};
 use crate::mechanics::RollingLaw;
-use crate::model::{Direction, Hoop};
+use crate::model::{Hoop, SlipDirection};
 
 use super::boundary::RollingLimit;
 
@@ -140,7 +140,7 @@ impl MarginSeries {
     /// becomes negative.
     pub(super) fn at(&self, angle: Angle, kinetic: f64) -> [Option<(Series, RollingLimit)>; 3] {
         let kinetic = self.kinetic(angle, kinetic);
-        let [negative, positive] = Direction::ALL.map(RollingLimit::Friction);
+        let [negative, positive] = SlipDirection::ALL.map(RollingLimit::Friction);
         if self.inertia > 0.0 {
             let [minus, plus] = self.heavy(angle).map(|[a, b]| {
                 let driven = product(&kinetic, &b);

@@ -9,7 +9,7 @@ use crate::math::form::{HalfAngle, on_arc};
 use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::RollingLaw;
-use crate::model::{Direction, Hoop};
+use crate::model::{Hoop, SlipDirection};
 
 use super::boundary::{Boundary, RollingEnd, RollingLimit, Stiction, in_body_frame};
 use super::half_angle::{HalfAngleOrbit, OrbitPass, ReducedAngle};
@@ -146,11 +146,12 @@ impl RollingOrbit {
 impl Elliptic {
     fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
         // At a turning point gravity decides the direction of motion.
-        let heading =
-            match Direction::of_sign(theta_rate).or_else(|| Direction::of_sign(libm::sin(theta))) {
-                Some(direction) => direction.sign(),
-                None => 1.0,
-            };
+        let heading = match SlipDirection::of_sign(theta_rate)
+            .or_else(|| SlipDirection::of_sign(libm::sin(theta)))
+        {
+            Some(direction) => direction.sign(),
+            None => 1.0,
+        };
         let half = (0.5 * (heading * theta)).angle();
         let path = HalfAngleOrbit::new(&law, heading * theta, half, theta_rate);
         if path.twice_kinetic == 0.0 && theta_rate != 0.0 {

@@ -7,7 +7,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::model::Direction;
+use crate::model::SlipDirection;
 
 use super::boundary::{RollingEnd, RollingLimit, Stiction};
 use super::recurrence::Recurrence;
@@ -62,7 +62,7 @@ impl RimOrbit {
     }
 
     pub(super) fn end(&self) -> Option<RollingEnd> {
-        let outward = Direction::of_sign(self.a + self.b)?;
+        let outward = SlipDirection::of_sign(self.a + self.b)?;
         let unloaded = self.unloaded();
         let (square, limit) = if unloaded <= self.slip {
             (unloaded, RollingLimit::NormalForce)
@@ -102,7 +102,7 @@ impl RimOrbit {
         if margin > 0.0 || (margin == 0.0 && (inward || (self.a == 0.0 && self.b == 0.0))) {
             Stiction::Holds
         } else {
-            match Direction::of_sign(self.a).or_else(|| Direction::of_sign(self.b)) {
+            match SlipDirection::of_sign(self.a).or_else(|| SlipDirection::of_sign(self.b)) {
                 Some(direction) => Stiction::Slips {
                     direction,
                     excess: -margin,

@@ -8,7 +8,7 @@ use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
-use crate::model::{Direction, Heavy, Hoop, MAX_TIME, Mode, State};
+use crate::model::{Heavy, Hoop, MAX_TIME, Mode, SlipDirection, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
@@ -67,7 +67,7 @@ pub(crate) enum SlidingEnd {
 #[derive(Clone, Debug)]
 pub struct Sliding {
     law: SlidingLaw,
-    direction: Direction,
+    direction: SlipDirection,
     /// The start without its whole turns: with them, each step would round the angle to the last
     /// digit of all turns.
     start: State,
@@ -249,7 +249,7 @@ impl Sliding {
     pub(crate) fn run(
         law: SlidingLaw,
         start: State,
-        direction: Direction,
+        direction: SlipDirection,
         entry: Entry,
         budget: SlideBudget,
     ) -> (Self, SlidingEnd) {
@@ -258,7 +258,7 @@ impl Sliding {
         (slide, end)
     }
 
-    fn new(law: SlidingLaw, start: State, direction: Direction) -> Self {
+    fn new(law: SlidingLaw, start: State, direction: SlipDirection) -> Self {
         let (theta, turns) = split_turns(start.theta);
         Self {
             law,
@@ -766,7 +766,7 @@ impl Sliding {
     }
 
     /// Direction of slip.
-    pub const fn direction(&self) -> Direction {
+    pub const fn direction(&self) -> SlipDirection {
         self.direction
     }
 
@@ -907,7 +907,7 @@ mod tests {
 
     /// The slide with and without leaps.
     fn both(law: SlidingLaw, start: State, allowed: Option<f64>) -> [(Sliding, SlidingEnd); 2] {
-        let direction = Direction::of_sign(start.slip).unwrap();
+        let direction = SlipDirection::of_sign(start.slip).unwrap();
         [0, usize::MAX].map(|next_attempt| {
             let mut slide = Sliding::new(law, start, direction);
             let search = LeapSearch {
@@ -959,7 +959,7 @@ mod tests {
             exponent in -3.7..-2.0_f64, slip in 0.05..1.5_f64, positive in any::<bool>(),
             theta in -PI..PI, rate in -1.5..1.5_f64, limited in any::<bool>(), part in 0.0..1.0_f64,
         ) {
-            let direction = if positive { Direction::Positive } else { Direction::Negative };
+            let direction = if positive { SlipDirection::Positive } else { SlipDirection::Negative };
             let mu = libm::pow(10.0, exponent);
             let hoop = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(own).with_friction(mu, mu);
             let law = SlidingLaw::new(&Hoop::new(hoop).unwrap(), direction).unwrap();

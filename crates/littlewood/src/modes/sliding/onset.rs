@@ -9,7 +9,7 @@
 use crate::math::series::{DEGREE, Series, convolve};
 use crate::math::trig::{Angle, above_bottom};
 use crate::mechanics::{ContactForces, RollingLaw, SlidingLaw};
-use crate::model::{Body, Direction, Heavy, Hoop};
+use crate::model::{Body, Heavy, Hoop, SlipDirection};
 
 use super::series::{PhasePoint, SlideSeries};
 
@@ -19,7 +19,7 @@ pub(crate) struct Onset {
     /// 1 for η″.
     pub(crate) order: usize,
     /// Its sign: the direction of the slip that begins.
-    pub(crate) direction: Direction,
+    pub(crate) direction: SlipDirection,
 }
 
 impl Onset {
@@ -29,7 +29,7 @@ impl Onset {
         // Nearly always η″ decides.
         let acceleration = law.accelerations(place.theta, place.rate).slip;
         if acceleration.abs() > Sizes::new(law, place, 1).rounding(1) {
-            let direction = Direction::of_sign(acceleration)?;
+            let direction = SlipDirection::of_sign(acceleration)?;
             return Some(Self {
                 order: 1,
                 direction,
@@ -52,7 +52,7 @@ impl Onset {
             let sizes = Sizes::new(law, place, DEGREE);
             (3..=DEGREE).find(|n| slip[*n].abs() > sizes.rounding(*n))?
         };
-        let direction = Direction::of_sign(slip[order])?;
+        let direction = SlipDirection::of_sign(slip[order])?;
         Some(Self { order, direction })
     }
 
@@ -77,7 +77,7 @@ impl Onset {
         {
             return None;
         }
-        let slip = Direction::of_sign(-forces.friction)?;
+        let slip = SlipDirection::of_sign(-forces.friction)?;
         let law = SlidingLaw::of_body(body, mu, slip);
         // With P ≤ 0 no slide begins (docs/theory/contact.md).
         if law.painleve(place.theta) <= 0.0 {
@@ -96,7 +96,7 @@ impl Onset {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StaticLimit {
     /// The direction of slip, against F.
-    pub(crate) slip: Direction,
+    pub(crate) slip: SlipDirection,
     /// Whether |F| < μs N just after.
     pub(crate) holds: bool,
 }

@@ -8,7 +8,7 @@ use crate::math::number::{Dual, Number};
 use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::math::trig::{Angle, TruncatedSeries};
 use crate::mechanics::{Accelerations, ContactMotion, Loads, RollingLaw, SlidingLaw};
-use crate::model::{Direction, Friction, Heavy, State};
+use crate::model::{Friction, Heavy, SlipDirection, State};
 use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE, gliding};
 
 use super::NoDerivative;
@@ -56,7 +56,7 @@ impl From<&State> for Point<f64> {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Motion<T> {
     Rolls,
-    Slides(Direction),
+    Slides(SlipDirection),
     Glides,
     Flies(FlightStart<T>),
 }
@@ -110,7 +110,7 @@ impl<T: Number> Plane<T> {
         }
     }
 
-    fn sliding(&self, direction: Direction) -> SlidingLaw<T> {
+    fn sliding(&self, direction: SlipDirection) -> SlidingLaw<T> {
         SlidingLaw::of_body(self.body, self.friction.mu_k, direction)
     }
 
