@@ -6,12 +6,12 @@ settings: default careful
 requires: Box2D==2.3.10
 docs: https://box2d.org/documentation/
 
-default: R is 1 m; 8 velocity and 3 position iterations, as its manual suggests. careful: R is 10 m,
-for the sake of the slop; 100 and 100 iterations. Cannot express: mu_s and mu_k (one coefficient;
-that of two shapes is the root of the product of theirs). Restitution acts above 1 m/s only, which
-no setting changes: 1 sqrt(gR) by default, 0.1 sqrt(gR) in the careful setting. Everything is in
-single precision, and a contact keeps an overlap of 0.005 m. An edge has a skin of 0.01 m: it lies
-lower by that.
+default: R is 1 m; 8 velocity and 3 position iterations, as its manual suggests.
+careful: R is 10 m, for the sake of the slop; 100 and 100 iterations.
+Cannot express: mu_s and mu_k (one coefficient; that of two shapes is the root of the product of
+theirs). Restitution acts above 1 m/s only, which no setting changes: 1 sqrt(gR) by default, 0.1
+sqrt(gR) in the careful setting. Everything is in single precision, and a contact keeps an overlap
+of 0.005 m. An edge has a skin of 0.01 m: it lies lower by that.
 """
 
 from adapter import main, stepped

@@ -1,10 +1,12 @@
 """Brax: three of its pipelines on the processor, in double precision, with MuJoCo's model of the hoop.
 
-engine: Brax contact: compliant settings: spring positional generalized requires: absl-py==2.5.1
-aiofiles==25.1.0 blinker==1.9.0 brax==0.14.2 click==8.5.1 etils==1.15.0 Flask==3.1.3
-  flask-cors==6.0.5 flax==0.12.8 fsspec==2026.9.0 glfw==2.11.0 humanize==4.17.0 itsdangerous==2.2.0
-  jax==0.10.2 jaxlib==0.10.2 jaxopt==0.8.5 Jinja2==3.1.6 markdown-it-py==4.3.0 MarkupSafe==3.0.4
-  mdurl==0.1.2 ml_collections==1.1.0 ml_dtypes==0.6.0 msgpack==1.2.4 mujoco==4.0.0
+engine: Brax
+contact: compliant
+settings: spring positional generalized
+requires: absl-py==2.5.1 aiofiles==25.1.0 blinker==1.9.0 brax==0.14.2 click==8.5.1 etils==1.15.0
+  Flask==3.1.3 flask-cors==6.0.5 flax==0.12.8 fsspec==2026.9.0 glfw==2.11.0 humanize==4.17.0
+  itsdangerous==2.2.0 jax==0.10.2 jaxlib==0.10.2 jaxopt==0.8.5 Jinja2==3.1.6 markdown-it-py==4.3.0
+  MarkupSafe==3.0.4 mdurl==0.1.2 ml_collections==1.1.0 ml_dtypes==0.6.0 msgpack==1.2.4 mujoco==4.0.0
   mujoco-core==4.0.0 mujoco-mjx==3.17.0 mujoco-studio==4.0.0 numpy==2.4.6 opt_einsum==3.4.0
   optax==0.2.8 orbax-checkpoint==0.12.8 packaging==26.4 pillow==13.0.0 prometheus_client==0.26.0
   protobuf==7.36.2 psutil==7.2.2 Pygments==2.21.0 PyOpenGL==3.1.10 PyYAML==6.0.4 rich==15.0.0
@@ -15,8 +17,9 @@ gradients: theta_rate slip mu_k
 docs: https://github.com/google/brax
 
 Its authors advise MJX instead since 2025, and keep the pipelines. All steps of a run are one
-program, as with MJX. spring: impulses with restitution and friction; positional: position-based
-dynamics; generalized: constraints in joint coordinates. All as they come, but for the time step.
+program, as with MJX.
+spring: impulses with restitution and friction; positional: position-based dynamics; generalized:
+constraints in joint coordinates. All as they come, but for the time step.
 Cannot express: mu_s and mu_k (one coefficient). Restitution is refused here, as the three mean
 other things by it. Derivatives are those of JAX in forward mode, through all steps.
 """

@@ -6,12 +6,13 @@ settings: default careful
 requires: numpy==2.4.6 pybullet==3.2.7
 docs: https://pybullet.org/
 
-The motion stays plane by symmetry. default: as the package comes, but for damping and rolling
-friction, which are none. careful: 1000 iterations of the solver, to a residual of 0, no slop,
-restitution at any speed. A hoop that bounces has no contact before it touches, as that would brake
-it and leave nothing to restore, and no overlap is corrected, as the correction would be added to
-the bounce. Cannot express: mu_s and mu_k (one coefficient, the product of those of two bodies: the
-plane has 1; so is that of restitution). Restitution acts above a speed, by default 0.2 m/s.
+The motion stays plane by symmetry.
+default: as the package comes, but for damping and rolling friction, which are none.
+careful: 1000 iterations of the solver, to a residual of 0, no slop, restitution at any speed. A
+hoop that bounces has no contact before it touches, as that would brake it and leave nothing to
+restore, and no overlap is corrected, as the correction would be added to the bounce.
+Cannot express: mu_s and mu_k (one coefficient, the product of those of two bodies: the plane has 1;
+so is that of restitution). Restitution acts above a speed, by default 0.2 m/s.
 """
 
 import math

@@ -9,9 +9,10 @@ docs: https://dartsim.github.io/
 default: as the package comes: Dantzig's method, which bounds friction by the normal force that
 there would be without it, although the friction of a hoop presses it to the plane, or lifts it.
 careful: the solver NSGS, to 1e-10 or 1000 sweeps, and R is 10 m, for the sake of restitution at low
-speeds. Cannot express: mu_s and mu_k (one coefficient, the same for both shapes; restitution is the
-product of theirs). A hoop does not bounce if it were slower than 0.1 m/s after it: 0.1 sqrt(gR) by
-default, 0.01 sqrt(gR) in the careful setting.
+speeds.
+Cannot express: mu_s and mu_k (one coefficient, the same for both shapes; restitution is the product
+of theirs). A hoop does not bounce if it were slower than 0.1 m/s after it: 0.1 sqrt(gR) by default,
+0.01 sqrt(gR) in the careful setting.
 """
 
 import dartpy as dart

@@ -1,16 +1,20 @@
 """Drake: MultibodyPlant, a planar joint at the geometric centre, a sphere on a half space, point contact.
 
-engine: Drake contact: compliant settings: default careful continuous requires: contourpy==1.3.3
-cycler==0.12.1 drake==1.51.1 fonttools==4.68.0 kiwisolver==1.5.1 matplotlib==3.11.2
-  Mosek==11.1.2 numpy==2.4.6 packaging==26.3 pillow==13.0.0 pydot==4.0.1 pyparsing==3.3.3
-  python-dateutil==4.0.0 PyYAML==6.0.3 tzdata==2026.6
+engine: Drake
+contact: compliant
+settings: default careful continuous
+requires: contourpy==1.3.3 cycler==0.12.1 drake==1.51.1 fonttools==4.68.0 kiwisolver==1.5.1
+  matplotlib==3.11.2 Mosek==11.1.2 numpy==2.4.6 packaging==26.3 pillow==13.0.0 pydot==4.0.1
+  pyparsing==3.3.3 python-dateutil==4.0.0 PyYAML==6.0.3 tzdata==2026.6
 docs: https://drake.mit.edu/doxygen_cxx/
 
-default: the discrete plant as it comes (its step is that of the case). careful: discrete, a stiff
-contact (1e8 N/m), a stiction tolerance of 1e-5 m/s. continuous: the penalty model of the continuous
-plant with both coefficients (1e6 N/m, dissipation 300 s/m), integrated at an accuracy of 1e-6; the
-step is that of the record and the largest of the integrator. Cannot express: in discrete plants
-mu_s and mu_k (one coefficient); restitution anywhere. Contact is compliant.
+default: the discrete plant as it comes (its step is that of the case).
+careful: discrete, a stiff contact (1e8 N/m), a stiction tolerance of 1e-5 m/s.
+continuous: the penalty model of the continuous plant with both coefficients (1e6 N/m, dissipation
+300 s/m), integrated at an accuracy of 1e-6; the step is that of the record and the largest of the
+integrator.
+Cannot express: in discrete plants mu_s and mu_k (one coefficient); restitution anywhere. Contact is
+compliant.
 """
 
 import numpy as np

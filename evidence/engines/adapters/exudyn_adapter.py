@@ -7,12 +7,12 @@ requires: exudyn==1.13.6 numpy==2.4.6
 docs: https://exudyn.readthedocs.io/en/latest/
 
 default: the generalised-alpha method as it comes, and friction regularised below 0.001 m/s. Exudyn
-has no stiffness of its own: it is 1e5 N/m. careful: the trapezoidal rule, a stiffness of 100 over
-the step, friction regularised below a tenth of the step; both as for 1e-4 with a smaller step, as
-iterations fail with more. Cannot express: mu_s and mu_k (one coefficient). Contact is compliant.
-Restitution, at any speed, is that of Exudyn's impact model 2. Without it damping is ten times the
-critical one of 1 kg: a critical damper that pushes only gives back
-0.14.
+has no stiffness of its own: it is 1e5 N/m.
+careful: the trapezoidal rule, a stiffness of 100 over the step, friction regularised below a tenth
+of the step; both as for 1e-4 with a smaller step, as iterations fail with more.
+Cannot express: mu_s and mu_k (one coefficient). Contact is compliant. Restitution, at any speed, is
+that of Exudyn's impact model 2. Without it damping is ten times the critical one of 1 kg: a
+critical damper that pushes only gives back 0.14.
 """
 
 import math

@@ -1,8 +1,10 @@
 """Genesis: a sphere on a plane, two slides and a hinge at the geometric centre, on the processor, in double precision.
 
-engine: Genesis contact: compliant settings: default requires: annotated-types==0.8.0 av==18.1.0
-cffi==2.1.1 coacd==1.0.14 colorama==0.4.6 contourpy==1.3.3
-  cuda-bindings==13.5.0 cuda-pathfinder==1.9.1 cuda-toolkit==13.2.2 cycler==0.12.1
+engine: Genesis
+contact: compliant
+settings: default
+requires: annotated-types==0.8.0 av==18.1.0 cffi==2.1.1 coacd==1.0.14 colorama==0.4.6
+  contourpy==1.3.3 cuda-bindings==13.5.0 cuda-pathfinder==1.9.1 cuda-toolkit==13.2.2 cycler==0.12.1
   dataclasses-json==0.6.7 decorator==5.3.1 Deprecated==1.3.1 dill==0.4.1 DracoPy==2.2.0
   fast_simplification==0.2.0 filelock==4.3.1 fonttools==4.68.0 freetype-py==2.5.1 frozendict==2.5.1
   fsspec==2026.9.0 genesis-world==1.4.5 glfw==2.11.0 gs-madrona==0.0.10 ImageIO==2.38.1
@@ -28,8 +30,9 @@ docs: https://genesis-world.readthedocs.io/
 
 default: as the package comes: constraints with a time constant of 0.01, Newton's method. Its
 kernels are translated at the first run, for six minutes on two cores, and kept: such a run is ended
-for its time. Cannot express: mu_s and mu_k (one coefficient, the larger of two bodies); a
-coefficient of restitution.
+for its time.
+Cannot express: mu_s and mu_k (one coefficient, the larger of two bodies); a coefficient of
+restitution.
 """
 
 import tempfile

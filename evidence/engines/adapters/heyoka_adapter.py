@@ -9,10 +9,12 @@ docs: https://bluescarni.github.io/heyoka.py/
 
 The modes, what follows each, and the landing are ours (hybrid.py); heyoka integrates and finds the
 events. It chooses its steps itself: the step of the case is only that of the record, and errors do
-not fall with it. default: tolerance 2.2e-16. careful: the same, with compensated sums. Can express:
-mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that is zero at the
-start of a mode to a high order (the height at lift-off, the slip that begins) is left alone for a
-short while.
+not fall with it.
+default: tolerance 2.2e-16.
+careful: the same, with compensated sums.
+Can express: mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that is
+zero at the start of a mode to a high order (the height at lift-off, the slip that begins) is left
+alone for a short while.
 """
 
 import heyoka as hy

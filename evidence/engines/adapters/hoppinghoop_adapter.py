@@ -1,17 +1,22 @@
 """The hopping-hoop simulator of hellpig: this hoop's own equations, integrated by SciPy with events, phase by phase.
 
-engine: hopping-hoop-simulator contact: events settings: default careful steps: its own requires:
-numpy==2.4.6 scipy==1.17.1
-git:hellpig/hopping-hoop-simulator@588c77d61595f2dfc3b2e7abd72831be979f8534 docs:
-https://github.com/hellpig/hopping-hoop-simulator
+engine: hopping-hoop-simulator
+contact: events
+settings: default careful
+steps: its own
+requires: numpy==2.4.6 scipy==1.17.1
+  git:hellpig/hopping-hoop-simulator@588c77d61595f2dfc3b2e7abd72831be979f8534
+docs: https://github.com/hellpig/hopping-hoop-simulator
 
 Its functions `rollWithoutSliding`, `rollWithSliding`, `hop` and `land` run as they are; the order
 in which they follow one another is that of its main loop, which starts out of rolling alone. It
 plots 101 points a phase, a number that it says may be changed, and adds up v_x for x: here the
-points are as dense as the rows. default: Radau with tolerances of 1e-9, as it comes; where mu_s =
-mu_k, mu_s is 1e-5 larger, as its page advises. careful: DOP853 with 1e-12, mu_s larger by 1e-9. Can
-express: mu_s > mu_k, a particle on the rim, a landing without rebound. It has no slope and no start
-in the air.
+points are as dense as the rows.
+default: Radau with tolerances of 1e-9, as it comes; where mu_s = mu_k, mu_s is 1e-5 larger, as its
+page advises.
+careful: DOP853 with 1e-12, mu_s larger by 1e-9.
+Can express: mu_s > mu_k, a particle on the rim, a landing without rebound. It has no slope and no
+start in the air.
 """
 
 import contextlib

@@ -1,15 +1,17 @@
 """MuJoCo Warp: MuJoCo's method in Warp, with MuJoCo's own model of the hoop, on Warp's processor device.
 
-engine: MuJoCo Warp contact: compliant settings: default careful requires: absl-py==2.5.1
-etils==1.15.0 fsspec==2026.9.0 glfw==2.11.0 mujoco==4.0.0 mujoco-core==4.0.0
-  mujoco-studio==4.0.0 mujoco-warp==4.0.0 numpy==2.4.6 PyOpenGL==3.1.10 typing_extensions==4.16.0
-  warp-lang==1.19.0 websockets==17.4 zipp==4.1.2
+engine: MuJoCo Warp
+contact: compliant
+settings: default careful
+requires: absl-py==2.5.1 etils==1.15.0 fsspec==2026.9.0 glfw==2.11.0 mujoco==4.0.0
+  mujoco-core==4.0.0 mujoco-studio==4.0.0 mujoco-warp==4.0.0 numpy==2.4.6 PyOpenGL==3.1.10
+  typing_extensions==4.16.0 warp-lang==1.19.0 websockets==17.4 zipp==4.1.2
 docs: https://github.com/google-deepmind/mujoco_warp
 
 default and careful: as in mujoco_adapter.py. Everything is in single precision. On the processor a
 step takes some milliseconds, as it starts a hundred kernels: the engine is made for many motions at
-once on a GPU. Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. See
-there.
+once on a GPU.
+Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. See there.
 """
 
 import mujoco

@@ -1,17 +1,20 @@
 """MJX: MuJoCo's method in JAX, with MuJoCo's own model of the hoop, on the processor, in double precision.
 
-engine: MJX (MuJoCo in JAX) contact: compliant settings: default careful requires: absl-py==2.5.1
-etils==1.15.0 fsspec==2026.9.0 glfw==2.11.0 jax==0.10.2 jaxlib==0.10.2 ml_dtypes==0.6.0
-  mujoco==4.0.0 mujoco-core==4.0.0 mujoco-mjx==3.17.0 mujoco-studio==4.0.0 numpy==2.4.6
-  opt_einsum==3.4.0 PyOpenGL==3.1.10 scipy==1.17.1 trimesh==5.2.0 typing_extensions==4.16.0
-  websockets==17.4 zipp==4.1.2
+engine: MJX (MuJoCo in JAX)
+contact: compliant
+settings: default careful
+requires: absl-py==2.5.1 etils==1.15.0 fsspec==2026.9.0 glfw==2.11.0 jax==0.10.2 jaxlib==0.10.2
+  ml_dtypes==0.6.0 mujoco==4.0.0 mujoco-core==4.0.0 mujoco-mjx==3.17.0 mujoco-studio==4.0.0
+  numpy==2.4.6 opt_einsum==3.4.0 PyOpenGL==3.1.10 scipy==1.17.1 trimesh==5.2.0
+  typing_extensions==4.16.0 websockets==17.4 zipp==4.1.2
 gradients: theta_rate slip mu_k
 docs: https://mujoco.readthedocs.io/en/stable/mjx.html
 
 All steps of a run are one program.
 
 default and careful: as in mujoco_adapter.py. Derivatives are those of JAX in forward mode, through
-all steps. Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. See there.
+all steps.
+Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. See there.
 """
 
 from adapter import main

@@ -6,9 +6,10 @@ settings: default
 docs: python/docs/score.md
 
 The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes.
-There is one setting, default. Can express: one coefficient of friction, Newton's restitution at any
-speed. An impact is that of Moreau's rule, one impulse with friction by the slip velocity at its
-end, not that of the theory of impacts with friction.
+There is one setting, default.
+Can express: one coefficient of friction, Newton's restitution at any speed. An impact is that of
+Moreau's rule, one impulse with friction by the slip velocity at its end, not that of the theory of
+impacts with friction.
 """
 
 import math

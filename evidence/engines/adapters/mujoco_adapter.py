@@ -1,8 +1,10 @@
 """MuJoCo: a sphere on a plane, with two slides and a hinge at the geometric centre, off which the mass centre is.
 
-engine: MuJoCo contact: compliant settings: default careful requires: glfw==2.11.0 mujoco==4.0.0
-mujoco-core==4.0.0 mujoco-studio==4.0.0 numpy==2.4.6 PyOpenGL==3.1.10
-  websockets==17.4
+engine: MuJoCo
+contact: compliant
+settings: default careful
+requires: glfw==2.11.0 mujoco==4.0.0 mujoco-core==4.0.0 mujoco-studio==4.0.0 numpy==2.4.6
+  PyOpenGL==3.1.10 websockets==17.4
 docs: https://mujoco.readthedocs.io/en/stable/modeling.html#solver-parameters
 
 default: as the package comes (Euler, pyramidal cone, contacts with solref 0.02 1, which are soft).

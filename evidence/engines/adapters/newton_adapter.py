@@ -11,8 +11,8 @@ case bounces only, since with it on, and e = 0, the hoop of Figure 3 rolls where
 careful: SolverKamino as it comes, which iterates until hard contacts with friction are satisfied.
 Both in single precision, the only one that Newton has. The rolling and torsional friction that its
 shapes have by default is 0 here. SolverMuJoCo, another of its solvers, is MuJoCo's method, which
-has adapters of its own. Cannot express: mu_s and mu_k (one coefficient). Restitution acts at any
-speed.
+has adapters of its own.
+Cannot express: mu_s and mu_k (one coefficient). Restitution acts at any speed.
 """
 
 import math

@@ -1,22 +1,25 @@
 """Nimble: DART made differentiable, a sphere on a box, on a slide in the plane and a hinge at its centre.
 
-engine: Nimble contact: rigid settings: default requires: cuda-bindings==13.5.0
-cuda-pathfinder==1.9.1 cuda-toolkit==13.2.2 filelock==4.3.1 fsspec==2026.9.0
-  Jinja2==3.1.6 MarkupSafe==3.0.4 mpmath==1.3.0 networkx==3.6.1 nimblephysics==0.10.52.1
-  numpy==1.26.4 nvidia-cublas==13.4.1.3 nvidia-cuda-cccl==13.3.5.0.6 nvidia-cuda-cupti==13.2.86
-  nvidia-cuda-nvrtc==13.2.86 nvidia-cuda-runtime==13.2.86 nvidia-cudnn-cu13==9.26.0.51
-  nvidia-cufft==12.2.0.57 nvidia-cufile==1.17.1.22 nvidia-cusolver==12.2.0.11
-  nvidia-cusparse==12.7.10.12 nvidia-cusparselt-cu13==0.8.1 nvidia-nccl-cu13==2.30.7
-  nvidia-nvjitlink==13.5.37 nvidia-nvshmem-cu13==3.7.2 nvidia-nvtx==13.2.86 sympy==1.14.0
-  torch==2.15.0 triton==3.9.0 typing_extensions==4.16.0
+engine: Nimble
+contact: rigid
+settings: default
+requires: cuda-bindings==13.5.0 cuda-pathfinder==1.9.1 cuda-toolkit==13.2.2 filelock==4.3.1
+  fsspec==2026.9.0 Jinja2==3.1.6 MarkupSafe==3.0.4 mpmath==1.3.0 networkx==3.6.1
+  nimblephysics==0.10.52.1 numpy==1.26.4 nvidia-cublas==13.4.1.3 nvidia-cuda-cccl==13.3.5.0.6
+  nvidia-cuda-cupti==13.2.86 nvidia-cuda-nvrtc==13.2.86 nvidia-cuda-runtime==13.2.86
+  nvidia-cudnn-cu13==9.26.0.51 nvidia-cufft==12.2.0.57 nvidia-cufile==1.17.1.22
+  nvidia-cusolver==12.2.0.11 nvidia-cusparse==12.7.10.12 nvidia-cusparselt-cu13==0.8.1
+  nvidia-nccl-cu13==2.30.7 nvidia-nvjitlink==13.5.37 nvidia-nvshmem-cu13==3.7.2 nvidia-nvtx==13.2.86
+  sympy==1.14.0 torch==2.15.0 triton==3.9.0 typing_extensions==4.16.0
 gradients: theta_rate slip
 docs: https://nimblephysics.org/docs/
 
 default: as the package comes: friction cones as boxes, overlaps corrected by no more than it does
-by itself. Cannot express: mu_s and mu_k (one coefficient). Restitution is the product of those of
-both bodies, above a speed. Derivatives are those of each step with respect to its state, which the
-engine has in closed form, multiplied on. With a planar joint they are wrong in flight already, and
-differ from differences of one of its own steps.
+by itself.
+Cannot express: mu_s and mu_k (one coefficient). Restitution is the product of those of both bodies,
+above a speed. Derivatives are those of each step with respect to its state, which the engine has in
+closed form, multiplied on. With a planar joint they are wrong in flight already, and differ from
+differences of one of its own steps.
 """
 
 import math

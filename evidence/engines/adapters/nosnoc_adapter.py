@@ -1,16 +1,21 @@
 """nosnoc (nosnoc_py): a Filippov system whose two parts are the slides, integrated with switch detection (FESD).
 
-engine: nosnoc contact: events settings: default careful requires: casadi==3.8.2 contourpy==1.3.3
-cycler==0.12.1 fonttools==4.68.0 kiwisolver==1.5.1 matplotlib==3.11.2
-  nosnoc==0.2.0 numpy==2.4.6 packaging==26.4 pillow==13.0.0 pyparsing==3.3.3 python-dateutil==4.0.0
-  scipy==1.17.1 tzdata==2026.6
+engine: nosnoc
+contact: events
+settings: default careful
+requires: casadi==3.8.2 contourpy==1.3.3 cycler==0.12.1 fonttools==4.68.0 kiwisolver==1.5.1
+  matplotlib==3.11.2 nosnoc==0.2.0 numpy==2.4.6 packaging==26.4 pillow==13.0.0 pyparsing==3.3.3
+  python-dateutil==4.0.0 scipy==1.17.1 tzdata==2026.6
 docs: https://nosnoc-py.readthedocs.io/
 
 The state is (x, theta, slip, theta rate); on the surface slip = 0 the method finds friction between
-the two slides. default: as the package comes: Radau IIA of two stages, two finite elements a step,
-complementarity to 1e-8. careful: three stages, complementarity to 1e-12. Cannot express: mu_s and
-mu_k (one coefficient); and, in this set-up, a gap: flight and impacts would need a model of its own
-in stretched time (time freezing). Steps of less than 1e-3 take longer than two minutes.
+the two slides.
+default: as the package comes: Radau IIA of two stages, two finite elements a step, complementarity
+to 1e-8.
+careful: three stages, complementarity to 1e-12.
+Cannot express: mu_s and mu_k (one coefficient); and, in this set-up, a gap: flight and impacts
+would need a model of its own in stretched time (time freezing). Steps of less than 1e-3 take longer
+than two minutes.
 """
 
 import casadi as ca

@@ -2,15 +2,18 @@
 
 The motion stays plane by symmetry.
 
-engine: PhysX (SAPIEN) contact: rigid settings: default careful requires: certifi==2026.10.19.post1
-charset-normalizer==3.5.3 idna==3.20 importlib_resources==7.1.0 lxml==6.1.3
-  networkx==3.6.1 numpy==2.4.6 opencv-python==5.0.0.93 pyperclip==1.11.0 requests==2.34.2
-  sapien==3.0.3 setuptools==65.5.0 transforms3d==0.4.2 urllib3==2.8.0
+engine: PhysX (SAPIEN)
+contact: rigid
+settings: default careful
+requires: certifi==2026.10.19.post1 charset-normalizer==3.5.3 idna==3.20 importlib_resources==7.1.0
+  lxml==6.1.3 networkx==3.6.1 numpy==2.4.6 opencv-python==5.0.0.93 pyperclip==1.11.0
+  requests==2.34.2 sapien==3.0.3 setuptools==65.5.0 transforms3d==0.4.2 urllib3==2.8.0
 docs: https://nvidia-omniverse.github.io/PhysX/physx/5.1.0/docs/RigidBodyDynamics.html
 
 default: as the package comes: the solver TGS, 10 position and 1 velocity iterations, restitution
-above 2 m/s. careful: 100 position iterations, restitution above 1e-4 m/s. Can express: mu_s and
-mu_k. Restitution acts above a speed. Everything is in single precision.
+above 2 m/s.
+careful: 100 position iterations, restitution above 1e-4 m/s.
+Can express: mu_s and mu_k. Restitution acts above a speed. Everything is in single precision.
 """
 
 import math

@@ -8,10 +8,10 @@ docs: https://www.pymunk.org/en/latest/pymunk.html#pymunk.Space
 
 default: as the package comes, ten iterations and a collision slop of 0.1, which is a tenth of the
 radius here: Chipmunk is made for lengths of many units. An overlap that large is not corrected.
-careful: R is 100 units, which suits its defaults, 100 iterations, no slop. Cannot express: mu_s and
-mu_k (one coefficient). Restitution acts at any speed. Mass, inertia and an offset mass centre are
-as wanted. Chipmunk's friction, and restitution, of two shapes are the products of theirs: the plane
-has 1.
+careful: R is 100 units, which suits its defaults, 100 iterations, no slop.
+Cannot express: mu_s and mu_k (one coefficient). Restitution acts at any speed. Mass, inertia and an
+offset mass centre are as wanted. Chipmunk's friction, and restitution, of two shapes are the
+products of theirs: the plane has 1.
 """
 
 import pymunk

@@ -9,9 +9,10 @@ docs: https://docs.scipy.org/doc/scipy/reference/generated/scipy.integrate.solve
 
 The modes, what follows each, and the landing are ours (hybrid.py); SciPy integrates and finds the
 events. It chooses its steps itself: the step of the case is only that of the record, and errors do
-not fall with it. default: RK45 with the tolerances that SciPy has (rtol 1e-3, atol 1e-6). careful:
-DOP853, rtol 1e-12, atol 1e-13. Can express: mu_s and mu_k, and, by our equations, Poisson's
-restitution.
+not fall with it.
+default: RK45 with the tolerances that SciPy has (rtol 1e-3, atol 1e-6).
+careful: DOP853, rtol 1e-12, atol 1e-13.
+Can express: mu_s and mu_k, and, by our equations, Poisson's restitution.
 """
 
 import numpy as np

@@ -7,10 +7,11 @@ requires: debian:python3-siconos==4.4.0
 docs: https://nonsmooth.gricad-pages.univ-grenoble-alpes.fr/siconos/
 
 The relation between coordinates, gap and slip is linear and is made anew at each step: in Siconos
-4.4 a relation whose Jacobian Python computes ends in a segmentation fault. default: theta = 1/2,
-the solver of plane friction that Siconos chooses. careful: the same, with the directions of gap and
-slip of the middle of the step, and friction solved by enumeration. Cannot express: mu_s and mu_k
-(one coefficient). Restitution is Newton's, at any speed.
+4.4 a relation whose Jacobian Python computes ends in a segmentation fault.
+default: theta = 1/2, the solver of plane friction that Siconos chooses.
+careful: the same, with the directions of gap and slip of the middle of the step, and friction
+solved by enumeration.
+Cannot express: mu_s and mu_k (one coefficient). Restitution is Newton's, at any speed.
 """
 
 import math
