@@ -12,10 +12,11 @@ careful: elliptic cone, impratio 10, tolerance 1e-14, and contacts whose time co
 of the step: both the penetration at a landing, which falls with the time constant, and the hops of
 a hoop that slides, which fall with step over time constant, then go to zero with the step. (With a
 time constant of two steps, the least that MuJoCo takes, a hoop that slides hops by 0.08 R, whatever
-the step.) Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. Contact is
-compliant by design. One that is underdamped bounces, and without slip its damping ratio can be made
-for any e; but friction adds to it: made for 0.5, the first bounce of the case `bounces` is 0.71
-times as fast as the landing, at steps of 1e-3 and 1e-4 alike.
+the step.)
+Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. Contact is compliant
+by design. One that is underdamped bounces, and without slip its damping ratio can be made for any
+e; but friction adds to it: made for 0.5, the first bounce of the case `bounces` is 0.71 times as
+fast as the landing, at steps of 1e-3 and 1e-4 alike.
 """
 
 import math

@@ -8,11 +8,12 @@
 //! docs: https://rapier.rs/docs/
 //!
 //! default: as the crate comes. Its contact is a spring, critically damped tenfold, of 60 Hz
-//! against a fixed body. careful: a contact whose frequency is an eighth of that of the steps,
-//! damped fivefold; friction is solved together with the correction of overlaps; no contact is
-//! recycled. Cannot express: mu_s and mu_k (one coefficient; both shapes have the same).
-//! Restitution acts at any speed, but without friction: the crate applies it at the end of a step,
-//! along the normal alone.
+//! against a fixed body.
+//! careful: a contact whose frequency is an eighth of that of the steps, damped fivefold; friction
+//! is solved together with the correction of overlaps; no contact is recycled.
+//! Cannot express: mu_s and mu_k (one coefficient; both shapes have the same). Restitution acts at
+//! any speed, but without friction: the crate applies it at the end of a step, along the normal
+//! alone.
 
 use std::error::Error;
 use std::fmt::Write;
