@@ -98,28 +98,6 @@ pub(crate) fn parse_axis(text: &str) -> Result<TypedAxis, String> {
     Ok(axis)
 }
 
-/// A line after a flag: an axis without a number of points.
-#[cfg(feature = "figures")]
-pub(crate) fn parse_line(text: &str) -> Result<TypedAxis, String> {
-    const FORM: &str = "hint: a line is NAME=FROM:TO, such as theta_rate=0:4 or mu=0.1:1";
-    if text.matches(':').count() != 1 {
-        return Err(FORM.to_owned());
-    }
-    parse_axis(&format!("{text}:2")).map_err(|message| {
-        let message = message
-            .split("hint: an axis is")
-            .next()
-            .unwrap_or(&message)
-            .trim_end()
-            .to_owned();
-        if message.contains("hint:") {
-            message
-        } else {
-            format!("{message}\n\n{FORM}").trim_start().to_owned()
-        }
-    })
-}
-
 /// What an axis can vary: the quantities of a motion, friction as one number, then those of them
 /// that have a unit, in SI units.
 pub(crate) fn varied() -> impl Iterator<Item = Varies> {

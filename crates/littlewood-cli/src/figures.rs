@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use littlewood_figures::{
-    FIGURES, Figure, FigureEntry, FigureError, FigureInput, check_scale, find_figure,
+    FIGURES, Figure, FigureEntry, FigureError, FigureInput, check_scale, find_figure, instead_of,
 };
 
 use crate::args::{FigureFormat, FiguresArgs};
@@ -14,7 +14,7 @@ use crate::nearest;
 use crate::output::{Output, check_folder};
 use crate::problem::Problem;
 use crate::progress::{Bar, Count};
-use crate::request::{Overrides, Request};
+use crate::request::Request;
 use crate::work::STARTS;
 
 /// Runs the command.
@@ -22,7 +22,10 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     if args.list {
         return list();
     }
-    let entries = chosen(&args.names)?;
+    // Only the figure that was removed took a line.
+    let line = args.along.is_some().then(|| "bifurcation".to_owned());
+    let names: Vec<String> = args.names.iter().cloned().chain(line).collect();
+    let entries = chosen(&names)?;
     check_scale(args.scale).map_err(Error::Drawing)?;
     let Some(folder) = &args.out else {
         return Ok(());
@@ -197,6 +200,12 @@ fn list() -> Result<(), Error> {
 /// The figures of these names in the order of the catalogue, each once; all if there are no names.
 fn chosen(names: &[String]) -> Result<Vec<&'static FigureEntry>, Error> {
     for name in names {
+        if let Some(instead) = instead_of(name) {
+            return Err(Error::FigureRemoved {
+                name: name.clone(),
+                instead,
+            });
+        }
         if find_figure(name).is_none() {
             let known = FIGURES.iter().map(|entry| entry.name);
             let hint = nearest::hint(name, known, "`littlewood figures --list` lists the names");
@@ -239,23 +248,11 @@ fn make(folder: &Path) -> Result<(), Error> {
 
 /// The hoop and the start of a figure: those of its own case, as far as nothing else is asked for.
 fn subject(args: &FiguresArgs, entry: &FigureEntry) -> Result<FigureInput, Error> {
-    let is_si = args.along.is_some_and(|along| along.is_si());
-    let request = Request {
-        overrides: Overrides {
-            given: Vec::new(),
-            si: is_si,
-        },
-        ..Request::new(&args.problem(entry.case), Some(&args.run))?
-    };
+    let request = Request::new(&args.problem(entry.case), Some(&args.run))?;
     let problem = Problem::resolve(request)?;
     let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
-    let along = args
-        .along
-        .map(|along| along.resolve(problem.units.as_ref()))
-        .transpose()?;
     Ok(FigureInput {
         impact: args.impact,
-        along,
         units: problem.units,
         width_mm: args.width_mm,
         ..input

@@ -135,7 +135,6 @@ fn bad_input_for_a_figure_that_takes_long_is_known_before_any_is_written() {
     for words in [
         "energy outcomes --offset 0",
         "energy atlas --offset 0",
-        "figure-1 bifurcation --along mu_s=0.1:1",
         "figure-1 outcomes --width-mm 10",
     ] {
         let folder = tempfile::tempdir().expect("a folder");
@@ -145,24 +144,6 @@ fn bad_input_for_a_figure_that_takes_long_is_known_before_any_is_written() {
         refusal(&arguments);
         assert!(!out.exists(), "{words}");
     }
-}
-
-#[test]
-fn a_figure_that_fails_late_leaves_those_that_are_done() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let out = folder.path().to_str().expect("UTF-8");
-    // Near the bottom it rolls for ever, at any of these rates: that is seen at the end.
-    let arguments = "figures figure-1 energy bifurcation --theta 3 --along theta_rate=0.1:0.2 --format txt --out";
-    let assert = littlewood()
-        .args(arguments.split(' '))
-        .arg(out)
-        .assert()
-        .code(2);
-    let output = assert.get_output();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(message.contains("no motion has one"), "{message}");
-    assert_eq!(files(folder.path()), ["energy.txt", "figure-1.txt"]);
-    assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 2);
 }
 
 #[test]
@@ -204,6 +185,26 @@ fn names_are_listed_and_unknown_ones_refused() {
 }
 
 #[test]
+fn figures_that_were_removed_are_named_with_what_serves_instead() {
+    for (words, name, instead) in [
+        ("wall figure-1", "wall", "figure-3a"),
+        ("cases", "cases", "littlewood cases"),
+        ("bifurcation", "bifurcation", "littlewood sweep"),
+        ("--along mu=0.1:1", "bifurcation", "littlewood sweep"),
+    ] {
+        let mut arguments = vec!["figures", "--out", "unused"];
+        arguments.extend(words.split(' '));
+        let message = refusal(&arguments);
+        let wanted = format!("the figure '{name}' was removed");
+        assert!(
+            message.contains(&wanted) && message.contains(instead),
+            "{message}"
+        );
+        assert!(!Path::new("unused").exists());
+    }
+}
+
+#[test]
 fn bad_values_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("file");
@@ -242,34 +243,6 @@ fn bad_values_are_refused() {
     }
     assert_eq!(fs::read_to_string(&file).expect("a file"), "kept");
     assert_eq!(files(folder.path()), ["file"]);
-}
-
-#[test]
-fn a_line_is_a_name_and_two_ends() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let out = folder.path().to_str().expect("UTF-8");
-    let figure = ["figures", "bifurcation", "--out", out, "--format", "txt"];
-    for (line, words) in [
-        ("mu_s=0.1", "a line is NAME=FROM:TO"),
-        ("mu_s=0.1:1:20", "a line is NAME=FROM:TO"),
-        ("slp=0:1", "did you mean 'slip'"),
-        ("slip=left:1", "'left' is not a number"),
-        ("mu_s=0.1:1", "must not exceed mu_s = 0.1"),
-        ("theta_rate_rad_per_s=0:9", "missing"),
-    ] {
-        let message = refusal(&[&figure[..], &["--along", line]].concat());
-        assert!(
-            message.contains(words) && message.contains("hint:"),
-            "{line}: {message}"
-        );
-    }
-    assert_eq!(files(folder.path()), Vec::<String>::new());
-    text(&[&figure[..], &["--along", "mu=0.4:1"]].concat());
-    let caption = fs::read_to_string(folder.path().join("bifurcation.txt")).expect("a caption");
-    assert!(
-        caption.contains("coefficient of static and kinetic friction, μ"),
-        "{caption}"
-    );
 }
 
 #[test]

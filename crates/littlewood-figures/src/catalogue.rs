@@ -5,9 +5,9 @@ use littlewood_draw::{Figure, markdown, plain};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::paper::{
-    atlas, bifurcation, bounces, cases, demand, gliding, histories, hodograph, impact, inertia,
-    loci, outcomes, overview, painleve, paths, phase_path, portrait, printed, schematic,
-    state_space, stroboscope, types, wall,
+    atlas, bounces, demand, gliding, histories, hodograph, impact, inertia, loci, outcomes,
+    overview, painleve, paths, phase_path, portrait, printed, schematic, state_space, stroboscope,
+    types,
 };
 use crate::si::converted;
 
@@ -261,12 +261,6 @@ pub const FIGURES: &[FigureEntry] = &[
         bounces::figure,
     ),
     entry(
-        "wall",
-        "motions through the surface where they lift off",
-        "figure-3",
-        wall::figure,
-    ),
-    entry(
         "inertia",
         "lighter and lighter hoops, and the massless one",
         "figure-7",
@@ -277,12 +271,6 @@ pub const FIGURES: &[FigureEntry] = &[
         "orbits and lift-off as the paper prints them, and exactly",
         "figure-3",
         printed::figure,
-    ),
-    entry(
-        "cases",
-        "all named cases on one page",
-        "figure-3",
-        cases::figure,
     ),
     of_starts(
         "atlas",
@@ -302,16 +290,30 @@ pub const FIGURES: &[FigureEntry] = &[
             make: outcomes::figure,
         },
     ),
-    of_starts(
+];
+
+/// Figures that were removed, each with what serves instead.
+const REMOVED: [(&str, &str); 3] = [
+    (
+        "wall",
+        "`figure-3a` has the motion in the same space, `figure-2b` the lift-off curve",
+    ),
+    (
         "bifurcation",
-        "transitions along a line of starts or parameters",
-        "figure-3",
-        OfStarts {
-            check: bifurcation::check,
-            make: bifurcation::figure,
-        },
+        "`littlewood sweep` computes the sequences and times along a line: \
+         --axis theta_rate=0:4:401 --out line.csv",
+    ),
+    (
+        "cases",
+        "`littlewood cases` lists them, `littlewood figures sheet --case NAME` shows one",
     ),
 ];
+
+/// What serves instead of a figure that was removed, if one of this name was.
+pub fn instead_of(name: &str) -> Option<&'static str> {
+    let found = REMOVED.iter().find(|(removed, _)| *removed == name);
+    found.map(|(_, instead)| *instead)
+}
 
 /// Pixels of the pictures of the gallery to one of the drawing.
 pub const GALLERY_SCALE: f64 = 1.5;

@@ -2,7 +2,7 @@
 
 use littlewood::{OutcomeKind, ParameterError};
 use littlewood_draw::DrawError;
-use littlewood_sweep::{AxisError, ThreadsError, Varies};
+use littlewood_sweep::{AxisError, ThreadsError};
 
 /// A figure that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -65,27 +65,6 @@ pub enum FigureError {
         figure: &'static str,
         time: f64,
         outcome: OutcomeKind,
-    },
-    /// A figure of transitions asked for a line along which no motion has one.
-    #[error(
-        "{figure} shows how transitions change, but no motion has one where {along} goes from {from} to {to}"
-    )]
-    NoTransition {
-        figure: &'static str,
-        along: Varies,
-        from: f64,
-        to: f64,
-    },
-    /// A figure of transitions asked for a line along which motions change all the time.
-    #[error(
-        "{figure} can show {most} changes of the sequence of phases, but there are more where {along} goes from {from} to {to}"
-    )]
-    TooManyBands {
-        figure: &'static str,
-        along: Varies,
-        from: f64,
-        to: f64,
-        most: usize,
     },
     /// A figure of forces asked for a motion in which the plane exerts none.
     #[error("{figure} shows the forces of the plane, but in this motion there are none: {}", outcome.label())]

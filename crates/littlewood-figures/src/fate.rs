@@ -1,7 +1,7 @@
 //! What becomes of a motion, as figures of many motions show it.
 
 use littlewood::tables::{Class, PhaseCode};
-use littlewood::{Hoop, OutcomeKind, Summary};
+use littlewood::{Hoop, Summary};
 use littlewood_style::ticks::minus;
 
 /// Which end of its motions a figure of a hoop shows: the first lift-off ends all where no landing
@@ -45,71 +45,4 @@ pub(crate) fn meanings(is_named: impl Fn(&PhaseCode) -> bool) -> String {
         .map(|code| format!("{} {}", minus(code.name()), code.meaning()))
         .collect::<Vec<_>>()
         .join(", ")
-}
-
-/// What becomes of the motions of a band.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Fate {
-    pub(crate) class: Class,
-    /// Whether more phases follow the last one of the sequence.
-    pub(crate) goes_on: bool,
-    /// Why there is no phase.
-    pub(crate) no_phase: Option<OutcomeKind>,
-}
-
-impl Fate {
-    pub(crate) fn new(fates: Fates, summary: &Summary) -> Self {
-        let class = fates.class(summary);
-        Self {
-            class,
-            goes_on: class.stays_in_contact() && !summary.outcome.is_forever(),
-            no_phase: summary.sequence.is_empty().then_some(summary.outcome),
-        }
-    }
-
-    /// As a number.
-    pub(crate) fn kind(self) -> u16 {
-        let outcome = self
-            .no_phase
-            .map_or(0, |outcome| 1 + u16::from(outcome.code()));
-        u16::from(self.class.code()) | u16::from(self.goes_on) << 5 | outcome << 6
-    }
-
-    /// From its number.
-    pub(crate) fn of(kind: u16) -> Self {
-        let class = |class: &Class| u16::from(class.code()) == kind & CLASSES;
-        let outcome = |outcome: &OutcomeKind| 1 + u16::from(outcome.code()) == kind >> 6;
-        Self {
-            class: Class::ALL
-                .into_iter()
-                .find(class)
-                .unwrap_or(Class::NotComputed),
-            goes_on: kind >> 5 & 1 == 1,
-            no_phase: OutcomeKind::ALL.into_iter().find(outcome),
-        }
-    }
-}
-
-/// Bits of a class.
-const CLASSES: u16 = 0x1f;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_fate_comes_back_from_its_number() {
-        for class in Class::ALL {
-            for goes_on in [false, true] {
-                for no_phase in OutcomeKind::ALL.into_iter().map(Some).chain([None]) {
-                    let fate = Fate {
-                        class,
-                        goes_on,
-                        no_phase,
-                    };
-                    assert_eq!(Fate::of(fate.kind()), fate);
-                }
-            }
-        }
-    }
 }

@@ -4,7 +4,6 @@ use littlewood::si::Units;
 use littlewood::theory::{Body, Massless};
 use littlewood::{Hoop, Limits, Start, Trajectory};
 use littlewood_draw::{Content, Entries, Figure, Label, Layer, PlotAxis, ROOM, Sheet};
-use littlewood_sweep::Axis;
 
 use crate::error::FigureError;
 use crate::wording::Wording;
@@ -23,9 +22,6 @@ pub struct FigureInput {
     pub limits: Limits,
     /// Which impact of the motion is shown, from 1, by the figure that shows one.
     pub impact: usize,
-    /// The line of the figure that shows how a motion changes along one, by its ends: a quantity of
-    /// the start or of the hoop; a rate at the start if there is none.
-    pub along: Option<Axis>,
     /// Units, if axes and values are in seconds, metres and newtons.
     pub units: Option<Units>,
     /// Width in print, in millimetres, from [`crate::LEAST_WIDTH_MM`] to [`crate::MOST_WIDTH_MM`];
@@ -57,7 +53,6 @@ impl FigureInput {
             start,
             limits,
             impact: 1,
-            along: None,
             units: None,
             width_mm: None,
         }

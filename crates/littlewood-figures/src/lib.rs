@@ -53,9 +53,10 @@ mod spikes;
 mod timeline;
 mod wording;
 
-pub use catalogue::{FIGURES, FigureEntry, GALLERY_SCALE, Watch, find_figure, gallery_page};
+pub use catalogue::{
+    FIGURES, FigureEntry, GALLERY_SCALE, Watch, find_figure, gallery_page, instead_of,
+};
 pub use error::FigureError;
 pub use input::FigureInput;
 pub use littlewood_draw::*;
-pub use littlewood_sweep::{Axis, Varies};
 pub use poster::{POSTER_MM, poster};

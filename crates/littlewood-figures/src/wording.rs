@@ -3,9 +3,7 @@
 use littlewood::si::{SiSetup, Units};
 use littlewood::tables::{Dimension, Group, Quantity, Setup};
 use littlewood::{Hoop, Start};
-use littlewood_draw::{PlotAxis, Scale, angle, marked, short};
-use littlewood_style::ticks;
-use littlewood_sweep::Varies;
+use littlewood_draw::{angle, marked, short};
 
 /// Parameters on which rolling depends.
 const ROLLING: [Quantity; 5] = [
@@ -103,6 +101,20 @@ impl Wording {
         self.parameters(hoop, &ROLLING[..4])
     }
 
+    /// Those that hoops of any inertia share.
+    pub(crate) fn shared(self, hoop: &Hoop) -> String {
+        let own = [
+            Quantity::MassRatio,
+            Quantity::Inertia,
+            Quantity::Restitution,
+        ];
+        let shared: Vec<Quantity> = Quantity::HOOP
+            .into_iter()
+            .filter(|quantity| !own.contains(quantity))
+            .collect();
+        self.parameters(hoop, &shared)
+    }
+
     fn parameters(self, hoop: &Hoop, quantities: &[Quantity]) -> String {
         let setup = Setup::new(hoop.parameters(), Start::default());
         let Some(units) = self.units else {
@@ -134,33 +146,12 @@ impl Wording {
         words.collect::<Vec<_>>().join(", ")
     }
 
-    /// A hoop and a start but for some quantities.
-    pub(crate) fn setup_except(self, hoop: &Hoop, start: &Start, except: &[Quantity]) -> String {
-        let kept: Vec<Quantity> = Quantity::HOOP
-            .into_iter()
-            .filter(|quantity| !except.contains(quantity))
-            .collect();
-        let words = [
-            self.parameters(hoop, &kept),
-            self.start_except(hoop, start, except),
-        ];
-        words
-            .into_iter()
-            .filter(|words| !words.is_empty())
-            .collect::<Vec<_>>()
-            .join("; ")
-    }
-
     /// A start.
     pub(crate) fn start(self, hoop: &Hoop, start: &Start) -> String {
-        self.start_except(hoop, start, &[])
-    }
-
-    fn start_except(self, hoop: &Hoop, start: &Start, except: &[Quantity]) -> String {
         let setup = Setup::new(hoop.parameters(), *start);
         let words: Vec<String> = Quantity::START
             .into_iter()
-            .filter(|quantity| quantity.group() == Group::Start && !except.contains(quantity))
+            .filter(|quantity| quantity.group() == Group::Start)
             .filter_map(|quantity| {
                 let value = setup.said(quantity)?;
                 let dimension = quantity.dimension();
@@ -173,66 +164,6 @@ impl Wording {
             })
             .collect();
         words.join(", ")
-    }
-
-    /// The sign of what varies along a line, with marks.
-    pub(crate) fn sign_of(self, varies: Varies) -> String {
-        let Varies::One(quantity) = varies else {
-            return marked(varies.sign());
-        };
-        match quantity.group() {
-            Group::Start => format!("{}(0)", marked(quantity.sign())),
-            _ => marked(
-                self.units
-                    .and(quantity.si_twin())
-                    .unwrap_or(quantity)
-                    .sign(),
-            ),
-        }
-    }
-
-    /// Its unit, with marks; empty if it has none.
-    pub(crate) fn unit_of(self, varies: Varies) -> String {
-        match varies {
-            Varies::One(quantity) if self.units.is_some() => {
-                let twin = quantity.si_twin().unwrap_or(quantity);
-                twin.unit_sign().replace('²', "^{2}")
-            }
-            Varies::One(quantity) if quantity.group() == Group::Start => {
-                self.unit(quantity.dimension())
-            }
-            Varies::One(_) | Varies::Friction => String::new(),
-        }
-    }
-
-    /// The axis of what varies along a line.
-    pub(crate) fn varied(self, varies: Varies, range: [f64; 2]) -> PlotAxis {
-        let title = with_unit(&self.sign_of(varies), &self.unit_of(varies));
-        let is_angle = varies.dimension() == Dimension::Angle;
-        let scale = if is_angle {
-            Scale::Angle(Vec::new())
-        } else {
-            Scale::Round
-        };
-        PlotAxis {
-            scale,
-            ..PlotAxis::new(varies.name(), title, range)
-        }
-    }
-
-    /// What varies along a line, in words and with its sign.
-    pub(crate) fn varied_in_words(self, varies: Varies) -> String {
-        format!("the {}, {}", varies.long_name(), self.sign_of(varies))
-    }
-
-    /// A value of what varies that is known to a width, without its unit.
-    pub(crate) fn located(self, varies: Varies, value: f64, width: f64) -> String {
-        let [value, width] = [value, width].map(|value| {
-            self.units
-                .map_or(value, |units| units.to_si(varies.dimension(), value))
-        });
-        let digits = (-1.0 - libm::floor(libm::log10(width))).clamp(0.0, 15.0) as usize;
-        ticks::minus(&format!("{value:.digits$}"))
     }
 
     /// What a caption has to say of the units.

@@ -1,9 +1,7 @@
-//! The pictures that no paper has: the atlas, the wall, inertia switched off, the paper against
-//! exact, all cases on one page.
+//! The pictures that no paper has: the atlas, inertia switched off, the paper against exact.
 
 use crate::support::{THIN, columns, figure, outlines, series};
-use littlewood::cases::CASES;
-use littlewood_figures::{Figure, FigureInput, Mark, find_figure};
+use littlewood_figures::{Figure, FigureInput, find_figure};
 
 fn of_case(name: &str, case: &str) -> Figure {
     let input = FigureInput::of_case(case).expect("a case");
@@ -49,29 +47,6 @@ fn each_motion_of_the_atlas_has_its_own_fate_and_a_leader_that_crosses_no_other(
                 assert!(!crosses, "{case}: {one:?} and {other:?}");
             }
         }
-    }
-}
-
-#[test]
-fn every_jump_meets_the_wall() {
-    let wall = figure("wall");
-    let jumps = columns(series(&wall, "lift-off")[0], ["theta", "theta_rate"]);
-    assert!(jumps.len() >= 4);
-    // h = 1/2.
-    for [theta, rate] in jumps {
-        assert!(
-            (0.5 * libm::cos(theta) * rate * rate - 1.0).abs() < 1e-9,
-            "{theta} {rate}"
-        );
-    }
-    for [theta, rate] in columns(
-        series(&wall, "foot of the wall")[0],
-        ["theta", "theta_rate"],
-    ) {
-        assert!(
-            (0.5 * libm::cos(theta) * rate * rate - 1.0).abs() < 1e-9,
-            "{theta} {rate}"
-        );
     }
 }
 
@@ -139,45 +114,4 @@ fn the_band_is_where_rolling_needs_a_pull_and_sliding_does_not() {
         let w = |row: &Vec<f64>| 0.5 * libm::sin(row[0]) * row[1] * row[1] - row[0];
         assert!(piece.iter().all(|row| (w(row) - w(&piece[0])).abs() < 1e-9));
     }
-}
-
-#[test]
-fn the_page_of_cases_has_each_by_name_on_one_scale() {
-    let page = figure("cases");
-    let texts: Vec<String> = page.texts().into_iter().map(|(text, _)| text).collect();
-    for case in CASES {
-        assert!(texts.iter().any(|text| text == case.name), "{}", case.name);
-    }
-    for name in ["friction", "energy"] {
-        let mut ranges = page
-            .panels
-            .iter()
-            .filter(|panel| panel.name == name)
-            .map(|panel| {
-                let axes = panel.axes();
-                [axes[0].range, axes[1].range]
-            });
-        let first = ranges.next().expect("a panel");
-        assert!(ranges.all(|range| range == first));
-    }
-    // One radius everywhere.
-    let pixels = page
-        .panels
-        .iter()
-        .filter(|panel| panel.name == "motion")
-        .map(|panel| {
-            assert!(
-                panel
-                    .layers
-                    .iter()
-                    .any(|layer| matches!(layer.mark, Mark::Hoop { .. }))
-            );
-            let [[left, _], [right, _]] = panel.axes_frame();
-            let x = panel.axes()[0].range;
-            (right - left) / (x[1] - x[0])
-        });
-    let pixels: Vec<f64> = pixels.collect();
-    assert!(
-        pixels.len() == CASES.len() - 1 && pixels.iter().all(|one| (one - pixels[0]).abs() < 1e-9)
-    );
 }

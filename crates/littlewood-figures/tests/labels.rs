@@ -5,7 +5,7 @@ use crate::random::Draw;
 use littlewood_figures::{FIGURES, Figure, FigureInput, View};
 
 /// Figures that follow many motions, of some hoops only.
-const SLOW: [&str; 4] = ["outcomes", "atlas", "bifurcation", "cases"];
+const SLOW: [&str; 2] = ["outcomes", "atlas"];
 /// Figures of each motion.
 const EACH: usize = 3;
 

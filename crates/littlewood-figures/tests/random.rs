@@ -215,8 +215,7 @@ fn no_figure_of_a_random_hoop_is_empty() {
     let mut made: BTreeMap<&str, u32> = BTreeMap::new();
     for hoop in 0..hoops {
         let input = draw.input();
-        // The page of cases shows them whatever the hoop.
-        for entry in FIGURES.iter().filter(|entry| entry.name != "cases") {
+        for entry in FIGURES {
             // The figure of thousands of motions of some hoops only, none of which slides for
             // thousands of turns.
             if ["outcomes", "atlas"].contains(&entry.name)
@@ -255,10 +254,7 @@ fn no_figure_of_a_random_hoop_is_empty() {
         );
     }
     // Few hoops may have no impact among them.
-    for entry in FIGURES
-        .iter()
-        .filter(|entry| hoops >= 200 && entry.name != "cases")
-    {
+    for entry in FIGURES.iter().filter(|_| hoops >= 200) {
         assert!(
             made.contains_key(entry.name),
             "no random hoop has {}",

@@ -6,7 +6,6 @@ use clap::{Args, ValueEnum};
 
 use super::quantity::SetupArgs;
 use super::{ProblemArgs, RunArgs, number};
-use crate::axis::{TypedAxis, parse_line};
 
 pub(super) const FIGURES: &str = "\
 Draw the figures of the paper, and more, of its hoops or of any other.
@@ -26,7 +25,6 @@ Examples:
   littlewood figures --case libration --out libration
   littlewood figures --mass-ratio 2 --inertia 2 --mu-s 0.7 --out heavier
   littlewood figures impact bounces --case figure-3 --restitution 0.8 --impact 2 --out bounces
-  littlewood figures bifurcation --along mu=0.1:1 --theta-rate 1.5 --out friction
   littlewood figures figure-2b --out print --format png --scale 6.25";
 
 /// Arguments of `littlewood figures`.
@@ -52,10 +50,9 @@ pub(crate) struct FiguresArgs {
     /// Which impact of the motion the figure `impact` shows, from 1
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = impact)]
     pub(crate) impact: usize,
-    /// Range of the quantity that the figure `bifurcation` varies, such as mu_s=0.4:1, mu=0.1:1 or
-    /// theta=-pi:pi [default: theta_rate from 0]
-    #[arg(long, value_name = "NAME=FROM:TO", value_parser = parse_line)]
-    pub(crate) along: Option<TypedAxis>,
+    /// The line of the figure `bifurcation`, which was removed
+    #[arg(long, value_name = "NAME=FROM:TO", hide = true)]
+    pub(crate) along: Option<String>,
     /// Folder for the files; it is created if its parent exists
     #[arg(
         long,

@@ -23,6 +23,8 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
         | Error::Interrupted { hint, .. } => hint.as_str().into(),
         #[cfg(feature = "figures")]
         Error::UnknownFigure { hint, .. } => hint.as_str().into(),
+        #[cfg(feature = "figures")]
+        Error::FigureRemoved { instead, .. } => (*instead).into(),
         #[cfg(feature = "lab")]
         Error::NoPage { hint, .. } => hint.as_str().into(),
         Error::Missing { flags, .. } => format!(
@@ -92,12 +94,6 @@ fn of_figure(error: &FigureError) -> Cow<'_, str> {
         }
         FigureError::NoImpact { .. } => {
             "give a start from which the hoop jumps, or a later --until; or leave the figure out"
-        }
-        FigureError::NoTransition { .. } => {
-            "give another line: --along NAME=FROM:TO, such as theta_rate=0:4"
-        }
-        FigureError::TooManyBands { .. } => {
-            "give a shorter line: --along NAME=FROM:TO, such as theta_rate=0:4"
         }
         FigureError::ImpactNumber { .. } => {
             "give another --impact; `littlewood simulate` lists the landings"

@@ -85,6 +85,9 @@ pub(crate) enum Error {
     #[error("there is no figure named '{name}'")]
     UnknownFigure { name: String, hint: String },
     #[cfg(feature = "figures")]
+    #[error("the figure '{name}' was removed")]
+    FigureRemoved { name: String, instead: &'static str },
+    #[cfg(feature = "figures")]
     #[error("{0}")]
     Figure(FigureError),
     #[error("{0}")]

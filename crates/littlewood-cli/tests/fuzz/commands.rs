@@ -267,7 +267,7 @@ fn figures(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     let names: Vec<&str> = FIGURES
         .iter()
         .map(|entry| entry.name)
-        .filter(|name| !["outcomes", "bifurcation"].contains(name))
+        .filter(|name| *name != "outcomes")
         .collect();
     let mut words = vec!["figures".to_owned(), draw.one_of(&names).to_owned()];
     words.extend(

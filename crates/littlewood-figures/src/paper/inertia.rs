@@ -160,18 +160,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
          the particle. Second: normal force against time, on an axis that is logarithmic beyond one. The lighter the hoop, the higher and \
          shorter the blow with which the particle turns at the bottom (numbers: the largest *N*, rounded). Without inertia there is none: the \
          hoop glides, *N* = 0, to the end of its motion, where the particle reaches the plane. {}; {}.",
-        say.setup_except(
-            &input.hoop,
-            &input.start,
-            &[
-                Quantity::MassRatio,
-                Quantity::Inertia,
-                Quantity::Restitution,
-                Quantity::Theta,
-                Quantity::ThetaRate,
-                Quantity::Slip
-            ]
-        ),
+        say.shared(&input.hoop),
         say.start(&input.hoop, &input.start)
     );
     Ok(input

@@ -1,9 +1,7 @@
 //! The figures: those of the paper, one after the other, then more of the same hoop.
 
 pub(crate) mod atlas;
-pub(crate) mod bifurcation;
 pub(crate) mod bounces;
-pub(crate) mod cases;
 pub(crate) mod demand;
 pub(crate) mod gliding;
 pub(crate) mod histories;
@@ -22,4 +20,3 @@ pub(crate) mod schematic;
 pub(crate) mod state_space;
 pub(crate) mod stroboscope;
 pub(crate) mod types;
-pub(crate) mod wall;

@@ -8,10 +8,8 @@
 mod cell;
 mod chain;
 mod follow;
-mod line;
 
 use follow::{Fine, Followed};
-pub use line::Band;
 use littlewood::{Limits, ParameterError, Summary};
 
 use crate::compute::Workers;
