@@ -150,41 +150,28 @@ pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64
 /// [`energy`], with the sine and cosine of θ.
 #[inline]
 pub(crate) fn energy_at(hoop: &Hoop, state: &State, angle: Angle, clearance: Clearance) -> f64 {
-    let inertia = hoop.body().inertia_about_mass_centre();
-    let [mass, h, offset, tilt] = [hoop.mass(), hoop.h(), hoop.offset(), hoop.tilt()];
-    let body = Heavy {
-        mass,
-        h,
-        offset,
-        inertia,
-        tilt,
-    };
-    energy_of(&body, ContactMotion::of(state), angle, clearance)
+    energy_of(
+        &hoop.rigid_body(),
+        ContactMotion::of(state),
+        angle,
+        clearance,
+    )
 }
 
 /// [`energy`] of a body with inertia or without, from θ′, η′ and x.
 #[inline]
 pub(crate) fn energy_of<T: Number>(
-    &Heavy {
-        mass,
-        h,
-        offset,
-        inertia,
-        tilt,
-    }: &Heavy<T>,
-    ContactMotion {
-        theta_rate: rate,
-        slip,
-        x,
-    }: ContactMotion<T>,
+    body: &Heavy<T>,
+    motion: ContactMotion<T>,
     Angle { sin, cos }: Angle<T>,
-    Clearance { gap, gap_rate }: Clearance<T>,
+    clearance: Clearance<T>,
 ) -> T {
-    let vx = slip - (h * cos + 1.0) * rate;
-    let vy = gap_rate - h * sin * rate;
-    let spin = inertia * rate * rate;
-    let risen = mass * tilt * (x - h * sin);
-    (mass * (vx * vx + vy * vy) + spin) * 0.5 + offset * cos + mass * gap + risen
+    let (mass, h, rate) = (body.mass, body.h, motion.theta_rate);
+    let vx = motion.slip - (h * cos + 1.0) * rate;
+    let vy = clearance.gap_rate - h * sin * rate;
+    let spin = body.inertia * rate * rate;
+    let risen = mass * body.tilt * (motion.x - h * sin);
+    (mass * (vx * vx + vy * vy) + spin) * 0.5 + body.offset * cos + mass * clearance.gap + risen
 }
 
 /// The equations of rolling (2.10) to (2.12) of one body, massless or not.
@@ -210,14 +197,8 @@ impl<T: Number> RollingLaw<T> {
     /// The equations in units in which gravity normal to the plane is 1, of a body with inertia or
     /// without.
     pub(crate) fn of_body(body: &Heavy<T>) -> Self {
-        let Heavy {
-            mass,
-            h,
-            offset,
-            inertia,
-            tilt,
-        } = *body;
-        let (outer, inner) = (h + 1.0, -h + 1.0);
+        let (mass, offset, inertia) = (body.mass, body.offset, body.inertia);
+        let (outer, inner) = (body.h + 1.0, -body.h + 1.0);
         Self {
             mass,
             offset,
@@ -225,7 +206,7 @@ impl<T: Number> RollingLaw<T> {
             bottom: inertia + mass * inner * inner,
             inertia_excess: [inertia + offset * outer, inertia - offset * inner],
             mass_inertia: mass * inertia,
-            tilt,
+            tilt: body.tilt,
             normal_gravity: T::constant(1.0),
         }
     }
@@ -334,14 +315,18 @@ impl RollingLaw {
         Trigonometric::linear(2.0 * self.offset, 0.0, 2.0 * self.offset)
     }
 
+    fn loads(&self, theta_rate: f64) -> Loads {
+        Loads {
+            gravity: self.normal_gravity,
+            u: theta_rate * theta_rate,
+        }
+    }
+
     /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
         self.acceleration(
             theta.angle(),
-            Loads {
-                gravity: self.normal_gravity,
-                u: theta_rate * theta_rate,
-            },
+            self.loads(theta_rate),
             self.denominator(theta),
         )
     }
@@ -351,10 +336,7 @@ impl RollingLaw {
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         self.forces_at(
             theta.angle(),
-            Loads {
-                gravity: self.normal_gravity,
-                u: theta_rate * theta_rate,
-            },
+            self.loads(theta_rate),
             self.denominator(theta),
         )
     }
@@ -428,10 +410,7 @@ impl<T: Number> SlidingLaw<T> {
     /// P = Î + m h sin θ q.
     #[inline]
     pub(crate) fn p(&self, sin: T, q: T) -> T {
-        let Heavy {
-            mass, h, inertia, ..
-        } = self.body;
-        inertia + mass * h * sin * q
+        self.body.inertia + self.body.mass * self.body.h * sin * q
     }
 
     /// μk σ + tan α, the rate at which η′ decreases on average.
@@ -452,14 +431,12 @@ impl<T: Number> SlidingLaw<T> {
         Angle { sin, cos }: Angle<T>,
         theta_rate: T,
     ) -> Accelerations<T> {
-        let Heavy {
-            mass, h, inertia, ..
-        } = self.body;
+        let (mass, h) = (self.body.mass, self.body.h);
         let w = self.normal_gravity - h * (cos * (theta_rate * theta_rate));
         let q = self.q(1.0, sin, cos);
         let p = self.p(sin, q);
         let theta_acceleration = mass * q * w / p;
-        let normal_over_mass = inertia * w / p;
+        let normal_over_mass = self.body.inertia * w / p;
         Accelerations {
             theta: theta_acceleration,
             slip: (h * cos + 1.0) * theta_acceleration
@@ -476,19 +453,14 @@ impl<T: Number> SlidingLaw<T> {
         start: ContactMotion<T>,
         Angle { sin, cos }: Angle<T>,
     ) -> SlidePath<T> {
-        let ContactMotion {
-            theta_rate: rate,
-            slip,
-            x,
-        } = start;
-        let h = self.body.h;
-        let vx = slip - (h * cos + 1.0) * rate;
+        let (h, rate) = (self.body.h, start.theta_rate);
+        let vx = start.slip - (h * cos + 1.0) * rate;
         let vy = -h * sin * rate;
         SlidePath {
             h,
             friction: self.friction,
             pull: self.body.pull(),
-            mass_centre_x: x - h * sin,
+            mass_centre_x: start.x - h * sin,
             drift: vx + self.friction * vy,
             cos_start: cos,
         }
@@ -499,13 +471,10 @@ impl SlidingLaw {
     /// The equations of a hoop that slips in `direction`; `None` for a massless hoop, which glides.
     pub fn new(hoop: &Hoop, direction: SlipDirection) -> Option<Self> {
         match hoop.body() {
-            Body::Heavy(body) => {
-                let law = Self::of_body(body, hoop.mu_k(), direction);
-                Some(Self {
-                    normal_gravity: libm::cos(hoop.slope()),
-                    ..law
-                })
-            }
+            Body::Heavy(body) => Some(Self {
+                normal_gravity: libm::cos(hoop.slope()),
+                ..Self::of_body(body, hoop.mu_k(), direction)
+            }),
             Body::Massless(_) => None,
         }
     }
@@ -520,11 +489,10 @@ impl SlidingLaw {
     /// α and β of η″ = α + β u (2.16): one division where [`SlidingLaw::accelerations`] has two.
     #[inline]
     pub(crate) fn slip_acceleration(&self, sin: f64, cos: f64) -> (f64, f64) {
-        let Heavy {
-            mass, h, inertia, ..
-        } = self.body;
+        let (h, inertia) = (self.body.h, self.body.inertia);
         let q = self.q(1.0, sin, cos);
-        let alpha = ((1.0 + h * cos) * mass * q - self.friction * inertia) / self.p(sin, q);
+        let alpha =
+            ((1.0 + h * cos) * self.body.mass * q - self.friction * inertia) / self.p(sin, q);
         (alpha - self.body.pull(), -h * cos * alpha - h * sin)
     }
 

@@ -158,14 +158,12 @@ impl Hoop {
         let Body::Heavy(body) = self.body() else {
             return None;
         };
-        let Heavy {
-            mass, h, inertia, ..
-        } = body;
-        let (h_sin, height) = (h * libm::sin(theta), 1.0 + h * libm::cos(theta));
+        let (sin, cos) = libm::sincos(theta);
+        let (h_sin, height) = (body.h * sin, 1.0 + body.h * cos);
         Some(Compliance {
-            a: 1.0 / mass + height * height / inertia,
-            b: h_sin * height / inertia,
-            c: 1.0 / mass + h_sin * h_sin / inertia,
+            a: 1.0 / body.mass + height * height / body.inertia,
+            b: h_sin * height / body.inertia,
+            c: 1.0 / body.mass + h_sin * h_sin / body.inertia,
         })
     }
 
@@ -188,10 +186,8 @@ impl Hoop {
             normal: 0.0,
             friction: 0.0,
         };
-        [Some(none), bend, Some(impact.impulse)]
-            .into_iter()
-            .flatten()
-            .collect()
+        let vertices = [Some(none), bend, Some(impact.impulse)];
+        vertices.into_iter().flatten().collect()
     }
 
     /// The impact of a hoop whose rim touches the plane in `state` with `gap_rate` ≤ 0. Friction is
@@ -429,12 +425,8 @@ impl<T: Number> Course<'_, T> {
             law,
         } = restitution;
         let closing = -self.before.gap_rate;
-        let (k1, k2, first) = (
-            self.slipping.gap_rate,
-            self.contact.at_rest.gap_rate,
-            self.first,
-        );
-        let reverses = self.contact.reverses;
+        let (k1, k2) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate);
+        let (first, reverses) = (self.first, self.contact.reverses);
         let whole = (e + 1.0) * closing;
         if !jams && first.value() * k1.value() >= whole.value() {
             return End {

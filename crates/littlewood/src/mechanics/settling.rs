@@ -130,46 +130,33 @@ impl Hoop {
         let settling = bounces
             .sum(ContactVelocities::of(state, gap_rate), MAX_SETTLING_TIME)
             .ok()?;
-        let Settling {
-            duration,
-            impact: Impact { before, after, .. },
-            ..
-        } = settling;
+        let spin_of = |impact: &Impact| impact.after.theta_rate - impact.before.theta_rate;
+        let (duration, spin) = (settling.duration, spin_of(&settling.impact));
         // A slow bounce can still change the velocities by a finite amount if its impact ends the
         // slip.
-        let spin = after.theta_rate - before.theta_rate;
+        let slip_change = settling.impact.after.slip - settling.impact.before.slip;
         if duration * pace > MAX_SETTLING_TIME
-            || duration * (spin.abs() + (after.slip - before.slip).abs()) > MAX_SUM_ERROR
+            || duration * (spin.abs() + slip_change.abs()) > MAX_SUM_ERROR
         {
             return None;
         }
         // The sum must not depend on whether θ and θ′ are those of the start, the middle or the
         // end.
         let holds = [0.5, 1.0].into_iter().all(|part| {
-            let theta = state.theta + part * duration * state.theta_rate;
             let later = State {
-                theta,
+                theta: state.theta + part * duration * state.theta_rate,
                 theta_rate: state.theta_rate + part * spin,
                 ..*state
             };
-            let sum = Bounces::new(self, body, &later, restitution, 1.0).and_then(|bounces| {
-                bounces.sum(
-                    ContactVelocities::of(&later, gap_rate),
-                    2.0 * MAX_SETTLING_TIME,
-                )
-            });
-            sum.is_ok_and(
-                |Settling {
-                     duration: other,
-                     impact,
-                     ..
-                 }| {
-                    let other_spin = impact.after.theta_rate - impact.before.theta_rate;
-                    (other - duration).abs() * pace <= MAX_SUM_ERROR
-                        && (other_spin - spin).abs() <= MAX_SUM_ERROR * pace
-                        && (impact.after.slip - after.slip).abs() <= MAX_SUM_ERROR * pace
-                },
-            )
+            let start = ContactVelocities::of(&later, gap_rate);
+            let sum = Bounces::new(self, body, &later, restitution, 1.0)
+                .and_then(|bounces| bounces.sum(start, 2.0 * MAX_SETTLING_TIME));
+            sum.is_ok_and(|other| {
+                let slip_error = other.impact.after.slip - settling.impact.after.slip;
+                (other.duration - duration).abs() * pace <= MAX_SUM_ERROR
+                    && (spin_of(&other.impact) - spin).abs() <= MAX_SUM_ERROR * pace
+                    && slip_error.abs() <= MAX_SUM_ERROR * pace
+            })
         });
         holds.then_some(settling)
     }
@@ -219,15 +206,29 @@ impl<T: Number> Sums<T> {
         }
     }
 
-    /// Adds `times` a bounce, and `works` times its work.
-    fn add(&mut self, duration: T, impact: &Impact<T>, times: T, works: T) {
-        self.duration = self.duration + duration * times;
-        self.normal = self.normal + impact.impulse.normal * times;
-        self.friction = self.friction + impact.impulse.friction * times;
-        self.theta_rate =
-            self.theta_rate + (impact.after.theta_rate - impact.before.theta_rate) * times;
-        self.normal_work = self.normal_work + impact.normal_work * works;
-        self.friction_work = self.friction_work + impact.friction_work * works;
+    /// Adds a run of `number` bounces, each as fast as the one before times `ratio`, from the first.
+    fn add(&mut self, run: &Run<T>, number: f64) {
+        let Run {
+            ratio,
+            duration,
+            ref first,
+            ..
+        } = *run;
+        // Velocities and impulses of a run are geometric sequences, and works those of squares.
+        let count = geometric(ratio, number);
+        let squares = geometric(ratio * ratio, number);
+        let spin = first.after.theta_rate - first.before.theta_rate;
+        self.duration = self.duration + duration * count;
+        self.normal = self.normal + first.impulse.normal * count;
+        self.friction = self.friction + first.impulse.friction * count;
+        self.theta_rate = self.theta_rate + spin * count;
+        self.normal_work = self.normal_work + first.normal_work * squares;
+        self.friction_work = self.friction_work
+            + if run.slides() {
+                first.impulse.friction * run.slipped(number)
+            } else {
+                first.friction_work * squares
+            };
     }
 }
 
@@ -252,14 +253,8 @@ impl Bounces {
 
 impl<T: Number> Bounces<T> {
     pub(crate) fn of(body: &Heavy<T>, conditions: BounceConditions<T>) -> Result<Self, NoSettling> {
-        let BounceConditions {
-            theta,
-            theta_rate: rate,
-            friction,
-            restitution,
-            gravity,
-        } = conditions;
-        let angle = theta.angle();
+        let (rate, gravity) = (conditions.theta_rate, conditions.gravity);
+        let angle = conditions.theta.angle();
         let contact_force = contact(gravity, body.h, angle.cos * (rate * rate));
         if contact_force.value() <= 0.0 {
             return Err(NoSettling::LeavesPlane {
@@ -267,8 +262,8 @@ impl<T: Number> Bounces<T> {
             });
         }
         Ok(Self {
-            contact: Contact::of(body, friction, angle),
-            restitution,
+            contact: Contact::of(body, conditions.friction, angle),
+            restitution: conditions.restitution,
             contact_force,
             slip_acceleration: -body.h * angle.sin * (rate * rate) - body.pull() * gravity,
         })
@@ -282,71 +277,31 @@ impl<T: Number> Bounces<T> {
         longest: f64,
     ) -> Result<Settling<T>, NoSettling> {
         let mut sums = Sums::<T>::new();
-        let one = T::constant(1.0);
         let (mut slip, mut opening) = (start.slip, start.gap_rate);
         for bounce in 0..MAX_BOUNCES {
             if sums.duration.value() > longest {
                 return Err(NoSettling::Unsettled { bounces: bounce });
             }
-            let duration = opening * 2.0 / self.contact_force;
-            let before = ContactVelocities {
-                theta_rate: start.theta_rate,
-                slip: slip + self.slip_acceleration * duration,
-                gap_rate: -opening,
-            };
-            let impact = self.contact.impact(before, self.restitution);
-            let ratio = impact.after.gap_rate / opening;
-            let (r, now) = (ratio.value(), slip.value());
+            let run = self.run(start.theta_rate, slip, opening);
+            let (ratio, r) = (run.ratio, run.ratio.value());
+            let number = run.number();
             let shrinks = 1.0 - r > RATIO_ROUNDING;
-            // All velocities of a repeating bounce scale with this ratio.
-            let repeats =
-                (impact.after.slip.value() - now * r).abs() <= REPETITION_TOLERANCE * now.abs() * r;
-            if repeats && impact.case != ImpactCase::Slides {
-                if !shrinks {
-                    return Err(NoSettling::Grows { ratio: r });
-                }
-                let (count, squares) = (
-                    geometric(ratio, f64::INFINITY),
-                    geometric(ratio * ratio, f64::INFINITY),
-                );
-                sums.add(duration, &impact, count, squares);
-                return Ok(self.settled(start, &sums, T::constant(0.0), (ratio, impact.case)));
+            if number == f64::INFINITY && !shrinks {
+                return Err(NoSettling::Grows { ratio: r });
             }
-            if impact.case == ImpactCase::Slides {
-                let slides = Slides {
-                    ratio,
-                    slip,
-                    before: before.slip,
-                    after: impact.after.slip,
-                };
-                let number = slides.number();
-                if number == f64::INFINITY && !shrinks {
-                    return Err(NoSettling::Grows { ratio: r });
-                }
-                let (count, squares) = (geometric(ratio, number), geometric(ratio * ratio, number));
-                sums.add(
-                    duration,
-                    &Impact {
-                        friction_work: T::constant(0.0),
-                        ..impact
-                    },
-                    count,
-                    squares,
-                );
-                sums.friction_work =
-                    sums.friction_work + impact.impulse.friction * slides.slipped(number);
-                slip = slip + (impact.after.slip - slip) * count;
-                if number == f64::INFINITY {
-                    return Ok(self.settled(start, &sums, slip, (ratio, impact.case)));
-                }
+            sums.add(&run, number);
+            slip = run.slip_after(number);
+            if number == f64::INFINITY {
+                return Ok(self.settled(start, &sums, slip, &run));
+            }
+            opening = if run.slides() {
                 let power = libm::pow(r, number);
-                opening = opening * ratio.map(power, number * power / r);
+                opening * ratio.map(power, number * power / r)
             } else {
-                sums.add(duration, &impact, one, one);
-                (slip, opening) = (impact.after.slip, impact.after.gap_rate);
-            }
+                run.first.after.gap_rate
+            };
             if opening.value() <= NEGLIGIBLE_RATE_RATIO * start.gap_rate.value() {
-                return Ok(self.settled(start, &sums, slip, (ratio, impact.case)));
+                return Ok(self.settled(start, &sums, slip, &run));
             }
             if opening.value() > start.gap_rate.value() / f64::EPSILON {
                 return Err(NoSettling::Grows { ratio: r });
@@ -357,40 +312,55 @@ impl<T: Number> Bounces<T> {
         })
     }
 
+    /// The run of bounces that begins with a slip and a gap rate.
+    fn run(&self, theta_rate: T, slip: T, opening: T) -> Run<T> {
+        let duration = opening * 2.0 / self.contact_force;
+        let before = ContactVelocities {
+            theta_rate,
+            slip: slip + self.slip_acceleration * duration,
+            gap_rate: -opening,
+        };
+        let first = self.contact.impact(before, self.restitution);
+        Run {
+            slip,
+            duration,
+            ratio: first.after.gap_rate / opening,
+            first,
+        }
+    }
+
     fn settled(
         &self,
         start: ContactVelocities<T>,
         sums: &Sums<T>,
         slip: T,
-        (ratio, case): (T, ImpactCase),
+        last: &Run<T>,
     ) -> Settling<T> {
-        let impulse = Impulse {
-            normal: sums.normal,
-            friction: sums.friction,
-        };
         let before = ContactVelocities {
             theta_rate: start.theta_rate,
             slip: start.slip + self.slip_acceleration * sums.duration,
             gap_rate: start.gap_rate - self.contact_force * sums.duration,
         };
-        let theta_rate = start.theta_rate + sums.theta_rate;
         let after = ContactVelocities {
-            theta_rate,
+            theta_rate: start.theta_rate + sums.theta_rate,
             slip,
             gap_rate: T::constant(0.0),
         };
         let impact = Impact {
-            case,
+            case: last.first.case,
             before,
             after,
-            impulse,
+            impulse: Impulse {
+                normal: sums.normal,
+                friction: sums.friction,
+            },
             normal_work: sums.normal_work,
             friction_work: sums.friction_work,
         };
         Settling {
             gap_rate: start.gap_rate,
             duration: sums.duration,
-            ratio,
+            ratio: last.ratio,
             impact,
         }
     }
@@ -418,24 +388,40 @@ fn geometric<T: Number>(ratio: T, count: f64) -> T {
     ratio.map(sum, (last - sum) / (r - 1.0))
 }
 
-/// A run of bounces that slip throughout. The slip velocity after the kth is sₖ = s0 + (s1 − s0)
-/// gₖ, with the geometric sum gₖ of k terms.
+/// A run of bounces of one kind.
 #[derive(Clone, Copy, Debug)]
-struct Slides<T> {
-    ratio: T,
+struct Run<T> {
     /// Slip velocity s0 after the impact before the first.
     slip: T,
-    /// Slip velocities before and after the first impact.
-    before: T,
-    after: T,
+    /// Duration of the first flight, and the impact that ends it.
+    duration: T,
+    first: Impact<T>,
+    /// The ratio of successive gap rates.
+    ratio: T,
 }
 
-impl<T: Number> Slides<T> {
-    /// Number of bounces to add, including the first: all if infinitely many slip, otherwise about
-    /// half of those that do, so that rounding does not pass the last.
+impl<T: Number> Run<T> {
+    /// Whether the contact slips throughout. The slip velocity after the kth impact is then
+    /// sₖ = s0 + (s1 − s0) gₖ, with the geometric sum gₖ of k terms.
+    fn slides(&self) -> bool {
+        self.first.case == ImpactCase::Slides
+    }
+
+    /// Whether all velocities of the next bounce are those of the first times the ratio.
+    fn repeats(&self) -> bool {
+        let [slip, after, ratio] = [self.slip, self.first.after.slip, self.ratio].map(T::value);
+        (after - slip * ratio).abs() <= REPETITION_TOLERANCE * slip.abs() * ratio
+    }
+
+    /// Number of bounces to add, including the first: all if infinitely many are of one kind;
+    /// of those that slip about half, so that rounding does not pass the last.
     fn number(&self) -> f64 {
+        if !self.slides() {
+            return if self.repeats() { f64::INFINITY } else { 1.0 };
+        }
+        let Impact { before, after, .. } = self.first;
         let [ratio, slip, before, after] =
-            [self.ratio, self.slip, self.before, self.after].map(T::value);
+            [self.ratio, self.slip, before.slip, after.slip].map(T::value);
         // The number of bounces until the slip velocity `now` + `change` gₖ vanishes.
         let further = |now: f64, change: f64| {
             let until = -now / change;
@@ -455,19 +441,26 @@ impl<T: Number> Slides<T> {
         1.0 + (0.5 * most).floor()
     }
 
+    /// Slip velocity after `number` bounces.
+    fn slip_after(&self, number: f64) -> T {
+        let after = self.first.after.slip;
+        if self.slides() {
+            self.slip + (after - self.slip) * geometric(self.ratio, number)
+        } else if number == f64::INFINITY {
+            T::constant(0.0)
+        } else {
+            after
+        }
+    }
+
     /// The sum of the mean slip velocities in `number` impacts, each weighted with its impulse over
     /// the first.
     fn slipped(&self, number: f64) -> T {
-        let Self {
-            ratio,
-            slip,
-            before,
-            after,
-        } = *self;
+        let Self { ratio, slip, .. } = *self;
         let count = geometric(ratio, number);
-        let change = after - slip;
+        let change = self.first.after.slip - slip;
         slip * count
             + change * (ratio / (ratio + 1.0) * count * geometric(ratio, number - 1.0))
-            + (before - slip + change) * 0.5 * geometric(ratio * ratio, number)
+            + (self.first.before.slip - slip + change) * 0.5 * geometric(ratio * ratio, number)
     }
 }

@@ -283,22 +283,17 @@ impl Hoop {
     }
 
     /// The parameters of the equations of rolling, which hold without inertia, too.
-    pub(crate) fn rigid_body(&self) -> Heavy {
-        let HoopParameters {
-            mass_ratio,
-            offset,
-            inertia,
-            slope,
-            ..
-        } = self.parameters;
-        Heavy::of(
-            Composition {
-                mass_ratio,
+    pub(crate) const fn rigid_body(&self) -> Heavy {
+        match self.body {
+            Body::Heavy(heavy) => heavy,
+            Body::Massless(Massless { offset, tilt }) => Heavy {
+                mass: 1.0,
+                h: offset,
                 offset,
-                inertia,
+                inertia: 0.0,
+                tilt,
             },
-            slope,
-        )
+        }
     }
 
     /// √cos α: velocities over it are those in units in which gravity normal to the plane is 1. It
@@ -306,24 +301,12 @@ impl Hoop {
     pub(crate) fn pace(&self) -> f64 {
         libm::cos(self.parameters.slope).sqrt()
     }
-
-    /// Gravity along the plane over that normal to it, tan α; −0 on a level plane.
-    pub(crate) const fn tilt(&self) -> f64 {
-        match self.body {
-            Body::Heavy(heavy) => heavy.tilt,
-            Body::Massless(massless) => massless.tilt,
-        }
-    }
 }
 
 impl<T: Number> Heavy<T> {
     /// The body on a slope; without inertia also that of a massless hoop.
     pub(crate) fn of(composition: Composition<T>, slope: T) -> Self {
-        let Composition {
-            mass_ratio,
-            offset,
-            inertia,
-        } = composition;
+        let (mass_ratio, offset) = (composition.mass_ratio, composition.offset);
         let (_, cos) = libm::sincos(slope.value());
         let tilt = if slope.value() == 0.0 {
             -0.0
@@ -335,7 +318,7 @@ impl<T: Number> Heavy<T> {
             mass,
             h: offset / mass,
             offset,
-            inertia: inertia + mass_ratio * offset * offset / mass,
+            inertia: composition.inertia + mass_ratio * offset * offset / mass,
             tilt: slope.map(tilt, 1.0 / (cos * cos)),
         }
     }

@@ -7,16 +7,13 @@
 
 use core::cell::Cell;
 
-use crate::mechanics::{Impact, Settling};
+use crate::mechanics::Settling;
 use crate::model::{
     Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, SlipDirection, Start,
     State,
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhaseSolution, TakeOff};
-use crate::walk::{
-    Arrival, Cause, Event, Exact, NextMotion, Origin, Outcome, PhaseEnd, PhaseRecord, PhaseResult,
-    Recorder, SharedProofData, Solver, WalkSettings, walk,
-};
+use crate::walk::{Arrival, Exact, NextMotion, Outcome, PhaseEnd, PhaseResult, Solver, Transition};
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,32 +75,36 @@ impl Hoop {
         start: Start,
         limits: Limits,
     ) -> Result<Vec<Option<Digits>>, ParameterError> {
-        let motion = self.events(start, limits, None)?;
-        let mut spreads = Uncertainties {
+        let motion = self.simulate(start, limits)?.transitions;
+        let mut uncertainties = Uncertainties {
             motion: &motion,
             of: vec![Some([0.0; 5]); motion.len()],
         };
         for pair in self.neighbours(start) {
-            let changes = pair.map(|setup| {
+            let changed = pair.map(|setup| {
                 // A bound may exclude one of the two directions.
-                Self::new(setup.hoop)
-                    .ok()?
-                    .events(setup.start, limits, None)
-                    .ok()
+                let hoop = Self::new(setup.hoop).ok()?;
+                Some(hoop.simulate(setup.start, limits).ok()?.transitions)
             });
-            spreads.add(changes.iter().flatten(), 0.5 / PERTURBATION_ULPS as f64);
+            uncertainties.add(changed.iter().flatten(), 0.5 / PERTURBATION_ULPS as f64);
         }
-        let perturbed = (0..PERTURBED_MOTIONS)
-            .map(|seed| self.events(start, limits, Some(RandomSigns::new(seed))));
-        spreads.add(perturbed.collect::<Result<Vec<_>, _>>()?.iter(), 2.0);
+        let perturbed = (0..PERTURBED_MOTIONS).map(|seed| {
+            let signs = RandomSigns::new(seed);
+            let motion = self.simulate_by(start, limits, |exact| PerturbedSolver { exact, signs });
+            motion.map(|motion| motion.transitions)
+        });
+        uncertainties.add(perturbed.collect::<Result<Vec<_>, _>>()?.iter(), 2.0);
         let mut is_determined = true;
-        Ok(Vec::from_iter(spreads.of.iter().zip(&motion).map(
-            |(spread, event)| {
-                is_determined &= spread.is_some();
-                let spread = spread.filter(|_| is_determined)?;
-                let values = event.state.numbers();
+        let found = uncertainties
+            .of
+            .iter()
+            .zip(&motion)
+            .map(|(uncertainty, event)| {
+                is_determined &= uncertainty.is_some();
+                let uncertainty = uncertainty.filter(|_| is_determined)?;
+                let values = event.before.numbers();
                 let [time, theta, theta_rate, slip, x] =
-                    core::array::from_fn(|place| digits(values[place], spread[place]));
+                    core::array::from_fn(|place| digits(values[place], uncertainty[place]));
                 Some(Digits {
                     time,
                     theta,
@@ -111,34 +112,8 @@ impl Hoop {
                     slip,
                     x,
                 })
-            },
-        )))
-    }
-
-    /// The events of a motion, with perturbed phases if `signs` are given.
-    fn events(
-        &self,
-        start: Start,
-        limits: Limits,
-        signs: Option<RandomSigns>,
-    ) -> Result<Vec<EventRecord>, ParameterError> {
-        self.check(start)?;
-        limits.check(&start)?;
-        let (origin, relative, limits) = Origin::of(self, &start, limits);
-        let mut events = Events {
-            origin,
-            seen: Vec::new(),
-        };
-        let solver = PerturbedSolver {
-            exact: Exact::new(self, &limits),
-            signs,
-        };
-        let settings = WalkSettings {
-            limits: &limits,
-            shared: SharedProofData::default(),
-        };
-        walk(&solver, relative, settings, &mut events);
-        Ok(events.seen)
+            });
+        Ok(found.collect())
     }
 
     /// Hoops and starts with one number perturbed in its last places, towards zero and away from
@@ -196,59 +171,35 @@ impl Digits {
     }
 }
 
-/// The compared data of a transition.
-#[derive(Clone, Copy, Debug)]
-struct EventRecord {
-    state: State,
-    kind: (Cause, Option<Mode>, Option<Mode>, Option<SlipDirection>),
-}
-
-struct Events {
-    origin: Origin,
-    seen: Vec<EventRecord>,
-}
-
-impl Recorder<PhaseSolution> for Events {
-    fn phase(&mut self, _: PhaseRecord, _: PhaseSolution) {}
-
-    fn transition(&mut self, event: &Event, _: Option<&Impact>, direction: Option<SlipDirection>) {
-        let Event {
-            state,
-            from,
-            to,
-            cause,
-        } = *event;
-        self.seen.push(EventRecord {
-            state: self.origin.state(state),
-            kind: (cause, from, to, direction),
-        });
-    }
-}
-
-/// Uncertainties of the state at each transition of a motion; none if a perturbed motion has
+/// Uncertainties of the state before each transition of a motion; none if a perturbed motion has
 /// another event.
 struct Uncertainties<'a> {
-    motion: &'a [EventRecord],
+    motion: &'a [Transition],
     of: Vec<Option<[f64; 5]>>,
 }
 
 impl Uncertainties<'_> {
     /// Adds the largest changes over some motions, times a factor.
-    fn add<'a>(&mut self, others: impl Iterator<Item = &'a Vec<EventRecord>> + Clone, factor: f64) {
-        for (index, (spread, seen)) in self.of.iter_mut().zip(self.motion).enumerate() {
+    fn add<'a>(&mut self, others: impl Iterator<Item = &'a Vec<Transition>> + Clone, factor: f64) {
+        let kind = |it: &Transition| (it.cause, it.from, it.to, it.direction);
+        for (index, (uncertainty, event)) in self.of.iter_mut().zip(self.motion).enumerate() {
             let mut largest = [0.0_f64; 5];
             for other in others.clone() {
-                match other.get(index).filter(|other| other.kind == seen.kind) {
+                match other.get(index).filter(|other| kind(other) == kind(event)) {
                     Some(other) => {
-                        let pairs = other.state.numbers().into_iter().zip(seen.state.numbers());
+                        let pairs = other
+                            .before
+                            .numbers()
+                            .into_iter()
+                            .zip(event.before.numbers());
                         for (most, (a, b)) in largest.iter_mut().zip(pairs) {
                             *most = most.max(if a == b { 0.0 } else { (a - b).abs() });
                         }
                     }
-                    None => *spread = None,
+                    None => *uncertainty = None,
                 }
             }
-            for (sum, most) in spread.iter_mut().flatten().zip(largest) {
+            for (sum, most) in uncertainty.iter_mut().flatten().zip(largest) {
                 *sum += factor * most;
             }
         }
@@ -284,7 +235,7 @@ impl RandomSigns {
 /// The exact solver with perturbed starts and ends of phases.
 struct PerturbedSolver<'a> {
     exact: Exact<'a>,
-    signs: Option<RandomSigns>,
+    signs: RandomSigns,
 }
 
 impl PerturbedSolver<'_> {
@@ -298,10 +249,7 @@ impl PerturbedSolver<'_> {
             slip,
             x,
         } = *state;
-        let Some(signs) = &self.signs else {
-            return *state;
-        };
-        let moved = |value: f64| signs.moved(value, f64::EPSILON * value.abs());
+        let moved = |value: f64| self.signs.moved(value, f64::EPSILON * value.abs());
         State {
             time,
             theta: moved(theta),
@@ -314,9 +262,8 @@ impl PerturbedSolver<'_> {
     /// A later state of a phase, with each number moved by the rounding of its terms: the earlier
     /// value, and the change over a number of steps.
     fn perturbed_end(&self, from: &State, to: State, mode: Mode, steps: f64) -> State {
-        let Some(signs) = &self.signs else { return to };
         let least = f64::EPSILON * steps.sqrt();
-        let moved = |value: f64, size: f64| signs.moved(value, least * size);
+        let moved = |value: f64, size: f64| self.signs.moved(value, least * size);
         let (h, friction) = match mode {
             Mode::Rolling => (0.0, 0.0),
             Mode::Flight => (self.hoop().h(), 0.0),
@@ -356,75 +303,42 @@ impl PerturbedSolver<'_> {
     }
 
     /// A landing with its time moved by its own rounding, and by that of the terms of the gap.
-    fn perturbed_landing(
-        &self,
-        flight: &Flight,
-        gap_rate: f64,
-        signs: &RandomSigns,
-    ) -> (State, f64) {
+    fn perturbed_landing(&self, flight: &Flight, gap_rate: f64) -> (State, f64) {
         let duration = flight.duration();
         let gap = self.hoop().h() + (flight.take_off_rate() + 0.5 * duration) * duration;
         // At a grazing landing the gap rate, a divisor, may be as small as rounding.
         let late = f64::EPSILON * (gap / gap_rate.abs()).max(duration);
-        let late = late.min(duration);
-        let duration = signs.moved(duration, late);
+        let duration = self.signs.moved(duration, late.min(duration));
         (flight.state(duration), flight.gap(duration).1)
     }
 
+    /// A phase from a state with the state of its event moved.
     fn perturbed(&self, from: &State, solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
         let PhaseResult {
             solution,
             direction,
-            end,
+            mut end,
         } = solved;
+        if let (PhaseSolution::Flight(flight), PhaseEnd::Landing { state, gap_rate }) =
+            (&solution, &mut end)
+        {
+            (*state, *gap_rate) = self.perturbed_landing(flight, *gap_rate);
+        }
         let steps = match &solution {
             PhaseSolution::Sliding(slide) => slide.steps() as f64,
             PhaseSolution::Rolling(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 1.0,
         };
-        let moved = |state: State| self.perturbed_end(from, state, solution.mode(), steps);
-        let end = match end {
-            PhaseEnd::Event {
-                point,
-                cause,
-                arrival,
-            } => PhaseEnd::Event {
-                point: moved(point),
-                cause,
-                arrival,
-            },
-            PhaseEnd::Landing { state, gap_rate } => {
-                let (state, gap_rate) = match (&solution, &self.signs) {
-                    (PhaseSolution::Flight(flight), Some(signs)) => {
-                        self.perturbed_landing(flight, gap_rate, signs)
-                    }
-                    _ => (state, gap_rate),
-                };
-                PhaseEnd::Landing {
-                    state: moved(state),
-                    gap_rate,
-                }
-            }
-            PhaseEnd::Settled { state, settling } => PhaseEnd::Settled {
-                state: moved(state),
-                settling,
-            },
-            PhaseEnd::Singular { state, solvability } => PhaseEnd::Singular {
-                state: moved(state),
-                solvability,
-            },
-            PhaseEnd::Motion {
-                event,
-                end,
-                outcome,
-            } => {
-                let event = event.map(|(cause, state)| (cause, moved(state)));
-                PhaseEnd::Motion {
-                    event,
-                    end,
-                    outcome,
-                }
-            }
-        };
+        match &mut end {
+            PhaseEnd::Event { point: state, .. }
+            | PhaseEnd::Landing { state, .. }
+            | PhaseEnd::Settled { state, .. }
+            | PhaseEnd::Singular { state, .. }
+            | PhaseEnd::Motion {
+                event: Some((_, state)),
+                ..
+            } => *state = self.perturbed_end(from, *state, solution.mode(), steps),
+            PhaseEnd::Motion { event: None, .. } => {}
+        }
         PhaseResult {
             solution,
             direction,
@@ -475,9 +389,6 @@ impl Solver for PerturbedSolver<'_> {
         let perturbed_start = self.perturbed_start(state);
         let mut from = perturbed_start;
         let mut solved = self.exact.slide(&perturbed_start, body, direction, entry);
-        if self.signs.is_none() {
-            return self.perturbed(state, solved);
-        }
         // Rounding on the way may grow more than rounding at the start.
         for pieces in (2..=PERTURBATIONS_PER_SLIDE).rev() {
             let (PhaseSolution::Sliding(slide), Some(end)) =
@@ -513,13 +424,11 @@ impl Solver for PerturbedSolver<'_> {
     }
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
-        let take_off = match (take_off, &self.signs) {
-            (TakeOff::Rising { gap_rate }, Some(signs)) => TakeOff::Rising {
-                gap_rate: signs.moved(gap_rate, f64::EPSILON * gap_rate),
+        let take_off = match take_off {
+            TakeOff::Rising { gap_rate } => TakeOff::Rising {
+                gap_rate: self.signs.moved(gap_rate, f64::EPSILON * gap_rate),
             },
-            (take_off @ (TakeOff::Rising { .. } | TakeOff::Grazing | TakeOff::Unloaded), _) => {
-                take_off
-            }
+            TakeOff::Grazing | TakeOff::Unloaded => take_off,
         };
         self.perturbed(
             state,

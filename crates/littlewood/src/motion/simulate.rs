@@ -6,8 +6,8 @@ use crate::modes::{Flight, PhaseSolution};
 use crate::motion::summary::SummaryRecorder;
 use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{
-    Event, Exact, Origin, PhaseRecord, Recorder, SharedProofData, Solution, Transition,
-    WalkSettings, walk,
+    Event, Exact, Origin, Outcome, PhaseRecord, Recorder, SharedProofData, Solution, Solver,
+    Transition, WalkSettings, walk,
 };
 
 impl Hoop {
@@ -34,6 +34,19 @@ impl Hoop {
     /// # Errors
     /// A start or a limit that is not finite, or a time limit before the start.
     pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
+        self.simulate_by(start, limits, |exact| exact)
+    }
+
+    /// [`Hoop::simulate`] by a solver that is made from the exact one.
+    pub(super) fn simulate_by<'a, S>(
+        &'a self,
+        start: Start,
+        limits: Limits,
+        solver: impl FnOnce(Exact<'a>) -> S,
+    ) -> Result<Trajectory, ParameterError>
+    where
+        S: Solver<Solution = PhaseSolution, Outcome = Outcome>,
+    {
         let state = self.check(start)?;
         limits.check(&start)?;
         let (origin, relative, limits) = Origin::of(self, &start, limits);
@@ -44,7 +57,7 @@ impl Hoop {
             transitions: Vec::new(),
             summary: SummaryRecorder::new(self, origin),
         };
-        let solver = Exact::new(self, &limits);
+        let solver = solver(Exact::new(self, &limits));
         let settings = WalkSettings {
             limits: &limits,
             shared: SharedProofData::default(),

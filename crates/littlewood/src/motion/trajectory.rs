@@ -184,13 +184,16 @@ getters! {
     /// motion;
     /// [`Trajectory::end_of`] returns the transition of a phase.
     pub transitions: &[Transition] = self.transitions.as_slice();
-    /// The outcome.
-    pub outcome: Outcome = self.origin.outcome(self.outcome);
     /// The summary.
     pub summary: Summary = self.summary;
 }
 
 impl Trajectory {
+    /// The outcome.
+    pub fn outcome(&self) -> Outcome {
+        self.origin.outcome(self.outcome)
+    }
+
     /// The transition that ends a phase; none for a last phase that is endless or cut at a limit.
     pub fn end_of(&self, phase: &Phase) -> Option<&Transition> {
         self.transitions.get(phase.ended_by?)

@@ -228,7 +228,7 @@ impl Origin {
         }
     }
 
-    pub(crate) const fn outcome(&self, mut outcome: Outcome) -> Outcome {
+    pub(crate) fn outcome(&self, mut outcome: Outcome) -> Outcome {
         let state = outcome.state_mut();
         *state = self.state(*state);
         match &mut outcome {
@@ -265,7 +265,7 @@ impl Origin {
         outcome
     }
 
-    pub(crate) const fn recurrence(&self, recurrence: Recurrence) -> Recurrence {
+    pub(crate) fn recurrence(&self, recurrence: Recurrence) -> Recurrence {
         match recurrence.at_pace(self.pace) {
             Recurrence::Libration {
                 period,

@@ -1,28 +1,29 @@
 //! Recurrence of endless motions, and the one endless motion that does not recur: a balanced hoop
 //! down a slope.
 
+use crate::math::number::Number;
 use crate::model::{Detail, Dimension, named};
 
 /// Recurrence of a motion that lasts for ever.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[expect(missing_docs, reason = "the text of each says what its fields are")]
-pub enum Recurrence {
+pub enum Recurrence<T = f64> {
     /// Rest in an equilibrium (for a homogeneous disc, anywhere).
     Rest,
     /// Oscillation about the stable equilibrium, in one period from the smallest angle to the
     /// largest and back.
     Libration {
-        period: f64,
-        theta_min: f64,
-        theta_max: f64,
+        period: T,
+        theta_min: T,
+        theta_max: T,
     },
     /// Rotation over the top in one direction, a turn in a period.
-    Rotation { period: f64 },
+    Rotation { period: T },
     /// Acceleration of a balanced hoop down a slope: x″ of the centre.
-    Downhill { acceleration: f64 },
+    Downhill { acceleration: T },
     /// Approach to the unstable equilibrium at θ on the separatrix, in infinite time.
-    Asymptotic { theta: f64 },
+    Asymptotic { theta: T },
 }
 
 named! {
@@ -50,36 +51,6 @@ impl Recurrence {
             Self::Rotation { .. } => RecurrenceKind::Rotation,
             Self::Asymptotic { .. } => RecurrenceKind::Asymptotic,
             Self::Downhill { .. } => RecurrenceKind::Downhill,
-        }
-    }
-
-    /// Period; none for rest, on the separatrix, and down a slope.
-    pub const fn period(&self) -> Option<f64> {
-        match self {
-            Self::Libration { period, .. } | Self::Rotation { period } => Some(*period),
-            Self::Rest | Self::Asymptotic { .. } | Self::Downhill { .. } => None,
-        }
-    }
-
-    /// In units in which velocities are `pace` times as large.
-    pub(crate) const fn at_pace(self, pace: f64) -> Self {
-        match self {
-            Self::Libration {
-                period,
-                theta_min,
-                theta_max,
-            } => Self::Libration {
-                period: period / pace,
-                theta_min,
-                theta_max,
-            },
-            Self::Rotation { period } => Self::Rotation {
-                period: period / pace,
-            },
-            Self::Downhill { acceleration } => Self::Downhill {
-                acceleration: acceleration * (pace * pace),
-            },
-            Self::Asymptotic { .. } | Self::Rest => self,
         }
     }
 
@@ -111,5 +82,60 @@ impl Recurrence {
             Self::Rest | Self::Rotation { .. } => {}
         }
         details
+    }
+}
+
+impl<T: Copy> Recurrence<T> {
+    /// Period; none for rest, on the separatrix, and down a slope.
+    pub const fn period(&self) -> Option<T> {
+        match self {
+            Self::Libration { period, .. } | Self::Rotation { period } => Some(*period),
+            Self::Rest | Self::Asymptotic { .. } | Self::Downhill { .. } => None,
+        }
+    }
+}
+
+impl<T: Number> Recurrence<T> {
+    /// In units in which velocities are `pace` times as large.
+    pub(crate) fn at_pace(self, pace: T) -> Self {
+        match self {
+            Self::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } => Self::Libration {
+                period: period / pace,
+                theta_min,
+                theta_max,
+            },
+            Self::Rotation { period } => Self::Rotation {
+                period: period / pace,
+            },
+            Self::Downhill { acceleration } => Self::Downhill {
+                acceleration: acceleration * (pace * pace),
+            },
+            Self::Asymptotic { .. } | Self::Rest => self,
+        }
+    }
+
+    /// Applies a function to each number.
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Recurrence<U> {
+        match self {
+            Self::Rest => Recurrence::Rest,
+            Self::Libration {
+                period,
+                theta_min,
+                theta_max,
+            } => Recurrence::Libration {
+                period: f(period),
+                theta_min: f(theta_min),
+                theta_max: f(theta_max),
+            },
+            Self::Rotation { period } => Recurrence::Rotation { period: f(period) },
+            Self::Downhill { acceleration } => Recurrence::Downhill {
+                acceleration: f(acceleration),
+            },
+            Self::Asymptotic { theta } => Recurrence::Asymptotic { theta: f(theta) },
+        }
     }
 }

@@ -11,7 +11,7 @@ use crate::mechanics::{Accelerations, ContactMotion, Loads, RollingLaw, SlidingL
 use crate::model::{Friction, Heavy, SlipDirection, State};
 use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE, gliding};
 
-use super::NoDerivative;
+use super::{Derivative, NoDerivative};
 
 /// Longest step: the series of a body at rest has no time scale.
 const MAX_STEP: f64 = 1.0;
@@ -204,10 +204,9 @@ impl<const K: usize> Plane<Dual<K>> {
         motion: &Motion<Dual<K>>,
         from: &Point<Dual<K>>,
         elapsed: f64,
-    ) -> Result<Point<Dual<K>>, NoDerivative> {
-        let mut last = Err(NoDerivative::Singular);
-        self.evolve_to(motion, from, &[elapsed], |point| last = point);
-        last
+    ) -> Derivative<Point<Dual<K>>> {
+        let last = self.evolve_to(motion, from, &[elapsed]).pop();
+        last.unwrap_or(Err(NoDerivative::Singular))
     }
 
     /// The states after times that are the same for all motions, and do not decrease.
@@ -216,34 +215,31 @@ impl<const K: usize> Plane<Dual<K>> {
         motion: &Motion<Dual<K>>,
         from: &Point<Dual<K>>,
         times: &[f64],
-        mut give: impl FnMut(Result<Point<Dual<K>>, NoDerivative>),
-    ) {
+    ) -> Vec<Derivative<Point<Dual<K>>>> {
         match motion {
             Motion::Rolls => {
                 let law = RollingLaw::of_body(&self.body);
-                in_steps(
-                    from,
-                    times,
-                    |place| roll_series(&law, place),
-                    |_, place| {
-                        give(place.map(|PhasePoint { theta, rate }| Point {
+                in_steps(from, times, |place| roll_series(&law, place))
+                    .map(|place| {
+                        let PhasePoint { theta, rate } = place?;
+                        Ok(Point {
                             theta,
                             rate,
                             slip: Dual::constant(0.0),
                             x: from.x - (theta - from.theta),
-                        }));
-                    },
-                );
+                        })
+                    })
+                    .collect()
             }
-            Motion::Slides(direction) => {
-                self.slide_to(&self.sliding(*direction), from, times, give);
-            }
+            Motion::Slides(direction) => self.slide_to(&self.sliding(*direction), from, times),
             Motion::Glides => times
                 .iter()
-                .for_each(|elapsed| give(self.glide(from, *elapsed))),
+                .map(|elapsed| self.glide(from, *elapsed))
+                .collect(),
             Motion::Flies(_) => times
                 .iter()
-                .for_each(|elapsed| give(Ok(self.fly(from, *elapsed)))),
+                .map(|elapsed| Ok(self.fly(from, *elapsed)))
+                .collect(),
         }
     }
 
@@ -252,8 +248,7 @@ impl<const K: usize> Plane<Dual<K>> {
         law: &SlidingLaw<Dual<K>>,
         from: &Point<Dual<K>>,
         times: &[f64],
-        mut give: impl FnMut(Result<Point<Dual<K>>, NoDerivative>),
-    ) {
+    ) -> Vec<Derivative<Point<Dual<K>>>> {
         let series = |place| {
             let series = SlideSeries::new(law, place, from.slip);
             [series.theta, series.theta_rate]
@@ -268,19 +263,21 @@ impl<const K: usize> Plane<Dual<K>> {
             },
             start,
         );
-        in_steps(from, times, series, |elapsed, place| {
-            give(place.map(|PhasePoint { theta, rate }| {
-                let (end, time) = (theta.angle(), Dual::constant(elapsed));
+        in_steps(from, times, series)
+            .zip(times)
+            .map(|(place, elapsed)| {
+                let PhasePoint { theta, rate } = place?;
+                let (end, time) = (theta.angle(), Dual::constant(*elapsed));
                 let slip = from.slip - from.rate * coefficient(start) + rate * coefficient(end)
                     - law.mean_slip_loss() * time;
-                Point {
+                Ok(Point {
                     theta,
                     rate,
                     slip,
                     x: path.x(time, end),
-                }
-            }));
-        });
+                })
+            })
+            .collect()
     }
 
     fn fly(&self, from: &Point<Dual<K>>, elapsed: f64) -> Point<Dual<K>> {
@@ -300,7 +297,7 @@ impl<const K: usize> Plane<Dual<K>> {
     }
 
     /// The free fall of the particle of a massless hoop.
-    fn glide(&self, from: &Point<Dual<K>>, elapsed: f64) -> Result<Point<Dual<K>>, NoDerivative> {
+    fn glide(&self, from: &Point<Dual<K>>, elapsed: f64) -> Derivative<Point<Dual<K>>> {
         let h = self.body.h;
         let Angle { sin, cos } = from.theta.angle();
         let rise = -(h * sin * from.rate);
@@ -375,26 +372,28 @@ fn roll_series<T: Number>(
     [angle, spin]
 }
 
-/// Follows series of θ and θ′, and gives their values after times that do not decrease.
+/// Follows series of θ and θ′ to times that do not decrease.
 fn in_steps<const K: usize>(
     from: &Point<Dual<K>>,
     times: &[f64],
     series: impl Fn(PhasePoint<Dual<K>>) -> [Series<Dual<K>>; 2],
-    mut give: impl FnMut(f64, Result<PhasePoint<Dual<K>>, NoDerivative>),
-) {
+) -> impl Iterator<Item = Derivative<PhasePoint<Dual<K>>>> {
+    let mut found = Vec::with_capacity(times.len());
     let mut place = PhasePoint {
         theta: from.theta,
         rate: from.rate,
     };
     let mut passed = 0.0;
-    let mut times = times.iter().copied().peekable();
-    while let Some(elapsed) = times.next_if(|elapsed| *elapsed <= 0.0) {
-        give(elapsed, Ok(place));
-    }
+    found.extend(
+        times
+            .iter()
+            .take_while(|elapsed| **elapsed <= 0.0)
+            .map(|_| Ok(place)),
+    );
     let mut failed = NoDerivative::TooLong;
     for _ in 0..MAX_STEPS {
-        if times.peek().is_none() {
-            return;
+        if found.len() == times.len() {
+            break;
         }
         let [theta, rate] = series(place);
         let reach = reach(&rate);
@@ -406,13 +405,17 @@ fn in_steps<const K: usize>(
             theta: value(&theta, width),
             rate: value(&rate, width),
         };
-        while let Some(elapsed) = times.next_if(|elapsed| elapsed - passed <= reach) {
-            give(elapsed, Ok(at(elapsed - passed)));
-        }
+        let within = times[found.len()..].iter().map(|elapsed| elapsed - passed);
+        found.extend(
+            within
+                .take_while(|width| *width <= reach)
+                .map(|width| Ok(at(width))),
+        );
         place = at(reach);
         passed += reach;
     }
-    times.for_each(|elapsed| give(elapsed, Err(failed)));
+    found.resize(times.len(), Err(failed));
+    found.into_iter()
 }
 
 /// The step on which a series and its derivatives converge to rounding, by the rule of

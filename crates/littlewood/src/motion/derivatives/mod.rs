@@ -180,14 +180,11 @@ impl Trajectory {
             .iter()
             .map(|time| is_within(*time).then(Vec::new))
             .collect();
-        let mut order: Vec<usize> = (0..times.len())
+        let mut order: Vec<(f64, usize)> = (0..times.len())
             .filter(|place| found[*place].is_some())
-            .collect();
-        order.sort_by(|one, other| times[*one].total_cmp(&times[*other]));
-        let order = order
-            .into_iter()
             .map(|place| (times[place], place))
             .collect();
+        order.sort_by(|(one, _), (other, _)| one.total_cmp(other));
         in_groups(
             quantities,
             &mut Instants {
@@ -245,51 +242,19 @@ impl Group for Instants<'_> {
             found,
         } = self;
         let mut walk = Tangents::new(motion, quantities);
-        let mut failed = None;
-        let mut rest = order.as_slice();
-        for (number, phase) in motion.phases.iter().enumerate() {
-            let next = motion
-                .phases
-                .get(number + 1)
-                .map_or(f64::INFINITY, |next| next.start().time);
-            let (here, later) = rest.split_at(rest.partition_point(|(time, _)| *time < next));
-            rest = later;
-            let mut places = here.iter().map(|(_, place)| *place);
-            let mut give =
-                |walk: &Tangents<'_, K>, at: Derivative<_>| {
-                    let Some(states) = places.next().and_then(|place| found[place].as_mut()) else {
-                        return;
-                    };
-                    states.extend(quantities.iter().enumerate().take(asked).map(
-                        |(k, quantity)| {
-                            let at = walk.two_sided(*quantity, at);
-                            at.map(|at| State {
-                                time: 0.0,
-                                ..walk.state(&at, k)
-                            })
-                        },
-                    ));
-                };
-            if let Some(reason) = failed {
-                here.iter().for_each(|_| give(&walk, Err(reason)));
-                continue;
-            }
-            if !here.is_empty() {
-                let elapsed: Vec<f64> = here
-                    .iter()
-                    .map(|(time, _)| motion.origin.elapsed(*time))
-                    .collect();
-                walk.at_times(phase, &elapsed, give);
-            }
-            if rest.is_empty() {
-                break;
-            }
-            failed = walk.pass_phase(phase).err();
-        }
-        for (_, place) in rest {
-            found[*place].iter_mut().for_each(|states| {
-                states.extend(core::iter::repeat_n(Err(NoDerivative::Singular), asked));
+        let times: Vec<f64> = order.iter().map(|(time, _)| *time).collect();
+        let instants = walk.instants(&times);
+        for ((_, place), at) in order.iter().zip(instants) {
+            let states = (0..asked).map(|k| {
+                let state = at.map(|at| State {
+                    time: 0.0,
+                    ..walk.state(&at, k)
+                });
+                walk.two_sided(quantities[k], state)
             });
+            found[*place]
+                .iter_mut()
+                .for_each(|found| found.extend(states.clone()));
         }
     }
 }
@@ -351,7 +316,7 @@ impl Group for Events<'_> {
         for (k, quantity) in quantities.iter().enumerate().take(asked) {
             let derivative = end.map(|(at, recurrence)| OutcomeDerivative {
                 state: walk.state(&at, k),
-                recurrence: recurrence.map(|numbers| numbers.part(k)),
+                recurrence: recurrence.map(|it| it.map(|number| number.parts[k])),
             });
             all.outcome.push(walk.two_sided(*quantity, derivative));
         }

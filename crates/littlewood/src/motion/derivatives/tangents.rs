@@ -38,61 +38,6 @@ pub(super) struct EventJump<const K: usize> {
     pub(super) work: Dual<K>,
 }
 
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Repeats<const K: usize> {
-    Libration {
-        period: Dual<K>,
-        theta_min: Dual<K>,
-        theta_max: Dual<K>,
-    },
-    Rotation {
-        period: Dual<K>,
-    },
-}
-
-impl<const K: usize> Repeats<K> {
-    const fn period(&self) -> Dual<K> {
-        match self {
-            Self::Libration { period, .. } | Self::Rotation { period } => *period,
-        }
-    }
-
-    /// In the units of the results, from those of the solvers.
-    fn at_pace(self, pace: Dual<K>) -> Self {
-        match self {
-            Self::Libration {
-                period,
-                theta_min,
-                theta_max,
-            } => Self::Libration {
-                period: period / pace,
-                theta_min,
-                theta_max,
-            },
-            Self::Rotation { period } => Self::Rotation {
-                period: period / pace,
-            },
-        }
-    }
-
-    pub(super) fn part(self, k: usize) -> Recurrence {
-        match self {
-            Self::Libration {
-                period,
-                theta_min,
-                theta_max,
-            } => Recurrence::Libration {
-                period: period.parts[k],
-                theta_min: theta_min.parts[k],
-                theta_max: theta_max.parts[k],
-            },
-            Self::Rotation { period } => Recurrence::Rotation {
-                period: period.parts[k],
-            },
-        }
-    }
-}
-
 /// The derivatives of a motion with respect to K quantities, while its phases are passed.
 pub(super) struct Tangents<'a, const K: usize> {
     pub(super) motion: &'a Trajectory,
@@ -296,40 +241,39 @@ impl<'a, const K: usize> Tangents<'a, K> {
         phase: &Phase,
         motion: &Motion<Dual<K>>,
         times: &[f64],
-        mut give: impl FnMut(Derivative<Point<Dual<K>>>),
-    ) {
+    ) -> Vec<Derivative<Point<Dual<K>>>> {
         let from = &self.now.point;
         let longest = times.last().copied().unwrap_or(0.0);
-        let repeats = self.recurrence(phase, longest);
-        let Some(repeats) = repeats else {
-            return self.plane.evolve_to(motion, from, times, give);
+        let recurrence = self.recurrence(phase, longest);
+        let Some(period) = recurrence.and_then(|it| it.period()) else {
+            return self.plane.evolve_to(motion, from, times);
         };
-        let period = repeats.period();
-        let turn = match repeats {
-            Repeats::Libration { .. } => 0.0,
-            Repeats::Rotation { .. } => TAU.copysign(from.rate.value),
+        let turn = if matches!(recurrence, Some(Recurrence::Rotation { .. })) {
+            TAU.copysign(from.rate.value)
+        } else {
+            0.0
         };
+        let periods_of = |time: &f64| (time / period.value).floor();
+        let mut found = Vec::with_capacity(times.len());
         // After whole periods the state is that of a time which differs from motion to motion.
-        for within in
-            times.chunk_by(|a, b| (a / period.value).floor() == (b / period.value).floor())
-        {
-            let periods = (within[0] / period.value).floor();
+        for within in times.chunk_by(|a, b| periods_of(a) == periods_of(b)) {
+            let periods = periods_of(&within[0]);
             let rest: Vec<f64> = within
                 .iter()
                 .map(|time| (time - periods * period.value).max(0.0))
                 .collect();
             let later = period.parts.map(|part| -periods * part);
-            self.plane.evolve_to(motion, from, &rest, |point| {
-                give(point.map(|point| {
-                    let moved = self.to_event(motion, &point, later);
-                    Point {
-                        theta: moved.theta + periods * turn,
-                        x: moved.x - periods * turn,
-                        ..moved
-                    }
-                }));
-            });
+            let points = self.plane.evolve_to(motion, from, &rest).into_iter();
+            found.extend(points.map(|point| {
+                let moved = self.to_event(motion, &point?, later);
+                Ok(Point {
+                    theta: moved.theta + periods * turn,
+                    x: moved.x - periods * turn,
+                    ..moved
+                })
+            }));
         }
+        found
     }
 
     /// Passes a phase and the event that ends it.
@@ -352,9 +296,10 @@ impl<'a, const K: usize> Tangents<'a, K> {
             return self.settle(&motion, &end).map(Some);
         }
         // All motions at the time of the event: that of some comes earlier or later.
-        let mut found = Err(NoDerivative::Singular);
-        self.propagate(phase, &motion, &[elapsed], |point| found = point);
-        let point = found?.zip(Point::from(&end), Dual::at);
+        let found = self.propagate(phase, &motion, &[elapsed]).pop();
+        let point = found
+            .unwrap_or(Err(NoDerivative::Singular))?
+            .zip(Point::from(&end), Dual::at);
         if !(point.rate.value.is_finite() && point.slip.value.is_finite()) {
             return Err(NoDerivative::Singular);
         }
@@ -556,40 +501,55 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     /// The states within a phase at times that are the same for all motions, in the units of the
     /// results, and do not decrease.
-    pub(super) fn at_times(
+    fn at_times(
         &mut self,
         phase: &Phase,
         times: &[f64],
-        mut give: impl FnMut(&Self, Derivative<Instant<K>>),
-    ) {
-        if let Err(reason) = self.begin(phase) {
-            return times.iter().for_each(|_| give(self, Err(reason)));
-        }
+    ) -> Derivative<Vec<Derivative<Instant<K>>>> {
+        self.begin(phase)?;
         let motion = self.motion_of(phase);
         let within: Vec<f64> = times
             .iter()
             .map(|elapsed| (elapsed - phase.start.time).max(0.0))
             .collect();
         let [start, _] = self.origin;
-        let mut times = times.iter();
-        self.propagate(phase, &motion, &within, |point| {
-            let Some(elapsed) = times.next() else { return };
+        let points = self.propagate(phase, &motion, &within).into_iter();
+        let instants = points.zip(times).map(|(point, elapsed)| {
             // A fixed time of the results is later or earlier in the time of the solvers, and since
             // the start of the phase.
             let fixed = (Dual::constant(start.value) - start) * self.pace
                 + self.pace / self.pace.value * *elapsed;
             let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
-            let moved = |point| Instant {
+            Ok(Instant {
                 elapsed: fixed,
-                point: self.to_event(&motion, &point, later),
-            };
-            give(self, point.map(moved));
+                point: self.to_event(&motion, &point?, later),
+            })
         });
+        Ok(instants.collect())
     }
 
-    fn at_time(&mut self, phase: &Phase, elapsed: f64) -> Derivative<Instant<K>> {
-        let mut found = Err(NoDerivative::Singular);
-        self.at_times(phase, &[elapsed], |_, at| found = at);
+    /// The states at times of the results that do not decrease, from the start.
+    pub(super) fn instants(&mut self, times: &[f64]) -> Vec<Derivative<Instant<K>>> {
+        let motion = self.motion;
+        let mut found = Vec::with_capacity(times.len());
+        for (number, phase) in motion.phases.iter().enumerate() {
+            let next = motion.phases.get(number + 1);
+            let next = next.map_or(f64::INFINITY, |next| next.start().time);
+            let within = times[found.len()..].iter().take_while(|time| **time < next);
+            let elapsed: Vec<f64> = within.map(|time| motion.origin.elapsed(*time)).collect();
+            let count = found.len() + elapsed.len();
+            match self.at_times(phase, &elapsed) {
+                Ok(instants) => found.extend(instants),
+                Err(reason) => found.resize(count, Err(reason)),
+            }
+            if count == times.len() {
+                break;
+            }
+            if let Err(reason) = self.pass_phase(phase) {
+                found.resize(times.len(), Err(reason));
+            }
+        }
+        found.resize(times.len(), Err(NoDerivative::Singular));
         found
     }
 
@@ -597,7 +557,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     pub(super) fn outcome(
         &mut self,
         passed: &[Option<EventJump<K>>],
-    ) -> Derivative<(Instant<K>, Option<Repeats<K>>)> {
+    ) -> Derivative<(Instant<K>, Option<Recurrence<Dual<K>>>)> {
         if self.jam.is_some() {
             return Err(NoDerivative::Singular);
         }
@@ -614,12 +574,15 @@ impl<'a, const K: usize> Tangents<'a, K> {
         };
         match outcome {
             Outcome::TimeLimit { state } => match last {
-                Some(phase) => Ok((self.at_time(phase, state.time)?, None)),
+                Some(phase) => {
+                    let at = self.at_times(phase, &[state.time])?.pop();
+                    Ok((at.unwrap_or(Err(NoDerivative::Singular))?, None))
+                }
                 None => Ok((self.now, None)),
             },
             Outcome::RollsForever { .. } => {
-                let repeats = last.and_then(|phase| self.recurrence(phase, f64::INFINITY));
-                Ok((self.now, repeats.map(|repeats| repeats.at_pace(self.pace))))
+                let recurrence = last.and_then(|phase| self.recurrence(phase, f64::INFINITY));
+                Ok((self.now, recurrence.map(|it| it.at_pace(self.pace))))
             }
             Outcome::RepeatsForever { since, .. } => {
                 let events = passed.iter().flatten().map(|passed| passed.after);
@@ -646,7 +609,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     /// The numbers of the recurrence of a phase of rolling, in the units of the solvers; none if
     /// its period is longer than `most`.
-    fn recurrence(&self, phase: &Phase, most: f64) -> Option<Repeats<K>> {
+    fn recurrence(&self, phase: &Phase, most: f64) -> Option<Recurrence<Dual<K>>> {
         let PhaseSolution::Rolling(rolling) = &phase.solution else {
             return None;
         };
@@ -661,13 +624,13 @@ impl<'a, const K: usize> Tangents<'a, K> {
                 let ends =
                     [theta_min, theta_max].map(|theta| period::turning_point(&law, from, theta));
                 let period = period::of_libration(&law, ends).at(period);
-                Some(Repeats::Libration {
+                Some(Recurrence::Libration {
                     period,
                     theta_min: ends[0],
                     theta_max: ends[1],
                 })
             }
-            Recurrence::Rotation { period } if period <= most => Some(Repeats::Rotation {
+            Recurrence::Rotation { period } if period <= most => Some(Recurrence::Rotation {
                 period: period::of_rotation(&law, from).at(period),
             }),
             Recurrence::Libration { .. }
