@@ -364,16 +364,25 @@ impl Panel {
 
 impl Series {
     /// A series of one piece.
-    pub fn of_rows(name: impl Into<String>, columns: &[&'static str], rows: Piece) -> Self {
-        Self::new(name, columns, vec![rows])
+    pub fn of_rows<Row: Into<Vec<f64>>>(
+        name: impl Into<String>,
+        columns: &[&'static str],
+        rows: impl IntoIterator<Item = Row>,
+    ) -> Self {
+        Self::new(name, columns, [rows])
     }
 
     /// A series.
-    pub fn new(name: impl Into<String>, columns: &[&'static str], pieces: Vec<Piece>) -> Self {
+    pub fn new<Rows: IntoIterator<Item: Into<Vec<f64>>>>(
+        name: impl Into<String>,
+        columns: &[&'static str],
+        pieces: impl IntoIterator<Item = Rows>,
+    ) -> Self {
+        let piece = |rows: Rows| rows.into_iter().map(Into::into).collect();
         Self {
             name: name.into(),
             columns: columns.iter().copied().map(Cow::Borrowed).collect(),
-            pieces,
+            pieces: pieces.into_iter().map(piece).collect(),
         }
     }
 

@@ -31,14 +31,11 @@ enum Make {
     /// From one motion, or from none.
     Soon(fn(&FigureInput) -> Result<Figure, FigureError>),
     /// From many motions, which can take long.
-    OfStarts(OfStarts),
-}
-
-#[derive(Clone, Copy, Debug)]
-struct OfStarts {
-    /// Refuses what can be refused before the first motion.
-    check: fn(&FigureInput) -> Result<(), FigureError>,
-    make: fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>,
+    OfStarts {
+        /// Refuses what can be refused before the first motion.
+        check: fn(&FigureInput) -> Result<(), FigureError>,
+        make: fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>,
+    },
 }
 
 impl FigureEntry {
@@ -62,9 +59,7 @@ impl FigureEntry {
     ) -> Result<Figure, FigureError> {
         let figure = match self.make {
             Make::Soon(make) => make(input),
-            Make::OfStarts(OfStarts { check, make }) => {
-                check(input).and_then(|()| make(input, watch))
-            }
+            Make::OfStarts { check, make } => check(input).and_then(|()| make(input, watch)),
         }?;
         Ok(Self::finished(figure, input))
     }
@@ -77,7 +72,7 @@ impl FigureEntry {
     pub fn figure_if_quick(&self, input: &FigureInput) -> Result<Option<Figure>, FigureError> {
         match self.make {
             Make::Soon(make) => make(input).map(|figure| Some(Self::finished(figure, input))),
-            Make::OfStarts(OfStarts { check, .. }) => check(input).map(|()| None),
+            Make::OfStarts { check, .. } => check(input).map(|()| None),
         }
     }
 
@@ -98,199 +93,61 @@ impl FigureEntry {
     }
 }
 
-const fn entry(
-    name: &'static str,
-    title: &'static str,
-    case: &'static str,
-    make: fn(&FigureInput) -> Result<Figure, FigureError>,
-) -> FigureEntry {
-    FigureEntry {
-        name,
-        title,
-        case,
-        make: Make::Soon(make),
-    }
-}
-
-const fn of_starts(
-    name: &'static str,
-    title: &'static str,
-    case: &'static str,
-    work: OfStarts,
-) -> FigureEntry {
-    FigureEntry {
-        name,
-        title,
-        case,
-        make: Make::OfStarts(work),
-    }
+/// A table of figures: the name, the case, the function that makes it, for one of many motions that
+/// which checks it before, and what it shows.
+macro_rules! figures {
+    ($(
+        $name:literal of $case:literal by $file:ident::$make:ident
+        $(after $same:ident::$check:ident)? : $title:literal;
+    )*) => {
+        &[$(FigureEntry {
+            name: $name,
+            title: $title,
+            case: $case,
+            make: figures!(@ $file::$make $(, $same::$check)?),
+        }),*]
+    };
+    (@ $make:path) => { Make::Soon($make) };
+    (@ $make:path, $check:path) => { Make::OfStarts { check: $check, make: $make } };
 }
 
 /// All figures, in the order of the paper, then those that it does not have.
-pub const FIGURES: &[FigureEntry] = &[
-    entry(
-        "figure-1",
-        "the body and its symbols",
-        "figure-3",
-        schematic::figure,
-    ),
-    entry(
-        "figure-2a",
-        "loci of slip in rolling, for four coefficients of friction",
-        "figure-3",
-        loci::figure,
-    ),
-    entry(
-        "figure-2b",
-        "phase portrait of rolling",
-        "figure-3",
-        portrait::with_inertia,
-    ),
-    entry(
-        "figure-3a",
-        "a motion in the space of states",
-        "figure-3",
-        state_space::space,
-    ),
-    entry(
-        "figure-3b",
-        "paths of the centre and of the mass centre",
-        "figure-3",
-        paths::centres,
-    ),
-    entry(
-        "figure-4",
-        "phase portrait of the rolling massless hoop",
-        "figure-7",
-        portrait::massless,
-    ),
-    entry(
-        "figure-5a",
-        "the region R of the massless hoop and its boundaries",
-        "figure-7",
-        types::regions,
-    ),
-    entry(
-        "figure-5b",
-        "rolling motions of Types I, II and III",
-        "figure-7",
-        types::motions,
-    ),
-    entry(
-        "figure-6a",
-        "phase portrait of gliding",
-        "figure-7",
-        gliding::alone,
-    ),
-    entry(
-        "figure-6b",
-        "rolling and gliding in one portrait",
-        "figure-7",
-        gliding::combined,
-    ),
-    entry(
-        "figure-7a",
-        "rolling, then gliding, in the phase plane and in time",
-        "figure-7",
-        state_space::gliding,
-    ),
-    entry(
-        "figure-7b",
-        "path of the particle, a cycloid and a parabola",
-        "figure-7",
-        paths::particle,
-    ),
-    entry(
-        "forces",
-        "normal and friction force of a motion against time",
-        "figure-3",
-        histories::forces,
-    ),
-    entry(
-        "energy",
-        "energies of a motion against time",
-        "figure-3",
-        histories::energy,
-    ),
-    entry(
-        "sheet",
-        "all quantities of a motion against time",
-        "figure-3",
-        overview::figure,
-    ),
-    entry(
-        "stroboscope",
-        "the hoop at equal intervals of time, with its forces",
-        "figure-3",
-        stroboscope::figure,
-    ),
-    entry(
-        "phase-path",
-        "a motion in the phase portrait of rolling",
-        "figure-3",
-        phase_path::figure,
-    ),
-    entry(
-        "friction-demand",
-        "friction demand of rolling along orbits",
-        "figure-3",
-        demand::figure,
-    ),
-    entry(
-        "hodograph",
-        "friction against normal force, in the cone",
-        "figure-3",
-        hodograph::figure,
-    ),
-    entry(
-        "painleve",
-        "where sliding has no solution or several",
-        "painleve",
-        painleve::figure,
-    ),
-    entry(
-        "impact",
-        "an impact in the plane of impulses",
-        "figure-3-bounces",
-        impact::figure,
-    ),
-    entry(
-        "bounces",
-        "gap and rates of the bounces of a motion",
-        "figure-3-bounces",
-        bounces::figure,
-    ),
-    entry(
-        "inertia",
-        "lighter and lighter hoops, and the massless one",
-        "figure-7",
-        inertia::figure,
-    ),
-    entry(
-        "paper",
-        "orbits and lift-off as the paper prints them, and exactly",
-        "figure-3",
-        printed::figure,
-    ),
-    of_starts(
-        "atlas",
-        "the outcome of each start, and the motions of some",
-        "figure-3",
-        OfStarts {
-            check: atlas::check,
-            make: atlas::figure,
-        },
-    ),
-    of_starts(
-        "outcomes",
-        "outcomes of the starts in the phase plane",
-        "figure-3",
-        OfStarts {
-            check: outcomes::check,
-            make: outcomes::figure,
-        },
-    ),
-];
+pub const FIGURES: &[FigureEntry] = figures! {
+    "figure-1" of "figure-3" by schematic::figure: "the body and its symbols";
+    "figure-2a" of "figure-3" by loci::figure:
+        "loci of slip in rolling, for four coefficients of friction";
+    "figure-2b" of "figure-3" by portrait::with_inertia: "phase portrait of rolling";
+    "figure-3a" of "figure-3" by state_space::space: "a motion in the space of states";
+    "figure-3b" of "figure-3" by paths::centres: "paths of the centre and of the mass centre";
+    "figure-4" of "figure-7" by portrait::massless: "phase portrait of the rolling massless hoop";
+    "figure-5a" of "figure-7" by types::regions:
+        "the region R of the massless hoop and its boundaries";
+    "figure-5b" of "figure-7" by types::motions: "rolling motions of Types I, II and III";
+    "figure-6a" of "figure-7" by gliding::alone: "phase portrait of gliding";
+    "figure-6b" of "figure-7" by gliding::combined: "rolling and gliding in one portrait";
+    "figure-7a" of "figure-7" by state_space::gliding:
+        "rolling, then gliding, in the phase plane and in time";
+    "figure-7b" of "figure-7" by paths::particle: "path of the particle, a cycloid and a parabola";
+    "forces" of "figure-3" by histories::forces:
+        "normal and friction force of a motion against time";
+    "energy" of "figure-3" by histories::energy: "energies of a motion against time";
+    "sheet" of "figure-3" by overview::figure: "all quantities of a motion against time";
+    "stroboscope" of "figure-3" by stroboscope::figure:
+        "the hoop at equal intervals of time, with its forces";
+    "phase-path" of "figure-3" by phase_path::figure: "a motion in the phase portrait of rolling";
+    "friction-demand" of "figure-3" by demand::figure: "friction demand of rolling along orbits";
+    "hodograph" of "figure-3" by hodograph::figure: "friction against normal force, in the cone";
+    "painleve" of "painleve" by painleve::figure: "where sliding has no solution or several";
+    "impact" of "figure-3-bounces" by impact::figure: "an impact in the plane of impulses";
+    "bounces" of "figure-3-bounces" by bounces::figure: "gap and rates of the bounces of a motion";
+    "inertia" of "figure-7" by inertia::figure: "lighter and lighter hoops, and the massless one";
+    "paper" of "figure-3" by printed::figure:
+        "orbits and lift-off as the paper prints them, and exactly";
+    "atlas" of "figure-3" by atlas::figure after atlas::check:
+        "the outcome of each start, and the motions of some";
+    "outcomes" of "figure-3" by outcomes::figure after outcomes::check:
+        "outcomes of the starts in the phase plane";
+};
 
 /// Figures that were removed, each with what serves instead.
 const REMOVED: [(&str, &str); 3] = [

@@ -24,6 +24,8 @@ pub(crate) const IMPULSE: &str = "impulse";
 
 /// Columns of a curve in the plane (θ, θ′).
 pub(crate) const PLANE: [&str; 2] = [THETA, THETA_RATE];
+/// Those of an orbit, which has an energy.
+pub(crate) const ORBIT: [&str; 3] = [THETA, THETA_RATE, ENERGY];
 
 /// The coordinates of a point, which may be that of the centre, the mass centre or the particle.
 pub(crate) const Y: &str = "y";

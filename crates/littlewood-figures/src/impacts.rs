@@ -5,10 +5,8 @@ use littlewood::{Cause, Trajectory, Transition};
 
 /// All impacts, those of the bounces by which a hoop settles as one.
 pub(crate) fn all(motion: &Trajectory) -> impl Iterator<Item = (&Transition, Impact)> {
-    motion
-        .transitions()
-        .iter()
-        .filter_map(|transition| Some((transition, transition.impact?)))
+    let transitions = motion.transitions().iter();
+    transitions.filter_map(|transition| Some((transition, transition.impact?)))
 }
 
 /// The impacts one by one: those of which each has a course.

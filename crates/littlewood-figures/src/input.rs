@@ -2,10 +2,11 @@
 
 use littlewood::si::Units;
 use littlewood::theory::{Body, Massless};
-use littlewood::{Hoop, Limits, Start, Trajectory};
-use littlewood_draw::{Content, Entries, Figure, Label, Layer, PlotAxis, ROOM, Sheet};
+use littlewood::{Hoop, Limits, Start};
+use littlewood_draw::{Content, Entries, Figure, ROOM, Sheet};
 
 use crate::error::FigureError;
+use crate::motion::Shown;
 use crate::wording::Wording;
 
 /// Width of the sheet and height of the panel of a figure of the plane, on a screen.
@@ -76,19 +77,12 @@ impl FigureInput {
     /// A figure of a part of the plane (θ, θ′), or of one like it.
     pub(crate) fn plane(
         &self,
-        [name, title]: [&'static str; 2],
+        name: &'static str,
+        title: &str,
         caption: String,
-        [x, y]: [PlotAxis; 2],
-        (layers, labels): (Vec<Layer>, Vec<Label>),
+        content: Content,
         entries: Entries,
     ) -> Result<Figure, FigureError> {
-        let content = Content {
-            name: "plane",
-            x,
-            y,
-            layers,
-            labels,
-        };
         let [width, height] = PLANE;
         Ok(self
             .sheet(width)?
@@ -109,7 +103,7 @@ impl FigureInput {
     }
 
     /// The motion.
-    pub(crate) fn motion(&self, figure: &'static str) -> Result<Trajectory, FigureError> {
+    pub(crate) fn motion(&self, figure: &'static str) -> Result<Shown, FigureError> {
         let motion = self.hoop.simulate(self.start, self.limits)?;
         if motion.phases().is_empty() {
             return Err(FigureError::NoMotion {
@@ -125,7 +119,7 @@ impl FigureInput {
                 outcome: motion.outcome().kind(),
             });
         }
-        Ok(motion)
+        Ok(Shown::new(motion, self.wording()))
     }
 
     pub(crate) const fn is_massless(&self) -> bool {
@@ -157,21 +151,10 @@ impl FigureInput {
     }
 
     /// The motion, if it touches the plane for a while, or hits it.
-    pub(crate) fn motion_in_contact(
-        &self,
-        figure: &'static str,
-    ) -> Result<Trajectory, FigureError> {
+    pub(crate) fn motion_in_contact(&self, figure: &'static str) -> Result<Shown, FigureError> {
         let motion = self.motion(figure)?;
-        let touches = motion
-            .phases()
-            .iter()
-            .any(|phase| phase.mode().touches_plane());
-        if touches
-            || motion
-                .transitions()
-                .iter()
-                .any(|transition| transition.impact.is_some())
-        {
+        let touches = motion.phases().iter().any(|it| it.mode().touches_plane());
+        if touches || motion.transitions().iter().any(|it| it.impact.is_some()) {
             Ok(motion)
         } else {
             Err(FigureError::NoContact {

@@ -1,6 +1,7 @@
 //! A motion as series: one piece for each phase of a mode.
 
 use core::f64::consts::TAU;
+use core::ops::Deref;
 
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
@@ -26,47 +27,198 @@ const CROWD: usize = 64;
 const SHOWN: usize = 24;
 const INSTANTS_OF_A_CROWD: f64 = 6_000.0;
 
-/// The instants of a phase at which its rate is finite, evenly spaced; one that lasts for ever is
-/// cut at `until`.
-pub(crate) fn instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sample> {
-    let mut samples = all_instants(motion, phase, until);
-    samples.retain(|sample| sample.state.theta_rate.is_finite());
-    samples
+/// How much of a phase passes along an arrow of time.
+const SOON: f64 = 0.03;
+
+/// What differs by less than this part of it is equal: its digits are those of rounding.
+pub(crate) const NOISE: f64 = 1e-9;
+
+/// A motion as far as figures show it.
+#[derive(Clone, Debug)]
+pub(crate) struct Shown {
+    motion: Trajectory,
+    /// When they stop.
+    pub(crate) until: f64,
+    pub(crate) say: Wording,
 }
 
-/// The instants of a phase, its last one among them.
-pub(crate) fn all_instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sample> {
-    let duration = f64::min(phase.duration(), until - phase.start().time);
-    if duration <= 0.0 {
-        return Vec::new();
+impl Deref for Shown {
+    type Target = Trajectory;
+
+    fn deref(&self) -> &Trajectory {
+        &self.motion
     }
-    let share = duration / (until - motion.start().time);
-    let of_all = |all: f64| (libm::ceil(all * share) as u32).clamp(FEWEST_INSTANTS, INSTANTS);
-    let intervals = if motion.hoop().restitution().is_some() {
-        of_all(INSTANTS_IN_ALL)
-    } else if motion.phases().len() > CROWD {
-        of_all(INSTANTS_OF_A_CROWD)
-    } else {
-        INSTANTS
-    };
-    (0..=intervals)
-        .map(|i| phase.sample(duration * f64::from(i) / f64::from(intervals)))
-        .collect()
+}
+
+impl Shown {
+    pub(crate) fn new(motion: Trajectory, say: Wording) -> Self {
+        let until = horizon(&motion);
+        Self { motion, until, say }
+    }
+
+    /// The same, stopped at another time.
+    pub(crate) fn up_to(&self, until: f64) -> Self {
+        Self {
+            until,
+            ..self.clone()
+        }
+    }
+
+    /// From the start to where figures stop.
+    pub(crate) fn times(&self) -> [f64; 2] {
+        [self.start().time, self.until]
+    }
+
+    /// Whether it continues after a landing.
+    pub(crate) fn goes_on(&self) -> bool {
+        self.hoop().restitution().is_some()
+    }
+
+    /// The transitions that are shown.
+    pub(crate) fn passed(&self) -> impl Iterator<Item = &Transition> {
+        let transitions = self.transitions().iter();
+        transitions.filter(|transition| transition.time() <= self.until)
+    }
+
+    /// The instants of a phase at which its rate is finite, evenly spaced.
+    pub(crate) fn instants(&self, phase: &Phase) -> Vec<Sample> {
+        let mut samples = self.all_instants(phase);
+        samples.retain(|sample| sample.state.theta_rate.is_finite());
+        samples
+    }
+
+    /// The instants of a phase, its last one among them.
+    pub(crate) fn all_instants(&self, phase: &Phase) -> Vec<Sample> {
+        let duration = f64::min(phase.duration(), self.until - phase.start().time);
+        if duration <= 0.0 {
+            return Vec::new();
+        }
+        let share = duration / (self.until - self.start().time);
+        let of_all = |all: f64| (libm::ceil(all * share) as u32).clamp(FEWEST_INSTANTS, INSTANTS);
+        let intervals = if self.goes_on() {
+            of_all(INSTANTS_IN_ALL)
+        } else if self.phases().len() > CROWD {
+            of_all(INSTANTS_OF_A_CROWD)
+        } else {
+            INSTANTS
+        };
+        (0..=intervals)
+            .map(|i| phase.sample(duration * f64::from(i) / f64::from(intervals)))
+            .collect()
+    }
+
+    /// What a figure notes of a motion of which only the beginning is shown.
+    pub(crate) fn remark(&self) -> Option<String> {
+        let (all, shown) = (self.transitions().len(), self.passed().count());
+        let at = self.say.value(self.until, Dimension::Time);
+        let time = self.say.time();
+        (shown < all).then(|| {
+            format!("Shown is the beginning, to {time} = {at}, with {shown} of {all} transitions.")
+        })
+    }
+
+    /// The modes of a motion, each with the series of its phases.
+    pub(crate) fn by_mode<const N: usize>(
+        &self,
+        prefix: &str,
+        columns: &[&'static str; N],
+        row: impl Fn(&Sample) -> [f64; N],
+    ) -> Modes {
+        let of_mode = |mode: Mode| {
+            let phases = self.phases().iter().filter(|phase| phase.mode() == mode);
+            let pieces: Vec<Vec<[f64; N]>> = phases
+                .map(|phase| self.instants(phase).iter().map(&row).collect())
+                .collect();
+            let series = || Series::new(format!("{prefix}{mode}"), columns, pieces.clone());
+            (!pieces.is_empty()).then(|| (mode, series()))
+        };
+        Modes(Mode::ALL.into_iter().filter_map(of_mode).collect())
+    }
+
+    /// Arrows of time, those that are seen: from a place on each phase that is shown, by its row,
+    /// to one a little later.
+    pub(crate) fn arrows<const N: usize>(
+        &self,
+        share: f64,
+        columns: &[&'static str; N],
+        row: impl Fn(&Sample) -> [f64; N],
+        is_seen: impl Fn(Mode, &[[f64; N]; 2]) -> bool,
+    ) -> impl Iterator<Item = Layer> {
+        self.phases().iter().filter_map(move |phase| {
+            let mode = phase.mode();
+            let duration = f64::min(phase.duration(), self.until - phase.start().time);
+            let at = |share: f64| row(&phase.sample(share * duration));
+            let rows = (duration > 0.0).then(|| [at(share), at(share + SOON)])?;
+            let is_drawn =
+                rows.iter().flatten().all(|value| value.is_finite()) && is_seen(mode, &rows);
+            let arrow = || Series::of_rows("arrow of time", columns, rows);
+            is_drawn.then(|| arrow().drawn(Mark::Head(Stroke::of_mode(mode).colour)))
+        })
+    }
+}
+
+/// The modes of a motion, each with the series of its phases.
+#[derive(Clone, Debug)]
+pub(crate) struct Modes(pub(crate) Vec<(Mode, Series)>);
+
+impl Modes {
+    /// All rows.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.0.iter().flat_map(|(_, series)| series.rows())
+    }
+
+    /// Adds the end of a motion, if its rate has no bound there: a glide that ends at the plane.
+    /// Its line then says that it has no greatest rate.
+    pub(crate) fn add_unbounded_end<const N: usize>(
+        &mut self,
+        motion: &Shown,
+        row: impl Fn(&Sample) -> [f64; N],
+    ) {
+        let Some(phase) = motion.phases().last() else {
+            return;
+        };
+        let samples = motion.all_instants(phase);
+        let end = samples
+            .last()
+            .filter(|end| end.state.theta_rate.is_infinite());
+        let own = self.0.iter_mut().find(|(mode, _)| *mode == phase.mode());
+        if let (Some(end), Some((_, series))) = (end, own)
+            && let Some(piece) = series.pieces.last_mut()
+        {
+            piece.push(row(end).to_vec());
+        }
+    }
+
+    /// Lines, so wide.
+    pub(crate) fn lines(self, width: f64) -> impl Iterator<Item = Layer> {
+        let line =
+            move |(mode, series): (Mode, Series)| series.drawn(Stroke::of_mode(mode).wide(width));
+        self.0.into_iter().map(line)
+    }
+
+    /// What they mean.
+    pub(crate) fn entries(&self, words: impl Fn(Mode) -> String) -> Entries {
+        let modes = self.0.iter().map(|(mode, _)| *mode);
+        modes
+            .map(|mode| (Stroke::of_mode(mode).wide(BOLD).into(), words(mode)))
+            .collect()
+    }
 }
 
 /// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns
 /// after the last phase has begun. A motion that goes on after its landings has more to show before
 /// its last phase, of which a turn is enough.
-pub(crate) fn horizon(motion: &Trajectory) -> f64 {
+fn horizon(motion: &Trajectory) -> f64 {
     let (end, goes_on) = (motion.end_time(), motion.hoop().restitution().is_some());
     let Some(last) = motion.phases().last() else {
         return end;
     };
-    if let Some(time) = if goes_on {
+    let cut = if goes_on {
         bouncing(motion)
     } else {
         crowded(motion)
-    } {
+    };
+    if let Some(time) = cut {
         return time;
     }
     if end.is_finite() && motion.outcome().is_final() {
@@ -84,11 +236,8 @@ pub(crate) fn horizon(motion: &Trajectory) -> f64 {
 /// Until when a motion is shown that bounces until it is stopped: its first flights.
 fn bouncing(motion: &Trajectory) -> Option<f64> {
     let is_stopped = motion.outcome().kind() == OutcomeKind::TransitionLimit;
-    motion
-        .transitions()
-        .get(TRANSITIONS)
-        .filter(|_| is_stopped)
-        .map(Transition::time)
+    let last = motion.transitions().get(TRANSITIONS);
+    last.filter(|_| is_stopped).map(Transition::time)
 }
 
 /// Until when a motion of very many transitions is shown that ends in none.
@@ -98,89 +247,6 @@ fn crowded(motion: &Trajectory) -> Option<f64> {
     (transitions.len() > CROWD && !is_event).then(|| transitions[SHOWN].time())
 }
 
-/// What a figure notes of a motion of which only the beginning is shown.
-pub(crate) fn remark(motion: &Trajectory, say: Wording) -> Option<String> {
-    let until = horizon(motion);
-    let all = motion.transitions().len();
-    let shown = motion
-        .transitions()
-        .iter()
-        .filter(|transition| transition.time() <= until)
-        .count();
-    if shown == all {
-        return None;
-    }
-    let at = say.value(until, Dimension::Time);
-    Some(format!(
-        "Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.",
-        say.time()
-    ))
-}
-
-/// The modes of a motion, each with the series of its phases.
-pub(crate) fn by_mode(
-    motion: &Trajectory,
-    prefix: &str,
-    columns: &[&'static str],
-    row: &dyn Fn(&Sample) -> Vec<f64>,
-) -> Vec<(Mode, Series)> {
-    let until = horizon(motion);
-    Mode::ALL
-        .into_iter()
-        .filter_map(|mode| {
-            let pieces: Vec<Piece> = motion
-                .phases()
-                .iter()
-                .filter(|phase| phase.mode() == mode)
-                .map(|phase| instants(motion, phase, until).iter().map(row).collect())
-                .collect();
-            (!pieces.is_empty()).then(|| {
-                (
-                    mode,
-                    Series::new(format!("{prefix}{mode}"), columns, pieces),
-                )
-            })
-        })
-        .collect()
-}
-
-/// Adds the end of a motion, if its rate has no bound there: a glide that ends at the plane. Its
-/// line then says that it has no greatest rate.
-pub(crate) fn add_unbounded_end(
-    motion: &Trajectory,
-    modes: &mut [(Mode, Series)],
-    row: &dyn Fn(&Sample) -> Vec<f64>,
-) {
-    let Some(phase) = motion.phases().last() else {
-        return;
-    };
-    let samples = all_instants(motion, phase, horizon(motion));
-    let end = samples
-        .last()
-        .filter(|end| end.state.theta_rate.is_infinite());
-    let own = modes.iter_mut().find(|(mode, _)| *mode == phase.mode());
-    if let (Some(end), Some((_, series))) = (end, own)
-        && let Some(piece) = series.pieces.last_mut()
-    {
-        piece.push(row(end));
-    }
-}
-
-/// Lines of modes, so wide.
-pub(crate) fn lines(modes: Vec<(Mode, Series)>, width: f64) -> impl Iterator<Item = Layer> {
-    modes
-        .into_iter()
-        .map(move |(mode, series)| series.drawn(Stroke::of_mode(mode).wide(width)))
-}
-
-/// What they mean.
-pub(crate) fn entries(modes: &[(Mode, Series)], words: impl Fn(Mode) -> String) -> Entries {
-    modes
-        .iter()
-        .map(|(mode, _)| (Stroke::of_mode(*mode).wide(BOLD).into(), words(*mode)))
-        .collect()
-}
-
 /// The hoop at some instants.
 pub(crate) fn hoops<'a>(
     hoop: &Hoop,
@@ -188,51 +254,22 @@ pub(crate) fn hoops<'a>(
     name: impl Into<String>,
     rim: Stroke,
 ) -> Layer {
-    let row = |sample: &Sample| {
-        vec![
-            sample.state.time,
-            sample.centre.x,
-            sample.centre.y,
-            sample.state.theta,
-        ]
-    };
+    let row = |Sample { state, centre, .. }: &Sample| [state.time, centre.x, centre.y, state.theta];
     let mark = Mark::Hoop {
         offset: hoop.offset(),
         h: hoop.h(),
         radius: 1.0,
         rim,
     };
-    Series::of_rows(name, &[TIME, X, Y, THETA], samples.map(row).collect()).drawn(mark)
+    Series::of_rows(name, &[TIME, X, Y, THETA], samples.map(row)).drawn(mark)
 }
 
-/// Arrows of time, those that are seen: from a place on each phase that is shown, by its row, to
-/// one a little later.
-pub(crate) fn arrows(
-    motion: &Trajectory,
-    share: f64,
-    columns: &[&'static str],
-    row: &dyn Fn(&Sample) -> Vec<f64>,
-    is_seen: impl Fn(Mode, &[Vec<f64>]) -> bool,
-) -> impl Iterator<Item = Layer> {
-    let until = horizon(motion);
-    motion.phases().iter().filter_map(move |phase| {
-        let (mode, duration) = (
-            phase.mode(),
-            f64::min(phase.duration(), until - phase.start().time),
-        );
-        let at = |share: f64| row(&phase.sample(share * duration));
-        let rows = (duration > 0.0).then(|| vec![at(share), at(share + SOON)])?;
-        let is_drawn = rows.iter().flatten().all(|value| value.is_finite()) && is_seen(mode, &rows);
-        let arrow = || Series::new("arrow of time", columns, vec![rows]);
-        is_drawn.then(|| arrow().drawn(Mark::Head(Stroke::of_mode(mode).colour)))
-    })
+/// The rows of some samples that are finite.
+pub(crate) fn finite_rows<const N: usize>(rows: impl Iterator<Item = [f64; N]>) -> Piece {
+    rows.filter(|row| row.iter().all(|value| value.is_finite()))
+        .map(Vec::from)
+        .collect()
 }
-
-/// How much of a phase passes along an arrow.
-const SOON: f64 = 0.03;
-
-/// What differs by less than this part of it is equal: its digits are those of rounding.
-pub(crate) const NOISE: f64 = 1e-9;
 
 /// The lowest and the highest of some values, a share of the span added on either side.
 pub(crate) fn bounds(values: impl IntoIterator<Item = f64>, share: f64) -> [f64; 2] {

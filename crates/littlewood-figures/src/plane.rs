@@ -5,11 +5,13 @@ use core::f64::consts::{PI, TAU};
 use littlewood::theory::closed_form::slip_angle;
 use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
 use littlewood::{Hoop, ParameterError};
-use littlewood_draw::{INK, Label, Layer, Mark, Piece, PlotAxis, STABLE, Series, UNSTABLE};
+use littlewood_draw::{
+    Anchor, Content, INK, Label, Layer, Mark, PlotAxis, STABLE, Series, UNSTABLE,
+};
 use littlewood_style::Curve;
 
 use crate::axes::linear_to;
-use crate::columns::{ENERGY, MU_S, PLANE, THETA, THETA_RATE};
+use crate::columns::{MU_S, ORBIT, PLANE, THETA, THETA_RATE};
 use crate::wording::Wording;
 
 /// Intervals in which a curve is looked for.
@@ -30,20 +32,13 @@ pub(crate) struct Portrait {
 /// there.
 const INNER: f64 = 4.0;
 
-/// Rows of the two coordinates.
-pub(crate) fn rows(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Piece> {
-    pieces
-        .into_iter()
-        .map(|piece| piece.into_iter().map(Vec::from).collect())
-        .collect()
-}
-
-/// Rows of the two coordinates and a number that belongs to all.
-fn rows_with(pieces: Vec<Vec<[f64; 2]>>, last: f64) -> Vec<Piece> {
-    pieces
-        .into_iter()
-        .map(|piece| piece.into_iter().map(|[x, y]| vec![x, y, last]).collect())
-        .collect()
+/// Rows of two coordinates and a number that belongs to all.
+pub(crate) fn rows_with(
+    pieces: Vec<Vec<[f64; 2]>>,
+    last: f64,
+) -> impl Iterator<Item = impl Iterator<Item = [f64; 3]>> {
+    let pieces = pieces.into_iter();
+    pieces.map(move |piece| piece.into_iter().map(move |[x, y]| [x, y, last]))
 }
 
 impl Portrait {
@@ -58,15 +53,24 @@ impl Portrait {
         }
     }
 
-    /// The axes of the plane.
-    pub(crate) fn axes(&self, say: Wording) -> [PlotAxis; 2] {
-        [
-            say.angle(self.window.x),
-            PlotAxis {
+    /// A panel of the plane.
+    pub(crate) fn content(
+        &self,
+        name: &'static str,
+        say: Wording,
+        layers: Vec<Layer>,
+        labels: Vec<Label>,
+    ) -> Content {
+        Content {
+            name,
+            x: say.angle(self.window.x),
+            y: PlotAxis {
                 linear: self.linear,
                 ..say.rate(self.window.y)
             },
-        ]
+            layers,
+            labels,
+        }
     }
 
     /// What a caption says of the axis of rates.
@@ -125,80 +129,50 @@ impl Portrait {
             return None;
         };
         let theta = slip_angle(&body, self.hoop.mu_s())?;
-        Some((
-            theta,
-            Series::new("f", &PLANE, rows(self.plane.slip_curve(&self.window))),
-        ))
+        let pieces = self.plane.slip_curve(&self.window);
+        Some((theta, Series::new("f", &PLANE, pieces)))
     }
 
     /// The locus N = 0.
     pub(crate) fn unloading_locus(&self) -> Series {
-        Series::new(
-            "n",
-            &PLANE,
-            rows(self.plane.normal_force_curve(&self.window)),
-        )
+        Series::new("n", &PLANE, self.plane.normal_force_curve(&self.window))
     }
 
     /// The locus beyond which the body leaves the plane.
     pub(crate) fn lift_off_locus(&self) -> Series {
-        Series::new(
-            "lift-off",
-            &PLANE,
-            rows(self.plane.lift_off_curve(&self.window)),
-        )
+        Series::new("lift-off", &PLANE, self.plane.lift_off_curve(&self.window))
     }
 
     /// The rates between which bounces grow out of rolling; none on a level plane.
     pub(crate) fn reverse_chatter(&self) -> Series {
-        Series::new(
-            "reverse chatter",
-            &PLANE,
-            rows(self.plane.reverse_chatter_curve(&self.window)),
-        )
+        let pieces = self.plane.reverse_chatter_curve(&self.window);
+        Series::new("reverse chatter", &PLANE, pieces)
     }
 
     /// The region N < 0, above and below n.
     pub(crate) fn unloaded(&self) -> Series {
-        let pieces = [1.0, -1.0]
+        let Window { x, y: [low, high] } = self.window;
+        let pieces = [(1.0, high), (-1.0, low)]
             .into_iter()
-            .flat_map(|sign| {
-                let edge = if sign > 0.0 {
-                    self.window.y[1]
-                } else {
-                    self.window.y[0]
-                };
+            .flat_map(|(sign, edge)| {
                 let rate = |theta: f64| Some([theta, sign * self.plane.normal_force_rate(theta)?]);
-                let mut pieces = self.window.pieces(self.window.x, CELLS, &rate);
-                for piece in &mut pieces {
-                    if let (Some(first), Some(last)) =
-                        (piece.first().copied(), piece.last().copied())
-                    {
-                        piece.push([last[0], edge]);
-                        piece.push([first[0], edge]);
-                    }
-                }
+                let mut pieces = self.window.pieces(x, CELLS, &rate);
+                pieces.iter_mut().for_each(|piece| close_at(piece, edge));
                 pieces
-            })
-            .collect();
-        Series::new("N<0", &PLANE, rows(pieces))
+            });
+        Series::new("N<0", &PLANE, pieces)
     }
 
     /// The region 𝓡 of (2.14).
     pub(crate) fn rolling_region(&self) -> Series {
-        Series::new("R", &PLANE, rows(self.plane.rolling_region(&self.window)))
+        Series::new("R", &PLANE, self.plane.rolling_region(&self.window))
     }
 
     /// The orbit of an energy E: ½ D(θ) θ′² + ℓ̂ cos θ = E.
     pub(crate) fn orbit(&self, energy: f64) -> Series {
-        Series::new(
-            format!("orbit E={}", rounded(energy)),
-            &[THETA, THETA_RATE, ENERGY],
-            rows_with(
-                self.plane.level_curve(energy, &self.window_of(energy)),
-                energy,
-            ),
-        )
+        let pieces = self.plane.level_curve(energy, &self.window_of(energy));
+        let name = format!("orbit E={}", rounded(energy));
+        Series::new(name, &ORBIT, rows_with(pieces, energy))
     }
 
     /// Orbits of these energies, and the separatrix.
@@ -213,11 +187,8 @@ impl Portrait {
     pub(crate) fn separatrix(&self) -> Series {
         let energy = self.law.separatrix_energy();
         let pieces = self.plane.separatrix_curve(&self.window_of(energy));
-        Series::new(
-            Curve::Separatrix.name(),
-            &[THETA, THETA_RATE, ENERGY],
-            rows_with(pieces, energy),
-        )
+        let name = Curve::Separatrix.name();
+        Series::new(name, &ORBIT, rows_with(pieces, energy))
     }
 
     /// Energies of orbits that fill the window: librations by equal steps of θ′ at the bottom,
@@ -244,33 +215,49 @@ impl Portrait {
                 let next = self.plane.level_rate(theta + step, *energy)?;
                 let before = self.plane.level_rate(theta - step, *energy)?;
                 let seen = here <= self.rate_at(0.93) && here > 0.0;
-                seen.then(|| {
-                    [
-                        vec![vec![theta, here], vec![theta + step, next]],
-                        vec![vec![theta, -here], vec![theta - step, -before]],
-                    ]
-                })
+                seen.then_some([
+                    [[theta, here], [theta + step, next]],
+                    [[theta, -here], [theta - step, -before]],
+                ])
             })
-            .flatten()
-            .collect();
+            .flatten();
         Series::new("flow", &PLANE, pieces)
     }
 }
 
 /// The lines *n* of Littlewood's hoop, between the angles at which it slips.
 pub(crate) fn unloading_lines(theta_s: f64) -> Series {
-    let pieces = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]);
-    Series::new("n", &PLANE, pieces.to_vec())
+    let pieces = [1.0, -1.0].map(|rate| [[-theta_s, rate], [theta_s, rate]]);
+    Series::new("n", &PLANE, pieces)
+}
+
+/// Makes a curve the outline of what is between it and a level.
+pub(crate) fn close_at(curve: &mut Vec<[f64; 2]>, level: f64) {
+    if let (Some(first), Some(last)) = (curve.first().copied(), curve.last().copied()) {
+        curve.extend([[last[0], level], [first[0], level]]);
+    }
+}
+
+/// A label and its mirror image: at the other side of the first or the second axis.
+pub(crate) fn mirrored(label: Label, axis: usize) -> [Label; 2] {
+    let mut other = label.clone();
+    other.at[axis] = -label.at[axis];
+    other.shift[axis] = -label.shift[axis];
+    other.anchor = match label.anchor {
+        Anchor::Left if axis == 0 => Anchor::Right,
+        Anchor::Right if axis == 0 => Anchor::Left,
+        anchor => anchor,
+    };
+    [label, other]
 }
 
 /// Two places of an orbit as they follow each other: to the right where θ′ > 0.
-pub(crate) fn in_time(a: &[f64], b: &[f64]) -> Piece {
-    let [from, to] = if (b[0] - a[0]) * a[1] > 0.0 {
+pub(crate) fn in_time<const N: usize>(a: [f64; N], b: [f64; N]) -> [[f64; N]; 2] {
+    if (b[0] - a[0]) * a[1] > 0.0 {
         [a, b]
     } else {
         [b, a]
-    };
-    vec![from.to_vec(), to.to_vec()]
+    }
 }
 
 /// For names.
@@ -347,7 +334,7 @@ impl Portrait {
             let first = libm::ceil((self.window.x[0] - equilibrium.theta) / TAU) as i32;
             let last = libm::floor((self.window.x[1] - equilibrium.theta) / TAU) as i32;
             for turn in first..=last {
-                let row = vec![equilibrium.theta + TAU * f64::from(turn), 0.0];
+                let row = [equilibrium.theta + TAU * f64::from(turn), 0.0];
                 match equilibrium.stability {
                     Stability::Stable { .. } => stable.push(row),
                     Stability::Unstable { .. } => unstable.push(row),

@@ -282,11 +282,8 @@ impl<'a> Shown<'a> {
 
     fn layer(&self, pieces: Vec<Vec<[f64; 2]>>, mark: Mark) -> Layer {
         let [right, up] = self.worth();
-        let row = |[x, y]: [f64; 2]| vec![right * x, up * y];
-        let pieces = pieces
-            .into_iter()
-            .map(|piece| piece.into_iter().map(row).collect())
-            .collect();
+        let row = |[x, y]: [f64; 2]| [right * x, up * y];
+        let pieces = pieces.into_iter().map(|piece| piece.into_iter().map(row));
         Series::new("", &COLUMNS, pieces).drawn(mark)
     }
 

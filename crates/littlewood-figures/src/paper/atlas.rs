@@ -5,8 +5,8 @@ use littlewood::tables::{PhaseCode, Setup};
 use littlewood::theory::Window;
 use littlewood::{Engine, Start, Summary};
 use littlewood_draw::{
-    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, Piece, PlotAxis, START, Series, Sheet,
-    Stroke, TRANSITION, View,
+    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, PlotAxis, START, Series, Sheet, Stroke,
+    TRANSITION,
 };
 use littlewood_style::ticks::minus;
 use littlewood_style::width::FINE;
@@ -19,6 +19,7 @@ use crate::error::FigureError;
 use crate::fate::{Fates, meanings};
 use crate::input::FigureInput;
 use crate::miniature::picture;
+use crate::motion::Shown;
 
 const NAME: &str = "atlas";
 /// Width of the sheet on a screen, and least width of a motion.
@@ -34,13 +35,14 @@ const BESIDE: f64 = 10.0;
 const LEADERS: f64 = 34.0;
 const PLANE: f64 = 0.34;
 /// Starts among which those of the atlas are chosen, to the right and upwards.
-const LATTICE: [usize; 2] = [61, 31];
+const COLUMNS: usize = 61;
+const ROWS: usize = 31;
 /// Phases that are named of a motion.
 const LETTERS: usize = 5;
 /// Rows on either side of the middle, where motions are slow, that have no start of the atlas.
 const SLOW: usize = 2;
 /// Columns of places on the sheet.
-const COLUMNS: [&str; 2] = ["right", "up"];
+const PAGE: [&str; 2] = ["right", "up"];
 
 /// A start of the atlas, and its phases and outcome in words.
 struct Chosen {
@@ -51,12 +53,8 @@ struct Chosen {
 /// The phases and the outcome of a motion, in words.
 fn words(fates: Fates, summary: &Summary) -> String {
     let class = fates.class(summary);
-    let letters: Vec<&str> = summary
-        .sequence
-        .codes()
-        .filter_map(Result::ok)
-        .map(PhaseCode::name)
-        .collect();
+    let codes = summary.sequence.codes().filter_map(Result::ok);
+    let letters: Vec<&str> = codes.map(PhaseCode::name).collect();
     let shown = &letters[..letters.len().min(LETTERS)];
     let goes_on = class.stays_in_contact() && !summary.outcome.is_forever();
     let more = if goes_on || shown.len() < letters.len() {
@@ -67,6 +65,78 @@ fn words(fates: Fates, summary: &Summary) -> String {
     format!("{}{more}: {}", minus(&shown.concat()), fates.label(class))
 }
 
+/// A start of the lattice, its column and row counted from the lower left.
+#[derive(Clone, Copy)]
+struct Place {
+    column: usize,
+    row: usize,
+}
+
+impl Place {
+    fn all() -> impl Iterator<Item = Self> {
+        (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| Self { column, row }))
+    }
+
+    fn start(self, window: Window) -> Start {
+        let along = |[from, to]: [f64; 2], i: usize, count: usize| {
+            from + (to - from) * (i as f64 + 0.5) / count as f64
+        };
+        Start::at(
+            along(window.x, self.column, COLUMNS),
+            along(window.y, self.row, ROWS),
+        )
+    }
+
+    /// The square of the distance to another.
+    fn far(self, other: Self) -> usize {
+        self.column.abs_diff(other.column).pow(2) + self.row.abs_diff(other.row).pow(2)
+    }
+
+    /// The square of the distance to beyond the nearest edge of the plane.
+    fn to_the_edge(self) -> usize {
+        let (across, upwards) = (COLUMNS - self.column, ROWS - self.row);
+        let nearest = (self.column + 1).min(across).min(self.row + 1).min(upwards);
+        nearest * nearest
+    }
+
+    /// 0 in the upper half of the plane, 1 in the lower.
+    fn half(self) -> usize {
+        usize::from(self.row < ROWS / 2)
+    }
+}
+
+/// The places of the lattice, each with its fate in words; none where no motion begins.
+fn fates_of(
+    input: &FigureInput,
+    window: Window,
+) -> Result<Vec<(Place, Option<String>)>, FigureError> {
+    let engine = Engine::builder(&input.hoop).interpolate_slips().build();
+    let limits = Effort::of(&input.hoop, input.limits, &engine).cut(input.limits, &engine);
+    let parameters = input.hoop.parameters();
+    let places: Vec<Place> = Place::all().collect();
+    let points = places
+        .iter()
+        .map(|place| Setup::new(parameters, place.start(window)));
+    let found = Workers::new(None)?.compute(points, limits)?;
+    let fates = Fates::of(&input.hoop);
+    let key = |summary: Summary| (!summary.sequence.is_empty()).then(|| words(fates, &summary));
+    let keys = found.summaries().map(key);
+    Ok(places.into_iter().zip(keys).collect())
+}
+
+/// The fates, the most frequent first.
+fn ranked(places: &[(Place, Option<String>)]) -> Vec<&String> {
+    let mut ranked: Vec<(&String, usize)> = Vec::new();
+    for key in places.iter().filter_map(|(_, key)| key.as_ref()) {
+        match ranked.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, count)) => *count += 1,
+            None => ranked.push((key, 1)),
+        }
+    }
+    ranked.sort_by(|(a, m), (b, n)| n.cmp(m).then(a.cmp(b)));
+    ranked.into_iter().map(|(key, _)| key).collect()
+}
+
 /// The starts with the most frequent fates, each as far as can be from those with another one: of
 /// the upper half of the plane, and of the lower.
 fn choose(
@@ -74,72 +144,25 @@ fn choose(
     window: Window,
     count: usize,
 ) -> Result<[Vec<Chosen>; 2], FigureError> {
-    let [columns, rows] = LATTICE;
-    let along = |[from, to]: [f64; 2], i: usize, count: usize| {
-        from + (to - from) * (i as f64 + 0.5) / count as f64
-    };
-    let places: Vec<[usize; 2]> = (0..rows)
-        .flat_map(|j| (0..columns).map(move |i| [i, j]))
-        .collect();
-    let start =
-        |&[i, j]: &[usize; 2]| Start::at(along(window.x, i, columns), along(window.y, j, rows));
-    let engine = Engine::builder(&input.hoop).interpolate_slips().build();
-    let limits = Effort::of(&input.hoop, input.limits, &engine).cut(input.limits, &engine);
-    let points = places
-        .iter()
-        .map(|place| Setup::new(input.hoop.parameters(), start(place)));
-    let found = Workers::new(None)?.compute(points, limits)?;
-    let fates = Fates::of(&input.hoop);
-    let keys: Vec<Option<String>> = found
-        .summaries()
-        .map(|summary| (!summary.sequence.is_empty()).then(|| words(fates, &summary)))
-        .collect();
-    let mut ranked: Vec<(&String, usize)> = Vec::new();
-    for key in keys.iter().flatten() {
-        match ranked.iter_mut().find(|(known, _)| *known == key) {
-            Some((_, count)) => *count += 1,
-            None => ranked.push((key, 1)),
-        }
-    }
-    ranked.sort_by(|(a, m), (b, n)| n.cmp(m).then(a.cmp(b)));
-    let depth = |place: &[usize; 2], key: &String| {
-        let far = |other: &[usize; 2]| {
-            [0, 1]
-                .map(|k| place[k].abs_diff(other[k]).pow(2))
-                .iter()
-                .sum::<usize>()
-        };
+    let places = fates_of(input, window)?;
+    // The edges of the plane are as foreign as another fate.
+    let depth = |place: Place, key: &String| {
         let others = places
             .iter()
-            .zip(&keys)
             .filter(|(_, other)| other.as_ref() != Some(key));
-        // The edges of the plane are as foreign.
-        let edge = [
-            place[0] + 1,
-            columns - place[0],
-            place[1] + 1,
-            rows - place[1],
-        ]
-        .map(|it| it * it);
-        others
-            .map(|(other, _)| far(other))
-            .chain(edge)
-            .min()
-            .unwrap_or(0)
+        let others = others.map(|(other, _)| place.far(*other));
+        others.min().unwrap_or(usize::MAX).min(place.to_the_edge())
     };
     let mut halves: [Vec<Chosen>; 2] = Default::default();
-    for (key, _) in ranked {
-        let is_fast = |place: &&[usize; 2]| place[1].abs_diff(rows / 2) > SLOW;
-        let own = places
-            .iter()
-            .zip(&keys)
-            .filter(|(_, other)| other.as_ref() == Some(key));
-        let own = own.map(|(place, _)| place).filter(is_fast);
-        let in_half = |half: usize| move |place: &&[usize; 2]| (place[1] < rows / 2) == (half == 1);
+    for key in ranked(&places) {
+        let own = places.iter().filter(|(place, other)| {
+            other.as_ref() == Some(key) && place.row.abs_diff(ROWS / 2) > SLOW
+        });
         let best = |half: usize| {
             own.clone()
-                .filter(in_half(half))
-                .max_by_key(|place| depth(place, key))
+                .map(|(place, _)| *place)
+                .filter(|place| place.half() == half)
+                .max_by_key(|place| depth(*place, key))
         };
         // Where there is more room; a fate that half of the plane has not is taken from the other.
         let first = usize::from(halves[1].len() < halves[0].len());
@@ -148,7 +171,7 @@ fn choose(
             .filter(|half| halves[*half].len() < count);
         if let Some((half, place)) = here.filter_map(|half| Some((half, best(half)?))).next() {
             halves[half].push(Chosen {
-                start: start(place),
+                start: place.start(window),
                 words: key.clone(),
             });
         }
@@ -184,128 +207,129 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     wide(input, WIDTH, watch)
 }
 
-/// The same, so wide on a screen.
-pub(crate) fn wide(
-    input: &FigureInput,
-    width: f64,
-    watch: &mut Watch<'_>,
-) -> Result<Figure, FigureError> {
-    input.loaded(NAME)?;
-    let outcomes = outcomes::figure(
-        &FigureInput {
-            width_mm: None,
-            ..*input
-        },
-        watch,
-    )?;
-    let sheet = input.sheet(width)?;
-    let [left, inner] = sheet.span();
-    let Some(Panel {
-        view: View::Plane { x, y, .. },
-        layers,
-        keys,
-        ..
-    }) = outcomes.panels.into_iter().next()
-    else {
-        return Err(FigureError::NeedsOffset { figure: NAME });
-    };
-    let window = Window {
-        x: x.range,
-        y: y.range,
-    };
-    let entries = keys
-        .into_iter()
-        .map(|Key { mark, text, .. }| (mark, text))
-        .collect();
-    let (keys, room) = sheet.keys(entries, 6.0);
-    let count = libm::floor(inner / EACH).clamp(ROW[0], ROW[1]) as usize;
-    let mut halves = choose(input, window, count)?;
-    let each = (inner - BESIDE * (count - 1) as f64) / count as f64;
-    let high = FLAT * each;
-    let top = 12.0 + room;
-    let plane_top = top + high + LEADERS;
-    let plane_high = f64::max(PLANE * sheet.width, 260.0);
-    let tops = [top, plane_top + plane_high + LEADERS];
-    let content = Content {
-        name: "plane",
-        x,
-        y,
-        layers,
-        labels: Vec::new(),
-    };
-    let mut plane = Sheet::panel([left, plane_top, inner, plane_high], content);
-    plane.keys = keys;
-    let (mut leaders, mut starts, mut pictures) = (Vec::new(), Vec::new(), Vec::new());
-    for (half, chosen) in halves.iter_mut().enumerate() {
-        // Fewer than there is room for stand in the middle.
-        let before = 0.5 * (count - chosen.len()) as f64 * (each + BESIDE);
-        let left_of = |i: usize| left + before + (each + BESIDE) * i as f64;
-        let end = [tops[0] + high, tops[1]][half];
-        let here = |chosen: &Chosen| plane.place([chosen.start.theta, chosen.start.theta_rate]);
-        let length = |chosen: &Chosen, i: usize| {
-            here(chosen).map_or(0.0, |[x, y]| {
-                libm::hypot(x - left_of(i) - 0.5 * each, y - end)
-            })
-        };
-        in_order(chosen, &length);
-        for (i, own) in chosen.iter().enumerate() {
-            let motion = input.hoop.simulate(own.start, input.limits)?;
-            let frame = [left_of(i), tops[half], each, high];
-            pictures.push(picture(
-                &motion,
-                frame,
-                each / RADII,
-                Some(own.words.clone()),
-            ));
-            if let Some([x, y]) = here(own) {
-                leaders.push(vec![vec![x, -y], vec![left_of(i) + 0.5 * each, -end]]);
-                starts.push(vec![x, -y]);
-            }
+/// Where the plane and the motions above and below it stand.
+struct Layout {
+    left: f64,
+    /// Motions of a row, and the width and the height of each.
+    count: usize,
+    each: f64,
+    high: f64,
+    /// The plane, and the upper ends of the two rows.
+    plane: [f64; 4],
+    tops: [f64; 2],
+}
+
+impl Layout {
+    /// With so much room for keys.
+    fn new(sheet: &Sheet, room: f64) -> Self {
+        let [left, inner] = sheet.span();
+        let count = libm::floor(inner / EACH).clamp(ROW[0], ROW[1]) as usize;
+        let each = (inner - BESIDE * (count - 1) as f64) / count as f64;
+        let high = FLAT * each;
+        let top = 12.0 + room;
+        let plane_top = top + high + LEADERS;
+        let plane_high = f64::max(PLANE * sheet.width, 260.0);
+        Self {
+            left,
+            count,
+            each,
+            high,
+            plane: [left, plane_top, inner, plane_high],
+            tops: [top, plane_top + plane_high + LEADERS],
         }
     }
-    let height = tops[1] + high + 8.0;
-    let line = |colour, width| Mark::Line(Stroke::solid(colour, width));
-    let start = plane
-        .place([input.start.theta, input.start.theta_rate])
-        .filter(|[x, y]| {
-            let [[left, top], [right, bottom]] = plane.axes_frame();
-            (left..=right).contains(x) && (top..=bottom).contains(y)
+
+    /// Where the leaders to a row end.
+    fn end(&self, half: usize) -> f64 {
+        [self.tops[0] + self.high, self.tops[1]][half]
+    }
+
+    /// The left end of a motion of a row of so many: fewer than there is room for stand in the
+    /// middle.
+    fn left_of(&self, i: usize, of: usize) -> f64 {
+        let before = 0.5 * (self.count - of) as f64 * (self.each + BESIDE);
+        self.left + before + (self.each + BESIDE) * i as f64
+    }
+
+    fn height(&self) -> f64 {
+        self.tops[1] + self.high + 8.0
+    }
+}
+
+/// The motions beside the plane, and leaders to them from their starts, in pixels upwards.
+#[derive(Default)]
+struct Motions {
+    pictures: Vec<Panel>,
+    leaders: Vec<[[f64; 2]; 2]>,
+    starts: Vec<[f64; 2]>,
+}
+
+impl Motions {
+    fn add_row(
+        &mut self,
+        input: &FigureInput,
+        layout: &Layout,
+        plane: &Panel,
+        half: usize,
+        chosen: &mut [Chosen],
+    ) -> Result<(), FigureError> {
+        let (count, end) = (chosen.len(), layout.end(half));
+        let middle = |i: usize| layout.left_of(i, count) + 0.5 * layout.each;
+        let here = |chosen: &Chosen| plane.place([chosen.start.theta, chosen.start.theta_rate]);
+        in_order(chosen, &|chosen, i| {
+            here(chosen).map_or(0.0, |[x, y]| {
+                libm::hypot(x - layout.left_of(i, count) - 0.5 * layout.each, y - end)
+            })
         });
-    let own: Piece = start.iter().map(|[x, y]| vec![*x, -y]).collect();
-    let labels = own
-        .iter()
-        .map(|at| Label::new("start", at).left().shifted(9.0, -9.0))
-        .collect();
-    let marks = vec![
-        Series::of_rows("own start", &COLUMNS, own).drawn(TRANSITION),
-        // Edged with paper, to be seen on every colour.
-        Series::new("edge of a leader", &COLUMNS, leaders.clone()).drawn(line(PAPER, 2.6)),
-        Series::new("leader", &COLUMNS, leaders).drawn(line(INK, FINE)),
-        Series::of_rows("edge of a start", &COLUMNS, starts.clone()).drawn(Mark::Dot(PAPER, 6.0)),
-        Series::of_rows("start", &COLUMNS, starts).drawn(START),
-    ];
-    let x = PlotAxis::silent(COLUMNS[0], [0.0, sheet.width]);
-    let y = PlotAxis::silent(COLUMNS[1], [-height, 0.0]);
-    let content = Content {
-        name: "leaders",
-        x,
-        y,
-        layers: marks,
-        labels,
-    };
-    let page = Sheet::bare([0.0, 0.0, sheet.width, height], content, 0.0);
-    let say = input.wording();
+        for (i, own) in chosen.iter().enumerate() {
+            let motion = input.hoop.simulate(own.start, input.limits)?;
+            let motion = Shown::new(motion, input.wording());
+            let left = layout.left_of(i, count);
+            let frame = [left, layout.tops[half], layout.each, layout.high];
+            let unit = layout.each / RADII;
+            self.pictures
+                .push(picture(&motion, frame, unit, &own.words));
+            if let Some([x, y]) = here(own) {
+                self.leaders.push([[x, -y], [middle(i), -end]]);
+                self.starts.push([x, -y]);
+            }
+        }
+        Ok(())
+    }
+
+    /// The leaders and the starts, that of the other figures among them, over the whole sheet.
+    fn page(&self, own: Option<[f64; 2]>, width: f64, height: f64) -> Panel {
+        let line = |colour, width| Mark::Line(Stroke::solid(colour, width));
+        let leaders = |name| Series::new(name, &PAGE, self.leaders.clone());
+        let starts = |name| Series::of_rows(name, &PAGE, self.starts.clone());
+        let layers = vec![
+            Series::of_rows("own start", &PAGE, own).drawn(TRANSITION),
+            // Edged with paper, to be seen on every colour.
+            leaders("edge of a leader").drawn(line(PAPER, 2.6)),
+            leaders("leader").drawn(line(INK, FINE)),
+            starts("edge of a start").drawn(Mark::Dot(PAPER, 6.0)),
+            starts("start").drawn(START),
+        ];
+        let label = own.map(|at| Label::new("start", &at).left().shifted(9.0, -9.0));
+        let content = Content {
+            name: "leaders",
+            x: PlotAxis::silent(PAGE[0], [0.0, width]),
+            y: PlotAxis::silent(PAGE[1], [-height, 0.0]),
+            layers,
+            labels: Vec::from_iter(label),
+        };
+        Sheet::bare([0.0, 0.0, width, height], content, 0.0)
+    }
+}
+
+fn caption(input: &FigureInput, halves: &[Vec<Chosen>; 2]) -> String {
     // Of each kind of phase that is named.
     let is_named = |code: &PhaseCode| {
-        let words = halves
-            .iter()
-            .flatten()
-            .filter_map(|own| own.words.split(':').next());
-        words
-            .into_iter()
-            .any(|letters| letters.contains(&minus(code.name())))
+        let words = halves.iter().flatten().map(|own| &own.words);
+        let mut letters = words.filter_map(|words| words.split(':').next());
+        letters.any(|letters| letters.contains(&minus(code.name())))
     };
-    let caption = format!(
+    format!(
         "The outcome of each start with *η*′ = 0, and the motions of some (crosses; diamond: the start of the other figures): the path of the mass centre, and the hoop at \
          some instants, all on one scale{}. Above each motion its sequence of phases: {}. {}.",
         if input.hoop.slope() == 0.0 {
@@ -314,11 +338,46 @@ pub(crate) fn wide(
             ", along the plane"
         },
         meanings(is_named),
-        say.hoop(&input.hoop)
-    );
-    let panels = core::iter::once(plane)
-        .chain(pictures)
-        .chain([page])
-        .collect();
-    Ok(sheet.figure(NAME, "Atlas of fates", caption, height, panels))
+        input.wording().hoop(&input.hoop)
+    )
+}
+
+/// The same, so wide on a screen.
+pub(crate) fn wide(
+    input: &FigureInput,
+    width: f64,
+    watch: &mut Watch<'_>,
+) -> Result<Figure, FigureError> {
+    input.loaded(NAME)?;
+    let on_screen = FigureInput {
+        width_mm: None,
+        ..*input
+    };
+    let outcomes = outcomes::figure(&on_screen, watch)?;
+    let sheet = input.sheet(width)?;
+    let Some(mut plane) = outcomes.panels.into_iter().next() else {
+        return Err(FigureError::NeedsOffset { figure: NAME });
+    };
+    let entries = plane
+        .keys
+        .into_iter()
+        .map(|Key { mark, text, .. }| (mark, text));
+    let (keys, room) = sheet.keys(entries.collect(), 6.0);
+    let layout = Layout::new(&sheet, room);
+    plane.keys = keys;
+    plane.frame = layout.plane;
+    let [x, y] = [0, 1].map(|axis| plane.axes()[axis].range);
+    let mut halves = choose(input, Window { x, y }, layout.count)?;
+    let mut motions = Motions::default();
+    for (half, chosen) in halves.iter_mut().enumerate() {
+        motions.add_row(input, &layout, &plane, half, chosen)?;
+    }
+    let [[left, top], [right, bottom]] = plane.axes_frame();
+    let is_seen = |[x, y]: &[f64; 2]| (left..=right).contains(x) && (top..=bottom).contains(y);
+    let own = plane.place([input.start.theta, input.start.theta_rate]);
+    let own = own.filter(is_seen).map(|[x, y]| [x, -y]);
+    let page = motions.page(own, sheet.width, layout.height());
+    let panels = [plane].into_iter().chain(motions.pictures).chain([page]);
+    let (caption, height) = (caption(input, &halves), layout.height());
+    Ok(sheet.figure(NAME, "Atlas of fates", caption, height, panels.collect()))
 }

@@ -4,7 +4,7 @@
 use littlewood::impact::Impact;
 use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, SampleColumn};
-use littlewood::{Cause, Mode, Phase, Trajectory, Transition};
+use littlewood::{Cause, Mode, Phase, Transition};
 use littlewood_draw::{
     Content, Entries, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, Piece, PlotAxis, SMALL,
     SOFT, Scale, Series, Sheet, Stroke, short,
@@ -16,7 +16,7 @@ use crate::columns::{LOG_GAP_RATE, TIME};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
-use crate::motion::{bounds, horizon, instants};
+use crate::motion::{Shown, bounds};
 use crate::timeline::VERTICAL;
 use crate::wording::Wording;
 
@@ -24,6 +24,7 @@ const NAME: &str = "bounces";
 const GAP: &str = SampleColumn::Gap.name();
 const NUMBER: &str = "landing";
 const RATE: &str = SampleColumn::GapRate.name();
+const RATES: [&str; 3] = [NUMBER, LOG_GAP_RATE, RATE];
 /// Fewest landings and decades that the axes show.
 const FEWEST: f64 = 3.0;
 const DECADES: f64 = 1.0;
@@ -37,30 +38,25 @@ struct Settled<'a> {
     ratio: f64,
 }
 
-/// A flight that is drawn: those by which a hoop settles have no height.
-fn is_flight(phase: &Phase) -> bool {
-    matches!(phase.solution(), PhaseSolution::Flight(flight) if !flight.settles())
+/// A landing with an impact, and its time.
+struct Landing {
+    time: f64,
+    impact: Impact,
 }
 
 /// From the first flight to where it settles, or as far as figures of a motion go.
-fn span(motion: &Trajectory) -> Option<[f64; 2]> {
-    let until = horizon(motion);
-    let flights = || {
-        motion
-            .phases()
-            .iter()
-            .filter(|phase| phase.mode() == Mode::Flight)
-    };
-    let from = flights().next()?.start().time;
-    let to = flights()
-        .map(Phase::end_time)
-        .fold(from, f64::max)
-        .min(until);
+fn span(motion: &Shown) -> Option<[f64; 2]> {
+    let phases = || motion.phases().iter();
+    let mut flights = phases().filter(|phase| phase.mode() == Mode::Flight);
+    let first = flights.next()?;
+    let from = first.start().time;
+    let ends = core::iter::once(first).chain(flights).map(Phase::end_time);
+    let to = ends.fold(from, f64::max).min(motion.until);
     let room = 0.04 * (to - from);
     Some([from - room, to + room])
 }
 
-fn settled<'a>(motion: &'a Trajectory, input: &FigureInput) -> Vec<Settled<'a>> {
+fn settled<'a>(motion: &'a Shown, input: &FigureInput) -> Vec<Settled<'a>> {
     let mut found = Vec::new();
     let mut landings = 0;
     let mut opening = input.start.gap_rate;
@@ -70,16 +66,11 @@ fn settled<'a>(motion: &'a Trajectory, input: &FigureInput) -> Vec<Settled<'a>> 
             opening = impact.after.gap_rate;
             continue;
         }
-        let start = motion
-            .phases()
-            .iter()
-            .find(|phase| phase.end_time() == transition.time() && phase.mode() == Mode::Flight)
-            .map(Phase::start);
+        let ends = |it: &&Phase| it.end_time() == transition.time() && it.mode() == Mode::Flight;
+        let start = motion.phases().iter().find(ends).map(Phase::start);
         let settling = start
             .zip(motion.hoop().restitution())
-            .and_then(|(state, restitution)| {
-                motion.hoop().settling(&state, opening, restitution).ok()
-            });
+            .and_then(|(state, it)| motion.hoop().settling(&state, opening, it).ok());
         found.extend(settling.map(|settling| Settled {
             transition,
             landings,
@@ -90,46 +81,45 @@ fn settled<'a>(motion: &'a Trajectory, input: &FigureInput) -> Vec<Settled<'a>> 
 }
 
 /// Landings one by one, in order.
-fn landings(motion: &Trajectory) -> Vec<(f64, Impact)> {
-    let until = horizon(motion);
+fn landings(motion: &Shown) -> Vec<Landing> {
     impacts::single(motion)
-        .filter(|(transition, _)| transition.cause == Cause::Landing && transition.time() <= until)
-        .map(|(transition, impact)| (transition.time(), impact))
+        .filter(|(it, _)| it.cause == Cause::Landing && it.time() <= motion.until)
+        .map(|(transition, impact)| Landing {
+            time: transition.time(),
+            impact,
+        })
         .collect()
 }
 
-/// The gap against time.
+/// The gap against time, from the first of two times to the second.
 fn gap_panel(
-    motion: &Trajectory,
+    motion: &Shown,
     range: [f64; 2],
+    landings: &[Landing],
     settled: &[Settled<'_>],
-    say: Wording,
 ) -> Content {
-    let until = range[1];
-    let pieces: Vec<Piece> = motion
-        .phases()
-        .iter()
-        .filter(|phase| is_flight(phase))
-        .map(|phase| {
-            instants(motion, phase, until)
-                .iter()
-                .map(|sample| vec![sample.state.time, sample.gap])
-                .collect()
-        })
-        .collect();
+    let say = motion.say;
+    let shown = motion.up_to(range[1]);
+    // Those by which a hoop settles have no height.
+    let is_flight = |phase: &&Phase| matches!(phase.solution(), PhaseSolution::Flight(flight) if !flight.settles());
+    let pieces = motion.phases().iter().filter(is_flight).map(|phase| {
+        let samples = shown.instants(phase).into_iter();
+        samples.map(|sample| [sample.state.time, sample.gap])
+    });
     let gap = Series::new(GAP, &[TIME, GAP], pieces);
     let highest = bounds(gap.rows().map(|row| row[1]), 0.0)[1].max(f64::MIN_POSITIVE);
     let y = say.axis(GAP, "gap", [0.0, 1.12 * highest]);
     let mut layers: Vec<Layer> = Vec::new();
     let mut labels = Vec::new();
-    for end in settled.iter().filter(|end| end.transition.time() <= until) {
-        let at = end.transition.time();
-        let vertical = y.range.map(|value| vec![at, value]).to_vec();
-        layers.push(
-            Series::of_rows(end.transition.cause.label(), &[TIME, GAP], vertical).drawn(VERTICAL),
-        );
+    for end in settled {
+        let (at, name) = (end.transition.time(), end.transition.cause.label());
+        if at > range[1] {
+            continue;
+        }
+        let vertical = y.range.map(|value| [at, value]);
+        layers.push(Series::of_rows(name, &[TIME, GAP], vertical).drawn(VERTICAL));
         let time = say.value(at, Dimension::Time);
-        let text = format!("{}, {} = {time}", end.transition.cause.label(), say.time());
+        let text = format!("{name}, {} = {time}", say.time());
         let label = Label::new(text, &[at, y.range[1]]).sized(SMALL);
         let is_early = at < range[0] + 0.25 * (range[1] - range[0]);
         labels.push(if is_early {
@@ -139,10 +129,7 @@ fn gap_panel(
         });
     }
     layers.push(gap.drawn(Stroke::of_mode(Mode::Flight).dashed(Dash::Solid).wide(2.0)));
-    let dots = landings(motion)
-        .iter()
-        .map(|(at, _)| vec![*at, 0.0])
-        .collect();
+    let dots = landings.iter().map(|landing| [landing.time, 0.0]);
     layers.push(Series::of_rows("landing", &[TIME, GAP], dots).drawn(Mark::Dot(IMPULSE, 3.0)));
     Content {
         name: "gap",
@@ -153,98 +140,80 @@ fn gap_panel(
     }
 }
 
-/// The rates of the gap before and after each landing.
-fn rate_panel(
-    landings: &[(f64, Impact)],
+/// The rates just before each landing, or just after, that are not zero.
+fn rates(landings: &[Landing], rate: fn(&Impact) -> f64) -> Piece {
+    let rates = landings.iter().map(|landing| rate(&landing.impact));
+    let row = |(i, rate): (usize, f64)| vec![(i + 1) as f64, libm::log10(rate.abs()), rate];
+    let rates = rates.enumerate().filter(|(_, rate)| *rate != 0.0);
+    rates.map(row).collect()
+}
+
+/// The lines along which rates shrink in the end, and the ratio of each in words.
+fn limits(
+    before: &Piece,
     settled: &[Settled<'_>],
-    say: Wording,
-) -> (Content, Entries) {
-    let columns = [NUMBER, LOG_GAP_RATE, RATE];
-    let row = |(i, rate): (usize, f64)| {
-        (rate != 0.0).then(|| vec![(i + 1) as f64, libm::log10(rate.abs()), rate])
-    };
-    let side = |rate: fn(&Impact) -> f64| -> Piece {
-        landings
-            .iter()
-            .map(|(_, impact)| rate(impact))
-            .enumerate()
-            .filter_map(row)
-            .collect()
-    };
-    let (before, after) = (
-        side(|impact| impact.before.gap_rate),
-        side(|impact| impact.after.gap_rate),
-    );
+    left: f64,
+    corner: &[f64; 2],
+) -> (Vec<Layer>, Vec<Label>) {
+    let (mut layers, mut labels): (Vec<Layer>, Vec<Label>) = Default::default();
+    let shrinks = |end: &&Settled<'_>| end.ratio > 0.0 && end.landings > 1;
+    for end in settled.iter().filter(shrinks) {
+        let (last, slope) = (end.landings as f64, libm::log10(end.ratio));
+        let Some(at) = before.iter().find(|row| row[0] == last).map(|row| row[1]) else {
+            continue;
+        };
+        let from = (last - (corner[1] - at) / -slope).max(left);
+        let line = [from, last].map(|number| [number, at + slope * (number - last)]);
+        layers.push(
+            Series::of_rows("limit", &RATES[..2], line)
+                .drawn(Stroke::solid(SOFT, CURVE).dashed(Dash::Dashed)),
+        );
+        let ratio = short(end.ratio);
+        let text = format!("in the end each *e*_{{eff}} = {ratio} times the one before");
+        if labels.iter().any(|label| label.text == text) {
+            continue;
+        }
+        let down = 16.0 + 17.0 * labels.len() as f64;
+        let label = Label::new(text, corner).shifted(-10.0, down).right();
+        labels.push(label.sized(SMALL).coloured(SOFT));
+    }
+    (layers, labels)
+}
+
+/// The rates of the gap before and after each landing.
+fn rate_panel(landings: &[Landing], settled: &[Settled<'_>], say: Wording) -> (Content, Entries) {
+    let before = rates(landings, |impact| impact.before.gap_rate);
+    let after = rates(landings, |impact| impact.after.gap_rate);
     let x_range = [0.0, FEWEST.max(landings.len() as f64 + 1.0)];
     let [low, high] = bounds(before.iter().chain(&after).map(|row| row[1]), 0.0);
     let widen = (0.5 * (DECADES - (high - low))).max(0.0);
     let (low, high) = (low - widen, high + widen);
     let y_range = [low - 0.08 * (high - low), high + 0.1 * (high - low)];
-    let mut layers = Vec::new();
-    let mut labels = Vec::new();
-    for end in settled
-        .iter()
-        .filter(|end| end.ratio > 0.0 && end.landings > 1)
-    {
-        let (last, slope) = (end.landings as f64, libm::log10(end.ratio));
-        let Some(at) = before.iter().find(|row| row[0] == last).map(|row| row[1]) else {
-            continue;
-        };
-        let from = (last - (y_range[1] - at) / -slope).max(x_range[0]);
-        let line = [from, last]
-            .map(|number| vec![number, at + slope * (number - last)])
-            .to_vec();
-        layers.push(
-            Series::of_rows("limit", &columns[..2], line)
-                .drawn(Stroke::solid(SOFT, CURVE).dashed(Dash::Dashed)),
-        );
-        let text = format!(
-            "in the end each *e*_{{eff}} = {} times the one before",
-            short(end.ratio)
-        );
-        if labels.iter().any(|label: &Label| label.text == text) {
-            continue;
-        }
-        let down = 16.0 + 17.0 * labels.len() as f64;
-        let label = Label::new(text, &[x_range[1], y_range[1]]);
-        labels.push(
-            label
-                .shifted(-10.0, down)
-                .right()
-                .sized(SMALL)
-                .coloured(SOFT),
-        );
-    }
+    let corner = [x_range[1], y_range[1]];
+    let (mut layers, labels) = limits(&before, settled, x_range[0], &corner);
     let size = if landings.len() > MANY { 0.5 } else { 1.0 };
-    let marks = [Mark::Dot(INK, 2.4 * size), Mark::Ring(IMPULSE, 4.4 * size)];
-    layers.push(Series::of_rows("after the impact", &columns, after).drawn(marks[1]));
-    layers.push(Series::of_rows("before the impact", &columns, before).drawn(marks[0]));
-    let title = say.title(SampleColumn::GapRate.long_name(), Dimension::Velocity);
-    let x = PlotAxis {
-        scale: Scale::Whole,
-        ..say.axis(NUMBER, "number of the landing", x_range)
-    };
-    let y = PlotAxis {
-        title,
-        scale: Scale::Decades,
-        ..say.axis(LOG_GAP_RATE, "", y_range)
-    };
-    let keys = ["before the impact, closing", "after the impact, opening"];
-    let keys = keys
-        .into_iter()
-        .zip(marks)
-        .map(|(text, mark)| (mark, text.to_owned()))
-        .collect();
-    (
-        Content {
-            name: "rates",
-            x,
-            y,
-            layers,
-            labels,
+    let [dot, ring] = [Mark::Dot(INK, 2.4 * size), Mark::Ring(IMPULSE, 4.4 * size)];
+    layers.push(Series::of_rows("after the impact", &RATES, after).drawn(ring));
+    layers.push(Series::of_rows("before the impact", &RATES, before).drawn(dot));
+    let keys = vec![
+        (dot, "before the impact, closing".to_owned()),
+        (ring, "after the impact, opening".to_owned()),
+    ];
+    let content = Content {
+        name: "rates",
+        x: PlotAxis {
+            scale: Scale::Whole,
+            ..say.axis(NUMBER, "number of the landing", x_range)
         },
-        keys,
-    )
+        y: PlotAxis {
+            title: say.title(SampleColumn::GapRate.long_name(), Dimension::Velocity),
+            scale: Scale::Decades,
+            ..say.axis(LOG_GAP_RATE, "", y_range)
+        },
+        layers,
+        labels,
+    };
+    (content, keys)
 }
 
 fn in_words(settled: &[Settled<'_>], landings: usize, say: Wording) -> String {
@@ -276,18 +245,15 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         });
     };
     let settled = settled(&motion, input);
-    let say = input.wording();
     let sheet = input.sheet(640.0)?;
     let [left, inner] = sheet.span();
     let mut bottom = 10.0 + sheet.height(250.0);
     let frame = [left, 10.0, inner, bottom - 10.0];
-    let mut panels = vec![Sheet::panel(
-        frame,
-        gap_panel(&motion, range, &settled, say),
-    )];
-    let bounces = found.iter().any(|(_, impact)| impact.after.gap_rate > 0.0);
-    if bounces {
-        let (content, entries) = rate_panel(&found, &settled, say);
+    let gap = gap_panel(&motion, range, &found, &settled);
+    let mut panels = vec![Sheet::panel(frame, gap)];
+    let rebounds = |landing: &Landing| landing.impact.after.gap_rate > 0.0;
+    let below = if found.iter().any(rebounds) {
+        let (content, entries) = rate_panel(&found, &settled, motion.say);
         let (keys, room) = sheet.keys(entries, bottom + 8.0);
         let top = bottom + 14.0 + room;
         bottom = top + sheet.height(270.0);
@@ -295,21 +261,15 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             keys,
             ..Sheet::panel([left, top, inner, bottom - top], content)
         });
-    }
-    let below = if bounces {
         " Below: the rate of the gap just before and just after each landing."
     } else {
         " No landing rebounds."
     };
-    Ok(sheet.figure(
-        NAME,
-        "The bounces of a motion",
-        format!(
-            "The gap under the rim against time; dots: landings.{below} {} {}.",
-            in_words(&settled, found.len(), say),
-            input.in_words()
-        ),
-        bottom + 6.0,
-        panels,
-    ))
+    let caption = format!(
+        "The gap under the rim against time; dots: landings.{below} {} {}.",
+        in_words(&settled, found.len(), motion.say),
+        input.in_words()
+    );
+    let title = "The bounces of a motion";
+    Ok(sheet.figure(NAME, title, caption, bottom + 6.0, panels))
 }

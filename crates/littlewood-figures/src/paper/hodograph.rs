@@ -1,21 +1,19 @@
 //! The friction cone: friction against normal force along a motion.
 
-use littlewood::tables::SampleColumn;
-use littlewood::{Hoop, Mode, Sample, Trajectory};
+use littlewood::theory::Window;
+use littlewood::{Hoop, Mode, Sample};
 use littlewood_draw::{
     Content, Entries, Figure, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, SOFT, START,
-    Series, Stroke, TRANSITION, marked,
+    Series, Stroke, TRANSITION,
 };
+use littlewood_style::width::{BOLD, CURVE, FINE};
+use littlewood_style::{Curve, Dash};
 
 use crate::columns::{FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{NOISE, arrows, bounds, by_mode, entries, horizon, lines, remark};
+use crate::motion::{NOISE, Shown, bounds};
 use crate::spikes::Spikes;
-use crate::wording::Wording;
-use littlewood::theory::Window;
-use littlewood_style::width::{BOLD, CURVE, FINE};
-use littlewood_style::{Curve, Dash};
 
 const NAME: &str = "hodograph";
 const COLUMNS: [&str; 3] = [TIME, NORMAL, FRICTION];
@@ -29,14 +27,32 @@ const POINT: f64 = 0.03;
 /// Transitions that all have a name.
 const NAMED: usize = 6;
 
-fn row(sample: &Sample) -> Vec<f64> {
-    vec![sample.state.time, sample.normal, sample.friction]
+const fn row(sample: &Sample) -> [f64; 3] {
+    [sample.state.time, sample.normal, sample.friction]
 }
 
-/// A plane of forces or of impulses: its columns, upright to the plane and along it.
-type Columns = [&'static str; 2];
-const FORCES: Columns = [NORMAL, FRICTION];
-const IMPULSES: Columns = [NORMAL_IMPULSE, FRICTION_IMPULSE];
+/// A plane of forces or of impulses.
+struct Plane {
+    name: &'static str,
+    /// Its columns, upright to the plane and along it.
+    columns: [&'static str; 2],
+    /// Their letters.
+    upright: &'static str,
+    along: &'static str,
+}
+
+const FORCES: Plane = Plane {
+    name: "plane of forces",
+    columns: [NORMAL, FRICTION],
+    upright: "*N*",
+    along: "*F*",
+};
+const IMPULSES: Plane = Plane {
+    name: "plane of impulses",
+    columns: [NORMAL_IMPULSE, FRICTION_IMPULSE],
+    upright: "*P*",
+    along: "*J*",
+};
 
 /// Both cones from their point to the greatest normal force.
 fn whole(most: f64, mu_s: f64) -> Window {
@@ -83,21 +99,18 @@ fn window_of(rows: &[Vec<f64>], mu_s: f64) -> Window {
 }
 
 /// The two lines |F| = μ N, as far as they are seen.
-fn cone(window: Window, columns: Columns, name: &'static str, mu: f64) -> Series {
+fn cone(window: Window, columns: &[&'static str; 2], name: &'static str, mu: f64) -> Series {
     let pieces = [1.0, -1.0].into_iter().flat_map(|sign| {
         let from = f64::max(window.x[0], 0.0);
         window.pieces([from, window.x[1]], 64, &|normal| {
             Some([normal, sign * mu * normal])
         })
     });
-    let rows = pieces
-        .map(|piece| piece.into_iter().map(Vec::from).collect())
-        .collect();
-    Series::new(name, &columns, rows)
+    Series::new(name, columns, pieces)
 }
 
 /// The inside of the cone |F| ≤ μs N, as far as it is seen.
-fn inside(window: Window, columns: Columns, mu: f64) -> Series {
+fn inside(window: Window, columns: &[&'static str; 2], mu: f64) -> Series {
     let Window {
         x: [left, right],
         y: [low, high],
@@ -114,57 +127,43 @@ fn inside(window: Window, columns: Columns, mu: f64) -> Series {
     stops.retain(|normal| (left..=right).contains(normal));
     stops.sort_by(f64::total_cmp);
     let edge = |sign: f64| {
-        let cut = move |normal: f64| vec![normal, (sign * mu * normal).clamp(low, high)];
-        stops
-            .iter()
-            .map(move |normal| cut(*normal))
-            .collect::<Vec<_>>()
+        let cut = move |normal: &f64| [*normal, (sign * mu * normal).clamp(low, high)];
+        stops.iter().map(cut)
     };
-    let mut polygon = edge(1.0);
-    polygon.extend(edge(-1.0).into_iter().rev());
-    Series::of_rows("inside of the cone", &columns, polygon)
+    let polygon = edge(1.0).chain(edge(-1.0).rev());
+    Series::of_rows("inside of the cone", columns, polygon)
 }
 
 /// From the last forces of a phase to the first of the next, where they jump.
-fn jumps(motion: &Trajectory, window: Window) -> Vec<Piece> {
-    let until = horizon(motion);
+fn jumps(motion: &Shown, window: Window) -> Vec<[[f64; 3]; 2]> {
     let pairs = motion.phases().windows(2).filter(|pair| {
-        let is_seen = pair[1].start().time < until;
         // Before an impact and after it the forces are those of flights.
-        is_seen
-            && motion
-                .end_of(&pair[0])
-                .is_some_and(|transition| transition.impact.is_none())
+        let end = motion.end_of(&pair[0]);
+        pair[1].start().time < motion.until && end.is_some_and(|end| end.impact.is_none())
     });
     pairs
-        .filter_map(|pair| Some(vec![row(&pair[0].last()?), row(&pair[1].first())]))
+        .filter_map(|pair| Some([row(&pair[0].last()?), row(&pair[1].first())]))
         .filter(|rows| length(rows, window) > LEAST_JUMP)
         .collect()
 }
 
 /// Length of a step in parts of the window.
-fn length(rows: &[Vec<f64>], window: Window) -> f64 {
-    let part = |i: usize, range: [f64; 2]| (rows[1][i] - rows[0][i]) / (range[1] - range[0]);
+fn length([from, to]: &[[f64; 3]; 2], window: Window) -> f64 {
+    let part = |i: usize, range: [f64; 2]| (to[i] - from[i]) / (range[1] - range[0]);
     libm::hypot(part(1, window.x), part(2, window.y))
 }
 
 /// Dots at the ends of phases, with their names if they are few.
-fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
-    let until = horizon(motion);
-    let ends: Vec<(&'static str, Vec<f64>)> = motion
-        .phases()
-        .iter()
+fn changes(motion: &Shown, largest: f64) -> (Layer, Vec<Label>) {
+    let phases = motion.phases().iter();
+    let ends: Vec<(&'static str, [f64; 3])> = phases
         .filter(|phase| phase.mode().has_normal_force())
         .filter_map(|phase| Some((motion.end_of(phase)?, phase.last()?)))
-        .filter(|(transition, _)| transition.time() <= until)
+        .filter(|(transition, _)| transition.time() <= motion.until)
         .map(|(transition, sample)| (transition.cause.label(), row(&sample)))
         .collect();
-    let labels = if ends.len() > NAMED {
-        &[][..]
-    } else {
-        &ends[..]
-    };
-    let labels = labels.iter().map(|(name, row)| {
+    let named = ends.iter().filter(|_| ends.len() <= NAMED);
+    let labels = named.map(|(name, row)| {
         let up = if row[2] < 0.0 { 13.0 } else { -12.0 };
         let label = Label::new(*name, &row[1..]).sized(SMALL);
         // Before the point of the cone.
@@ -175,96 +174,95 @@ fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
         }
     });
     let labels = labels.collect();
-    let rows = ends.into_iter().map(|(_, row)| row).collect();
-    (
-        Series::of_rows("transition", &COLUMNS, rows).drawn(TRANSITION),
-        labels,
-    )
+    let rows = ends.into_iter().map(|(_, row)| row);
+    let dots = Series::of_rows("transition", &COLUMNS, rows).drawn(TRANSITION);
+    (dots, labels)
 }
 
-/// The cones in a window, with the axes where their point is seen, and what they mean.
-fn cones(
-    hoop: &Hoop,
-    window: Window,
-    columns: Columns,
-    [upright, along]: [&str; 2],
-) -> (Vec<Layer>, Entries) {
-    let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
-    let limit = Stroke::of_curve(Curve::SlipLimit).wide(CURVE);
-    let cones = [
-        (cone(window, columns, MU_S, mu_s).drawn(limit), "*μ*_{s}"),
-        (
-            cone(window, columns, MU_K, mu_k).drawn(limit.dashed(Dash::Dotted)),
-            "*μ*_{k}",
-        ),
-    ];
-    let mut layers = vec![inside(window, columns, mu_s).drawn(Mark::Fill(REGION))];
-    if window.x[0] < 0.0 {
-        let axis = [vec![window.x[0], 0.0], vec![window.x[1], 0.0]].to_vec();
-        let upright = [vec![0.0, window.y[0]], vec![0.0, window.y[1]]].to_vec();
-        let zero = Series::new("zero", &columns, vec![axis, upright]);
-        layers.push(zero.drawn(Stroke::solid(SOFT, FINE)));
+impl Plane {
+    /// The cones in a window, with the axes where their point is seen, and what they mean.
+    fn cones(&self, hoop: &Hoop, window: Window) -> (Vec<Layer>, Entries) {
+        let (mu_s, mu_k, columns) = (hoop.mu_s(), hoop.mu_k(), &self.columns);
+        let limit = Stroke::of_curve(Curve::SlipLimit).wide(CURVE);
+        let of_mu_k = limit.dashed(Dash::Dotted);
+        let cones = [
+            (cone(window, columns, MU_S, mu_s).drawn(limit), "*μ*_{s}"),
+            (cone(window, columns, MU_K, mu_k).drawn(of_mu_k), "*μ*_{k}"),
+        ];
+        let mut layers = vec![inside(window, columns, mu_s).drawn(Mark::Fill(REGION))];
+        if window.x[0] < 0.0 {
+            let along = window.x.map(|x| [x, 0.0]);
+            let upright = window.y.map(|y| [0.0, y]);
+            let zero = Series::new("zero", columns, [along, upright]);
+            layers.push(zero.drawn(Stroke::solid(SOFT, FINE)));
+        }
+        let mut keys = Vec::new();
+        let Self { along, upright, .. } = self;
+        // With μs = μk there is one cone.
+        for (layer, letter) in cones.into_iter().take(if mu_k < mu_s { 2 } else { 1 }) {
+            if !layer.series.pieces.is_empty() && mu_s > 0.0 {
+                keys.push((layer.mark, format!("|{along}| = {letter}{upright}")));
+                layers.push(layer);
+            }
+        }
+        (layers, keys)
     }
-    let mut keys = Vec::new();
-    // With μs = μk there is one cone.
-    for (layer, letter) in cones.into_iter().take(if mu_k < mu_s { 2 } else { 1 }) {
-        if !layer.series.pieces.is_empty() && mu_s > 0.0 {
-            keys.push((layer.mark, format!("|{along}| = {letter}{upright}")));
-            layers.push(layer);
+
+    fn content(
+        &self,
+        motion: &Shown,
+        window: Window,
+        layers: Vec<Layer>,
+        labels: Vec<Label>,
+    ) -> Content {
+        let [upright, along] = self.columns;
+        Content {
+            name: self.name,
+            x: motion.say.axis(upright, self.upright, window.x),
+            y: motion.say.axis(along, self.along, window.y),
+            layers,
+            labels,
         }
     }
-    (layers, keys)
 }
 
 /// The impulses as dots, which lie in the same cones.
-fn of_impulses(hoop: &Hoop, spikes: &Spikes, say: Wording) -> Option<(Content, Entries)> {
-    let rows: Piece = spikes
+fn of_impulses(motion: &Shown) -> Option<(Content, Entries)> {
+    let rows: Vec<[f64; 2]> = Spikes::new(motion)
         .impulses
         .iter()
-        .map(|(_, impulse)| vec![impulse.normal, impulse.friction])
+        .map(|(_, impulse)| [impulse.normal, impulse.friction])
         .collect();
     let most = rows.iter().map(|row| row[0]).fold(0.0, f64::max);
     (most > 0.0).then(|| {
-        let window = whole(most, hoop.mu_s());
-        let (mut layers, mut keys) = cones(hoop, window, IMPULSES, ["*P*", "*J*"]);
+        let window = whole(most, motion.hoop().mu_s());
+        let (mut layers, mut keys) = IMPULSES.cones(motion.hoop(), window);
         let mark = Mark::Dot(IMPULSE, 2.8);
         keys.push((mark, "impulse".to_owned()));
-        layers.push(Series::of_rows("impulse", &IMPULSES, rows).drawn(mark));
-        let [x, y] = [
-            say.axis(NORMAL_IMPULSE, "*P*", window.x),
-            say.axis(FRICTION_IMPULSE, "*J*", window.y),
-        ];
-        (
-            Content {
-                name: "plane of impulses",
-                x,
-                y,
-                layers,
-                labels: Vec::new(),
-            },
-            keys,
-        )
+        layers.push(Series::of_rows("impulse", &IMPULSES.columns, rows).drawn(mark));
+        (IMPULSES.content(motion, window, layers, Vec::new()), keys)
     })
 }
 
-/// The forces of a motion in contact, and whether a cone is seen.
-fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Entries, bool)> {
-    let in_contact: Vec<(Mode, Series)> = by_mode(motion, "", &COLUMNS, &row)
-        .into_iter()
-        .filter(|(mode, _)| mode.has_normal_force())
-        .collect();
-    let all: Piece = in_contact
-        .iter()
-        .flat_map(|(_, series)| series.rows())
-        .map(<[f64]>::to_vec)
-        .collect();
+/// The forces of a motion in contact.
+struct Forces {
+    content: Content,
+    keys: Entries,
+    /// Whether a cone is seen.
+    has_cone: bool,
+}
+
+fn of_forces(motion: &Shown) -> Option<Forces> {
+    let mut in_contact = motion.by_mode("", &COLUMNS, row);
+    in_contact.0.retain(|(mode, _)| mode.has_normal_force());
+    let all: Piece = in_contact.rows().map(<[f64]>::to_vec).collect();
     if all.iter().all(|row| row[1] <= 0.0) {
         return None;
     }
     let window = window_of(&all, motion.hoop().mu_s());
-    let (mut layers, of_cones) = cones(motion.hoop(), window, FORCES, ["*N*", "*F*"]);
-    let is_seen = !of_cones.is_empty();
-    let mut keys = entries(&in_contact, |mode| mode.to_string());
+    let (mut layers, of_cones) = FORCES.cones(motion.hoop(), window);
+    let has_cone = !of_cones.is_empty();
+    let mut keys = in_contact.entries(|mode| mode.to_string());
     keys.extend(of_cones);
     let jumps = jumps(motion, window);
     if !jumps.is_empty() {
@@ -272,44 +270,31 @@ fn of_forces(motion: &Trajectory, say: Wording) -> Option<(Content, Entries, boo
         keys.push((Mark::Line(stroke), "jump".to_owned()));
         layers.push(Series::new("jump", &COLUMNS, jumps).drawn(Mark::Arrow(stroke)));
     }
-    layers.extend(lines(in_contact, BOLD));
-    let is_seen_move = |mode: Mode, rows: &[Vec<f64>]| {
+    layers.extend(in_contact.lines(BOLD));
+    let is_seen = |mode: Mode, rows: &[[f64; 3]; 2]| {
         mode.has_normal_force() && length(rows, window) > LEAST_STEP
     };
-    layers.extend(arrows(motion, 0.45, &COLUMNS, &row, is_seen_move));
+    layers.extend(motion.arrows(0.45, &COLUMNS, row, is_seen));
     let (dots, labels) = changes(motion, window.x[1]);
     layers.push(dots);
-    if let Some(first) = motion
-        .phases()
-        .first()
-        .filter(|phase| phase.mode().has_normal_force())
-    {
-        let start = Series::of_rows("start", &COLUMNS, vec![row(&first.first())]);
+    let first = motion.phases().first();
+    if let Some(first) = first.filter(|phase| phase.mode().has_normal_force()) {
+        let start = Series::of_rows("start", &COLUMNS, [row(&first.first())]);
         layers.push(start.drawn(START));
     }
-    let x = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), window.x);
-    let y = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), window.y);
-    Some((
-        Content {
-            name: "plane of forces",
-            x,
-            y,
-            layers,
-            labels,
-        },
+    Some(Forces {
+        content: FORCES.content(motion, window, layers, labels),
         keys,
-        is_seen,
-    ))
+        has_cone,
+    })
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let motion = input.motion_in_contact(NAME)?;
-    let (hoop, say) = (motion.hoop(), input.wording());
-    let forces = of_forces(&motion, say);
-    let impulses = of_impulses(hoop, &Spikes::new(&motion), say);
+    let (forces, impulses) = (of_forces(&motion), of_impulses(&motion));
     let is_far = forces
         .as_ref()
-        .is_some_and(|(_, _, is_seen)| !is_seen && hoop.mu_s() > 0.0);
+        .is_some_and(|forces| !forces.has_cone && motion.hoop().mu_s() > 0.0);
     let caption = format!(
         "Friction force *F* against normal force *N* along the motion, with the friction cone |*F*| ≤ *μ*_{{s}}*N* (shaded) \
          in which rolling stays; a slide runs along |*F*| = *μ*_{{k}}*N*, and in flight both are zero. Cross: start; \
@@ -328,30 +313,29 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     );
     let mut keys: Entries = Vec::new();
     let mut contents = Vec::new();
-    for (content, own) in forces
-        .map(|(content, keys, _)| (content, keys))
-        .into_iter()
-        .chain(impulses)
-    {
-        let is_new = |(mark, _): &(Mark, String)| keys.iter().all(|(known, _)| known != mark);
-        keys.extend(own.into_iter().filter(is_new).collect::<Vec<_>>());
+    let forces = forces.map(|forces| (forces.content, forces.keys));
+    for (content, own) in forces.into_iter().chain(impulses) {
+        for entry in own {
+            if keys.iter().all(|(known, _)| *known != entry.0) {
+                keys.push(entry);
+            }
+        }
         contents.push(content);
     }
     let title = "The friction cone along a motion";
-    match <[Content; 2]>::try_from(contents) {
-        Ok(contents) => Ok(input
+    let figure = match <[Content; 2]>::try_from(contents) {
+        Ok(contents) => input
             .sheet(860.0)?
-            .pair(NAME, title, caption, 362.0, contents, keys)
-            .noted(remark(&motion, say))),
+            .pair(NAME, title, caption, 362.0, contents, keys),
         Err(mut contents) => match contents.pop() {
-            Some(content) => Ok(input
-                .sheet(580.0)?
-                .plot(NAME, title, caption, 402.0, content, keys)
-                .noted(remark(&motion, say))),
-            None => Err(FigureError::NoForce {
-                figure: NAME,
-                outcome: motion.outcome().kind(),
-            }),
+            Some(content) => input.plane(NAME, title, caption, content, keys)?,
+            None => {
+                return Err(FigureError::NoForce {
+                    figure: NAME,
+                    outcome: motion.outcome().kind(),
+                });
+            }
         },
-    }
+    };
+    Ok(figure.noted(motion.remark()))
 }

@@ -1,10 +1,11 @@
 //! Routh's diagram of an impact: its course in the plane of the impulses J and P.
 
-use littlewood::impact::{Impact, ImpactCase};
+use littlewood::impact::{Compliance, Impact, ImpactCase};
 use littlewood::tables::Dimension;
-use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, Transition};
+use littlewood::theory::Window;
+use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, State, Transition};
 use littlewood_draw::{
-    Content, Entries, Figure, INK, Label, Layer, Mark, PAPER, Piece, START, Series, Stroke, short,
+    Content, Entries, Figure, INK, Label, Layer, Mark, PAPER, START, Series, Stroke, short,
 };
 use littlewood_style::ImpulseLine;
 use littlewood_style::width::BOLD;
@@ -13,7 +14,6 @@ use crate::columns::{FRICTION_IMPULSE, NORMAL_IMPULSE};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
-use littlewood::theory::Window;
 
 const NAME: &str = "impact";
 const COLUMNS: [&str; 2] = [FRICTION_IMPULSE, NORMAL_IMPULSE];
@@ -22,6 +22,8 @@ const COLUMNS: [&str; 2] = [FRICTION_IMPULSE, NORMAL_IMPULSE];
 const MARGIN: f64 = 1.16;
 /// Width of the line of the course.
 const COURSE: f64 = 1.2 * BOLD;
+/// Room for a name, in parts of the height of the window.
+const LEAST_PLACE: f64 = 0.055;
 /// Narrowest window, in parts of the largest impulse: without friction the course is a vertical.
 const NARROWEST: f64 = 0.2;
 
@@ -30,8 +32,7 @@ struct Diagram {
     hoop: Hoop,
     restitution: Restitution,
     impact: Impact,
-    /// A, B and C.
-    compliance: [f64; 3],
+    compliance: Compliance,
     /// Where the course bends, with its ends.
     course: Vec<[f64; 2]>,
     window: Window,
@@ -57,7 +58,7 @@ impl Diagram {
             hoop,
             restitution,
             impact,
-            compliance: [compliance.a, compliance.b, compliance.c],
+            compliance,
             course,
             window: Window {
                 x: [-side, side],
@@ -66,19 +67,24 @@ impl Diagram {
         })
     }
 
-    /// The straight lines a J + b P + c = 0, each with its style and its words.
-    fn lines(&self) -> Vec<(ImpulseLine, [f64; 3])> {
-        let [a, b, c] = self.compliance;
+    /// The straight lines, each with its style.
+    fn lines(&self) -> [(ImpulseLine, Line); 3] {
+        let Compliance { a, b, c, .. } = self.compliance;
         let before = self.impact.before;
+        let line = |friction, normal, constant| Line {
+            friction,
+            normal,
+            constant,
+        };
         let end = match self.restitution.law() {
             RestitutionLaw::Energetic | RestitutionLaw::Newton => {
-                [b, c, before.gap_rate - self.impact.after.gap_rate]
+                line(b, c, before.gap_rate - self.impact.after.gap_rate)
             }
-            RestitutionLaw::Poisson => [0.0, 1.0, -self.impact.impulse.normal],
+            RestitutionLaw::Poisson => line(0.0, 1.0, -self.impact.impulse.normal),
         };
-        vec![
-            (ImpulseLine::Sticking, [a, b, before.slip]),
-            (ImpulseLine::Compression, [b, c, before.gap_rate]),
+        [
+            (ImpulseLine::Sticking, line(a, b, before.slip)),
+            (ImpulseLine::Compression, line(b, c, before.gap_rate)),
             (ImpulseLine::Termination, end),
         ]
     }
@@ -96,7 +102,7 @@ impl Diagram {
     }
 
     /// The parts of the course, each with what the contact point does.
-    fn parts(&self) -> Vec<(Mode, Piece)> {
+    fn parts(&self) -> Vec<(Mode, &[[f64; 2]])> {
         let last = match self.impact.case {
             ImpactCase::Slides
             | ImpactCase::ReversesInCompression
@@ -109,14 +115,14 @@ impl Diagram {
             .enumerate()
             .map(|(i, ends)| {
                 let mode = if i + 1 == count { last } else { Mode::Sliding };
-                (mode, ends.iter().map(|point| point.to_vec()).collect())
+                (mode, ends)
             })
             .collect()
     }
 
     /// Where w = 0 on the course, after the start.
     fn greatest_compression(&self) -> Option<[f64; 2]> {
-        let [_, b, c] = self.compliance;
+        let Compliance { b, c, .. } = self.compliance;
         let gap_rate =
             |[friction, normal]: [f64; 2]| self.impact.before.gap_rate + b * friction + c * normal;
         self.course.windows(2).find_map(|ends| {
@@ -129,32 +135,31 @@ impl Diagram {
 
     fn layers(&self) -> Vec<Layer> {
         let drawn = |line: ImpulseLine, points: &[[f64; 2]]| {
-            let rows = points.iter().map(|point| point.to_vec()).collect();
-            Series::of_rows(line.name(), &COLUMNS, rows).drawn(Stroke::of_impulse_line(line))
+            Series::of_rows(line.name(), &COLUMNS, points.to_vec())
+                .drawn(Stroke::of_impulse_line(line))
         };
         let mut layers: Vec<Layer> = self
             .cones()
             .iter()
             .map(|(line, points)| drawn(*line, points))
             .collect();
-        for (line, coefficients) in self.lines() {
-            layers.extend(across(coefficients, self.window).map(|ends| drawn(line, &ends)));
+        for (style, line) in self.lines() {
+            layers.extend(line.within(self.window).map(|ends| drawn(style, &ends)));
         }
         let parts = self.parts();
         for (i, (mode, rows)) in parts.iter().enumerate() {
             let stroke = Stroke::of_mode(*mode).wide(COURSE);
+            let series = Series::of_rows("course", &COLUMNS, rows.to_vec());
             // Set off against the cone, on which it slips.
-            let under = Mark::Line(Stroke::solid(PAPER, COURSE + 2.0));
-            layers.push(Series::of_rows("course", &COLUMNS, rows.clone()).drawn(under));
-            let mark = if i + 1 == parts.len() {
+            layers.push(series.clone().drawn(Stroke::solid(PAPER, COURSE + 2.0)));
+            layers.push(series.drawn(if i + 1 == parts.len() {
                 Mark::Arrow(stroke)
             } else {
                 Mark::Line(stroke)
-            };
-            layers.push(Series::of_rows("course", &COLUMNS, rows.clone()).drawn(mark));
+            }));
         }
         let dot = |name: &str, at: [f64; 2], mark: Mark| {
-            Series::of_rows(name, &COLUMNS, vec![at.to_vec()]).drawn(mark)
+            Series::of_rows(name, &COLUMNS, [at]).drawn(mark)
         };
         if let [_, bend, _] = self.course[..] {
             layers.push(dot("slip ends", bend, Mark::Dot(INK, 3.4)));
@@ -170,106 +175,110 @@ impl Diagram {
     /// "u = 0" and so on: at the top of the line without slip, which is steep, and at the side of
     /// the others that is away from the course.
     fn labels(&self) -> Vec<Label> {
-        let side = if self.impact.impulse.friction > 0.0 {
-            0
-        } else {
-            1
-        };
         let mut taken: Vec<f64> = Vec::new();
-        let least = 0.055 * self.window.y[1];
+        let least = LEAST_PLACE * self.window.y[1];
         let mut labels = Vec::new();
-        for (line, coefficients) in self.lines() {
-            let Some([mut left, mut right]) = across(coefficients, self.window) else {
+        for (style, line) in self.lines() {
+            let Some(mut ends) = line.within(self.window) else {
                 continue;
             };
-            if left[0] > right[0] {
-                (left, right) = (right, left);
-            }
-            let text = match line {
+            ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            let text = match style {
                 ImpulseLine::Sticking => "*u* = 0",
                 ImpulseLine::Compression => "*w* = 0",
                 ImpulseLine::Termination => "end",
                 ImpulseLine::StaticCone | ImpulseLine::KineticCone => continue,
             };
-            let colour = Stroke::of_impulse_line(line).colour;
-            let beside = |at: [f64; 2], to_the_right: bool, down: f64| {
-                let label = Label::new(text, &at).coloured(colour);
-                if to_the_right {
-                    label.shifted(8.0, down).left()
-                } else {
-                    label.shifted(-8.0, down).right()
+            let Beside {
+                at,
+                to_the_right,
+                down,
+            } = if style == ImpulseLine::Sticking {
+                self.beside_sticking(ends)
+            } else {
+                self.beside_other(ends)
+            };
+            if style != ImpulseLine::Sticking {
+                if taken.iter().any(|place| (place - at[1]).abs() < least) {
+                    continue;
                 }
-            };
-            if line == ImpulseLine::Sticking {
-                let top = if left[1] > right[1] { left } else { right };
-                labels.push(beside(top, top[0] <= 0.5 * self.window.x[1], 14.0));
-                continue;
+                taken.push(at[1]);
             }
-            // A jam is compressed most on a line through the origin, where there is no room.
-            let is_low = |end: [f64; 2]| end[1] < least;
-            let is_left = if side == 0 {
-                !is_low(left)
+            let label = Label::new(text, &at).coloured(Stroke::of_impulse_line(style).colour);
+            labels.push(if to_the_right {
+                label.shifted(8.0, down).left()
             } else {
-                is_low(right)
-            };
-            let [at, other] = if is_left {
-                [left, right]
-            } else {
-                [right, left]
-            };
-            if taken.iter().any(|place| (place - at[1]).abs() < least) {
-                continue;
-            }
-            taken.push(at[1]);
-            // Where neither this line nor the one without slip runs.
-            let is_top = at[1] + least > self.window.y[1];
-            let down = if is_top {
-                14.0
-            } else if other[1] > at[1] {
-                13.0
-            } else {
-                -13.0
-            };
-            labels.push(beside(at, is_left != is_top, down));
+                label.shifted(-8.0, down).right()
+            });
         }
         labels
     }
 
+    /// At the upper end of the line without slip.
+    fn beside_sticking(&self, [left, right]: [[f64; 2]; 2]) -> Beside {
+        let at = if left[1] > right[1] { left } else { right };
+        Beside {
+            at,
+            to_the_right: at[0] <= 0.5 * self.window.x[1],
+            down: 14.0,
+        }
+    }
+
+    /// At the end of another line that is away from the course.
+    fn beside_other(&self, [left, right]: [[f64; 2]; 2]) -> Beside {
+        let least = LEAST_PLACE * self.window.y[1];
+        // A jam is compressed most on a line through the origin, where there is no room.
+        let is_low = |end: [f64; 2]| end[1] < least;
+        let is_left = if self.impact.impulse.friction > 0.0 {
+            !is_low(left)
+        } else {
+            is_low(right)
+        };
+        let (at, other) = if is_left {
+            (left, right)
+        } else {
+            (right, left)
+        };
+        // Where neither this line nor the one without slip runs.
+        let is_top = at[1] + least > self.window.y[1];
+        let down = if is_top {
+            14.0
+        } else if other[1] > at[1] {
+            13.0
+        } else {
+            -13.0
+        };
+        Beside {
+            at,
+            to_the_right: is_left != is_top,
+            down,
+        }
+    }
+
     fn keys(&self) -> Entries {
-        let mut legend: Entries = Vec::new();
-        for (mode, words) in [(Mode::Sliding, "it slips"), (Mode::Rolling, "it sticks")] {
-            if self.parts().iter().any(|(other, _)| *other == mode) {
-                legend.push((
-                    Mark::Line(Stroke::of_mode(mode).wide(BOLD)),
-                    words.to_owned(),
-                ));
-            }
-        }
-        let line = |line: ImpulseLine| Mark::Line(Stroke::of_impulse_line(line));
-        legend.push((
-            line(ImpulseLine::Sticking),
-            "*u* = 0: without slip".to_owned(),
-        ));
-        legend.push((
-            line(ImpulseLine::Compression),
-            "*w* = 0: greatest compression".to_owned(),
-        ));
-        legend.push((
-            line(ImpulseLine::Termination),
-            self.termination().to_owned(),
-        ));
+        let parts = self.parts();
+        let mut keys: Entries = [(Mode::Sliding, "it slips"), (Mode::Rolling, "it sticks")]
+            .into_iter()
+            .filter(|(mode, _)| parts.iter().any(|(other, _)| other == mode))
+            .map(|(mode, words)| (Stroke::of_mode(mode).wide(BOLD).into(), words.to_owned()))
+            .collect();
+        let mut line = |line: ImpulseLine, words: &str| {
+            keys.push((Stroke::of_impulse_line(line).into(), words.to_owned()));
+        };
+        line(ImpulseLine::Sticking, "*u* = 0: without slip");
+        line(ImpulseLine::Compression, "*w* = 0: greatest compression");
+        line(ImpulseLine::Termination, self.termination());
         for (cone, _) in self.cones() {
-            let index = if cone == ImpulseLine::StaticCone {
-                "s"
-            } else {
-                "k"
-            };
-            legend.push((
-                line(cone),
-                format!("|*J*| = *μ*_{{{index}}} *P*: friction cone"),
-            ));
+            line(
+                cone,
+                if cone == ImpulseLine::StaticCone {
+                    "|*J*| = *μ*_{s} *P*: friction cone"
+                } else {
+                    "|*J*| = *μ*_{k} *P*: friction cone"
+                },
+            );
         }
-        legend
+        keys
     }
 
     /// What is the same on the line of termination.
@@ -282,29 +291,48 @@ impl Diagram {
     }
 }
 
-/// The part of the line a J + b P + c = 0 in a window.
-fn across([a, b, c]: [f64; 3], window: Window) -> Option<[[f64; 2]; 2]> {
-    let norm = a * a + b * b;
-    if norm == 0.0 {
-        return None;
-    }
-    let (foot, along) = ([-a * c / norm, -b * c / norm], [-b, a]);
-    let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (i, range) in [window.x, window.y].into_iter().enumerate() {
-        if along[i] == 0.0 {
-            if foot[i] < range[0] || foot[i] > range[1] {
-                return None;
-            }
-            continue;
+/// Where a name stands beside a line: at an end of it, to its right or left, so far below.
+struct Beside {
+    at: [f64; 2],
+    to_the_right: bool,
+    down: f64,
+}
+
+/// A line in the plane of impulses, on which this sum is zero.
+struct Line {
+    /// Coefficients of J and of P.
+    friction: f64,
+    normal: f64,
+    constant: f64,
+}
+
+impl Line {
+    /// Its ends in a window.
+    fn within(&self, window: Window) -> Option<[[f64; 2]; 2]> {
+        let (a, b, c) = (self.friction, self.normal, self.constant);
+        let norm = a * a + b * b;
+        if norm == 0.0 {
+            return None;
         }
-        let [p, q] = range.map(|bound| (bound - foot[i]) / along[i]);
-        (from, to) = (from.max(p.min(q)), to.min(p.max(q)));
+        let (foot, along) = ([-a * c / norm, -b * c / norm], [-b, a]);
+        let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (i, range) in [window.x, window.y].into_iter().enumerate() {
+            if along[i] == 0.0 {
+                if foot[i] < range[0] || foot[i] > range[1] {
+                    return None;
+                }
+                continue;
+            }
+            let [p, q] = range.map(|bound| (bound - foot[i]) / along[i]);
+            (from, to) = (from.max(p.min(q)), to.min(p.max(q)));
+        }
+        let inside = |at: f64| {
+            let point =
+                |i: usize, range: [f64; 2]| (foot[i] + at * along[i]).clamp(range[0], range[1]);
+            [point(0, window.x), point(1, window.y)]
+        };
+        (from < to).then(|| [inside(from), inside(to)])
     }
-    let inside = |at: f64| {
-        let point = |i: usize, range: [f64; 2]| (foot[i] + at * along[i]).clamp(range[0], range[1]);
-        [point(0, window.x), point(1, window.y)]
-    };
-    (from < to).then(|| [inside(from), inside(to)])
 }
 
 /// The impact that is asked for.
@@ -331,69 +359,59 @@ fn chosen(input: &FigureInput) -> Result<(Restitution, Transition, Impact), Figu
     }
 }
 
-pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
-    let (restitution, transition, impact) = chosen(input)?;
-    let state = transition.before;
-    let Some(diagram) = Diagram::new(input.hoop, restitution, state.theta, impact) else {
-        return Err(FigureError::NeedsInertia { figure: NAME });
-    };
-    let [a, b, c] = diagram.compliance;
+/// The state of a motion before its impact, and the impact, in words.
+fn caption(input: &FigureInput, state: State, impact: &Impact, compliance: Compliance) -> String {
     let say = input.wording();
     let velocity = |value: f64| say.value(value, Dimension::Velocity);
     let impulse = |value: f64| say.value(value, Dimension::Impulse);
-    let lost = impact.energy_lost();
-    // A compliance is the inverse of a mass.
-    let compliance = |value: f64| match input.units {
+    let (gains, lost) = (impact.gains_energy(), impact.energy_lost());
+    let Compliance { a, b, c, .. } = compliance;
+    // It is the inverse of a mass.
+    let [a, b, c] = [a, b, c].map(|value| match input.units {
         Some(units) => format!(
             "{}/{}",
             short(value / units.mass_kg),
             Dimension::Mass.si_sign()
         ),
         None => short(value),
-    };
-    let caption = format!(
+    });
+    format!(
         "Impact {} of the motion, at {} = {}, *θ* = {}: {}. Its course in the plane of the impulses *J* along the plane and \
          *P* upwards (Routh), with the slip velocity *u* = *u*_{{0}} + *AJ* + *BP* and the rate of the gap *w* = *w*_{{0}} + \
-         *BJ* + *CP*. *A* = {}, *B* = {}, *C* = {}; *u* from {} to {}, *w* from {} to {}, *J* = {}, *P* = {}. Energy {}: {}. {}.",
+         *BJ* + *CP*. *A* = {a}, *B* = {b}, *C* = {c}; *u* from {} to {}, *w* from {} to {}, *J* = {}, *P* = {}. Energy {}: {}. {}.",
         input.impact,
         say.time(),
         say.value(state.time, Dimension::Time),
         short(state.theta),
         impact.case.label(),
-        compliance(a),
-        compliance(b),
-        compliance(c),
         velocity(impact.before.slip),
         velocity(impact.after.slip),
         velocity(impact.before.gap_rate),
         velocity(impact.after.gap_rate),
         impulse(impact.impulse.friction),
         impulse(impact.impulse.normal),
-        if impact.gains_energy() {
-            "gained by this law"
-        } else {
-            "lost"
-        },
-        say.quantity(
-            if impact.gains_energy() { -lost } else { lost },
-            Dimension::Energy
-        ),
+        if gains { "gained by this law" } else { "lost" },
+        say.quantity(if gains { -lost } else { lost }, Dimension::Energy),
         input.in_words()
-    );
-    let keys = diagram.keys();
-    let Window { x, y } = diagram.window;
-    Ok(input.sheet(600.0)?.plot(
-        NAME,
-        "An impact in the plane of impulses",
-        caption,
-        450.0,
-        Content {
-            name: "plane of impulses",
-            x: say.axis(FRICTION_IMPULSE, "*J*", x),
-            y: say.axis(NORMAL_IMPULSE, "*P*", y),
-            layers: diagram.layers(),
-            labels: diagram.labels(),
-        },
-        keys,
-    ))
+    )
+}
+
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    let (restitution, transition, impact) = chosen(input)?;
+    let state = transition.before;
+    let Some(diagram) = Diagram::new(input.hoop, restitution, state.theta, impact) else {
+        return Err(FigureError::NeedsInertia { figure: NAME });
+    };
+    let say = input.wording();
+    let content = Content {
+        name: "plane of impulses",
+        x: say.axis(FRICTION_IMPULSE, "*J*", diagram.window.x),
+        y: say.axis(NORMAL_IMPULSE, "*P*", diagram.window.y),
+        layers: diagram.layers(),
+        labels: diagram.labels(),
+    };
+    let title = "An impact in the plane of impulses";
+    let caption = caption(input, state, &impact, diagram.compliance);
+    let sheet = input.sheet(600.0)?;
+    Ok(sheet.plot(NAME, title, caption, 450.0, content, diagram.keys()))
 }

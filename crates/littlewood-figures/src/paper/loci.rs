@@ -40,6 +40,13 @@ fn reach(locus: &Series, rate: f64) -> Option<f64> {
         .reduce(f64::max)
 }
 
+/// The arrow that crosses all curves at a height, from the locus of the least coefficient to that
+/// of the greatest.
+fn across(least: &Series, greatest: &Series, height: f64) -> Option<[[f64; 2]; 2]> {
+    let (from, to) = (reach(least, height)?, reach(greatest, height)?);
+    (from > to + 0.3).then_some([[from + 0.14, height], [to - 0.1, height]])
+}
+
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
     let portrait = Portrait::new(&input.hoop, portrait_window(&input.hoop));
@@ -70,41 +77,30 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         keys.push((mark, "*n*: *N* = 0".to_owned()));
     }
 
-    // The arrow crosses the curves at one height, from the least coefficient to the greatest.
-    let crossing = |height: f64| {
-        let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(|locus| reach(locus, height))
-        else {
-            return None;
-        };
-        (least > greatest + 0.3).then_some([[least + 0.14, height], [greatest - 0.1, height]])
-    };
-    let arrow = HEIGHTS
+    let heights = HEIGHTS.map(|share| share * window.y[1]);
+    let arrow = heights
         .into_iter()
-        .find_map(|share| crossing(share * window.y[1]));
+        .find_map(|height| across(&loci[0], &loci[3], height));
     let mut labels = portrait.mark_of_unloading();
     if let Some(ends) = arrow {
-        let rows = ends.map(Vec::from).to_vec();
-        let arrow = Series::of_rows("increasing mu_s", &PLANE, rows);
+        let arrow = Series::of_rows("increasing mu_s", &PLANE, ends);
         layers.push(arrow.drawn(Mark::Arrow(Stroke::solid(INK, 1.2))));
         labels.push(Label::new("*μ*_{s}", &ends[0]).shifted(5.0, 0.0).left());
     }
     layers.push(unloading.drawn(mark));
     layers.extend(portrait.equilibria());
     let say = input.wording();
-    input.plane(
-        [NAME, "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling"],
-        format!(
-            "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
-             *μ*_{{s}} grows{} they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
-             < 0. Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable \
-             equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
-             rest.{} {}.",
-            if arrow.is_some() { " (arrow)" } else { "" },
-            portrait.remark(),
-            say.body(&input.hoop)
-        ),
-        portrait.axes(say),
-        (layers, labels),
-        keys,
-    )
+    let caption = format!(
+        "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
+         *μ*_{{s}} grows{} they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
+         < 0. Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable \
+         equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
+         rest.{} {}.",
+        if arrow.is_some() { " (arrow)" } else { "" },
+        portrait.remark(),
+        say.body(&input.hoop)
+    );
+    let title = "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling";
+    let content = portrait.content("plane", say, layers, labels);
+    input.plane(NAME, title, caption, content, keys)
 }

@@ -4,9 +4,10 @@ use core::cell::Cell;
 use core::f64::consts::PI;
 
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
+use littlewood::theory::Window;
 use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Entries, Figure, Mark, PAPER, Piece, SOFT, Series, Stroke, THEME,
+    BOUNDARY, Content, Entries, Figure, Layer, Mark, PAPER, SOFT, Series, Stroke, THEME,
     key_of_curve, lift_off_condition, short,
 };
 use littlewood_style::{Curve, of_class};
@@ -20,7 +21,6 @@ use crate::error::FigureError;
 use crate::fate::Fates;
 use crate::input::FigureInput;
 use crate::plane::Portrait;
-use littlewood::theory::Window;
 
 const NAME: &str = "outcomes";
 /// Width of the sheet on a screen, in pixels.
@@ -179,7 +179,10 @@ fn within(window: Window) -> Window {
 }
 
 /// Rows of places of a window.
-fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Piece> {
+fn rows_of(
+    window: Window,
+    lines: impl IntoIterator<Item = Vec<Place>>,
+) -> impl Iterator<Item = impl Iterator<Item = Place>> {
     let along = |[from, to]: [f64; 2], fraction: f64| {
         if fraction == 1.0 {
             to
@@ -187,11 +190,8 @@ fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Piece> {
             from + (to - from) * fraction
         }
     };
-    let row = |[x, y]: Place| vec![along(window.x, x), along(window.y, y)];
-    lines
-        .into_iter()
-        .map(|line| line.into_iter().map(row).collect())
-        .collect()
+    let row = move |[x, y]: Place| [along(window.x, x), along(window.y, y)];
+    lines.into_iter().map(move |line| line.into_iter().map(row))
 }
 
 fn at_time(input: &FigureInput, time: f64) -> String {
@@ -220,6 +220,113 @@ pub(crate) fn check(input: &FigureInput) -> Result<(), FigureError> {
     input.sheet(SHEET).map(drop)
 }
 
+/// What is drawn so far.
+struct Drawing<'a> {
+    input: &'a FigureInput,
+    window: Window,
+    regions: Vec<Region>,
+    layers: Vec<Layer>,
+    keys: Entries,
+}
+
+impl Drawing<'_> {
+    /// Adds the regions whose keys are part of something, with the share of the plane that they
+    /// have; whether there are any.
+    fn add(&mut self, name: &str, label: &str, mark: Mark, is_part: impl Fn(u64) -> bool) -> bool {
+        let parts: Vec<&Region> = self
+            .regions
+            .iter()
+            .filter(|region| region.area > LEAST && is_part(region.key))
+            .collect();
+        let area: f64 = parts.iter().map(|region| region.area).sum();
+        if area <= 0.0 {
+            return false;
+        }
+        let outlines = parts.into_iter().flat_map(|it| it.outlines.clone());
+        let series = Series::new(name, &PLANE, rows_of(within(self.window), outlines));
+        self.layers.push(series.drawn(mark));
+        let share = libm::round(1000.0 * area) / 10.0;
+        let share = if share > 0.0 {
+            short(share)
+        } else {
+            "< 0.1".to_owned()
+        };
+        self.keys.push((mark, format!("{label}, {share}%")));
+        true
+    }
+
+    /// Adds the regions of all classes; whether motions are there that go on when they are no
+    /// longer followed, as `limits` say in words.
+    fn add_classes(&mut self, limits: &str) -> bool {
+        let fates = Fates::of(&self.input.hoop);
+        let mut goes_on = false;
+        for class in Class::ALL {
+            let mark = Mark::Region(of_class(class, THEME));
+            let is_limited = class == Class::InContact && !limits.is_empty();
+            let label = if is_limited {
+                format!("{} {limits}", fates.label(class))
+            } else {
+                fates.label(class).to_owned()
+            };
+            let code = u64::from(class.code());
+            let is_there = self.add(class.name(), &label, mark, |key| key & !LIFTS == code);
+            goes_on |= is_there && class == Class::InContact;
+        }
+        if fates.go_on {
+            let mark = Mark::HatchedRegion(SOFT);
+            let lifts = |key: u64| key & LIFTS != 0;
+            self.add("lifts_off", "lifts off before", mark, lifts);
+        }
+        goes_on
+    }
+
+    /// Adds the curves of rolling; a massless hoop does not leave the plane.
+    fn add_curves(&mut self) {
+        let hoop = &self.input.hoop;
+        let portrait = Portrait::new(hoop, self.window);
+        let first = match portrait.massless_limit() {
+            Some((_, limit)) => Some((Curve::SlipLimit, limit)),
+            None if self.input.is_massless() => None,
+            None => Some((Curve::LiftOff, portrait.lift_off_locus())),
+        };
+        let last = (Curve::NormalForceZero, portrait.unloading_locus());
+        for (curve, series) in first.into_iter().chain([last]) {
+            if !series.pieces.is_empty() {
+                let stroke = Stroke::of_curve(curve);
+                let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);
+                self.layers.push(series.clone().drawn(under));
+                self.layers.push(series.drawn(stroke));
+                self.keys.push(key_of_curve(curve, hoop.slope()));
+            }
+        }
+    }
+}
+
+fn caption(input: &FigureInput, followed: &str) -> String {
+    let remark = if input.is_massless() {
+        String::new()
+    } else {
+        format!(
+            " The body leaves the plane at once only beyond {}; between *n* and this curve, where the paper lets it \
+             leave, it slides first.",
+            lift_off_condition(input.hoop.slope())
+        )
+    };
+    let (landings, hatched) = if Fates::of(&input.hoop).go_on {
+        (
+            "through all landings ",
+            "; hatched: the body lifts off before",
+        )
+    } else {
+        ("", "")
+    };
+    format!(
+        "Outcome of each start with *η*′ = 0, followed {landings}{followed}{hatched}. Each point of a boundary lies between two starts with \
+         different outcomes.{remark} {}.",
+        input.wording().hoop(&input.hoop)
+    )
+}
+
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     let hoop = &input.hoop;
     let window = if input.is_massless() {
@@ -231,124 +338,46 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         plane_window(hoop)
     };
     let plan = Plan::new(input);
-    let (
-        Regions {
-            regions,
-            boundaries,
-        },
-        is_cut,
-    ) = regions_of(input, &plan, within(window), watch)?;
-    let fates = Fates::of(hoop);
-    let amiss = if fates.go_on {
-        amiss(input, &plan, within(window), &regions)?
+    let (found, is_cut) = regions_of(input, &plan, within(window), watch)?;
+    let amiss = if Fates::of(hoop).go_on {
+        amiss(input, &plan, within(window), &found.regions)?
     } else {
         0
     };
-    let mut layers = Vec::new();
-    let mut legend: Entries = Vec::new();
-    let mut cut = false;
-    // What goes on does so when it is no longer followed.
-    let goes_on = [
+    let mut drawing = Drawing {
+        input,
+        window,
+        regions: found.regions,
+        layers: Vec::new(),
+        keys: Vec::new(),
+    };
+    let limits = [
         is_cut.then(|| format!("after {} transitions", plan.limits.transitions)),
         input.limits.until.map(|until| at_time(input, until)),
     ];
-    let goes_on: String = goes_on
+    let limits = limits
         .into_iter()
         .flatten()
         .collect::<Vec<_>>()
         .join(" or ");
-    let mut draw = |name: &'static str, label: &str, mark: Mark, is_part: &dyn Fn(u64) -> bool| {
-        let parts: Vec<&Region> = regions
-            .iter()
-            .filter(|region| region.area > LEAST && is_part(region.key))
-            .collect();
-        let area: f64 = parts.iter().map(|region| region.area).sum();
-        if area > 0.0 {
-            let outlines = parts
-                .into_iter()
-                .flat_map(|region| region.outlines.clone())
-                .collect();
-            layers.push(Series::new(name, &PLANE, rows_of(within(window), outlines)).drawn(mark));
-            let share = libm::round(1000.0 * area) / 10.0;
-            let share = if share > 0.0 {
-                short(share)
-            } else {
-                "< 0.1".to_owned()
-            };
-            legend.push((mark, format!("{label}, {share}%")));
-        }
-        area > 0.0
+    let goes_on = drawing.add_classes(&limits);
+    let lines = found.boundaries.into_iter().map(|boundary| boundary.points);
+    let boundary = Series::new("boundary", &PLANE, rows_of(within(window), lines));
+    drawing.layers.push(boundary.drawn(BOUNDARY));
+    drawing.add_curves();
+    let say = input.wording();
+    let content = Content {
+        name: "plane",
+        x: say.angle(window.x),
+        y: say.rate(window.y),
+        layers: drawing.layers,
+        labels: Vec::new(),
     };
-    for class in Class::ALL {
-        let mark = Mark::Region(of_class(class, THEME));
-        let is_part = |key: u64| key & !LIFTS == u64::from(class.code());
-        let is_limited = class == Class::InContact && !goes_on.is_empty();
-        let label = if is_limited {
-            format!("{} {goes_on}", fates.label(class))
-        } else {
-            fates.label(class).to_owned()
-        };
-        let is_there = draw(class.name(), &label, mark, &is_part);
-        cut |= is_there && is_cut && class == Class::InContact;
-    }
-    if fates.go_on {
-        draw(
-            "lifts_off",
-            "lifts off before",
-            Mark::HatchedRegion(SOFT),
-            &|key| key & LIFTS != 0,
-        );
-    }
-    let lines = boundaries
-        .into_iter()
-        .map(|boundary| boundary.points)
-        .collect();
-    layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(BOUNDARY));
-    // A massless hoop does not leave the plane.
-    let portrait = Portrait::new(hoop, window);
-    let first = match portrait.massless_limit() {
-        Some((_, limit)) => Some((Curve::SlipLimit, limit)),
-        None => (!input.is_massless()).then(|| (Curve::LiftOff, portrait.lift_off_locus())),
-    };
-    for (curve, series) in first
-        .into_iter()
-        .chain([(Curve::NormalForceZero, portrait.unloading_locus())])
-    {
-        if !series.pieces.is_empty() {
-            let stroke = Stroke::of_curve(curve);
-            let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);
-            layers.push(series.clone().drawn(under));
-            layers.push(series.drawn(stroke));
-            legend.push(key_of_curve(curve, hoop.slope()));
-        }
-    }
-    let remark = if input.is_massless() {
-        String::new()
-    } else {
-        format!(
-            " The body leaves the plane at once only beyond {}; between *n* and this curve, where the paper lets it \
-             leave, it slides first.",
-            lift_off_condition(hoop.slope())
-        )
-    };
+    let caption = caption(input, &followed(input, plan.limits, is_cut && goes_on));
+    let sheet = input.sheet(SHEET)?;
+    let figure = sheet.plot(NAME, "Outcome", caption, 430.0, content, drawing.keys);
     let finer = format!(
         "Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
-    );
-    let say = input.wording();
-    let figure = input.sheet(SHEET)?.plot(
-        NAME,
-        "Outcome",
-        format!(
-            "Outcome of each start with *η*′ = 0, followed {}{}{}. Each point of a boundary lies between two starts with \
-             different outcomes.{remark} {}.",
-            if fates.go_on { "through all landings " } else { "" },
-            followed(input, plan.limits, cut),
-            if fates.go_on { "; hatched: the body lifts off before" } else { "" },
-            say.hoop(hoop)
-        ),
-        430.0,
-        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels: Vec::new() },
-        legend,
     );
     Ok(figure.noted((amiss > UNSAID).then_some(finer)))
 }

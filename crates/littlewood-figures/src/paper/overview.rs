@@ -1,22 +1,20 @@
 //! All quantities of a motion against time, on one sheet.
 
 use littlewood::tables::SampleColumn;
-use littlewood::{Mode, Sample, Trajectory};
+use littlewood::{Mode, Sample};
 use littlewood_draw::{
-    Content, Entries, Figure, Layer, Mark, Panel, Piece, PlotAxis, ROOM, SOFT, Scale, Series,
-    Sheet, Stroke, marked,
+    Content, Entries, Figure, Mark, Piece, PlotAxis, ROOM, SOFT, Scale, Series, Stroke, marked,
 };
+use littlewood_style::width::FINE;
 
-use super::histories::{NORMAL_WEIGHT, normal_weight, weight_name};
+use super::histories::{normal_weight, weight_level};
 use crate::columns::{TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{all_instants, horizon, remark};
+use crate::motion::{Modes, Shown, finite_rows};
 use crate::spikes::{SPIKE, Spikes};
-use crate::timeline::{CLOSE, bare, level, names, transitions, zero};
+use crate::timeline::{CLOSE, Timeline};
 use crate::wording::Wording;
-use littlewood_style::Dash;
-use littlewood_style::width::FINE;
 
 const NAME: &str = "sheet";
 const WIDTH: f64 = 640.0;
@@ -48,22 +46,14 @@ const BOUNDED: f64 = 0.85;
 /// Part of a value, or of one, that is rounding.
 const NOISE: f64 = 1e-6;
 
-/// A curve that is as long as its axis, from some instants of all phases.
-struct History {
-    by_mode: Vec<(Mode, Series)>,
-    range: [f64; 2],
-}
-
-/// Whether its axis has a zero in any case.
-const fn has_zero(column: SampleColumn) -> bool {
-    matches!(
-        column,
-        SampleColumn::Slip | SampleColumn::Gap | SampleColumn::Normal | SampleColumn::Friction
-    )
-}
-
 /// The instants of each phase that is shown.
 type Samples = [(Mode, Vec<Sample>)];
+
+/// A curve that is as long as its axis, from some instants of all phases.
+struct History {
+    modes: Modes,
+    range: [f64; 2],
+}
 
 impl History {
     fn new(samples: &Samples, column: SampleColumn, name: &'static str, others: &[f64]) -> Self {
@@ -89,13 +79,22 @@ impl History {
                 None => by_mode.push((*mode, vec![rows])),
             }
         }
-        let range = span(&values);
-        let by_mode = by_mode
-            .into_iter()
-            .map(|(mode, pieces)| (mode, Series::new(mode.name(), &[TIME, name], pieces)))
-            .collect();
-        Self { by_mode, range }
+        let series = |(mode, pieces): (Mode, Vec<Piece>)| {
+            (mode, Series::new(mode.name(), &[TIME, name], pieces))
+        };
+        Self {
+            modes: Modes(by_mode.into_iter().map(series).collect()),
+            range: span(&values),
+        }
     }
+}
+
+/// Whether its axis has a zero in any case.
+const fn has_zero(column: SampleColumn) -> bool {
+    matches!(
+        column,
+        SampleColumn::Slip | SampleColumn::Gap | SampleColumn::Normal | SampleColumn::Friction
+    )
 }
 
 /// The axis of some values; one that changes by rounding alone has one all the same.
@@ -124,14 +123,11 @@ fn of_mass_centre(samples: &Samples, column: SampleColumn, name: &'static str) -
         SampleColumn::CentreY => SampleColumn::MassCentreY,
         _ => return None,
     };
-    let pieces = samples.iter().map(|(_, samples)| {
-        samples
-            .iter()
-            .map(|sample| vec![sample.state.time, place.of(sample).number()])
-            .filter(|row| row[1].is_finite())
-            .collect()
-    });
-    Some(Series::new("mass centre", &[TIME, name], pieces.collect()))
+    let row = |sample: &Sample| [sample.state.time, place.of(sample).number()];
+    let pieces = samples
+        .iter()
+        .map(|(_, samples)| finite_rows(samples.iter().map(row)));
+    Some(Series::new("mass centre", &[TIME, name], pieces))
 }
 
 /// Name of the column in tables, which those of a point share.
@@ -143,7 +139,8 @@ const fn column_name(column: SampleColumn) -> &'static str {
     }
 }
 
-fn axis_of(column: SampleColumn, name: &'static str, range: [f64; 2], say: Wording) -> PlotAxis {
+fn axis_of(column: SampleColumn, range: [f64; 2], say: Wording) -> PlotAxis {
+    let name = column_name(column);
     match column {
         SampleColumn::Theta => say.angle(range),
         // The name of the gap is a word.
@@ -156,12 +153,7 @@ fn axis_of(column: SampleColumn, name: &'static str, range: [f64; 2], say: Wordi
 }
 
 /// A panel, with the modes that are in it.
-fn panel(
-    (motion, samples): (&Trajectory, &Samples),
-    column: SampleColumn,
-    times: [f64; 2],
-    say: Wording,
-) -> (Content, Vec<Mode>) {
+fn panel(motion: &Shown, samples: &Samples, column: SampleColumn) -> (Content, Vec<Mode>) {
     let name = column_name(column);
     // It is the geometric centre of a hoop that is balanced.
     let beside = of_mass_centre(samples, column, name).filter(|_| motion.hoop().h() > 0.0);
@@ -169,97 +161,67 @@ fn panel(
         .iter()
         .flat_map(|series| series.rows().map(|row| row[1]))
         .collect();
-    let weight = Some(normal_weight(motion.hoop())).filter(|_| column == SampleColumn::Normal);
-    others.extend(weight);
-    let History { by_mode, range } = History::new(samples, column, name, &others);
-    let axis = axis_of(column, name, range, say);
-    let mut layers: Vec<Layer> = vec![transitions(motion, &axis, name)];
+    let is_normal = column == SampleColumn::Normal;
+    others.extend(is_normal.then(|| normal_weight(motion.hoop())));
+    let History { modes, range } = History::new(samples, column, name, &others);
+    let axis = axis_of(column, range, motion.say);
+    let mut layers = vec![motion.verticals(&axis, name)];
     if range[0] < 0.0 && range[1] > 0.0 {
-        layers.push(zero(times, name));
+        layers.push(motion.zero(name));
     }
     let mut labels = Vec::new();
-    if let Some(weight) = weight {
-        let stroke = Stroke::solid(SOFT, FINE).dashed(Dash::Dotted);
-        layers.push(level(times, NORMAL_WEIGHT, name, weight, stroke));
-        let normal: Vec<&Series> = by_mode.iter().map(|(_, series)| series).collect();
-        labels.push(weight_name(motion.hoop(), &normal, times, range));
+    if is_normal {
+        let normal: Vec<&Series> = modes.0.iter().map(|(_, series)| series).collect();
+        let (level, label) = weight_level(motion, &normal, &axis, FINE);
+        layers.push(level);
+        labels.push(label);
     }
     layers.extend(beside.map(|series| series.drawn(OF_MASS_CENTRE)));
-    let modes = by_mode.iter().map(|(mode, _)| *mode).collect();
-    for (mode, series) in by_mode {
+    let shown = modes.0.iter().map(|(mode, _)| *mode).collect();
+    for (mode, series) in modes.0 {
         // The end of a phase may be out of sight.
         layers.push(series.drawn(Stroke::of_mode(mode)).marked_beyond());
     }
-    (
-        Content {
-            name,
-            x: bare(say, times),
-            y: axis,
-            layers,
-            labels,
-        },
-        modes,
-    )
+    (motion.panel(name, axis, layers, labels), shown)
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let motion = input.motion(NAME)?;
-    let hoop = motion.hoop();
-    let times = [motion.start().time, horizon(&motion)];
-    let say = input.wording();
     let phases = motion.phases().iter();
     let samples: Vec<(Mode, Vec<Sample>)> = phases
-        .map(|phase| (phase.mode(), all_instants(&motion, phase, times[1])))
+        .map(|phase| (phase.mode(), motion.all_instants(phase)))
         .collect();
-    let sheet = input.sheet(WIDTH)?;
-    let [left, inner] = sheet.span();
-
-    let mut modes: Vec<Mode> = Vec::new();
-    let mut contents: Vec<Content> = Vec::new();
-    for column in ROWS {
-        let (content, own) = panel((&motion, &samples), column, times, say);
-        modes.extend(own);
-        contents.push(content);
-    }
-    let mut entries: Entries = Mode::ALL
+    let (mut contents, modes): (Vec<Content>, Vec<Vec<Mode>>) = ROWS
         .into_iter()
-        .filter(|mode| modes.contains(mode))
+        .map(|column| panel(&motion, &samples, column))
+        .unzip();
+    let is_shown = |mode: &Mode| modes.iter().flatten().any(|own| own == mode);
+    let shown = Mode::ALL.into_iter().filter(is_shown);
+    let mut keys: Entries = shown
         .map(|mode| (Mark::Line(Stroke::of_mode(mode)), mode.to_string()))
         .collect();
-    if hoop.h() > 0.0 {
-        entries.push((Mark::Line(OF_MASS_CENTRE), "mass centre *X̄*".to_owned()));
+    if motion.hoop().h() > 0.0 {
+        keys.push((Mark::Line(OF_MASS_CENTRE), "mass centre *X̄*".to_owned()));
     }
-    let impulses = Spikes::new(&motion).panel(&motion, times, say);
+    let impulses = Spikes::new(&motion).panel(&motion);
     if impulses.is_some() {
-        entries.push((Mark::Line(SPIKE), "impulse".to_owned()));
+        keys.push((Mark::Line(SPIKE), "impulse".to_owned()));
     }
     contents.extend(impulses);
-    let (keys, room) = sheet.keys(entries, 6.0);
-    let over = names(&motion, contents[0].y.range[1], inner - ROOM[0]);
-    let unnamed = over.note();
-    contents[0].labels.extend(over.labels);
-    if let Some(last) = contents.last_mut() {
-        last.x = say.clock(times);
-    }
-    let top = room + 42.0 + over.height;
-    let step = f64::max(
-        LEAST,
-        libm::round(TALL * sheet.width / contents.len() as f64),
-    );
-    let height = step + ROOM[1] - CLOSE;
-    let count = contents.len() as f64;
-    let mut panels: Vec<Panel> = contents
-        .into_iter()
-        .zip(0_u8..)
-        .map(|(content, i)| Sheet::panel([left, top + step * f64::from(i), inner, height], content))
-        .collect();
-    panels[0].keys = keys;
     let caption = format!(
         "Angle *θ* and its rate, slip velocity *η*′, position (*x*, *y*) of the geometric centre *C* and of the mass centre \
          *X̄*, gap under the rim, normal force *N* and friction force *F* against time; dashed verticals: transitions. {}.",
         input.in_words()
     );
-    let bottom = top + step * (count - 1.0) + height + 6.0;
-    let figure = sheet.figure(NAME, "A motion on one sheet", caption, bottom, panels);
-    Ok(figure.noted(unnamed).noted(remark(&motion, say)))
+    let sheet = input.sheet(WIDTH)?;
+    let step = libm::round(TALL * sheet.width / contents.len() as f64).max(LEAST);
+    let timeline = Timeline {
+        name: NAME,
+        title: "A motion on one sheet",
+        caption,
+        keys,
+        contents,
+        height: &|_| step + ROOM[1] - CLOSE,
+    };
+    Ok(motion.figure(&sheet, timeline))
 }

@@ -4,21 +4,20 @@
 use core::f64::consts::PI;
 
 use littlewood::tables::Quantity;
-use littlewood::theory::{Body, PhasePlane, SlidingLaw};
+use littlewood::theory::{Body, PhasePlane, SlidingLaw, Window};
 use littlewood::{Hoop, HoopParameters, ParameterError, SlipDirection};
 use littlewood_draw::{
-    FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series, Stroke, marked,
-    short,
+    Content, Entries, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series,
+    Stroke, marked, short,
 };
+use littlewood_style::width::{BOLD, CURVE, FINE};
+use littlewood_style::{Curve, Dash};
 
 use crate::columns::{MU_K, THETA};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::rows;
+use crate::plane::close_at;
 use crate::wording::Wording;
-use littlewood::theory::Window;
-use littlewood_style::width::{BOLD, CURVE, FINE};
-use littlewood_style::{Curve, Dash};
 
 const NAME: &str = "painleve";
 const COLUMNS: [&str; 2] = [THETA, MU_K];
@@ -31,6 +30,9 @@ const USUAL: f64 = 2.0;
 /// A hoop that needs more than this is named, but not shown: a heavy one needs its mass over that
 /// of the particle.
 const FAR: f64 = 6.0;
+/// The lines of the family, and of the least coefficients of all thin hoops.
+const THIN: Stroke = Stroke::solid(SOFT, FINE);
+const MINIMA: Stroke = Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot);
 /// Least distance of members of the family, in parts of the window.
 const APART: f64 = 0.1;
 /// Angles among which the least coefficient is looked for.
@@ -151,39 +153,58 @@ fn is_of_the_family(hoop: &Hoop) -> bool {
     hoop.offset() == 1.0 && hoop.inertia() == hoop.mass_ratio()
 }
 
-/// The members of the family that are seen, each apart from the others and from the hoop itself, by
-/// γ with the threshold.
-fn family(own: [f64; 2], hoop: &Hoop, most: f64) -> Result<Vec<(f64, Threshold)>, ParameterError> {
-    let mut taken = vec![own[1]];
+/// A member of the family.
+struct Member {
+    /// γ.
+    share: f64,
+    threshold: Threshold,
+}
+
+/// The members of the family that are seen, each apart from the others and from the hoop itself,
+/// whose least coefficient is `own`.
+fn family(own: f64, hoop: &Hoop, most: f64) -> Result<Vec<Member>, ParameterError> {
+    let mut taken = vec![own];
     let mut found = Vec::new();
     for share in SHARES {
         let member = Hoop::new(HoopParameters::thin(1.0 / share - 1.0))?;
         let Some(threshold) = Threshold::new(&member)? else {
             continue;
         };
-        let least = threshold.least()[1];
+        let [_, least] = threshold.least();
         let is_own = is_of_the_family(hoop) && (1.0 / hoop.mass() - share).abs() < 1e-12;
         let is_apart = taken
             .iter()
             .all(|other| (least - other).abs() > APART * most);
         if !is_own && is_apart && least < 0.9 * most {
             taken.push(least);
-            found.push((share, threshold));
+            found.push(Member { share, threshold });
         }
     }
     Ok(found)
 }
 
+impl Member {
+    /// Its curve, with its name at the least coefficient, where the massless one has no place.
+    fn drawn(&self, window: Window) -> (Layer, Label) {
+        let name = format!("gamma={:.4}", self.share);
+        let curve = Series::new(name, &COLUMNS, self.threshold.curve(window));
+        let label = if self.share < 1.0 {
+            let text = format!("*γ* = {}", short(libm::round(100.0 * self.share) / 100.0));
+            let label = Label::new(text, &self.threshold.least());
+            label.shifted(-7.0, -10.0).right()
+        } else {
+            let high = 0.62 * window.y[1];
+            let label = Label::new("massless", &[2.0 * libm::atan(high), high]);
+            label.shifted(8.0, 4.0).left()
+        };
+        (curve.drawn(THIN), label.sized(SMALL).coloured(SOFT))
+    }
+}
+
 /// The region of a hoop, above its curve.
-fn region(pieces: &[Vec<[f64; 2]>], most: f64) -> Series {
-    let above = pieces.iter().map(|piece| {
-        let mut polygon = piece.clone();
-        if let (Some(first), Some(last)) = (piece.first(), piece.last()) {
-            polygon.extend([[last[0], most], [first[0], most]]);
-        }
-        polygon
-    });
-    Series::new("no solution or several", &COLUMNS, rows(above.collect()))
+fn region(mut curve: Vec<Vec<[f64; 2]>>, most: f64) -> Layer {
+    curve.iter_mut().for_each(|piece| close_at(piece, most));
+    Series::new("no solution or several", &COLUMNS, curve).drawn(Mark::Hatch(HATCH))
 }
 
 /// The coefficient of the hoop, with the angles between which sliding has no solution.
@@ -192,16 +213,12 @@ fn of_friction(hoop: &Hoop, own: &Threshold) -> (Vec<Layer>, Vec<Label>) {
     let stroke = Stroke::of_curve(Curve::SlipLimit)
         .wide(CURVE)
         .dashed(Dash::Dotted);
-    let line = Series::of_rows(MU_K, &COLUMNS, vec![vec![0.0, mu], vec![PI, mu]]).drawn(stroke);
-    let mut layers = vec![line];
-    let ends = own
-        .between(mu)
-        .into_iter()
-        .flatten()
-        .map(|theta| vec![theta, mu]);
-    layers.push(
-        Series::of_rows("ends", &COLUMNS, ends.collect()).drawn(Mark::Ring(FRICTION_FORCE, 3.4)),
-    );
+    let ends = own.between(mu).into_iter().flatten();
+    let ends = ends.map(|theta| [theta, mu]);
+    let layers = vec![
+        Series::of_rows(MU_K, &COLUMNS, [[0.0, mu], [PI, mu]]).drawn(stroke),
+        Series::of_rows("ends", &COLUMNS, ends).drawn(Mark::Ring(FRICTION_FORCE, 3.4)),
+    ];
     let label = Label::new(marked(Quantity::MuK.sign()), &[PI, mu])
         .shifted(-8.0, -11.0)
         .right();
@@ -240,80 +257,60 @@ fn in_words(hoop: &Hoop, own: &Threshold, say: Wording) -> String {
     format!("{of_hoop} {}.", say.body(hoop))
 }
 
+fn keys(is_far: bool) -> Entries {
+    let of_hoop = [
+        (Mark::Hatch(HATCH), "no solution or several"),
+        (Mark::Line(Stroke::solid(INK, BOLD)), "this hoop"),
+    ];
+    let of_family = [
+        (Mark::Line(THIN), "thin hoops"),
+        (Mark::Line(MINIMA), "least *μ*_{k}"),
+    ];
+    let of_hoop = of_hoop.into_iter().filter(|_| !is_far);
+    let keys = of_hoop.chain(of_family);
+    keys.map(|(mark, text)| (mark, text.to_owned())).collect()
+}
+
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
-    let hoop = &input.hoop;
+    let (hoop, say) = (&input.hoop, input.wording());
     let Some(own) = Threshold::new(hoop)? else {
         return Err(FigureError::NeedsOffset { figure: NAME });
     };
-    let least = own.least();
-    let is_far = least[1] > FAR;
+    let place @ [_, least] = own.least();
+    let is_far = least > FAR;
     let most = USUAL
-        .max(if is_far { 0.0 } else { 1.35 * least[1] })
+        .max(if is_far { 0.0 } else { 1.35 * least })
         .max(1.3 * hoop.mu_k());
     let window = Window {
         x: [0.0, PI],
         y: [0.0, most],
     };
-    let pieces = own.curve(window);
-    let mut layers = vec![region(&pieces, most).drawn(Mark::Hatch(HATCH))];
-    let (mut labels, mut dots) = (Vec::new(), Vec::new());
-    let thin = Stroke::solid(SOFT, FINE);
-    for (share, threshold) in family(least, hoop, most)? {
-        let curve = Series::new(
-            format!("gamma={share:.4}"),
-            &COLUMNS,
-            rows(threshold.curve(window)),
-        );
-        layers.push(curve.drawn(thin));
-        let at = threshold.least();
-        let text = if share == 1.0 {
-            "massless".to_owned()
-        } else {
-            format!("*γ* = {}", short(libm::round(100.0 * share) / 100.0))
-        };
-        if share < 1.0 {
-            dots.push(at.to_vec());
-            labels.push(
-                Label::new(text, &at)
-                    .shifted(-7.0, -10.0)
-                    .right()
-                    .sized(SMALL)
-                    .coloured(SOFT),
-            );
-        } else {
-            let theta = 2.0 * libm::atan(0.62 * most);
-            let label = Label::new(text, &[theta, 0.62 * most])
-                .shifted(8.0, 4.0)
-                .left();
-            labels.push(label.sized(SMALL).coloured(SOFT));
-        }
-    }
+    let curve = own.curve(window);
+    let mut layers = vec![region(curve.clone(), most)];
+    let family = family(least, hoop, most)?;
+    let (lines, mut labels): (Vec<Layer>, Vec<Label>) =
+        family.iter().map(|member| member.drawn(window)).unzip();
+    layers.extend(lines);
     let minima = window.pieces([0.0, 0.5 * PI - 1e-6], CELLS, &|theta| {
         Some([theta, libm::tan(theta)])
     });
-    let minima = Series::new("least", &COLUMNS, rows(minima));
-    layers.push(minima.drawn(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot)));
-    let curve = Series::new("this hoop", &COLUMNS, rows(pieces));
-    layers.push(curve.drawn(Stroke::solid(INK, BOLD)));
+    layers.push(Series::new("least", &COLUMNS, minima).drawn(MINIMA));
+    layers.push(Series::new("this hoop", &COLUMNS, curve).drawn(Stroke::solid(INK, BOLD)));
     let (lines, marks) = of_friction(hoop, &own);
     layers.extend(lines);
     labels.extend(marks);
+    let dots = family.iter().filter(|member| member.share < 1.0);
+    let dots = dots.map(|member| member.threshold.least());
     layers.push(Series::of_rows("least of a hoop", &COLUMNS, dots).drawn(Mark::Dot(SOFT, 2.8)));
     if is_far {
-        let text = format!("this hoop: above *μ*_{{k}} = {}", short(least[1]));
-        labels.push(
-            Label::new(text, &[PI, 0.88 * most])
-                .shifted(-10.0, 0.0)
-                .right(),
-        );
-    } else if least[1] > 0.0 {
-        layers.push(
-            Series::of_rows("least of this hoop", &COLUMNS, vec![least.to_vec()])
-                .drawn(Mark::Dot(INK, 3.6)),
-        );
+        let text = format!("this hoop: above *μ*_{{k}} = {}", short(least));
+        let label = Label::new(text, &[PI, 0.88 * most]).shifted(-10.0, 0.0);
+        labels.push(label.right());
+    } else if least > 0.0 {
+        let dot = Series::of_rows("least of this hoop", &COLUMNS, [place]);
+        layers.push(dot.drawn(Mark::Dot(INK, 3.6)));
     }
-    let say = input.wording();
     let caption = format!(
         "Painlevé's paradox: where sliding with *η*′ > 0 has no solution with a normal force, or more than one, *I\u{302}* + *mh* sin \
          *θ* (*h* sin *θ* − *μ*_{{k}}(1 + *h* cos *θ*)) ≤ 0; for *η*′ < 0 at −*θ*. Thin: where it begins for thin hoops with the \
@@ -321,31 +318,12 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
          (dots, dash-dotted: *μ*_{{k}} = tan *θ*). {}",
         in_words(hoop, &own, say)
     );
-    let axes = [
-        say.angle(window.x),
-        say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y),
-    ];
-    let of_hoop = [
-        (Mark::Hatch(HATCH), "no solution or several".to_owned()),
-        (Mark::Line(Stroke::solid(INK, BOLD)), "this hoop".to_owned()),
-    ];
-    let of_family = [
-        (Mark::Line(thin), "thin hoops".to_owned()),
-        (
-            Mark::Line(Stroke::solid(SOFT, 1.2).dashed(Dash::DashDot)),
-            "least *μ*_{k}".to_owned(),
-        ),
-    ];
-    let keys = of_hoop
-        .into_iter()
-        .filter(|_| !is_far)
-        .chain(of_family)
-        .collect();
-    input.plane(
-        [NAME, "Painlevé's paradox"],
-        caption,
-        axes,
-        (layers, labels),
-        keys,
-    )
+    let content = Content {
+        name: "plane",
+        x: say.angle(window.x),
+        y: say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y),
+        layers,
+        labels,
+    };
+    input.plane(NAME, "Painlevé's paradox", caption, content, keys(is_far))
 }

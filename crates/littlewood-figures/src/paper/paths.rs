@@ -7,13 +7,13 @@ use littlewood_draw::{
     Content, Entries, Figure, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT,
     Scale, Series, Sheet, Stroke, short, tilted, width,
 };
+use littlewood_style::width::{BOLD, FINE};
 
 use crate::columns::{TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{arrows, bounds, by_mode, entries, hoops, horizon, lines, remark};
+use crate::motion::{Shown, bounds, hoops};
 use crate::wording::Wording;
-use littlewood_style::width::{BOLD, FINE};
 
 /// Arrows of time stand where the motion goes this part of the picture.
 const LEAST_STEP: f64 = 0.0015;
@@ -21,7 +21,7 @@ const COLUMNS: [&str; 3] = [TIME, X, Y];
 /// Most hoops of a picture.
 const HOOPS: usize = 8;
 /// Width of the picture in pixels.
-const WIDTH: f64 = 760.0;
+pub(super) const WIDTH: f64 = 760.0;
 /// Most rows of names under the hoops, and their distance.
 const ROWS: usize = 4;
 const ROW: f64 = 17.0;
@@ -29,13 +29,18 @@ const ROW: f64 = 17.0;
 /// Distance of the hoops of two bounces, at least.
 const APART: f64 = 1.2;
 
-/// The instants at which the hoop is drawn, each with its name: the start and the transitions, the
-/// first and the last where there are too many; of bounces those that are apart, the farther the
-/// more there are.
-fn instants(motion: &Trajectory) -> Vec<(String, Sample)> {
+/// An instant at which the hoop is drawn, with its name.
+struct Instant {
+    name: String,
+    sample: Sample,
+}
+
+/// The start and the transitions, the first and the last where there are too many; of bounces those
+/// that are apart, the farther the more there are.
+fn instants(motion: &Shown) -> Vec<Instant> {
     let mut found = transitions(motion, APART);
     if found.len() > HOOPS {
-        let [left, right] = bounds(found.iter().map(|(_, sample)| sample.centre.x), 0.0);
+        let [left, right] = bounds(found.iter().map(|it| it.sample.centre.x), 0.0);
         found = transitions(motion, APART.max((right - left) / (HOOPS - 2) as f64));
     }
     if found.len() > HOOPS {
@@ -47,71 +52,30 @@ fn instants(motion: &Trajectory) -> Vec<(String, Sample)> {
 }
 
 /// The start and the transitions; of bounces those that are so far from the others.
-fn transitions(motion: &Trajectory, apart: f64) -> Vec<(String, Sample)> {
-    let until = horizon(motion);
-    let mut found: Vec<(String, Sample)> = Vec::new();
-    let jam = motion
-        .transitions()
-        .first()
-        .filter(|transition| transition.from.is_none());
+fn transitions(motion: &Shown, apart: f64) -> Vec<Instant> {
+    let first = motion.transitions().first();
+    let jam = first.filter(|transition| transition.from.is_none());
     let start = jam.map_or_else(
         || "start".to_owned(),
         |jam| format!("start, {}", jam.cause.label()),
     );
-    found.extend(motion.phases().first().map(|phase| (start, phase.first())));
+    let start = motion.phases().first().map(|phase| Instant {
+        name: start,
+        sample: phase.first(),
+    });
+    let mut found = Vec::from_iter(start);
     for phase in motion.phases() {
         let Some((transition, sample)) = motion.end_of(phase).zip(phase.last()) else {
             continue;
         };
-        let is_close =
-            |(_, other): &(String, Sample)| (other.centre.x - sample.centre.x).abs() < apart;
-        if transition.time() <= until && !(transition.is_bounce() && found.iter().any(is_close)) {
-            found.push((transition.cause.label().to_owned(), sample));
+        let is_close = |other: &Instant| (other.sample.centre.x - sample.centre.x).abs() < apart;
+        let is_hidden = transition.is_bounce() && found.iter().any(is_close);
+        if transition.time() <= motion.until && !is_hidden {
+            let name = transition.cause.label().to_owned();
+            found.push(Instant { name, sample });
         }
     }
     found
-}
-
-/// The plane from side to side of a picture of this width; on a slope from end to end.
-pub(super) fn ground(x: [f64; 2], y: [f64; 2], width: f64, slope: f64) -> Vec<Layer> {
-    let depth = 8.0 * (x[1] - x[0]) / width;
-    let x = if slope == 0.0 {
-        x
-    } else {
-        let corners = x
-            .into_iter()
-            .flat_map(|x| y.map(|y| tilted(-slope, [x, y])[0]));
-        bounds(corners, 0.0)
-    };
-    let below = [[x[0], 0.0], [x[1], 0.0], [x[1], -depth], [x[0], -depth]];
-    vec![
-        Series::of_rows("ground", &[X, Y], below.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
-        Series::of_rows("ground", &[X, Y], vec![vec![x[0], 0.0], vec![x[1], 0.0]])
-            .drawn(Stroke::solid(INK, 1.4)),
-    ]
-}
-
-/// The axes: on a level plane its coordinates, on a slope those of a level camera.
-pub(super) fn axes(say: Wording, x: [f64; 2], y: [f64; 2], slope: f64) -> [PlotAxis; 2] {
-    if slope != 0.0 {
-        return [say.axis(X, "horizontal", x), say.axis(Y, "height", y)];
-    }
-    [
-        say.axis(X, "*x*", x),
-        PlotAxis {
-            scale: Scale::NotNegative,
-            ..say.axis(Y, "*y*", y)
-        },
-    ]
-}
-
-/// What a caption says of the axes of a picture on a slope.
-pub(super) fn camera(slope: f64) -> &'static str {
-    if slope == 0.0 {
-        ""
-    } else {
-        " The camera is level, the plane rises by *α*."
-    }
 }
 
 /// A text so far below a place of the plane; on a slope at the side where the plane rises.
@@ -124,190 +88,244 @@ pub(super) fn beneath(text: String, x: f64, down: f64, slope: f64) -> Label {
     }
 }
 
-/// Left, right, lower and upper end of a motion and of the plane beneath it, as a level camera sees
-/// the centre of the hoop.
-pub(super) fn extent(samples: &[Sample], slope: f64) -> [f64; 4] {
-    let seen = |height: fn(&Sample) -> f64| {
-        samples
-            .iter()
-            .map(move |sample| tilted(slope, [sample.centre.x, height(sample)]))
-    };
-    let centres = || seen(|sample| sample.centre.y);
-    let [left, right] = bounds(centres().map(|[x, _]| x), 0.0);
-    let [_, top] = bounds(centres().map(|[_, y]| y), 0.0);
-    let low = centres()
-        .map(|[_, y]| y - 1.0)
-        .chain(seen(|_| 0.0).map(|[_, y]| y))
-        .fold(f64::INFINITY, f64::min);
-    [left, right, low, top]
+/// A motion and the plane beneath it, as a level camera sees the centre of the hoop.
+pub(super) struct Extent {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    pub(super) low: f64,
+    pub(super) top: f64,
 }
 
-/// What a picture shows: the hoops, their labels, the ground.
-struct Picture {
-    sheet: Sheet,
-    say: Wording,
-    slope: f64,
-    x: [f64; 2],
-    y: [f64; 2],
-    layers: Vec<Layer>,
-    labels: Vec<Label>,
-    /// How many have a hoop.
-    transitions: usize,
+impl Extent {
+    pub(super) fn of(samples: &[Sample], slope: f64) -> Self {
+        let seen = |height: fn(&Sample) -> f64| {
+            samples
+                .iter()
+                .map(move |sample| tilted(slope, [sample.centre.x, height(sample)]))
+        };
+        let centres = || seen(|sample| sample.centre.y);
+        let [left, right] = bounds(centres().map(|[x, _]| x), 0.0);
+        let [_, top] = bounds(centres().map(|[_, y]| y), 0.0);
+        let low = centres()
+            .map(|[_, y]| y - 1.0)
+            .chain(seen(|_| 0.0).map(|[_, y]| y))
+            .fold(f64::INFINITY, f64::min);
+        Self {
+            left,
+            right,
+            low,
+            top,
+        }
+    }
+}
+
+/// A picture of the plane with what moves on it.
+pub(super) struct Picture {
+    pub(super) sheet: Sheet,
+    pub(super) say: Wording,
+    pub(super) slope: f64,
+    pub(super) x: [f64; 2],
+    pub(super) y: [f64; 2],
+    pub(super) layers: Vec<Layer>,
+    pub(super) labels: Vec<Label>,
 }
 
 impl Picture {
-    fn new(motion: &Trajectory, input: &FigureInput) -> Result<Self, FigureError> {
-        let (sheet, say) = (input.sheet(WIDTH)?, input.wording());
+    /// Pixels of a radius in a picture of this range.
+    pub(super) fn unit(sheet: &Sheet, x: [f64; 2]) -> f64 {
         let [_, inner] = sheet.span();
-        let until = horizon(motion);
-        let samples: Vec<Sample> = motion.sample_evenly(400, until).collect();
-        let slope = motion.hoop().slope();
-        let [left, right, low, top] = extent(&samples, slope);
-        // A long motion is small: the names of the hoops at its ends need more than a hoop of room.
-        let goes_on = motion.hoop().restitution().is_some();
-        let mut beside = if goes_on {
-            f64::max(1.2, 0.06 * (right - left))
-        } else {
-            1.2
-        };
-        if slope != 0.0 {
-            // Names stand beside the plane.
-            beside = beside.max(0.15 * (right - left));
-        }
-        // The picture is not much higher than wide.
-        beside = beside.max(0.5 * (0.9 * (top + 2.3 - low) - (right - left)));
-        let x = [left - beside, right + beside];
-        let instants = instants(motion);
-        let shown = instants.iter().map(|(_, sample)| sample);
-        let hoops = hoops(motion.hoop(), shown, "hoop", Stroke::solid(SOFT, 1.2));
-        // Names under the hoops, on a slope where the plane rises; one that is close to another
-        // stands further down.
-        let unit = (inner - ROOM[0]) / (x[1] - x[0]);
-        let mut labels: Vec<Label> = Vec::new();
-        let mut taken: Vec<(f64, usize, f64)> = Vec::new();
-        for (name, sample) in &instants {
-            let at = sample.centre.x;
-            let time = say.value(sample.state.time, Dimension::Time);
-            let text = format!("{name}, {} = {time}", say.time());
-            let half = 0.5 * width(&text, SMALL) + 5.0;
-            let apart = |x: f64| (x - at).abs() * unit * libm::cos(slope);
-            let is_free = |row: &usize| {
-                taken
-                    .iter()
-                    .all(|(x, r, h)| r != row || apart(*x) > half + h)
-            };
-            let row = (0..ROWS).find(is_free).unwrap_or(ROWS - 1);
-            taken.push((at, row, half));
-            labels.push(beneath(text, at, 21.0 + ROW * row as f64, slope));
-        }
-        let rows = 1 + taken.iter().map(|(_, row, _)| *row).max().unwrap_or(0);
-        let y = [low - (18.0 + ROW * rows as f64) / unit, top + 1.15];
-        let layers = ground(x, y, sheet.width, slope)
-            .into_iter()
-            .chain([hoops])
-            .collect();
-        let transitions = instants.len().saturating_sub(1);
-        Ok(Self {
-            sheet,
-            say,
-            slope,
-            x,
-            y,
-            layers,
-            labels,
-            transitions,
-        })
+        (inner - ROOM[0]) / (x[1] - x[0])
     }
 
-    fn figure(self, name: &'static str, title: &str, caption: String, entries: Entries) -> Figure {
-        let Self {
-            sheet,
-            say,
-            slope,
-            x,
-            y,
-            layers,
-            labels,
-            ..
-        } = self;
-        let [left, inner] = sheet.span();
-        // One scale for both axes.
-        let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
-        let [x, y] = axes(say, x, y, slope);
+    /// The plane from side to side of the picture, below all else; on a slope from end to end.
+    pub(super) fn ground(&self) -> [Layer; 2] {
+        let Self { x, y, slope, .. } = *self;
+        let depth = 8.0 * (x[1] - x[0]) / self.sheet.width;
+        let [left, right] = if slope == 0.0 {
+            x
+        } else {
+            let corners = x
+                .into_iter()
+                .flat_map(|x| y.map(|y| tilted(-slope, [x, y])[0]));
+            bounds(corners, 0.0)
+        };
+        let line = [[left, 0.0], [right, 0.0]];
+        let below = line.into_iter().chain([[right, -depth], [left, -depth]]);
+        [
+            Series::of_rows("ground", &[X, Y], below).drawn(Mark::Hatch(HATCH)),
+            Series::of_rows("ground", &[X, Y], line).drawn(Stroke::solid(INK, 1.4)),
+        ]
+    }
+
+    /// The axes: on a level plane its coordinates, on a slope those of a level camera.
+    fn axes(&self) -> [PlotAxis; 2] {
+        let Self { x, y, say, .. } = *self;
+        if self.slope != 0.0 {
+            return [say.axis(X, "horizontal", x), say.axis(Y, "height", y)];
+        }
+        let y = PlotAxis {
+            scale: Scale::NotNegative,
+            ..say.axis(Y, "*y*", y)
+        };
+        [say.axis(X, "*x*", x), y]
+    }
+
+    /// What a caption says of the axes of a picture on a slope.
+    pub(super) fn camera(&self) -> &'static str {
+        if self.slope == 0.0 {
+            ""
+        } else {
+            " The camera is level, the plane rises by *α*."
+        }
+    }
+
+    /// The figure, with one scale for both axes.
+    pub(super) fn figure(
+        self,
+        name: &'static str,
+        title: &str,
+        caption: String,
+        entries: Entries,
+    ) -> Figure {
+        let [x, y] = self.axes();
+        let [left, inner] = self.sheet.span();
+        let height =
+            (inner - ROOM[0]) * (self.y[1] - self.y[0]) / (self.x[1] - self.x[0]) + ROOM[1];
         let content = Content {
             name: "plane of motion",
             x,
             y,
-            layers,
-            labels,
+            layers: self.layers,
+            labels: self.labels,
         };
-        let (keys, room) = sheet.keys(entries, 6.0);
+        let (keys, room) = self.sheet.keys(entries, 6.0);
         let top = 14.0 + room;
         let panel = Panel {
             keys,
-            ..Sheet::tilted([left, top, inner, height], content, slope)
+            ..Sheet::tilted([left, top, inner, height], content, self.slope)
         };
-        sheet.figure(name, title, caption, top + height + 6.0, vec![panel])
+        self.sheet
+            .figure(name, title, caption, top + height + 6.0, vec![panel])
     }
+}
+
+/// From side to side of a motion, with room for the names of the hoops at its ends.
+fn across(motion: &Trajectory, extent: &Extent) -> [f64; 2] {
+    let Extent {
+        left,
+        right,
+        low,
+        top,
+    } = *extent;
+    // A long motion is small, and names need more than a hoop of room.
+    let mut beside = 1.2;
+    if motion.hoop().restitution().is_some() {
+        beside = f64::max(beside, 0.06 * (right - left));
+    }
+    if motion.hoop().slope() != 0.0 {
+        // Names stand beside the plane.
+        beside = beside.max(0.15 * (right - left));
+    }
+    // The picture is not much higher than wide.
+    beside = beside.max(0.5 * (0.9 * (top + 2.3 - low) - (right - left)));
+    [left - beside, right + beside]
+}
+
+/// Names under hoops, on a slope where the plane rises, one that is close to another further down;
+/// and in how many rows.
+fn names(instants: &[Instant], say: Wording, slope: f64, unit: f64) -> (Vec<Label>, usize) {
+    let mut labels: Vec<Label> = Vec::new();
+    let mut taken: Vec<(f64, usize, f64)> = Vec::new();
+    for Instant { name, sample } in instants {
+        let at = sample.centre.x;
+        let time = say.value(sample.state.time, Dimension::Time);
+        let text = format!("{name}, {} = {time}", say.time());
+        let half = 0.5 * width(&text, SMALL) + 5.0;
+        let apart = |x: f64| (x - at).abs() * unit * libm::cos(slope);
+        let is_free = |row: &usize| {
+            taken
+                .iter()
+                .all(|(x, r, h)| r != row || apart(*x) > half + h)
+        };
+        let row = (0..ROWS).find(is_free).unwrap_or(ROWS - 1);
+        taken.push((at, row, half));
+        labels.push(beneath(text, at, 21.0 + ROW * row as f64, slope));
+    }
+    let rows = 1 + taken.iter().map(|(_, row, _)| *row).max().unwrap_or(0);
+    (labels, rows)
+}
+
+/// The hoop at the start and at the transitions, and how many of these there are.
+fn with_hoops(motion: &Shown, input: &FigureInput) -> Result<(Picture, usize), FigureError> {
+    let (sheet, say, slope) = (input.sheet(WIDTH)?, motion.say, motion.hoop().slope());
+    let samples: Vec<Sample> = motion.sample_evenly(400, motion.until).collect();
+    let extent = Extent::of(&samples, slope);
+    let x = across(motion, &extent);
+    let unit = Picture::unit(&sheet, x);
+    let instants = instants(motion);
+    let (labels, rows) = names(&instants, say, slope, unit);
+    let y = [
+        extent.low - (18.0 + ROW * rows as f64) / unit,
+        extent.top + 1.15,
+    ];
+    let mut picture = Picture {
+        sheet,
+        say,
+        slope,
+        x,
+        y,
+        layers: Vec::new(),
+        labels,
+    };
+    picture.layers.extend(picture.ground());
+    let shown = instants.iter().map(|instant| &instant.sample);
+    let rim = Stroke::solid(SOFT, 1.2);
+    picture
+        .layers
+        .push(hoops(motion.hoop(), shown, "hoop", rim));
+    Ok((picture, instants.len().saturating_sub(1)))
 }
 
 /// Figure 3(b).
 pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-3b";
     let motion = input.motion(NAME)?;
-    let hoop = motion.hoop();
-    let say = input.wording();
-    let mut picture = Picture::new(&motion, input)?;
-    let all = motion
-        .transitions()
-        .iter()
-        .filter(|transition| transition.from.is_some())
-        .count();
-    let hoops = if picture.transitions == all {
+    let (mut picture, transitions) = with_hoops(&motion, input)?;
+    let all = motion.transitions().iter();
+    let all = all.filter(|transition| transition.from.is_some()).count();
+    let hoops = if transitions == all {
         "each transition".to_owned()
     } else {
-        format!("{} of {all} transitions", picture.transitions)
+        format!("{transitions} of {all} transitions")
     };
-    let rows = |sample: &Sample| {
-        vec![
-            sample.state.time,
-            sample.mass_centre.x,
-            sample.mass_centre.y,
-        ]
+    let of_mass_centre = |sample: &Sample| {
+        let centre = sample.mass_centre;
+        [sample.state.time, centre.x, centre.y]
     };
-    let of_centre = by_mode(&motion, "centre, ", &COLUMNS, &|sample| {
-        vec![sample.state.time, sample.centre.x, sample.centre.y]
+    let centres = motion.by_mode("centre, ", &COLUMNS, |sample| {
+        [sample.state.time, sample.centre.x, sample.centre.y]
     });
-    let of_mass_centre = by_mode(&motion, "mass centre, ", &COLUMNS, &rows);
-    let mut keys = entries(&of_centre, |mode| mode.to_string());
-    keys.push((
-        Mark::Line(Stroke::solid(INK, BOLD)),
-        "thick: mass centre *X̄*".to_owned(),
-    ));
-    keys.push((
-        Mark::Line(Stroke::solid(INK, FINE)),
-        "thin: centre *C*".to_owned(),
-    ));
-    picture.layers.extend(lines(of_centre, 1.2));
-    picture.layers.extend(lines(of_mass_centre, BOLD));
-    let across = picture.x[1] - picture.x[0];
-    picture
-        .layers
-        .extend(arrows(&motion, 0.5, &COLUMNS, &rows, |_, rows| {
-            libm::hypot(rows[1][1] - rows[0][1], rows[1][2] - rows[0][2]) > LEAST_STEP * across
-        }));
-    let flight = motion
-        .phases()
-        .iter()
-        .any(|phase| !phase.mode().touches_plane());
+    let mass_centres = motion.by_mode("mass centre, ", &COLUMNS, of_mass_centre);
+    let mut keys = centres.entries(|mode| mode.to_string());
+    let line = |width| Mark::Line(Stroke::solid(INK, width));
+    keys.push((line(BOLD), "thick: mass centre *X̄*".to_owned()));
+    keys.push((line(FINE), "thin: centre *C*".to_owned()));
+    picture.layers.extend(centres.lines(1.2));
+    picture.layers.extend(mass_centres.lines(BOLD));
+    let least = LEAST_STEP * (picture.x[1] - picture.x[0]);
+    let is_seen =
+        |_, [from, to]: &[[f64; 3]; 2]| libm::hypot(to[1] - from[1], to[2] - from[2]) > least;
+    let arrows = motion.arrows(0.5, &COLUMNS, of_mass_centre, is_seen);
+    picture.layers.extend(arrows);
+    let flies = motion.phases().iter().any(|it| !it.mode().touches_plane());
     let caption = format!(
         "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at {hoops}. Black dot: particle; ring: mass centre; arrows: time.{}{} {}.{}",
-        if flight {
+        if flies {
             " In flight the mass centre follows a parabola."
         } else {
             ""
         },
-        camera(hoop.slope()),
+        picture.camera(),
         input.in_words(),
         if input.units.is_some() {
             ""
@@ -317,7 +335,7 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     );
     let title = "Figure 3(b): paths of the centre and of the mass centre";
     let figure = picture.figure(NAME, title, caption, keys);
-    Ok(figure.noted(remark(&motion, say)))
+    Ok(figure.noted(motion.remark()))
 }
 
 /// Figure 7(b).
@@ -326,32 +344,28 @@ pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
     input.littlewood(NAME)?;
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
-    let say = input.wording();
-    let mut picture = Picture::new(&motion, input)?;
-    let paths = by_mode(&motion, "", &COLUMNS, &|sample| {
-        vec![sample.state.time, sample.particle.x, sample.particle.y]
+    let (mut picture, _) = with_hoops(&motion, input)?;
+    let paths = motion.by_mode("", &COLUMNS, |sample| {
+        [sample.state.time, sample.particle.x, sample.particle.y]
     });
-    let keys = entries(&paths, |mode| match mode {
+    let keys = paths.entries(|mode| match mode {
         Mode::Rolling => format!("{mode}: a cycloid"),
         Mode::Gliding => format!("{mode}: a parabola"),
         Mode::Sliding | Mode::Flight => mode.to_string(),
     });
-    picture.layers.extend(lines(paths, BOLD));
-    let reaches = motion
-        .transitions()
-        .iter()
-        .any(|transition| transition.cause == Cause::ParticleAtPlane);
+    picture.layers.extend(paths.lines(BOLD));
+    let mut transitions = motion.transitions().iter();
     let caption = format!(
         "Path of the particle *m*_{{2}}: on a cycloid while the massless hoop rolls, on a parabola while it glides, \
          *N* = 0.{}{} *μ*_{{s}} = {}; {}.",
-        if reaches {
+        if transitions.any(|it| it.cause == Cause::ParticleAtPlane) {
             " At the end the particle reaches the plane, *θ* = ±π."
         } else {
             ""
         },
-        camera(hoop.slope()),
+        picture.camera(),
         short(hoop.mu_s()),
-        say.start(hoop, &input.start)
+        motion.say.start(hoop, &input.start)
     );
     Ok(picture.figure(NAME, "Figure 7(b): path of the particle", caption, keys))
 }

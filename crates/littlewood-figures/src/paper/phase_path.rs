@@ -3,21 +3,21 @@
 
 use core::f64::consts::{PI, TAU};
 
-use littlewood::{Mode, Sample, Trajectory};
+use littlewood::theory::Window;
+use littlewood::{Sample, State};
 use littlewood_draw::{
     Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, START, Series,
     Stroke, TRANSITION, lift_off_condition,
 };
+use littlewood_style::Curve;
+use littlewood_style::width::{BOLD, CURVE, FINE};
 
 use crate::axes::plane_window;
 use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::motion::{add_unbounded_end, arrows, bounds, by_mode, entries, horizon, lines, remark};
+use crate::motion::{Shown, bounds};
 use crate::plane::Portrait;
-use littlewood::theory::Window;
-use littlewood_style::Curve;
-use littlewood_style::width::{BOLD, CURVE, FINE};
 
 const NAME: &str = "phase-path";
 const COLUMNS: [&str; 3] = [TIME, THETA, THETA_RATE];
@@ -32,13 +32,9 @@ const LAST: f64 = 0.85;
 /// Transitions that all have a name.
 const NAMED: usize = 6;
 
-/// Its row, the angle less whole turns.
-fn row(sample: &Sample, turns: f64) -> Vec<f64> {
-    vec![
-        sample.state.time,
-        sample.state.theta - turns,
-        sample.state.theta_rate,
-    ]
+/// The row of a state, its angle less whole turns.
+fn row_of(state: &State, turns: f64) -> [f64; 3] {
+    [state.time, state.theta - turns, state.theta_rate]
 }
 
 /// The part of the plane in which a motion is seen.
@@ -76,16 +72,12 @@ fn is_inside(window: Window, row: &[f64]) -> bool {
     (window.x[0]..=window.x[1]).contains(&row[1]) && (window.y[0]..=window.y[1]).contains(&row[2])
 }
 
-/// Each piece, cut where it leaves the window to the left or to the right.
-fn inside(series: Series, window: Window) -> Series {
-    let pieces = series.pieces.iter().flat_map(|piece| {
-        piece
-            .split(|row| !(window.x[0]..=window.x[1]).contains(&row[1]))
-            .filter(|part| part.len() > 1)
-            .map(<[Vec<f64>]>::to_vec)
-    });
-    let pieces = pieces.collect();
-    Series { pieces, ..series }
+/// Cuts each piece where it leaves the window to the left or to the right.
+fn cut(series: &mut Series, window: Window) {
+    let is_out = |row: &Vec<f64>| !(window.x[0]..=window.x[1]).contains(&row[1]);
+    let parts = series.pieces.iter().flat_map(|piece| piece.split(is_out));
+    let parts = parts.filter(|part| part.len() > 1);
+    series.pieces = parts.map(<[Vec<f64>]>::to_vec).collect();
 }
 
 /// What rolling does in the plane: orbits, and the curves that bound it, with their keys.
@@ -136,16 +128,11 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Entri
 }
 
 /// Dots at the transitions with their names, and impacts, in which the rate jumps.
-fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<Label>) {
-    let until = horizon(motion);
+fn changes(motion: &Shown, turns: f64, window: Window) -> (Vec<Layer>, Vec<Label>) {
     let (mut dots, mut jumps, mut labels) = (Vec::new(), Vec::new(), Vec::new());
-    for transition in motion
-        .transitions()
-        .iter()
-        .filter(|transition| transition.time() <= until)
-    {
-        let [before, after] = [transition.before, transition.after]
-            .map(|state| vec![state.time, state.theta - turns, state.theta_rate]);
+    for transition in motion.passed() {
+        let before = row_of(&transition.before, turns);
+        let after = row_of(&transition.after, turns);
         if !is_inside(window, &before) {
             continue;
         }
@@ -157,7 +144,7 @@ fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<
             label.shifted(7.0, -10.0).left()
         });
         if transition.impact.is_some() && is_inside(window, &after) {
-            jumps.push(vec![before.clone(), after]);
+            jumps.push([before, after]);
         }
         dots.push(before);
     }
@@ -166,8 +153,8 @@ fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<
     }
     let mut layers = Vec::new();
     if !jumps.is_empty() {
-        let mark = Mark::Line(Stroke::solid(IMPULSE, BOLD));
-        layers.push(Series::new("impact", &COLUMNS, jumps).drawn(mark));
+        let series = Series::new("impact", &COLUMNS, jumps);
+        layers.push(series.drawn(Stroke::solid(IMPULSE, BOLD)));
     }
     layers.push(Series::of_rows("transition", &COLUMNS, dots).drawn(TRANSITION));
     (layers, labels)
@@ -177,53 +164,38 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
-    let turns = TAU * libm::round(motion.start().theta / TAU);
     // The portrait has a period of a turn: only the place of Littlewood's hoop, which has none, is
     // moved.
     let turns = if input.is_massless() && hoop.offset() == 1.0 {
-        turns
+        TAU * libm::round(motion.start().theta / TAU)
     } else {
         0.0
     };
-    let row = |sample: &Sample| row(sample, turns);
-    let mut modes: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row);
-    let mut all: Piece = modes
-        .iter()
-        .flat_map(|(_, series)| series.rows())
-        .map(<[f64]>::to_vec)
-        .collect();
+    let row = |sample: &Sample| row_of(&sample.state, turns);
+    let mut modes = motion.by_mode("", &COLUMNS, row);
+    let mut all: Piece = modes.rows().map(<[f64]>::to_vec).collect();
     all.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let window = window_of(input, &all);
     let portrait = Portrait::new(hoop, window);
     let (mut layers, curves) = ground(&portrait, input)?;
-    let mut keys = entries(&modes, |mode| mode.to_string());
-    if motion
-        .transitions()
-        .iter()
-        .any(|transition| transition.time() <= horizon(&motion))
-    {
+    let mut keys = modes.entries(|mode| mode.to_string());
+    if motion.passed().next().is_some() {
         keys.push((TRANSITION, "transition".to_owned()));
     }
     keys.extend(curves);
-    add_unbounded_end(&motion, &mut modes, &row);
-    let modes = modes
-        .into_iter()
-        .map(|(mode, series)| (mode, inside(series, window)));
-    layers.extend(lines(modes.collect(), BOLD).map(Layer::marked_beyond));
-    layers.extend(arrows(&motion, 0.5, &COLUMNS, &row, |_, rows| {
-        let part = |i: usize, range: [f64; 2]| (rows[1][i] - rows[0][i]) / (range[1] - range[0]);
-        is_inside(window, &rows[0])
-            && libm::hypot(part(1, window.x), part(2, window.y)) > LEAST_STEP
+    modes.add_unbounded_end(&motion, row);
+    for (_, series) in &mut modes.0 {
+        cut(series, window);
+    }
+    layers.extend(modes.lines(BOLD).map(Layer::marked_beyond));
+    layers.extend(motion.arrows(0.5, &COLUMNS, row, |_, [from, to]| {
+        let part = |i: usize, range: [f64; 2]| (to[i] - from[i]) / (range[1] - range[0]);
+        is_inside(window, from) && libm::hypot(part(1, window.x), part(2, window.y)) > LEAST_STEP
     }));
     let (dots, labels) = changes(&motion, turns, window);
     layers.extend(dots);
-    let start = motion.start();
-    let start = vec![start.time, start.theta - turns, start.theta_rate];
-    layers.push(Series::of_rows("start", &COLUMNS, vec![start]).drawn(START));
-    let say = input.wording();
-    let is_short = all
-        .iter()
-        .any(|row| !(window.x[0]..=window.x[1]).contains(&row[1]));
+    let start = row_of(&motion.start(), turns);
+    layers.push(Series::of_rows("start", &COLUMNS, [start]).drawn(START));
     let caption = format!(
         "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows an orbit, a line of constant energy (grey). Sliding and \
          flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; dots and \
@@ -231,9 +203,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.remark(),
         input.in_words()
     );
-    let axes = portrait.axes(say);
-    let titles = [NAME, "A motion in the phase portrait"];
-    let figure = input.plane(titles, caption, axes, (layers, labels), keys)?;
+    let title = "A motion in the phase portrait";
+    let content = portrait.content("plane", motion.say, layers, labels);
+    let figure = input.plane(NAME, title, caption, content, keys)?;
+    let is_out = |row: &Vec<f64>| !(window.x[0]..=window.x[1]).contains(&row[1]);
+    let is_short = all.iter().any(is_out);
     let turns = is_short.then(|| "Shown are the first turns.".to_owned());
-    Ok(figure.noted(turns).noted(remark(&motion, say)))
+    Ok(figure.noted(turns).noted(motion.remark()))
 }

@@ -2,17 +2,36 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
+use littlewood::theory::Window;
 use littlewood_draw::{
-    Entries, FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Mark, NORMAL_FORCE, REGION, SMALL,
-    lift_off_condition, short,
+    FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, NORMAL_FORCE, REGION, SMALL,
+    Series, lift_off_condition, short,
 };
+use littlewood_style::Curve;
 
 use crate::axes::portrait_window;
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::Portrait;
-use littlewood::theory::Window;
-use littlewood_style::Curve;
+use crate::plane::{Portrait, mirrored};
+
+/// The names of the curves and of 𝓡.
+fn names(portrait: &Portrait, slip: &Series, unloading: &Series, lift_off: &Series) -> Vec<Label> {
+    let (most, hoop) = (portrait.window.y[1], &portrait.hoop);
+    let mut labels = portrait.mark_of_unloading();
+    let f = portrait.name_of(slip, [0.62 * PI, 0.72 * most], "*f*");
+    labels.extend(f.map(|f| f.shifted(11.0, 0.0).coloured(FRICTION_FORCE)));
+    let n = portrait.name_of(unloading, [0.45 * PI, 0.72 * most], "*n*");
+    labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
+    // Without friction it has no area.
+    if hoop.mu_s() > 0.0 {
+        labels.push(Label::new("𝓡", &[PI, 0.62 * most]).sized(20.0));
+    }
+    let condition = lift_off_condition(hoop.slope());
+    let name = portrait.name_of(lift_off, [0.3 * PI, 0.93 * most], condition);
+    let name = name.map(|name| name.shifted(-8.0, 0.0).right().sized(SMALL));
+    labels.extend(name.map(|name| name.coloured(NORMAL_FORCE)));
+    labels
+}
 
 /// Figure 2(b).
 pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
@@ -20,9 +39,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
     let hoop = &input.hoop;
     let portrait = Portrait::new(hoop, portrait_window(hoop));
-    let window = portrait.window;
     let energies = portrait.energies(3, 6);
-
     let mut layers = vec![
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         portrait.unloaded().drawn(Mark::Hatch(HATCH)),
@@ -30,25 +47,8 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.orbits(&energies));
     let slip = portrait.slip_locus(hoop.mu_s())?;
     let unloading = portrait.unloading_locus();
-    let mut labels = portrait.mark_of_unloading();
-    let high = 0.72 * window.y[1];
-    let f = portrait.name_of(&slip, [0.62 * PI, high], "*f*");
-    labels.extend(f.map(|f| f.shifted(11.0, 0.0).coloured(FRICTION_FORCE)));
-    let n = portrait.name_of(&unloading, [0.45 * PI, high], "*n*");
-    labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
-    // Without friction it has no area.
-    labels.extend(
-        (hoop.mu_s() > 0.0).then(|| Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0)),
-    );
     let lift_off = portrait.lift_off_locus();
-    let condition = lift_off_condition(hoop.slope());
-    let name = portrait.name_of(&lift_off, [0.3 * PI, 0.93 * window.y[1]], condition);
-    labels.extend(name.map(|name| {
-        name.shifted(-8.0, 0.0)
-            .right()
-            .sized(SMALL)
-            .coloured(NORMAL_FORCE)
-    }));
+    let labels = names(&portrait, &slip, &unloading, &lift_off);
     layers.push(slip.drawn(Curve::SlipLimit));
     layers.push(lift_off.drawn(Curve::LiftOff));
     layers.push(unloading.drawn(Curve::NormalForceZero));
@@ -61,33 +61,34 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
-    input.plane(
-        [NAME, "Figure 2(b): phase portrait of rolling"],
-        format!(
-            "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium{}, \
-             with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
-             gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
-             where the hoop can roll. Hatched: *N* < 0. The paper lets the hoop lose contact there at once; but \
-             between *n* and the curve {} it slides.{}{} {}{}.",
-            if hoop.slope() == 0.0 { ", the particle on top" } else { "" },
-            lift_off_condition(hoop.slope()),
-            portrait.remark(),
-            if chatters { " Within the dotted curves bounces grow out of rolling (reverse chatter)." } else { "" },
-            if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
-            say.rolling(hoop)
-        ),
-        portrait.axes(say),
-        (layers, labels),
-        Entries::new(),
-    )
-}
-
-/// Energies of orbits of Littlewood's hoop that fill the plane: those that pass over the top by
-/// their rate there, those that turn by the angle at which they turn.
-pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
-    let over = rates.iter().map(|rate| 2.0 * rate * rate + 1.0);
-    over.chain(angles.iter().map(|theta| libm::cos(*theta)))
-        .collect()
+    let caption = format!(
+        "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium{}, \
+         with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
+         gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
+         where the hoop can roll. Hatched: *N* < 0. The paper lets the hoop lose contact there at once; but \
+         between *n* and the curve {} it slides.{}{} {}{}.",
+        if hoop.slope() == 0.0 {
+            ", the particle on top"
+        } else {
+            ""
+        },
+        lift_off_condition(hoop.slope()),
+        portrait.remark(),
+        if chatters {
+            " Within the dotted curves bounces grow out of rolling (reverse chatter)."
+        } else {
+            ""
+        },
+        if hoop.mu_s() == 0.0 {
+            "Without friction 𝓡 has no area. "
+        } else {
+            ""
+        },
+        say.rolling(hoop)
+    );
+    let title = "Figure 2(b): phase portrait of rolling";
+    let content = portrait.content("plane", say, layers, labels);
+    input.plane(NAME, title, caption, content, Vec::new())
 }
 
 /// Where arrows stand on the manifolds, away from the lines n, which they cross at ±π/2.
@@ -137,18 +138,61 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
         "On *f* static friction gives way, |*F*|/*N* = *ℓ* |sin *θ*|/(1 + *ℓ* cos *θ*) = *μ*_{s}, whatever the rate; *ℓ* in radii. \
          Towards the bottom it holds again."
     };
-    input.plane(
-        [FIGURE_4, "Figure 4 with the particle inside the rim"],
-        format!(
-            "Phase portrait of a rolling massless hoop with the particle inside the rim (footnote 7): lines of constant energy. \
-             Unlike Littlewood's hoop it has a stable equilibrium (dot), about which it can roll for ever. {friction} On *n* \
-             the normal force vanishes. Shaded: 𝓡, where the hoop can roll; black: separatrix. {}.",
-            say.rolling(hoop)
-        ),
-        portrait.axes(say),
-        (layers, labels),
-        Entries::new(),
-    )
+    let caption = format!(
+        "Phase portrait of a rolling massless hoop with the particle inside the rim (footnote 7): lines of constant energy. \
+         Unlike Littlewood's hoop it has a stable equilibrium (dot), about which it can roll for ever. {friction} On *n* \
+         the normal force vanishes. Shaded: 𝓡, where the hoop can roll; black: separatrix. {}.",
+        say.rolling(hoop)
+    );
+    let title = "Figure 4 with the particle inside the rim";
+    let content = portrait.content("plane", say, layers, labels);
+    input.plane(FIGURE_4, title, caption, content, Vec::new())
+}
+
+/// What bounds 𝓡 in Figure 4, and the names.
+fn bounds_of_rolling(portrait: &Portrait) -> (Vec<Layer>, Vec<Label>) {
+    let mut layers = vec![portrait.unloading_locus().drawn(Curve::NormalForceZero)];
+    let n = Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0);
+    let mut labels = mirrored(n.coloured(NORMAL_FORCE), 1).to_vec();
+    labels.extend(mirrored(Label::new("*N* < 0", &[-0.25 * PI, 1.75]), 1));
+    if let Some((theta, limit)) = portrait.massless_limit() {
+        layers.push(limit.drawn(Curve::SlipLimit));
+        let f = Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0);
+        labels.extend(mirrored(f.coloured(FRICTION_FORCE), 0));
+        labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
+    }
+    (layers, labels)
+}
+
+/// Angles at which orbits of Figure 4 turn, and rates with which others pass over the top.
+const TURNS: [f64; 4] = [0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI];
+const RATES: [f64; 6] = [0.25, 0.5, 0.75, 1.2, 1.5, 1.8];
+
+/// The arrows of Figure 4: of the manifolds, of the orbits that pass over the top, and of those
+/// that turn.
+fn heads(portrait: &Portrait, over: &[f64], turning: &[f64]) -> Vec<Layer> {
+    let separatrix = [portrait.law.separatrix_energy()];
+    let mut angles = vec![-HEADS, HEADS];
+    // In 𝓡, halfway to its boundary.
+    if let Some((limit, _)) = portrait.massless_limit() {
+        let inside = 0.5 * f64::min(limit, FRAC_PI_2);
+        angles.extend([-inside, inside]);
+    }
+    let of_manifolds = angles
+        .into_iter()
+        .map(|theta| portrait.flow(&separatrix, theta));
+    let mut layers: Vec<Layer> = of_manifolds
+        .map(|flow| flow.drawn(Mark::Head(INK)))
+        .collect();
+    layers.push(portrait.flow(over, 0.0).drawn(Mark::Head(FAINT)));
+    for (energy, turn) in turning.iter().zip(TURNS) {
+        // A little after they have turned, where they go outwards.
+        for side in [1.0, -1.0] {
+            let flow = portrait.flow(&[*energy], side * (turn + AFTER));
+            layers.push(flow.drawn(Mark::Head(FAINT)));
+        }
+    }
+    layers
 }
 
 /// Figure 4.
@@ -164,74 +208,27 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         y: [-2.0, 2.0],
     };
     let portrait = Portrait::new(&input.hoop, window);
-    let turns = [0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI];
-    let energies = massless_energies(&[0.25, 0.5, 0.75, 1.2, 1.5, 1.8], &turns);
+    // By (3.2), at the top and at rest.
+    let over = RATES.map(|rate| 2.0 * rate * rate + 1.0);
+    let turning = TURNS.map(libm::cos);
     let mut layers = vec![
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         portrait.unloaded().drawn(Mark::Hatch(HATCH)),
     ];
-    layers.extend(portrait.orbits(&energies));
-    let unloading = portrait.unloading_locus();
-    let mut labels = vec![
-        Label::new("*n*", &[0.8 * PI, 1.0])
-            .shifted(0.0, -11.0)
-            .coloured(NORMAL_FORCE),
-        Label::new("*n*", &[0.8 * PI, -1.0])
-            .shifted(0.0, 11.0)
-            .coloured(NORMAL_FORCE),
-    ];
-    labels.extend([1.75, -1.75].map(|rate| Label::new("*N* < 0", &[-0.25 * PI, rate])));
-    layers.push(unloading.drawn(Curve::NormalForceZero));
-    if let Some((theta, limit)) = portrait.massless_limit() {
-        layers.push(limit.drawn(Curve::SlipLimit));
-        labels.push(
-            Label::new("*f*", &[theta, -0.72])
-                .shifted(10.0, 0.0)
-                .coloured(FRICTION_FORCE),
-        );
-        labels.push(
-            Label::new("*f*", &[-theta, -0.72])
-                .shifted(-10.0, 0.0)
-                .coloured(FRICTION_FORCE),
-        );
-        labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
-    }
-    let separatrix = [portrait.law.separatrix_energy()];
-    for theta in [-HEADS, HEADS] {
-        layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));
-    }
-    // In 𝓡, halfway to its boundary.
-    if let Some((limit, _)) = portrait.massless_limit() {
-        let inside = 0.5 * f64::min(limit, FRAC_PI_2);
-        for theta in [-inside, inside] {
-            layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));
-        }
-    }
-    layers.push(portrait.flow(&energies[..6], 0.0).drawn(Mark::Head(FAINT)));
-    for (energy, turn) in energies[6..].iter().zip(turns) {
-        // A little after they have turned, where they go outwards.
-        for side in [1.0, -1.0] {
-            layers.push(
-                portrait
-                    .flow(&[*energy], side * (turn + AFTER))
-                    .drawn(Mark::Head(FAINT)),
-            );
-        }
-    }
+    layers.extend(portrait.orbits(&[&over[..], &turning].concat()));
+    let (bounds, labels) = bounds_of_rolling(&portrait);
+    layers.extend(bounds);
+    layers.extend(heads(&portrait, &over, &turning));
     layers.extend(portrait.equilibria());
-    let say = input.wording();
-    input.plane(
-        [NAME, "Figure 4: phase portrait of the rolling massless hoop"],
-        format!(
-            "Phase portrait of the rolling massless hoop (3.1), lines of constant *e* (3.2). There is no equilibrium at \
-             *θ* = ±π, where the equation is singular. Shaded: region 𝓡 (3.10), bounded by *f*, where static friction \
-             gives way (*θ* = ±*θ*_{{s}}, *θ*_{{s}} = 2 atan *μ*_{{s}}), and by *n*, where the normal force vanishes \
-             (*θ*′ = ±1; hatched: *N* < 0). 𝓡 shrinks to nothing as *μ*_{{s}} → 0. Black: stable and unstable manifolds of the \
-             equilibrium. *μ*_{{s}} = {}.",
-            short(input.hoop.mu_s())
-        ),
-        portrait.axes(say),
-        (layers, labels),
-        Entries::new(),
-    )
+    let caption = format!(
+        "Phase portrait of the rolling massless hoop (3.1), lines of constant *e* (3.2). There is no equilibrium at \
+         *θ* = ±π, where the equation is singular. Shaded: region 𝓡 (3.10), bounded by *f*, where static friction \
+         gives way (*θ* = ±*θ*_{{s}}, *θ*_{{s}} = 2 atan *μ*_{{s}}), and by *n*, where the normal force vanishes \
+         (*θ*′ = ±1; hatched: *N* < 0). 𝓡 shrinks to nothing as *μ*_{{s}} → 0. Black: stable and unstable manifolds of the \
+         equilibrium. *μ*_{{s}} = {}.",
+        short(input.hoop.mu_s())
+    );
+    let title = "Figure 4: phase portrait of the rolling massless hoop";
+    let content = portrait.content("plane", input.wording(), layers, labels);
+    input.plane(NAME, title, caption, content, Vec::new())
 }

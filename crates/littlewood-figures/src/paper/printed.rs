@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::theory::{Body, Massless, Window};
 use littlewood::{Hoop, Mode};
 use littlewood_draw::{
-    Content, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, Piece, SOFT, START, Series,
-    Stroke, lift_off_condition,
+    Content, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, PAPER, SOFT, START, Series, Stroke,
+    lift_off_condition,
 };
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
@@ -16,7 +16,7 @@ use crate::axes::portrait_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::{Portrait, rows};
+use crate::plane::Portrait;
 
 const NAME: &str = "paper";
 /// Places in the plane of gliding through which both orbits go.
@@ -49,16 +49,14 @@ fn of_gliding(body: Massless) -> Vec<Layer> {
         let (sin, cos) = libm::sincos(theta);
         let w = 0.5 * sin * sin * rate * rate + cos;
         let most = fastest(&body, w);
-        line_of(&body, w, 1.0, [-most, most])
+        line_of(&body, w, 1.0, -most, most)
     });
-    let exact = exact
-        .map(|piece| piece.into_iter().map(|row| row[..2].to_vec()).collect())
-        .collect();
-    let printed = PLACES.into_iter().flat_map(printed).collect();
+    let exact = exact.map(|piece| piece.into_iter().map(|[theta, rate, _]| [theta, rate]));
+    let printed = PLACES.into_iter().flat_map(printed);
     vec![
         Series::new("exact", &PLANE, exact).drawn(GLIDING),
-        Series::new("printed", &PLANE, rows(printed)).drawn(PRINTED),
-        Series::of_rows("place", &PLANE, PLACES.map(Vec::from).to_vec()).drawn(START),
+        Series::new("printed", &PLANE, printed).drawn(PRINTED),
+        Series::of_rows("place", &PLANE, PLACES).drawn(START),
     ]
 }
 
@@ -80,7 +78,7 @@ fn band(portrait: &Portrait) -> Series {
     let angles: Vec<f64> = (0..=CELLS)
         .map(|i| from + (to - from) * f64::from(i) / f64::from(CELLS))
         .collect();
-    let mut pieces: Vec<Piece> = Vec::new();
+    let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
     for run in angles.chunk_by(|a, b| between(*a).is_some() == between(*b).is_some()) {
         let edge = |end: usize| {
             run.iter()
@@ -90,16 +88,30 @@ fn band(portrait: &Portrait) -> Series {
             .chain(edge(1).collect::<Vec<_>>().into_iter().rev())
             .collect();
         for sign in [1.0, -1.0] {
-            pieces.push(
-                polygon
-                    .iter()
-                    .map(|[theta, rate]| vec![*theta, sign * rate])
-                    .collect(),
-            );
+            let side = polygon.iter().map(|[theta, rate]| [*theta, sign * rate]);
+            pieces.push(side.collect());
         }
     }
     pieces.retain(|piece| piece.len() > 2);
     Series::new("band", &PLANE, pieces)
+}
+
+/// The curves of rolling, with the band, filled so.
+fn of_lift_off(portrait: &Portrait, fill: Mark) -> (Vec<Layer>, Vec<Label>) {
+    let (unloading, lift_off) = (portrait.unloading_locus(), portrait.lift_off_locus());
+    let most = portrait.window.y[1];
+    let mut labels: Vec<Label> = Vec::new();
+    let n = portrait.name_of(&unloading, [0.45 * PI, 0.72 * most], "*n*");
+    labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
+    labels.push(Label::new("flight", &[0.0, 0.75 * most]).coloured(INK));
+    let separatrix = Stroke::of_curve(Curve::Separatrix).wide(FINE);
+    let layers = vec![
+        band(portrait).drawn(fill),
+        portrait.separatrix().drawn(separatrix),
+        unloading.drawn(Curve::NormalForceZero),
+        lift_off.drawn(Curve::LiftOff),
+    ];
+    (layers, labels)
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
@@ -109,24 +121,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         return Err(FigureError::NeedsInertia { figure: NAME });
     };
     let portrait = Portrait::new(hoop, portrait_window(hoop));
-    let (unloading, lift_off) = (portrait.unloading_locus(), portrait.lift_off_locus());
     let fill = Mark::Fill(Stroke::of_mode(Mode::Sliding).colour.over(PAPER, 0.35));
-    let most = portrait.window.y[1];
-    let mut labels: Vec<Label> = Vec::new();
-    let n = portrait.name_of(&unloading, [0.45 * PI, 0.72 * most], "*n*");
-    labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
-    labels.push(Label::new("flight", &[0.0, 0.75 * most]).coloured(INK));
-    let curve = |curve: Curve| Mark::Line(Stroke::of_curve(curve));
-    let layers = vec![
-        band(&portrait).drawn(fill),
-        portrait
-            .separatrix()
-            .drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)),
-        unloading.drawn(curve(Curve::NormalForceZero)),
-        lift_off.drawn(curve(Curve::LiftOff)),
-    ];
+    let (layers, labels) = of_lift_off(&portrait, fill);
     let say = input.wording();
-    let [x, y] = portrait.axes(say);
     let contents = [
         Content {
             name: "gliding",
@@ -135,19 +132,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             layers: of_gliding(body),
             labels: Vec::new(),
         },
-        Content {
-            name: "lift-off",
-            x,
-            y,
-            layers,
-            labels,
-        },
+        portrait.content("lift-off", say, layers, labels),
     ];
     let keys = vec![
         (Mark::Line(GLIDING), "orbits of gliding".to_owned()),
         (Mark::Line(PRINTED), "lines of (3.18) as printed".to_owned()),
         (fill, "slides; lifts off in the paper".to_owned()),
-        (curve(Curve::LiftOff), lift_off_condition(hoop.slope())),
+        (Curve::LiftOff.into(), lift_off_condition(hoop.slope())),
     ];
     let caption = format!(
         "What the paper prints, beside what holds. First: gliding of the massless hoop through four places (crosses), along lines of \
@@ -158,12 +149,6 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.remark(),
         say.body(hoop)
     );
-    Ok(input.sheet(860.0)?.pair(
-        NAME,
-        "The paper against exact",
-        caption,
-        362.0,
-        contents,
-        keys,
-    ))
+    let (title, sheet) = ("The paper against exact", input.sheet(860.0)?);
+    Ok(sheet.pair(NAME, title, caption, 362.0, contents, keys))
 }

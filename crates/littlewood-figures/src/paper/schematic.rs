@@ -2,15 +2,16 @@
 
 use core::f64::consts::PI;
 
+use littlewood_draw::{
+    Content, Figure, HATCH, INK, Label, Layer, Mark, PlotAxis, SOFT, Series, Sheet, Stroke, tilted,
+};
+use littlewood_style::Dash;
+use littlewood_style::width::{BOLD, CURVE, FINE};
+
 use crate::columns::{X as X_COLUMN, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::bounds;
-use littlewood_draw::{
-    Content, Figure, HATCH, INK, Label, Mark, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, tilted,
-};
-use littlewood_style::Dash;
-use littlewood_style::width::{BOLD, CURVE, FINE};
 
 const NAME: &str = "figure-1";
 const COLUMNS: [&str; 2] = [X_COLUMN, Y];
@@ -22,81 +23,98 @@ const ARC: u32 = 180;
 const THETA: f64 = 0.8;
 /// Where its centre stands.
 const X: f64 = 2.1;
+const CENTRE: [f64; 2] = [X, 1.0];
 /// Where the arrow of gravity begins.
 const GRAVITY: [f64; 2] = [3.45, 2.1];
 /// Length of the horizontal at a slope.
 const SLOPE: f64 = 1.3;
+/// Length of a unit vector, and radius of the arc of θ.
+const UNIT: f64 = 0.62;
+/// Distance of the lines of ℓ and of h from the radius.
+const OF_OFFSET: f64 = 0.4;
+const OF_H: f64 = 0.18;
 
-fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Piece {
-    (0..=ARC)
-        .map(|i| {
-            let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / f64::from(ARC));
-            vec![centre[0] - radius * sin, centre[1] + radius * cos]
-        })
-        .collect()
+/// What is drawn so far.
+struct Drawing {
+    layers: Vec<Layer>,
+    labels: Vec<Label>,
+    /// Ranges of the coordinates along the plane and upright to it.
+    x: [f64; 2],
+    y: [f64; 2],
 }
 
-pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
-    input.loaded(NAME)?;
-    let hoop = &input.hoop;
+/// A place so far from the centre along the radius of the particle, and so far across it.
+fn on_radius(distance: f64, across: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(THETA);
-    let along = |distance: f64| [X - distance * sin, 1.0 + distance * cos];
-    let across =
-        |base: [f64; 2], distance: f64| [base[0] + distance * cos, base[1] + distance * sin];
-    let segment = |name: &str, a: [f64; 2], b: [f64; 2]| {
-        Series::of_rows(name, &COLUMNS, vec![a.to_vec(), b.to_vec()])
-    };
-    let point = |name: &str, a: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec()]);
-    let thin = Mark::Line(Stroke::solid(INK, FINE));
-    let witness = Mark::Line(Stroke::solid(SOFT, 0.6));
-    let axis = Mark::Arrow(Stroke::solid(INK, CURVE));
-    let dotted = Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed));
+    let [x, y] = [X - distance * sin, 1.0 + distance * cos];
+    [x + across * cos, y + across * sin]
+}
 
-    let slope = hoop.slope();
-    let (mut x_range, y_range) = ([-0.45, 3.75], [-0.62, 2.5]);
-    // Room for the angle, at the lower end of the plane.
-    if slope != 0.0 {
-        x_range[usize::from(slope < 0.0)] -= libm::copysign(1.2, slope);
+/// The arc of a circle about the centre.
+fn arc(radius: f64, from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
+    (0..=ARC).map(move |i| {
+        let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / f64::from(ARC));
+        [CENTRE[0] - radius * sin, CENTRE[1] + radius * cos]
+    })
+}
+
+/// So far below the place of gravity, as the paper has it.
+fn beside_gravity(slope: f64, length: f64) -> [f64; 2] {
+    let [right, up] = tilted(-slope, [0.0, -length]);
+    [GRAVITY[0] + right, GRAVITY[1] + up]
+}
+
+impl Drawing {
+    fn line(&mut self, name: &str, from: [f64; 2], to: [f64; 2], mark: impl Into<Mark>) {
+        let series = Series::of_rows(name, &COLUMNS, [from, to]);
+        self.layers.push(series.drawn(mark));
     }
-    let centre = [X, 1.0];
-    let particle = along(hoop.offset());
-    let mass_centre = along(hoop.h());
-    let ground = [
-        [x_range[0], 0.0],
-        [x_range[1], 0.0],
-        [x_range[1], -0.09],
-        [x_range[0], -0.09],
-    ];
-    let tip = along(1.55);
-    let beside_gravity = |length: f64| {
-        let [right, up] = tilted(-slope, [0.0, -length]);
-        [GRAVITY[0] + right, GRAVITY[1] + up]
-    };
-    let mut layers = vec![
-        Series::of_rows("ground", &COLUMNS, ground.map(Vec::from).to_vec())
-            .drawn(Mark::Hatch(HATCH)),
-        segment("ground", [x_range[0], 0.0], [x_range[1], 0.0]).drawn(Stroke::solid(INK, 1.4)),
-        segment("normal", [X, 0.0], [X, 2.38]).drawn(dotted),
-        segment("radius", centre, particle).drawn(Stroke::solid(INK, CURVE)),
-        segment("e2", centre, tip).drawn(axis),
-        segment("e1", centre, across(centre, 0.62)).drawn(axis),
-        segment("E1", [0.0, 0.0], [0.62, 0.0]).drawn(axis),
-        segment("E2", [0.0, 0.0], [0.0, 0.62]).drawn(axis),
-        Series::of_rows("theta", &COLUMNS, arc(centre, 0.62, 0.0, THETA - 0.04))
-            .drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
-        segment("gravity", GRAVITY, beside_gravity(0.6)).drawn(axis),
-        segment("x", [0.0, -0.36], [X, -0.36]).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
-        segment("x foot", [X, 0.0], [X, -0.46]).drawn(thin),
-        segment("x origin", [0.0, 0.0], [0.0, -0.46]).drawn(thin),
-    ];
-    layers.push(
-        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI))
-            .drawn(Stroke::solid(SOFT, BOLD)),
-    );
-    // Lengths beside the radius, on the side away from the angle.
-    let beside = |distance: f64, away: f64| across(along(distance), -away);
-    let length = |name: &str, to: f64, away: f64| {
-        let end = away + 0.05;
+
+    fn arrow(&mut self, name: &str, from: [f64; 2], to: [f64; 2], width: f64) {
+        self.line(name, from, to, Mark::Arrow(Stroke::solid(INK, width)));
+    }
+
+    fn point(&mut self, name: &str, at: [f64; 2], mark: Mark) {
+        self.layers
+            .push(Series::of_rows(name, &COLUMNS, [at]).drawn(mark));
+    }
+
+    /// A text so far from a place, in pixels.
+    fn label(&mut self, text: &str, at: [f64; 2], right: f64, down: f64) {
+        self.labels.push(Label::new(text, &at).shifted(right, down));
+    }
+
+    /// The plane and the directions.
+    fn directions(&mut self, slope: f64, offset: f64) {
+        let [left, right] = self.x;
+        let ground = [[left, 0.0], [right, 0.0], [right, -0.09], [left, -0.09]];
+        let ground = Series::of_rows("ground", &COLUMNS, ground);
+        self.layers.push(ground.drawn(Mark::Hatch(HATCH)));
+        let plane = Stroke::solid(INK, 1.4);
+        self.line("ground", [left, 0.0], [right, 0.0], plane);
+        let dotted = Stroke::solid(SOFT, FINE).dashed(Dash::Dashed);
+        self.line("normal", [X, 0.0], [X, 2.38], dotted);
+        let radius = Stroke::solid(INK, CURVE);
+        self.line("radius", CENTRE, on_radius(offset, 0.0), radius);
+        self.arrow("e2", CENTRE, on_radius(1.55, 0.0), CURVE);
+        self.arrow("e1", CENTRE, on_radius(0.0, UNIT), CURVE);
+        self.arrow("E1", [0.0, 0.0], [UNIT, 0.0], CURVE);
+        self.arrow("E2", [0.0, 0.0], [0.0, UNIT], CURVE);
+        let theta = Series::of_rows("theta", &COLUMNS, arc(UNIT, 0.0, THETA - 0.04));
+        self.layers
+            .push(theta.drawn(Mark::Arrow(Stroke::solid(INK, 1.0))));
+        self.arrow("gravity", GRAVITY, beside_gravity(slope, 0.6), CURVE);
+        self.arrow("x", [0.0, -0.36], [X, -0.36], 1.0);
+        let thin = Stroke::solid(INK, FINE);
+        self.line("x foot", [X, 0.0], [X, -0.46], thin);
+        self.line("x origin", [0.0, 0.0], [0.0, -0.46], thin);
+        let rim = Series::of_rows("rim", &COLUMNS, arc(1.0, 0.0, 2.0 * PI));
+        self.layers.push(rim.drawn(Stroke::solid(SOFT, BOLD)));
+    }
+
+    /// A length from the centre along the radius, beside it on the side away from the angle.
+    fn length(&mut self, name: &str, to: f64, away: f64) {
+        let beside = |distance: f64, away: f64| on_radius(distance, -away);
         // Where there is room for two heads.
         let line = Stroke::solid(INK, 0.8);
         let line = if to > 0.2 {
@@ -104,112 +122,129 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         } else {
             Mark::Line(line)
         };
-        vec![
-            segment(name, beside(0.0, away), beside(to, away)).drawn(line),
-            segment(name, beside(to, away), beside(0.0, away)).drawn(line),
-            segment("witness", beside(0.0, 0.06), beside(0.0, end)).drawn(witness),
-            segment("witness", beside(to, 0.06), beside(to, end)).drawn(witness),
-        ]
-    };
-    let has_two = hoop.h() < hoop.offset();
-    layers.extend(length("l", hoop.offset(), 0.4));
-    if has_two {
-        layers.extend(length("h", hoop.h(), 0.18));
+        self.line(name, beside(0.0, away), beside(to, away), line);
+        self.line(name, beside(to, away), beside(0.0, away), line);
+        let witness = Stroke::solid(SOFT, 0.6);
+        for end in [0.0, to] {
+            self.line(
+                "witness",
+                beside(end, 0.06),
+                beside(end, away + 0.05),
+                witness,
+            );
+        }
     }
-    // The radius R, to the right.
-    let rim = [X + libm::sin(2.0), 1.0 + libm::cos(2.0)];
-    layers.push(segment("R", centre, rim).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))));
-    layers.push(point("C", centre).drawn(Mark::Dot(INK, 2.8)));
-    layers.push(point("particle", particle).drawn(Mark::Dot(INK, 6.5)));
-    layers.push(point("contact", [X, 0.0]).drawn(Mark::Dot(INK, 2.8)));
-    if has_two {
-        layers.push(point("mass centre", mass_centre).drawn(Mark::Ring(INK, 3.6)));
+
+    fn names(&mut self, slope: f64, offset: f64) {
+        let rim = Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]);
+        self.label("*C*", CENTRE, 13.0, 10.0);
+        self.label("*m*_{2}", on_radius(offset, 0.0), -18.0, -2.0);
+        self.labels
+            .push(rim.shifted(8.0, -6.0).left().coloured(SOFT));
+        self.label("*X*_{P}", [X, 0.0], 14.0, 17.0);
+        let middle = arc(UNIT, 0.5 * THETA, 0.5 * THETA).next();
+        self.label("*θ*", middle.unwrap_or(CENTRE), -3.0, -11.0);
+        self.label("`e`_{2}", on_radius(1.55, 0.0), -4.0, -10.0);
+        self.label("`e`_{1}", on_radius(0.0, UNIT), 12.0, -5.0);
+        self.label("`E`_{1}", [UNIT, 0.0], 4.0, -13.0);
+        self.label("`E`_{2}", [0.0, UNIT], 0.0, -12.0);
+        self.label("*O*", [0.0, 0.0], -12.0, 12.0);
+        self.label("`g`", beside_gravity(slope, 0.3), 11.0, 0.0);
+        self.label("*x*", [0.5 * X, -0.36], 0.0, 0.0);
+        self.label("*ℓ*", on_radius(0.5 * offset, -OF_OFFSET), -9.0, 7.0);
+        let radius = [X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)];
+        self.label("*R*", radius, 6.0, -10.0);
     }
-    let middle = |to: f64, away: f64| beside(0.5 * to, away);
-    let half = arc(centre, 0.62, 0.5 * THETA, 0.5 * THETA);
-    let mut labels = vec![
-        Label::new("*C*", &centre).shifted(13.0, 10.0),
-        Label::new("*m*_{2}", &particle).shifted(-18.0, -2.0),
-        Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73])
-            .shifted(8.0, -6.0)
-            .left()
-            .coloured(SOFT),
-        Label::new("*X*_{P}", &[X, 0.0]).shifted(14.0, 17.0),
-        Label::new("*θ*", &half[0]).shifted(-3.0, -11.0),
-        Label::new("`e`_{2}", &tip).shifted(-4.0, -10.0),
-        Label::new("`e`_{1}", &across(centre, 0.62)).shifted(12.0, -5.0),
-        Label::new("`E`_{1}", &[0.62, 0.0]).shifted(4.0, -13.0),
-        Label::new("`E`_{2}", &[0.0, 0.62]).shifted(0.0, -12.0),
-        Label::new("*O*", &[0.0, 0.0]).shifted(-12.0, 12.0),
-        Label::new("`g`", &beside_gravity(0.3)).shifted(11.0, 0.0),
-        Label::new("*x*", &[0.5 * X, -0.36]),
-        Label::new("*ℓ*", &middle(hoop.offset(), 0.4)).shifted(-9.0, 7.0),
-        Label::new(
-            "*R*",
-            &[X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)],
-        )
-        .shifted(6.0, -10.0),
-    ];
-    if has_two {
-        labels.push(Label::new("*X̄*", &mass_centre).shifted(14.0, 2.0));
-        labels.push(Label::new("*h*", &middle(hoop.h(), 0.18)).shifted(-7.0, 7.0));
-    }
-    if slope != 0.0 {
-        let apex = x_range[usize::from(slope < 0.0)];
-        let reach = f64::min(SLOPE, -y_range[0] / libm::sin(slope).abs());
+
+    /// The angle by which the plane rises, at its lower end.
+    fn slope(&mut self, slope: f64) {
+        let apex = self.x[usize::from(slope < 0.0)];
+        let reach = f64::min(SLOPE, -self.y[0] / libm::sin(slope).abs());
         let at = |share: f64, angle: f64| {
             let [right, up] = tilted(-angle, [libm::copysign(share * reach, slope), 0.0]);
             [apex + right, up]
         };
-        let arc = (0..=ARC)
-            .map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)).to_vec())
-            .collect();
-        layers.push(segment("horizontal", [apex, 0.0], at(1.0, slope)).drawn(dotted));
-        layers.push(Series::of_rows("slope", &COLUMNS, arc).drawn(Stroke::solid(INK, 1.0)));
-        labels.push(Label::new("*α*", &at(0.82, 0.5 * slope)));
+        let dotted = Stroke::solid(SOFT, FINE).dashed(Dash::Dashed);
+        self.line("horizontal", [apex, 0.0], at(1.0, slope), dotted);
+        let arc = (0..=ARC).map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)));
+        let arc = Series::of_rows("slope", &COLUMNS, arc);
+        self.layers.push(arc.drawn(Stroke::solid(INK, 1.0)));
+        self.label("*α*", at(0.82, 0.5 * slope), 0.0, 0.0);
+    }
+}
+
+fn caption(input: &FigureInput) -> String {
+    format!(
+        "A hoop or disc of mass *m*_{{1}}, radius *R* and moment of inertia *I*_{{zz}} about its centre *C* carries a \
+         particle of mass *m*_{{2}} at the distance *ℓ*. The mass centre *X̄* of the whole lies at *h* = \
+         *m*_{{2}}*ℓ*/(*m*_{{1}} + *m*_{{2}}) from *C* (2.4). *θ* is the angle of the particle from the {}, \
+         counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ `E`_{{1}} with *η* = \
+         *x* + *Rθ* (2.6, 2.7). Drawn to scale for {}.",
+        if input.hoop.slope() == 0.0 {
+            "upward vertical"
+        } else {
+            "normal of the plane, which rises by *α*"
+        },
+        input.wording().body(&input.hoop)
+    )
+}
+
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    input.loaded(NAME)?;
+    let (offset, h, slope) = (input.hoop.offset(), input.hoop.h(), input.hoop.slope());
+    let mut drawing = Drawing {
+        layers: Vec::new(),
+        labels: Vec::new(),
+        x: [-0.45, 3.75],
+        y: [-0.62, 2.5],
+    };
+    // Room for the angle, at the lower end of the plane.
+    if slope != 0.0 {
+        drawing.x[usize::from(slope < 0.0)] -= libm::copysign(1.2, slope);
+    }
+    drawing.directions(slope, offset);
+    drawing.length("l", offset, OF_OFFSET);
+    let has_two = h < offset;
+    if has_two {
+        drawing.length("h", h, OF_H);
+    }
+    // The radius R, to the right.
+    let rim = [X + libm::sin(2.0), 1.0 + libm::cos(2.0)];
+    drawing.arrow("R", CENTRE, rim, 1.0);
+    drawing.point("C", CENTRE, Mark::Dot(INK, 2.8));
+    drawing.point("particle", on_radius(offset, 0.0), Mark::Dot(INK, 6.5));
+    drawing.point("contact", [X, 0.0], Mark::Dot(INK, 2.8));
+    drawing.names(slope, offset);
+    if has_two {
+        let mass_centre = on_radius(h, 0.0);
+        drawing.point("mass centre", mass_centre, Mark::Ring(INK, 3.6));
+        drawing.label("*X̄*", mass_centre, 14.0, 2.0);
+        drawing.label("*h*", on_radius(0.5 * h, -OF_H), -7.0, 7.0);
+    }
+    if slope != 0.0 {
+        drawing.slope(slope);
     }
     // The coordinates of the plane, turned.
     let corners = || {
-        x_range
-            .into_iter()
-            .flat_map(|x| y_range.map(|y| tilted(slope, [x, y])))
+        let corner = |x| drawing.y.map(|y| tilted(slope, [x, y]));
+        drawing.x.into_iter().flat_map(corner)
     };
-    let (x_range, y_range) = (
-        bounds(corners().map(|[x, _]| x), 0.0),
-        bounds(corners().map(|[_, y]| y), 0.0),
-    );
-    let sheet = input.sheet(SCALE * (x_range[1] - x_range[0]))?;
-    let (width, height) = (
-        sheet.width,
-        sheet.width * (y_range[1] - y_range[0]) / (x_range[1] - x_range[0]),
-    );
-    let [x, y] = [
-        PlotAxis::silent(X_COLUMN, x_range),
-        PlotAxis::silent(Y, y_range),
-    ];
-    let panel = Sheet::bare(
-        [0.0, 0.0, width, height],
-        Content {
-            name: "body",
-            x,
-            y,
-            layers,
-            labels,
-        },
-        slope,
-    );
+    let x = bounds(corners().map(|[x, _]| x), 0.0);
+    let y = bounds(corners().map(|[_, y]| y), 0.0);
+    let sheet = input.sheet(SCALE * (x[1] - x[0]))?;
+    let height = sheet.width * (y[1] - y[0]) / (x[1] - x[0]);
+    let content = Content {
+        name: "body",
+        x: PlotAxis::silent(X_COLUMN, x),
+        y: PlotAxis::silent(Y, y),
+        layers: drawing.layers,
+        labels: drawing.labels,
+    };
+    let panel = Sheet::bare([0.0, 0.0, sheet.width, height], content, slope);
     Ok(sheet.figure(
         NAME,
         "Figure 1: the body",
-        format!(
-            "A hoop or disc of mass *m*_{{1}}, radius *R* and moment of inertia *I*_{{zz}} about its centre *C* carries a \
-             particle of mass *m*_{{2}} at the distance *ℓ*. The mass centre *X̄* of the whole lies at *h* = \
-             *m*_{{2}}*ℓ*/(*m*_{{1}} + *m*_{{2}}) from *C* (2.4). *θ* is the angle of the particle from the {}, \
-             counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ `E`_{{1}} with *η* = \
-             *x* + *Rθ* (2.6, 2.7). Drawn to scale for {}.",
-            if slope == 0.0 { "upward vertical" } else { "normal of the plane, which rises by *α*" },
-            input.wording().body(hoop)
-        ),
+        caption(input),
         height,
         vec![panel],
     ))

@@ -8,17 +8,17 @@ use littlewood::theory::closed_form::{
 use littlewood::theory::{RollingType, Window};
 use littlewood::{Hoop, Mode, Start};
 use littlewood_draw::{
-    Entries, FRICTION_FORCE, Figure, INK, LETTER, Label, Layer, Mark, NORMAL_FORCE, PAPER, Piece,
-    REGION, Series, Stroke, THEME, short, width,
+    Entries, FRICTION_FORCE, Figure, INK, LETTER, Label, Layer, Mark, NORMAL_FORCE, PAPER, REGION,
+    Rgb, Series, Stroke, THEME, short, width,
 };
-
-use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
-use crate::error::FigureError;
-use crate::input::FigureInput;
-use crate::plane::{Portrait, in_time, rows, unloading_lines};
 use littlewood_style::ticks::Tick;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash, of_mode};
+
+use crate::columns::{ORBIT, PLANE};
+use crate::error::FigureError;
+use crate::input::FigureInput;
+use crate::plane::{Portrait, in_time, mirrored, rows_with, unloading_lines};
 
 /// Rates from the axis of the plane to its end.
 const MOST: f64 = 1.35;
@@ -34,26 +34,27 @@ const LARGER: [f64; 6] = [3.0, 2.5, 2.0, 1.6, 1.3, 1.0];
 /// Points of the orbit of Type II.
 const POINTS: u32 = 160;
 
-/// The part of the plane with 𝓡 in it, and θ_s.
-fn portrait_of(input: &FigureInput) -> (Portrait, f64) {
-    let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
-    let side = f64::min(1.45 * theta_s, PI);
-    (
-        Portrait::new(
-            &input.hoop,
-            Window {
-                x: [-side, side],
-                y: [-MOST, MOST],
-            },
-        ),
-        theta_s,
-    )
+/// A place of the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Place {
+    theta: f64,
+    rate: f64,
 }
 
-/// The type of a motion that rolls from here, as the core has it.
-fn type_of(hoop: &Hoop, [theta, rate]: [f64; 2]) -> Option<RollingType> {
-    let found = hoop.classify(Start::at(theta, rate)).ok()?;
-    found.rolling_type
+impl Place {
+    const fn at(theta: f64, rate: f64) -> Self {
+        Self { theta, rate }
+    }
+
+    const fn row(self) -> [f64; 2] {
+        [self.theta, self.rate]
+    }
+
+    /// The type of a motion that rolls from here, as the core has it.
+    fn kind(self, hoop: &Hoop) -> Option<RollingType> {
+        let found = hoop.classify(Start::at(self.theta, self.rate)).ok()?;
+        found.rolling_type
+    }
 }
 
 /// Which of the four parts into which the manifolds of the equilibrium divide 𝓡.
@@ -69,7 +70,7 @@ impl Part {
     const ALL: [Self; 4] = [Self::Above, Self::Below, Self::Left, Self::Right];
 
     /// Motions that pass over the top have more energy than at rest there.
-    fn of([theta, rate]: [f64; 2]) -> Self {
+    fn of(Place { theta, rate }: Place) -> Self {
         match (rolling_energy(theta, rate) > 1.0, theta > 0.0, rate > 0.0) {
             (true, _, true) => Self::Above,
             (true, _, false) => Self::Below,
@@ -79,12 +80,12 @@ impl Part {
     }
 
     /// The place on its axis at a share of the way out.
-    fn place(self, share: f64, theta_s: f64) -> [f64; 2] {
+    const fn place(self, share: f64, theta_s: f64) -> Place {
         match self {
-            Self::Above => [0.0, share],
-            Self::Below => [0.0, -share],
-            Self::Left => [-share * theta_s, 0.0],
-            Self::Right => [share * theta_s, 0.0],
+            Self::Above => Place::at(0.0, share),
+            Self::Below => Place::at(0.0, -share),
+            Self::Left => Place::at(-share * theta_s, 0.0),
+            Self::Right => Place::at(share * theta_s, 0.0),
         }
     }
 }
@@ -148,243 +149,300 @@ fn region_of_one(mu_s: f64, theta_s: f64) -> Vec<Vec<[f64; 2]>> {
     [(first, -1.0), (second, 1.0)].map(closed).to_vec()
 }
 
-/// Names of the types in their regions: in the middle of each part that has room for one; if none
-/// has, beside 𝓡, with a line to the region.
-fn names_of_types(input: &FigureInput) -> Result<(Vec<Layer>, Vec<Label>), FigureError> {
-    let (portrait, theta_s) = portrait_of(input);
-    let (hoop, Window { x, y }) = (&input.hoop, portrait.window);
-    let [wide, tall] = input.plane_size()?;
-    let to_a_pixel = [(x[1] - x[0]) / wide, (y[1] - y[0]) / tall];
-    let fits = |kind: RollingType, part: Part, at: [f64; 2], larger: f64| {
-        let half = [
-            0.5 * width(&name_of(kind), LETTER) + ABOUT,
-            0.5 * LETTER + ABOUT,
-        ];
+/// Where Figure 5 is drawn.
+struct Ground<'a> {
+    input: &'a FigureInput,
+    portrait: Portrait,
+    theta_s: f64,
+    /// Parts of the plane to a pixel, to the right and upwards.
+    to_a_pixel: Place,
+}
+
+impl<'a> Ground<'a> {
+    fn new(input: &'a FigureInput) -> Result<Self, FigureError> {
+        let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
+        let side = f64::min(1.45 * theta_s, PI);
+        let window = Window {
+            x: [-side, side],
+            y: [-MOST, MOST],
+        };
+        let Window { x, y } = window;
+        let [wide, tall] = input.plane_size()?;
+        Ok(Self {
+            input,
+            portrait: Portrait::new(&input.hoop, window),
+            theta_s,
+            to_a_pixel: Place::at((x[1] - x[0]) / wide, (y[1] - y[0]) / tall),
+        })
+    }
+
+    fn mu_s(&self) -> f64 {
+        self.input.hoop.mu_s()
+    }
+
+    /// The energy of Type II.
+    fn energy_of_two(&self) -> f64 {
+        RollingType::energy_of_ii(self.mu_s())
+    }
+
+    /// 𝓡.
+    fn region(&self) -> Window {
+        Window {
+            x: [-self.theta_s, self.theta_s],
+            y: [-1.0, 1.0],
+        }
+    }
+
+    /// Whether the name of a type has room about a place in a part of its region, in a box so much
+    /// larger.
+    fn fits(&self, kind: RollingType, part: Part, at: Place, larger: f64) -> bool {
+        let wide = 0.5 * width(&name_of(kind), LETTER) + ABOUT;
+        let high = 0.5 * LETTER + ABOUT;
         let sides = [-1.0, -0.5, 0.0, 0.5, 1.0];
         let mut around = sides
             .iter()
             .flat_map(|a| [[*a, -1.0], [*a, 1.0], [-1.0, *a], [1.0, *a]]);
-        around.all(|around| {
-            let place: [f64; 2] =
-                core::array::from_fn(|k| at[k] + larger * around[k] * half[k] * to_a_pixel[k]);
+        around.all(|[right, up]| {
+            let place = Place::at(
+                at.theta + larger * right * wide * self.to_a_pixel.theta,
+                at.rate + larger * up * high * self.to_a_pixel.rate,
+            );
             // Beyond π angles begin again.
-            place[0].abs() < theta_s
+            place.theta.abs() < self.theta_s
                 && Part::of(place) == part
-                && type_of(hoop, place) == Some(kind)
+                && place.kind(&self.input.hoop) == Some(kind)
         })
-    };
-    let (mut layers, mut labels) = (Vec::new(), Vec::new());
-    for kind in [RollingType::I, RollingType::III] {
-        let name = name_of(kind);
-        let before = labels.len();
-        for part in Part::ALL {
-            let places =
-                || (1..PLACES).map(|i| part.place(f64::from(i) / f64::from(PLACES), theta_s));
-            let roomy = LARGER.into_iter().find_map(|larger| {
-                let free: Vec<_> = places()
-                    .filter(|at| fits(kind, part, *at, larger))
+    }
+
+    /// The name of a type in the middle of each part of its region that has room for it.
+    fn names_inside(&self, kind: RollingType) -> Vec<Label> {
+        let in_part = |part: Part| {
+            let places = (1..PLACES).map(|i| f64::from(i) / f64::from(PLACES));
+            let places = places.map(|share| part.place(share, self.theta_s));
+            LARGER.into_iter().find_map(|larger| {
+                let free: Vec<Place> = places
+                    .clone()
+                    .filter(|at| self.fits(kind, part, *at, larger))
                     .collect();
                 free.get(free.len() / 2).copied()
-            });
-            labels.extend(roomy.map(|at| Label::new(&*name, &at).fixed()));
-        }
-        if labels.len() > before {
-            continue;
-        }
-        let over = |side: f64, at: f64, target: [f64; 2], label: Label| {
-            let below = BEYOND - (0.5 * LETTER + ABOUT) * to_a_pixel[1];
-            let line = vec![
-                vec![side * at, side * below],
-                target.map(|it| side * it).to_vec(),
-            ];
-            (line, label)
+            })
         };
-        let energy = RollingType::energy_of_ii(hoop.mu_s());
-        let lines = [1.0, -1.0].map(|side| match kind {
+        let places = Part::ALL.into_iter().filter_map(in_part);
+        places
+            .map(|at| Label::new(name_of(kind), &at.row()).fixed())
+            .collect()
+    }
+
+    /// The name of a type beside 𝓡, on either side, with a line to its region.
+    fn names_beside(&self, kind: RollingType) -> (Vec<Layer>, [Label; 2]) {
+        let (name, energy) = (name_of(kind), self.energy_of_two());
+        // Where the line begins, where it ends, and where the name stands, to the right.
+        let (from, to, label) = match kind {
             // A strip below n.
             RollingType::I | RollingType::II => {
-                let theta = BESIDE * theta_s;
+                let theta = BESIDE * self.theta_s;
                 let cos = libm::cos(theta);
                 let least = ((energy - cos) / (1.0 + cos)).max(0.0).sqrt();
-                let label = Label::new(&*name, &[side * theta, side * BEYOND]);
-                over(side, theta, [theta, 0.5 * (least + 1.0)], label)
+                let label = Label::new(&*name, &[theta, BEYOND]);
+                (theta, Place::at(theta, 0.5 * (least + 1.0)), label)
             }
             // A strip beside f, from beyond f.
             RollingType::III => {
-                let theta = 0.5 * (libm::acos(energy.clamp(-1.0, 1.0)) + theta_s);
-                let label = Label::new(&*name, &[side * x[1], side * BEYOND]);
-                let label = label.shifted(-side * ABOUT, 0.0);
-                let label = if side > 0.0 {
-                    label.right()
-                } else {
-                    label.left()
-                };
-                over(side, 0.5 * (theta_s + x[1]), [theta, 0.0], label)
+                let theta = 0.5 * (libm::acos(energy.clamp(-1.0, 1.0)) + self.theta_s);
+                let edge = self.portrait.window.x[1];
+                let label = Label::new(&*name, &[edge, BEYOND]).shifted(-ABOUT, 0.0);
+                (
+                    0.5 * (self.theta_s + edge),
+                    Place::at(theta, 0.0),
+                    label.right(),
+                )
             }
+        };
+        let below = BEYOND - (0.5 * LETTER + ABOUT) * self.to_a_pixel.rate;
+        let lines = [1.0, -1.0].map(|side| {
+            let begin = [side * from, side * below];
+            [begin, to.row().map(|it| side * it)]
         });
-        let (pieces, own): (Vec<Piece>, Vec<Label>) = lines.into_iter().unzip();
-        let ends = pieces.iter().map(|piece| piece[1].clone()).collect();
-        layers.push(
-            Series::new(format!("to {name}"), &PLANE, pieces).drawn(Stroke::solid(INK, FINE)),
-        );
-        layers.push(Series::of_rows(format!("in {name}"), &PLANE, ends).drawn(Mark::Dot(INK, 1.8)));
-        labels.extend(own.into_iter().map(Label::fixed));
+        let layers = vec![
+            Series::new(format!("to {name}"), &PLANE, lines).drawn(Stroke::solid(INK, FINE)),
+            Series::of_rows(format!("in {name}"), &PLANE, lines.map(|line| line[1]))
+                .drawn(Mark::Dot(INK, 1.8)),
+        ];
+        let [label, left] = mirrored(label, 0);
+        let [_, other] = mirrored(left, 1);
+        (layers, [label, other].map(Label::fixed))
     }
-    Ok((layers, labels))
+
+    /// Names of the types in their regions; if none has room, beside 𝓡.
+    fn names_of_types(&self) -> (Vec<Layer>, Vec<Label>) {
+        let (mut layers, mut labels) = (Vec::new(), Vec::new());
+        for kind in [RollingType::I, RollingType::III] {
+            let inside = self.names_inside(kind);
+            if inside.is_empty() {
+                let (lines, beside) = self.names_beside(kind);
+                layers.extend(lines);
+                labels.extend(beside);
+            }
+            labels.extend(inside);
+        }
+        (layers, labels)
+    }
+
+    /// An orbit as far as it runs in 𝓡.
+    fn in_region(&self, energy: f64) -> Vec<Vec<[f64; 2]>> {
+        let inner = Portrait {
+            window: self.region(),
+            ..self.portrait
+        };
+        let pieces = inner.orbit(energy).pieces.into_iter();
+        pieces
+            .map(|piece| piece.into_iter().map(|row| [row[0], row[1]]).collect())
+            .collect()
+    }
+
+    /// *f* and *n*.
+    fn bounds(&self) -> impl Iterator<Item = Layer> {
+        let limit = self.portrait.massless_limit();
+        let limit = limit.map(|(_, series)| series.drawn(Curve::SlipLimit));
+        let n = unloading_lines(self.theta_s).drawn(Curve::NormalForceZero);
+        limit.into_iter().chain([n])
+    }
+
+    fn figure(
+        self,
+        name: &'static str,
+        title: &str,
+        caption: String,
+        layers: Vec<Layer>,
+        labels: Vec<Label>,
+        keys: Entries,
+    ) -> Result<Figure, FigureError> {
+        let say = self.input.wording();
+        let own = [1.0, -1.0].map(|sign: f64| Tick {
+            value: sign * self.theta_s,
+            label: format!("{}*θ*_{{s}}", if sign < 0.0 { "−" } else { "" }),
+        });
+        let mut content = self.portrait.content("plane", say, layers, labels);
+        content.x = say.angle_with(self.portrait.window.x, own.to_vec());
+        self.input.plane(name, title, caption, content, keys)
+    }
 }
 
-/// An orbit as far as it runs in 𝓡.
-fn in_region(portrait: &Portrait, theta_s: f64, energy: f64) -> Vec<Vec<[f64; 2]>> {
-    let inner = Portrait {
-        window: Window {
-            x: [-theta_s, theta_s],
-            y: [-1.0, 1.0],
-        },
-        ..*portrait
-    };
-    inner
-        .orbit(energy)
-        .pieces
-        .into_iter()
-        .map(|piece| piece.into_iter().map(|row| [row[0], row[1]]).collect())
-        .collect()
-}
-
-fn frame(portrait: &Portrait, theta_s: f64) -> impl Iterator<Item = Layer> {
-    let limit = portrait
-        .massless_limit()
-        .map(|(_, series)| series.drawn(Curve::SlipLimit));
-    limit
-        .into_iter()
-        .chain([unloading_lines(theta_s).drawn(Curve::NormalForceZero)])
+/// The names of *n* and *f*, on both sides.
+fn names_of_bounds(n: Label, f: Label) -> impl Iterator<Item = Label> {
+    let n = mirrored(n.coloured(NORMAL_FORCE), 1);
+    n.into_iter().chain(mirrored(f.coloured(FRICTION_FORCE), 0))
 }
 
 const NOTE: &str =
     "The caption of the paper has *θ*_{s} = 26.5651°, which is half of *θ*_{s} by (3.9).";
 
-fn figure(
-    input: &FigureInput,
-    name: [&'static str; 2],
-    caption: String,
-    drawn: (Vec<Layer>, Vec<Label>),
-    keys: Entries,
-) -> Result<Figure, FigureError> {
-    let (portrait, theta_s) = portrait_of(input);
-    let (say, Window { x, y }) = (input.wording(), portrait.window);
-    let own = [1.0, -1.0].map(|sign: f64| Tick {
-        value: sign * theta_s,
-        label: format!("{}*θ*_{{s}}", if sign < 0.0 { "−" } else { "" }),
-    });
-    let x = say.angle_with(x, own.to_vec());
-    input.plane(name, caption, [x, say.rate(y)], drawn, keys)
+/// A manifold of the equilibrium.
+struct Manifold {
+    name: &'static str,
+    flow: &'static str,
+    rate: fn(f64) -> f64,
+    /// The next place along the flow, towards the equilibrium or away from it.
+    onward: f64,
+}
+
+const MANIFOLDS: [Manifold; 2] = [
+    Manifold {
+        name: "Ws",
+        flow: "flow on Ws",
+        rate: stable_manifold_rate,
+        onward: 0.98,
+    },
+    Manifold {
+        name: "Wu",
+        flow: "flow on Wu",
+        rate: unstable_manifold_rate,
+        onward: 1.02,
+    },
+];
+
+impl Manifold {
+    fn line(&self, window: Window) -> Layer {
+        let pieces = window.pieces(window.x, 200, &|theta| Some([theta, (self.rate)(theta)]));
+        Series::new(self.name, &PLANE, pieces).drawn(Curve::Separatrix)
+    }
+
+    /// Arrows on both halves, which reach so far.
+    fn heads(&self, reach: f64) -> Layer {
+        let head = |share: f64| {
+            [share * reach, self.onward * share * reach].map(|theta| [theta, (self.rate)(theta)])
+        };
+        Series::new(self.flow, &PLANE, [0.6, -0.6].map(head)).drawn(Mark::Head(INK))
+    }
 }
 
 /// Figure 5(a).
 pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-5a";
     input.littlewood_that_rolls(NAME)?;
-    let (portrait, theta_s) = portrait_of(input);
-    let mu_s = input.hoop.mu_s();
-    let two = RollingType::energy_of_ii(mu_s);
+    let ground = Ground::new(input)?;
+    let (mu_s, theta_s, two) = (ground.mu_s(), ground.theta_s, ground.energy_of_two());
     let mut layers = vec![
-        portrait.rolling_region().drawn(Mark::Fill(REGION)),
-        Series::new("Type I", &PLANE, rows(region_of_one(mu_s, theta_s)))
+        ground.portrait.rolling_region().drawn(Mark::Fill(REGION)),
+        Series::new("Type I", &PLANE, region_of_one(mu_s, theta_s))
             .drawn(Mark::Fill(of_mode(Mode::Rolling, THEME).over(PAPER, 0.3))),
-        Series::new("Type II", &PLANE, rows(motions_of_two(mu_s, theta_s)))
+        Series::new("Type II", &PLANE, motions_of_two(mu_s, theta_s))
             .drawn(Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
     ];
-    let window = Window {
-        x: [-theta_s, theta_s],
-        y: [-1.0, 1.0],
-    };
+    layers.extend(MANIFOLDS.iter().map(|it| it.line(ground.region())));
+    layers.extend(ground.bounds());
+    layers.extend(ground.portrait.equilibria());
     // The manifolds leave 𝓡 through f, or through n, which they cross at ±π/2.
     let reach = f64::min(theta_s, FRAC_PI_2);
-    // Towards the equilibrium, and away from it.
-    type Manifold = (&'static str, &'static str, fn(f64) -> f64, f64);
-    let manifolds: [Manifold; 2] = [
-        ("Ws", "flow on Ws", stable_manifold_rate, 0.98),
-        ("Wu", "flow on Wu", unstable_manifold_rate, 1.02),
-    ];
-    for (name, _, rate, _) in manifolds {
-        let pieces = window.pieces(window.x, 200, &|theta| Some([theta, rate(theta)]));
-        layers.push(Series::new(name, &PLANE, rows(pieces)).drawn(Curve::Separatrix));
-    }
-    layers.extend(frame(&portrait, theta_s));
-    layers.extend(portrait.equilibria());
-    for (_, name, rate, onward) in manifolds {
-        let head = |share: f64| {
-            [share * reach, onward * share * reach]
-                .map(|theta| vec![theta, rate(theta)])
-                .to_vec()
-        };
-        let heads = [0.6, -0.6].map(head);
-        layers.push(Series::new(name, &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
-    }
-
+    layers.extend(MANIFOLDS.iter().map(|it| it.heads(reach)));
     let on_two = if two >= 1.0 {
         let theta = 0.56 * theta_s;
-        [
-            theta,
-            ((two - libm::cos(theta)) / (1.0 + libm::cos(theta))).sqrt(),
-        ]
+        let cos = libm::cos(theta);
+        [theta, ((two - cos) / (1.0 + cos)).sqrt()]
     } else {
         [libm::acos((two - 0.25) / 1.25), 0.5]
     };
-    let (lines, mut labels) = names_of_types(input)?;
+    let (lines, mut labels) = ground.names_of_types();
     layers.extend(lines);
     let manifold = |share: f64, rate: fn(f64) -> f64| [share * reach, rate(share * reach)];
     labels.extend([
         Label::new("Type II", &on_two).sized(12.5),
         Label::new("*W*^{s}", &manifold(-0.8, stable_manifold_rate)).shifted(8.0, -10.0),
         Label::new("*W*^{u}", &manifold(0.8, unstable_manifold_rate)).shifted(-8.0, -10.0),
-        Label::new("*n*: *N* = 0", &[0.0, 1.0])
-            .shifted(0.0, -14.0)
-            .coloured(NORMAL_FORCE),
-        Label::new("*n*: *N* = 0", &[0.0, -1.0])
-            .shifted(0.0, 14.0)
-            .coloured(NORMAL_FORCE),
-        Label::new("*f*", &[theta_s, 0.0])
-            .shifted(10.0, 0.0)
-            .left()
-            .coloured(FRICTION_FORCE),
-        Label::new("*f*", &[-theta_s, 0.0])
-            .shifted(-10.0, 0.0)
-            .right()
-            .coloured(FRICTION_FORCE),
-        Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0),
     ]);
+    let f = Label::new("*f*", &[theta_s, 0.0]).shifted(10.0, 0.0).left();
+    let n = Label::new("*n*: *N* = 0", &[0.0, 1.0]).shifted(0.0, -14.0);
+    labels.extend(names_of_bounds(n, f));
+    labels.push(Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0));
+    let [degrees, two, mu_s] = [theta_s.to_degrees(), two, mu_s].map(short);
     let caption = format!(
         "The region 𝓡 of the rolling massless hoop and what ends a motion in it. On *n* the normal force vanishes; on \
-         *f* static friction gives way, at *θ* = ±*θ*_{{s}} with *θ*_{{s}} = 2 atan *μ*_{{s}} = {}° (3.9). Type I \
-         (darker), 1 + 2 cos *θ*_{{s}} = {} < *e* < 3: *N* vanishes first. Type II, dash-dotted, *e* = {}: both at once. \
-         Type III, *e* < {}: static friction gives way first. A motion on the stable manifold *W*^{{s}}, *e* = 1, has no \
-         type: it comes to the top. *μ*_{{s}} = {}. {NOTE}",
-        short(theta_s.to_degrees()),
-        short(two),
-        short(two),
-        short(two),
-        short(input.hoop.mu_s())
+         *f* static friction gives way, at *θ* = ±*θ*_{{s}} with *θ*_{{s}} = 2 atan *μ*_{{s}} = {degrees}° (3.9). Type I \
+         (darker), 1 + 2 cos *θ*_{{s}} = {two} < *e* < 3: *N* vanishes first. Type II, dash-dotted, *e* = {two}: both at once. \
+         Type III, *e* < {two}: static friction gives way first. A motion on the stable manifold *W*^{{s}}, *e* = 1, has no \
+         type: it comes to the top. *μ*_{{s}} = {mu_s}. {NOTE}"
     );
-    figure(
-        input,
-        [NAME, "Figure 5(a): the region 𝓡 and its boundaries"],
-        caption,
-        (layers, labels),
-        Vec::new(),
-    )
+    let title = "Figure 5(a): the region 𝓡 and its boundaries";
+    ground.figure(NAME, title, caption, layers, labels, Vec::new())
 }
 
-/// Figure 5(b).
-pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
-    const NAME: &str = "figure-5b";
-    input.littlewood_that_rolls(NAME)?;
-    let (portrait, theta_s) = portrait_of(input);
-    let mu_s = input.hoop.mu_s();
-    let two = RollingType::energy_of_ii(mu_s);
-    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
-    // Motions that turn, and motions that pass over the top: some on either side of Type II.
+/// How motions of a type are drawn.
+fn stroke_of(kind: RollingType) -> Stroke {
+    Stroke::of_mode(Mode::Rolling)
+        .wide(CURVE)
+        .dashed(match kind {
+            RollingType::I => Dash::Solid,
+            RollingType::II => Dash::DashDot,
+            RollingType::III => Dash::Short,
+        })
+}
+
+/// Energies of motions that turn, and of those that pass over the top: some on either side of Type
+/// II, and Type II.
+fn energies(ground: &Ground<'_>) -> Vec<f64> {
+    let two = ground.energy_of_two();
     let bounds = [
-        libm::cos(theta_s),
+        libm::cos(ground.theta_s),
         f64::min(two, 1.0),
         f64::max(two, 1.0),
         3.0,
@@ -400,91 +458,77 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
         .chain([two])
         .collect();
     energies.sort_by(f64::total_cmp);
-    let of_type = Stroke::of_mode(Mode::Rolling).wide(CURVE);
-    let (mut exits, mut heads, mut keys) = (Vec::new(), Vec::new(), Vec::new());
+    energies
+}
+
+/// Motions of all types, with where they end and arrows of their flow.
+#[derive(Default)]
+struct Motions {
+    lines: Vec<Layer>,
+    exits: Vec<[f64; 3]>,
+    heads: Vec<(Rgb, [[f64; 2]; 2])>,
+}
+
+impl Motions {
+    fn add(&mut self, ground: &Ground<'_>, kind: RollingType, energy: f64) {
+        let stroke = stroke_of(kind);
+        let orbit = match kind {
+            RollingType::II => motions_of_two(ground.mu_s(), ground.theta_s),
+            RollingType::I | RollingType::III => ground.in_region(energy),
+        };
+        for piece in &orbit {
+            // Orbits run to the right where θ′ > 0.
+            let later = |a: [f64; 2], b: [f64; 2]| if a[0] * a[1] >= b[0] * b[1] { a } else { b };
+            let exit = piece.iter().copied().reduce(later);
+            self.exits
+                .extend(exit.map(|[theta, rate]| [theta, rate, energy]));
+            let i = piece.len() * 2 / 3;
+            if let Some([a, b]) = piece.get(i..i + 2) {
+                self.heads.push((stroke.colour, in_time(*a, *b)));
+            }
+        }
+        let series = Series::new(name_of(kind), &ORBIT, rows_with(orbit, energy));
+        self.lines.push(series.drawn(stroke));
+    }
+}
+
+/// Figure 5(b).
+pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-5b";
+    input.littlewood_that_rolls(NAME)?;
+    let ground = Ground::new(input)?;
+    let (mu_s, theta_s) = (ground.mu_s(), ground.theta_s);
+    let energies = energies(&ground);
+    let mut motions = Motions::default();
     for kind in RollingType::ALL {
-        let stroke = of_type.dashed(match kind {
-            RollingType::I => Dash::Solid,
-            RollingType::II => Dash::DashDot,
-            RollingType::III => Dash::Short,
-        });
-        keys.push((Mark::Line(stroke), name_of(kind)));
-        for &energy in &energies {
-            if RollingType::of_energy(energy, mu_s) != Some(kind) {
-                continue;
-            }
-            let orbit = match kind {
-                RollingType::II => motions_of_two(mu_s, theta_s),
-                RollingType::I | RollingType::III => in_region(&portrait, theta_s, energy),
-            };
-            for piece in &orbit {
-                // Orbits run to the right where θ′ > 0.
-                let exit = piece
-                    .iter()
-                    .copied()
-                    .reduce(|a, b| if a[0] * a[1] >= b[0] * b[1] { a } else { b });
-                exits.extend(exit.map(|[theta, rate]| vec![theta, rate, energy]));
-                let i = piece.len() * 2 / 3;
-                if let Some([a, b]) = piece.get(i..i + 2).and_then(<[_]>::first_chunk) {
-                    heads.push((stroke.colour, in_time(a, b)));
-                }
-            }
-            let pieces = orbit
-                .into_iter()
-                .map(|piece| {
-                    piece
-                        .into_iter()
-                        .map(|[theta, rate]| vec![theta, rate, energy])
-                        .collect()
-                })
-                .collect();
-            layers.push(
-                Series::new(name_of(kind), &[THETA, THETA_RATE, ENERGY], pieces).drawn(stroke),
-            );
+        let is_own = |energy: &&f64| RollingType::of_energy(**energy, mu_s) == Some(kind);
+        for energy in energies.iter().filter(is_own) {
+            motions.add(&ground, kind, *energy);
         }
     }
-    let manifolds = Series::new(
-        "manifolds",
-        &PLANE,
-        rows(in_region(&portrait, theta_s, 1.0)),
-    );
+    let mut layers = vec![ground.portrait.rolling_region().drawn(Mark::Fill(REGION))];
+    layers.extend(motions.lines);
+    let manifolds = Series::new("manifolds", &PLANE, ground.in_region(1.0));
     layers.push(manifolds.drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)));
-    layers.extend(frame(&portrait, theta_s));
-    for (colour, piece) in heads {
-        layers.push(Series::new("flow", &PLANE, vec![piece]).drawn(Mark::Head(colour)));
+    layers.extend(ground.bounds());
+    for (colour, head) in motions.heads {
+        layers.push(Series::of_rows("flow", &PLANE, head).drawn(Mark::Head(colour)));
     }
-    layers.push(
-        Series::of_rows("end of rolling", &[THETA, THETA_RATE, ENERGY], exits)
-            .drawn(Mark::Dot(INK, 3.0)),
-    );
-    layers.extend(portrait.equilibria());
-    let labels = vec![
-        Label::new("*n*", &[0.0, 1.0])
-            .shifted(0.0, -12.0)
-            .coloured(NORMAL_FORCE),
-        Label::new("*n*", &[0.0, -1.0])
-            .shifted(0.0, 12.0)
-            .coloured(NORMAL_FORCE),
-        Label::new("*f*", &[theta_s, 0.0])
-            .shifted(12.0, 0.0)
-            .coloured(FRICTION_FORCE),
-        Label::new("*f*", &[-theta_s, 0.0])
-            .shifted(-12.0, 0.0)
-            .coloured(FRICTION_FORCE),
-    ];
+    let ends = Series::of_rows("end of rolling", &ORBIT, motions.exits);
+    layers.push(ends.drawn(Mark::Dot(INK, 3.0)));
+    layers.extend(ground.portrait.equilibria());
+    let f = Label::new("*f*", &[theta_s, 0.0]).shifted(12.0, 0.0);
+    let n = Label::new("*n*", &[0.0, 1.0]).shifted(0.0, -12.0);
+    let labels = names_of_bounds(n, f).collect();
     let caption = format!(
         "Rolling motions of the massless hoop in 𝓡, each to the place where rolling ends (dots). Type I ends on *n*, \
          where the normal force vanishes; Type III on *f*, where static friction gives way; Type II in a corner, where \
          both happen. Thin: the stable and unstable manifolds of the equilibrium. *μ*_{{s}} = {}, *θ*_{{s}} = {}°. \
          {NOTE}",
-        short(input.hoop.mu_s()),
+        short(mu_s),
         short(theta_s.to_degrees())
     );
-    figure(
-        input,
-        [NAME, "Figure 5(b): motions of Types I, II and III"],
-        caption,
-        (layers, labels),
-        keys,
-    )
+    let keys = RollingType::ALL.map(|kind| (Mark::Line(stroke_of(kind)), name_of(kind)));
+    let title = "Figure 5(b): motions of Types I, II and III";
+    ground.figure(NAME, title, caption, layers, labels, keys.into())
 }

@@ -44,8 +44,7 @@ impl PictureSize {
 }
 
 fn lines<'a>(name: &str, lines: impl IntoIterator<Item = &'a Vec<Place>>, stroke: Stroke) -> Layer {
-    let rows = |line: &Vec<Place>| line.iter().map(|place| place.to_vec()).collect();
-    Series::new(name, &COLUMNS, lines.into_iter().map(rows).collect()).drawn(Mark::Line(stroke))
+    Series::new(name, &COLUMNS, lines.into_iter().cloned()).drawn(Mark::Line(stroke))
 }
 
 /// Notes in rows, none wider than this.
@@ -239,8 +238,7 @@ impl Picture {
         let mut layers: Vec<Layer> = Vec::new();
         if scale.is_none() {
             for region in &self.regions.regions {
-                let rows = |line| turned(line).into_iter().map(Vec::from).collect();
-                let outlines = region.outlines.iter().map(rows).collect();
+                let outlines = region.outlines.iter().map(turned);
                 let series = Series::new(self.name_of(region.key), &COLUMNS, outlines);
                 layers.push(series.drawn(Mark::Region(self.colour_of(region.key))));
             }
