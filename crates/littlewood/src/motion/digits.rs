@@ -175,17 +175,8 @@ impl Trajectory {
 impl Digits {
     /// The minimum of the five numbers.
     pub fn least(&self) -> u8 {
-        let Self {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            x,
-        } = *self;
-        [time, theta, theta_rate, slip, x]
-            .into_iter()
-            .min()
-            .unwrap_or(0)
+        let others = [self.time, self.theta, self.theta_rate, self.slip];
+        others.into_iter().fold(self.x, u8::min)
     }
 }
 
@@ -260,20 +251,12 @@ impl PerturbedSolver<'_> {
     /// The start of a phase with each number moved in its last place, the size of the rounding
     /// within the solution.
     fn perturbed_start(&self, state: &State) -> State {
-        let State {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            x,
-        } = *state;
         let moved = |value: f64| self.signs.moved(value, f64::EPSILON * value.abs());
         State {
-            time,
-            theta: moved(theta),
-            theta_rate: moved(theta_rate),
-            slip: moved(slip),
-            x,
+            theta: moved(state.theta),
+            theta_rate: moved(state.theta_rate),
+            slip: moved(state.slip),
+            ..*state
         }
     }
 
