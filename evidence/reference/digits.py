@@ -34,9 +34,9 @@ HOOP, START = (
 )
 EVENTS, STEPS, SECONDS = 8, 100, 60  # of a motion, of a phase, of a motion
 EDGES = (-1, 0, 1, 2, 3)
-# Heavy motions that begin with a short arc of rolling, or within rounding of a margin; and
-# particles near the rim, next to the plane.
-HARD = (492, 2243, 2543, 2699, 3231, 7133, 7698)
+# Heavy motions that begin with a short arc of rolling, or within rounding of a margin or of the
+# limit of friction; and particles near the rim, next to the plane.
+HARD = (225, 492, 2243, 2543, 2699, 3231, 7133, 7698)
 COARSEST = -6  # decade of rates, for all below it
 
 

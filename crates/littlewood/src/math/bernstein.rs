@@ -23,6 +23,9 @@ pub(crate) struct Bernstein {
     degree: usize,
 }
 
+/// The interval on which the Bernstein form is one.
+const UNIT: Bracket = Bracket::new(0.0, 1.0);
+
 const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
     let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
     let mut n = 0;
@@ -90,11 +93,7 @@ impl Bernstein {
 
     /// Sign just right of 0: that of the first non-zero coefficient.
     pub(crate) fn initial_sign(&self) -> f64 {
-        self.coefficients()
-            .iter()
-            .copied()
-            .find(|b| *b != 0.0)
-            .map_or(0.0, f64::signum)
+        first_sign(self.coefficients().iter())
     }
 
     /// Value and derivative at x by de Casteljau's scheme, stable on [0, 1].
@@ -130,58 +129,33 @@ impl Bernstein {
     /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right
     /// of 0 crosses at 0. A root without a sign change is not a crossing.
     pub(crate) fn first_crossing(&self) -> Option<Bracket> {
-        self.search(
-            Bracket {
-                low: 0.0,
-                high: 1.0,
-            },
-            0,
-            &mut 1.0,
-            &mut |_, bracket| Some(bracket),
-        )
+        self.search(UNIT, 0, &mut 1.0, &mut |_, bracket| Some(bracket))
     }
 
     /// All points of (0, 1) at which the sign changes, in order; roots without a sign change are
     /// left out.
     pub(crate) fn sign_changes(&self) -> Vec<f64> {
         let mut changes = Vec::new();
-        self.search(
-            Bracket {
-                low: 0.0,
-                high: 1.0,
-            },
-            0,
-            &mut 0.0,
-            &mut |part, Bracket { low, high }| {
-                let falling = if part.initial_sign() > 0.0 {
-                    *part
-                } else {
-                    part.negated()
-                };
-                let at = Bracket {
-                    low: 0.0,
-                    high: 1.0,
-                }
-                .refine(|x| falling.value_and_slope(x));
-                changes.push(if low < high {
-                    low + at * (high - low)
-                } else {
-                    low
-                });
-                None::<()>
-            },
-        );
+        self.search(UNIT, 0, &mut 0.0, &mut |part, Bracket { low, high }| {
+            let falling = if part.initial_sign() > 0.0 {
+                *part
+            } else {
+                part.negated()
+            };
+            let at = UNIT.refine(|x| falling.value_and_slope(x));
+            changes.push(if low < high {
+                low + at * (high - low)
+            } else {
+                low
+            });
+            None::<()>
+        });
         changes
     }
 
     /// Sign just left of 1.
     pub(crate) fn final_sign(&self) -> f64 {
-        self.coefficients()
-            .iter()
-            .rev()
-            .copied()
-            .find(|b| *b != 0.0)
-            .map_or(0.0, f64::signum)
+        first_sign(self.coefficients().iter().rev())
     }
 
     /// Passes the sign changes to `found`, in order, until it returns an answer.
@@ -197,12 +171,8 @@ impl Bernstein {
         found: &mut impl FnMut(&Self, Bracket) -> Option<T>,
     ) -> Option<T> {
         let (mut changes, mut first, mut last) = (0, 0.0, 0.0);
-        for b in self
-            .coefficients()
-            .iter()
-            .filter(|b| **b != 0.0)
-            .map(|b| b.signum())
-        {
+        let coefficients = self.coefficients().iter().filter(|b| **b != 0.0);
+        for b in coefficients.map(|b| b.signum()) {
             if first == 0.0 {
                 first = b;
             } else if b != last {
@@ -215,13 +185,7 @@ impl Bernstein {
         }
         if first * *sign < 0.0 {
             *sign = first;
-            if let Some(answer) = found(
-                self,
-                Bracket {
-                    low: on.low,
-                    high: on.low,
-                },
-            ) {
+            if let Some(answer) = found(self, Bracket::new(on.low, on.low)) {
                 return Some(answer);
             }
         }
@@ -251,6 +215,13 @@ impl Bernstein {
     }
 }
 
+/// The sign of the first number that is not zero; zero without one.
+fn first_sign<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> f64 {
+    numbers
+        .find(|number| **number != 0.0)
+        .map_or(0.0, |number| number.signum())
+}
+
 /// Value and derivative of the polynomial with these Taylor coefficients.
 #[inline]
 pub(crate) fn value_and_slope(taylor: &[f64], at: f64) -> (f64, f64) {
@@ -262,10 +233,7 @@ pub(crate) fn value_and_slope(taylor: &[f64], at: f64) -> (f64, f64) {
 /// First crossing of the polynomial from non-negative to negative in [0, width].
 pub(crate) fn first_crossing(taylor: &[f64], width: f64) -> Option<f64> {
     let Bracket { low, high } = Bernstein::from_taylor(taylor, width).first_crossing()?;
-    let bracket = Bracket {
-        low: low * width,
-        high: high * width,
-    };
+    let bracket = Bracket::new(low * width, high * width);
     Some(bracket.refine(|at| value_and_slope(taylor, at)))
 }
 

@@ -105,6 +105,10 @@ impl RootStep {
 }
 
 impl Bracket {
+    pub(crate) const fn new(low: f64, high: f64) -> Self {
+        Self { low, high }
+    }
+
     /// The root of `function` by Newton's method from the midpoint.
     ///
     /// `function` returns the value and the derivative; it is non-negative at `low` and not
@@ -179,11 +183,7 @@ mod tests {
     /// π between 2 and 4 by models of sin x, and the number of models.
     fn pi_from(guess: f64, reach: f64) -> (f64, u32) {
         let mut models = 0;
-        let root = Bracket {
-            low: 2.0,
-            high: 4.0,
-        }
-        .iterate(guess, |point| {
+        let root = Bracket::new(2.0, 4.0).iterate(guess, |point| {
             models += 1;
             let model = |step: f64| {
                 let (sin, cos) = libm::sincos(point + step);
@@ -220,11 +220,7 @@ mod tests {
         for root in [0.0, 1e-6, 0.2, 0.5, 0.9, 1.0] {
             let mut evaluations = 0;
             // (root − x)(2 + x) has a small curvature.
-            let found = Bracket {
-                low: 0.0,
-                high: 1.0,
-            }
-            .refine_from_secant(|x| {
+            let found = Bracket::new(0.0, 1.0).refine_from_secant(|x| {
                 evaluations += 1;
                 ((root - x) * (2.0 + x), root - 2.0 - 2.0 * x)
             });
@@ -240,17 +236,9 @@ mod tests {
     #[test]
     fn newtons_method_stays_in_the_bracket() {
         // From the middle its first step would leave it.
-        let root = Bracket {
-            low: 0.0,
-            high: 10.0,
-        }
-        .refine(|x| (1.0 - x * x * x / 8.0, -3.0 * x * x / 8.0));
+        let root = Bracket::new(0.0, 10.0).refine(|x| (1.0 - x * x * x / 8.0, -3.0 * x * x / 8.0));
         assert!((root - 2.0).abs() < 1e-15, "{root}");
-        let root = Bracket {
-            low: -1.0,
-            high: 9.0,
-        }
-        .refine(|x| (-libm::atan(x), -1.0 / (1.0 + x * x)));
+        let root = Bracket::new(-1.0, 9.0).refine(|x| (-libm::atan(x), -1.0 / (1.0 + x * x)));
         assert!(root.abs() < 1e-300, "{root}");
         assert_eq!(
             Bracket {

@@ -120,11 +120,7 @@ impl<const K: usize> Sub for Dual<K> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
-        let parts = core::array::from_fn(|k| self.parts[k] - other.parts[k]);
-        Self {
-            value: self.value - other.value,
-            parts,
-        }
+        self + -other
     }
 }
 
@@ -164,10 +160,7 @@ impl<const K: usize> Neg for Dual<K> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            parts: self.parts.map(|part| -part),
-        }
+        self.map(-self.value, -1.0)
     }
 }
 

@@ -82,11 +82,7 @@ pub(crate) fn crossing(series: &Series, width: f64) -> Option<f64> {
 /// The point of [0, width] where a monotone series takes the value `level`; `sign` is the sign of
 /// series − level at 0.
 pub(crate) fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
-    Bracket {
-        low: 0.0,
-        high: width,
-    }
-    .refine(|at| {
+    Bracket::new(0.0, width).refine(|at| {
         let (value, slope) = value_and_slope(series, at);
         (sign * (value - level), sign * slope)
     })

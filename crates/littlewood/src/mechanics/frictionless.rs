@@ -32,36 +32,23 @@ pub(crate) struct FrictionlessIntegrals {
 impl FrictionlessIntegrals {
     /// The integrals at a state, with the sine and cosine of its angle.
     pub(crate) fn new(body: &Heavy, state: &State, Angle { sin, cos }: Angle) -> Self {
-        let Heavy {
-            mass,
-            h,
-            inertia,
-            offset,
-            ..
-        } = *body;
         let rate = state.theta_rate;
         Self {
-            energy: (inertia + mass * (h * sin) * (h * sin)) * rate * rate + 2.0 * offset * cos,
-            momentum: state.slip - rate * (1.0 + h * cos),
+            energy: spin(body, sin) * rate * rate + 2.0 * body.offset * cos,
+            momentum: state.slip - rate * (1.0 + body.h * cos),
         }
     }
 
     /// A² J − (C − 2 m h c) (1 + h c)², which vanishes with η′, in powers of c − `cos`. Each
     /// coefficient is given as its two terms.
     pub(crate) fn standstills(&self, body: &Heavy, cos: f64) -> [[f64; 2]; 4] {
-        let Heavy {
-            mass,
-            h,
-            inertia,
-            offset,
-            ..
-        } = *body;
-        let (square, product) = (self.momentum * self.momentum, mass * h * h);
+        let (h, offset) = (body.h, body.offset);
+        let (square, product) = (self.momentum * self.momentum, body.mass * h * h);
         let height = 1.0 + h * cos;
         let [kinetic, slope] = [self.energy - 2.0 * offset * cos, -2.0 * offset];
         [
             [
-                square * (inertia + product * (1.0 - cos) * (1.0 + cos)),
+                square * (body.inertia + product * (1.0 - cos) * (1.0 + cos)),
                 -kinetic * height * height,
             ],
             [
@@ -97,20 +84,14 @@ impl FrictionlessIntegrals {
     /// Angle near `theta`, and rate, at which η′ vanishes: Newton's method for C, with θ′ from A.
     /// `None` without convergence.
     pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
-        let Heavy {
-            mass,
-            h,
-            inertia,
-            offset,
-            ..
-        } = *body;
+        let Heavy { h, offset, .. } = *body;
         let theta = converge(theta, |theta| {
             let angle = Angle::of(theta);
             let Angle { sin, cos } = angle;
             let height = mass_centre_height(h, angle);
             let u = (self.momentum / height) * (self.momentum / height);
-            let kinetic = (inertia + mass * (h * sin) * (h * sin)) * u;
-            let slope = 2.0 * sin * (mass * h * h * cos * u + kinetic * h / height - offset);
+            let kinetic = spin(body, sin) * u;
+            let slope = 2.0 * sin * (body.mass * h * h * cos * u + kinetic * h / height - offset);
             (kinetic + 2.0 * offset * cos - self.energy) / slope
         })?;
         Some((theta, self.rate_at_rest(body, Angle::of(theta))))
@@ -120,20 +101,13 @@ impl FrictionlessIntegrals {
     /// the rim, magnifies the rounding of the angle; at a turning point C does so.
     pub(crate) fn rate_at_rest(&self, body: &Heavy, angle: Angle) -> f64 {
         let Angle { sin, cos } = angle;
-        let Heavy {
-            mass,
-            h,
-            inertia,
-            offset,
-            ..
-        } = *body;
-        let height = mass_centre_height(h, angle);
+        let height = mass_centre_height(body.h, angle);
         let from_momentum = -self.momentum / height;
-        let (kinetic, potential) = (self.energy - 2.0 * offset * cos, 2.0 * offset * cos);
-        if (self.energy.abs() + potential.abs()) * height < 2.0 * kinetic * (h * sin).abs() {
-            (kinetic / (inertia + mass * (h * sin) * (h * sin)))
-                .sqrt()
-                .copysign(from_momentum)
+        let potential = 2.0 * body.offset * cos;
+        let kinetic = self.energy - potential;
+        if (self.energy.abs() + potential.abs()) * height < 2.0 * kinetic * (body.h * sin).abs() {
+            let rate = (kinetic / spin(body, sin)).sqrt();
+            rate.copysign(from_momentum)
         } else {
             from_momentum
         }
@@ -153,6 +127,12 @@ pub(crate) fn converge(mut theta: f64, step: impl Fn(f64) -> f64) -> Option<f64>
         shortest = step.abs();
     }
     (shortest < MAX_LAST_STEP).then_some(theta)
+}
+
+/// J = Î + m h² s².
+fn spin(body: &Heavy, sin: f64) -> f64 {
+    let arm = body.h * sin;
+    body.inertia + body.mass * arm * arm
 }
 
 /// 1 + h c without cancellation near the bottom, where it is small for a particle near the rim.

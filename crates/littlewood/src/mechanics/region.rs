@@ -86,17 +86,8 @@ impl PhasePlane {
     /// N and F as linear functions of u = θ′² at an angle: the constants and the slopes.
     fn line(&self, theta: f64) -> [ContactForces; 2] {
         let (angle, d) = (theta.angle(), self.law.denominator(theta));
-        let (constant, slope) = (
-            Loads {
-                gravity: 1.0,
-                u: 0.0,
-            },
-            Loads {
-                gravity: 0.0,
-                u: 1.0,
-            },
-        );
-        [constant, slope].map(|loads| self.law.forces_at(angle, loads, d))
+        [(1.0, 0.0), (0.0, 1.0)]
+            .map(|(gravity, u)| self.law.forces_at(angle, Loads { gravity, u }, d))
     }
 
     /// |θ′| on the curve n, N = 0 in rolling; `None` where N ≠ 0 at every rate.
@@ -138,12 +129,14 @@ impl PhasePlane {
             return 0.0;
         };
         let turns = (theta - unstable) / TAU;
-        let turns = if self.hoop.slope() > 0.0 {
-            turns.ceil()
-        } else {
-            turns.floor()
-        };
-        let saddle = unstable + TAU * turns;
+        let is_uphill = self.hoop.slope() > 0.0;
+        let saddle = unstable
+            + TAU
+                * if is_uphill {
+                    turns.ceil()
+                } else {
+                    turns.floor()
+                };
         let kinetic = self.law.energy(saddle, 0.0) - self.law.energy(theta, 0.0);
         self.rate_of(2.0 * kinetic / self.law.denominator(theta))
             .unwrap_or(0.0)
@@ -171,8 +164,7 @@ impl PhasePlane {
                 theta,
                 stability: Stability::Neutral,
             };
-            let is_level = self.hoop.slope() == 0.0;
-            return if is_level {
+            return if self.hoop.slope() == 0.0 {
                 [0.0, PI].map(neutral).to_vec()
             } else {
                 Vec::new()
@@ -193,20 +185,18 @@ impl PhasePlane {
                 theta
             }
         };
-        let saddle = Stability::Unstable {
-            exponent: stiffness(unstable),
-        };
         let mut equilibria = vec![Equilibrium {
             theta: within(unstable),
-            stability: saddle,
+            stability: Stability::Unstable {
+                exponent: stiffness(unstable),
+            },
         }];
         if self.law.bottom > 0.0 || self.hoop.slope() != 0.0 {
-            let centre = Stability::Stable {
-                frequency: stiffness(stable),
-            };
             equilibria.push(Equilibrium {
                 theta: within(stable),
-                stability: centre,
+                stability: Stability::Stable {
+                    frequency: stiffness(stable),
+                },
             });
         }
         equilibria

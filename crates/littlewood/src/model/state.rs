@@ -43,20 +43,12 @@ impl Start {
 
     /// The state, without the gap rate.
     pub(crate) const fn state(&self) -> State {
-        let Self {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            gap_rate: _,
-            x,
-        } = *self;
         State {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            x,
+            time: self.time,
+            theta: self.theta,
+            theta_rate: self.theta_rate,
+            slip: self.slip,
+            x: self.x,
         }
     }
 
@@ -90,20 +82,13 @@ setters! {
 
 impl From<State> for Start {
     fn from(state: State) -> Self {
-        let State {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            x,
-        } = state;
         Self {
-            time,
-            theta,
-            theta_rate,
-            slip,
+            time: state.time,
+            theta: state.theta,
+            theta_rate: state.theta_rate,
+            slip: state.slip,
             gap_rate: 0.0,
-            x,
+            x: state.x,
         }
     }
 }

@@ -68,14 +68,7 @@ impl State {
 
     /// The numbers, in the order of [`State::COLUMNS`].
     pub const fn numbers(&self) -> [f64; 5] {
-        let Self {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            x,
-        } = *self;
-        [time, theta, theta_rate, slip, x]
+        [self.time, self.theta, self.theta_rate, self.slip, self.x]
     }
 }
 

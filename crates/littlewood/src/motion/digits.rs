@@ -12,7 +12,8 @@ use crate::model::{
     Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, SlipDirection, Start,
     State,
 };
-use crate::modes::{Entry, Flight, GlideEntry, PhaseSolution, TakeOff};
+use crate::modes::{Entry, Flight, GlideEntry, Onset, PhasePoint, PhaseSolution, TakeOff};
+use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{Arrival, Exact, NextMotion, Outcome, PhaseEnd, PhaseResult, Solver, Transition};
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
@@ -56,7 +57,8 @@ impl Hoop {
     /// last places. Then it is simulated 12 times with each phase perturbed by its rounding in
     /// pseudo-random directions, the same in every call. The changes of a state are its
     /// uncertainty. A transition and all later ones are `None` if a perturbed motion has another
-    /// event there: the parameters do not determine it. Zeros, ℓ̂ = 1 and e = 1 are exact, and so
+    /// event there: the parameters do not determine it. Nor do they from a start that is on the limit
+    /// of static friction, to rounding: the simulation takes it to be on it. Zeros, ℓ̂ = 1 and e = 1 are exact, and so
     /// is μs = μk: equal coefficients are perturbed together.
     ///
     /// ```
@@ -75,7 +77,9 @@ impl Hoop {
         start: Start,
         limits: Limits,
     ) -> Result<Vec<Option<Digits>>, ParameterError> {
-        let motion = self.simulate(start, limits)?.transitions;
+        let motion = self.simulate(start, limits)?;
+        let is_on_limit = motion.starts_on_static_limit();
+        let motion = motion.transitions;
         let mut uncertainties = Uncertainties {
             motion: &motion,
             of: vec![Some([0.0; 5]); motion.len()],
@@ -94,7 +98,7 @@ impl Hoop {
             motion.map(|motion| motion.transitions)
         });
         uncertainties.add(perturbed.collect::<Result<Vec<_>, _>>()?.iter(), 2.0);
-        let mut is_determined = true;
+        let mut is_determined = !is_on_limit;
         let found = uncertainties
             .of
             .iter()
@@ -154,20 +158,25 @@ impl Hoop {
     }
 }
 
+impl Trajectory {
+    /// Whether the start is on the limit of static friction, to rounding.
+    fn starts_on_static_limit(&self) -> bool {
+        let rolls_or_slides = self.phases.first().map(Phase::mode) != Some(Mode::Flight);
+        let place = PhasePoint {
+            theta: self.relative.theta,
+            rate: self.relative.theta_rate,
+        };
+        self.start.slip == 0.0
+            && rolls_or_slides
+            && Onset::on_static_limit(&self.hoop, &place).is_some()
+    }
+}
+
 impl Digits {
     /// The minimum of the five numbers.
     pub fn least(&self) -> u8 {
-        let Self {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            x,
-        } = *self;
-        [time, theta, theta_rate, slip, x]
-            .into_iter()
-            .min()
-            .unwrap_or(0)
+        let others = [self.time, self.theta, self.theta_rate, self.slip];
+        others.into_iter().fold(self.x, u8::min)
     }
 }
 
@@ -242,20 +251,12 @@ impl PerturbedSolver<'_> {
     /// The start of a phase with each number moved in its last place, the size of the rounding
     /// within the solution.
     fn perturbed_start(&self, state: &State) -> State {
-        let State {
-            time,
-            theta,
-            theta_rate,
-            slip,
-            x,
-        } = *state;
         let moved = |value: f64| self.signs.moved(value, f64::EPSILON * value.abs());
         State {
-            time,
-            theta: moved(theta),
-            theta_rate: moved(theta_rate),
-            slip: moved(slip),
-            x,
+            theta: moved(state.theta),
+            theta_rate: moved(state.theta_rate),
+            slip: moved(state.slip),
+            ..*state
         }
     }
 

@@ -111,17 +111,11 @@ impl Cell {
         CosineRange { low, high }: CosineRange,
         energy: EnergyRange,
     ) -> Self {
-        let Heavy {
-            mass,
-            h,
-            inertia,
-            offset,
-            ..
-        } = *body;
+        let (mass, h, offset) = (body.mass, body.h, body.offset);
         let is_above = low + high > 0.0;
         let [inner, outer] = if is_above { [low, high] } else { [high, low] };
         let sine_square = |cos: f64| (1.0 - cos) * (1.0 + cos);
-        let spin = |cos: f64| inertia + mass * h * h * sine_square(cos);
+        let spin = |cos: f64| body.inertia + mass * h * h * sine_square(cos);
         let [light, heavy] = [spin(outer), spin(inner)];
         let [short, long] = [1.0 + h * low, 1.0 + h * high];
         let [slow, fast] = [
@@ -137,7 +131,7 @@ impl Cell {
         // The mean of 1/(J ± a) is 1/(J − a²/J).
         let coupling = mu_s * mass * h * long;
         let denominator = light - coupling * coupling * sine_square(inner) / light;
-        let scale = 2.0 * PI / CELLS_PER_HALF_TURN as f64 * mass * inertia;
+        let scale = 2.0 * PI / CELLS_PER_HALF_TURN as f64 * mass * body.inertia;
         Self {
             min_velocity: short * slow.max(0.0).sqrt(),
             gain: if denominator > MIN_DENOMINATOR_RATIO * light {
