@@ -93,6 +93,12 @@ pub struct Engine {
     contact: ContactProof,
 }
 
+/// A motion, perhaps up to a decision that is in doubt.
+struct Attempt {
+    summary: Summary,
+    is_lost: bool,
+}
+
 impl Engine {
     /// An engine for many starts of a hoop.
     #[must_use]
@@ -158,8 +164,8 @@ impl Engine {
         self.model.is_none()
     }
 
-    /// How many phases, and whole motions ([`Fallback::Drift`]), were left to the solvers of the
-    /// simulation so far, by the reason.
+    /// How many phases were left to the solvers of the simulation so far, by the reason, and how
+    /// often a motion was, from its start up to a doubt ([`Fallback::Drift`]).
     pub fn fallbacks(&self) -> impl Iterator<Item = (Fallback, u64)> {
         self.model.iter().flat_map(|model| model.fallbacks.counts())
     }
@@ -194,6 +200,8 @@ impl Engine {
         recorder.finish(outcome.kind(), outcome.state())
     }
 
+    /// The summary of a motion that is computed as far as all decisions are certain. Where one is
+    /// in doubt it begins anew, simulated up to there, and computed behind that.
     fn fast_summary(
         &self,
         model: &HoopModel,
@@ -201,10 +209,39 @@ impl Engine {
         limits: &Limits,
         empty: SummaryRecorder<'_>,
     ) -> Summary {
+        let mut simulated_phases = 0;
+        loop {
+            let Attempt { summary, is_lost } =
+                self.attempt(model, start, limits, empty, simulated_phases);
+            if !is_lost {
+                return summary;
+            }
+            model.fallbacks.add(Fallback::Drift);
+            // The phase behind the last transition is in doubt, too. At least twice as many each
+            // time: where all is in doubt the whole motion is simulated after few attempts.
+            simulated_phases = summary
+                .transitions
+                .saturating_add(1)
+                .max(simulated_phases.saturating_mul(2));
+        }
+    }
+
+    /// A motion whose first phases, so many, are those of the simulation.
+    #[inline]
+    fn attempt(
+        &self,
+        model: &HoopModel,
+        start: RelativeStart,
+        limits: &Limits,
+        empty: SummaryRecorder<'_>,
+        simulated_phases: u32,
+    ) -> Attempt {
         let slip_maps = self.slip_maps.as_deref();
         let slip_maps = slip_maps
             .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(&self.hoop, model, limits).with_slip_maps(slip_maps);
+        let solver = FastSolver::new(&self.hoop, model, limits)
+            .with_slip_maps(slip_maps)
+            .behind_simulated(simulated_phases);
         let solver = if self.is_prepared {
             solver
         } else {
@@ -216,11 +253,10 @@ impl Engine {
             shared: self.shared_proof_data(slip_maps),
         };
         let end = walk(&solver, start, settings, &mut recorder);
-        if solver.is_lost() {
-            model.fallbacks.add(Fallback::Drift);
-            return self.exact_summary(start, limits, empty);
+        Attempt {
+            summary: recorder.finish(end.kind, end.state),
+            is_lost: solver.is_lost(),
         }
-        recorder.finish(end.kind, end.state)
     }
 
     fn shared_proof_data<'a>(&'a self, slip_maps: Option<&'a [SlipMaps]>) -> SharedProofData<'a> {
@@ -234,9 +270,24 @@ impl Engine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::HoopParameters;
+    use crate::model::{HoopParameters, Restitution, RestitutionLaw};
     use crate::walk::solver::SkipBudget;
     use crate::walk::{Cause, Solver};
+
+    impl Engine {
+        fn simulated(&self, start: Start, limits: Limits) -> Summary {
+            let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
+            let recorder = SummaryRecorder::new(&self.hoop, origin);
+            self.exact_summary(start, &limits, recorder)
+        }
+
+        fn attempted(&self, start: Start, limits: Limits, simulated_phases: u32) -> Attempt {
+            let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
+            let recorder = SummaryRecorder::new(&self.hoop, origin);
+            let model = self.model.as_ref().unwrap();
+            self.attempt(model, start, &limits, recorder, simulated_phases)
+        }
+    }
 
     /// How many transitions are passed at once from the last slip of the motion from a start that
     /// is simulated for so many.
@@ -267,6 +318,36 @@ mod tests {
             .skip_links(&point, slip.direction.unwrap(), &budget)
             .expect("links");
         linked.transitions as usize
+    }
+
+    /// Up to any place in its motion an attempt is the simulation, to the last bit, and behind that
+    /// it leads to the same end.
+    #[test]
+    fn an_attempt_is_the_simulation_up_to_where_it_is_told() {
+        let restitution = Restitution::new(0.5, RestitutionLaw::Energetic).unwrap();
+        let hoop = Hoop::equal_masses(0.5, 0.4).unwrap();
+        let hoop = hoop.with_restitution(restitution).unwrap();
+        let (engine, mut computed) = (Engine::new(&hoop), 0);
+        for k in 0..40_u16 {
+            let start = Start::at(0.31 * f64::from(k), 4.0 - 0.2 * f64::from(k));
+            let all = engine.simulated(start, Limits::default());
+            for phases in (0..=all.transitions).step_by(3) {
+                let limits = Limits::default().with_transitions(phases.max(1) as usize);
+                let [simulated, ours] = [
+                    engine.simulated(start, limits),
+                    engine.attempted(start, limits, phases.max(1)).summary,
+                ];
+                assert_eq!(format!("{ours:?}"), format!("{simulated:?}"), "{start:?}");
+                let whole = engine.attempted(start, Limits::default(), phases);
+                computed += u32::from(format!("{:?}", whole.summary) != format!("{all:?}"));
+                let same = |ours: &Summary| (ours.outcome, ours.sequence, ours.transitions);
+                assert!(
+                    whole.is_lost || same(&whole.summary) == same(&all),
+                    "{start:?}"
+                );
+            }
+        }
+        assert!(computed > 100, "{computed}");
     }
 
     /// The closer the coefficients, the closer to a grazing orbit a motion goes, and the less the
