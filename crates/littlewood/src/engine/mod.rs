@@ -88,6 +88,8 @@ pub struct Engine {
     /// For all directions of motion, or on a slope for each; none where slips are followed one by
     /// one.
     slip_maps: Option<Vec<SlipMaps>>,
+    /// Phases of a motion before slips are passed by these maps.
+    phases_before_links: u32,
     /// Whether tables are used from the first phase of a motion on.
     is_prepared: bool,
     contact: ContactProof,
@@ -110,12 +112,13 @@ impl Engine {
         }
     }
 
-    fn with_slip_maps(self) -> Self {
+    fn with_slip_maps(self, phases_before_links: u32) -> Self {
         // Without kinetic friction slides come back to the limit of static friction exactly, which
         // the walk decides by symmetry.
         let model = self.model.as_ref().filter(|_| self.hoop.mu_k() > 0.0);
         Self {
             slip_maps: model.map(|model| SlipMaps::new(&self.hoop, model)),
+            phases_before_links,
             ..self
         }
     }
@@ -139,6 +142,7 @@ impl Engine {
             hoop: *hoop,
             model: HoopModel::new(hoop).filter(|model| is_computed(model.body)),
             slip_maps: None,
+            phases_before_links: 0,
             is_prepared: false,
             contact: ContactProof::default(),
         }
@@ -240,7 +244,7 @@ impl Engine {
         let slip_maps = slip_maps
             .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
         let solver = FastSolver::new(&self.hoop, model, limits)
-            .with_slip_maps(slip_maps)
+            .with_slip_maps(slip_maps, self.phases_before_links)
             .behind_simulated(simulated_phases);
         let solver = if self.is_prepared {
             solver
@@ -306,7 +310,7 @@ mod tests {
             .iter()
             .rfind(|one| one.cause == Cause::Slip)
             .unwrap();
-        let solver = FastSolver::new(hoop, model, &Limits::default()).with_slip_maps(Some(maps));
+        let solver = FastSolver::new(hoop, model, &Limits::default()).with_slip_maps(Some(maps), 0);
         let budget = SkipBudget {
             transitions: 5_000,
             slide_cost: f64::INFINITY,
@@ -348,6 +352,34 @@ mod tests {
             }
         }
         assert!(computed > 100, "{computed}");
+    }
+
+    /// Maps are made for long motions alone where few starts would pay for them: an ordinary motion
+    /// has the bits of one that is followed slip by slip, and a long one its end.
+    #[test]
+    fn short_motions_of_few_starts_are_followed_slip_by_slip() {
+        let hoop = Hoop::equal_masses(0.5, 0.499).unwrap();
+        let followed = Engine::builder(&hoop).expected_starts(256).build();
+        let [few, many] = [256, 4_096].map(|starts| {
+            let builder = Engine::builder(&hoop).expected_starts(starts);
+            builder.interpolate_slips().build()
+        });
+        let (mut interpolated, mut long) = (0, 0);
+        for k in 0..256_u16 {
+            let start = Start::at(0.4 * f64::from(k % 16) - 3.0, 0.5 * f64::from(k / 16) - 3.9);
+            let [one, other, mapped] = [&followed, &few, &many]
+                .map(|engine| engine.summary(start, Limits::default()).unwrap());
+            let ends = [one, other].map(|it| (it.outcome, it.sequence, it.transitions));
+            assert_eq!(ends[0], ends[1], "{start:?}");
+            let [one, other, mapped] = [one, other, mapped].map(|it| format!("{it:?}"));
+            if ends[0].2 < 100 {
+                assert_eq!(one, other, "{start:?}");
+                interpolated += u32::from(one != mapped);
+            } else {
+                long += u32::from(one != other);
+            }
+        }
+        assert!(interpolated > 0 && long > 0, "{interpolated} {long}");
     }
 
     /// The closer the coefficients, the closer to a grazing orbit a motion goes, and the less the

@@ -43,8 +43,12 @@ pub(super) struct FastSolver<'a> {
     /// SlipMaps of slips, if they are passed by whole links.
     slip_maps: Option<&'a [SlipMaps]>,
     exact: Exact<'a>,
-    /// Phases that are computed before tables are used.
-    phases_before_caching: Cell<u32>,
+    /// Phases of a motion before its slips are.
+    phases_before_links: u32,
+    /// Phases before tables are used.
+    phases_before_caching: u32,
+    /// Phases in contact so far.
+    phases: Cell<u32>,
     error_model: ErrorModel,
     /// In a cell, since [`Solver`] has no state but this and the count of phases.
     error: Cell<ErrorBound>,
@@ -102,7 +106,9 @@ impl<'a> FastSolver<'a> {
             model,
             slip_maps: None,
             exact: Exact::new(hoop, limits),
-            phases_before_caching: Cell::new(0),
+            phases_before_links: 0,
+            phases_before_caching: 0,
+            phases: Cell::new(0),
             error_model: ErrorModel::new(&model.body, hoop.mu_s()),
             error: Cell::new(ErrorBound::Exact),
         }
@@ -112,7 +118,7 @@ impl<'a> FastSolver<'a> {
     /// depends on the motion alone, so that it has the same bits wherever it is computed.
     pub(super) fn for_few_starts(self) -> Self {
         Self {
-            phases_before_caching: Cell::new(PHASES_BEFORE_CACHING),
+            phases_before_caching: PHASES_BEFORE_CACHING,
             ..self
         }
     }
@@ -125,15 +131,24 @@ impl<'a> FastSolver<'a> {
         }
     }
 
-    pub(super) fn with_slip_maps(self, slip_maps: Option<&'a [SlipMaps]>) -> Self {
-        Self { slip_maps, ..self }
+    /// Passes slips by whole links, after so many phases.
+    pub(super) fn with_slip_maps(
+        self,
+        slip_maps: Option<&'a [SlipMaps]>,
+        phases_before_links: u32,
+    ) -> Self {
+        Self {
+            slip_maps,
+            phases_before_links,
+            ..self
+        }
     }
 
     /// Counts a phase; returns whether it uses tables.
     fn uses_tables(&self) -> bool {
-        let left = self.phases_before_caching.get();
-        self.phases_before_caching.set(left.saturating_sub(1));
-        left == 0 && is_on(Part::KeptCells)
+        let phases = self.phases.get();
+        self.phases.set(phases.saturating_add(1));
+        phases >= self.phases_before_caching && is_on(Part::KeptCells)
     }
 
     /// Whether the simulation may have decided otherwise.
@@ -724,7 +739,7 @@ impl Solver for FastSolver<'_> {
         direction: SlipDirection,
         budget: &SkipBudget<'_>,
     ) -> Option<SkippedLinks<EngineState>> {
-        if self.error.get().is_simulated() {
+        if self.phases.get() < self.phases_before_links || self.error.get().is_simulated() {
             return None;
         }
         let (state, heading) = (place.state, place.heading());
