@@ -29,6 +29,8 @@ enum Method {
     Interpolated,
     /// An engine made in each pass, for as many starts as there are.
     List,
+    /// The same, which interpolates, as sweeps do.
+    InterpolatedList,
 }
 
 /// Motions that are computed in each pass.
@@ -40,7 +42,7 @@ struct Work {
     limits: fn() -> Limits,
 }
 
-const WORKS: [Work; 11] = [
+const WORKS: [Work; 12] = [
     Work {
         name: "figure-3",
         method: Method::Prepared,
@@ -72,6 +74,13 @@ const WORKS: [Work; 11] = [
     Work {
         name: "list-of-256",
         method: Method::List,
+        hoop: figure_2,
+        starts: || plane(16),
+        limits: Limits::default,
+    },
+    Work {
+        name: "list-of-256-interpolated",
+        method: Method::InterpolatedList,
         hoop: figure_2,
         starts: || plane(16),
         limits: Limits::default,
@@ -164,8 +173,11 @@ impl Work {
         let builder = Engine::builder(&hoop);
         let prepared = match self.method {
             Method::Interpolated => builder.interpolate_slips().build(),
-            Method::Prepared | Method::Simulation | Method::List => builder.build(),
+            Method::Prepared | Method::Simulation | Method::List | Method::InterpolatedList => {
+                builder.build()
+            }
         };
+        let of_list = builder.expected_starts(starts.len() as u64);
         for _ in 0..passes {
             match self.method {
                 Method::Simulation => {
@@ -174,10 +186,8 @@ impl Work {
                     }
                 }
                 Method::Prepared | Method::Interpolated => summaries(&prepared)?,
-                Method::List => {
-                    let expected = starts.len() as u64;
-                    summaries(&builder.expected_starts(expected).build())?;
-                }
+                Method::List => summaries(&of_list.build())?,
+                Method::InterpolatedList => summaries(&of_list.interpolate_slips().build())?,
             }
         }
         Ok(())

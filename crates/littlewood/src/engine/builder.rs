@@ -9,6 +9,14 @@ use crate::motion::summary::Summary;
 /// Starts of one hoop from which on motions use its tables from their first phase on.
 const MANY: u64 = 256;
 
+/// Starts of one hoop from which on chains of slips are interpolated from the first slip of a
+/// motion on: the maps cost as much as so many motions.
+const MANY_FOR_MAPS: u64 = 4_096;
+
+/// With fewer starts, phases of a motion before its slips are interpolated: few motions have more,
+/// and those have thousands.
+const PHASES_BEFORE_LINKS: u32 = 128;
+
 /// Makes an [`Engine`] for as many starts of a hoop as are expected.
 ///
 /// ```
@@ -36,7 +44,8 @@ impl EngineBuilder {
     }
 
     /// Interpolates chains of slips: a motion that slips out of rolling a thousand times takes as
-    /// long as one of some twenty phases. It has no effect on an engine for few starts, without
+    /// long as one of some twenty phases, or of 128 where fewer than 4,096 starts are expected, for
+    /// which maps of short motions would not pay. It has no effect on an engine for few starts, without
     /// kinetic friction, or on a hoop that is simulated.
     ///
     /// The promise is weaker. The map from one slip to the next is interpolated between starts that
@@ -66,8 +75,13 @@ impl EngineBuilder {
 
     /// The engine.
     pub fn build(self) -> Engine {
+        let phases_before_links = if self.starts >= MANY_FOR_MAPS {
+            0
+        } else {
+            PHASES_BEFORE_LINKS
+        };
         match (self.prepares(), self.interpolates_slips) {
-            (true, true) => Engine::new(&self.hoop).with_slip_maps(),
+            (true, true) => Engine::new(&self.hoop).with_slip_maps(phases_before_links),
             (true, false) => Engine::new(&self.hoop),
             (false, _) => Engine::for_few_starts(&self.hoop),
         }

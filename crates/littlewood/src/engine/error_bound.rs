@@ -2,7 +2,9 @@
 //! places.
 //!
 //! A decision by a number that is nearer to zero than that may be another one in the simulation.
-//! Such a motion is simulated.
+//! Such a motion is simulated up to there, where its state is that of the simulation.
+
+use core::num::NonZeroU32;
 
 use crate::math::trig::{Angle, sincos};
 use crate::model::{Heavy, State};
@@ -62,6 +64,8 @@ pub(super) enum ErrorBound {
     /// The state is equal to the last bit.
     Exact,
     Within(StateError),
+    /// The next phases, so many, are those of the simulation.
+    Simulated(NonZeroU32),
     /// A decision may have been another one, or the error is too large.
     Lost,
 }
@@ -83,8 +87,17 @@ impl StateError {
 }
 
 impl ErrorBound {
+    /// That of a motion of which so many phases are those of the simulation.
+    pub(super) fn behind_simulated(phases: u32) -> Self {
+        NonZeroU32::new(phases).map_or(Self::Exact, Self::Simulated)
+    }
+
     pub(super) const fn is_exact(&self) -> bool {
         matches!(self, Self::Exact)
+    }
+
+    pub(super) const fn is_simulated(&self) -> bool {
+        matches!(self, Self::Simulated(_))
     }
 
     pub(super) const fn is_lost(&self) -> bool {
@@ -94,37 +107,48 @@ impl ErrorBound {
     fn max(&self) -> f64 {
         match self {
             // A lost motion is discarded, whatever it decides.
-            Self::Exact | Self::Lost => 0.0,
+            Self::Exact | Self::Simulated(_) | Self::Lost => 0.0,
             Self::Within(error) => error.theta.max(error.rate),
         }
     }
 
-    /// Whether the sign of a number is certain. If it is not, and the state is not that of the
-    /// simulation, the motion is lost.
+    /// Whether the sign of a number is certain.
     #[inline(always)]
-    pub(super) fn sign_is_certain(&mut self, number: DecisiveNumber) -> bool {
+    pub(super) fn sign_is_certain(&self, number: DecisiveNumber) -> bool {
         self.exceeds(number, SIGN_ROUNDING * number.scale)
     }
 
     /// The same with a bound on the rounding of the number.
     #[inline(always)]
-    fn exceeds(&mut self, number: DecisiveNumber, rounding: f64) -> bool {
-        let error = self.max();
-        let is_certain = number.value.abs() > rounding + 2.0 * error * number.scale;
-        if !is_certain && error > 0.0 {
-            *self = Self::Lost;
+    fn exceeds(&self, number: DecisiveNumber, rounding: f64) -> bool {
+        match self {
+            Self::Exact => number.value.abs() > rounding,
+            Self::Within(error) => {
+                let difference = 2.0 * error.theta.max(error.rate) * number.scale;
+                number.value.abs() > rounding + difference
+            }
+            // It decides itself; and a lost motion is discarded, whatever it decides.
+            Self::Simulated(_) | Self::Lost => false,
         }
-        is_certain
     }
 
     /// Whether 1 − h cos θ θ′² is far enough from zero to compare forces.
     #[inline(always)]
     pub(super) fn resolves_forces(
-        &mut self,
+        &self,
         model: &ErrorModel,
         contact_margin: DecisiveNumber,
     ) -> bool {
         self.exceeds(contact_margin, model.contact * contact_margin.scale)
+    }
+
+    /// That behind a decision by a number whose sign is not certain: unless the state is that of
+    /// the simulation, the motion is lost.
+    pub(super) const fn behind_doubt(self) -> Self {
+        match self {
+            Self::Exact | Self::Simulated(_) => self,
+            Self::Within(_) | Self::Lost => Self::Lost,
+        }
     }
 
     /// Adds the error of one phase in contact, or several, that lead to an angle. Friction makes
@@ -154,7 +178,7 @@ impl ErrorBound {
     ) {
         let error = match self {
             Self::Lost => return,
-            Self::Exact => StateError::NONE,
+            Self::Exact | Self::Simulated(_) => StateError::NONE,
             Self::Within(error) => *error,
         };
         let ErrorModel { h, .. } = *model;

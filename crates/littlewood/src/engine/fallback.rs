@@ -1,11 +1,11 @@
-//! Why a phase, or a whole motion, is left to the simulation.
+//! Why a phase, or all up to a doubt, is left to the simulation.
 
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use crate::model::named;
 
 named! {
-    /// Why the engine leaves a phase, or a whole motion, to the solvers of
+    /// Why the engine leaves a phase, or all up to a doubt, to the solvers of
     /// [`crate::Hoop::simulate`].
     pub enum Fallback, "reason of doubt" {
         /// The normal force next to zero at the end of a piece of a slide.
@@ -32,7 +32,7 @@ named! {
         Far = 10, "far";
         /// A normal force in which the terms cancel.
         Cancelled = 11, "cancelled";
-        /// The whole motion: a decision by a number that is smaller than the drift of the state.
+        /// All phases before a decision by a number that is smaller than the drift of the state.
         Drift = 12, "drift";
     }
 }

@@ -88,9 +88,17 @@ pub struct Engine {
     /// For all directions of motion, or on a slope for each; none where slips are followed one by
     /// one.
     slip_maps: Option<Vec<SlipMaps>>,
+    /// Phases of a motion before slips are passed by these maps.
+    phases_before_links: u32,
     /// Whether tables are used from the first phase of a motion on.
     is_prepared: bool,
     contact: ContactProof,
+}
+
+/// A motion, perhaps up to a decision that is in doubt.
+struct Attempt {
+    summary: Summary,
+    is_lost: bool,
 }
 
 impl Engine {
@@ -104,12 +112,13 @@ impl Engine {
         }
     }
 
-    fn with_slip_maps(self) -> Self {
+    fn with_slip_maps(self, phases_before_links: u32) -> Self {
         // Without kinetic friction slides come back to the limit of static friction exactly, which
         // the walk decides by symmetry.
         let model = self.model.as_ref().filter(|_| self.hoop.mu_k() > 0.0);
         Self {
             slip_maps: model.map(|model| SlipMaps::new(&self.hoop, model)),
+            phases_before_links,
             ..self
         }
     }
@@ -133,6 +142,7 @@ impl Engine {
             hoop: *hoop,
             model: HoopModel::new(hoop).filter(|model| is_computed(model.body)),
             slip_maps: None,
+            phases_before_links: 0,
             is_prepared: false,
             contact: ContactProof::default(),
         }
@@ -158,8 +168,8 @@ impl Engine {
         self.model.is_none()
     }
 
-    /// How many phases, and whole motions ([`Fallback::Drift`]), were left to the solvers of the
-    /// simulation so far, by the reason.
+    /// How many phases were left to the solvers of the simulation so far, by the reason, and how
+    /// often a motion was, from its start up to a doubt ([`Fallback::Drift`]).
     pub fn fallbacks(&self) -> impl Iterator<Item = (Fallback, u64)> {
         self.model.iter().flat_map(|model| model.fallbacks.counts())
     }
@@ -194,6 +204,8 @@ impl Engine {
         recorder.finish(outcome.kind(), outcome.state())
     }
 
+    /// The summary of a motion that is computed as far as all decisions are certain. Where one is
+    /// in doubt it begins anew, simulated up to there, and computed behind that.
     fn fast_summary(
         &self,
         model: &HoopModel,
@@ -201,10 +213,39 @@ impl Engine {
         limits: &Limits,
         empty: SummaryRecorder<'_>,
     ) -> Summary {
+        let mut simulated_phases = 0;
+        loop {
+            let Attempt { summary, is_lost } =
+                self.attempt(model, start, limits, empty, simulated_phases);
+            if !is_lost {
+                return summary;
+            }
+            model.fallbacks.add(Fallback::Drift);
+            // The phase behind the last transition is in doubt, too. At least twice as many each
+            // time: where all is in doubt the whole motion is simulated after few attempts.
+            simulated_phases = summary
+                .transitions
+                .saturating_add(1)
+                .max(simulated_phases.saturating_mul(2));
+        }
+    }
+
+    /// A motion whose first phases, so many, are those of the simulation.
+    #[inline]
+    fn attempt(
+        &self,
+        model: &HoopModel,
+        start: RelativeStart,
+        limits: &Limits,
+        empty: SummaryRecorder<'_>,
+        simulated_phases: u32,
+    ) -> Attempt {
         let slip_maps = self.slip_maps.as_deref();
         let slip_maps = slip_maps
             .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(&self.hoop, model, limits).with_slip_maps(slip_maps);
+        let solver = FastSolver::new(&self.hoop, model, limits)
+            .with_slip_maps(slip_maps, self.phases_before_links)
+            .behind_simulated(simulated_phases);
         let solver = if self.is_prepared {
             solver
         } else {
@@ -216,11 +257,10 @@ impl Engine {
             shared: self.shared_proof_data(slip_maps),
         };
         let end = walk(&solver, start, settings, &mut recorder);
-        if solver.is_lost() {
-            model.fallbacks.add(Fallback::Drift);
-            return self.exact_summary(start, limits, empty);
+        Attempt {
+            summary: recorder.finish(end.kind, end.state),
+            is_lost: solver.is_lost(),
         }
-        recorder.finish(end.kind, end.state)
     }
 
     fn shared_proof_data<'a>(&'a self, slip_maps: Option<&'a [SlipMaps]>) -> SharedProofData<'a> {
@@ -234,9 +274,24 @@ impl Engine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::HoopParameters;
+    use crate::model::{HoopParameters, Restitution, RestitutionLaw};
     use crate::walk::solver::SkipBudget;
     use crate::walk::{Cause, Solver};
+
+    impl Engine {
+        fn simulated(&self, start: Start, limits: Limits) -> Summary {
+            let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
+            let recorder = SummaryRecorder::new(&self.hoop, origin);
+            self.exact_summary(start, &limits, recorder)
+        }
+
+        fn attempted(&self, start: Start, limits: Limits, simulated_phases: u32) -> Attempt {
+            let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
+            let recorder = SummaryRecorder::new(&self.hoop, origin);
+            let model = self.model.as_ref().unwrap();
+            self.attempt(model, start, &limits, recorder, simulated_phases)
+        }
+    }
 
     /// How many transitions are passed at once from the last slip of the motion from a start that
     /// is simulated for so many.
@@ -255,7 +310,7 @@ mod tests {
             .iter()
             .rfind(|one| one.cause == Cause::Slip)
             .unwrap();
-        let solver = FastSolver::new(hoop, model, &Limits::default()).with_slip_maps(Some(maps));
+        let solver = FastSolver::new(hoop, model, &Limits::default()).with_slip_maps(Some(maps), 0);
         let budget = SkipBudget {
             transitions: 5_000,
             slide_cost: f64::INFINITY,
@@ -267,6 +322,64 @@ mod tests {
             .skip_links(&point, slip.direction.unwrap(), &budget)
             .expect("links");
         linked.transitions as usize
+    }
+
+    /// Up to any place in its motion an attempt is the simulation, to the last bit, and behind that
+    /// it leads to the same end.
+    #[test]
+    fn an_attempt_is_the_simulation_up_to_where_it_is_told() {
+        let restitution = Restitution::new(0.5, RestitutionLaw::Energetic).unwrap();
+        let hoop = Hoop::equal_masses(0.5, 0.4).unwrap();
+        let hoop = hoop.with_restitution(restitution).unwrap();
+        let (engine, mut computed) = (Engine::new(&hoop), 0);
+        for k in 0..40_u16 {
+            let start = Start::at(0.31 * f64::from(k), 4.0 - 0.2 * f64::from(k));
+            let all = engine.simulated(start, Limits::default());
+            for phases in (0..=all.transitions).step_by(3) {
+                let limits = Limits::default().with_transitions(phases.max(1) as usize);
+                let [simulated, ours] = [
+                    engine.simulated(start, limits),
+                    engine.attempted(start, limits, phases.max(1)).summary,
+                ];
+                assert_eq!(format!("{ours:?}"), format!("{simulated:?}"), "{start:?}");
+                let whole = engine.attempted(start, Limits::default(), phases);
+                computed += u32::from(format!("{:?}", whole.summary) != format!("{all:?}"));
+                let same = |ours: &Summary| (ours.outcome, ours.sequence, ours.transitions);
+                assert!(
+                    whole.is_lost || same(&whole.summary) == same(&all),
+                    "{start:?}"
+                );
+            }
+        }
+        assert!(computed > 100, "{computed}");
+    }
+
+    /// Maps are made for long motions alone where few starts would pay for them: an ordinary motion
+    /// has the bits of one that is followed slip by slip, and a long one its end.
+    #[test]
+    fn short_motions_of_few_starts_are_followed_slip_by_slip() {
+        let hoop = Hoop::equal_masses(0.5, 0.499).unwrap();
+        let followed = Engine::builder(&hoop).expected_starts(256).build();
+        let [few, many] = [256, 4_096].map(|starts| {
+            let builder = Engine::builder(&hoop).expected_starts(starts);
+            builder.interpolate_slips().build()
+        });
+        let (mut interpolated, mut long) = (0, 0);
+        for k in 0..256_u16 {
+            let start = Start::at(0.4 * f64::from(k % 16) - 3.0, 0.5 * f64::from(k / 16) - 3.9);
+            let [one, other, mapped] = [&followed, &few, &many]
+                .map(|engine| engine.summary(start, Limits::default()).unwrap());
+            let ends = [one, other].map(|it| (it.outcome, it.sequence, it.transitions));
+            assert_eq!(ends[0], ends[1], "{start:?}");
+            let [one, other, mapped] = [one, other, mapped].map(|it| format!("{it:?}"));
+            if ends[0].2 < 100 {
+                assert_eq!(one, other, "{start:?}");
+                interpolated += u32::from(one != mapped);
+            } else {
+                long += u32::from(one != other);
+            }
+        }
+        assert!(interpolated > 0 && long > 0, "{interpolated} {long}");
     }
 
     /// The closer the coefficients, the closer to a grazing orbit a motion goes, and the less the

@@ -43,8 +43,12 @@ pub(super) struct FastSolver<'a> {
     /// SlipMaps of slips, if they are passed by whole links.
     slip_maps: Option<&'a [SlipMaps]>,
     exact: Exact<'a>,
-    /// Phases that are computed before tables are used.
-    phases_before_caching: Cell<u32>,
+    /// Phases of a motion before its slips are.
+    phases_before_links: u32,
+    /// Phases before tables are used.
+    phases_before_caching: u32,
+    /// Phases in contact so far.
+    phases: Cell<u32>,
     error_model: ErrorModel,
     /// In a cell, since [`Solver`] has no state but this and the count of phases.
     error: Cell<ErrorBound>,
@@ -102,7 +106,9 @@ impl<'a> FastSolver<'a> {
             model,
             slip_maps: None,
             exact: Exact::new(hoop, limits),
-            phases_before_caching: Cell::new(0),
+            phases_before_links: 0,
+            phases_before_caching: 0,
+            phases: Cell::new(0),
             error_model: ErrorModel::new(&model.body, hoop.mu_s()),
             error: Cell::new(ErrorBound::Exact),
         }
@@ -112,20 +118,37 @@ impl<'a> FastSolver<'a> {
     /// depends on the motion alone, so that it has the same bits wherever it is computed.
     pub(super) fn for_few_starts(self) -> Self {
         Self {
-            phases_before_caching: Cell::new(PHASES_BEFORE_CACHING),
+            phases_before_caching: PHASES_BEFORE_CACHING,
             ..self
         }
     }
 
-    pub(super) fn with_slip_maps(self, slip_maps: Option<&'a [SlipMaps]>) -> Self {
-        Self { slip_maps, ..self }
+    /// Its first phases, so many, are those of the simulation.
+    pub(super) fn behind_simulated(self, phases: u32) -> Self {
+        Self {
+            error: Cell::new(ErrorBound::behind_simulated(phases)),
+            ..self
+        }
+    }
+
+    /// Passes slips by whole links, after so many phases.
+    pub(super) fn with_slip_maps(
+        self,
+        slip_maps: Option<&'a [SlipMaps]>,
+        phases_before_links: u32,
+    ) -> Self {
+        Self {
+            slip_maps,
+            phases_before_links,
+            ..self
+        }
     }
 
     /// Counts a phase; returns whether it uses tables.
     fn uses_tables(&self) -> bool {
-        let left = self.phases_before_caching.get();
-        self.phases_before_caching.set(left.saturating_sub(1));
-        left == 0 && is_on(Part::KeptCells)
+        let phases = self.phases.get();
+        self.phases.set(phases.saturating_add(1));
+        phases >= self.phases_before_caching && is_on(Part::KeptCells)
     }
 
     /// Whether the simulation may have decided otherwise.
@@ -144,10 +167,21 @@ impl<'a> FastSolver<'a> {
         self.with_error(|error| error.add_phase(&self.error_model, end.theta));
     }
 
+    /// What the error tells of a decision. Where it does not, the simulation may decide otherwise.
+    #[inline(always)]
+    fn is_certain(&self, told_by: impl FnOnce(&ErrorBound) -> bool) -> bool {
+        let error = self.error.get();
+        let is_certain = told_by(&error);
+        if !is_certain {
+            self.error.set(error.behind_doubt());
+        }
+        is_certain
+    }
+
     /// Whether the sign of a number is certain.
     #[inline(always)]
     fn sign_is_certain(&self, value: f64, scale: f64) -> bool {
-        self.with_error(|error| error.sign_is_certain(DecisiveNumber { value, scale }))
+        self.is_certain(|error| error.sign_is_certain(DecisiveNumber { value, scale }))
     }
 
     #[inline(always)]
@@ -156,7 +190,7 @@ impl<'a> FastSolver<'a> {
             value: contact_margin,
             scale,
         };
-        self.with_error(|error| error.resolves_forces(&self.error_model, margin))
+        self.is_certain(|error| error.resolves_forces(&self.error_model, margin))
     }
 
     fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
@@ -401,12 +435,26 @@ impl<'a> FastSolver<'a> {
         }
     }
 
-    /// The end of a motion that is lost: it is simulated instead, whatever follows here.
-    const fn give_up(state: State) -> PhaseResult<Self> {
-        PhaseResult {
-            solution: None,
-            direction: None,
-            end: Self::cut(state),
+    /// The result of a phase from a state that is that of the simulation, or of a motion that is
+    /// lost: it ends here, and begins anew.
+    #[inline(always)]
+    fn not_computed(
+        &self,
+        state: State,
+        exact: impl FnOnce(&Exact<'a>) -> PhaseResult<Exact<'a>>,
+    ) -> Option<PhaseResult<Self>> {
+        match self.error.get() {
+            ErrorBound::Exact | ErrorBound::Within(_) => None,
+            ErrorBound::Simulated(phases) => {
+                let error = ErrorBound::behind_simulated(phases.get() - 1);
+                self.error.set(error);
+                Some(Self::from_exact(exact(&self.exact)))
+            }
+            ErrorBound::Lost => Some(PhaseResult {
+                solution: None,
+                direction: None,
+                end: Self::cut(state),
+            }),
         }
     }
 
@@ -517,8 +565,8 @@ impl Solver for FastSolver<'_> {
             self.model.fallbacks.add(reason);
             Self::from_exact(self.exact.roll(&state, on_limit))
         };
-        if self.is_lost() {
-            return Self::give_up(state);
+        if let Some(result) = self.not_computed(state, |exact| exact.roll(&state, on_limit)) {
+            return result;
         }
         if is_out_of_range(state.theta) {
             return left_to_the_simulation(Fallback::Far);
@@ -572,8 +620,10 @@ impl Solver for FastSolver<'_> {
             }
             Self::from_exact(solved)
         };
-        if self.is_lost() {
-            return Self::give_up(state);
+        if let Some(result) =
+            self.not_computed(state, |exact| exact.slide(&state, body, direction, entry))
+        {
+            return result;
         }
         if is_out_of_range(state.theta) {
             return left_to_the_simulation(Fallback::Far);
@@ -621,8 +671,8 @@ impl Solver for FastSolver<'_> {
     #[inline(always)]
     fn fly(&self, place: &EngineState, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
         let state = place.state;
-        if self.is_lost() {
-            return Self::give_up(state);
+        if let Some(result) = self.not_computed(state, |exact| exact.fly(&state, body, take_off)) {
+            return result;
         }
         // Whatever follows from a state of the simulation goes on as there.
         if self.error.get().is_exact() && self.hoop.restitution().is_some() {
@@ -689,6 +739,9 @@ impl Solver for FastSolver<'_> {
         direction: SlipDirection,
         budget: &SkipBudget<'_>,
     ) -> Option<SkippedLinks<EngineState>> {
+        if self.phases.get() < self.phases_before_links || self.error.get().is_simulated() {
+            return None;
+        }
         let (state, heading) = (place.state, place.heading());
         let maps = if heading < 0.0 {
             self.slip_maps?.last()
