@@ -23,6 +23,13 @@ pub(super) struct Instant<const K: usize> {
     pub(super) point: Point<Dual<K>>,
 }
 
+/// An instant of a phase, and the gap there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InstantOfPhase<const K: usize> {
+    pub(super) at: Instant<K>,
+    pub(super) gap: Dual<K>,
+}
+
 /// The start of a phase, and the rate at which the gap opens there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Begun<const K: usize> {
@@ -560,7 +567,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         &mut self,
         phase: &Phase,
         times: &[f64],
-        mut give: impl FnMut(&Self, Derivative<Instant<K>>),
+        mut give: impl FnMut(&Self, Derivative<InstantOfPhase<K>>),
     ) {
         if let Err(reason) = self.begin(phase) {
             return times.iter().for_each(|_| give(self, Err(reason)));
@@ -571,17 +578,31 @@ impl<'a, const K: usize> Tangents<'a, K> {
             .map(|elapsed| (elapsed - phase.start.time).max(0.0))
             .collect();
         let [start, _] = self.origin;
-        let mut times = times.iter();
+        let mut times = times.iter().zip(&within);
         self.propagate(phase, &motion, &within, |point| {
-            let Some(elapsed) = times.next() else { return };
+            let Some((elapsed, within)) = times.next() else {
+                return;
+            };
             // A fixed time of the results is later or earlier in the time of the solvers, and since
             // the start of the phase.
             let fixed = (Dual::constant(start.value) - start) * self.pace
                 + self.pace / self.pace.value * *elapsed;
             let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
-            let moved = |point| Instant {
-                elapsed: fixed,
-                point: self.to_event(&motion, &point, later),
+            let moved = |point| InstantOfPhase {
+                at: Instant {
+                    elapsed: fixed,
+                    point: self.to_event(&motion, &point, later),
+                },
+                gap: match &motion {
+                    Motion::Flies(flight) => {
+                        let since = Dual {
+                            value: *within,
+                            parts: later,
+                        };
+                        self.plane.gap(flight, since).0
+                    }
+                    Motion::Rolls | Motion::Slides(_) | Motion::Glides => Dual::constant(0.0),
+                },
             };
             give(self, point.map(moved));
         });
@@ -589,7 +610,9 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     fn at_time(&mut self, phase: &Phase, elapsed: f64) -> Derivative<Instant<K>> {
         let mut found = Err(NoDerivative::Singular);
-        self.at_times(phase, &[elapsed], |_, at| found = at);
+        self.at_times(phase, &[elapsed], |_, instant| {
+            found = instant.map(|instant| instant.at);
+        });
         found
     }
 
