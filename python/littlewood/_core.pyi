@@ -4,7 +4,7 @@ from typing import Any, TypedDict, final
 import numpy as np
 import numpy.typing as npt
 
-# Numbers in the order of START and SI_START; those of a state come in that of STATE.
+# Numbers in the order of START and SI_START.
 _Numbers = Sequence[float]
 # Numbers in the order of HOOP and SI_HOOP, of which some may be absent.
 _HoopNumbers = Sequence[float | None]
@@ -78,9 +78,9 @@ class _Block(TypedDict):
     rows: list[_Row]
     numbers: list[int]
 
-# Derivatives of states, number after number, and the reasons why there are none.
+# Derivatives row after row: the columns by their names, and the reasons why there are none.
 class _Rows(TypedDict):
-    values: _Reals
+    columns: dict[str, _Reals]
     reasons: list[str]
 
 class _DerivativesOfMotion(TypedDict):
@@ -202,7 +202,6 @@ SI_HOOP: list[str]
 SI_START: list[str]
 STANDARD_GRAVITY: float
 START: list[str]
-STATE: list[str]
 
 class ParameterError(ValueError):
     quantity: str

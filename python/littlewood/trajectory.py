@@ -445,7 +445,7 @@ class Trajectory:
     def derivatives_at(
         self, times: npt.ArrayLike, quantities: Sequence[str] | None = None
     ) -> xarray.Dataset:
-        r"""Return the exact derivatives of the state at fixed times.
+        r"""Return the exact derivatives of state and gap at fixed times.
 
         Parameters
         ----------
@@ -458,8 +458,8 @@ class Trajectory:
         -------
         xarray.Dataset
             Of the dimensions `time` (n, absent for one time) and `quantity`: `theta`, `theta_rate`,
-            `slip`, `x` and `reason`. At a transition they are those of the motion that begins.
-            Outside the motion they are NaN with the reason "outside".
+            `slip`, `x`, `gap` and `reason`. At a transition they are those of the motion that
+            begins. Outside the motion they are NaN with the reason "outside".
 
         Raises
         ------

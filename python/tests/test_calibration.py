@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import littlewood as lw
-from littlewood.fitting.calibration import CALIBRATION, means, shown
-from littlewood.fitting.noise import Noise, Whitening, estimate_noise
+from littlewood.fitting.calibration import CALIBRATION, shown
+from littlewood.fitting.exposure import Exposures
+from littlewood.fitting.noise import Noise, estimate_noise, whitenings
 from littlewood.fitting.problem import Problem
 
 NOISE = 0.001
@@ -43,11 +44,14 @@ def test_a_picture_is_the_mean_over_its_exposure(motion):
     # An impact is in some of them.
     impacts = np.array([one.time for one in motion.transitions if one.impact is not None])
     assert np.any(np.searchsorted(time, impacts) != np.searchsorted(time + EXPOSURE, impacts))
-    found, true = means(motion, time, EXPOSURE), averaged(motion, time, EXPOSURE)
+    found, true = Exposures(motion, time, EXPOSURE).positions, averaged(motion, time, EXPOSURE)
     for name, values in true.items():
         np.testing.assert_allclose(found[name], values, atol=1e-6)
         # Without the average it would be seen.
-        assert np.max(np.abs(means(motion, time + 0.5 * EXPOSURE, 0.0)[name] - values)) > 2e-4
+        assert (
+            np.max(np.abs(Exposures(motion, time + 0.5 * EXPOSURE, 0.0).positions[name] - values))
+            > 2e-4
+        )
 
 
 def test_displacements_are_those_of_homographies():
@@ -88,7 +92,10 @@ def filmed(motion, seed, constants, exposure=0.0, count=240):
     random = np.random.default_rng(seed)
     time = np.linspace(0.0, 8.0, count)
     seen = shown(
-        averaged(motion, time, exposure, 200) if exposure else means(motion, time, 0.0), constants
+        averaged(motion, time, exposure, 200)
+        if exposure
+        else Exposures(motion, time, 0.0).positions,
+        constants,
     )
     noise = random.normal(0.0, NOISE, (3, count))
     return lw.Track(
@@ -176,7 +183,7 @@ def test_whitening_is_the_root_of_the_covariance():
             np.exp(-np.abs(time[:, None] - time) / noise.time) if noise.time else np.zeros((40, 40))
         )
         covariance = np.diag((noise.white * relative) ** 2) + noise.slow**2 * slow
-        whitening = Whitening(noise, time, relative)
+        whitening = whitenings([noise], time, relative)[0]
         root = whitening(np.eye(40))
         np.testing.assert_allclose(root @ covariance @ root.T, np.eye(40), atol=1e-10)
         values = random.normal(size=40)
@@ -208,7 +215,7 @@ def test_intervals_hold_with_slow_errors(motion):
     """Errors over standard errors of 10 tracks are numbers of size 1, which those of independent errors are not."""
     found, believed = [], []
     time = np.linspace(0.0, 6.0, 120)
-    seen = means(motion, time, 0.0)
+    seen = Exposures(motion, time, 0.0).positions
     for seed in range(10):
         random = np.random.default_rng([seed, 77])
         noisy = [values + slow_errors(random, time, 5e-4, 1e-3, 0.4) for values in seen.values()]

@@ -1,55 +1,63 @@
-//! Derivatives of a motion, as flat arrays.
+//! Derivatives of a motion, column by column.
 
-use littlewood::derivatives::{Derivative, NoDerivative, NotDifferentiable};
+use littlewood::derivatives::{NoDerivative, NotDifferentiable};
 use littlewood::modes::Recurrence;
-use littlewood::tables::{Detail, Quantity};
+use littlewood::tables::{Detail, Quantity, SampleColumn};
 use littlewood::{State, Trajectory};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::{not_differentiable, unknown_quantity};
+use crate::record::ByName;
 
 /// The reason outside a motion.
 const OUTSIDE: &str = "outside";
 
-/// The derivatives of states, one row for each state with its numbers in the order of
-/// [`State::COLUMNS`], and the name of the reason for each row. A row without derivatives is NaN; a
-/// row that has them has an empty reason.
+/// Derivatives row after row: the columns of the state, of instants that of the gap, too, and the
+/// name of the reason for each row. A row without derivatives is NaN; a row that has them has an
+/// empty reason.
 #[derive(IntoPyObject)]
 pub(crate) struct Rows<'py> {
-    values: Bound<'py, PyArray1<f64>>,
+    columns: ByName<Bound<'py, PyArray1<f64>>>,
     reasons: Vec<&'static str>,
 }
 
-#[derive(Default)]
 struct Collected {
-    values: Vec<f64>,
+    columns: Vec<(SampleColumn, Vec<f64>)>,
     reasons: Vec<&'static str>,
 }
 
 impl Collected {
-    fn push(&mut self, derivative: Result<State, &'static str>) {
-        match derivative {
-            Ok(state) => self.values.extend(state.numbers()),
-            Err(_) => self.values.extend([f64::NAN; State::COLUMNS.len()]),
+    /// No rows yet, of the columns of the state and these.
+    fn with(others: &[SampleColumn]) -> Self {
+        let columns = State::COLUMNS.iter().chain(others);
+        Self {
+            columns: columns.map(|column| (*column, Vec::new())).collect(),
+            reasons: Vec::new(),
         }
-        self.reasons.push(derivative.err().unwrap_or_default());
+    }
+
+    /// A row: the derivatives of the columns, or the name of the reason why there are none.
+    fn push<const N: usize>(&mut self, derivatives: Result<[f64; N], &'static str>) {
+        for (place, (_, values)) in self.columns.iter_mut().enumerate() {
+            let number = derivatives
+                .ok()
+                .and_then(|numbers| numbers.get(place).copied());
+            values.push(number.unwrap_or(f64::NAN));
+        }
+        self.reasons.push(derivatives.err().unwrap_or_default());
     }
 
     fn into_rows(self, py: Python<'_>) -> Rows<'_> {
+        let columns = self.columns.into_iter();
         Rows {
-            values: self.values.into_pyarray(py),
+            columns: columns
+                .map(|(column, values)| (column.name(), values.into_pyarray(py)))
+                .collect(),
             reasons: self.reasons,
         }
     }
-}
-
-fn named<T: Copy>(
-    derivative: &Derivative<T>,
-    state: impl Fn(T) -> State,
-) -> Result<State, &'static str> {
-    derivative.map(state).map_err(NoDerivative::name)
 }
 
 /// The quantities of these names, or all that the motion has.
@@ -99,13 +107,15 @@ pub(crate) fn all<'py>(
     let found = py
         .detach(|| motion.derivatives(&quantities))
         .map_err(|error| not_differentiable(py, error))?;
-    let (mut transitions, mut outcome) = (Collected::default(), Collected::default());
+    let (mut transitions, mut outcome) = (Collected::with(&[]), Collected::with(&[]));
     for derivative in found.transitions().iter().flatten() {
-        transitions.push(named(derivative, |event| event.after));
+        let numbers = derivative.map(|event| event.after.numbers());
+        transitions.push(numbers.map_err(NoDerivative::name));
     }
     let numbers = PyDict::new(py);
     for (place, derivative) in found.outcome().iter().enumerate() {
-        outcome.push(named(derivative, |end| end.state));
+        let state = derivative.map(|end| end.state.numbers());
+        outcome.push(state.map_err(NoDerivative::name));
         let recurrence = derivative.ok().and_then(|end| end.recurrence);
         for (name, detail) in recurrence.iter().flat_map(Recurrence::details) {
             let Detail::Real(value, _) = detail else {
@@ -127,7 +137,7 @@ pub(crate) fn all<'py>(
     })
 }
 
-/// The derivatives of the state at fixed times, time after time.
+/// The derivatives of the state and the gap at fixed times, time after time.
 pub(crate) fn at<'py>(
     py: Python<'py>,
     motion: &Trajectory,
@@ -136,13 +146,20 @@ pub(crate) fn at<'py>(
 ) -> PyResult<AtTimes<'py>> {
     let quantities = quantities(py, motion, names)?;
     let found = py.detach(|| -> Result<Collected, NotDifferentiable> {
-        let mut rows = Collected::default();
+        let mut rows = Collected::with(&[SampleColumn::Gap]);
         for each in motion.derivatives_at(times, &quantities)? {
-            match each {
-                Some(each) => each
-                    .iter()
-                    .for_each(|derivative| rows.push(named(derivative, |state| state))),
-                None => quantities.iter().for_each(|_| rows.push(Err(OUTSIDE))),
+            let Some(each) = each else {
+                for _ in &quantities {
+                    rows.push::<0>(Err(OUTSIDE));
+                }
+                continue;
+            };
+            for derivative in each {
+                let numbers = derivative.map(|instant| {
+                    let [time, theta, theta_rate, slip, x] = instant.state.numbers();
+                    [time, theta, theta_rate, slip, x, instant.gap]
+                });
+                rows.push(numbers.map_err(NoDerivative::name));
             }
         }
         Ok(rows)

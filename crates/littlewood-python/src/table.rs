@@ -9,7 +9,7 @@ use littlewood::tables::{
     SummaryColumn,
 };
 use littlewood::theory::{EDGES, RollingType, StartRegion};
-use littlewood::{Cause, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, State};
+use littlewood::{Cause, Limits, Mode, OutcomeKind, Proof, RestitutionLaw};
 use littlewood_report::Sampling;
 use littlewood_sweep::Varies;
 use numpy::PyReadonlyArray1;
@@ -183,7 +183,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     )?;
     module.add("SI_HOOP", names(Quantity::SI_HOOP))?;
     module.add("SI_START", names(Quantity::SI_START))?;
-    module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;
     module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
     module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
     module.add("MAX_SLIDES", Limits::default().slides)?;

@@ -195,11 +195,11 @@ pub mod derivatives {
     //!
     //! [`Trajectory::derivatives`](crate::Trajectory::derivatives) differentiates the time of each transition, the states before and after
     //! it, and the outcome; [`Trajectory::derivatives_at`](crate::Trajectory::derivatives_at) the
-    //! state at a time. A derivative that does not exist is a [`NoDerivative`] with its reason.
+    //! state and the gap at a time. A derivative that does not exist is a [`NoDerivative`] with its reason.
 
     pub use crate::motion::derivatives::{
-        Derivative, Derivatives, EventDerivative, NoDerivative, NotDifferentiable,
-        OutcomeDerivative,
+        Derivative, Derivatives, EventDerivative, InstantDerivative, NoDerivative,
+        NotDifferentiable, OutcomeDerivative,
     };
 }
 

@@ -30,10 +30,9 @@ def _attributes(name: str, of: str) -> dict[str, Any]:
 def _variables(
     rows: _core._Rows, dimensions: tuple[str, ...], shape: tuple[int, ...], of: str, prefix: str
 ) -> dict[str, Any]:
-    numbers = rows["values"].reshape(*shape, len(_core.STATE))
     found: dict[str, Any] = {
-        prefix + name: (dimensions, numbers[..., i], _attributes(name, of))
-        for i, name in enumerate(_core.STATE)
+        prefix + name: (dimensions, values.reshape(shape), _attributes(name, of))
+        for name, values in rows["columns"].items()
     }
     found[prefix + "reason"] = (
         dimensions,
@@ -82,16 +81,16 @@ def of_motion(core: _core.Trajectory, quantities: Sequence[str] | None) -> xarra
 def columns_at(
     core: _core.Trajectory, times: npt.NDArray[np.float64], quantities: Sequence[str]
 ) -> dict[str, Any]:
-    """Return the derivatives of the state at fixed times as arrays, of times by quantities."""
-    rows = core.derivatives_at(times, quantities)["rows"]
-    numbers = rows["values"].reshape(times.size, len(quantities), len(_core.STATE))
-    return {name: numbers[..., i] for i, name in enumerate(_core.STATE)}
+    """Return the derivatives of state and gap at fixed times as arrays, of times by quantities."""
+    columns = core.derivatives_at(times, quantities)["rows"]["columns"]
+    shape = times.size, len(quantities)
+    return {name: values.reshape(shape) for name, values in columns.items()}
 
 
 def at_times(
     core: _core.Trajectory, times: npt.ArrayLike, quantities: Sequence[str] | None
 ) -> xarray.Dataset:
-    """Return the derivatives of the state at fixed times."""
+    """Return the derivatives of state and gap at fixed times."""
     instants = reals(times)
     if instants.ndim > 1:
         raise ValueError(f"times of shape {instants.shape} must be one time or of shape (n,)")

@@ -1,17 +1,15 @@
-"""Constant errors of a camera, and the blur of a motion during an exposure."""
+"""Constant errors of a camera."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
 
 from .._internal.elementwise import Reals
-from ..trajectory import Trajectory
 
-__all__ = ["CALIBRATION", "checked", "determined", "means", "shown"]
+__all__ = ["CALIBRATION", "checked", "determined", "shown"]
 
 # Displacement (δx, δy) of a point, and the rows of its derivatives by x and y.
 _Shift = Callable[[Reals, Reals], tuple[tuple[Any, Any], tuple[tuple[Any, Any], tuple[Any, Any]]]]
@@ -47,8 +45,6 @@ _OF_HEIGHT = {"floor"}
 
 CALIBRATION = (*_SHIFTS, *_OF_ANGLE, "exposure")
 """Names of what a camera may show wrong in every frame alike."""
-
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(2)
 
 
 def determined(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
@@ -98,45 +94,3 @@ def shown(means: Mapping[str, Reals], constants: Mapping[str, float]) -> dict[st
             # The particle is at (−sin θ, cos θ) from the centre: what displaces it across turns it.
             turned += size * (cosine * (xx * sine - xy * cosine) + sine * (yx * sine - yy * cosine))
     return {"theta": theta + turned, "x": x + along, "y": y + up}
-
-
-def means(motion: Trajectory, time: Reals, exposure: float) -> dict[str, Reals]:
-    """Return θ, x and y of a motion as means over exposures that begin at these times, √(R/g)."""
-    if exposure == 0.0:
-        return _at(motion, time)
-    # From transition to transition a motion is smooth: an exposure is taken in such pieces.
-    jumps = np.array([one.time for one in motion.transitions], dtype=np.float64)
-    frames = np.searchsorted(time, jumps, side="right") - 1
-    inside = (frames >= 0) & (jumps < time[frames] + exposure)
-    begins, owners = (
-        np.concatenate([time, jumps[inside]]),
-        np.concatenate([np.arange(time.size), frames[inside]]),
-    )
-    order = np.lexsort((begins, owners))
-    begins, owners = begins[order], owners[order]
-    ends = time[owners] + exposure
-    ends[:-1] = np.where(owners[1:] == owners[:-1], begins[1:], ends[:-1])
-    lengths = ends - begins
-    at_nodes = _at(motion, begins[:, None] + 0.5 * lengths[:, None] * (1.0 + _NODES))
-    parts = 0.5 * lengths / exposure
-    found = {}
-    for name, values in at_nodes.items():
-        sums = np.bincount(owners, parts * (values @ _WEIGHTS), time.size)
-        found[name] = np.asarray(sums, dtype=np.float64)
-    return found
-
-
-def _at(motion: Trajectory, time: Reals) -> dict[str, Reals]:
-    """Return θ, x and y at instants; beyond its end a motion goes on evenly, because a fit needs a number there."""
-    flat = time.ravel()
-    samples = motion(flat)
-    found = {"theta": samples.theta, "x": samples.x, "y": samples.centre_y}
-    late = samples.is_outside
-    if np.any(late):
-        end = motion.outcome.state
-        elapsed = flat[late] - end.time
-        rate = end.theta_rate if math.isfinite(end.theta_rate) else 0.0
-        found["theta"][late] = end.theta + rate * elapsed
-        found["x"][late] = end.x + (end.slip - rate if math.isfinite(end.slip) else 0.0) * elapsed
-        found["y"][late] = 1.0
-    return {name: values.reshape(time.shape) for name, values in found.items()}

@@ -43,6 +43,7 @@ _BEST = 6
 # followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
 _BEST_OF_PART = 4
+_STEPS_OF_SEARCH = 60
 # A guess foretells a longer part where the residuals there are, on average, at most so many times
 # those of the part it fits.
 _FORETELLS = 2.0
@@ -333,13 +334,15 @@ def _search(
     foretold = 0.0
     for part in parts:
         shorter = problem.part(part)
-        if foretold == 0.0 or min(map(shorter.misfit, guesses)) > foretold:
-            guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
-        order = np.argsort([shorter.misfit(guess) for guess in guesses], kind="stable")[:best]
-        tolerance = FINE if shorter is problem else ROUGH
+        misfits = [shorter.misfit(guess) for guess in guesses]
+        if min(misfits) > foretold:
+            others = [other for guess in guesses for other in problem.other_restitutions(guess)]
+            guesses, misfits = guesses + others, [*misfits, *map(shorter.misfit, others)]
+        # Guesses of one motion have one misfit: without an impact any restitution will do.
+        _, places = np.unique(misfits, return_index=True)
         found = []
-        for i in order:
-            found.append(shorter.refine(guesses[i], loss, tolerance))
+        for i in places[:best]:
+            found.append(shorter.refine(guesses[i], loss, ROUGH, _STEPS_OF_SEARCH))
             step()
         found.sort(key=lambda result: float(result.cost))
         guesses = _distinct([result.x for result in found])

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .._internal.elementwise import Reals
+from .._internal.extras import require
 from .._internal.terminal import printable
 
-__all__ = ["Noise", "Whitening", "estimate_noise"]
+__all__ = ["Noise", "estimate_noise", "whitenings"]
 
 
 # Variances of the slow part over those of the other, and its times over the median time between two
@@ -19,8 +21,6 @@ __all__ = ["Noise", "Whitening", "estimate_noise"]
 _RATIOS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 _TIMES = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
 _LEAST = 1e-12
-# Longest track whose combinations are kept as a matrix.
-_DENSE = 2000
 
 
 @dataclass(frozen=True)
@@ -57,43 +57,48 @@ class Noise:
 class Whitening:
     """Measurements as combinations whose errors are independent and of size 1.
 
-    Innovations of the measurements: a Kalman filter whose state is the slow noise. `relative` are
-    their errors over the median one.
+    Innovations of the measurements: a Kalman filter whose state is the slow noise. With the part
+    k of the slow noise that is left from frame to frame, and the part r of a measurement that is
+    white, the innovations i of the measurements v are
+
+        i[n] − k[n] r[n−1] i[n−1] = v[n] − k[n] v[n−1].
     """
 
-    def __init__(self, noise: Noise, time: Reals, relative: Reals) -> None:
-        white = np.square(noise.white * relative)
-        self._keeps: list[float] = []
-        self._gains: list[float] = []
-        self._matrix: Reals | None = None
-        total = white
-        if noise.slow > 0.0:
-            total, slow, left = np.empty(time.size), noise.slow**2, 0.0
-            for k, elapsed in enumerate(np.diff(time, prepend=-math.inf)):
-                keep = math.exp(-elapsed / noise.time)
-                before = keep * keep * left + (1.0 - keep * keep) * slow
-                total[k] = before + white[k]
-                left = before * white[k] / total[k]
-                self._keeps.append(keep)
-                self._gains.append(before / float(total[k]))
-        self._roots = np.sqrt(total)
+    def __init__(self, kept: Reals, white: Reals, variances: Reals) -> None:
+        self._kept, self._roots = kept, np.sqrt(variances)
+        self._bands = np.ones((2, kept.size))
+        self._bands[1, :-1] = -kept[1:] * white[:-1]
 
     def __call__(self, values: Reals) -> Reals:
         """Return values, or columns of them, as those combinations."""
-        if not self._gains:
-            return np.asarray((values.T / self._roots).T)
-        if self._matrix is None and len(self._gains) <= _DENSE:
-            # The same matrix serves every step of a fit.
-            self._matrix = self._filtered(np.eye(len(self._gains)))
-        return self._filtered(values) if self._matrix is None else np.asarray(self._matrix @ values)
-
-    def _filtered(self, values: Reals) -> Reals:
-        found, state = np.empty_like(values), 0.0 * values[0]
-        for k, (keep, gain) in enumerate(zip(self._keeps, self._gains, strict=True)):
-            new = values[k] - keep * state
-            found[k] = new
-            state = keep * state + gain * new
+        found = values
+        if np.any(self._kept):
+            found = values.copy()
+            found[1:] -= (self._kept[1:] * values[:-1].T).T
+            found = require("scipy.linalg").solve_banded((1, 0), self._bands, found)
         return np.asarray((found.T / self._roots).T)
+
+    @property
+    def log_determinant(self) -> float:
+        """Logarithm of the determinant of the covariance of the errors."""
+        return 2.0 * float(np.sum(np.log(self._roots)))
+
+
+def whitenings(noises: Sequence[Noise], time: Reals, relative: Reals) -> list[Whitening]:
+    """Return the combinations for each noise; `relative` are the errors over the median one."""
+    whites, slows, lengths = (
+        np.array([getattr(one, name) for one in noises]) for name in ("white", "slow", "time")
+    )
+    has_slow = slows > 0.0
+    elapsed = np.diff(time, prepend=-math.inf)[:, None]
+    kept = np.where(has_slow, np.exp(-elapsed / np.where(has_slow, lengths, 1.0)), 0.0)
+    white = np.square(whites * relative[:, None])
+    variances, left = np.empty_like(kept), np.zeros(len(noises))
+    for k, part in enumerate(np.square(kept)):
+        before = part * left + (1.0 - part) * np.square(slows)
+        variances[k] = before + white[k]
+        left = before * white[k] / variances[k]
+    return [*map(Whitening, kept.T, (white / variances).T, variances.T)]
 
 
 def estimate_noise(
@@ -120,38 +125,44 @@ def estimate_noise(
         name: [known[name]] if name in known else _shapes(times[name], correlated)
         for name in residuals
     }
-    grams: dict[str, list[tuple[Reals, float]]] = {}
     # Unknowns that the residuals do not depend on have no part in a determinant.
-    all_rows = np.vstack(list(jacobians.values()))
-    norms = np.linalg.norm(all_rows, axis=0)
+    norms = np.linalg.norm(np.vstack(list(jacobians.values())), axis=0)
     kept = norms > 0.0
-    for name, tried in shapes.items():
-        columns = np.column_stack([residuals[name], jacobians[name][:, kept] / norms[kept]])
-        grams[name] = _grams(tried, times[name], relative[name], columns)
-    counts = {name: residuals[name].size for name in residuals}
-    best = dict.fromkeys(shapes, 0)
-    scales = {
-        name: 1.0
-        if name in known
-        else max(float(grams[name][0][0][0, 0]) / counts[name], _LEAST**2)
-        for name in shapes
+    channels = {
+        name: _Channel.of(
+            whitenings(tried, times[name], relative[name]),
+            np.column_stack([residuals[name], jacobians[name][:, kept] / norms[kept]]),
+            name not in known,
+        )
+        for name, tried in shapes.items()
     }
-    free = [name for name in shapes if name not in known]
-    value = _likelihood(grams, counts, best, scales)
+    best = dict.fromkeys(shapes, 0)
+    scales: dict[str, Reals] = {
+        name: np.maximum(one.products[:1, 0, 0] / one.count, _LEAST**2)
+        if one.is_free
+        else np.ones(1)
+        for name, one in channels.items()
+    }
+    chosen = {name: one.at(slice(0, 1)) for name, one in channels.items()}
+    value = float(_likelihood(chosen, scales)[0])
     for _ in range(20):
         before = value
-        for name in free:
-            found = []
-            for place in range(len(shapes[name])):
-                trial = best | {name: place}
-                scaled = _scales(grams, counts, trial, scales, free)
-                found.append((_likelihood(grams, counts, trial, scaled), place, scaled))
-            value, best[name], scales = max(found, key=lambda one: one[0])
+        for name in (name for name, one in channels.items() if one.is_free):
+            trial = chosen | {name: channels[name]}
+            scaled = _scales(trial, scales)
+            values = _likelihood(trial, scaled)
+            place = best[name] = int(np.argmax(values))
+            value = float(values[place])
+            chosen[name] = channels[name].at(slice(place, place + 1))
+            scales = {
+                one: found[place : place + 1] if found.size > 1 else found
+                for one, found in scaled.items()
+            }
         if value <= before + 1e-6:
             break
     result = {}
     for name, place in best.items():
-        root, shape = math.sqrt(scales[name]), shapes[name][place]
+        root, shape = math.sqrt(scales[name][0]), shapes[name][place]
         result[name] = Noise(root * shape.white, root * shape.slow, shape.time)
     return result
 
@@ -167,79 +178,71 @@ def _shapes(time: Reals, correlated: bool) -> list[Noise]:
     ]
 
 
-def _grams(
-    shapes: Sequence[Noise], time: Reals, relative: Reals, columns: Reals
-) -> list[tuple[Reals, float]]:
-    """Return products of whitened columns, and the logarithm of the determinant, for each noise."""
-    whites, slows = (
-        np.square([getattr(one, name) for one in shapes]) for name in ("white", "slow")
-    )
-    lengths = np.array([one.time if one.slow > 0.0 else 1.0 for one in shapes])
-    state, left = np.zeros((len(shapes), columns.shape[1])), np.zeros(len(shapes))
-    found, totals = np.empty((len(time), *state.shape)), np.empty((len(time), len(shapes)))
-    for k, elapsed in enumerate(np.diff(time, prepend=-math.inf)):
-        keep = np.exp(-elapsed / lengths)
-        before = keep * keep * left + (1.0 - keep * keep) * slows
-        white = whites * relative[k] ** 2
-        totals[k] = before + white
-        left = before * white / totals[k]
-        new = columns[k] - keep[:, None] * state
-        found[k] = new / np.sqrt(totals[k])[:, None]
-        state = keep[:, None] * state + (before / totals[k])[:, None] * new
-    logs = np.sum(np.log(totals), axis=0)
-    whitened = np.moveaxis(found, 1, 0)
-    return [(one.T @ one, float(log)) for one, log in zip(whitened, logs, strict=True)]
+@dataclass(frozen=True, eq=False)
+class _Channel:
+    """A channel for each noise that is tried: products of its whitened columns, and determinants."""
+
+    products: Reals
+    log_determinants: Reals
+    count: int
+    is_free: bool
+
+    @classmethod
+    def of(cls, tried: Sequence[Whitening], columns: Reals, is_free: bool) -> _Channel:
+        whitened = [one(columns) for one in tried]
+        products = np.array([rows.T @ rows for rows in whitened])
+        logs = np.array([one.log_determinant for one in tried])
+        return cls(products, logs, columns.shape[0], is_free)
+
+    def at(self, places: slice) -> _Channel:
+        return replace(
+            self,
+            products=self.products[places],
+            log_determinants=self.log_determinants[places],
+        )
 
 
 def _solved(
-    grams: Mapping[str, list[tuple[Reals, float]]],
-    places: Mapping[str, int],
-    scales: Mapping[str, float],
-) -> tuple[Reals, Reals, float]:
-    """Return the change of the unknowns, the inverse of their normal matrix, and the logarithm of its determinant."""
-    normal = np.sum(
-        [grams[name][place][0] / scales[name] for name, place in places.items()], axis=0
-    )
-    values, vectors = np.linalg.eigh(normal[1:, 1:])
+    channels: Mapping[str, _Channel], scales: Mapping[str, Reals]
+) -> tuple[Reals, Reals, Reals]:
+    """Return the change of the unknowns, the inverse of their normal matrix, and the logarithm of its determinant.
+
+    Each for all noises that are tried of one of the channels.
+    """
+    parts = (one.products / scales[name][:, None, None] for name, one in channels.items())
+    normal = functools.reduce(np.add, parts)
+    values, vectors = np.linalg.eigh(normal[:, 1:, 1:])
     # What the measurements do not tell has no finite variance; this bounds it.
-    values = np.maximum(values, 1e-13 * values[-1])
-    inverse = (vectors / values) @ vectors.T
-    return inverse @ normal[1:, 0], inverse, float(np.sum(np.log(values)))
+    values = np.maximum(values, 1e-13 * values[:, -1:])
+    inverse = (vectors / values[:, None, :]) @ vectors.swapaxes(1, 2)
+    change = (inverse @ normal[:, 1:, :1])[:, :, 0]
+    return change, inverse, np.sum(np.log(values), axis=1)
 
 
-def _scales(
-    grams: Mapping[str, list[tuple[Reals, float]]],
-    counts: Mapping[str, int],
-    places: Mapping[str, int],
-    scales: Mapping[str, float],
-    free: Sequence[str],
-) -> dict[str, float]:
+def _squares(channel: _Channel, change: Reals) -> Reals:
+    """Return the sum of squares of a channel after the change of the unknowns."""
+    row = np.column_stack([np.ones(change.shape[0]), -change])
+    return np.asarray(np.einsum("pi,pij,pj->p", row, channel.products, row))
+
+
+def _scales(channels: Mapping[str, _Channel], scales: Mapping[str, Reals]) -> dict[str, Reals]:
     """Return the variances that belong to shapes: squares over the measurements less what the unknowns take of them."""
     found = dict(scales)
     for _ in range(2):
-        change, inverse, _ = _solved(grams, places, found)
-        row = np.concatenate([[1.0], -change])
-        for name in free:
-            gram = grams[name][places[name]][0]
-            squares = float(row @ gram @ row)
-            taken = float(np.sum(inverse * gram[1:, 1:])) / found[name]
-            found[name] = max(squares / max(counts[name] - taken, 1.0), _LEAST**2)
+        change, inverse, _ = _solved(channels, found)
+        for name, one in channels.items():
+            if one.is_free:
+                taken = np.einsum("pij,pij->p", inverse, one.products[:, 1:, 1:]) / found[name]
+                left = np.maximum(one.count - taken, 1.0)
+                found[name] = np.maximum(_squares(one, change) / left, _LEAST**2)
     return found
 
 
-def _likelihood(
-    grams: Mapping[str, list[tuple[Reals, float]]],
-    counts: Mapping[str, int],
-    places: Mapping[str, int],
-    scales: Mapping[str, float],
-) -> float:
+def _likelihood(channels: Mapping[str, _Channel], scales: Mapping[str, Reals]) -> Reals:
     """Return the logarithm of the restricted likelihood, up to a constant."""
-    change, _, determinant = _solved(grams, places, scales)
-    row = np.concatenate([[1.0], -change])
-    total = 0.0
-    for name, place in places.items():
-        gram, log = grams[name][place]
-        total -= (
-            log + counts[name] * math.log(scales[name]) + float(row @ gram @ row) / scales[name]
-        )
-    return 0.5 * (total - determinant)
+    change, _, determinant = _solved(channels, scales)
+    total = determinant
+    for name, one in channels.items():
+        total = total + one.log_determinants + one.count * np.log(scales[name])
+        total = total + _squares(one, change) / scales[name]
+    return -0.5 * total

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from .._internal.derivatives import columns_at
 from .._internal.elementwise import Reals
 from .._internal.extras import require
 from ..hoop import Hoop
 from ..trajectory import Trajectory
-from .calibration import means, shown
-from .noise import Noise, Whitening, estimate_noise
+from .calibration import shown
+from .exposure import Exposures
+from .noise import Noise, estimate_noise, whitenings
 from .track import Track
 
 __all__ = ["CLOCK", "FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
@@ -41,6 +42,8 @@ _HELD[_EXPOSURE] = (0.0, math.inf)
 _HELD |= {"slope": (-_STEEPEST, _STEEPEST), "mass_ratio": (0.0, math.inf), "offset": (0.0, 1.0)}
 # Part of a value, or of 1, by which differences for derivatives go to either side.
 _STEP = 6e-6
+# An imaginary step: what a camera shows has no difference that could be rounded.
+_IMAGINARY = 1e-100
 _TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 # By which part the sum of squares still changes in the last step: on the way, and at the end.
 ROUGH, FINE = 1e-6, 1e-12
@@ -49,6 +52,15 @@ _MOST_STEPS = 100
 # far better as a rule; where it does not, they stay reasonable. An exposure is anything from none
 # to the time between two frames.
 _PRIOR = 0.1
+
+
+def _camera_of(values: Mapping[str, Any]) -> dict[str, float]:
+    """Return the constants of the camera by their names without a prefix."""
+    return {
+        name.removeprefix(_CAMERA): value
+        for name, value in values.items()
+        if name.startswith(_CAMERA)
+    }
 
 
 @dataclass(eq=False)
@@ -72,16 +84,18 @@ class Problem:
     def __post_init__(self) -> None:
         self._seen = {name: np.isfinite(values) for name, values in self.track.channels.items()}
         self._white = {
-            name: Whitening(
-                self.noise[name], self.track.time[seen], self.track.relative_errors(name)[seen]
-            )
+            name: whitenings(
+                [self.noise[name]],
+                self.track.time[seen],
+                self.track.relative_errors(name)[seen],
+            )[0]
             for name, seen in self._seen.items()
         }
         step = self._longest = float(np.median(np.diff(self.track.time)))
         camera = np.array(self.camera_names, dtype=object)
         self._before = np.where(camera == _EXPOSURE, 0.5 * step, 0.0)
         self._deviation = np.where(camera == _EXPOSURE, step / math.sqrt(12.0), _PRIOR)
-        self._last: tuple[tuple[float, ...], dict[str, Reals]] | None = None
+        self._last: tuple[tuple[float, ...], Exposures] | None = None
 
     def with_camera(self, camera: tuple[str, ...], unknowns: Reals) -> tuple[Problem, Reals]:
         """Return the same with constants of the camera among the unknowns, and these."""
@@ -119,12 +133,12 @@ class Problem:
         known |= {f"start_{name}": value for name, value in {**self.first, **values}.items()}
         return np.array([known[name] for name in self.names])
 
-    def with_restitutions(self, guess: Reals) -> list[Reals]:
-        """Return a guess as it is, and with other coefficients of restitution if that is free."""
+    def other_restitutions(self, guess: Reals) -> list[Reals]:
+        """Return a guess with other coefficients of restitution, if that is free."""
         if "restitution" not in self.names:
-            return [guess]
+            return []
         place = self.names.index("restitution")
-        return [guess, *(np.insert(np.delete(guess, place), place, e) for e in _TRY_RESTITUTION)]
+        return [np.insert(np.delete(guess, place), place, e) for e in _TRY_RESTITUTION]
 
     def part(self, part: float) -> Problem:
         """Return the same for the first part of the track."""
@@ -168,8 +182,8 @@ class Problem:
         return found
 
     def motion(self, unknowns: Reals) -> Trajectory:
-        """Simulate the motion while the video was taken."""
-        return self._motion_of(self.values(unknowns))
+        """Return the motion while the video was taken."""
+        return self._pictures(self.values(unknowns)).motion
 
     def _motion_of(self, values: dict[str, Any]) -> Trajectory:
         hoop = replace(
@@ -193,16 +207,12 @@ class Problem:
 
     def residuals_of(self, values: dict[str, Any]) -> dict[str, Reals]:
         """Return the residuals for everything by name."""
-        camera = {
-            name.removeprefix(_CAMERA): value
-            for name, value in values.items()
-            if name.startswith(_CAMERA)
-        }
-        found = shown(self.track.as_seen(self._plane(values), values["slope"]), camera)
+        positions = self._pictures(values).positions
+        found = shown(self.track.as_seen(positions, values["slope"]), _camera_of(values))
         return {name: measured - found[name] for name, measured in self.track.channels.items()}
 
-    def _plane(self, values: dict[str, Any]) -> dict[str, Reals]:
-        """Return θ, x and y of the plane in the frames: the same for all constants of the camera but the exposure."""
+    def _pictures(self, values: dict[str, Any]) -> Exposures:
+        """Return the pictures, the same for all constants of the camera but the exposure."""
         key = tuple(
             value
             for name, value in values.items()
@@ -211,7 +221,7 @@ class Problem:
         if self._last is None or self._last[0] != key:
             begin = self.track.time[0]
             time = begin + (self.track.time - begin) * (1.0 + values[CLOCK])
-            self._last = key, means(self._motion_of(values), time, values[_EXPOSURE])
+            self._last = key, Exposures(self._motion_of(values), time, values[_EXPOSURE])
         return self._last[1]
 
     def seen(self, by_channel: dict[str, Reals]) -> dict[str, Reals]:
@@ -258,80 +268,57 @@ class Problem:
     def derivatives(self, unknowns: Reals) -> dict[str, Reals]:
         """Return the derivatives of the residuals of each channel by the unknowns.
 
-        They are those of the motion, where it has them and a frame shows an instant; else
-        differences within bounds.
+        They are those of the motion, where it has them; else differences within bounds.
         """
-        values = self.values(unknowns)
-        exact = self._tangents(values)
-        columns: dict[str, list[Reals]] = {name: [] for name in self.track.channels}
+        found = self._exact(self.values(unknowns))
         low, high = self.bounds()
-        for k, value in enumerate(unknowns):
-            if exact is not None and not self.names[k].startswith(_CAMERA):
-                found = self._seen_along(
-                    values, self.names[k], {name: rows[:, k] for name, rows in exact.items()}
-                )
-                for name in columns:
-                    columns[name].append(-found[name])
-                continue
-            step = _STEP * max(1.0, abs(value))
-            ends = max(value - step, low[k]), min(value + step, high[k])
+        is_known = np.all([np.isfinite(rows).all(axis=0) for rows in found.values()], axis=0)
+        for k in np.flatnonzero(~is_known):
+            step = _STEP * max(1.0, abs(unknowns[k]))
+            ends = max(unknowns[k] - step, low[k]), min(unknowns[k] + step, high[k])
             below, above = (
                 self.residuals(np.concatenate([unknowns[:k], [end], unknowns[k + 1 :]]))
                 for end in ends
             )
-            for name in columns:
-                columns[name].append((above[name] - below[name]) / (ends[1] - ends[0]))
-        return {name: np.column_stack(values) for name, values in columns.items()}
+            for name, rows in found.items():
+                rows[:, k] = (above[name] - below[name]) / (ends[1] - ends[0])
+        return found
 
-    def _tangents(self, values: dict[str, Any]) -> dict[str, Reals] | None:
-        """Return the derivatives of θ, x and y by the unknowns of hoop and start, if the motion has all."""
-        if values[_EXPOSURE] != 0.0 or _EXPOSURE in self.names or values[CLOCK] != 0.0:
-            return None
-        motion = self._motion_of(values)
-        shows_height = "y" in self.track.channels or self._is_turned(values) or self.camera_names
-        if shows_height and any(phase.mode == "flight" for phase in motion.phases):
-            # Those of the height of a flight are not among the derivatives of a state.
-            return None
+    def _exact(self, values: dict[str, Any]) -> dict[str, Reals]:
+        """Return the derivatives by the unknowns; NaN by those by which the motion has none."""
+        pictures, camera = self._pictures(values), _camera_of(values)
         names = [name for name in self.names if not name.startswith(_CAMERA)]
-        found = columns_at(
-            motion._core, self.track.time, [name.removeprefix("start_") for name in names]
-        )
-        exact = {name: np.array(found[name]) for name in ("theta", "x")}
-        if not all(np.isfinite(rows).all() for rows in exact.values()):
-            return None
+        change = pictures.derivatives([name.removeprefix("start_") for name in names])
         if "mu_s" in names and "mu_k" in names:
             # The unknown is the excess of mu_s over mu_k.
-            for rows in exact.values():
+            for rows in change.values():
                 rows[:, names.index("mu_k")] += rows[:, names.index("mu_s")]
-        return exact | {"y": np.zeros_like(exact["x"])}
-
-    def _is_turned(self, values: dict[str, Any]) -> bool:
-        """Whether the axes of the track are not those of the plane."""
-        return self.track.level and (values["slope"] != 0.0 or "slope" in self.names)
-
-    def _seen_along(
-        self, values: dict[str, Any], name: str, change: dict[str, Reals]
-    ) -> dict[str, Reals]:
-        """Return the derivative of what the camera shows, where the motion changes like this."""
-        camera = {
-            name.removeprefix(_CAMERA): value
-            for name, value in values.items()
-            if name.startswith(_CAMERA)
+        if _EXPOSURE in self.names:
+            names.append(_EXPOSURE)
+            for channel, column in pictures.derivatives_by_exposure().items():
+                change[channel] = np.column_stack([change[channel], column])
+        step = 1j * _IMAGINARY
+        moved = {
+            channel: rows[:, None] + step * np.nan_to_num(change[channel])
+            for channel, rows in pictures.positions.items()
         }
-        plane = self._plane(values)
-        largest = max(1.0, *(float(np.max(np.abs(rows))) for rows in change.values()))
-
-        def at(step: float) -> dict[str, Reals]:
-            moved = {channel: rows + step * change[channel] for channel, rows in plane.items()}
-            slope = values["slope"] + (step if name == "slope" else 0.0)
-            return shown(self.track.as_seen(moved, slope), camera)
-
-        if not self._is_turned(values) and not any(camera.values()):
-            return change
-        # What a camera shows is smooth in θ, x and y, however these depend on what is unknown.
-        step = _STEP / largest
-        below, above = at(-step), at(step)
-        return {channel: (above[channel] - below[channel]) / (2.0 * step) for channel in below}
+        slope = values["slope"] + step * np.array([name == "slope" for name in names])
+        seen = shown(self.track.as_seen(moved, slope), camera)
+        is_known = np.all([np.isfinite(rows).all(axis=0) for rows in change.values()], axis=0)
+        # What a camera has wrong is proportional to its constants.
+        still = self.track.as_seen(pictures.positions, values["slope"])
+        by_camera = {
+            name: shown(still, {name.removeprefix(_CAMERA): 1.0})
+            for name in self.names
+            if name not in names
+        }
+        found = {}
+        for channel in self.track.channels:
+            rows = np.where(is_known, -seen[channel].imag / _IMAGINARY, np.nan)
+            columns = dict(zip(names, rows.T, strict=True))
+            columns |= {name: still[channel] - one[channel] for name, one in by_camera.items()}
+            found[channel] = np.column_stack([columns[name] for name in self.names])
+        return found
 
     def jacobian(self, unknowns: Reals) -> Reals:
         """Return the derivatives of :meth:`scaled`."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -129,7 +129,7 @@ class Track:
             found[name] = column
         return found
 
-    def as_seen(self, plane: Mapping[str, Reals], slope: float) -> dict[str, Reals]:
+    def as_seen(self, plane: Mapping[str, Any], slope: Any) -> dict[str, Any]:
         """Return θ, x and y of the coordinates of the plane in the axes of the track.
 
         Parameters
@@ -139,9 +139,9 @@ class Track:
         slope : float
             Angle by which the plane rises to the right, rad.
         """
-        if not self.level or slope == 0.0:
+        if not self.level:
             return dict(plane)
-        sin, cos, x, y = math.sin(slope), math.cos(slope), plane["x"], plane["y"]
+        sin, cos, x, y = np.sin(slope), np.cos(slope), plane["x"], plane["y"]
         return {"theta": plane["theta"] + slope, "x": x * cos - y * sin, "y": x * sin + y * cos}
 
     def relative_errors(self, name: str) -> Reals:

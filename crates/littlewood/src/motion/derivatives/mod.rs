@@ -30,7 +30,7 @@ use crate::motion::columns::SummaryColumn;
 use crate::motion::trajectory::Trajectory;
 
 use summary::PassedMotion;
-use tangents::{EventJump, Tangents};
+use tangents::{EventJump, InstantOfPhase, Tangents};
 
 named! {
     /// Why a derivative does not exist.
@@ -78,6 +78,16 @@ pub struct EventDerivative {
     pub before: State,
     /// Of its time and of the state after it, along the event.
     pub after: State,
+}
+
+/// The derivatives of a motion at a fixed time with respect to one quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct InstantDerivative {
+    /// Of the state; that of the time is zero.
+    pub state: State,
+    /// Of the gap under the rim; zero in contact.
+    pub gap: f64,
 }
 
 /// The derivatives of the end of a motion with respect to one quantity.
@@ -161,8 +171,8 @@ impl Trajectory {
         Ok(all)
     }
 
-    /// The derivatives of the states at fixed times, in any order, with respect to each quantity;
-    /// none outside the motion.
+    /// The derivatives at fixed times, in any order, with respect to each quantity; none outside
+    /// the motion.
     ///
     /// # Errors
     /// As [`Trajectory::derivatives`].
@@ -170,7 +180,7 @@ impl Trajectory {
         &self,
         times: &[f64],
         quantities: &[Quantity],
-    ) -> Result<Vec<Option<Vec<Derivative<State>>>>, NotDifferentiable> {
+    ) -> Result<Vec<Option<Vec<Derivative<InstantDerivative>>>>, NotDifferentiable> {
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
@@ -227,11 +237,11 @@ fn in_groups(quantities: &[Quantity], work: &mut impl Group) {
     }
 }
 
-/// The derivatives of states at times in ascending order, each with its place.
+/// The derivatives at times in ascending order, each with its place.
 struct Instants<'a> {
     motion: &'a Trajectory,
     order: Vec<(f64, usize)>,
-    found: &'a mut [Option<Vec<Derivative<State>>>],
+    found: &'a mut [Option<Vec<Derivative<InstantDerivative>>>],
 }
 
 impl Group for Instants<'_> {
@@ -246,11 +256,14 @@ impl Group for Instants<'_> {
         let instants = walk.instants(&times);
         for ((_, place), at) in order.iter().zip(instants) {
             let states = (0..asked).map(|k| {
-                let state = at.map(|at| State {
-                    time: 0.0,
-                    ..walk.state(&at, k)
+                let derivative = at.map(|InstantOfPhase { at, gap }| InstantDerivative {
+                    state: State {
+                        time: 0.0,
+                        ..walk.state(&at, k)
+                    },
+                    gap: gap.parts[k],
                 });
-                walk.two_sided(quantities[k], state)
+                walk.two_sided(quantities[k], derivative)
             });
             found[*place]
                 .iter_mut()

@@ -23,6 +23,13 @@ pub(super) struct Instant<const K: usize> {
     pub(super) point: Point<Dual<K>>,
 }
 
+/// An instant of a phase, and the gap there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InstantOfPhase<const K: usize> {
+    pub(super) at: Instant<K>,
+    pub(super) gap: Dual<K>,
+}
+
 /// The start of a phase, and the rate at which the gap opens there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Begun<const K: usize> {
@@ -505,7 +512,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         &mut self,
         phase: &Phase,
         times: &[f64],
-    ) -> Derivative<Vec<Derivative<Instant<K>>>> {
+    ) -> Derivative<Vec<Derivative<InstantOfPhase<K>>>> {
         self.begin(phase)?;
         let motion = self.motion_of(phase);
         let within: Vec<f64> = times
@@ -514,22 +521,37 @@ impl<'a, const K: usize> Tangents<'a, K> {
             .collect();
         let [start, _] = self.origin;
         let points = self.propagate(phase, &motion, &within).into_iter();
-        let instants = points.zip(times).map(|(point, elapsed)| {
-            // A fixed time of the results is later or earlier in the time of the solvers, and since
-            // the start of the phase.
-            let fixed = (Dual::constant(start.value) - start) * self.pace
-                + self.pace / self.pace.value * *elapsed;
-            let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
-            Ok(Instant {
-                elapsed: fixed,
-                point: self.to_event(&motion, &point?, later),
-            })
-        });
+        let instants = points
+            .zip(times.iter().zip(&within))
+            .map(|(point, (elapsed, within))| {
+                // A fixed time of the results is later or earlier in the time of the solvers, and since
+                // the start of the phase.
+                let fixed = (Dual::constant(start.value) - start) * self.pace
+                    + self.pace / self.pace.value * *elapsed;
+                let later = core::array::from_fn(|k| fixed.parts[k] - self.now.elapsed.parts[k]);
+                let gap = match &motion {
+                    Motion::Flies(flight) => {
+                        let since = Dual {
+                            value: *within,
+                            parts: later,
+                        };
+                        self.plane.gap(flight, since).0
+                    }
+                    Motion::Rolls | Motion::Slides(_) | Motion::Glides => Dual::constant(0.0),
+                };
+                Ok(InstantOfPhase {
+                    at: Instant {
+                        elapsed: fixed,
+                        point: self.to_event(&motion, &point?, later),
+                    },
+                    gap,
+                })
+            });
         Ok(instants.collect())
     }
 
     /// The states at times of the results that do not decrease, from the start.
-    pub(super) fn instants(&mut self, times: &[f64]) -> Vec<Derivative<Instant<K>>> {
+    pub(super) fn instants(&mut self, times: &[f64]) -> Vec<Derivative<InstantOfPhase<K>>> {
         let motion = self.motion;
         let mut found = Vec::with_capacity(times.len());
         for (number, phase) in motion.phases.iter().enumerate() {
@@ -576,7 +598,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
             Outcome::TimeLimit { state } => match last {
                 Some(phase) => {
                     let at = self.at_times(phase, &[state.time])?.pop();
-                    Ok((at.unwrap_or(Err(NoDerivative::Singular))?, None))
+                    Ok((at.unwrap_or(Err(NoDerivative::Singular))?.at, None))
                 }
                 None => Ok((self.now, None)),
             },
