@@ -18,13 +18,21 @@ use littlewood_random::Draw;
 use serde_json::{Value, json};
 
 fn state(state: &State) -> Value {
-    let State { time, theta, theta_rate, slip, x, .. } = *state;
+    let State {
+        time,
+        theta,
+        theta_rate,
+        slip,
+        x,
+        ..
+    } = *state;
     json!({ "time": time, "theta": theta, "theta_rate": theta_rate, "slip": slip, "x": x })
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let words = Vec::from_iter(env::args().skip(1));
-    let word = |place: usize, default: &str| words.get(place).map_or(default, String::as_str).to_owned();
+    let word =
+        |place: usize, default: &str| words.get(place).map_or(default, String::as_str).to_owned();
     let (count, seed): (u64, u64) = (word(0, "1000").parse()?, word(1, "2019").parse()?);
     let kind = word(2, "any");
     let limits = Limits::default().with_transitions(word(3, "100").parse()?);
@@ -41,18 +49,23 @@ fn main() -> Result<(), Box<dyn Error>> {
             other => return Err(format!("'{other}': any, heavy or usual").into()),
         };
         let motion = hoop.simulate(start, limits)?;
-        let digits = if word(4, "") == "digits" { hoop.digits(start, limits)? } else { Vec::new() };
-        let transitions = Vec::from_iter(motion.transitions().iter().enumerate().map(|(place, it)| {
-            json!({
-                "digits": digits.get(place),
-                "cause": it.cause.name(),
-                "from": it.from.map(Mode::name),
-                "to": it.to.map(Mode::name),
-                "direction": SlipDirection::code(it.direction),
-                "before": state(&it.before),
-                "after": state(&it.after),
-            })
-        }));
+        let digits = if word(4, "") == "digits" {
+            hoop.digits(start, limits)?
+        } else {
+            Vec::new()
+        };
+        let transitions =
+            Vec::from_iter(motion.transitions().iter().enumerate().map(|(place, it)| {
+                json!({
+                    "digits": digits.get(place),
+                    "cause": it.cause.name(),
+                    "from": it.from.map(Mode::name),
+                    "to": it.to.map(Mode::name),
+                    "direction": SlipDirection::code(it.direction),
+                    "before": state(&it.before),
+                    "after": state(&it.after),
+                })
+            }));
         let line = json!({
             "number": number,
             "hoop": hoop.parameters(),

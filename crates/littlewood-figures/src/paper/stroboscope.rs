@@ -121,7 +121,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             from + step * i as f64
         }
     });
-    let samples: Vec<Sample> = motion.sample(times).flatten().collect();
+    let samples: Vec<Sample> = times
+        .into_iter()
+        .filter_map(|time| motion.at(time))
+        .collect();
 
     let sheet = input.sheet(WIDTH)?;
     let [edge, inner] = sheet.span();
