@@ -151,13 +151,8 @@ fn tabulated(hash: &mut Hash, index: u32) {
     };
     let engine = Engine::builder(&hoop).interpolate_slips().build();
     for (other, _) in setups(index).take(STARTS) {
-        let Start {
-            theta,
-            theta_rate,
-            slip,
-            ..
-        } = other.start;
-        if let Ok(it) = engine.summary(Start::at(theta, theta_rate).with_slip(slip), limits) {
+        let start = Start::at(other.start.theta, other.start.theta_rate);
+        if let Ok(it) = engine.summary(start.with_slip(other.start.slip), limits) {
             add(hash, &it);
         }
     }

@@ -326,6 +326,26 @@ impl Draw {
         let h = offset / mass;
         let painleve = (inertia + mass_ratio * offset * h + mass * (h * sin) * (h * sin))
             / (mass * h * sin.abs() * (1.0 + h * cos));
+        let (mu_s, mu_k) = self.friction_about(painleve);
+        let slope = if self.comes(0.5) { -slope } else { slope };
+        let hoop = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k)
+            .with_slope(slope);
+        let hoop = Hoop::new(hoop).ok()?;
+        let rate = self.rate_in_contact(&hoop, theta)?;
+        let slip = match self.below(4) {
+            0 => self.of_any_size([-9.0, 0.5]),
+            1 => -self.of_any_size([-9.0, 0.5]),
+            _ => 0.0,
+        };
+        Quantity::ThetaRate.check(rate).ok()?;
+        Some((hoop, Start::at(theta, rate).with_slip(slip)))
+    }
+
+    /// Coefficients of static and kinetic friction, often next to one at which P vanishes.
+    fn friction_about(&mut self, painleve: f64) -> (f64, f64) {
         let mu_s = match self.below(6) {
             0 => self.one_of(&NICE),
             1 => self.one_of(&[0.0, 1e-9, 1e3]),
@@ -338,17 +358,16 @@ impl Draw {
             3 if painleve < mu_s => self.beside(painleve),
             _ => mu_s * self.share(),
         };
-        let slope = if self.comes(0.5) { -slope } else { slope };
-        let hoop = HoopParameters::thin(mass_ratio)
-            .with_offset(offset)
-            .with_inertia(inertia)
-            .with_friction(mu_s, mu_k)
-            .with_slope(slope);
-        let hoop = Hoop::new(hoop).ok()?;
-        let lift_off = (libm::cos(slope) / (h * cos)).sqrt();
+        (mu_s, mu_k)
+    }
+
+    /// θ′ at an angle, often next to where the hoop lifts off, or on a boundary of the phase plane;
+    /// none where the boundary does not cross the angle.
+    fn rate_in_contact(&mut self, hoop: &Hoop, theta: f64) -> Option<f64> {
+        let lift_off = (libm::cos(hoop.slope()) / (hoop.h() * libm::cos(theta))).sqrt();
         let rate = match self.below(6) {
             0 => 0.0,
-            1 => boundary_rate(&PhasePlane::new(&hoop), theta, self.below(BOUNDARIES))?,
+            1 => boundary_rate(&PhasePlane::new(hoop), theta, self.below(BOUNDARIES))?,
             2 | 3 if lift_off.is_finite() => {
                 let away = self.of_any_size([-16.0, 0.5]);
                 lift_off
@@ -361,14 +380,7 @@ impl Draw {
             }
             _ => self.of_any_size([-3.0, 1.0]),
         };
-        let rate = if self.comes(0.5) { -rate } else { rate };
-        let slip = match self.below(4) {
-            0 => self.of_any_size([-9.0, 0.5]),
-            1 => -self.of_any_size([-9.0, 0.5]),
-            _ => 0.0,
-        };
-        Quantity::ThetaRate.check(rate).ok()?;
-        Some((hoop, Start::at(theta, rate).with_slip(slip)))
+        Some(if self.comes(0.5) { -rate } else { rate })
     }
 
     /// A hoop and a start as a person sets them: every number in its usual range.
@@ -436,42 +448,16 @@ fn largest(quantity: Quantity) -> f64 {
 
 /// The command that follows a motion.
 pub fn command(setup: &Setup, limits: Limits) -> String {
-    let HoopParameters {
-        mass_ratio,
-        offset,
-        inertia,
-        mu_s,
-        mu_k,
-        slope,
-        restitution,
-        restitution_law,
-        ..
-    } = setup.hoop;
-    let Start {
-        time,
-        theta,
-        theta_rate,
-        slip,
-        gap_rate,
-        x,
-        ..
-    } = setup.start;
-    let mut words = format!(
-        "littlewood simulate --mass-ratio {mass_ratio:e} --offset {offset:e} --inertia {inertia:e} --mu-s {mu_s:e} \
-         --mu-k {mu_k:e} --theta {theta:e} --theta-rate {theta_rate:e} --slip {slip:e}"
-    );
-    if let (Some(restitution), Some(law)) = (restitution, restitution_law) {
-        words += &format!(" --restitution {restitution:e} --restitution-law {law}");
-    }
-    for (flag, value) in [
-        ("slope", slope),
-        ("gap-rate", gap_rate),
-        ("x", x),
-        ("time", time),
-    ] {
-        if value != 0.0 {
-            words += &format!(" --{flag} {value:e}");
+    let mut words = "littlewood simulate".to_owned();
+    for quantity in Quantity::HOOP.into_iter().chain(Quantity::START) {
+        if let Some(value) = setup.get(quantity)
+            && quantity.row().presence.default_value() != Some(value)
+        {
+            words += &format!(" --{} {value:e}", quantity.name().replace('_', "-"));
         }
+    }
+    if let Some(law) = setup.hoop.restitution_law {
+        words += &format!(" --restitution-law {law}");
     }
     if let Some(until) = limits.until {
         words += &format!(" --until {until:e}");

@@ -58,29 +58,9 @@ impl Rgb {
 
     /// This colour laid over another with an opacity from 0 to 1.
     pub fn over(self, ground: Self, opacity: f64) -> Self {
-        let mixed = |(above, below): (u8, u8)| {
-            libm::round(opacity * f64::from(above) + (1.0 - opacity) * f64::from(below)) as u8
-        };
-        let [red, green, blue] = self.0;
-        let [ground_red, ground_green, ground_blue] = ground.0;
-        Self(
-            [
-                (red, ground_red),
-                (green, ground_green),
-                (blue, ground_blue),
-            ]
-            .map(mixed),
-        )
-    }
-
-    /// The grey of the same luminance, as a printer without colours shows it.
-    pub fn grey(self) -> Self {
-        let luminance = self.luminance();
-        let value = if luminance <= 0.003_130_8 {
-            12.92 * luminance
-        } else {
-            1.055 * libm::pow(luminance, 1.0 / 2.4) - 0.055
-        };
-        Self([libm::round(255.0 * value) as u8; 3])
+        Self(core::array::from_fn(|k| {
+            let [above, below] = [self.0[k], ground.0[k]].map(f64::from);
+            libm::round(opacity * above + (1.0 - opacity) * below) as u8
+        }))
     }
 }

@@ -147,18 +147,6 @@ pub mod impact {
     //! [`Hoop::settling`](crate::Hoop::settling) the sum of infinitely many bounces, and [`BouncingOrbit`] a motion that
     //! bounces for ever. The transitions of a simulated hoop with a
     //! [`Restitution`](crate::Restitution) contain the impacts.
-    //!
-    //! ```
-    //! use littlewood::cases::find_case;
-    //! use littlewood::{Outcome, Restitution, RestitutionLaw};
-    //!
-    //! let motion = find_case("figure-3").expect("a named case").simulate()?;
-    //! let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("lands") };
-    //! let impact = motion.hoop().impact(&state, gap_rate, Restitution::new(0.0, RestitutionLaw::Energetic)?)?;
-    //! // Without restitution the rim stays at the plane, and energy is lost.
-    //! assert!(impact.after.gap_rate.abs() < 1e-15 && impact.energy_lost() > 0.0);
-    //! # Ok::<(), Box<dyn std::error::Error>>(())
-    //! ```
 
     pub use crate::mechanics::bouncing::BouncingOrbit;
     pub use crate::mechanics::impact::{
@@ -229,16 +217,6 @@ pub mod si {
     //! its motion.
     //!
     //! The rest of this library is dimensionless, m2 = R = g = 1 (2.9).
-    //!
-    //! ```
-    //! use littlewood::si::SiParameters;
-    //! use littlewood::tables::Dimension;
-    //!
-    //! // A particle of 0.14 kg on a hoop of radius 0.45 m, with standard gravity.
-    //! let units = SiParameters { particle_mass_kg: 0.14, radius_m: 0.45, ..SiParameters::default() }.units()?;
-    //! assert!((units.to_si(Dimension::Time, 2.0) - 2.0 * (0.45_f64 / 9.80665).sqrt()).abs() < 1e-15);
-    //! # Ok::<(), littlewood::ParameterError>(())
-    //! ```
 
     pub use crate::model::quantity::STANDARD_GRAVITY;
     pub use crate::model::si::{SiParameters, SiSetup, SiState};

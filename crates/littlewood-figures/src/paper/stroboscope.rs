@@ -135,7 +135,11 @@ fn instants(motion: &Shown, path: &[Sample], until: f64) -> (Vec<Sample>, f64) {
             from + step * i as f64
         }
     });
-    (motion.sample(times).flatten().collect(), step)
+    let samples = times
+        .into_iter()
+        .filter_map(|time| motion.at(time))
+        .collect();
+    (samples, step)
 }
 
 /// Adds the forces and their scale, with their keys; whether there are any.

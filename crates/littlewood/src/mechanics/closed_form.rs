@@ -164,15 +164,10 @@ pub fn gliding_time_to_plane(theta: f64, theta_rate: f64) -> f64 {
 /// Position of the particle (mass centre) of a gliding hoop relative to x̄0, after Δτ (3.19): a
 /// parabola, or a vertical line if η0′ = θ0′ (1 + cos θ0).
 pub fn gliding_path(start: &Start, elapsed: f64) -> (f64, f64) {
-    let Start {
-        theta,
-        theta_rate,
-        slip,
-        ..
-    } = *start;
-    let (sin, cos) = libm::sincos(theta);
+    let (rate, slip) = (start.theta_rate, start.slip);
+    let (sin, cos) = libm::sincos(start.theta);
     (
-        (slip - theta_rate * (1.0 + cos)) * elapsed,
-        1.0 + cos - theta_rate * sin * elapsed - 0.5 * elapsed * elapsed,
+        (slip - rate * (1.0 + cos)) * elapsed,
+        1.0 + cos - rate * sin * elapsed - 0.5 * elapsed * elapsed,
     )
 }

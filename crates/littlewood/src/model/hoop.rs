@@ -191,36 +191,20 @@ impl Hoop {
     /// Î < 1e-60; a law of restitution without a coefficient; a massless hoop with a coefficient of
     /// restitution.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
-        let HoopParameters {
-            mass_ratio,
-            offset,
-            inertia,
-            mu_s,
-            mu_k,
-            slope,
-            restitution,
-            restitution_law,
-        } = parameters;
-        for (quantity, value) in [
-            (Quantity::MassRatio, mass_ratio),
-            (Quantity::Offset, offset),
-            (Quantity::Inertia, inertia),
-            (Quantity::MuS, mu_s),
-            (Quantity::MuK, mu_k),
-            (Quantity::Slope, slope),
-        ] {
-            quantity.check(value)?;
-        }
+        let composition = Composition {
+            mass_ratio: Quantity::MassRatio.check(parameters.mass_ratio)?,
+            offset: Quantity::Offset.check(parameters.offset)?,
+            inertia: Quantity::Inertia.check(parameters.inertia)?,
+        };
+        let mu_s = Quantity::MuS.check(parameters.mu_s)?;
+        let mu_k = Quantity::MuK.check(parameters.mu_k)?;
+        let slope = Quantity::Slope.check(parameters.slope)?;
         within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
-        let heavy = Heavy::of(
-            Composition {
-                mass_ratio,
-                offset,
-                inertia,
-            },
-            slope,
-        );
+        let heavy = Heavy::of(composition, slope);
+        let Composition {
+            mass_ratio, offset, ..
+        } = composition;
         let body = if heavy.inertia > 0.0 {
             if heavy.inertia < MIN_INERTIA {
                 return Err(ParameterError::NearlyMassless {
@@ -236,7 +220,8 @@ impl Hoop {
         } else {
             return Err(ParameterError::NoMotion { mass_ratio });
         };
-        let restitution = match (body, restitution, restitution_law) {
+        let (restitution, law) = (parameters.restitution, parameters.restitution_law);
+        let restitution = match (body, restitution, law) {
             (_, None, Some(law)) => return Err(ParameterError::LawAlone { law }),
             (_, None, None) => None,
             (Body::Massless(_), Some(restitution), _) => {

@@ -112,34 +112,21 @@ impl SiParameters {
     /// Unless m2, R, g > 0, m1, `I_zz` ≥ 0, 0 ≤ ℓ ≤ R, 0 ≤ μk ≤ μs, all finite; and as
     /// [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
-        let Self {
-            disc_mass_kg,
-            radius_m,
-            offset_m,
-            inertia_kg_m2,
-            mu_s,
-            mu_k,
-            slope,
-            ..
-        } = *self;
-        let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
-        let radius = Quantity::RadiusM.check(radius_m)?;
-        let offset = Quantity::OffsetM.check(offset_m)?;
-        within(
-            Quantity::OffsetM,
-            offset,
-            Bound::AtMost(Quantity::RadiusM, radius),
-        )?;
-        let inertia = Quantity::InertiaKgM2.check(inertia_kg_m2)?;
+        let mass = Quantity::DiscMassKg.check(self.disc_mass_kg)?;
+        let radius = Quantity::RadiusM.check(self.radius_m)?;
+        let offset = Quantity::OffsetM.check(self.offset_m)?;
+        let at_most = Bound::AtMost(Quantity::RadiusM, radius);
+        within(Quantity::OffsetM, offset, at_most)?;
+        let inertia = Quantity::InertiaKgM2.check(self.inertia_kg_m2)?;
         let units = self.units()?;
         let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
         let parameters = HoopParameters {
             mass_ratio: plain(Quantity::DiscMassKg, mass),
             offset: plain(Quantity::OffsetM, offset),
             inertia: plain(Quantity::InertiaKgM2, inertia),
-            mu_s,
-            mu_k,
-            slope,
+            mu_s: self.mu_s,
+            mu_k: self.mu_k,
+            slope: self.slope,
             restitution: self.restitution,
             restitution_law: self.restitution_law,
         };
@@ -149,29 +136,19 @@ impl SiParameters {
     /// The parameters of a hoop in SI units, unchecked.
     #[must_use]
     pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
-        let HoopParameters {
-            mass_ratio,
-            offset,
-            inertia,
-            mu_s,
-            mu_k,
-            slope,
-            restitution,
-            restitution_law,
-        } = *hoop;
         let si = |quantity: Quantity, value| units.to_si(quantity.dimension(), value);
         Self {
-            disc_mass_kg: si(Quantity::DiscMassKg, mass_ratio),
+            disc_mass_kg: si(Quantity::DiscMassKg, hoop.mass_ratio),
             particle_mass_kg: units.mass_kg,
             radius_m: units.length_m,
-            offset_m: si(Quantity::OffsetM, offset),
-            inertia_kg_m2: si(Quantity::InertiaKgM2, inertia),
+            offset_m: si(Quantity::OffsetM, hoop.offset),
+            inertia_kg_m2: si(Quantity::InertiaKgM2, hoop.inertia),
             gravity_m_per_s2: units.gravity_m_per_s2,
-            mu_s,
-            mu_k,
-            slope,
-            restitution,
-            restitution_law,
+            mu_s: hoop.mu_s,
+            mu_k: hoop.mu_k,
+            slope: hoop.slope,
+            restitution: hoop.restitution,
+            restitution_law: hoop.restitution_law,
         }
     }
 }
@@ -293,23 +270,17 @@ impl Units {
     /// The dimensionless start.
     ///
     /// # Errors
-    /// A value that is not finite; a negative gap rate.
+    /// A value that is not finite; an angle out of bounds; a negative gap rate.
     pub fn start(&self, si: &SiState) -> Result<Start, ParameterError> {
         let plain = |quantity: Quantity, value: f64| -> Result<f64, ParameterError> {
-            Ok(self.from_si(
-                quantity.dimension(),
-                within(quantity, value, Bound::Finite)?,
-            ))
+            Ok(self.from_si(quantity.dimension(), quantity.check(value)?))
         };
         Ok(Start {
             time: plain(Quantity::TimeS, si.time_s)?,
             theta: plain(Quantity::Theta, si.theta_rad)?,
             theta_rate: plain(Quantity::ThetaRateRadPerS, si.theta_rate_rad_per_s)?,
             slip: plain(Quantity::SlipMPerS, si.slip_m_per_s)?,
-            gap_rate: {
-                Quantity::GapRateMPerS.check(si.gap_rate_m_per_s)?;
-                plain(Quantity::GapRateMPerS, si.gap_rate_m_per_s)?
-            },
+            gap_rate: plain(Quantity::GapRateMPerS, si.gap_rate_m_per_s)?,
             x: plain(Quantity::XM, si.x_m)?,
         })
     }

@@ -52,18 +52,17 @@ impl Summary {
     pub const NOT_COMPUTED: Self = Self::without_motion(OutcomeKind::NotComputed);
 
     const fn without_motion(outcome: OutcomeKind) -> Self {
-        let nowhere = State {
-            time: f64::NAN,
-            theta: f64::NAN,
-            theta_rate: f64::NAN,
-            slip: f64::NAN,
-            x: f64::NAN,
-        };
         Self {
             outcome,
             sequence: PhaseSequence::from_bits(0),
             transitions: 0,
-            end: nowhere,
+            end: State {
+                time: f64::NAN,
+                theta: f64::NAN,
+                theta_rate: f64::NAN,
+                slip: f64::NAN,
+                x: f64::NAN,
+            },
             energy: f64::NAN,
             first_slip_time: f64::NAN,
             lift_off_time: f64::NAN,

@@ -253,15 +253,6 @@ impl Trajectory {
         })
     }
 
-    /// The samples at `times`, by [`Trajectory::at`].
-    pub fn sample<'a, I>(&'a self, times: I) -> impl Iterator<Item = Option<Sample>> + use<'a, I>
-    where
-        I: IntoIterator<Item = f64>,
-        I::IntoIter: 'a,
-    {
-        times.into_iter().map(|time| self.at(time))
-    }
-
     /// `count` evenly spaced samples from the start to `until`, or to the end if that comes first.
     /// Every transition in between adds two samples, the last of the phase that ends and the first
     /// of the phase that begins, because the forces may jump.

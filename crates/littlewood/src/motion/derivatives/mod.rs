@@ -30,7 +30,7 @@ use crate::motion::columns::SummaryColumn;
 use crate::motion::trajectory::Trajectory;
 
 use summary::PassedMotion;
-use tangents::{EventJump, InstantOfPhase, Tangents};
+use tangents::{InstantOfPhase, Tangents};
 
 named! {
     /// Why a derivative does not exist.
@@ -251,23 +251,20 @@ impl Group for Instants<'_> {
             order,
             found,
         } = self;
-        let mut walk = Tangents::new(motion, quantities);
+        let mut walk = Tangents::new(motion, quantities, asked);
         let times: Vec<f64> = order.iter().map(|(time, _)| *time).collect();
         let instants = walk.instants(&times);
         for ((_, place), at) in order.iter().zip(instants) {
-            let states = (0..asked).map(|k| {
-                let derivative = at.map(|InstantOfPhase { at, gap }| InstantDerivative {
-                    state: State {
-                        time: 0.0,
-                        ..walk.state(&at, k)
-                    },
-                    gap: gap.parts[k],
-                });
-                walk.two_sided(quantities[k], derivative)
+            let states = walk.by_quantity(at, |InstantOfPhase { at, gap }, k| InstantDerivative {
+                state: State {
+                    time: 0.0,
+                    ..walk.state(&at, k)
+                },
+                gap: gap.parts[k],
             });
             found[*place]
                 .iter_mut()
-                .for_each(|found| found.extend(states.clone()));
+                .for_each(|found| found.extend(&states));
         }
     }
 }
@@ -280,7 +277,7 @@ struct Events<'a> {
 impl Group for Events<'_> {
     fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize) {
         let Self { motion, all } = self;
-        let mut walk = Tangents::new(motion, quantities);
+        let mut walk = Tangents::new(motion, quantities, asked);
         let mut failed = None;
         let mut passed = vec![None; motion.transitions.len()];
         for phase in &motion.phases {
@@ -297,41 +294,29 @@ impl Group for Events<'_> {
             }
         }
         for (row, event) in all.transitions.iter_mut().zip(&passed) {
-            for (k, quantity) in quantities.iter().enumerate().take(asked) {
-                let event = event
-                    .as_ref()
-                    .ok_or(failed.unwrap_or(NoDerivative::Singular));
-                let derivative = event.map(|EventJump { before, after, .. }| {
-                    let [before, after] = [before, after].map(|at| walk.state(at, k));
-                    EventDerivative { before, after }
-                });
-                row.push(walk.two_sided(*quantity, derivative));
-            }
+            let event = event.ok_or(failed.unwrap_or(NoDerivative::Singular));
+            row.extend(walk.by_quantity(event, |event, k| EventDerivative {
+                before: walk.state(&event.before, k),
+                after: walk.state(&event.after, k),
+            }));
         }
         let end = match failed {
             Some(reason) => Err(reason),
             None => walk.outcome(&passed),
         };
-        let passed = PassedMotion {
+        let numbers = PassedMotion {
             walk: &walk,
             events: &passed,
             end: end.map(|(at, _)| at),
-        };
-        for (row, number) in all.summary.iter_mut().zip(passed.numbers()) {
-            row.extend(
-                quantities
-                    .iter()
-                    .enumerate()
-                    .take(asked)
-                    .map(|(k, quantity)| walk.two_sided(*quantity, number.map(|it| it.parts[k]))),
-            );
         }
-        for (k, quantity) in quantities.iter().enumerate().take(asked) {
-            let derivative = end.map(|(at, recurrence)| OutcomeDerivative {
-                state: walk.state(&at, k),
-                recurrence: recurrence.map(|it| it.map(|number| number.parts[k])),
-            });
-            all.outcome.push(walk.two_sided(*quantity, derivative));
+        .numbers();
+        for (row, number) in all.summary.iter_mut().zip(numbers) {
+            row.extend(walk.by_quantity(number, |number, k| number.parts[k]));
         }
+        let outcome = walk.by_quantity(end, |(at, recurrence), k| OutcomeDerivative {
+            state: walk.state(&at, k),
+            recurrence: recurrence.map(|it| it.map(|number| number.parts[k])),
+        });
+        all.outcome.extend(outcome);
     }
 }

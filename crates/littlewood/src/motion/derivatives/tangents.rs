@@ -4,8 +4,8 @@ use core::f64::consts::TAU;
 
 use crate::math::number::{Dual, Number};
 use crate::mechanics::{
-    BounceConditions, Bounces, Clearance, Contact, ContactMotion, ContactVelocities, RollingLaw,
-    contact, energy_of,
+    BounceConditions, Bounces, Clearance, Contact, ContactMotion, ContactVelocities, Impact,
+    RollingLaw, contact, energy_of,
 };
 use crate::model::{Body, Composition, Friction, Heavy, Mode, Quantity, Restitution, State};
 use crate::modes::{PhaseSolution, Recurrence};
@@ -47,6 +47,8 @@ pub(super) struct EventJump<const K: usize> {
 
 /// The derivatives of a motion with respect to K quantities, while its phases are passed.
 pub(super) struct Tangents<'a, const K: usize> {
+    /// The first of the K, which are asked for.
+    asked: Vec<Quantity>,
     pub(super) motion: &'a Trajectory,
     pub(super) plane: Plane<Dual<K>>,
     restitution: Option<Restitution<Dual<K>>>,
@@ -64,7 +66,7 @@ pub(super) struct Tangents<'a, const K: usize> {
 }
 
 impl<'a, const K: usize> Tangents<'a, K> {
-    pub(super) fn new(motion: &'a Trajectory, quantities: &[Quantity; K]) -> Self {
+    pub(super) fn new(motion: &'a Trajectory, quantities: &[Quantity; K], asked: usize) -> Self {
         let seed = |quantity: Quantity, value: f64| Dual {
             value,
             parts: quantities.map(|it| if it == quantity { 1.0 } else { 0.0 }),
@@ -80,21 +82,16 @@ impl<'a, const K: usize> Tangents<'a, K> {
             slope,
         );
         let pace = slope.angle().cos.sqrt();
-        let State {
-            theta_rate,
-            slip,
-            x,
-            time,
-            ..
-        } = motion.start;
+        let start = motion.start;
         let point = Point {
             theta: seed(Quantity::Theta, motion.relative.theta),
-            rate: seed(Quantity::ThetaRate, theta_rate) / pace,
-            slip: seed(Quantity::Slip, slip) / pace,
+            rate: seed(Quantity::ThetaRate, start.theta_rate) / pace,
+            slip: seed(Quantity::Slip, start.slip) / pace,
             x: Dual::constant(0.0),
         };
         let rise = motion.phases.first().map_or(0.0, Phase::take_off_rate);
         Self {
+            asked: quantities[..asked].to_vec(),
             motion,
             plane: Plane {
                 body,
@@ -108,7 +105,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
                 law: it.law(),
             }),
             pace,
-            origin: [seed(Quantity::Time, time), seed(Quantity::X, x)],
+            origin: [seed(Quantity::Time, start.time), seed(Quantity::X, start.x)],
             now: Instant {
                 elapsed: Dual::constant(0.0),
                 point,
@@ -123,18 +120,23 @@ impl<'a, const K: usize> Tangents<'a, K> {
         }
     }
 
-    /// A derivative with respect to a quantity, if the motion does not differ on the two sides of
-    /// its value.
-    pub(super) fn two_sided<T>(
+    /// The parts of a number, or of several, for each quantity, if the motion does not differ on the
+    /// two sides of its value.
+    pub(super) fn by_quantity<D: Copy, P>(
         &self,
-        quantity: Quantity,
-        derivative: Derivative<T>,
-    ) -> Derivative<T> {
-        if self.one_sided(quantity) {
-            Err(NoDerivative::OneSided)
-        } else {
-            derivative
-        }
+        derivative: Derivative<D>,
+        part: impl Fn(D, usize) -> P,
+    ) -> Vec<Derivative<P>> {
+        let quantities = self.asked.iter().enumerate();
+        quantities
+            .map(|(k, quantity)| {
+                if self.one_sided(*quantity) {
+                    Err(NoDerivative::OneSided)
+                } else {
+                    Ok(part(derivative?, k))
+                }
+            })
+            .collect()
     }
 
     fn one_sided(&self, quantity: Quantity) -> bool {
@@ -177,18 +179,12 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     /// The numbers of a state in the units of the results, in the order of [`State::COLUMNS`].
     pub(super) fn numbers(&self, at: &Instant<K>) -> [Dual<K>; 5] {
-        let Point {
-            theta,
-            rate,
-            slip,
-            x,
-        } = at.point;
         [
             self.time(at),
-            theta,
-            rate * self.pace,
-            slip * self.pace,
-            self.origin[1] + x,
+            at.point.theta,
+            at.point.rate * self.pace,
+            at.point.slip * self.pace,
+            self.origin[1] + at.point.x,
         ]
     }
 
@@ -300,7 +296,9 @@ impl<'a, const K: usize> Tangents<'a, K> {
         let transition = &self.motion.transitions[number];
         let elapsed = end.time - phase.start.time;
         if transition.cause == Cause::Settle {
-            return self.settle(&motion, &end).map(Some);
+            let jump = self.settle(&motion, &end)?;
+            self.now = jump.after;
+            return Ok(Some(jump));
         }
         // All motions at the time of the event: that of some comes earlier or later.
         let found = self.propagate(phase, &motion, &[elapsed]).pop();
@@ -357,21 +355,25 @@ impl<'a, const K: usize> Tangents<'a, K> {
             slip: at.slip,
             gap_rate,
         };
-        let impact = contact.impact(velocities, restitution);
+        Ok(self.jump(before, &contact.impact(velocities, restitution)))
+    }
+
+    /// The states about an impact, or about the sum of those by which a hoop settles.
+    fn jump(&mut self, before: Instant<K>, impact: &Impact<Dual<K>>) -> EventJump<K> {
         self.gap_rate = impact.after.gap_rate;
         let after = Instant {
             point: Point {
                 rate: impact.after.theta_rate,
                 slip: impact.after.slip,
-                ..at
+                ..before.point
             },
             ..before
         };
-        Ok(EventJump {
+        EventJump {
             before,
             after,
             work: impact.normal_work + impact.friction_work,
-        })
+        }
     }
 
     /// The derivatives of the time of an event, from the state at its time.
@@ -483,27 +485,11 @@ impl<'a, const K: usize> Tangents<'a, K> {
             .plane
             .evolve(motion, &from, elapsed.value)?
             .zip(Point::from(end), Dual::at);
-        let at = self.to_event(motion, &point, elapsed.parts);
         let before = Instant {
             elapsed: (self.now.elapsed + elapsed).at(end.time),
-            point: at,
+            point: self.to_event(motion, &point, elapsed.parts),
         };
-        let work = settling.impact.normal_work + settling.impact.friction_work;
-        let after = settling.impact.after;
-        let after = Instant {
-            point: Point {
-                rate: after.theta_rate,
-                slip: after.slip,
-                ..at
-            },
-            ..before
-        };
-        (self.now, self.gap_rate) = (after, Dual::constant(0.0));
-        Ok(EventJump {
-            before,
-            after,
-            work,
-        })
+        Ok(self.jump(before, &settling.impact))
     }
 
     /// The states within a phase at times that are the same for all motions, in the units of the
