@@ -2,8 +2,8 @@
 
 use littlewood_style::width::FINE;
 
-use crate::figure::{Figure, Mark, Panel, PlotAxis, View, tilted};
-use crate::item::{Item, STEPS, Step, Words, holds, outline, steps};
+use crate::figure::{Figure, Key, Mark, Panel, PlotAxis, Series, View, tilted};
+use crate::item::{Corners, Item, STEPS, Step, Words, steps};
 use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE, edge};
 use crate::primitives::Anchor;
@@ -18,7 +18,7 @@ pub(crate) fn items(figure: &Figure) -> Vec<Item> {
     let top = figure.height - NOTE_ROW * lines.len() as f64 - NOTES_BELOW;
     for (line, row) in lines.iter().zip(0_u8..) {
         let middle = top + NOTE_ROW * (f64::from(row) + 0.5);
-        let place = (steps(NOTES_LEFT), steps(middle));
+        let place = Step::of_pixels([NOTES_LEFT, middle]);
         canvas.text(line, place, Anchor::Left, SMALL, SOFT);
     }
     canvas.0
@@ -60,191 +60,222 @@ const NOTES_LEFT: f64 = 10.0;
 const NOTE_ROW: f64 = 17.0;
 const NOTES_BELOW: f64 = 4.0;
 
+/// The lines of axes.
+const LINE: Stroke = Stroke::solid(INK, FINE);
+
+/// The axes of a plane on the sheet.
+struct Plane<'a> {
+    x: &'a PlotAxis,
+    y: &'a PlotAxis,
+    corners: Corners,
+    /// Angle by which the data are turned.
+    tilt: f64,
+}
+
+impl Plane<'_> {
+    /// Of a value, from the left.
+    fn across(&self, value: f64) -> i32 {
+        let Corners { low, high } = self.corners;
+        low.x + libm::round(f64::from(high.x - low.x) * self.x.share(value)) as i32
+    }
+
+    /// Of a value, from the top.
+    fn down(&self, value: f64) -> i32 {
+        let Corners { low, high } = self.corners;
+        high.y - libm::round(f64::from(high.y - low.y) * self.y.share(value)) as i32
+    }
+
+    fn place(&self, at: &[f64]) -> Step {
+        let [right, up] = tilted(self.tilt, [at[0], at[1]]);
+        Step::new(self.across(right), self.down(up))
+    }
+
+    /// Steps to a unit of the axes; hoops are drawn only where both have one scale.
+    fn unit(&self) -> f64 {
+        let Corners { low, high } = self.corners;
+        f64::from(high.x - low.x) / (self.x.range[1] - self.x.range[0])
+    }
+}
+
+/// How what panels show is placed.
+struct Ground<'a> {
+    axes: Vec<&'a PlotAxis>,
+    place: &'a dyn Fn(&[f64]) -> Step,
+    /// Steps to a unit of the axes.
+    unit: f64,
+    /// Angle by which hoops are turned.
+    tilt: f64,
+    /// Within which marks have their place, and lines and areas end, if there are any.
+    bounds: Option<Corners>,
+}
+
+impl Ground<'_> {
+    fn is_seen(&self, place: &Step) -> bool {
+        self.bounds.is_none_or(|bounds| bounds.holds(*place))
+    }
+
+    /// The places of a series, piece by piece; none of one without the columns of the axes.
+    fn pieces(&self, series: &Series) -> Option<Vec<Vec<Step>>> {
+        let columns = self.axes.iter().map(|axis| series.column(&axis.column));
+        let columns: Vec<usize> = columns.collect::<Option<_>>()?;
+        let at = |row: &Vec<f64>| {
+            let values: Vec<f64> = columns.iter().map(|column| row[*column]).collect();
+            (self.place)(&values)
+        };
+        let pieces = series.pieces.iter();
+        Some(pieces.map(|it| it.iter().map(at).collect()).collect())
+    }
+}
+
 impl Canvas {
     fn panel(&mut self, panel: &Panel) {
         match &panel.view {
-            View::Plane { x, y, axes, tilt } => self.plane(panel, [x, y], *axes, *tilt),
-            View::Space {
-                x,
-                y,
-                z,
-                yaw,
-                pitch,
-            } => {
-                let space = Space::new(panel.frame, [x, y, z], [*yaw, *pitch]);
-                space.axes(self);
-                self.layers(panel, &[x, y, z], |at| space.place(at), (1.0, 0.0), None);
-                self.labels(panel, |at| space.place(at));
+            View::Plane { x, y, axes, tilt } => {
+                let [low, high] = panel.axes_frame().map(Step::of_pixels);
+                let plane = Plane {
+                    x,
+                    y,
+                    corners: Corners { low, high },
+                    tilt: *tilt,
+                };
+                self.plane(panel, &plane, *axes);
+            }
+            View::Space { .. } => {
+                if let Some(space) = Space::of(panel) {
+                    space.axes(self);
+                    let place = |at: &[f64]| space.place(at);
+                    let ground = Ground {
+                        axes: panel.axes(),
+                        place: &place,
+                        unit: 1.0,
+                        tilt: 0.0,
+                        bounds: None,
+                    };
+                    self.layers(panel, &ground);
+                    self.labels(panel, place);
+                }
             }
         }
-        for key in &panel.keys {
-            let (x, y) = (steps(key.at[0]), steps(key.at[1]));
-            if key.mark.is_area() {
-                let corners = outline([(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))]);
-                self.mark(key.mark, core::slice::from_ref(&corners), 1.0);
-                self.polygon(&corners, edge(Stroke::solid(INK, 0.6)));
-            } else if let Mark::Line(_) = key.mark {
-                self.mark(key.mark, &[vec![(x, y), (x + steps(26.0), y)]], 1.0);
-            } else {
-                self.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0);
-            }
-            self.text(&key.text, (x + steps(32.0), y), Anchor::Left, SMALL, INK);
+        panel.keys.iter().for_each(|key| self.key(key));
+    }
+
+    fn key(&mut self, key: &Key) {
+        let at = Step::of_pixels(key.at);
+        if key.mark.is_area() {
+            let corners = Corners {
+                low: at.by(0, -steps(6.0)),
+                high: at.by(steps(20.0), steps(6.0)),
+            };
+            let outline = corners.outline();
+            self.mark(key.mark, &[outline.to_vec()], 1.0);
+            self.polygon(&outline, edge(Stroke::solid(INK, 0.6)));
+        } else if let Mark::Line(_) = key.mark {
+            self.mark(key.mark, &[vec![at, at.by(steps(26.0), 0)]], 1.0);
+        } else {
+            self.mark(key.mark, &[vec![at.by(steps(13.0), 0)]], 1.0);
+        }
+        let beside = at.by(steps(32.0), 0);
+        self.text(&key.text, beside, Anchor::Left, SMALL, INK);
+    }
+
+    fn plane(&mut self, panel: &Panel, plane: &Plane<'_>, axes: bool) {
+        let corners = plane.corners;
+        if let Some(image) = panel.image.clone() {
+            self.0.push(Item::Image { corners, image });
+        }
+        let place = |at: &[f64]| plane.place(at);
+        let ground = Ground {
+            axes: vec![plane.x, plane.y],
+            place: &place,
+            unit: plane.unit(),
+            tilt: plane.tilt,
+            bounds: axes.then_some(corners),
+        };
+        self.layers(panel, &ground);
+        self.labels(panel, place);
+        if axes {
+            self.polygon(&corners.outline(), edge(LINE));
+            self.ticks(plane);
+            self.titles(panel, plane);
         }
     }
 
-    fn plane(&mut self, panel: &Panel, [x, y]: [&PlotAxis; 2], axes: bool, tilt: f64) {
-        let corners = panel
-            .axes_frame()
-            .map(|[right, down]| (steps(right), steps(down)));
-        let [(left, top), (right, bottom)] = corners;
-        let (wide, tall) = (f64::from(right - left), f64::from(bottom - top));
-        let place = |at: &[f64]| {
-            let [right, up] = tilted(tilt, [at[0], at[1]]);
-            (
-                left + libm::round(wide * x.share(right)) as i32,
-                bottom - libm::round(tall * y.share(up)) as i32,
-            )
-        };
-        if let Some(image) = &panel.image {
-            self.0.push(Item::Image {
-                corners,
-                image: image.clone(),
+    fn ticks(&mut self, plane: &Plane<'_>) {
+        let Corners { low, high } = plane.corners;
+        let (mark, apart) = (steps(TICK), 2.0 * TICK);
+        let lower = steps(apart + (TOP - MIDDLE) * SMALL);
+        for tick in &plane.x.ticks {
+            let at = Step::new(plane.across(tick.value), high.y);
+            self.line(&[at, at.by(0, mark)], LINE);
+            self.text(&tick.label, at.by(0, lower), Anchor::Middle, SMALL, INK);
+        }
+        for value in plane.x.small_ticks() {
+            let at = Step::new(plane.across(value), high.y);
+            self.line(&[at, at.by(0, mark / 2)], LINE);
+        }
+        for value in plane.y.small_ticks() {
+            let at = Step::new(low.x, plane.down(value));
+            self.line(&[at.by(-mark / 2, 0), at], LINE);
+        }
+        for tick in &plane.y.ticks {
+            let at = Step::new(low.x, plane.down(tick.value));
+            self.line(&[at.by(-mark, 0), at], LINE);
+            let beside = at.by(-steps(apart), 0);
+            self.text(&tick.label, beside, Anchor::Right, SMALL, INK);
+        }
+    }
+
+    fn titles(&mut self, panel: &Panel, plane: &Plane<'_>) {
+        let Corners { low, high } = plane.corners;
+        let middle = |a: i32, b: i32| 0.5 * (f64::from(a + b) / STEPS);
+        let [outer, above, _, tall] = panel.frame;
+        let below = [middle(low.x, high.x), above + tall - BELOW * LETTER];
+        let beside = [outer + TOP * LETTER, middle(low.y, high.y)];
+        for (axis, at, upwards) in [(plane.x, below, false), (plane.y, beside, true)] {
+            self.words(Words {
+                text: axis.title.clone(),
+                at,
+                anchor: Anchor::Middle,
+                size: LETTER,
+                colour: INK,
+                upwards,
+                ground: None,
             });
         }
-        // Hoops are drawn only where both axes have one scale.
-        let unit = wide / (x.range[1] - x.range[0]);
-        self.layers(panel, &[x, y], place, (unit, tilt), axes.then_some(corners));
-        self.labels(panel, place);
-        if !axes {
-            return;
-        }
-        let line = Stroke::solid(INK, FINE);
-        self.polygon(&outline(corners), edge(line));
-        let (mark, apart) = (steps(TICK), 2.0 * TICK);
-        for tick in &x.ticks {
-            let at = left + libm::round(wide * x.share(tick.value)) as i32;
-            self.line(&[(at, bottom), (at, bottom + mark)], line);
-            self.text(
-                &tick.label,
-                (at, bottom + steps(apart + (TOP - MIDDLE) * SMALL)),
-                Anchor::Middle,
-                SMALL,
-                INK,
-            );
-        }
-        for value in x.small_ticks() {
-            let at = left + libm::round(wide * x.share(value)) as i32;
-            self.line(&[(at, bottom), (at, bottom + mark / 2)], line);
-        }
-        for value in y.small_ticks() {
-            let at = bottom - libm::round(tall * y.share(value)) as i32;
-            self.line(&[(left - mark / 2, at), (left, at)], line);
-        }
-        for tick in &y.ticks {
-            let at = bottom - libm::round(tall * y.share(tick.value)) as i32;
-            self.line(&[(left - mark, at), (left, at)], line);
-            self.text(
-                &tick.label,
-                (left - steps(apart), at),
-                Anchor::Right,
-                SMALL,
-                INK,
-            );
-        }
-        let pixels = |step: i32| f64::from(step) / STEPS;
-        let [outer, above, _, tall] = panel.frame;
-        let name = |text: &str, at, upwards| Words {
-            text: text.to_owned(),
-            at,
-            anchor: Anchor::Middle,
-            size: LETTER,
-            colour: INK,
-            upwards,
-            ground: None,
-        };
-        self.words(name(
-            &x.title,
-            [0.5 * pixels(left + right), above + tall - BELOW * LETTER],
-            false,
-        ));
-        self.words(name(
-            &y.title,
-            [outer + TOP * LETTER, 0.5 * pixels(top + bottom)],
-            true,
-        ));
     }
 
-    /// Draws what panels show; within bounds, where there are any: marks whose place is there, and
-    /// parts of lines and areas.
-    fn layers(
-        &mut self,
-        panel: &Panel,
-        axes: &[&PlotAxis],
-        place: impl Fn(&[f64]) -> Step,
-        (unit, tilt): (f64, f64),
-        bounds: Option<[Step; 2]>,
-    ) {
-        let is_seen = |place: &Step| bounds.is_none_or(|bounds| holds(bounds, *place));
+    /// Draws what panels show.
+    fn layers(&mut self, panel: &Panel, ground: &Ground<'_>) {
         for layer in &panel.layers {
-            let columns: Option<Vec<usize>> = axes
-                .iter()
-                .map(|axis| layer.series.column(&axis.column))
-                .collect();
-            let Some(columns) = columns else { continue };
-            let at = |row: &Vec<f64>| {
-                place(
-                    &columns
-                        .iter()
-                        .map(|column| row[*column])
-                        .collect::<Vec<_>>(),
-                )
+            let Some(mut pieces) = ground.pieces(&layer.series) else {
+                continue;
             };
-            if let Mark::Hoop {
-                offset,
-                h,
-                radius,
-                rim,
-            } = layer.mark
+            if let Mark::Hoop(hoop) = layer.mark {
+                let rows = pieces.iter().flatten().zip(layer.series.rows());
+                for (at, row) in rows.filter(|(at, _)| ground.is_seen(at)) {
+                    let theta = row[row.len() - 1] + ground.tilt;
+                    self.hoop(*at, theta, ground.unit, hoop);
+                }
+                continue;
+            }
+            if let (Mark::Beyond(colour), Some(Corners { low, high })) = (layer.mark, ground.bounds)
             {
-                for row in layer
-                    .series
-                    .pieces
-                    .iter()
-                    .flatten()
-                    .filter(|row| is_seen(&at(row)))
-                {
-                    self.hoop(
-                        at(row),
-                        row[row.len() - 1] + tilt,
-                        radius * unit,
-                        [offset, h],
-                        rim,
-                    );
+                for Step { x, y } in pieces.into_iter().flatten() {
+                    self.beyond(Step::new(x, y.clamp(low.y, high.y)), colour, y <= low.y);
                 }
                 continue;
             }
-            if let (Mark::Beyond(colour), Some([(_, top), (_, bottom)])) = (layer.mark, bounds) {
-                for (x, y) in layer.series.pieces.iter().flatten().map(at) {
-                    self.beyond((x, y.clamp(top, bottom)), colour, y <= top);
-                }
-                continue;
-            }
-            let mut pieces: Vec<Vec<Step>> = layer
-                .series
-                .pieces
-                .iter()
-                .map(|piece| piece.iter().map(at).collect())
-                .collect();
             let is_whole =
                 layer.mark.is_area() || matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
+            let is_seen = |place: &Step| ground.is_seen(place);
             if let Mark::Head(_) = layer.mark {
                 pieces.retain(|piece| piece.first().is_some_and(is_seen));
             } else if !is_whole {
                 pieces.iter_mut().for_each(|piece| piece.retain(is_seen));
             }
             let first = self.0.len();
-            self.mark(layer.mark, &pieces, unit);
-            if let Some(bounds) = bounds.filter(|_| is_whole) {
+            self.mark(layer.mark, &pieces, ground.unit);
+            if let Some(bounds) = ground.bounds.filter(|_| is_whole) {
                 let drawn = self.0.split_off(first);
                 self.0
                     .extend(drawn.into_iter().filter_map(|item| item.clipped(bounds)));
@@ -254,12 +285,9 @@ impl Canvas {
 
     fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step) {
         for label in &panel.labels {
-            let (x, y) = place(&label.at);
             let [right, down] = label.shift.map(steps);
-            let at = [
-                f64::from(x + right) / STEPS,
-                f64::from(y + down) / STEPS + MIDDLE * label.size,
-            ];
+            let [x, y] = place(&label.at).by(right, down).pixels();
+            let at = [x, y + MIDDLE * label.size];
             let (text, anchor, size) = (label.text.clone(), label.anchor, label.size);
             let words = Words {
                 text,

@@ -175,18 +175,21 @@ pub enum Mark {
     Cross(Rgb, f64),
     /// A triangle at the end of the upward axis beyond which each row lies.
     Beyond(Rgb),
-    /// A hoop on each row, whose last column is the angle of its particle: offset of the particle
-    /// and of the mass centre in radii.
-    Hoop {
-        /// ℓ̂.
-        offset: f64,
-        /// h.
-        h: f64,
-        /// Radius in units of the axes.
-        radius: f64,
-        /// Colour of the rim.
-        rim: Stroke,
-    },
+    /// A hoop on each row, whose last column is the angle of its particle.
+    Hoop(HoopShape),
+}
+
+/// A hoop as it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HoopShape {
+    /// Offset of the particle, ℓ̂, in radii.
+    pub offset: f64,
+    /// That of the mass centre, h.
+    pub h: f64,
+    /// Radius in units of the axes.
+    pub radius: f64,
+    /// Colour of the rim.
+    pub rim: Stroke,
 }
 
 /// A text in a panel.

@@ -5,7 +5,7 @@ use littlewood_style::ticks::{self, Tick};
 use littlewood_style::Rgb;
 
 use crate::chart::room_for_notes;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View};
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
 use crate::letters::width;
 use crate::place::place;
 use crate::space::length_of;
@@ -29,7 +29,6 @@ impl Figure {
     /// below the panels and in the caption.
     #[must_use]
     pub fn fitted(mut self) -> Self {
-        let sheet = [self.width, self.height];
         let mut left_out: Vec<String> = Vec::new();
         for panel in &mut self.panels {
             let [_, _, across, upwards] = panel.frame;
@@ -46,7 +45,7 @@ impl Figure {
                     yaw,
                     pitch,
                 } => {
-                    let length = length_of([across, upwards]);
+                    let length = length_of(across, upwards);
                     fit(x, length * libm::cos(*yaw).abs(), true, IN_SPACE);
                     fit(y, length * libm::cos(*pitch).abs(), false, IN_SPACE);
                     fit(z, length * libm::sin(*yaw).abs(), true, IN_SPACE);
@@ -62,7 +61,11 @@ impl Figure {
             panel.layers.extend(beyond.0);
             // Numbers that were cut come before names.
             panel.labels.splice(0..0, beyond.1);
-            left_out.extend(place(panel, sheet).into_iter().map(|label| label.text));
+            left_out.extend(
+                place(panel, self.width, self.height)
+                    .into_iter()
+                    .map(|label| label.text),
+            );
         }
         self.notes.extend(no_room(&left_out));
         for note in &self.notes {
@@ -97,74 +100,85 @@ fn no_room(names: &[String]) -> Option<String> {
     }
 }
 
+/// Where a curve is farthest out of the axes, on one side: its colour, and its value there.
+#[derive(Clone, Copy)]
+struct Farthest {
+    across: f64,
+    value: f64,
+    colour: Rgb,
+}
+
+impl Farthest {
+    /// The value at the edge of the axes that it leaves.
+    fn label(self, [low, high]: [f64; 2]) -> Label {
+        let (edge, down) = if self.value > high {
+            (high, 9.0)
+        } else {
+            (low, -9.0)
+        };
+        let text = if self.value.is_infinite() {
+            if self.value > 0.0 { "∞" } else { "−∞" }.to_owned()
+        } else {
+            short(self.value)
+        };
+        let label = Label::new(text, &[self.across, edge]).sized(SMALL);
+        label.coloured(self.colour).left().shifted(7.0, down)
+    }
+}
+
+/// The rows of a series, by its two columns, that are farthest out of the axes: of each part of it
+/// that is out on one side one.
+fn out_of(series: &Series, x: &PlotAxis, y: &PlotAxis) -> Vec<[f64; 2]> {
+    let (Some(across), Some(up)) = (series.column(&x.column), series.column(&y.column)) else {
+        return Vec::new();
+    };
+    let [low, high] = y.range;
+    let is_out = |row: &[f64]| row[up] < low || row[up] > high;
+    let is_seen = |row: &&Vec<f64>| (x.range[0]..=x.range[1]).contains(&row[across]);
+    let parts = series.pieces.iter().flat_map(|piece| {
+        piece.chunk_by(|a, b| is_out(a) && is_out(b) && (a[up] > high) == (b[up] > high))
+    });
+    let farthest = parts.filter_map(|part| {
+        let rows = part.iter().filter(|row| is_out(row)).filter(is_seen);
+        rows.max_by(|a, b| a[up].abs().total_cmp(&b[up].abs()))
+    });
+    farthest.map(|row| [row[across], row[up]]).collect()
+}
+
 /// Marks where curves leave the axes of a panel above and below, with the value that is farthest
 /// out on either side.
 fn beyond(panel: &Panel) -> (Vec<Layer>, Vec<Label>) {
     let View::Plane { x, y, .. } = &panel.view else {
         return Default::default();
     };
-    let [low, high] = y.range;
-    let is_out = |value: f64| value < low || value > high;
-    // Where a label stands, its colour, its value: below and above.
-    let mut farthest: [Option<(f64, Rgb, f64)>; 2] = [None; 2];
+    // Below and above.
+    let mut farthest: [Option<Farthest>; 2] = [None; 2];
     let mut layers = Vec::new();
     for layer in panel.layers.iter().filter(|layer| layer.is_marked_beyond) {
-        let series = &layer.series;
-        let (Mark::Line(Stroke { colour, .. }), Some(across), Some(up)) = (
-            layer.mark,
-            series.column(&x.column),
-            series.column(&y.column),
-        ) else {
+        let Mark::Line(Stroke { colour, .. }) = layer.mark else {
             continue;
         };
-        let mut rows: Piece = Vec::new();
-        for piece in &series.pieces {
-            // Each part of it that is out on one side has one mark, where it is farthest.
-            for part in piece
-                .chunk_by(|a, b| is_out(a[up]) && is_out(b[up]) && (a[up] > high) == (b[up] > high))
-            {
-                let Some(row) = part
-                    .iter()
-                    .filter(|row| {
-                        is_out(row[up]) && (x.range[0]..=x.range[1]).contains(&row[across])
-                    })
-                    .max_by(|a, b| a[up].abs().total_cmp(&b[up].abs()))
-                else {
-                    continue;
-                };
-                rows.push(vec![row[across], row[up]]);
-                let side = &mut farthest[usize::from(row[up] > high)];
-                if side.is_none_or(|(.., value)| row[up].abs() > value.abs()) {
-                    *side = Some((row[across], colour, row[up]));
-                }
+        let rows = out_of(&layer.series, x, y);
+        for &[across, value] in &rows {
+            let side = &mut farthest[usize::from(value > y.range[1])];
+            if side.is_none_or(|side| value.abs() > side.value.abs()) {
+                *side = Some(Farthest {
+                    across,
+                    value,
+                    colour,
+                });
             }
         }
         if !rows.is_empty() {
-            layers.push(Layer {
-                series: Series {
-                    name: format!("{} beyond the axis", series.name),
-                    columns: vec![x.column.clone(), y.column.clone()],
-                    pieces: vec![rows],
-                },
-                mark: Mark::Beyond(colour),
-                is_marked_beyond: false,
-            });
+            let series = Series {
+                name: format!("{} beyond the axis", layer.series.name),
+                columns: vec![x.column.clone(), y.column.clone()],
+                pieces: vec![rows.into_iter().map(Vec::from).collect()],
+            };
+            layers.push(series.drawn(Mark::Beyond(colour)));
         }
     }
-    let labels = farthest.into_iter().flatten().map(|(at, colour, value)| {
-        let (edge, down) = if value > high {
-            (high, 9.0)
-        } else {
-            (low, -9.0)
-        };
-        let text = if value.is_infinite() {
-            if value > 0.0 { "∞" } else { "−∞" }.to_owned()
-        } else {
-            short(value)
-        };
-        let label = Label::new(text, &[at, edge]).sized(SMALL).coloured(colour);
-        label.left().shifted(7.0, down)
-    });
+    let labels = farthest.into_iter().flatten().map(|it| it.label(y.range));
     (layers, labels.collect())
 }
 
@@ -229,7 +243,7 @@ fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
         }
         Scale::Whole => ticks::round(from, to, count.min((to - from) as usize).max(1)),
         Scale::Angle(_) => ticks::angular(from, to, count),
-        Scale::Decades => decades([from, to], count),
+        Scale::Decades => decades(from, to, count),
         Scale::Given(ticks) => {
             let each = ticks.len().div_ceil(count);
             ticks.iter().step_by(each.max(1)).cloned().collect()
@@ -291,7 +305,7 @@ fn symmetric(axis: &PlotAxis, most: usize) -> Vec<Tick> {
 }
 
 /// Powers of ten; within few of them their double and five times as much, too.
-fn decades([from, to]: [f64; 2], most: usize) -> Vec<Tick> {
+fn decades(from: f64, to: f64, most: usize) -> Vec<Tick> {
     let (first, last) = (libm::ceil(from) as i32, libm::floor(to) as i32);
     if last - first < 2 && most > 3 {
         return (first - 1..=last)

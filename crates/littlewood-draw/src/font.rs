@@ -168,20 +168,29 @@ fn words(values: impl IntoIterator<Item = i16>) -> Vec<u8> {
     values.into_iter().flat_map(i16::to_be_bytes).collect()
 }
 
-/// A letter as contours of points on the curve and off it.
-fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
-    let width = units(advance);
-    let mut contours: Vec<Vec<([i16; 2], bool)>> = Vec::new();
-    let place = |[x, y]: [f64; 2]| [units(x), units(y)];
+/// A point of a contour, on the curve or off it.
+#[derive(Clone, Copy, PartialEq)]
+struct Point {
+    at: [i16; 2],
+    is_on: bool,
+}
+
+/// The contours of a letter.
+fn contours(outline: impl Iterator<Item = Segment>) -> Vec<Vec<Point>> {
+    let mut contours: Vec<Vec<Point>> = Vec::new();
+    let point = |at: [f64; 2], is_on| Point {
+        at: at.map(units),
+        is_on,
+    };
     for segment in outline {
         let points = match segment {
             Segment::Move(to) => {
-                contours.push(vec![(place(to), true)]);
+                contours.push(vec![point(to, true)]);
                 continue;
             }
             // Letters have no cubic curves.
-            Segment::Line(to) | Segment::Curve(_, _, to) => vec![(place(to), true)],
-            Segment::Quad(handle, to) => vec![(place(handle), false), (place(to), true)],
+            Segment::Line(to) | Segment::Curve(_, _, to) => vec![point(to, true)],
+            Segment::Quad(handle, to) => vec![point(handle, false), point(to, true)],
             Segment::Close => Vec::new(),
         };
         if let Some(last) = contours.last_mut() {
@@ -194,11 +203,16 @@ fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
             contour.pop();
         }
     }
-    let points: Vec<([i16; 2], bool)> = contours.iter().flatten().copied().collect();
-    let ends = |k: usize| {
-        let values = || points.iter().map(|(point, _)| point[k]);
-        [values().min().unwrap_or(0), values().max().unwrap_or(0)]
-    };
+    contours
+}
+
+/// A letter as a glyph of so much width.
+fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
+    let width = units(advance);
+    let contours = contours(outline);
+    let points: Vec<Point> = contours.iter().flatten().copied().collect();
+    let values = |k: usize| points.iter().map(move |point| point.at[k]);
+    let ends = |k: usize| [values(k).min(), values(k).max()].map(|end| end.unwrap_or(0));
     let [[left, right], [low, high]] = [ends(0), ends(1)];
     let frame = [left, low, right, high];
     if points.is_empty() {
@@ -215,14 +229,11 @@ fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
         bytes.extend(words([end]));
     }
     bytes.extend(words([0]));
-    bytes.extend(points.iter().map(|(_, is_on)| u8::from(*is_on)));
+    bytes.extend(points.iter().map(|point| u8::from(point.is_on)));
     for k in 0..2 {
-        let before = core::iter::once(0).chain(points.iter().map(|(point, _)| point[k]));
+        let before = core::iter::once(0).chain(values(k));
         bytes.extend(words(
-            points
-                .iter()
-                .zip(before)
-                .map(|((point, _), before)| point[k] - before),
+            values(k).zip(before).map(|(value, before)| value - before),
         ));
     }
     bytes.resize(bytes.len().next_multiple_of(4), 0);

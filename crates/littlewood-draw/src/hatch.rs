@@ -9,7 +9,7 @@ pub(crate) const WIDTH: f64 = 0.8;
 /// The parts of the lines within the area that closed lines bound together.
 pub(crate) fn lines(outlines: &[Vec<Step>]) -> Vec<Vec<Step>> {
     // Along a line the sum of the coordinates is constant.
-    let across = |(x, y): Step| f64::from(x + y);
+    let across = |Step { x, y }: Step| f64::from(x + y);
     let edges: Vec<[Step; 2]> = outlines
         .iter()
         .flat_map(|line| {
@@ -41,12 +41,12 @@ pub(crate) fn lines(outlines: &[Vec<Step>]) -> Vec<Vec<Step>> {
                 .filter(|[a, b]| (across(*a) <= sum) != (across(*b) <= sum))
                 .map(|[a, b]| {
                     let share = (sum - across(*a)) / (across(*b) - across(*a));
-                    let x = f64::from(a.0) + share * f64::from(b.0 - a.0);
+                    let x = f64::from(a.x) + share * f64::from(b.x - a.x);
                     (x, if across(*a) <= sum { 1 } else { -1 })
                 })
                 .collect();
             crossings.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-            let place = move |x: f64| (libm::round(x) as i32, libm::round(sum - x) as i32);
+            let place = move |x: f64| Step::new(libm::round(x) as i32, libm::round(sum - x) as i32);
             let mut turns = 0;
             let parts = crossings.windows(2).filter_map(move |pair| {
                 turns += pair[0].1;
@@ -63,7 +63,8 @@ mod tests {
 
     fn square(side: i32) -> Vec<Step> {
         let half = side / 2;
-        vec![(-half, -half), (half, -half), (half, half), (-half, half)]
+        let corners = [(-half, -half), (half, -half), (half, half), (-half, half)];
+        corners.map(|(x, y)| Step::new(x, y)).to_vec()
     }
 
     #[test]
@@ -71,7 +72,7 @@ mod tests {
         let length = |lines: &[Vec<Step>]| {
             let of = |line: &Vec<Step>| {
                 let [a, b] = [line[0], line[1]];
-                libm::hypot(f64::from(b.0 - a.0), f64::from(b.1 - a.1))
+                libm::hypot(f64::from(b.x - a.x), f64::from(b.y - a.y))
             };
             lines.iter().map(of).sum::<f64>()
         };
@@ -90,7 +91,7 @@ mod tests {
             lines(&[hole])
                 .iter()
                 .flatten()
-                .all(|(x, y)| x.abs() <= 3_000 && y.abs() <= 3_000)
+                .all(|it| it.x.abs() <= 3_000 && it.y.abs() <= 3_000)
         );
     }
 }

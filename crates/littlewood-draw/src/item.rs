@@ -7,11 +7,61 @@ use crate::letters::width;
 use crate::primitives::{Anchor, Image};
 use crate::stroke::Stroke;
 
-/// A place in steps.
-pub(crate) type Step = (i32, i32);
-
 /// Steps to a pixel.
 pub(crate) const STEPS: f64 = 20.0;
+
+/// A place in steps, to the right and downwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Step {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+}
+
+impl Step {
+    pub(crate) const fn new(x: i32, y: i32) -> Self {
+        Self { x, y }
+    }
+
+    /// The nearest one.
+    pub(crate) fn of_pixels([x, y]: [f64; 2]) -> Self {
+        Self::new(steps(x), steps(y))
+    }
+
+    pub(crate) fn pixels(self) -> [f64; 2] {
+        self.place().map(|side| side / STEPS)
+    }
+
+    pub(crate) fn place(self) -> [f64; 2] {
+        [f64::from(self.x), f64::from(self.y)]
+    }
+
+    /// So far from here.
+    pub(crate) const fn by(self, right: i32, down: i32) -> Self {
+        Self::new(self.x + right, self.y + down)
+    }
+}
+
+/// A rectangle by its left upper and its right lower corner.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corners {
+    pub(crate) low: Step,
+    pub(crate) high: Step,
+}
+
+impl Corners {
+    /// Whether a place is in it; rounding to a step may take one on the frame outside.
+    pub(crate) fn holds(self, Step { x, y }: Step) -> bool {
+        let Self { low, high } = self;
+        (low.x - 1..=high.x + 1).contains(&x) && (low.y - 1..=high.y + 1).contains(&y)
+    }
+
+    /// Its outline.
+    pub(crate) fn outline(self) -> [Step; 5] {
+        let Self { low, high } = self;
+        let (right_upper, left_lower) = (Step::new(high.x, low.y), Step::new(low.x, high.y));
+        [low, right_upper, high, left_lower, low]
+    }
+}
 
 /// A length in steps.
 pub(crate) fn steps(pixels: f64) -> i32 {
@@ -24,8 +74,8 @@ pub(crate) enum Item {
     /// Lines from point to point; or the area that they bound together, around holes in the other
     /// direction.
     Path { lines: Vec<Vec<Step>>, paint: Paint },
-    /// Pixels in a rectangle by its left upper and its right lower corner.
-    Image { corners: [Step; 2], image: Image },
+    /// Pixels in a rectangle.
+    Image { corners: Corners, image: Image },
     /// A circle.
     Circle {
         centre: Step,
@@ -45,19 +95,15 @@ impl Item {
     }
 
     /// The part of a line or an area within bounds; none if nothing is there.
-    pub(crate) fn clipped(self, bounds: [Step; 2]) -> Option<Self> {
+    pub(crate) fn clipped(self, bounds: Corners) -> Option<Self> {
         let Self::Path { lines, paint } = self else {
             return Some(self);
         };
-        if lines.iter().flatten().all(|place| holds(bounds, *place)) {
+        if lines.iter().flatten().all(|place| bounds.holds(*place)) {
             return Some(Self::Path { lines, paint });
         }
-        let places = |line: &Vec<Step>| {
-            line.iter()
-                .map(|&(x, y)| [f64::from(x), f64::from(y)])
-                .collect::<Vec<_>>()
-        };
-        let bounds = bounds.map(|(x, y)| [f64::from(x), f64::from(y)]);
+        let places = |line: &Vec<Step>| line.iter().map(|it| it.place()).collect::<Vec<_>>();
+        let bounds = [bounds.low, bounds.high].map(Step::place);
         let kept: Vec<Vec<[f64; 2]>> = match paint {
             Paint::Edge(_) => lines
                 .iter()
@@ -68,7 +114,7 @@ impl Item {
                 .map(|line| clip::polygon(&places(line), bounds))
                 .collect(),
         };
-        let step = |[x, y]: [f64; 2]| (libm::round(x) as i32, libm::round(y) as i32);
+        let step = |[x, y]: [f64; 2]| Step::new(libm::round(x) as i32, libm::round(y) as i32);
         let kept = kept.into_iter().filter(|line| line.len() > 1);
         let lines: Vec<Vec<Step>> = kept
             .map(|line| line.into_iter().map(step).collect())
@@ -77,20 +123,42 @@ impl Item {
     }
 }
 
-/// Whether a place is within bounds; rounding to a step may take one on the frame outside.
-pub(crate) fn holds([low, high]: [Step; 2], (x, y): Step) -> bool {
-    (low.0 - 1..=high.0 + 1).contains(&x) && (low.1 - 1..=high.1 + 1).contains(&y)
+/// A rectangle in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Frame {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) right: f64,
+    pub(crate) bottom: f64,
 }
 
-/// The outline of a rectangle by its left upper and its right lower corner.
-pub(crate) fn outline([(left, top), (right, bottom)]: [Step; 2]) -> Vec<Step> {
-    vec![
-        (left, top),
-        (right, top),
-        (right, bottom),
-        (left, bottom),
-        (left, top),
-    ]
+impl Frame {
+    pub(crate) fn of(corners: Corners) -> Self {
+        let ([left, top], [right, bottom]) = (corners.low.pixels(), corners.high.pixels());
+        Self {
+            left,
+            top,
+            right,
+            bottom,
+        }
+    }
+
+    pub(crate) const fn holds(self, inner: Self) -> bool {
+        inner.left >= self.left
+            && inner.top >= self.top
+            && inner.right <= self.right
+            && inner.bottom <= self.bottom
+    }
+
+    /// So much larger on all sides.
+    pub(crate) fn grown(self, by: f64) -> Self {
+        Self {
+            left: self.left - by,
+            top: self.top - by,
+            right: self.right + by,
+            bottom: self.bottom + by,
+        }
+    }
 }
 
 /// How a shape is painted.
@@ -123,15 +191,21 @@ impl Words {
         self.anchor.share() * width(&self.text, self.size)
     }
 
-    /// The box of its letters: left, top, right and bottom in pixels.
-    pub(crate) fn frame(&self) -> [f64; 4] {
+    /// The box of its letters.
+    pub(crate) fn frame(&self) -> Frame {
         let (from, to) = (-self.back(), width(&self.text, self.size) - self.back());
         let (above, below) = (ASCENT * self.size, DESCENT * self.size);
         let [x, y] = self.at;
-        if self.upwards {
+        let [left, top, right, bottom] = if self.upwards {
             [x - above, y - to, x + below, y - from]
         } else {
             [x + from, y - above, x + to, y + below]
+        };
+        Frame {
+            left,
+            top,
+            right,
+            bottom,
         }
     }
 }
@@ -146,12 +220,11 @@ mod tests {
 
     #[test]
     fn a_path_has_no_point_twice_in_a_row() {
-        let Item::Path { lines, .. } = Item::path(
-            &[vec![(0, 0), (20, 1), (20, 1), (0, 0)]],
-            Paint::Fill(Rgb([0; 3])),
-        ) else {
+        let [a, b] = [Step::new(0, 0), Step::new(20, 1)];
+        let Item::Path { lines, .. } = Item::path(&[vec![a, b, b, a]], Paint::Fill(Rgb([0; 3])))
+        else {
             panic!("a path")
         };
-        assert_eq!(lines, [[(0, 0), (20, 1), (0, 0)]]);
+        assert_eq!(lines, [[a, b, a]]);
     }
 }

@@ -2,9 +2,9 @@
 
 use littlewood_style::{Curve, Rgb};
 
-use crate::figure::Mark;
+use crate::figure::{HoopShape, Mark};
 use crate::hatch;
-use crate::item::{Item, Paint, STEPS, Step, Words, steps};
+use crate::item::{Frame, Item, Paint, STEPS, Step, Words, steps};
 use crate::primitives::Anchor;
 use crate::stroke::{INK, PAPER, Stroke};
 use crate::words::marked;
@@ -92,52 +92,37 @@ impl Canvas {
                 }
             }
             Mark::Diamond(colour, radius) => {
-                for (x, y) in points() {
+                for point in points() {
                     for (r, colour) in [(radius + EDGE, PAPER), (radius, colour)] {
                         let r = steps(r);
-                        self.polygon(
-                            &[(x - r, y), (x, y + r), (x + r, y), (x, y - r)],
-                            Paint::Fill(colour),
-                        );
+                        let corners = [(-r, 0), (0, r), (r, 0), (0, -r)];
+                        let corners = corners.map(|(right, down)| point.by(right, down));
+                        self.polygon(&corners, Paint::Fill(colour));
                     }
                 }
             }
             Mark::Cross(colour, radius) => {
                 let (r, stroke) = (steps(radius), Stroke::solid(colour, 1.6));
-                for (x, y) in points() {
-                    self.line(&[(x - r, y - r), (x + r, y + r)], stroke);
-                    self.line(&[(x - r, y + r), (x + r, y - r)], stroke);
+                for point in points() {
+                    self.line(&[point.by(-r, -r), point.by(r, r)], stroke);
+                    self.line(&[point.by(-r, r), point.by(r, -r)], stroke);
                 }
             }
             Mark::Beyond(colour) => {
                 points().for_each(|point| self.beyond(point, colour, true));
             }
-            Mark::Hoop {
-                offset,
-                h,
-                radius,
-                rim,
-            } => {
-                points().for_each(|point| self.hoop(point, 0.0, radius * unit, [offset, h], rim));
-            }
+            Mark::Hoop(hoop) => points().for_each(|point| self.hoop(point, 0.0, unit, hoop)),
         }
     }
 
-    /// A hoop of so many steps about its centre, its particle at an angle.
-    pub(crate) fn hoop(
-        &mut self,
-        centre: Step,
-        theta: f64,
-        unit: f64,
-        [offset, h]: [f64; 2],
-        rim: Stroke,
-    ) {
+    /// A hoop about its centre, its particle at an angle, a unit of the axes so many steps.
+    pub(crate) fn hoop(&mut self, centre: Step, theta: f64, unit: f64, hoop: HoopShape) {
+        let HoopShape { offset, h, rim, .. } = hoop;
+        let unit = hoop.radius * unit;
         let (sin, cos) = libm::sincos(theta);
         let along = |distance: f64| {
-            (
-                centre.0 - libm::round(distance * sin * unit) as i32,
-                centre.1 - libm::round(distance * cos * unit) as i32,
-            )
+            let [right, down] = [sin, cos].map(|part| libm::round(distance * part * unit) as i32);
+            centre.by(-right, -down)
         };
         self.circle(centre, libm::round(unit) as i32, edge(rim));
         self.line(&[centre, along(offset)], Stroke { width: 1.0, ..rim });
@@ -151,13 +136,11 @@ impl Canvas {
     }
 
     /// A triangle whose tip is at a place, and points up or down.
-    pub(crate) fn beyond(&mut self, (x, y): Step, colour: Rgb, upwards: bool) {
+    pub(crate) fn beyond(&mut self, tip: Step, colour: Rgb, upwards: bool) {
         let [high, wide] = BEYOND.map(steps);
-        let base = if upwards { y + high } else { y - high };
-        self.polygon(
-            &[(x, y), (x + wide, base), (x - wide, base)],
-            Paint::Fill(colour),
-        );
+        let base = if upwards { high } else { -high };
+        let corners = [tip, tip.by(wide, base), tip.by(-wide, base)];
+        self.polygon(&corners, Paint::Fill(colour));
     }
 
     /// A line from point to point.
@@ -169,7 +152,13 @@ impl Canvas {
 
     /// The colour of the area in which a box lies; the paper, if it is in none or reaches out of
     /// it.
-    pub(crate) fn below(&self, [left, top, right, bottom]: [f64; 4]) -> Rgb {
+    pub(crate) fn below(&self, frame: Frame) -> Rgb {
+        let Frame {
+            left,
+            top,
+            right,
+            bottom,
+        } = frame;
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         let area = self.0.iter().rev().find_map(|item| {
             let Item::Path {
@@ -215,15 +204,9 @@ impl Canvas {
     }
 
     /// A text without a halo, by its middle on the vertical.
-    pub(crate) fn text(
-        &mut self,
-        text: &str,
-        (x, y): Step,
-        anchor: Anchor,
-        size: f64,
-        colour: Rgb,
-    ) {
-        let at = [f64::from(x) / STEPS, f64::from(y) / STEPS + MIDDLE * size];
+    pub(crate) fn text(&mut self, text: &str, place: Step, anchor: Anchor, size: f64, colour: Rgb) {
+        let [x, y] = place.pixels();
+        let at = [x, y + MIDDLE * size];
         self.words(Words {
             text: text.to_owned(),
             at,
@@ -243,7 +226,7 @@ impl Canvas {
 
     /// A head that points from one point to another: its tip there, or its middle at the second.
     fn head(&mut self, from: Step, to: Step, colour: Rgb, centred: bool) {
-        let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
+        let (dx, dy) = (f64::from(to.x - from.x), f64::from(to.y - from.y));
         let length = libm::sqrt(dx * dx + dy * dy);
         if length == 0.0 {
             return;
@@ -256,9 +239,9 @@ impl Canvas {
         let [long, wide] = HEAD.map(|size| f64::from(steps(size)));
         let forward = if centred { 0.5 * long } else { 0.0 };
         let corner = |along: f64, across: f64| {
-            (
-                to.0 + libm::round(along * ux - across * uy) as i32,
-                to.1 + libm::round(along * uy + across * ux) as i32,
+            to.by(
+                libm::round(along * ux - across * uy) as i32,
+                libm::round(along * uy + across * ux) as i32,
             )
         };
         let corners = [
@@ -279,7 +262,7 @@ fn winding(lines: &[Vec<Step>], place: [f64; 2]) -> i32 {
         .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
     edges
         .map(|(a, b)| {
-            let [a, b] = [a, b].map(|&(x, y)| [f64::from(x), f64::from(y)]);
+            let [a, b] = [a, b].map(|it| it.place());
             let left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
             i32::from(a[1] <= y && b[1] > y && left > 0.0)
                 - i32::from(a[1] > y && b[1] <= y && left < 0.0)

@@ -3,7 +3,7 @@
 use crate::chart::items;
 use crate::error::DrawError;
 use crate::figure::Figure;
-use crate::item::Item;
+use crate::item::{Frame, Item};
 use crate::markup::plain;
 use crate::primitives::Image;
 use crate::raster::{self, check_scale};
@@ -52,7 +52,13 @@ impl Figure {
             let Item::Words(words) = item else {
                 return None;
             };
-            Some((plain(&words.text), words.frame()))
+            let Frame {
+                left,
+                top,
+                right,
+                bottom,
+            } = words.frame();
+            Some((plain(&words.text), [left, top, right, bottom]))
         });
         texts.collect()
     }

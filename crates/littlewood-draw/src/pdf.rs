@@ -9,7 +9,7 @@ use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect, Ref, Str, TextSt
 
 use crate::figure::Figure;
 use crate::font::Font;
-use crate::item::{Item, Words};
+use crate::item::{Frame, Item, Words};
 use crate::letters::glyphs;
 use crate::markup::plain;
 use crate::pencil::{Pencil, draw};
@@ -21,6 +21,9 @@ const LEVEL: u8 = 8;
 
 /// What is drawn, with its images and letters.
 struct Page(Content, Vec<Image>, Font);
+
+/// The number of its first object of the font, of five.
+const FONT_OBJECT: i32 = 6;
 
 /// The font on the page, and its name in the file: six letters for a part of a font.
 const FACE: Name<'static> = Name(b"F0");
@@ -116,8 +119,9 @@ impl Pencil for Page {
         self.0.stroke();
     }
 
-    fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
-        let [[left, top], [right, bottom]] = [[left, top], [right, bottom]].map(fine);
+    fn image(&mut self, frame: Frame, image: &Image) {
+        let [left, top] = fine([frame.left, frame.top]);
+        let [right, bottom] = fine([frame.right, frame.bottom]);
         self.0.save_state();
         // The unit square of an image has its first row at the top.
         self.0
@@ -169,8 +173,9 @@ impl Pencil for Page {
     }
 }
 
-/// Writes a font, of which the file begins at a number.
-fn font(pdf: &mut Pdf, font: &Font, [face, letters, about, file, signs]: [Ref; 5]) {
+/// Writes a font as objects from a number on.
+fn font(pdf: &mut Pdf, font: &Font, first: i32) {
+    let [face, letters, about, file, signs] = core::array::from_fn(|i| Ref::new(first + i as i32));
     pdf.type0_font(face)
         .base_font(FONT)
         .encoding_predefined(Name(b"Identity-H"))
@@ -221,10 +226,9 @@ pub(crate) fn document(figure: &Figure, items: &[Item], scale: f64) -> Vec<u8> {
     page.0
         .transform([scale as f32, 0.0, 0.0, -scale as f32, 0.0, height]);
     page.0.set_line_join(LineJoinStyle::RoundJoin);
-    draw(items, [figure.width, figure.height], &mut page);
+    draw(items, figure.width, figure.height, &mut page);
 
     let [catalog, pages, sheet, content, about] = [1, 2, 3, 4, 5].map(Ref::new);
-    let of_font = [6, 7, 8, 9, 10].map(Ref::new);
     let mut pdf = Pdf::new();
     pdf.catalog(catalog).pages(pages);
     pdf.pages(pages).kids([sheet]).count(1);
@@ -240,7 +244,7 @@ pub(crate) fn document(figure: &Figure, items: &[Item], scale: f64) -> Vec<u8> {
         .map(|(image, at)| (Ref::new(at), image))
         .collect();
     let mut resources = described.resources();
-    resources.fonts().pair(FACE, of_font[0]);
+    resources.fonts().pair(FACE, Ref::new(FONT_OBJECT));
     if !images.is_empty() {
         let mut objects = resources.x_objects();
         for (number, (at, _)) in images.iter().enumerate() {
@@ -261,7 +265,7 @@ pub(crate) fn document(figure: &Figure, items: &[Item], scale: f64) -> Vec<u8> {
     }
     pdf.stream(content, &compress_to_vec_zlib(&page.0.finish(), LEVEL))
         .filter(Filter::FlateDecode);
-    font(&mut pdf, &page.2, of_font);
+    font(&mut pdf, &page.2, FONT_OBJECT);
     pdf.document_info(about)
         .title(TextStr(&plain(&figure.title)))
         .subject(TextStr(&plain(&figure.caption)))

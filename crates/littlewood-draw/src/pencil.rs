@@ -2,7 +2,7 @@
 
 use littlewood_style::Rgb;
 
-use crate::item::{Item, Paint, STEPS, Step, Words};
+use crate::item::{Frame, Item, Paint, STEPS, Step, Words};
 use crate::letters::outlines;
 use crate::primitives::{Image, Path, Segment};
 use crate::stroke::{PAPER, Stroke};
@@ -13,8 +13,8 @@ pub(crate) trait Pencil {
     fn fill(&mut self, path: &Path, colour: Rgb);
     /// Draws along a path.
     fn stroke(&mut self, path: &Path, edge: Stroke);
-    /// Draws pixels in a rectangle by its left upper and its right lower corner.
-    fn image(&mut self, corners: [[f64; 2]; 2], image: &Image);
+    /// Draws pixels in a rectangle.
+    fn image(&mut self, frame: Frame, image: &Image);
     /// Draws a text: the outlines of its letters, unless there is a better way.
     fn words(&mut self, words: &Words)
     where
@@ -25,8 +25,14 @@ pub(crate) trait Pencil {
 }
 
 /// Draws all that is on a sheet.
-pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl Pencil) {
-    pencil.fill(&rectangle([0.0, 0.0], [width, height]), PAPER);
+pub(crate) fn draw(items: &[Item], width: f64, height: f64, pencil: &mut impl Pencil) {
+    let sheet = Frame {
+        left: 0.0,
+        top: 0.0,
+        right: width,
+        bottom: height,
+    };
+    pencil.fill(&rectangle(sheet), PAPER);
     for item in items {
         match item {
             Item::Path { lines, paint } => {
@@ -36,22 +42,15 @@ pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl 
                     .collect();
                 painted(&path, *paint, pencil);
             }
-            Item::Image { corners, image } => pencil.image(corners.map(pixels), image),
+            Item::Image { corners, image } => pencil.image(Frame::of(*corners), image),
             Item::Circle {
                 centre,
                 radius,
                 paint,
-            } => {
-                painted(
-                    &circle(pixels(*centre), f64::from(*radius) / STEPS),
-                    *paint,
-                    pencil,
-                );
-            }
+            } => painted(&circle(*centre, *radius), *paint, pencil),
             Item::Words(words) => {
                 if let Some(ground) = words.ground {
-                    let [left, top, right, bottom] = words.frame();
-                    pencil.fill(&rectangle([left, top], [right, bottom]), ground);
+                    pencil.fill(&rectangle(words.frame()), ground);
                 }
                 pencil.words(words);
             }
@@ -66,22 +65,22 @@ fn painted(path: &Path, paint: Paint, pencil: &mut impl Pencil) {
     }
 }
 
-fn pixels((x, y): Step) -> [f64; 2] {
-    [f64::from(x) / STEPS, f64::from(y) / STEPS]
-}
-
 fn polygon(points: &[Step], paint: Paint) -> Vec<Segment> {
-    let begin = points.first().map(|point| Segment::Move(pixels(*point)));
-    let rest = points
-        .iter()
-        .skip(1)
-        .map(|point| Segment::Line(pixels(*point)));
+    let begin = points.first().map(|point| Segment::Move(point.pixels()));
+    let rest = points.iter().skip(1);
+    let rest = rest.map(|point| Segment::Line(point.pixels()));
     let end = matches!(paint, Paint::Fill(_)).then_some(Segment::Close);
     begin.into_iter().chain(rest).chain(end).collect()
 }
 
-fn rectangle([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Vec<Segment> {
-    vec![
+fn rectangle(frame: Frame) -> [Segment; 5] {
+    let Frame {
+        left,
+        top,
+        right,
+        bottom,
+    } = frame;
+    [
         Segment::Move([left, top]),
         Segment::Line([right, top]),
         Segment::Line([right, bottom]),
@@ -91,9 +90,10 @@ fn rectangle([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Vec<Segment> {
 }
 
 /// A circle as four cubic curves.
-fn circle([x, y]: [f64; 2], radius: f64) -> Vec<Segment> {
+fn circle(centre: Step, radius: i32) -> Vec<Segment> {
     // Puts the middle of each curve on the circle.
     const HANDLE: f64 = 0.552_284_749_830_793_4;
+    let ([x, y], radius) = (centre.pixels(), f64::from(radius) / STEPS);
     let at = |a: f64, b: f64| [x + radius * a, y + radius * b];
     let quarter = |[a, b]: [f64; 2]| {
         // The direction in which the circle goes on, a quarter of a turn further.

@@ -1,15 +1,12 @@
 //! Where labels stand: inside their panel, beside each other, off the curves.
 
-use crate::figure::{Label, Mark, Panel, View};
-use crate::item::{ASCENT, DESCENT, Item, STEPS};
+use crate::figure::{Label, Layer, Mark, Panel, PlotAxis, View};
+use crate::item::{ASCENT, DESCENT, Frame, Item, STEPS};
 use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE};
 use crate::primitives::Anchor;
 use crate::space::Space;
 use crate::stroke::Stroke;
-
-/// Left, top, right and bottom in pixels.
-pub(crate) type Frame = [f64; 4];
 
 /// Least distance of a label from others and from the edge of what it stands in.
 const EDGE: f64 = 3.0;
@@ -39,54 +36,55 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new(panel: &Panel, sheet: [f64; 2], at: &dyn Fn(&[f64]) -> Option<[f64; 2]>) -> Self {
-        let [columns, rows] = sheet.map(|side| libm::ceil(side / CELL) as usize + 1);
+    fn new(panel: &Panel, sheet: Frame, at: &dyn Fn(&[f64]) -> Option<[f64; 2]>) -> Self {
+        let cells = |side: f64| libm::ceil(side / CELL) as usize + 1;
+        let (columns, rows) = (cells(sheet.right), cells(sheet.bottom));
         let mut drawn = Self {
             columns,
             cells: vec![0.0; columns * rows],
         };
         for layer in &panel.layers {
-            let (Mark::Line(Stroke { colour, .. })
-            | Mark::Arrow(Stroke { colour, .. })
-            | Mark::Head(colour)
-            | Mark::Dot(colour, _)
-            | Mark::Ring(colour, _)
-            | Mark::Diamond(colour, _)
-            | Mark::Cross(colour, _)) = layer.mark
-            else {
-                continue;
-            };
-            let dark = (1.0 - colour.lightness() / 100.0) as f32;
-            let names = panel
-                .axes()
-                .into_iter()
-                .map(|axis| layer.series.column(&axis.column));
-            let Some(columns) = names.collect::<Option<Vec<usize>>>() else {
-                continue;
-            };
-            let place = |row: &Vec<f64>| {
-                at(&columns
-                    .iter()
-                    .map(|column| row[*column])
-                    .collect::<Vec<_>>())
-            };
-            for piece in &layer.series.pieces {
-                let places: Vec<[f64; 2]> = piece.iter().filter_map(place).collect();
-                let is_line = matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
-                if !is_line || places.len() == 1 {
-                    places.iter().for_each(|place| drawn.darken(*place, dark));
-                }
-                for pair in places.windows(2).filter(|_| is_line) {
-                    let [dx, dy] = [0, 1].map(|k| pair[1][k] - pair[0][k]);
-                    let count = libm::ceil(libm::hypot(dx, dy) / CELL).min(4096.0);
-                    for i in 0..=count as u32 {
-                        let share = f64::from(i) / count.max(1.0);
-                        drawn.darken([pair[0][0] + share * dx, pair[0][1] + share * dy], dark);
-                    }
+            drawn.add(layer, &panel.axes(), at);
+        }
+        drawn
+    }
+
+    /// Adds the lines and the marks of a layer.
+    fn add(&mut self, layer: &Layer, axes: &[&PlotAxis], at: &dyn Fn(&[f64]) -> Option<[f64; 2]>) {
+        let (Mark::Line(Stroke { colour, .. })
+        | Mark::Arrow(Stroke { colour, .. })
+        | Mark::Head(colour)
+        | Mark::Dot(colour, _)
+        | Mark::Ring(colour, _)
+        | Mark::Diamond(colour, _)
+        | Mark::Cross(colour, _)) = layer.mark
+        else {
+            return;
+        };
+        let dark = (1.0 - colour.lightness() / 100.0) as f32;
+        let names = axes.iter().map(|axis| layer.series.column(&axis.column));
+        let Some(columns) = names.collect::<Option<Vec<usize>>>() else {
+            return;
+        };
+        let place = |row: &Vec<f64>| {
+            let values: Vec<f64> = columns.iter().map(|column| row[*column]).collect();
+            at(&values)
+        };
+        let is_line = matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
+        for piece in &layer.series.pieces {
+            let places: Vec<[f64; 2]> = piece.iter().filter_map(place).collect();
+            if !is_line || places.len() == 1 {
+                places.iter().for_each(|place| self.darken(*place, dark));
+            }
+            for pair in places.windows(2).filter(|_| is_line) {
+                let [dx, dy] = [0, 1].map(|k| pair[1][k] - pair[0][k]);
+                let count = libm::ceil(libm::hypot(dx, dy) / CELL).min(4096.0);
+                for i in 0..=count as u32 {
+                    let share = f64::from(i) / count.max(1.0);
+                    self.darken([pair[0][0] + share * dx, pair[0][1] + share * dy], dark);
                 }
             }
         }
-        drawn
     }
 
     fn darken(&mut self, place: [f64; 2], dark: f32) {
@@ -100,9 +98,9 @@ impl Drawn {
     }
 
     /// How much of it lies below a box.
-    fn below(&self, [left, top, right, bottom]: Frame) -> f64 {
-        let [left, top, right, bottom] =
-            [left, top, right, bottom].map(|side| (side / CELL).max(0.0) as usize);
+    fn below(&self, frame: Frame) -> f64 {
+        let [left, top, right, bottom] = [frame.left, frame.top, frame.right, frame.bottom]
+            .map(|side| (side / CELL).max(0.0) as usize);
         let columns = left..=right.min(self.columns - 1);
         let cells = (top..=bottom).flat_map(|row| columns.clone().map(move |column| (row, column)));
         let cells = cells.filter_map(|(row, column)| self.cells.get(row * self.columns + column));
@@ -116,21 +114,20 @@ fn frame(label: &Label, [x, y]: [f64; 2]) -> Frame {
     let left = x + label.shift[0] - label.anchor.share() * wide;
     let middle = y + label.shift[1];
     let base = middle + MIDDLE * label.size;
-    [
+    Frame {
         left,
-        base - ASCENT * label.size,
-        left + wide,
-        base + DESCENT * label.size,
-    ]
+        top: base - ASCENT * label.size,
+        right: left + wide,
+        bottom: base + DESCENT * label.size,
+    }
 }
 
 /// Whether two boxes are closer than they may be.
 fn overlap(a: Frame, b: Frame) -> bool {
-    a[0] < b[2] + EDGE && b[0] < a[2] + EDGE && a[1] < b[3] + STEP && b[1] < a[3] + STEP
-}
-
-fn is_within(inner: Frame, outer: Frame) -> bool {
-    inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] && inner[3] <= outer[3]
+    a.left < b.right + EDGE
+        && b.left < a.right + EDGE
+        && a.top < b.bottom + STEP
+        && b.top < a.bottom + STEP
 }
 
 /// A label as it may stand: as it was asked for, then beside its place.
@@ -160,98 +157,123 @@ fn choices(label: &Label) -> Vec<Label> {
     choices
 }
 
-/// Places the labels of a panel; those are taken off whose place is out of sight, and those for
-/// which there is no room, which are returned.
-pub(crate) fn place(panel: &mut Panel, sheet: [f64; 2]) -> Vec<Label> {
+/// Where the labels of a panel may stand.
+struct Places<'a> {
+    at: &'a dyn Fn(&[f64]) -> Option<[f64; 2]>,
+    /// What they should not hide, and what they must not.
+    drawn: Drawn,
+    taken: Vec<Frame>,
+    /// Where labels may stand, and those for which the figure has made room.
+    room: Frame,
+    sheet: Frame,
+    has_axes: bool,
+}
+
+impl Places<'_> {
+    /// Where a label stands; none out of sight.
+    fn seen(&self, label: &Label) -> Option<[f64; 2]> {
+        let here = (self.at)(&label.at)?;
+        let [x, y] = here;
+        let point = Frame {
+            left: x,
+            top: y,
+            right: x,
+            bottom: y,
+        };
+        (!self.has_axes || self.room.grown(1.0).holds(point)).then_some(here)
+    }
+
+    /// The best place of a label, which is taken from then on, if there is any.
+    fn take(&mut self, label: &Label, here: [f64; 2]) -> Option<Label> {
+        let (room, choices) = if label.is_fixed {
+            (self.sheet, vec![label.clone()])
+        } else {
+            (self.room, choices(label))
+        };
+        let wanted = frame(label, here);
+        let cost = |choice: &Label| {
+            let own = frame(choice, here);
+            let moved = libm::hypot(own.left - wanted.left, own.top - wanted.top);
+            self.drawn.below(own) + NEARNESS * moved
+        };
+        let is_free = |choice: &Label| {
+            let own = frame(choice, here);
+            room.holds(own.grown(STEP)) && self.taken.iter().all(|other| !overlap(own, *other))
+        };
+        let choices = choices.into_iter();
+        let free = choices
+            .map(|choice| inwards(choice, here, room))
+            .filter(is_free);
+        let best = free.min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
+        self.taken.push(frame(&best, here));
+        Some(best)
+    }
+}
+
+/// Places the labels of a panel on a sheet; those are taken off whose place is out of sight, and
+/// those for which there is no room, which are returned.
+pub(crate) fn place(panel: &mut Panel, width: f64, height: f64) -> Vec<Label> {
     if panel.labels.is_empty() {
         return Vec::new();
     }
-    let all = [0.0, 0.0, sheet[0], sheet[1]];
+    let labels = core::mem::take(&mut panel.labels);
+    let sheet = Frame {
+        left: 0.0,
+        top: 0.0,
+        right: width,
+        bottom: height,
+    };
     let [[left, top], [right, bottom]] = panel.axes_frame();
+    let axes = Frame {
+        left,
+        top,
+        right,
+        bottom,
+    };
     let has_axes = matches!(panel.view, View::Plane { axes: true, .. });
-    let room = if has_axes {
-        [left, top, right, bottom]
-    } else {
-        all
-    };
-    let space = match &panel.view {
-        View::Plane { .. } => None,
-        View::Space {
-            x,
-            y,
-            z,
-            yaw,
-            pitch,
-        } => Some(Space::new(panel.frame, [x, y, z], [*yaw, *pitch])),
-    };
+    let space = Space::of(panel);
     let at = |place: &[f64]| match &space {
-        Some(space) => {
-            let (x, y) = space.place(place);
-            Some([f64::from(x) / STEPS, f64::from(y) / STEPS])
-        }
+        Some(space) => Some(space.place(place).pixels()),
         None => panel.place([place[0], place[1]]),
     };
-    let drawn = Drawn::new(panel, sheet, &at);
-    let (mut kept, mut left_out, mut taken): (Vec<Label>, Vec<Label>, Vec<Frame>) =
-        Default::default();
+    let mut places = Places {
+        at: &at,
+        drawn: Drawn::new(panel, sheet, &at),
+        taken: Vec::new(),
+        room: if has_axes { axes } else { sheet },
+        sheet,
+        has_axes,
+    };
     if let Some(space) = &space {
         // The numbers of three axes stand among what is drawn.
         let mut canvas = Canvas::default();
         space.axes(&mut canvas);
-        taken.extend(canvas.0.iter().filter_map(|item| match item {
-            Item::Words(words) => Some(words.frame()),
-            Item::Path { .. } | Item::Image { .. } | Item::Circle { .. } => None,
-        }));
+        places
+            .taken
+            .extend(canvas.0.iter().filter_map(|item| match item {
+                Item::Words(words) => Some(words.frame()),
+                Item::Path { .. } | Item::Image { .. } | Item::Circle { .. } => None,
+            }));
     }
-    for label in &panel.labels {
-        let Some(here) = at(&label.at) else { continue };
-        if has_axes && !is_within([here[0], here[1], here[0], here[1]], grown(room, 1.0)) {
+    let (mut kept, mut left_out): (Vec<Label>, Vec<Label>) = Default::default();
+    for label in labels {
+        let Some(here) = places.seen(&label) else {
             continue;
-        }
-        let room = if label.is_fixed { all } else { room };
-        let cost = |choice: &Label| {
-            let own = frame(choice, here);
-            let moved = libm::hypot(
-                own[0] - frame(label, here)[0],
-                own[1] - frame(label, here)[1],
-            );
-            drawn.below(own) + NEARNESS * moved
         };
-        let is_free = |choice: &Label| {
-            let own = frame(choice, here);
-            is_within(grown(own, STEP), room) && taken.iter().all(|other| !overlap(own, *other))
-        };
-        // The figure has made room for it.
-        let choices = if label.is_fixed {
-            vec![label.clone()]
-        } else {
-            choices(label)
-        };
-        let free = choices
-            .into_iter()
-            .map(|choice| inwards(choice, here, room))
-            .filter(is_free);
-        match free.min_by(|a, b| cost(a).total_cmp(&cost(b))) {
-            Some(best) => {
-                taken.push(frame(&best, here));
-                kept.push(best);
-            }
-            None => left_out.push(label.clone()),
+        match places.take(&label, here) {
+            Some(best) => kept.push(best),
+            None => left_out.push(label),
         }
     }
     panel.labels = kept;
     left_out
 }
 
-fn grown([left, top, right, bottom]: Frame, by: f64) -> Frame {
-    [left - by, top - by, right + by, bottom + by]
-}
-
 /// Moved to the right or left such that it does not reach out of its room there.
 fn inwards(label: Label, here: [f64; 2], room: Frame) -> Label {
     let own = frame(&label, here);
-    let [left, right] = [room[0] + EDGE, room[2] - EDGE];
-    let by = (left - own[0]).max(0.0) - (own[2] - right).max(0.0);
+    let (left, right) = (room.left + EDGE, room.right - EDGE);
+    let by = (left - own.left).max(0.0) - (own.right - right).max(0.0);
     Label {
         shift: [label.shift[0] + by, label.shift[1]],
         ..label

@@ -7,7 +7,7 @@ use tiny_skia::{
 };
 
 use crate::error::DrawError;
-use crate::item::Item;
+use crate::item::{Frame, Item};
 use crate::pencil::{Pencil, draw};
 use crate::primitives::{Image, Path, Segment};
 use crate::stroke::{self, PAPER};
@@ -106,7 +106,7 @@ impl Pencil for Picture {
         }
     }
 
-    fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
+    fn image(&mut self, frame: Frame, image: &Image) {
         let [width, height] = image.size.map(|side| side as u32);
         let Some(mut own) = Pixmap::new(width, height) else {
             return;
@@ -119,10 +119,10 @@ impl Pencil for Picture {
             *to = byte;
         }
         let [x, y] = single([
-            (right - left) / f64::from(width),
-            (bottom - top) / f64::from(height),
+            (frame.right - frame.left) / f64::from(width),
+            (frame.bottom - frame.top) / f64::from(height),
         ]);
-        let [left, top] = single([left, top]);
+        let [left, top] = single([frame.left, frame.top]);
         let transform = self.transform.pre_translate(left, top).pre_scale(x, y);
         self.pixels
             .draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, None);
@@ -141,8 +141,8 @@ pub(crate) fn pixels(
     let transform = Transform::from_scale(scale as f32, scale as f32);
     let mut picture = Picture { pixels, transform };
     // To the last pixel, which is not always covered whole.
-    let sides = [width, height].map(|side| f64::from(side) / scale);
-    draw(items, sides, &mut picture);
+    let [wide, high] = [width, height].map(|side| f64::from(side) / scale);
+    draw(items, wide, high, &mut picture);
     // Paper covers all, so that there is nothing to see through.
     let colours = picture
         .pixels

@@ -1,7 +1,7 @@
 //! Three axes, seen from a direction: the three sides at the back with their grids, and ticks along
 //! the edges in front.
 
-use crate::figure::PlotAxis;
+use crate::figure::{Panel, PlotAxis, View};
 use crate::item::{Paint, Step, steps};
 use crate::marks::{Canvas, HAIR};
 use crate::primitives::Anchor;
@@ -12,7 +12,7 @@ const MARGIN: f64 = 16.0;
 const LENGTH: f64 = 0.624;
 
 /// Length of an axis across the view, in a frame of these sides.
-pub(crate) fn length_of([width, height]: [f64; 2]) -> f64 {
+pub(crate) fn length_of(width: f64, height: f64) -> f64 {
     LENGTH * (width.min(height) - 2.0 * MARGIN)
 }
 
@@ -30,15 +30,26 @@ pub(crate) struct Space<'a> {
 }
 
 impl<'a> Space<'a> {
-    pub(crate) fn new(frame: [f64; 4], axes: [&'a PlotAxis; 3], [yaw, pitch]: [f64; 2]) -> Self {
-        let [left, top, width, height] = frame;
-        Self {
-            axes,
+    /// That of a panel; none of a plane.
+    pub(crate) fn of(panel: &'a Panel) -> Option<Self> {
+        let View::Space {
+            x,
+            y,
+            z,
+            yaw,
+            pitch,
+        } = &panel.view
+        else {
+            return None;
+        };
+        let [left, top, width, height] = panel.frame;
+        Some(Self {
+            axes: [x, y, z],
             centre: [left + 0.5 * width, top + 0.5 * height],
-            length: length_of([width, height]),
-            yaw: libm::sincos(yaw),
-            pitch: libm::sincos(pitch),
-        }
+            length: length_of(width, height),
+            yaw: libm::sincos(*yaw),
+            pitch: libm::sincos(*pitch),
+        })
     }
 
     /// Where a place is seen.
@@ -60,7 +71,7 @@ impl<'a> Space<'a> {
 
     fn step(&self, corner: Corner) -> Step {
         let [x, y, _] = self.seen(corner);
-        (steps(x), steps(y))
+        Step::of_pixels([x, y])
     }
 
     /// Draws sides, grids, edges and ticks.
@@ -131,12 +142,12 @@ impl<'a> Space<'a> {
         let [begin, end] = [at(0.0), at(1.0)];
         canvas.line(&[begin, end], line);
         let size = steps(TICK);
-        let is_flat = (end.0 - begin.0).abs() > (end.1 - begin.1).abs();
+        let is_flat = (end.x - begin.x).abs() > (end.y - begin.y).abs();
         let outwards = |value: i32, middle: f64| if value < steps(middle) { -size } else { size };
         let (right, down) = if is_flat {
-            (0, outwards(begin.1, self.centre[1]))
+            (0, outwards(begin.y, self.centre[1]))
         } else {
-            (outwards(begin.0, self.centre[0]), 0)
+            (outwards(begin.x, self.centre[0]), 0)
         };
         let anchor = match right {
             0 => Anchor::Middle,
@@ -144,16 +155,11 @@ impl<'a> Space<'a> {
             _ => Anchor::Right,
         };
         for tick in &self.axes[axis].ticks {
-            let (x, y) = at(self.axes[axis].share(tick.value));
-            canvas.line(&[(x, y), (x + right, y + down)], line);
+            let here = at(self.axes[axis].share(tick.value));
+            canvas.line(&[here, here.by(right, down)], line);
             let lower = down.signum() * steps(0.43 * SMALL);
-            canvas.text(
-                &tick.label,
-                (x + 2 * right, y + 2 * down + lower),
-                anchor,
-                SMALL,
-                INK,
-            );
+            let below = here.by(2 * right, 2 * down + lower);
+            canvas.text(&tick.label, below, anchor, SMALL, INK);
         }
     }
 }

@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use littlewood_style::Dash;
 
 use crate::figure::Figure;
-use crate::item::{Item, Paint, STEPS, Step, Words};
+use crate::item::{Corners, Frame, Item, Paint, STEPS, Step, Words};
 use crate::letters::{Glyph, glyphs};
 use crate::markup::plain;
 use crate::stroke::PAPER;
@@ -71,10 +71,11 @@ impl Sheet {
                 let _ = writeln!(self.body, "<path d=\"{}\" {paint}/>", lines.concat());
             }
             Item::Image {
-                corners: [(left, top), (right, bottom)],
+                corners: Corners { low, high },
                 image,
             } => {
-                let [x, y, wide, high] = [*left, *top, right - left, bottom - top].map(number);
+                let [x, y] = [low.x, low.y].map(number);
+                let [wide, high] = [high.x - low.x, high.y - low.y].map(number);
                 let _ = writeln!(
                     self.body,
                     "<image x=\"{x}\" y=\"{y}\" width=\"{wide}\" height=\"{high}\" preserveAspectRatio=\"none\" \
@@ -83,7 +84,7 @@ impl Sheet {
                 );
             }
             Item::Circle {
-                centre: (x, y),
+                centre: Step { x, y },
                 radius,
                 paint,
             } => {
@@ -118,7 +119,12 @@ impl Sheet {
     /// A text by the outlines of its letters, each of which the file has once.
     fn outlined(&mut self, words: &Words) {
         if let Some(ground) = words.ground {
-            let [left, top, right, bottom] = words.frame();
+            let Frame {
+                left,
+                top,
+                right,
+                bottom,
+            } = words.frame();
             let [x, y, wide, high] = [left, top, right - left, bottom - top].map(decimal);
             let colour = ground.hex();
             let _ = writeln!(
@@ -169,16 +175,16 @@ fn escape(text: &str) -> String {
 fn data(points: &[Step]) -> String {
     let mut out = String::new();
     let mut last: Option<Step> = None;
-    for &(x, y) in points {
-        if let Some((a, b)) = last {
+    for &to in points {
+        if let Some(from) = last {
             if !out.ends_with('l') {
                 out.push(' ');
             }
-            let _ = write!(out, "{} {}", number(x - a), number(y - b));
+            let _ = write!(out, "{} {}", number(to.x - from.x), number(to.y - from.y));
         } else {
-            let _ = write!(out, "M{} {}l", number(x), number(y));
+            let _ = write!(out, "M{} {}l", number(to.x), number(to.y));
         }
-        last = Some((x, y));
+        last = Some(to);
     }
     if out.ends_with('l') {
         out += "0 0";
@@ -208,7 +214,8 @@ mod tests {
 
     #[test]
     fn paths_are_exact_to_a_step() {
-        assert_eq!(data(&[(0, 0), (20, 1), (-20, 0)]), "M0 0l1 0.05 -2 -0.05");
-        assert_eq!(data(&[(5, 5)]), "M0.25 0.25l0 0");
+        let points = [(0, 0), (20, 1), (-20, 0)].map(|(x, y)| Step::new(x, y));
+        assert_eq!(data(&points), "M0 0l1 0.05 -2 -0.05");
+        assert_eq!(data(&[Step::new(5, 5)]), "M0.25 0.25l0 0");
     }
 }

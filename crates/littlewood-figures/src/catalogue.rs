@@ -157,8 +157,8 @@ const REMOVED: [(&str, &str); 3] = [
     ),
     (
         "bifurcation",
-        "`littlewood sweep` computes the sequences and times along a line: \
-         --axis theta_rate=0:4:401 --out line.csv",
+        "`littlewood sweep` has the outcomes and sequences along a line: \
+         --axis theta_rate=0:4:401 --out line.parquet",
     ),
     (
         "cases",

@@ -5,7 +5,7 @@ use core::ops::Deref;
 
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
-use littlewood_draw::{Entries, Layer, Mark, Piece, Series, Stroke};
+use littlewood_draw::{Entries, HoopShape, Layer, Mark, Piece, Series, Stroke};
 use littlewood_style::width::BOLD;
 
 use crate::columns::{THETA, TIME, X, Y};
@@ -255,12 +255,12 @@ pub(crate) fn hoops<'a>(
     rim: Stroke,
 ) -> Layer {
     let row = |Sample { state, centre, .. }: &Sample| [state.time, centre.x, centre.y, state.theta];
-    let mark = Mark::Hoop {
+    let mark = Mark::Hoop(HoopShape {
         offset: hoop.offset(),
         h: hoop.h(),
         radius: 1.0,
         rim,
-    };
+    });
     Series::of_rows(name, &[TIME, X, Y, THETA], samples.map(row)).drawn(mark)
 }
 

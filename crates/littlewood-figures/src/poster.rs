@@ -76,7 +76,7 @@ pub fn poster(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, Figu
     let height = content.on_page(NARROWEST).1;
     let width = NARROWEST.max(height * POSTER_MM[0] / POSTER_MM[1]);
     let (page, height) = content.on_page(width);
-    Ok(page.finish([width, width * POSTER_MM[1] / POSTER_MM[0]], height))
+    Ok(page.finish(width, width * POSTER_MM[1] / POSTER_MM[0], height))
 }
 
 /// Columns of the places on a page.
@@ -103,7 +103,7 @@ impl Content<'_> {
         };
         let mut top = page.head(self.input, &self.motion);
         if let Some(hero) = &self.hero {
-            top = page.block(hero, [MARGIN, top], width - 2.0 * MARGIN) + GAP;
+            top = page.block(hero, MARGIN, top, width - 2.0 * MARGIN) + GAP;
         }
         // Each part goes where there is more room, so that no place stays blank for a figure that
         // this hoop has not.
@@ -112,19 +112,15 @@ impl Content<'_> {
         let all = || self.rows.iter().flatten().chain([&self.last]);
         for figure in all().filter_map(|figure| figure.as_ref().ok()) {
             let column = next(&ends);
-            ends[column] =
-                page.block(figure, [page.left(column), ends[column]], page.column()) + GAP;
+            let left = page.left(column);
+            ends[column] = page.block(figure, left, ends[column], page.column()) + GAP;
         }
         let column = next(&ends);
-        ends[column] = page.equations(self.input, [page.left(column), ends[column]]);
-        for reason in self
-            .rows
-            .iter()
-            .flatten()
-            .filter_map(|figure| figure.as_ref().err())
-        {
-            let place = [page.left(column), ends[column] + 0.5 * LINE];
-            ends[column] = page.note(reason, place, page.letters());
+        ends[column] = page.equations(self.input, page.left(column), ends[column]);
+        let figures = self.rows.iter().flatten();
+        for reason in figures.filter_map(|figure| figure.as_ref().err()) {
+            let (left, top) = (page.left(column), ends[column] + 0.5 * LINE);
+            ends[column] = page.note(reason, left, top, page.letters());
         }
         (page, f64::max(ends[0] - GAP, ends[1]) + MARGIN)
     }
@@ -178,14 +174,14 @@ impl Page {
         (DENSITY * self.column()) as usize
     }
 
-    fn text(&mut self, text: impl Into<String>, [x, y]: [f64; 2], size: f64) {
+    fn text(&mut self, text: impl Into<String>, x: f64, y: f64, size: f64) {
         self.labels
             .push(Label::new(text, &[x, -y]).left().sized(size));
     }
 
     /// Title, the numbers of the hoop, and what happens; returns where the rest begins.
     fn head(&mut self, input: &FigureInput, motion: &Trajectory) -> f64 {
-        self.text("Littlewood's hoop", [MARGIN, 58.0], 54.0);
+        self.text("Littlewood's hoop", MARGIN, 58.0, 54.0);
         let subtitle = if motion.phases().is_empty() {
             "A hoop with a particle on it, on a rough plane, and a start from which no motion is determined."
         } else if input.is_massless() {
@@ -195,9 +191,9 @@ impl Page {
         } else {
             "A hoop with a particle on it, on a rough plane: it rolls, slides, and jumps by itself."
         };
-        self.text(subtitle, [MARGIN, 108.0], 24.0);
+        self.text(subtitle, MARGIN, 108.0, 24.0);
         let hoop = format!("This hoop: {}.", numbers(input, &Quantity::HOOP));
-        self.text(hoop, [MARGIN, 142.0], 18.0);
+        self.text(hoop, MARGIN, 142.0, 18.0);
         let story = format!(
             "It starts with {}. {}",
             numbers(input, &START),
@@ -205,7 +201,7 @@ impl Page {
         );
         let mut y = 168.0;
         for line in wrapped(&story, (1.5 * self.letters() as f64) as usize, 2) {
-            self.text(line, [MARGIN, y], 18.0);
+            self.text(line, MARGIN, y, 18.0);
             y += 24.0;
         }
         self.lines
@@ -219,7 +215,7 @@ impl Page {
     }
 
     /// A few lines of so many letters; returns their lower end.
-    fn note(&mut self, text: &str, [left, mut y]: [f64; 2], letters: usize) -> f64 {
+    fn note(&mut self, text: &str, left: f64, mut y: f64, letters: usize) -> f64 {
         for line in wrapped(text, letters, LINES) {
             self.labels
                 .push(Label::new(line, &[left, -y]).left().coloured(SOFT));
@@ -229,35 +225,28 @@ impl Page {
     }
 
     /// A figure with its title above and its caption below; returns its lower end.
-    fn block(&mut self, figure: &Figure, [left, top]: [f64; 2], wide: f64) -> f64 {
+    fn block(&mut self, figure: &Figure, left: f64, top: f64, wide: f64) -> f64 {
         let heading = figure
             .title
             .split_once(": ")
             .map_or(&*figure.title, |(_, title)| title);
-        self.text(capitalised(heading), [left, top + 0.5 * HEADING], 20.0);
-        let from = [
+        self.text(capitalised(heading), left, top + 0.5 * HEADING, 20.0);
+        let (right, down) = (
             left + 0.5 * (wide - figure.width).max(0.0),
             top + HEADING + 6.0,
-        ];
+        );
         for panel in &figure.panels {
             let mut panel = panel.clone();
-            panel.frame[0] += from[0];
-            panel.frame[1] += from[1];
-            for key in &mut panel.keys {
-                key.at = [key.at[0] + from[0], key.at[1] + from[1]];
-            }
+            shift(&mut panel, right, down);
             self.panels.push(panel);
         }
-        self.note(
-            &figure.caption,
-            [left, from[1] + figure.height + 16.0],
-            (DENSITY * wide) as usize,
-        )
+        let below = down + figure.height + 16.0;
+        self.note(&figure.caption, left, below, (DENSITY * wide) as usize)
     }
 
     /// The laws of motion; returns their lower end.
-    fn equations(&mut self, input: &FigureInput, [left, top]: [f64; 2]) -> f64 {
-        self.text("The laws", [left, top + 0.5 * HEADING], 20.0);
+    fn equations(&mut self, input: &FigureInput, left: f64, top: f64) -> f64 {
+        self.text("The laws", left, top + 0.5 * HEADING, 20.0);
         let mut y = top + HEADING + 22.0;
         for (name, equation) in laws(input) {
             self.labels.push(
@@ -267,14 +256,14 @@ impl Page {
                     .sized(16.0),
             );
             for line in equation {
-                self.text(line, [left + 120.0, y], 17.0);
+                self.text(line, left + 120.0, y, 17.0);
                 y += 27.0;
             }
             y += 9.0;
         }
         let units = "Lengths in radii *R*, times in √(*R*/*g*), masses in that of the particle; ′ is the rate; *m*, *h*: mass \
                      and distance of the mass centre; *I\u{302}*: moment of inertia about it; *σ* = ±1: direction of the slip.";
-        let y = self.note(units, [left, y], self.letters());
+        let y = self.note(units, left, y, self.letters());
         let source = "After A. Bronars and O. M. O'Reilly, Proc. R. Soc. A 475 (2019), computed by littlewood.";
         self.labels.push(
             Label::new(source, &[left, -(y + 8.0)])
@@ -285,7 +274,7 @@ impl Page {
     }
 
     /// The figure of a page of these sides of which so much is used.
-    fn finish(self, [width, height]: [f64; 2], used: f64) -> Figure {
+    fn finish(self, width: f64, height: f64, used: f64) -> Figure {
         let Self {
             mut panels,
             labels,
@@ -293,12 +282,7 @@ impl Page {
             ..
         } = self;
         let down = (0.1 * (height - used)).max(0.0);
-        for panel in &mut panels {
-            panel.frame[1] += down;
-            for key in &mut panel.keys {
-                key.at[1] += down;
-            }
-        }
+        panels.iter_mut().for_each(|panel| shift(panel, 0.0, down));
         let x = PlotAxis::silent(COLUMNS[0], [0.0, width]);
         let y = PlotAxis::silent(COLUMNS[1], [down - height, down]);
         let layers = vec![Series::new("rule", &COLUMNS, lines).drawn(Stroke::solid(GRID, 1.6))];
@@ -322,6 +306,15 @@ impl Page {
             panels,
             notes: Vec::new(),
         }
+    }
+}
+
+/// Moves a panel on the page.
+fn shift(panel: &mut Panel, right: f64, down: f64) {
+    panel.frame[0] += right;
+    panel.frame[1] += down;
+    for key in &mut panel.keys {
+        key.at = [key.at[0] + right, key.at[1] + down];
     }
 }
 

@@ -48,8 +48,8 @@ fn convert(panel: &mut Panel, units: &Units) {
         for column in &mut layer.series.columns {
             *column = si_name(column);
         }
-        if let Mark::Hoop { radius: own, .. } = &mut layer.mark {
-            *own *= radius;
+        if let Mark::Hoop(hoop) = &mut layer.mark {
+            hoop.radius *= radius;
         }
     }
 }

@@ -193,7 +193,7 @@ fn the_hoops_that_are_drawn_are_counted() {
         let hoops = figure.panels[0]
             .layers
             .iter()
-            .filter(|layer| matches!(layer.mark, Mark::Hoop { .. }));
+            .filter(|layer| matches!(layer.mark, Mark::Hoop(_)));
         let drawn = hoops
             .map(|layer| layer.series.rows().count())
             .sum::<usize>()

@@ -151,7 +151,7 @@ fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
         | Mark::Ring(..)
         | Mark::Diamond(..)
         | Mark::Cross(..)
-        | Mark::Hoop { .. } => !inside.is_empty(),
+        | Mark::Hoop(_) => !inside.is_empty(),
         // It says that something is elsewhere.
         Mark::Beyond(_) => false,
     }

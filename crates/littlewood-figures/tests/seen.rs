@@ -44,8 +44,8 @@ fn each_key_is_of_something_that_is_drawn() {
                 (Mark::Line(a) | Mark::Arrow(a), Mark::Line(b) | Mark::Arrow(b)) => {
                     a.colour == b.colour && a.dash == b.dash
                 }
-                (Mark::Hoop { rim, .. }, Mark::Line(b)) => {
-                    rim.colour == b.colour && rim.dash == b.dash
+                (Mark::Hoop(hoop), Mark::Line(b)) => {
+                    hoop.rim.colour == b.colour && hoop.rim.dash == b.dash
                 }
                 (a, b) => core::mem::discriminant(&a) == core::mem::discriminant(&b),
             };

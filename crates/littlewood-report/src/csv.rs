@@ -50,31 +50,23 @@ fn events<W: Write>(
             impact,
             transition,
         } = row;
-        let fields = state(&at).followed_by(edge);
-        let fields = match subject.digits {
-            Some(digits) => fields.followed_by(digit_columns(
-                transition.and_then(|index| digits.get(index)),
-            )),
-            None => fields,
-        };
-        let fields = match subject.derivatives {
-            Some(derivatives) => fields.followed_by(derivative_columns(derivatives, transition)),
-            None => fields,
-        };
-        let fields = if may_jump {
-            fields.followed_by(jump(gap_rate, side, impact))
-        } else {
-            fields
-        };
-        let Some(units) = subject.units else {
-            return fields;
-        };
-        let fields = fields.followed_by(si_state(units, &at));
-        if may_jump {
-            fields.followed_by(si_jump(units, gap_rate, impact))
-        } else {
-            fields
+        let mut fields = state(&at).followed_by(edge);
+        if let Some(digits) = subject.digits {
+            fields.extend(digit_columns(transition.and_then(|it| digits.get(it))));
         }
+        if let Some(derivatives) = subject.derivatives {
+            fields.extend(derivative_columns(derivatives, transition));
+        }
+        if may_jump {
+            fields.extend(jump(gap_rate, side, impact));
+        }
+        if let Some(units) = subject.units {
+            fields.extend(si_state(units, &at));
+            if may_jump {
+                fields.extend(si_jump(units, gap_rate, impact));
+            }
+        }
+        fields
     });
     write_rows(writer, rows)
 }
@@ -116,22 +108,12 @@ fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
     let outcome = trajectory.outcome();
     for (index, transition) in trajectory.transitions().iter().enumerate() {
         let Some(impact) = &transition.impact else {
-            let mut gap_rate = 0.0;
-            if let (
-                Cause::Landing,
-                Outcome::Landing {
-                    gap_rate: closing, ..
-                },
-            ) = (transition.cause, outcome)
-            {
-                gap_rate = closing;
-            }
-            rows.push(Row::smooth(
-                transition.after,
-                gap_rate,
-                edge_of(transition),
-                Some(index),
-            ));
+            let gap_rate = match (transition.cause, outcome) {
+                (Cause::Landing, Outcome::Landing { gap_rate, .. }) => gap_rate,
+                _ => 0.0,
+            };
+            let edge = edge_of(transition);
+            rows.push(Row::smooth(transition.after, gap_rate, edge, Some(index)));
             continue;
         };
         rows.push(Row {
@@ -154,32 +136,16 @@ fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
     if outcome.kind().last_event().is_none() {
         let last = trajectory.phases().last().map(Phase::mode);
         let edge = edge(last, None, None, Some(outcome.kind().name()));
-        rows.push(Row::smooth(
-            outcome.state(),
-            gap_rate_at_limit(trajectory),
-            edge,
-            None,
-        ));
+        let gap_rate = gap_rate_at_limit(trajectory);
+        rows.push(Row::smooth(outcome.state(), gap_rate, edge, None));
     }
     rows
 }
 
 /// Rate of the gap where a limit has stopped a motion; zero where it ends otherwise.
 fn gap_rate_at_limit(trajectory: &Trajectory) -> f64 {
-    let by_time = || {
-        trajectory
-            .phases()
-            .last()
-            .and_then(Phase::last)
-            .map(|last| last.gap_rate)
-    };
-    let by_count = || {
-        trajectory
-            .transitions()
-            .last()?
-            .impact
-            .map(|impact| impact.after.gap_rate)
-    };
+    let by_time = || Some(trajectory.phases().last()?.last()?.gap_rate);
+    let by_count = || Some(trajectory.transitions().last()?.impact?.after.gap_rate);
     let rate = match trajectory.outcome().kind() {
         OutcomeKind::TimeLimit => by_time(),
         OutcomeKind::TransitionLimit => by_count(),
@@ -210,11 +176,8 @@ fn samples<W: Write>(
     sampling: Sampling,
 ) -> csv::Result<()> {
     let rows = instants(trajectory, sampling).map(|instant| {
-        let event = [(
-            "event",
-            Value::Word(Some(instant.event.unwrap_or_default())),
-        )];
-        let row = sample(&instant).followed_by(event.into_iter().collect());
+        let event = Value::Word(Some(instant.event.unwrap_or_default()));
+        let row = sample(&instant).followed_by(Fields::from_iter([("event", event)]));
         match subject.units {
             Some(units) => row.followed_by(si_sample(units, &instant)),
             None => row,

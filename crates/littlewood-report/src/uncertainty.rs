@@ -56,17 +56,18 @@ impl Sums {
             let mean = self.sum[n] / count;
             ((self.squares[n] / count - mean * mean).max(0.0) * count / (count - 1.0)).sqrt()
         };
-        (self.count > 1).then(|| state_of(core::array::from_fn(spread)))
+        (self.count > 1).then(|| state_of(spread))
     }
 }
 
-const fn state_of([time, theta, theta_rate, slip, x]: [f64; 5]) -> State {
+/// A state by its numbers, in the order of [`State::COLUMNS`].
+fn state_of(number: impl Fn(usize) -> f64) -> State {
     State {
-        time,
-        theta,
-        theta_rate,
-        slip,
-        x,
+        time: number(0),
+        theta: number(1),
+        theta_rate: number(2),
+        slip: number(3),
+        x: number(4),
     }
 }
 
@@ -157,7 +158,7 @@ fn first_orders(derivatives: &Derivatives, given: &[(Quantity, f64)]) -> Vec<Opt
                 *square += (slope * error) * (slope * error);
             }
         }
-        Some(state_of(squares.map(f64::sqrt)))
+        Some(state_of(|n| squares[n].sqrt()))
     };
     let events = derivatives.transitions().iter();
     let events = events.map(|each| each.iter().map(|it| it.map(|it| it.after)).collect());

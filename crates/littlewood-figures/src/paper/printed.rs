@@ -32,7 +32,7 @@ const CELLS: u32 = 480;
 const PRINTED: Stroke = Stroke::solid(SOFT, CURVE).dashed(Dash::Short);
 
 /// The line ½ sin θ θ′² − θ = constant through a place, which (3.18) prints.
-fn printed([theta, rate]: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+fn printed(theta: f64, rate: f64) -> Vec<Vec<[f64; 2]>> {
     let constant = 0.5 * libm::sin(theta) * rate * rate - theta;
     let side = |sign: f64| {
         WINDOW.pieces([1e-6, PI - 1e-6], CELLS, &move |at| {
@@ -52,7 +52,9 @@ fn of_gliding(body: Massless) -> Vec<Layer> {
         line_of(&body, w, 1.0, -most, most)
     });
     let exact = exact.map(|piece| piece.into_iter().map(|[theta, rate, _]| [theta, rate]));
-    let printed = PLACES.into_iter().flat_map(printed);
+    let printed = PLACES
+        .into_iter()
+        .flat_map(|[theta, rate]| printed(theta, rate));
     vec![
         Series::new("exact", &PLANE, exact).drawn(GLIDING),
         Series::new("printed", &PLANE, printed).drawn(PRINTED),

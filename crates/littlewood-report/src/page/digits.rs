@@ -1,8 +1,9 @@
 //! How many digits of each transition can be trusted.
 
 use littlewood::tables::{Dimension, Quantity};
-use littlewood::{Digits, Trajectory};
+use littlewood::{Digits, State, Trajectory};
 
+use crate::record::digits_of;
 use crate::scale::Scale;
 
 /// Digits from which on an estimate needs no word.
@@ -35,15 +36,10 @@ pub(super) fn trusted(
     };
     let poor = digits.iter().enumerate().filter_map(|(index, digits)| {
         let digits = digits.filter(|digits| digits.least() < MOST_DIGITS)?;
-        let numbers = [
-            (Quantity::Time, digits.time),
-            (Quantity::Theta, digits.theta),
-            (Quantity::ThetaRate, digits.theta_rate),
-            (Quantity::Slip, digits.slip),
-            (Quantity::X, digits.x),
-        ];
-        let numbers =
-            numbers.map(|(quantity, digits)| format!("{} {digits}", scale.sign(quantity)));
+        let numbers = State::COLUMNS.into_iter().zip(digits_of(&digits));
+        let numbers: Vec<String> = numbers
+            .map(|(column, digits)| format!("{} {digits}", scale.column_sign(column)))
+            .collect();
         Some(format!("{}: {}", at(index), numbers.join("  ")))
     });
     let mut lines = Vec::from_iter(poor);

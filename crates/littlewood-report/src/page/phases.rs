@@ -96,14 +96,16 @@ impl Rows<'_> {
                 let impacts = end
                     .filter(|_| settles)
                     .map_or(0.0, |end| self.lost(*index, end));
-                let row = self.row(
-                    Some(phase.mode()),
-                    [(index + 1).to_string(), motion_of(phase)],
-                    &phase.start(),
-                    phase.duration(),
-                    phase.energy_lost() + impacts,
-                    self.ends_by(phase),
-                );
+                let row = self.row(Line {
+                    mode: Some(phase.mode()),
+                    number: (index + 1).to_string(),
+                    motion: motion_of(phase),
+                    state: phase.start(),
+                    duration: Some(phase.duration()),
+                    lost: phase.energy_lost() + impacts,
+                    ends_by: self.ends_by(phase),
+                    folds: None,
+                });
                 let impact = end
                     .filter(|_| !settles)
                     .and_then(|end| self.impact(*index, end));
@@ -122,21 +124,16 @@ impl Rows<'_> {
                     .clone()
                     .zip(phases)
                     .filter_map(|(index, phase)| Some((index, self.trajectory.end_of(phase)?)));
-                let row = self.row(
-                    Some(first.mode()),
-                    [
-                        format!("{}…", range.start + 1),
-                        format!("{} bounces", range.len()),
-                    ],
-                    &first.start(),
-                    last.end_time() - first.start().time,
-                    impacts.map(|(index, end)| self.lost(index, end)).sum(),
-                    self.ends_by(last),
-                );
-                vec![Row {
+                vec![self.row(Line {
+                    mode: Some(first.mode()),
+                    number: format!("{}…", range.start + 1),
+                    motion: format!("{} bounces", range.len()),
+                    state: first.start(),
+                    duration: Some(last.end_time() - first.start().time),
+                    lost: impacts.map(|(index, end)| self.lost(index, end)).sum(),
+                    ends_by: self.ends_by(last),
                     folds: Some(range.len()),
-                    ..row
-                }]
+                })]
             }
         }
     }
@@ -174,51 +171,55 @@ impl Rows<'_> {
         } else {
             "impact"
         };
-        let labels = [String::new(), name.to_owned()];
-        let before = State {
-            slip: shown.before.slip,
-            ..transition.before
-        };
-        let mut row = self.row(
-            None,
-            labels,
-            &before,
-            0.0,
-            shown.energy_lost,
-            impact.case.label(),
-        );
-        if let Some(duration) = row.cells.get_mut(3) {
-            duration.clear();
-        }
-        Some(row)
+        Some(self.row(Line {
+            mode: None,
+            number: String::new(),
+            motion: name.to_owned(),
+            state: State {
+                slip: shown.before.slip,
+                ..transition.before
+            },
+            duration: None,
+            lost: shown.energy_lost,
+            ends_by: impact.case.label(),
+            folds: None,
+        }))
     }
 
-    fn row(
-        &self,
-        mode: Option<Mode>,
-        [number, motion]: [String; 2],
-        state: &State,
-        duration: f64,
-        lost: f64,
-        ends_by: &str,
-    ) -> Row {
-        let scale = self.scale;
+    fn row(&self, line: Line) -> Row {
+        let cell = |dimension, value| column(self.scale.value(dimension, value));
+        let state = line.state;
+        let duration = line.duration.map(|it| cell(Dimension::Time, it));
         let cells = vec![
-            number,
-            motion,
-            column(scale.value(Dimension::Time, state.time)),
-            column(scale.value(Dimension::Time, duration)),
+            line.number,
+            line.motion,
+            cell(Dimension::Time, state.time),
+            duration.unwrap_or_default(),
             column(state.theta),
-            column(scale.value(Dimension::AngularRate, state.theta_rate)),
-            column(scale.value(Dimension::Velocity, state.slip)),
-            column(scale.value(Dimension::Energy, lost)),
-            ends_by.to_owned(),
+            cell(Dimension::AngularRate, state.theta_rate),
+            cell(Dimension::Velocity, state.slip),
+            cell(Dimension::Energy, line.lost),
+            line.ends_by.to_owned(),
         ];
         Row {
-            mode,
+            mode: line.mode,
             time: Some(state.time),
-            folds: None,
+            folds: line.folds,
             cells,
         }
     }
+}
+
+/// What a row says.
+struct Line {
+    mode: Option<Mode>,
+    number: String,
+    motion: String,
+    state: State,
+    /// None of an impact.
+    duration: Option<f64>,
+    lost: f64,
+    ends_by: &'static str,
+    /// Phases that it stands for together.
+    folds: Option<usize>,
 }

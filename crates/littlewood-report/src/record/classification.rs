@@ -3,6 +3,7 @@
 use littlewood::modes::RollingEnd;
 use littlewood::tables::SampleColumn;
 use littlewood::theory::{Candidates, Classification, RollingType};
+use littlewood::{Mode, SlipDirection};
 use serde::Serialize;
 
 use super::fields::{Fields, Value};
@@ -27,15 +28,13 @@ pub(crate) struct ClassificationRecord {
 }
 
 fn rolling_end(end: RollingEnd) -> Fields {
-    [
+    Fields::from_iter([
         ("elapsed", Value::Real(end.elapsed)),
         (SampleColumn::Theta.name(), Value::Real(end.theta)),
         (SampleColumn::ThetaRate.name(), Value::Real(end.theta_rate)),
         ("cause", Value::Word(Some(end.limit.cause().name()))),
         (SampleColumn::Direction.name(), end.limit.direction().into()),
-    ]
-    .into_iter()
-    .collect()
+    ])
 }
 
 impl From<&Classification> for ClassificationRecord {
@@ -68,15 +67,11 @@ pub(crate) struct CandidatesRecord {
 
 impl From<Candidates> for CandidatesRecord {
     fn from(candidates: Candidates) -> Self {
+        let fields = |(mode, direction): (Mode, Option<SlipDirection>)| {
+            Fields::from_iter([("mode", Some(mode).into()), ("direction", direction.into())])
+        };
         Self {
-            consistent: candidates
-                .consistent()
-                .map(|(mode, direction)| {
-                    [("mode", Some(mode).into()), ("direction", direction.into())]
-                        .into_iter()
-                        .collect()
-                })
-                .collect(),
+            consistent: candidates.consistent().map(fields).collect(),
             details: Fields::of_details(candidates.details()),
         }
     }

@@ -67,8 +67,12 @@ impl Fields {
         self.0.iter().map(|(_, value)| *value)
     }
 
-    pub(crate) fn followed_by(mut self, others: Self) -> Self {
+    pub(crate) fn extend(&mut self, others: Self) {
         self.0.extend(others.0);
+    }
+
+    pub(crate) fn followed_by(mut self, others: Self) -> Self {
+        self.extend(others);
         self
     }
 

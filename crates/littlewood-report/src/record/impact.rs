@@ -33,12 +33,9 @@ pub(crate) struct ImpactRecord {
 
 impl ImpactRecord {
     pub(crate) fn new(impact: &Impact) -> Self {
-        let case = [("case", Value::Word(Some(impact.case.name())))];
+        let case = Fields::from_iter([("case", Value::Word(Some(impact.case.name())))]);
         Self {
-            whole: case
-                .into_iter()
-                .collect::<Fields>()
-                .followed_by(Fields::of_details(whole(impact))),
+            whole: case.followed_by(Fields::of_details(whole(impact))),
             before: Fields::of_details(before(impact)),
             after: Fields::of_details(after(impact)),
         }
@@ -57,41 +54,34 @@ fn whole(impact: &Impact) -> [(&'static str, Detail); NUMBERS.len()] {
     NUMBERS.map(|(name, dimension, of)| (name, Detail::Real(of(impact), dimension)))
 }
 
+/// A value of a column of samples.
+pub(super) fn number(column: SampleColumn, value: f64) -> (&'static str, Detail) {
+    let dimension = column.dimension().unwrap_or(Dimension::Ratio);
+    (column.name(), Detail::Real(value, dimension))
+}
+
 fn before(impact: &Impact) -> [(&'static str, Detail); 3] {
+    let before = impact.before;
     [
-        (
-            SampleColumn::ThetaRate.name(),
-            Detail::Real(impact.before.theta_rate, Dimension::AngularRate),
-        ),
-        (
-            SampleColumn::Slip.name(),
-            Detail::Real(impact.before.slip, Dimension::Velocity),
-        ),
-        (
-            SampleColumn::GapRate.name(),
-            Detail::Real(impact.before.gap_rate, Dimension::Velocity),
-        ),
+        number(SampleColumn::ThetaRate, before.theta_rate),
+        number(SampleColumn::Slip, before.slip),
+        number(SampleColumn::GapRate, before.gap_rate),
     ]
 }
 
 fn after(impact: &Impact) -> [(&'static str, Detail); 1] {
-    [(
-        SampleColumn::GapRate.name(),
-        Detail::Real(impact.after.gap_rate, Dimension::Velocity),
-    )]
+    [number(SampleColumn::GapRate, impact.after.gap_rate)]
 }
 
 /// The rate of the gap and the impact as columns, empty where there is no impact.
 pub(crate) fn jump(gap_rate: f64, side: Option<&'static str>, impact: Option<&Impact>) -> Fields {
+    let case = impact.map(|impact| impact.case.name());
     let first = [
         (SampleColumn::GapRate.name(), Value::Real(gap_rate)),
         ("side", Value::Word(side)),
-        (
-            "impact",
-            Value::Word(impact.map(|impact| impact.case.name())),
-        ),
+        ("impact", Value::Word(case)),
     ];
-    let numbers = NUMBERS.map(|(name, _, of)| (name, number(impact.map(of))));
+    let numbers = NUMBERS.map(|(name, _, of)| (name, known(impact.map(of))));
     first.into_iter().chain(numbers).collect()
 }
 
@@ -108,11 +98,11 @@ pub(crate) fn si_jump(units: &Units, gap_rate: f64, impact: Option<&Impact>) -> 
         .chain(numbers)
         .map(|(name, dimension, value)| {
             let value = value.map(|value| units.to_si(dimension, value));
-            (format!("{name}{}", dimension.si_suffix()), number(value))
+            (format!("{name}{}", dimension.si_suffix()), known(value))
         })
         .collect()
 }
 
-fn number(value: Option<f64>) -> Value {
+fn known(value: Option<f64>) -> Value {
     value.map_or(Value::Word(None), Value::Real)
 }

@@ -21,5 +21,5 @@ pub(crate) use outcome::OutcomeRecord;
 pub(crate) use phase::PhaseRecord;
 pub use setup::RESTITUTION_LAW;
 pub(crate) use setup::{CaseRecord, SiRecord, StartRecord, hoop, opening};
-pub(crate) use transition::{TransitionRecord, digit_columns, edge, edge_of};
+pub(crate) use transition::{TransitionRecord, digit_columns, digits_of, edge, edge_of};
 pub(crate) use uncertainty::UncertaintyRecord;

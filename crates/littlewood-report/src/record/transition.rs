@@ -3,13 +3,13 @@
 use littlewood::derivatives::Derivatives;
 use littlewood::impact::Impact;
 use littlewood::si::Units;
-use littlewood::tables::{Detail, Dimension, SampleColumn};
-use littlewood::{Digits, Mode, SlipDirection, Transition};
+use littlewood::tables::SampleColumn;
+use littlewood::{Digits, Mode, SlipDirection, State, Transition};
 use serde::Serialize;
 
 use super::derivatives::{DerivativesRecord, of_transition};
 use super::fields::{Fields, Value};
-use super::impact::ImpactRecord;
+use super::impact::{ImpactRecord, number};
 use super::instant::{si_state, state};
 
 /// What changes at a transition: the mode that ends, the mode that begins and its σ, and the event.
@@ -19,14 +19,12 @@ pub(crate) fn edge(
     direction: Option<SlipDirection>,
     cause: Option<&'static str>,
 ) -> Fields {
-    [
+    Fields::from_iter([
         ("from", from.into()),
         ("to", to.into()),
         ("direction", direction.into()),
         ("cause", Value::Word(cause)),
-    ]
-    .into_iter()
-    .collect()
+    ])
 }
 
 /// The edge that a transition takes.
@@ -89,14 +87,8 @@ impl TransitionRecord {
     /// The jam that follows a start, of which the rest is told elsewhere.
     pub(crate) fn of_jam(impact: &Impact, units: Option<&Units>) -> Self {
         let after = [
-            (
-                SampleColumn::ThetaRate.name(),
-                Detail::Real(impact.after.theta_rate, Dimension::AngularRate),
-            ),
-            (
-                SampleColumn::Slip.name(),
-                Detail::Real(impact.after.slip, Dimension::Velocity),
-            ),
+            number(SampleColumn::ThetaRate, impact.after.theta_rate),
+            number(SampleColumn::Slip, impact.after.slip),
         ];
         Self {
             plain: JumpRecord {
@@ -113,41 +105,33 @@ impl TransitionRecord {
     }
 }
 
-/// The estimates with the numbers that they belong to; none where the start does not decide what
-/// happens.
-fn named(digits: Option<&Digits>) -> [(SampleColumn, Option<u8>); 5] {
+/// The digits of the numbers of a state, in the order of [`State::COLUMNS`].
+pub(crate) fn digits_of(digits: &Digits) -> [u8; 5] {
     [
-        (SampleColumn::Time, digits.map(|digits| digits.time)),
-        (SampleColumn::Theta, digits.map(|digits| digits.theta)),
-        (
-            SampleColumn::ThetaRate,
-            digits.map(|digits| digits.theta_rate),
-        ),
-        (SampleColumn::Slip, digits.map(|digits| digits.slip)),
-        (SampleColumn::X, digits.map(|digits| digits.x)),
+        digits.time,
+        digits.theta,
+        digits.theta_rate,
+        digits.slip,
+        digits.x,
     ]
 }
 
 /// How many digits can be trusted, each under the name of its number.
 fn object(digits: &Digits) -> Fields {
-    named(Some(digits))
-        .into_iter()
-        .map(|(column, digits)| {
-            (
-                column.name(),
-                Value::Count(usize::from(digits.unwrap_or(0))),
-            )
-        })
+    let columns = State::COLUMNS.into_iter().zip(digits_of(digits));
+    columns
+        .map(|(column, digits)| (column.name(), Value::Count(digits.into())))
         .collect()
 }
 
-/// The same as columns; empty where there is no transition.
+/// The same as columns: empty where there is no transition, 0 where the start does not decide what
+/// happens.
 pub(crate) fn digit_columns(digits: Option<&Option<Digits>>) -> Fields {
-    named(digits.and_then(Option::as_ref))
-        .into_iter()
-        .map(|(column, estimate)| {
-            let count = estimate.unwrap_or(0);
-            let value = digits.map_or(Value::Word(None), |_| Value::Count(usize::from(count)));
+    let counts = digits.map(|digits| digits.as_ref().map_or([0; 5], digits_of));
+    let columns = State::COLUMNS.into_iter().enumerate();
+    columns
+        .map(|(n, column)| {
+            let value = counts.map_or(Value::Word(None), |it| Value::Count(it[n].into()));
             (format!("{}_digits", column.name()), value)
         })
         .collect()

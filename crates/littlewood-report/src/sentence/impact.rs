@@ -9,42 +9,91 @@ use crate::number::{brief, three};
 use crate::scale::Scale;
 use crate::{ShownImpact, kinetic_energy};
 
-/// A landing with an impact.
-pub(super) fn landing(
-    hoop: &Hoop,
-    (index, event): (usize, &Transition),
-    impact: &Impact,
-    scale: Scale<'_>,
-) -> String {
-    format!(
-        "Lands: {}.",
-        whole(
-            course(hoop, index, event, impact),
-            hoop,
-            (index, event),
-            impact,
-            scale
-        )
-    )
+/// A transition with an impact.
+pub(super) struct Struck<'a> {
+    pub(super) hoop: &'a Hoop,
+    /// Of the transition.
+    pub(super) index: usize,
+    pub(super) event: &'a Transition,
+    pub(super) impact: &'a Impact,
+    pub(super) scale: Scale<'a>,
 }
 
-/// An impact without a collision.
-pub(super) fn jam(
-    hoop: &Hoop,
-    (index, event): (usize, &Transition),
-    impact: &Impact,
-    scale: Scale<'_>,
-) -> String {
-    let why = match event.from {
-        None => "no motion is consistent here",
-        Some(_) => "the slide has reached P = 0",
-    };
-    let course =
-        format!("{why}, and the plane ends the slip in an impact without a collision (Painlevé)");
-    format!(
-        "Jams: {}.",
-        whole(course, hoop, (index, event), impact, scale)
-    )
+impl Struck<'_> {
+    /// A landing.
+    pub(super) fn landing(&self) -> String {
+        format!("Lands: {}{}.", self.course(), self.end())
+    }
+
+    /// An impact without a collision.
+    pub(super) fn jam(&self) -> String {
+        let why = match self.event.from {
+            None => "no motion is consistent here",
+            Some(_) => "the slide has reached P = 0",
+        };
+        format!(
+            "Jams: {why}, and the plane ends the slip in an impact without a collision (Painlevé){}.",
+            self.end()
+        )
+    }
+
+    /// What is lost, and what follows.
+    fn end(&self) -> String {
+        let loss = self.loss().map(|loss| format!("; {loss}"));
+        loss.unwrap_or_default() + &then(self.event, self.scale)
+    }
+
+    fn shown(&self) -> Option<ShownImpact> {
+        ShownImpact::of(self.hoop, self.index, self.event)
+    }
+
+    /// What the contact point does.
+    fn course(&self) -> &'static str {
+        let slips = self.shown().is_some_and(|shown| shown.before.slip != 0.0);
+        match self.impact.case {
+            ImpactCase::None => "touches the plane without an impulse",
+            ImpactCase::Slides => "slips throughout",
+            ImpactCase::SticksInCompression if slips => {
+                "slips, then sticks while it is pressed to the plane"
+            }
+            ImpactCase::SticksInRestitution if slips => "slips, then sticks while it springs back",
+            ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution => {
+                "sticks throughout"
+            }
+            ImpactCase::ReversesInCompression if slips => {
+                "slips, then slips the other way while it is pressed to the plane"
+            }
+            ImpactCase::ReversesInRestitution if slips => {
+                "slips, then slips the other way while it springs back"
+            }
+            ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
+                "begins to slip while it is pressed to the plane"
+            }
+            ImpactCase::Jams => {
+                "jams, and the plane presses on it until the slip has ended (Painlevé)"
+            }
+        }
+    }
+
+    /// The part of the kinetic energy that is lost, or gained.
+    fn loss(&self) -> Option<String> {
+        let kinetic = kinetic_energy(self.hoop, self.event.before.theta, &self.impact.before)
+            .filter(|energy| *energy > 0.0)?;
+        let share = self.shown()?.energy_lost / kinetic;
+        Some(if share == 0.0 {
+            "none of its kinetic energy is lost".to_owned()
+        } else if share < 0.0 {
+            format!(
+                "its kinetic energy grows by {}, as Newton's law allows where friction changes on the way",
+                percent(-share)
+            )
+        } else {
+            format!(
+                "{} of its kinetic energy before the impact is lost",
+                percent(share)
+            )
+        })
+    }
 }
 
 /// The end of bounces, which is transition `index`.
@@ -65,64 +114,6 @@ pub(super) fn settling(
         "Settles: {after}, the rim stays at the plane{}.",
         then(event, scale)
     )
-}
-
-fn whole(
-    course: String,
-    hoop: &Hoop,
-    (index, event): (usize, &Transition),
-    impact: &Impact,
-    scale: Scale<'_>,
-) -> String {
-    let loss = loss(hoop, (index, event), impact)
-        .map(|loss| format!("; {loss}"))
-        .unwrap_or_default();
-    format!("{course}{loss}{}", then(event, scale))
-}
-
-/// What the contact point does in transition `index`.
-fn course(hoop: &Hoop, index: usize, event: &Transition, impact: &Impact) -> String {
-    let slips = ShownImpact::of(hoop, index, event).is_some_and(|shown| shown.before.slip != 0.0);
-    match impact.case {
-        ImpactCase::None => "touches the plane without an impulse",
-        ImpactCase::Slides => "slips throughout",
-        ImpactCase::SticksInCompression if slips => {
-            "slips, then sticks while it is pressed to the plane"
-        }
-        ImpactCase::SticksInRestitution if slips => "slips, then sticks while it springs back",
-        ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution => "sticks throughout",
-        ImpactCase::ReversesInCompression if slips => {
-            "slips, then slips the other way while it is pressed to the plane"
-        }
-        ImpactCase::ReversesInRestitution if slips => {
-            "slips, then slips the other way while it springs back"
-        }
-        ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
-            "begins to slip while it is pressed to the plane"
-        }
-        ImpactCase::Jams => "jams, and the plane presses on it until the slip has ended (Painlevé)",
-    }
-    .to_owned()
-}
-
-/// The part of the kinetic energy that is lost, or gained.
-fn loss(hoop: &Hoop, (index, event): (usize, &Transition), impact: &Impact) -> Option<String> {
-    let kinetic =
-        kinetic_energy(hoop, event.before.theta, &impact.before).filter(|energy| *energy > 0.0)?;
-    let share = ShownImpact::of(hoop, index, event)?.energy_lost / kinetic;
-    Some(if share == 0.0 {
-        "none of its kinetic energy is lost".to_owned()
-    } else if share < 0.0 {
-        format!(
-            "its kinetic energy grows by {}, as Newton's law allows where friction changes on the way",
-            percent(-share)
-        )
-    } else {
-        format!(
-            "{} of its kinetic energy before the impact is lost",
-            percent(share)
-        )
-    })
 }
 
 /// A part of a whole: `42 %`, `3.1 %`, `99.6 %`.

@@ -11,6 +11,7 @@ use littlewood::{Cause, Hoop, Mode, Outcome, Phase, Sample, Trajectory, Transiti
 
 use crate::number::{brief, three};
 use crate::scale::Scale;
+use impact::Struck;
 
 /// Why the motion of a massless hoop ends at the plane.
 const NO_IMPACT: &str = "the model ends here. A rim without mass cannot be struck";
@@ -82,6 +83,13 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
     let forces =
         RollingLaw::new(trajectory.hoop()).forces(event.before.theta, event.before.theta_rate);
     let mu_s = trajectory.hoop().mu_s();
+    let struck = |impact| Struck {
+        hoop,
+        index,
+        event,
+        impact,
+        scale,
+    };
     Some(match event.cause {
         Cause::Slip => slip(event, mu_s),
         Cause::Stick => format!("Sticks and rolls: the slip has died away, and {HOLDS}."),
@@ -109,7 +117,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
             )
         }
         Cause::Landing => match &event.impact {
-            Some(impact) => impact::landing(hoop, (index, event), impact, scale),
+            Some(impact) => struck(impact).landing(),
             None => landing(ended_by(trajectory, index), scale),
         },
         Cause::ParticleAtPlane => {
@@ -124,7 +132,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         }
         Cause::Settle => impact::settling(trajectory, index, event, scale),
         Cause::Jam => match &event.impact {
-            Some(impact) => impact::jam(hoop, (index, event), impact, scale),
+            Some(impact) => struck(impact).jam(),
             None => "Jams.".to_owned(),
         },
         Cause::Singularity => {
