@@ -456,37 +456,28 @@ pub(super) fn from_both_sides<const N: usize>(mut c: [f64; N]) -> [f64; N] {
 
 /// Signs of a function whose Bernstein coefficients are known to `band`.
 fn sign_pattern(coefficients: &Low, band: f64) -> SignPattern {
-    let min = coefficients
-        .iter()
-        .fold(f64::INFINITY, |min, b| min.min(*b));
-    let max = coefficients
-        .iter()
-        .fold(f64::NEG_INFINITY, |max, b| max.max(*b));
-    if min > band {
-        return SignPattern::Positive;
-    }
-    if max < -band {
-        return SignPattern::Negative;
-    }
     // A function has no more changes of sign than its coefficients. One change for certain: a
     // prefix with the first sign, a suffix with the other, and between them only what is not known.
-    let (first, last) = (coefficients[0], coefficients[SIGN_DEGREE]);
-    let is_first = |b: f64| if first > 0.0 { b > band } else { b < -band };
-    let is_last = |b: f64| if last > 0.0 { b > band } else { b < -band };
-    if !is_first(first) || !is_last(last) {
+    let sign_of_first = f64::copysign(1.0, coefficients[0]);
+    let is_first = |b: &&f64| sign_of_first * **b > band;
+    let is_last = |b: &&f64| -sign_of_first * **b > band;
+    let begin = coefficients.iter().take_while(is_first).count();
+    let end = coefficients.iter().rev().take_while(is_last).count();
+    if begin == coefficients.len() {
+        return if sign_of_first > 0.0 {
+            SignPattern::Positive
+        } else {
+            SignPattern::Negative
+        };
+    }
+    if begin == 0 || end == 0 {
         return SignPattern::Unknown;
     }
-    let begin = coefficients.iter().take_while(|b| is_first(**b)).count();
-    let end = coefficients
-        .iter()
-        .rev()
-        .take_while(|b| is_last(**b))
-        .count();
     let between = &coefficients[begin..coefficients.len() - end];
-    if (first > 0.0) == (last > 0.0) || between.iter().any(|b| b.abs() > band) {
+    if between.iter().any(|b| b.abs() > band) {
         return SignPattern::Unknown;
     }
-    if first > 0.0 {
+    if sign_of_first > 0.0 {
         SignPattern::Falling
     } else {
         SignPattern::Rising

@@ -254,14 +254,16 @@ impl<'a> Slide<'a> {
         let slope = 2.0 * law.u_growth(sin, cos) * contact(1.0, law.body.h, cos * point.u);
         let min_halvings = (0..=HALVINGS)
             .find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= point.u * (1_u32 << k) as f64)?;
-        let mut intervals = (min_halvings..=HALVINGS)
-            .flat_map(|halvings| AngleInterval::about(frame.theta, halvings));
-        let (interval, found) = intervals.find_map(|interval| {
-            let table = tables.get(law, frame.sigma, interval)?;
-            Some((interval, table.enter(&point)?))
-        })?;
-        let edge = found.segment.exit.is_some().then(|| interval.exit());
-        Some(self.follow_regular(&found.start, &found.segment, edge))
+        for halvings in min_halvings..=HALVINGS {
+            for interval in AngleInterval::about(frame.theta, halvings) {
+                let table = tables.get(law, frame.sigma, interval);
+                if let Some(found) = table.and_then(|table| table.enter(&point)) {
+                    let edge = found.segment.exit.is_some().then(|| interval.exit());
+                    return Some(self.follow_regular(&found.start, &found.segment, edge));
+                }
+            }
+        }
+        None
     }
 
     /// Crosses whole intervals up to the first with an event, or up to an edge from which no
@@ -295,15 +297,17 @@ impl<'a> Slide<'a> {
             let time = table.time(u_centre);
             let exit = exit_point(&frame, &crossing, self.point.elapsed + time);
             let next = Some(interval.exit());
-            let end = if let Some(min_slip) = self.min_slip_without_event(&crossing, time, &exit) {
+            let signs = table.signs(u_centre);
+            let min_slip = self.min_slip_without_event(&crossing, signs, time, &exit);
+            let end = if let Some(min_slip) = min_slip {
                 self.frame.theta += interval.width();
                 (self.edge, self.point) = (next, exit);
                 self.skip_if_periodic(min_slip, true)?
+            } else if signs.pattern == SignPattern::Unknown {
+                break;
             } else {
                 // An event may lie on this interval: it is searched.
-                let Some(whole) = table.whole_interval(&self.point, u_centre, time) else {
-                    break;
-                };
+                let whole = table.whole_interval(&self.point, u_centre, time, signs);
                 self.follow_regular(&whole.start, &whole.segment, next)?
             };
             if end.is_some() {
@@ -318,6 +322,7 @@ impl<'a> Slide<'a> {
     fn min_slip_without_event(
         &self,
         crossing: &Crossing<'_>,
+        signs: SlipSigns,
         time: f64,
         exit: &SlidePoint,
     ) -> Option<f64> {
@@ -330,7 +335,7 @@ impl<'a> Slide<'a> {
         let SlipSigns {
             pattern,
             sign_uncertainty,
-        } = crossing.table.signs(crossing.u_centre);
+        } = signs;
         // η′ is monotone, has a maximum, or a minimum that is no less.
         let min_slip = match pattern {
             SignPattern::Positive | SignPattern::Negative => at_ends,

@@ -317,23 +317,36 @@ impl SlideTable {
         &self.exit_coefficients
     }
 
-    /// The whole interval, for a slide that crosses it in this time. None where η″ may change its
-    /// sign twice.
+    /// The whole interval, for a slide that crosses it in this time, with these signs of η″.
+    #[inline]
     pub(super) fn whole_interval(
         &self,
         start: &SlidePoint,
         u_centre: f64,
         time: f64,
-    ) -> Option<TableSegment> {
+        signs: SlipSigns,
+    ) -> TableSegment {
         let from = -self.end;
-        let segment = self.segment(u_centre, self.u(u_centre), self.interval_degree, self.end)?;
-        Some(TableSegment {
+        TableSegment {
             start: SlidePoint { z: from, ..*start },
             segment: RegularSegment {
+                width: self.width,
+                u: self.u(u_centre),
+                degree: self.interval_degree,
+                signs,
+                angle: self.angle,
+                end: self.end,
                 known_time: Some(KnownTime { from, time }),
-                ..segment
+                exit: Some(self.segment_exit(u_centre)),
             },
-        })
+        }
+    }
+
+    fn segment_exit(&self, u_centre: f64) -> SegmentExit {
+        SegmentExit {
+            u: self.exit.at(u_centre),
+            coefficients: self.exit_coefficients,
+        }
     }
 
     /// The segment of a slide from a point to the end of the interval, or half as far. None if the
@@ -356,15 +369,29 @@ impl SlideTable {
         // Most intervals that fail do so by the slope, which costs one product.
         let may_be_zero_free =
             |end: &f64| RegularSegment::may_be_zero_free(u_centre, slope, span(*end));
+        let mut ends = [self.end, 0.5 * (z + self.end)].into_iter();
+        ends.clone().find(may_be_zero_free)?;
+        let signs = self.signs(u_centre);
+        if signs.pattern == SignPattern::Unknown {
+            return None;
+        }
         let u = self.u(u_centre);
-        let is_zero_free = |end: &f64| RegularSegment::is_zero_free(&u[..=degree], span(*end));
-        let end = [self.end, 0.5 * (z + self.end)]
-            .into_iter()
-            .filter(may_be_zero_free)
-            .find(is_zero_free)?;
+        let is_zero_free = |end: &f64| {
+            may_be_zero_free(end) && RegularSegment::is_zero_free(&u[..=degree], span(*end))
+        };
+        let end = ends.find(is_zero_free)?;
         Some(TableSegment {
             start: SlidePoint { z, ..*point },
-            segment: self.segment(u_centre, u, degree, end)?,
+            segment: RegularSegment {
+                width: self.width,
+                u,
+                degree,
+                signs,
+                angle: self.angle,
+                end,
+                known_time: None,
+                exit: (end == self.end).then(|| self.segment_exit(u_centre)),
+            },
         })
     }
 
@@ -391,24 +418,6 @@ impl SlideTable {
     pub(super) fn min_slip_acceleration(&self, u_centre: f64) -> f64 {
         let TruncatedPolynomial { low, remainder } = self.slip_acceleration(u_centre);
         (low.into_iter().fold(0.0, f64::min) - remainder) / self.min_p
-    }
-
-    fn segment(&self, u_centre: f64, u: Series, degree: usize, end: f64) -> Option<RegularSegment> {
-        let signs = self.signs(u_centre);
-        let is_whole = end == self.end;
-        (signs.pattern != SignPattern::Unknown).then(|| RegularSegment {
-            width: self.width,
-            u,
-            degree,
-            signs,
-            angle: self.angle,
-            end,
-            known_time: None,
-            exit: is_whole.then_some(SegmentExit {
-                u: self.exit.at(u_centre),
-                coefficients: self.exit_coefficients,
-            }),
-        })
     }
 }
 
