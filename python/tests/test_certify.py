@@ -26,7 +26,7 @@ import pytest
 from littlewood.certify import Case, CaseError, Refused, certify, check, checker, dump
 from littlewood.certify.__main__ import main
 from littlewood.certify.checker import Range, digest, pi, precision, sine_and_cosine
-from littlewood.certify.compare import differences
+from littlewood.certify.compare import differences, simulated
 from littlewood.scoring import CASES
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -493,6 +493,46 @@ def test_mirrored_slopes_have_mirrored_certificates() -> None:
             factor = 1 if name in ("time", "gap", "gap_rate", "energy") else -1
             assert Fraction(its["state"][name][0]) == factor * Fraction(middle), name
             assert its["state"][name][1] == radius
+
+
+WEDGED = (0.2, 0.9, 0.2, 2.29)
+"""Mass ratio, offset, inertia and μs of a hoop that may roll on a slope where w < 0."""
+
+
+def test_a_start_with_rolling_and_flight_is_ambiguous() -> None:
+    for mu_k in (0.35, 0.9):
+        case = Case((0.2, 1.0, 0.1, 1.0, mu_k), (0.5, -0.8, 0.0, 0.0), 1.0, slope=-1.1)
+        certificate = certify(case)
+        assert certificate["initial"]["mode"] == certificate["end"]["kind"] == "ambiguous"
+        assert check(certificate)["phases"] == 0
+        assert simulated(certificate["case"]).outcome.kind == "ambiguous"
+
+
+@pytest.mark.parametrize("mu_k", [0.3, 2.29])
+def test_rolling_goes_on_where_flight_is_consistent_and_gives_way_to_it(mu_k: float) -> None:
+    """With μk = μs, too, where the acceleration of slip vanishes and the next derivative decides."""
+    case = Case((*WEDGED, mu_k), (0.73, -0.89, 0.0, 0.0), 1.0, slope=-1.1)
+    certificate = certify(case)
+    assert certificate["initial"]["mode"] == "rolling"
+    (event,) = certificate["events"]
+    assert (event["cause"], event["to"]) == ("slip", "flight")
+    assert (
+        float(event["evidence"]["contact"][0]) < 0 < float(event["evidence"]["rolling_normal"][0])
+    )
+    assert check(certificate)["events"] == 1
+    assert max(one.ulps for one in differences(certificate)) < 4
+
+
+def test_a_landing_at_rest_rolls_where_flight_is_consistent() -> None:
+    """The contact is compressed, and in stick its force relaxes to that of rolling."""
+    case = Case((0.2, 0.9, 0.1, 2.03, 0.3), (2.5, -1.1, -0.3, 0.68), 3.0, 0.0, slope=-1.0)
+    certificate = certify(case)
+    landing, slip = certificate["events"]
+    assert (landing["cause"], landing["to"]) == ("landing", "rolling")
+    assert float(landing["evidence"]["contact"][0]) < 0
+    assert (slip["cause"], slip["to"]) == ("slip", "flight")
+    assert check(certificate)["events"] == 2
+    assert max(one.ulps for one in differences(certificate)) < 64
 
 
 def test_rolling_down_a_slope_has_its_closed_form() -> None:

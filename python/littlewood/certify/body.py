@@ -111,8 +111,11 @@ class Next:
     """Order of the zero of what the phase begins with: of the slip, or of the gap."""
 
 
-def decide(body: Body, state: State, gives_way: int = 0) -> Next:
-    """Decide which motion follows; static friction has just given way to this direction, if it is not 0."""
+def decide(body: Body, state: State, gives_way: int = 0, *, arrives: bool = True) -> Next:
+    """Decide which motion follows; static friction has just given way to this direction, if it is not 0.
+
+    A motion that arrives is in contact and rolls where rolling is consistent; at a start flight may be, too.
+    """
     sin, cos = state.theta.sin(), state.theta.cos()
     contact = body.contact(state.theta, state.rate)
     evidence = {"contact": contact}
@@ -144,7 +147,7 @@ def decide(body: Body, state: State, gives_way: int = 0) -> Next:
         holds = True
     else:
         raise Undecided("whether static friction holds is not decided")
-    if w > 0 and holds:
+    if holds and (w > 0 or arrives):
         return Next("rolling", 0, evidence)
     solvable = {side: body.solvability(sin, cos, side) for side in (-1, 1)}
     evidence["solvability_negative"], evidence["solvability_positive"] = solvable[-1], solvable[1]
@@ -153,8 +156,10 @@ def decide(body: Body, state: State, gives_way: int = 0) -> Next:
         # Where P and w have one sign the plane presses; and the slip has to begin.
         if holds or sign(p, "P") != w:
             continue
-        if gives_way == side and body.same_friction and w > 0:
-            consistent.append(Next("sliding", side, evidence, 2))
+        if gives_way == side and body.same_friction:
+            # The acceleration of slip vanishes; the next derivative has the sign of P.
+            if w > 0:
+                consistent.append(Next("sliding", side, evidence, 2))
         elif sign(-(friction * side + body.mu_k * normal) * p, "the acceleration of slip") > 0:
             consistent.append(Next("sliding", side, evidence, 1))
     if w < 0:

@@ -1730,8 +1730,11 @@ class Next:
     order: int = 0
 
 
-def decide(given: Given, state: State, gives_way: int = 0) -> Next:
-    """Decide what follows on the plane; static friction has just given way to this direction, if it is not 0."""
+def decide(given: Given, state: State, gives_way: int = 0, *, starts: bool = False) -> Next:
+    """Decide what follows on the plane; static friction has just given way to this direction, if it is not 0.
+
+    Rolling and flight may both be consistent: a start is then ambiguous, and all else keeps its contact.
+    """
     body, (s, c), omega = given.body, sine_and_cosine(state.theta), state.rate
     moving = state.slip.sign()
     normal, friction = body.forces(s, c, omega, body.rolling(s, c, omega))
@@ -1754,7 +1757,7 @@ def decide(given: Given, state: State, gives_way: int = 0) -> Next:
     holds = holds and (
         given.balanced or ((grip - friction).sign() > 0 and (grip + friction).sign() > 0)
     )
-    if holds and presses > 0:
+    if holds and not (starts and presses < 0):
         return Next(ROLLING, 0, evidence)
     solvable = {sigma: body.solvability(s, c, sigma) for sigma in (-1, 1)}
     evidence |= {"solvability_negative": solvable[-1], "solvability_positive": solvable[1]}
@@ -1762,10 +1765,11 @@ def decide(given: Given, state: State, gives_way: int = 0) -> Next:
     for sigma, p in solvable.items():
         if holds or p.sign() != presses:
             continue
-        # Where static friction gives way and kinetic friction is equal, η″ = 0 and η‴ drives the
-        # slip.
-        tie = gives_way == sigma and given.equal and presses > 0
-        if tie or (-(friction * sigma + body.mu_k * normal) * p).sign() > 0:
+        # Where static friction gives way and kinetic friction is equal, η″ = 0, and η‴ has the sign
+        # of P, which is that of w.
+        tie = gives_way == sigma and given.equal
+        drives = p if tie else -(friction * sigma + body.mu_k * normal) * p
+        if drives.sign() > 0:
             consistent.append(Next(SLIDING, sigma, evidence, 2 if tie else 1))
     if presses < 0:
         consistent.append(Next(FLIGHT, 0, evidence, 2))
@@ -2068,7 +2072,7 @@ class Walk:
     def follow(self) -> dict[str, Any]:
         """Follow the motion to its end, and return what a certificate has of it."""
         given, state = self.given, self.given.start
-        now = decide(given, state) if state.gap_rate.is_zero() else _opening(state)
+        now = decide(given, state, starts=True) if state.gap_rate.is_zero() else _opening(state)
         initial = {
             "mode": now.mode, "direction": now.direction, "evidence": self.evidence(now.evidence, "the start"),
         }  # fmt: skip

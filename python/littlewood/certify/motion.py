@@ -109,7 +109,7 @@ class Walk:
         """Follow the motion to its end."""
         state = self.start
         if state.gap_rate.is_zero():
-            now = self._decide(state)
+            now = self._decide(state, arrives=False)
         else:
             now = Next("flight", 0, {"gap_rate": state.gap_rate}, 1)
         motion = self.motion = Motion(now)
@@ -148,10 +148,10 @@ class Walk:
         self._count(len(found.pieces))
         return found
 
-    def _decide(self, state: State) -> Next:
-        return (
-            decide_massless(self.body, state) if self.body.is_massless else decide(self.body, state)
-        )
+    def _decide(self, state: State, *, arrives: bool = True) -> Next:
+        if self.body.is_massless:
+            return decide_massless(self.body, state)
+        return decide(self.body, state, arrives=arrives)
 
     def _end(self, kind: str, state: State) -> None:
         self.motion.ending, self.motion.end = kind, state
