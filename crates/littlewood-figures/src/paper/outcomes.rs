@@ -235,6 +235,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         Regions {
             regions,
             boundaries,
+            ..
         },
         is_cut,
     ) = regions_of(input, &plan, within(window), watch)?;

@@ -75,7 +75,7 @@ impl Band {
         let key = |summary: &Summary| key_of(kind(summary), summary.sequence);
         let mut ask = workers.keys_of_places(grid, limits, key, told);
         let places: Vec<Place> = (0..=last).map(|i| [i as f64 / last as f64, 0.0]).collect();
-        let keys = ask(&places)?;
+        let keys = ask(&places)?.unwrap_or_default();
         let spans: Vec<Span> = places
             .windows(2)
             .zip(keys.windows(2))
